@@ -151,23 +151,3 @@ def test_a_jump_is_nothing_for_steps_of_one_length():
 
     with pytest.raises(ValueError, match=r"jump of rhs near t = 10\.\d+; try \"auto\""):
         solve(rocket.rates, [0, 18], rocket.START, parameters=rocket.EXAMPLE, method="gauss")
-
-
-@pytest.mark.parametrize("name", ["a rate that is rounding", "a centre of mass"])
-def test_an_ensemble_wastes_no_steps_either(name, monkeypatch):
-    from tam570.integrate import ensemble
-
-    rates, start, end = ROUNDED[name]
-    starts, step, steps = np.tile(start, (20, 1)), ensemble._Members._step, []
-    starts[:, 0] += np.linspace(0, 0.3, 20)
-
-    def stepped(members):
-        steps.append(0)
-        if len(steps) > 1000:
-            raise TooMany
-        step(members)
-
-    monkeypatch.setattr(ensemble._Members, "_step", stepped)
-    found = solve(rates, [0, end], starts, rtol=1e-8, method="python")[:, -1]
-    for one, state in zip(starts, found, strict=True):
-        assert state == pytest.approx(solve(rates, [0, end], one, rtol=1e-10, method="python")[-1], abs=1e-6)

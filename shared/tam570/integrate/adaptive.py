@@ -1,140 +1,76 @@
-"""Runs of order 8 with automatic steps."""
+"""Runs of order 8 with automatic steps, stretch by stretch: a stretch ends where the rates may jump."""
 
 import math
 import sys
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
 from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from tam570.integrate.adaptive_loop import LACKS_SCALE, LARGEST, NOT_FINITE, RUNNING, TOO_SHORT, State, let_pass
-from tam570.integrate.arguments import Array
-from tam570.integrate.binding import check_start
+from tam570.integrate.adaptive_loop import LARGEST, RUNNING, SETS_IN, STOPPED, State
+from tam570.integrate.arguments import SMALLEST_RTOL, Array
+from tam570.integrate.binding import TRIAL_ERRORS, NewBreak, check_start
 from tam570.integrate.engine import Engine
-from tam570.integrate.scale import magnitudes
+from tam570.integrate.error_scale import NO_SCALE, SHARE, error_scale
 from tam570.integrate.stiffness import COMPILED, PYTHON, Look, stiffness_watch
-from tam570.integrate.tableau import NODES
 from tam570.integrate.trace import Graph
-from tam570.integrate.when_to_compile import Loop, carried_through, seconds_until_compiled
+from tam570.integrate.compilation import Loop, run_with_compilation, seconds_until_compiled
 
-__all__ = [
-    "BETWEEN_LOOKS",
-    "TROUBLE",
-    "Run",
-    "advanced",
-    "at_hand",
-    "at_start",
-    "begun",
-    "finished",
-    "scaled",
-    "shortest_step",
-    "states",
-    "travelled",
-]
+__all__ = ["Control", "Run", "Solution", "integrate", "is_compiled", "run_to_end", "shortest_step", "start_run", "step_n"]
 
 BETWEEN_LOOKS = 500  # steps
+KINKS = 30.0  # of the tolerance, so many times less where the rates may have kinks
 AFTER_A_JUMP = 6  # steps in a row, each as much longer than the one before as it may be
-
 BACKEND = "tam570.integrate.compiled.backend"  # which imports llvmlite, and is imported where it is wanted
 
-TROUBLE = {
-    NOT_FINITE: "rhs or solution is not finite at t = {t:.17g}",
-    TOO_SHORT: "no step is short enough at t = {t:.17g}: the solution seems to become infinite there",
-}
 
+class Control(NamedTuple):
+    """What the caller asks of the steps.
 
-def states(
-    engine: Engine,
-    times: Array,
-    start: Array,
-    rtol: float,
-    how: str,
-    floor: Sequence[float] = (),
-    project: Callable[[Array], Any] | None = None,
-    longest: Callable[[Array], float] | None = None,
-) -> Array:
-    """(n, k) states at `times`; see `travelled`."""
-    return travelled(engine, times, start, rtol, how, floor, project, longest)[0]
-
-
-def travelled(
-    engine: Engine,
-    times: Array,
-    start: Array,
-    rtol: float,
-    how: str,
-    floor: Sequence[float] = (),
-    project: Callable[[Array], Any] | None = None,
-    longest: Callable[[Array], float] | None = None,
-) -> tuple[Array, State, str]:
-    """(n, k) states at `times`, the state at the end, and the name of what went there.
-
-    how     : "auto", "python" or "compiled"
-    floor   : (k,) sizes by which components are judged at least
-    project : project(y) -> y after every step
-    longest : longest(y) -> s, no step from y is longer; only together with project
+    atol     : (k,), or none: it then follows from the start
+    max_step : s; first_step : s, or nothing: it then follows from the rates
+    longest  : longest(y) -> s, no step from y is longer; only together with `project`
+    project  : project(y) -> y after every step
+    on_step  : on_step(t, h, step) -> whether the run goes on, after every step; then the run is one in Python
     """
-    run, names = begun(engine, times, start, rtol), ["Python"]
-    if project is None and how != "python" and at_hand(engine.graph):
-        state = _at_once(run, floor)
-        if state.row == len(times):
-            return run.rows, state, "compiled"
-    in_python = partial(advanced, run, engine.functions["advance"], run.since.tolist(), run.watch(PYTHON))
-    loop = Loop(in_python, run.share)
-    if project:
-        loop = Loop(_stepwise(run, in_python, project, longest), run.share)
-    elif engine.graph is not None:
-        loop = Loop(in_python, run.share, partial(_compiled, run, in_python, names), partial(_wait, engine.graph))
-    last = finished(run, loop, floor, how)
-    if project:
-        run.rows[1:] = [project(row) for row in run.rows[1:]]
-    return run.rows, last, names[-1]
+
+    rtol: float
+    atol: Sequence[float] = ()
+    max_step: float = math.inf
+    first_step: float | None = None
+    project: Callable[[Array], Any] | None = None
+    longest: Callable[[Array], float] | None = None
+    on_step: Callable[..., bool] | None = None
 
 
-def at_hand(graph: Graph | None) -> bool:
-    """Whether this process has compiled it before."""
-    backend = sys.modules.get(BACKEND)
-    return backend is not None and graph in backend.READY
+class Solution(NamedTuple):
+    """(n, k) states at the times asked for, the state at the end, and the name of what went there."""
+
+    rows: Array
+    last: State
+    engine: str
 
 
-def _at_once(run: "Run", floor: Sequence[float]) -> State:
-    """By Taylor's method alone: most short runs need nothing else."""
-    graph, taylor_run = run.engine.graph, sys.modules[BACKEND].taylor_run
-    first = at_start(run.engine, run.origin, float(run.since[-1]), run.rows[0], floor, plainly=True)
-    watch = partial(run.watch, COMPILED)
-    last: State = taylor_run(graph, run.origin, run.since, run.rows, run.rtol, watch, first)
-    return last
-
-
-def begun(engine: Engine, times: Array, start: Array, rtol: float) -> "Run":
-    """A run whose first row is filled."""
-    rows = np.empty((len(times), len(start)))
-    rows[0] = start
-    return Run(engine, float(times[0]), times - times[0], rows, rtol)
-
-
-def finished(run: "Run", loop: Loop, floor: Sequence[float], how: str) -> State:
-    """The state at the end. ArithmeticError, with the time, where there is none."""
-    first = at_start(run.engine, run.origin, float(run.since[-1]), run.rows[0], floor, plainly=how == "compiled")
-    last: State = carried_through(loop, first, how)
-    if last.halt in TROUBLE:
-        raise ArithmeticError(TROUBLE[last.halt].format(t=run.engine.sign * (run.origin + last.t)))
-    return last
-
-
-class Run(NamedTuple):
-    """What is the same at every step. since : times since `origin`; rows : (n, k), to be filled."""
+@dataclass
+class Run:
+    """A stretch of a run. since : times since `origin`; rows : (n, k), to be filled; last : where it is."""
 
     engine: Engine
     origin: float
     since: Array
     rows: Array
-    rtol: float
+    control: Control
+    last: State = field(init=False)
+
+    @property
+    def rtol(self) -> float:
+        return self.control.rtol
 
     def share(self, state: State) -> float:
         """The part that is done, 1 where it goes no further."""
-        return 1.0 if state.row == len(self.rows) or state.halt > LACKS_SCALE else state.t / float(self.since[-1])
+        return 1.0 if state.row == len(self.rows) or state.halt else state.t / float(self.since[-1])
 
     def watch(self, too_many: int) -> Look:
         """Whether the run is to be given up, so many steps left being too many."""
@@ -142,17 +78,142 @@ class Run(NamedTuple):
         return stiffness_watch(rhs, self.engine.constants, self.origin, end, self.engine.sign, too_many)
 
 
-def advanced(run: Run, advance: Any, since: Any, look: Look, state: State, budget: int) -> State:
+def integrate(engine: Engine, times: Array, start: Array, how: str, control: Control) -> Solution:
+    """States at `times`; how: "auto", "python" or "compiled".
+
+    ArithmeticError, with the time, where the rates or the state cease to be finite, or the equations become stiff.
+    """
+    rows = np.empty((len(times), len(start)))
+    rows[0] = start
+    t, y, row, end = float(times[0]), start, 1, float(times[-1])
+    a: Sequence[float] = ()
+    names, steps, refusals = ["Python"], 0, 0
+    if not engine.is_traced:  # it may have kinks, of which an estimate sees but a part
+        control = control._replace(rtol=max(control.rtol / KINKS, SMALLEST_RTOL))
+    while True:
+        stop = engine.next_break(t, end, y)
+        through = max(row, int(np.searchsorted(times, stop, side="right")))
+        samples = np.concatenate([[t], times[row:through], [stop] if through == row or times[through - 1] != stop else []])
+        run = start_run(engine, samples, y, control)
+        try:
+            run_stretch(run, how, names, a)
+        except NewBreak:  # noted: the rest of the stretch is another one
+            stop = run.origin + run.last.t
+        last = run.last
+        if last.halt == SETS_IN:
+            stop = run.origin + last.t
+        known = min(last.row - 1, through - row)
+        rows[row : row + known] = run.rows[1 : 1 + known]
+        steps, refusals = steps + last.steps, refusals + last.refusals
+        last = last._replace(steps=steps, refusals=refusals)
+        if last.halt == STOPPED or last.row == len(run.rows) and stop >= end:
+            break
+        t, y, row, a = stop, np.array(last.y), row + known, last.a
+        control = control._replace(first_step=None)
+    if control.project:
+        rows[1:] = [control.project(state) for state in rows[1:]]
+    return Solution(rows, last._replace(t=run.origin + last.t), names[-1])
+
+
+def start_run(engine: Engine, times: Array, start: Array, control: Control) -> Run:
+    """A run whose first row is filled."""
+    rows = np.empty((len(times), len(start)))
+    rows[0] = start
+    return Run(engine, float(times[0]), times - times[0], rows, control)
+
+
+def run_stretch(run: Run, how: str, names: list[str], a: Sequence[float]) -> None:
+    """To the end of the stretch. names : gets the name of what goes there; a : absolute tolerance so far."""
+    engine, control = run.engine, run.control
+    alone = control.project is None and control.on_step is None
+    if alone and how != "python" and is_compiled(engine.graph):
+        _by_taylor(run, _unscaled_state(run, a))
+        if run.last.row == len(run.rows):
+            names.append("compiled")
+            return
+    in_python = partial(step_n, run, engine.functions["advance"], run.since.tolist(), run.watch(PYTHON))
+    if not alone:
+        from tam570.integrate.events import step_by_step
+
+        loop = Loop(step_by_step(run), run.share)
+    elif engine.graph is None:
+        loop = Loop(in_python, run.share)
+    else:
+        loop = Loop(in_python, run.share, partial(_compiled, run, in_python, names), partial(_wait, engine.graph))
+    lazily = how == "compiled" and engine.graph is not None
+    run_to_end(run, loop, _unscaled_state(run, a) if lazily else start_state(run, a), how)
+
+
+def is_compiled(graph: Graph | None) -> bool:
+    """Whether this process has compiled it before."""
+    backend = sys.modules.get(BACKEND)
+    return backend is not None and graph in backend.READY
+
+
+def _by_taylor(run: Run, state: State) -> State:
+    """The state as far as Taylor's method goes."""
+    backend = sys.modules[BACKEND]
+    watch = partial(run.watch, COMPILED)
+    run.last = backend.taylor_run(run, watch, state)
+    return run.last
+
+
+def run_to_end(run: Run, loop: Loop, first: State, how: str) -> None:
+    """Step until the end. ArithmeticError, with the time, where there is none."""
+    run.last = first
+    run.last = run_with_compilation(loop, first, how)
+    if run.last.halt not in (RUNNING, SETS_IN, STOPPED):
+        raise _trouble(run, run.last)
+
+
+def _trouble(run: Run, last: State) -> Exception:
+    """Why a run cannot go on."""
+    engine, t = run.engine, run.origin + last.t
+    where = f"at t = {engine.sign * t:.17g}"
+    beyond = [t + 1e-13 * max(abs(t), float(run.since[-1])), t]
+    for time in beyond:
+        y = np.array(last.y) + (time - t) * np.array(last.f)
+        try:
+            g = np.asarray(engine.rates(time, y), dtype=float)
+        except TRIAL_ERRORS as error:
+            if str(error) in ("math domain error", "math range error") or isinstance(error, ArithmeticError):
+                return _chained(ArithmeticError(f"rhs or solution is not finite {where}: {error}"), error)
+            error.add_note(f"solve: rhs raises this just beyond t = {engine.sign * t:.17g}, y = {list(last.y)}")
+            return error
+        if not np.isfinite(g).all():
+            return ArithmeticError(f"rhs or solution is not finite {where}: rhs gives {g}")
+    called = engine.called
+    if called is not None and called.error is not None and not isinstance(called.error, ArithmeticError):
+        called.error.add_note(f"solve: rhs raises this beyond t = {engine.sign * t:.17g}, y = {list(last.y)}")
+        return called.error
+    return ArithmeticError(
+        f"no step is short enough {where}: the solution seems to become infinite there, or the rates to jump without end"
+    )
+
+
+def _chained(error: Exception, cause: Exception) -> Exception:
+    error.__cause__ = cause
+    return error
+
+
+def step_n(run: Run, advance: Any, since: Any, look: Look, state: State, budget: int) -> State:
     """The state after so many steps of `advance`; since : as its code wants them."""
     last = state.steps + state.refusals + budget
     while run.share(state) < 1 and (left := last - state.steps - state.refusals) > 0:
         some = min(left, BETWEEN_LOOKS)
-        state = advance(run.origin, since, run.rows, state, run.engine.constants, run.rtol, some)
-        if state.halt == LACKS_SCALE:
-            state = scaled(run.engine, run.origin, state, run.rtol)
-        elif some == BETWEEN_LOOKS:
-            look(state.t, state.y, state.m, state.steps)
+        before = state
+        state = advance(
+            run.origin, since, run.rows, state, run.engine.constants, run.rtol, run.control.max_step, some
+        )
+        run.last = state
+        if some == BETWEEN_LOOKS:
+            look(state.t, state.y, sizes(state, run.rtol), state.steps)
     return state
+
+
+def sizes(state: State, rtol: float) -> list[float]:
+    """Of the components, for an estimate of their decays."""
+    return [abs(v) + (size / rtol if size > NO_SCALE else 0.0) for v, size in zip(state.y, state.a, strict=True)]
 
 
 def _compiled(run: Run, in_python: Callable[[State, int], State], names: list[str], state: State) -> State:
@@ -162,81 +223,67 @@ def _compiled(run: Run, in_python: Callable[[State, int], State], names: list[st
     graph, formulas = run.engine.graph, run.engine.formulas
     assert graph is not None
     names.append("compiled")
-    by_series = partial(
-        backend.taylor_run, graph, run.origin, run.since, run.rows, run.rtol, partial(run.watch, COMPILED)
-    )
-    state = by_series(state)
+    state = _by_taylor(run, state)
     backend.READY.add(graph)
     if not state.steps:
-        state = by_series(at_start(run.engine, run.origin, float(run.since[-1]), np.array(state.y), state.m))
+        scaled = start_state(run, state.a)
+        state = _by_taylor(run, scaled)
     if run.share(state) >= 1:
         return state
     f = run.engine.functions["rhs"](run.origin + state.t, state.y, run.engine.constants)
 
     def order_8(state: State) -> State:
-        by_steps = partial(advanced, run, backend.dop853(formulas), run.since, run.watch(COMPILED))
+        by_steps = partial(step_n, run, backend.dop853(formulas), run.since, run.watch(COMPILED))
         last: State = backend.by_moments(by_steps, run.share, state)
         return last
 
     wait = partial(seconds_until_compiled, len(graph.operations))
-    last: State = carried_through(
-        Loop(in_python, run.share, order_8, wait), state._replace(f=f), "auto" if state.steps else "compiled"
-    )
+    loop = Loop(in_python, run.share, order_8, wait)
+    last: State = run_with_compilation(loop, state._replace(f=f), "auto" if state.steps else "compiled")
     return last
 
 
 def _wait(graph: Graph) -> float:
     """Seconds until the compiled loop could start; none where this process has run it before."""
-    return 0.0 if at_hand(graph) else seconds_until_compiled(len(graph.operations))
+    return 0.0 if is_compiled(graph) else seconds_until_compiled(len(graph.operations))
 
 
-def _stepwise(run: Run, step: Any, project: Callable[[Array], Any], longest: Any) -> Callable[..., Any]:
-    """`step` to the end with every step limited before and projected after."""
-
-    def projected(state: Any, _budget: int) -> Any:
-        while run.share(state) < 1:
-            state = step(_shortened(state, longest), 1)
-            state = _projected(run.engine, state, run.origin, project)
-        return state
-
-    return projected
+def _unscaled_state(run: Run, a: Sequence[float]) -> State:
+    """The state that Taylor's method begins with: what starts at zero has no tolerance yet."""
+    y, control = tuple(run.rows[0].tolist()), run.control
+    a = tuple(control.atol) or tuple(a) or tuple(SHARE * control.rtol * abs(v) for v in y)
+    h = control.first_step or float(run.since[-1]) / 100
+    nothing = (0.0,) * len(y)
+    return State(1, 0.0, h, y, nothing, y, tuple(a), nothing, nothing, LARGEST, 0, 0, 0, RUNNING)
 
 
-def _shortened(state: State, longest: Callable[[Array], float] | None) -> State:
-    return state if longest is None else state._replace(h=min(state.h, longest(np.array(state.y))))
-
-
-def _projected(engine: Engine, state: State, origin: float, project: Callable[[Array], Any]) -> State:
-    """The state brought back to where it belongs, with the derivative there."""
-    y = tuple(np.asarray(project(np.array(state.y)), dtype=float).tolist())
-    f = engine.functions["rhs"](origin + state.t, y, engine.constants)
-    return state._replace(y=y, r=(0.0,) * len(y), f=f)
-
-
-def at_start(
-    engine: Engine, origin: float, span: float, start: Array, floor: Sequence[float] = (), plainly: bool = False
-) -> State:
-    """The state that `advance` begins with.
-
-    floor   : (k,) sizes by which components are judged at least
-    plainly : leave the scales to Taylor's method: what starts at zero has a magnitude of zero
-    """
-    if plainly and engine.graph is not None:
-        y = tuple(start.tolist())
-        m = tuple(map(max, map(abs, y), floor)) if floor else tuple(map(abs, y))
-        return State(1, 0.0, span / 100, y, (0.0,) * len(y), y, m, LARGEST, 0, 0, 0, RUNNING)
-    y, c, rhs = tuple(start.tolist()), engine.constants, engine.functions["rhs"]
+def start_state(run: Run, a: Sequence[float] = ()) -> State:
+    """The state that `advance` begins with. a : the absolute tolerance so far, of an earlier stretch."""
+    engine, origin, span, control = run.engine, run.origin, float(run.since[-1]), run.control
+    y, c, rhs = tuple(run.rows[0].tolist()), engine.constants, engine.functions["rhs"]
     f = rhs(origin, y, c)
     if not all(map(math.isfinite, f)):
-        check_start(engine.rates, origin, start, engine.sign)
+        if a:
+            raise ArithmeticError(f"rhs or solution is not finite at t = {engine.sign * origin:.17g}: rhs gives {list(f)}")
+        check_start(engine.rates, origin, run.rows[0], engine.sign)
     first_step = engine.functions["first_step"]
     h, g = first_step(origin, span, y, f, c), f
     if h < 1e-8 * span:  # the rates may jump at the very start
         g = rhs(origin + h, y, c)
         h = max(h, first_step(origin + h, span, y, g, c))
-    later = _doubling(origin, h, span) if engine.formulas.timed else ()
-    m = magnitudes(rhs, origin, h, y, g, floor or [0.0] * len(y), c, later)
-    return State(1, 0.0, h, y, (0.0,) * len(y), f, m, LARGEST, 0, 0, 0, RUNNING)
+    if not control.atol:
+        later = _doubling(origin, h, span) if engine.formulas.timed else ()
+        if not a:
+            sizes = error_scale(rhs, origin, h, y, g, [0.0] * len(y), c, later)
+            a = tuple(max(SHARE * control.rtol * size, NO_SCALE) for size in sizes)
+        elif min(a) <= NO_SCALE:
+            fresh = error_scale(rhs, origin, h, y, g, [0.0] * len(y), c, later)
+            a = tuple(
+                max(SHARE * control.rtol * s, NO_SCALE) if size <= NO_SCALE else size for s, size in zip(fresh, a, strict=True)
+            )
+    h = control.first_step or h
+    atol, nothing = tuple(control.atol) or tuple(a), (0.0,) * len(y)
+    return State(1, 0.0, h, y, nothing, f, atol, nothing, nothing, LARGEST, 0, 0, 0, RUNNING)
 
 
 def _doubling(origin: float, h: float, span: float) -> list[float]:
@@ -244,34 +291,25 @@ def _doubling(origin: float, h: float, span: float) -> list[float]:
     return [origin + h * 4.0**k for k in range(int(math.log(span / h, 4)) + 1)]
 
 
-def scaled(engine: Engine, origin: float, state: State, rtol: float) -> State:
-    """The state with a scale for what a step found moving that had none: if the times of its stages show one, or if
-    rounding is all that moves it."""
-    t, h, (y, f, m), c = origin + state.t, state.h, (state.y, state.f, state.m), engine.constants
-    later = [t + 10 * h * node for node in NODES[1:13]]  # the step was ten times as long
-    found = magnitudes(engine.functions["rhs"], t, 10 * h, y, f, m, c, later)
-    found = engine.functions["raised"](t, h, y, f, found, c, let_pass(rtol), max(2.0 * state.refused - 1.0, 1.0))
-    return state._replace(m=found, halt=RUNNING)
-
-
-def shortest_step(engine: Engine, times: Array, start: Array, rtol: float, floor: Sequence[float]) -> float:
-    """The shortest of the steps that this method takes at `rtol` once it has found its pace; s.
+def shortest_step(engine: Engine, times: Array, start: Array, control: Control) -> float:
+    """The shortest of the steps that this method takes once it has found its pace; s.
 
     ValueError where the rates jump: steps grow as fast as they may, for long, where they were short for no reason.
     """
-    origin, span = float(times[0]), float(times[-1] - times[0])
-    rows, state, shortest = np.empty((2, len(start))), at_start(engine, origin, span, start, floor), span
+    span = float(times[-1] - times[0])
+    run = start_run(engine, times[[0, -1]], start, control)
+    state, shortest = start_state(run), span
     last, growing = span, 0
     for step in range(200):
         before = state
-        state = engine.functions["advance"](origin, [0.0, span], rows, state, engine.constants, rtol, 1)
+        state = step_n(run, engine.functions["advance"], [0.0, span], lambda *_: None, state, 1)
         if state.row == 2 or state.halt:
             break
         if state.t > before.t:  # taken, not refused
             taken = state.t - before.t
             growing = growing + 1 if taken > 0.9 * LARGEST * last and state.refusals else 0
             if growing == AFTER_A_JUMP:
-                where = engine.sign * (origin + state.t)
+                where = engine.sign * (run.origin + state.t)
                 raise ValueError(
                     f'method: steps of one length do not pass the jump of rhs near t = {where:.6g}; try "auto"'
                 )

@@ -1,7 +1,7 @@
 """Step size and samples: the loop around the generated step. Plain enough for a compiler to take as it is.
 
-The functions written for one right-hand side (rhs, euler, raised, step, dense, at) are handed in once; what comes
-back is the loop for that right-hand side.
+The functions written for one right-hand side (rhs, euler, step, error_norms, jump, roundoff, lesser, dense, at) are passed in
+once; what comes back is the loop for that right-hand side.
 """
 
 from collections.abc import Callable
@@ -9,46 +9,26 @@ from functools import partial
 from math import inf, sqrt
 from typing import Any, NamedTuple
 
-from tam570.integrate.scale import UNKNOWN
+from tam570.integrate.error_scale import NO_SCALE
 
-__all__ = [
-    "AT_A_JUMP",
-    "AT_REST",
-    "EXPONENT",
-    "HANDED",
-    "JUMP",
-    "LACKS_SCALE",
-    "LARGEST",
-    "NOT_FINITE",
-    "PLAUSIBLE",
-    "RUNNING",
-    "SAFETY",
-    "SMALLEST",
-    "STOPPED",
-    "STUBBORN",
-    "TOO_SHORT",
-    "UNKNOWN",
-    "State",
-    "advance",
-    "first_step_with",
-    "let_pass",
-    "loop_with",
-]
+__all__ = ["GENERATED", "LARGEST", "NOT_FINITE", "RUNNING", "SETS_IN", "STOPPED", "TOO_SHORT", "State", "advance", "first_step_with"]
+__all__ += ["loop_with"]
 
 SAFETY = 0.9
-LARGEST, SMALLEST = 6.0, 0.2  # change of the step size from one step to the next
-EXPONENT = -1 / 8
-ROUNDING = 32.0  # an error up to so many times what a rounding of the state does to h f is not the method's
-FINEST = 1e16  # the same over rtol, at most: at the last digits an error of one rounding is all that is let pass
-JUMP = 1e-11  # error of the shortest of all steps, relative: a jump of the rates passes, a singularity does not
-PLAUSIBLE = 0.005  # of the third's power 9/4, the error of exp(a t) and of its like is 0.02 and more
-TINY = 2.0**-42  # of the largest magnitude over rtol: what is smaller is looked at, whatever the units
-STUBBORN = 0.01  # an error that falls no faster from one attempt to the next may be rounding; a long step's does
+LARGEST, SMALLEST = 6.0, 0.2  # change of the step size from one step to the next (as dop853.f)
+DOUBLED = 2.0  # step size after an error that was rounding
+EXPONENT = -1 / 8  # of order 8
+JUMP = 1e-11  # move of the state, relative, by a change of the rates within the shortest of all steps: a jump of the
+# rates makes less of it, a singularity more
+SUSPICIOUS = 0.005  # of the third's power 9/4: the error of exp(a t) and of its like is 0.02 and more, so that less is
+# an estimate of order 5 that passes through zero
+NOT_SMOOTH = 0.01  # fifth over third, squared: with a short step of a smooth motion it is less
+JAGGED = 0.1  # the same, of a step of any length
 AT_A_JUMP = 200.0  # of the rates the estimate is but a part of the error; the ratio of both estimates tells it
 AT_REST = 8  # steps at least: where nothing moves, no error says how far to look for what sets in later
 
-HANDED = ("raised", "step", "dense", "at")  # what `advance` is given of the generated functions
-RUNNING, LACKS_SCALE, TOO_SHORT, NOT_FINITE, STOPPED = 0, 1, 2, 3, 4  # why a loop comes back
+GENERATED = ("step", "error_norms", "jump", "roundoff", "lesser", "dense", "at")  # the functions that `advance` is given
+RUNNING, SETS_IN, TOO_SHORT, NOT_FINITE, STOPPED = 0, 1, 2, 3, 4  # why a loop comes back
 
 
 class State(NamedTuple):
@@ -60,13 +40,14 @@ class State(NamedTuple):
     y: tuple[float, ...]
     r: tuple[float, ...]  # what rounding took from y
     f: tuple[float, ...]  # the derivative
-    m: tuple[float, ...]  # the largest magnitude of each component so far
+    a: tuple[float, ...]  # the absolute tolerance
+    b: tuple[float, ...]  # what rounding does to the error estimates: the lesser of the last two measurements
+    measured: tuple[float, ...]  # the last one
     growth: float  # of the next step, at most
     refused: int  # attempts in a row
     steps: int
     refusals: int
-    halt: int  # RUNNING, or why it goes no further: LACKS_SCALE is mended by `m`
-    error: float = inf  # of the attempt before
+    halt: int  # RUNNING, or why it goes no further
 
 
 def first_step_with(rhs: Any, euler: Any) -> Callable[..., float]:
@@ -99,55 +80,72 @@ def _restless(h: float, y: Any, f: Any, g: Any, part: float) -> bool:
     return False
 
 
-def loop_with(raised: Any, step: Any, dense: Any, at: Any) -> Callable[..., State]:
+def loop_with(*generated: Any) -> Callable[..., State]:
     """The loop over the steps of a run."""
-    return partial(advance, (raised, step, dense, at))
+    return partial(advance, generated)
 
 
-def advance(made: Any, origin: Any, times: Any, out: Any, state: Any, c: Any, rtol: Any, budget: Any) -> Any:
+def advance(
+    generated: Any, origin: Any, times: Any, out: Any, state: Any, c: Any, rtol: Any, longest: Any, budget: Any
+) -> Any:
     """Fill the rows of `out` until none is left, `budget` steps are tried, or it has to halt.
 
-    made : the generated functions; times : since `origin`; state : a `State`, as returned
+    generated : functions, as GENERATED names them; times : since `origin`; state : a `State`, as returned
+    longest   : s, of a step
     """
-    (raised, step, dense, at), end, plausible = made, times[len(times) - 1], PLAUSIBLE / rtol
-    row, t, h, y, r, f, m, growth, refused, steps, refusals, halt, before = state
+    (step, error_norms, jump, roundoff, lesser, dense, at), end = generated, times[len(times) - 1]
+    row, t, h, y, r, f, a, b, measured, growth, refused, steps, refusals, halt = state
+    suspicious = SUSPICIOUS * rtol**1.25  # of errors in units of the tolerance
     while row < len(times) and budget > 0 and halt == RUNNING:
         budget -= 1
-        left, shortest = end - t, max(2.0**-50 * t, 1e-17 * end)  # t + h would hardly differ from t
-        at_last, h = h <= shortest, max(h, shortest)
+        left = end - t
+        shortest = max(2.0**-50 * max(t, abs(origin + t)), 1e-30 * end)  # t + h would hardly differ from t
+        h = max(min(h, longest), shortest)
+        at_last = h <= shortest
         if h >= left:
             h, new = left, end
         else:
             new = t + (h if 2 * h < left else left / 2)
             h = new - t  # exactly: else the rounding of t would shift the motion
-        n, rest, g, size, fifth, third, stages = step(origin + t, h, y, r, f, m, c)
-        error = fifth / (rtol * sqrt(fifth + 0.01 * third)) if fifth > 0 else fifth
-        if error < 1:  # the fifth may pass through zero
-            error = max(error, plausible * third**1.125)
-        if refused > 0 and fifth > 0.01 * third:
-            error *= AT_A_JUMP
-        if error <= 1 or _passed(at_last, error * rtol, n, m):
+        n, rest, g, fifth, third, stages = step(origin + t, h, y, r, f, a, b, rtol, c)
+        uneven = fifth > NOT_SMOOTH * third
+        part = 1.0 / AT_A_JUMP if uneven and (refused > 0 or fifth > JAGGED * third) else 1.0
+        error = _error(fifth, third, suspicious) / part
+        may_be_rounding = not error <= 1.0 and fifth < inf and (refused > 0 or uneven)
+        if may_be_rounding:
+            before, measured = measured, roundoff(origin + t, h, y, f, b, c)
+            b = lesser(before, measured)
+            fifth, third = error_norms(h, y, n, a, measured, part, part * rtol, stages)
+            error = _error(fifth, third, suspicious)
+        jumps = not error <= 1.0 and at_last and _finite(n) and jump(h, y, n, f, g, a, rtol) <= JUMP
+        if error <= 1.0 or jumps:
+            if jumps and _sets_in(y, n, a):
+                halt = SETS_IN
             if times[row] <= new:
                 row = _sampled(dense, at, origin, times, out, row, t, new, h, (y, n, f, g, stages), c)
-            t, y, r, f, m = new, n, rest, g, size
-            h = h * min(growth, SAFETY * error**EXPONENT) if 0 < error <= 1 else max(h, min(growth * h, end / AT_REST))
-            growth, refused, before = LARGEST, 0, inf
+            t, y, r, f = new, n, rest, g
+            if may_be_rounding and error <= 1.0:  # an error that is the rounding's falls with no shorter step
+                h *= min(growth, DOUBLED)
+            elif 0 < error <= 1:
+                h *= min(growth, SAFETY * error**EXPONENT)
+            else:
+                h = max(h, min(growth * h, end / AT_REST))
+            growth, refused = LARGEST, 0
             steps += 1
-            look = steps == 1 and _uneven(m, rtol)
         else:
             refused, refusals, growth = refused + 1, refusals + 1, 1.0
-            h, halt, look = _shorter(h, at_last, error, fifth > 0.01 * third or STUBBORN * before < error, n, m)
-            before = error
-        if look:
-            small, m = m, raised(origin + t, h, y, f, m, c, let_pass(rtol), max(2.0 * refused - 1.0, 1.0))
-            if _larger(small, m):  # it was rounding, and no jump
-                refused, before = 0, inf
-    return State(row, t, h, y, r, f, m, growth, refused, steps, refusals, halt, before)
+            if at_last:
+                halt = TOO_SHORT if _finite(n) and fifth < inf else NOT_FINITE
+            h = h * max(SMALLEST, SAFETY * error**EXPONENT) if error < 1e300 else 0.1 * h
+    return State(row, t, h, y, r, f, a, b, measured, growth, refused, steps, refusals, halt)
 
 
-def let_pass(rtol: Any) -> Any:
-    """Magnitude over what a rounding of the state does to h f, at least."""
-    return min(ROUNDING / rtol, FINEST)
+def _error(fifth: Any, third: Any, suspicious: Any) -> Any:
+    """The error of a step over what is allowed, from both estimates squared (Hairer, Norsett, Wanner, II.10)."""
+    error = fifth / sqrt(fifth + 0.01 * third) if fifth > 0 else fifth
+    if error < 1:  # the fifth may pass through zero
+        error = max(error, suspicious * third**1.125)
+    return error
 
 
 def _sampled(
@@ -167,44 +165,17 @@ def _sampled(
     return row
 
 
-def _passed(at_last: Any, error: Any, n: Any, m: Any) -> Any:
-    """Whether the shortest of all steps is taken all the same: across a jump, not into a singularity."""
-    if not at_last:
-        return False
-    lacking, finite = _moving(n, m)
-    return finite and (lacking or error <= JUMP)
-
-
-def _shorter(h: Any, at_last: Any, error: Any, doubtful: Any, n: Any, m: Any) -> Any:
-    """The step to be tried next, why the run halts, and whether to look for rounding."""
-    lacking, finite = _moving(n, m)
-    if at_last:
-        return h, TOO_SHORT if finite else NOT_FINITE, False
-    if lacking or not error < 1e300:
-        return 0.1 * h, LACKS_SCALE if lacking else RUNNING, False
-    return h * max(SMALLEST, SAFETY * error**EXPONENT), RUNNING, doubtful
-
-
-def _moving(n: Any, m: Any) -> Any:
-    """Whether something moves that has no scale, and whether all is finite."""
-    lacking, finite = False, True
+def _sets_in(y: Any, n: Any, a: Any) -> Any:
+    """Whether something begins to move that has no scale: it is to get one, as at a start."""
+    moves = False
     for i in range(len(n)):
-        lacking = lacking or m[i] <= UNKNOWN < abs(n[i])
+        moves = moves or (a[i] <= NO_SCALE and y[i] == 0.0 and n[i] != 0.0)
+    return moves
+
+
+def _finite(n: Any) -> Any:
+    """Whether all is finite."""
+    finite = True
+    for i in range(len(n)):
         finite = finite and n[i] - n[i] == 0.0
-    return lacking, finite
-
-
-def _uneven(m: Any, rtol: Any) -> Any:
-    """Whether rounding of the largest may be all that moves the smallest."""
-    low = high = m[0]
-    for i in range(len(m)):
-        low, high = min(low, m[i]), max(high, m[i])
-    return low * rtol < TINY * high
-
-
-def _larger(small: Any, m: Any) -> Any:
-    """Whether any has become larger."""
-    found = False
-    for i in range(len(m)):
-        found = found or small[i] < m[i]
-    return found
+    return finite

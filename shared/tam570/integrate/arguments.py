@@ -1,12 +1,15 @@
 """What a caller gives, checked: each error names the argument."""
 
 import math
+from numbers import Real
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Array", "checked", "of_one_step", "sample_times", "tolerance"]
+from tam570.integrate.error_scale import NO_SCALE
+
+__all__ = ["SMALLEST_RTOL", "Array", "checked", "of_one_step", "positive", "sample_times", "tolerance"]
 
 Array = NDArray[np.float64]
 
@@ -14,9 +17,18 @@ SMALLEST_RTOL = 1e-16  # below that nothing but rounding is left to control
 
 
 def checked(t: ArrayLike, y0: ArrayLike, rtol: float, atol: ArrayLike | None) -> tuple[Any, ...]:
-    """Times and their sign, start, tolerance, and the sizes by which components are judged at least, k or none."""
-    (times, sign), start, asked = sample_times(t), initial_state(y0), tolerance(rtol)
-    return times, sign, start, asked, [one / of_one_step(asked) for one in allowed_error(atol, start.shape[-1])]
+    """Times and their sign, start, and what is asked of the steps."""
+    from tam570.integrate.adaptive import Control
+
+    (times, sign), start, of_step = sample_times(t), initial_state(y0), of_one_step(tolerance(rtol))
+    return times, sign, start, Control(of_step, allowed_error(atol, start.shape[-1]))
+
+
+def positive(name: str, value: Any) -> float:
+    """A number above zero, infinity among them. ValueError with its name."""
+    if not isinstance(value, Real) or not value > 0:
+        raise ValueError(f"{name}: must be a number above zero, got {value!r}")
+    return float(value)
 
 
 def sample_times(t: ArrayLike) -> tuple[Array, float]:
@@ -46,9 +58,16 @@ def _wrong_with(times: Array, steps: Array, sign: float) -> str:
 def initial_state(y0: ArrayLike) -> Array:
     """(k,) or (m, k) as floats. ValueError if empty, not finite or of another shape."""
     try:
+        if np.iscomplexobj(y0) or np.iscomplexobj(np.array(y0)):
+            raise ValueError("it is complex; give real and imaginary parts as components of their own")
         state = np.array(y0, dtype=float)
     except (TypeError, ValueError) as problem:
         raise ValueError(f"y0: must be a flat list of real numbers ({problem})") from problem
+    if state.ndim == 2 and state.shape[1] == 1 and state.shape[0] > 1:
+        raise ValueError(
+            f"y0: a column of shape {state.shape} is one component of {len(state)} starts; for one start give "
+            "y0.ravel(), for many starts of one component solve them in a loop"
+        )
     if state.ndim not in (1, 2) or state.size == 0:
         raise ValueError(f"y0: need k numbers, or (m, k) for m starts at once, got shape {state.shape}")
     if not math.isfinite(sum(state.ravel().tolist())) and not np.isfinite(state).all():
@@ -68,10 +87,10 @@ def of_one_step(rtol: float) -> float:
     return max(min(rtol, rtol**3 * 1e26), SMALLEST_RTOL)
 
 
-def allowed_error(atol: ArrayLike | None, size: int) -> list[float]:
+def allowed_error(atol: ArrayLike | None, size: int) -> tuple[float, ...]:
     """k errors allowed in any case, none at all if left out. ValueError unless one or k numbers, none negative."""
     if atol is None:
-        return []
+        return ()
     try:
         allowed = np.array(atol, dtype=float)
     except (TypeError, ValueError) as problem:
@@ -80,4 +99,4 @@ def allowed_error(atol: ArrayLike | None, size: int) -> list[float]:
         raise ValueError(f"atol: need one number, or {size}, one a component; got shape {allowed.shape}")
     if not (np.isfinite(allowed).all() and (allowed >= 0).all()):
         raise ValueError(f"atol: must be finite and not negative, got {allowed}")
-    return [float(one) for one in np.broadcast_to(allowed, size)]
+    return tuple(max(float(error), NO_SCALE) for error in np.broadcast_to(allowed, size))

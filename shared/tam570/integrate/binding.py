@@ -1,17 +1,30 @@
-"""The right-hand side as a function of time and state alone, of plain floats where it can be, checked."""
+"""The right-hand side as a function of time and state alone, checked; and its calls where it is called as it stands."""
 
 import inspect
-from collections.abc import Callable, Iterable, Mapping, Sequence
+import math
+from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache
 from typing import Any
 
 import numpy as np
 
 from tam570.integrate.arguments import Array
+from tam570.integrate.clock import Clock
 
-__all__ = ["Rates", "agrees", "bound", "check_start", "floats_function", "reversed_rates"]
+__all__ = ["CalledRates", "NewBreak", "Rates", "RhsError", "agrees", "bound", "check_start", "reversed_rates"]
 
 Rates = Callable[[float, Any], Any]
+BETWEEN_CLOCKS = 13  # calls: a clock is slow; a step has 12, so that every stage gets one in turn
+PLAIN = (float, int, np.float64)
+TRIAL_ERRORS = (ArithmeticError, ValueError, LookupError)  # a step that is too long may leave the domain
+
+
+class RhsError(Exception):
+    """The right-hand side does not return what it should: told as a ValueError, and by no shorter step."""
+
+
+class NewBreak(Exception):
+    """The right-hand side compares time with one inside the stretch that was taken for smooth."""
 
 
 def bound(rhs: Callable[..., Any], parameters: Mapping[str, Any] | None, name: str = "rhs") -> Rates:
@@ -34,9 +47,13 @@ def reversed_rates(rates: Rates) -> Rates:
 
 def check_start(rates: Rates, t: float, y0: Array, sign: float) -> None:
     """ValueError unless rhs gives as many finite real numbers as y0 has; sign : of the engine's clock."""
-    found = _checked(rates(t, y0.copy()), len(y0))
-    if not np.isfinite(found).all():
-        raise ValueError(f"rhs: gives {found} at the start, t = {sign * t:g}; is the start allowed?")
+    at_start, again = (_checked(rates(t, y0.copy()), len(y0)) for _ in range(2))
+    if not np.isfinite(at_start).all():
+        raise ValueError(f"rhs: gives {at_start} at the start, t = {sign * t:g}; is the start allowed?")
+    if (at_start != again).any():
+        raise ValueError(
+            f"rhs: gives {at_start} and then {again} at the start; it must not be random, nor remember earlier calls"
+        )
 
 
 @lru_cache(maxsize=256)
@@ -51,27 +68,96 @@ def _misfit(rhs: Callable[..., Any], names: tuple[str, ...]) -> str:
     return ""
 
 
-def floats_function(rates: Rates, t: float, y0: Array) -> Rates:
-    """`rates` as a function from a tuple of floats to a sequence of floats.
+class CalledRates:
+    """Calls of rates(t, y) with arrays, as SciPy makes them: floats come back.
 
-    Whether it may be given the tuple, or needs an array, is tried here, once: it may if both give the same.
+    Time stays within (low, high), between two breaks: a run that ends at a jump never looks beyond it. `seen` are the
+    times that a `Clock` noted, `breaks` all of them so far, `error` is the last one that the function raised.
     """
-    nearby = y0 * 1.01 + 0.01
-    if _same_on_tuples(rates, t, y0) and _same_on_tuples(rates, t, nearby):
-        return _to_floats(rates, rates(t, tuple(y0.tolist())), tuple)
-    return _to_floats(rates, rates(t, y0.copy()), np.array)
+
+    def __init__(self, rates: Rates, size: int) -> None:
+        self.rates, self.size = rates, size
+        self.low, self.high = -math.inf, math.inf
+        self.calls = 0
+        self.timed = False  # whether the function gets a `Clock`
+        self.seen: list[float] = []
+        self.breaks: set[float] = set()
+        self.error: Exception | None = None
+
+    def __call__(self, t: float, y: Sequence[float]) -> Sequence[float]:
+        t = self.low if t < self.low else self.high if t > self.high else t
+        self.calls += 1
+        if self.timed and self.calls % BETWEEN_CLOCKS == 0:
+            t = Clock(t, 1.0, 0.0, self.seen)
+        try:
+            value = self.rates(t, np.array(y))
+        except TRIAL_ERRORS as error:
+            self.error = error
+            raise
+        if self.seen:
+            self._look_for_breaks()
+        return _floats(value, self.size)
+
+    def _look_for_breaks(self) -> None:
+        inside = any(self.low < time < self.high for time in self.seen)
+        self.breaks.update(self.seen)
+        self.seen.clear()
+        if inside:
+            raise NewBreak
+
+    def look_near(self, t: float, y: Array) -> None:
+        """Note the times that the function compares t with, is there a state; and whether it takes a `Clock` at all."""
+        self.timed, seen = False, list[float]()
+        try:
+            plain = np.asarray(self.rates(t, y.copy()), dtype=float)
+            clocked = np.asarray(self.rates(Clock(t, 1.0, 0.0, seen), y.copy()), dtype=float)
+        except Exception:  # whatever it says to a clock, it then gets a float
+            return
+        if seen and plain.shape == clocked.shape and np.array_equal(plain, clocked, equal_nan=True):
+            self.timed = True
+            self.breaks.update(seen)
+
+    def check_memory(self, t: float, y: Sequence[float], f: Sequence[float]) -> None:
+        """RhsError where rates that were f are others now: the function is random, or remembers earlier calls."""
+        g = self(t, y)
+        if any(abs(a - b) > 1e-8 * max(abs(a), abs(b)) for a, b in zip(f, g, strict=True)):
+            raise RhsError(
+                f"rhs: gives {list(f)} and {list(g)} for the same time and state; it must not be random, nor "
+                "remember earlier calls. Put what it remembers into the state, or run it piece by piece"
+            )
+
+
+def _floats(value: Any, size: int) -> Sequence[float]:
+    if type(value) is np.ndarray and value.dtype == float and value.shape == (size,):
+        return value.tolist()  # type: ignore[no-any-return]
+    if type(value) in (tuple, list) and len(value) == size:
+        if all(type(v) is float for v in value):
+            return value  # type: ignore[no-any-return]
+        if all(type(v) in PLAIN for v in value):
+            return [float(v) for v in value]
+    return _checked(value, size).tolist()  # type: ignore[no-any-return]
 
 
 def agrees(rates: Rates, written: Callable[..., Any], constants: tuple[float, ...], times: Array, y0: Array) -> bool:
-    """Whether `written(t, y, constants)` gives what `rates` gives: at the start, and at points all around it."""
+    """Whether `written(t, y, constants)` gives what `rates` gives: at the start, and at points around it.
+
+    Points that are not allowed are replaced by nearer ones; where none is, the answer is no.
+    """
     size = len(y0)
     for trial in range(3):
-        away = 0.3 * np.sin(np.arange(1, size + 1) * (trial + 1.0) ** 2) if trial else np.zeros(size)
-        t, y = float(times[-1 if trial % 2 else 0]), y0 + away * (1 + np.abs(y0))
-        expected = _checked(rates(t, y.copy()), size)
-        found = np.array(written(t, tuple(y.tolist()), constants))
+        t, away = float(times[-1 if trial % 2 else 0]), np.sin(np.arange(1, size + 1) * (trial + 1.0) ** 2) * (trial > 0)
+        for part in (0.3, 0.01, 1e-4):
+            y = y0 + part * away * (1 + np.abs(y0))
+            try:
+                expected = _checked(rates(t, y.copy()), size)
+                break
+            except TRIAL_ERRORS:
+                continue
+        else:
+            return False
+        values = np.array(written(t, tuple(y.tolist()), constants))
         rounding = 1e-11 * max(np.abs(expected).max(), 1e-300)  # the order of operations differs
-        if not (np.abs(found - expected) <= rounding).all() and np.isfinite(expected).all():
+        if not (np.abs(values - expected) <= rounding).all() and np.isfinite(expected).all():
             return False
     return True
 
@@ -79,34 +165,10 @@ def agrees(rates: Rates, written: Callable[..., Any], constants: tuple[float, ..
 def _checked(value: Any, size: int) -> Array:
     found = np.asarray(value)
     if found.shape != (size,):
-        raise ValueError(f"rhs: must return {size} numbers, as many as y0 has, got shape {found.shape}")
+        raise RhsError(f"rhs: must return {size} numbers, as many as y0 has, got shape {found.shape}")
     if np.iscomplexobj(found):
-        raise ValueError(f"rhs: must return real numbers, got {found}")
+        raise RhsError(f"rhs: must return real numbers, got {found}")
     try:
         return found.astype(float)
     except (TypeError, ValueError) as problem:
-        raise ValueError(f"rhs: must return numbers, got {value!r}") from problem
-
-
-def _same_on_tuples(rates: Rates, t: float, y: Array) -> bool:
-    try:
-        given_tuple = np.asarray(rates(t, tuple(y.tolist())), dtype=float)
-        given_array = np.asarray(rates(t, y.copy()), dtype=float)
-    except Exception:  # whatever a function says to a tuple, it then gets an array
-        return False
-    return given_tuple.shape == given_array.shape and bool(
-        np.allclose(given_tuple, given_array, rtol=1e-12, atol=1e-300, equal_nan=True)
-    )
-
-
-def _to_floats(rates: Rates, sample: Any, wrap: Callable[[Sequence[float]], Any]) -> Rates:
-    """`rates` made to take and to give plain floats; a NumPy scalar in the loop would cost ten times as much."""
-    if wrap is tuple and isinstance(sample, (tuple, list)) and _plain(sample):
-        return rates
-    if isinstance(sample, np.ndarray) and sample.dtype == float:
-        return lambda t, y: rates(t, wrap(y)).tolist()
-    return lambda t, y: [float(rate) for rate in rates(t, wrap(y))]
-
-
-def _plain(values: Iterable[Any]) -> bool:
-    return all(type(value) is float for value in values)
+        raise RhsError(f"rhs: must return numbers, got {value!r}") from problem

@@ -1,50 +1,50 @@
 """The step of DOP853 written out for one right-hand side: Python source without loops, arrays or calls.
 
 Names in the source: y state, k0 its derivative, e3_1 what stage 3's derivative of component 1 differs from that,
-s the state at a stage, n the new state, r what rounding took from the state, m the largest magnitude so far, c the
-constants of the scene.
+s the state at a stage, n the new state, r what rounding took from the state, a the absolute tolerance, b what rounding
+does to the error estimates, c the constants of the scene. An error of component i is measured in units of
+a_i + b_i + rtol max(|y_i|, |n_i|).
 """
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from functools import lru_cache
 from types import CodeType
 from typing import Any
 
+from tam570.integrate.error_scale import NO_SCALE
 from tam570.integrate.formulas import Formulas, by_call, names, tuple_of, unpacked
 from tam570.integrate.tableau import FIFTH, LESS, NODES, ROWS, Row, interpolant
 
-__all__ = ["array_functions", "compiled", "functions"]
+__all__ = ["compiled", "functions"]
 
 KEPT = range(5, 12)  # the stages that the interpolant takes over from the step
-PASSED_ON = 0.3  # of a step, after which the later stages see what rounding did to the earlier ones
-
-
-def array_functions(formulas: Formulas) -> str:
-    """Source of `step`, `raised`, `dense` and `at` for arrays: a member of an ensemble in each element."""
-    parts = [_step(formulas, arrays=True), _raised(formulas, arrays=True), _dense(formulas), _at(formulas)]
-    return "\n\n".join("\n    ".join(part) for part in parts) + "\n"
+UNIT_ROUNDOFF = 2.0**-53
+ESTIMATE_ROUNDOFF = 8.0  # the weights of both estimates add up to less: a rate known to N makes an error of 8 h N of them
+SWEEPS = (1.0, 2.0, 3.0)  # the rounding of one rate shifts that component, and so on the rates of others: chains of four
 
 
 def functions(formulas: Formulas, sampled: bool = True, forgiving: bool = True) -> str:
-    """Source of `rhs`, `euler`, `raised` and `step` for these formulas, and of `dense` and `at` if sampled.
+    """Source of `rhs`, `euler`, `step`, `error_norms`, `jump`, `roundoff`, `lesser`, and of `dense` and `at` if sampled.
 
     forgiving : Python raises an error on overflow, where compiled code goes on with infinity
     """
     nothing = tuple_of(["nan"] * formulas.size)
     inner = formulas if forgiving else by_call(formulas)
-    parts = [_rhs(formulas), _raised(inner), _step(inner)]
+    parts = [_rhs(formulas), _step(inner), *([_roundoff(formulas)] if formulas.rate_bounds else [])]
     if forgiving:
-        answers = (nothing, "m", "y, r, f, m, inf, 0.0, ()")
+        answers = (nothing, "y, r, f, inf, 0.0, ()", "b")[: len(parts)]
         parts = [_forgiving(part, answer) for part, answer in zip(parts, answers, strict=True)]
-    parts += [_euler(formulas), *([_dense(inner), _at(formulas)] if sampled else [])]
+    parts += [_euler(formulas), _error_norms(formulas), _jump(formulas), _lesser(formulas)]
+    parts += [_dense(inner), _at(formulas)] if sampled else []
     return "\n\n".join("\n    ".join(part) for part in parts) + "\n"
 
 
 def _forgiving(function: list[str], answer: str) -> list[str]:
     """A function that answers thus to an overflow or the root of a negative number: the step was too long."""
     head, *body = function
-    rescue = ["except (ArithmeticError, ValueError):", f"    return {answer}"]
+    rescue = ["except (ArithmeticError, ValueError, LookupError):", f"    return {answer}"]
     return [head, "try:", *(f"    {line}" for line in body), *rescue]
 
 
@@ -80,34 +80,36 @@ def _euler(formulas: Formulas) -> list[str]:
     return ["def euler(h, y, f):", f"return {tuple_of(states)}"]
 
 
-def _raised(formulas: Formulas, arrays: bool = False) -> list[str]:
-    """Magnitudes no smaller than `weight` times what a change of the state by a few roundings does to h f.
+def _roundoff(formulas: Formulas) -> list[str]:
+    """What rounding does to the error estimates of a step of h.
 
-    Tried half way through the step: at its start too many things may be exactly zero. What it does to one rate
-    shifts that component, and so on the rates of others: chains of four are followed. Then the change is made
-    larger, and `wider` times so at each refusal: a rate that is nothing but rounding is exactly zero for some changes,
-    for all of one sign among them.
+    A running error bound (Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., 3.3): each operation adds its
+    own rounding to the one that its arguments carry; the state is known to half a unit in the last place. It is taken
+    half way through the step: at its start too many things may be exactly zero.
     """
-    roundings = [(-1) ** i * 2.0**-52 * (1.37 + 0.41 * (i % 5)) for i in range(formulas.size)]  # no two cancel
-    lines = ["def raised(start, h, y, f, m, c, weight, wider):", *unpacked(formulas, y="y", f="f", m="m")]
+    lines = ["def roundoff(start, h, y, f, b, c):", *unpacked(formulas, y="y", f="f", b="b")]
     lines += [f"s{i} = y{i} + 0.5 * h * f{i}" for i in sorted(formulas.reads)]
-    lines += [*_derivative(formulas, 0, "start + 0.5 * h")]
-    lines += [f"b{i} = s{i}" for i in sorted(formulas.reads)]
-    lines += [f"k1_{i} = k0_{i}" for i in formulas.moving]
-    lines += ["for roundings in (1.0, -1.0, 1.0, -1.0, 2.0, -3.0, 5.0):", "    more = roundings * wider"]
-    for i in sorted(formulas.reads):
-        shift = f" + {PASSED_ON} * h * (k1_{i} - k0_{i})" if i in formulas.moving else ""
-        lines.append(f"    s{i} = b{i} * (1.0 + more * {roundings[i]!r}){shift}")
-    lines += [f"    {line}" for line in _derivative(formulas, 1, "start + 0.5 * h")]
+    lines += ["t = start + 0.5 * h", "b_t = 0.0", *formulas.values]
+    lines += [f"b_s{i} = {UNIT_ROUNDOFF!r} * abs(s{i})" for i in sorted(formulas.reads)]
+    lines += [f"x{i} = 0.0" for i in formulas.moving]
+    if formulas.moving:
+        lines += [f"for sweep in {SWEEPS!r}:", *(f"    {line}" for line in formulas.bounds)]
+    lines += [f"    x{i} = h * ({formulas.rate_bounds[i]})" for i in formulas.moving]
+    for i in sorted(formulas.reads & set(formulas.moving)):
+        lines.append(f"    b_s{i} = {UNIT_ROUNDOFF!r} * abs(s{i}) + x{i}")
     for i in formulas.moving:
-        lines.append(f"    x = abs(k1_{i} - k0_{i}) * h * weight / abs(more)")
-        lines.append(f"    m{i} = maximum(m{i}, x)" if arrays else f"    m{i} = x if m{i} < x < inf else m{i}")
-    return [*lines, f"return {tuple_of(names('m', formulas.size))}"]
+        lines += [f"x{i} = {ESTIMATE_ROUNDOFF!r} * x{i}", f"b{i} = x{i} if x{i} < inf else 0.0"]
+    return [*lines, f"return {tuple_of(names('b', formulas.size))}"]
 
 
-def _step(formulas: Formulas, arrays: bool = False) -> list[str]:
-    """One step: new state, its rounding, derivative, magnitudes, both estimates squared, stages kept."""
-    lines = ["def step(start, h, y, r, f, m, c):", *unpacked(formulas, y="y", r="r", f="k0_", m="m")]
+def _lesser(formulas: Formulas) -> list[str]:
+    lines = ["def lesser(a, b):", *unpacked(replace(formulas, constants=0), a="a", b="b")]
+    return [*lines, f"return {tuple_of(f'a{i} if a{i} < b{i} else b{i}' for i in range(formulas.size))}"]
+
+
+def _step(formulas: Formulas) -> list[str]:
+    """One step: new state, its rounding, derivative, both error estimates squared, stages kept."""
+    lines = ["def step(start, h, y, r, f, a, b, rtol, c):", *unpacked(formulas, y="y", r="r", f="k0_", a="a", b="b")]
     for number in range(1, 12):
         lines += _stage(formulas, number, ROWS[number], NODES[number])
     for i in range(formulas.size):
@@ -117,9 +119,30 @@ def _step(formulas: Formulas, arrays: bool = False) -> list[str]:
     still = set(range(formulas.size)) - set(formulas.moving)
     lines += [f"k12_{i} = 0.0" for i in still] + ["fifth = third = 0.0"]
     for i in formulas.moving:
-        lines += _largest(i, arrays) + _estimate(i)
-    results = (tuple_of(names(letter, formulas.size)) for letter in ("n", "r", "k12_", "m"))
+        lines += _estimate(i)
+    results = (tuple_of(names(letter, formulas.size)) for letter in ("n", "r", "k12_"))
     return [*lines, f"return {', '.join(results)}, fifth, third, {tuple_of(_kept(formulas))}"]
+
+
+def _error_norms(formulas: Formulas) -> list[str]:
+    """Both error estimates of a step that was tried, squared, by a part of the tolerance and another rounding."""
+    lines = ["def error_norms(h, y, n, a, b, part, rtol, stages):"]
+    lines += unpacked(replace(formulas, constants=0), y="y", n="n", a="a", b="b")
+    lines += [f"{tuple_of(_kept(formulas))} = stages", "fifth = third = 0.0"]
+    for i in formulas.moving:
+        lines += [f"a{i} = part * a{i}", f"u{i} = {_combination(ROWS[12], i)}", *_estimate(i)]
+    return [*lines, "return fifth, third"]
+
+
+def _jump(formulas: Formulas) -> list[str]:
+    """How far a change of the rates moves the state within h, relative to it; what starts to move from zero aside."""
+    lines = ["def jump(h, y, n, f, g, a, rtol):"]
+    lines += unpacked(replace(formulas, constants=0), y="y", n="n", f="f", g="g", a="a")
+    lines.append("largest = 0.0")
+    for i in formulas.moving:
+        lines += [f"w = a{i} / rtol + max(abs(y{i}), abs(n{i}))", f"x = h * abs(g{i} - f{i})"]
+        lines += [f"if (y{i} != 0.0 or a{i} > {NO_SCALE!r}) and not x <= largest * w:", "    largest = x / w"]
+    return [*lines, "return largest"]
 
 
 def _kept(formulas: Formulas) -> list[str]:
@@ -134,17 +157,14 @@ def _update(formulas: Formulas, i: int) -> list[str]:
     return [*sums, f"n{i} = y{i} + d", f"r{i} = d - (n{i} - y{i})"]
 
 
-def _largest(i: int, arrays: bool) -> list[str]:
-    if arrays:
-        return [f"m{i} = maximum(m{i}, absolute(n{i}))"]
-    return [f"if n{i} > m{i}: m{i} = n{i}", f"elif -n{i} > m{i}: m{i} = -n{i}"]
-
-
 def _estimate(i: int) -> list[str]:
     return [
-        f"x = h * ({_combination(FIFTH, i)}) / m{i}",
+        f"w = abs(y{i})",
+        f"x = abs(n{i})",
+        f"w = h / (a{i} + b{i} + rtol * (x if x > w else w))",
+        f"x = w * ({_combination(FIFTH, i)})",
         "fifth += x * x",
-        f"x = h * (u{i} + {_combination(LESS, i)}) / m{i}",
+        f"x = w * (u{i} + {_combination(LESS, i)})",
         "third += x * x",
     ]
 

@@ -1,24 +1,30 @@
 """From a right-hand side to the functions that step it: traced where it can be, else called as it stands.
 
-What was traced is kept for the next run of a right-hand side with the same fingerprint: it was compared with the
-student's function then, and nothing that it depends on has changed since.
+What was traced is kept for the next run of a right-hand side with the same key: it was compared with the student's
+function then, and nothing that it depends on has changed since.
 """
 
 from collections.abc import Callable, Hashable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-from tam570.integrate.adaptive_loop import first_step_with, loop_with
+import numpy as np
+
+from tam570.integrate.adaptive_loop import GENERATED, first_step_with, loop_with
 from tam570.integrate.arguments import Array
-from tam570.integrate.binding import Rates, agrees, bound, check_start, floats_function, reversed_rates
+from tam570.integrate.binding import CalledRates, Rates, agrees, bound, check_start, reversed_rates
+from tam570.integrate.breaks import breaks_of
+from tam570.integrate.cache_key import Changeable, cache_key
 from tam570.integrate.dop853_source import compiled
-from tam570.integrate.fingerprint import Changeable, fingerprint
 from tam570.integrate.formulas import Formulas, call_of, written
+from tam570.integrate.roundoff import roundoff_by_neighbours
 from tam570.integrate.symbols import Untraceable
 from tam570.integrate.trace import Graph, traced
 
 __all__ = ["Engine", "engine"]
+
+ULPS = 4.0  # of a break, as it is computed, from which the stretches before and after it keep away
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,12 +36,29 @@ class Engine:
     constants: tuple[float, ...]
     formulas: Formulas
     graph: Graph | None  # None where the right-hand side is called as it stands
-    why: str = ""  # it is not traced
+    untraced_reason: str = ""
     sign: float = 1.0  # of the clock: -1 where the times are those of -t
+    called: CalledRates | None = None
+    breaks: dict[tuple[float, float], list[float]] = field(default_factory=dict)  # of a traced one, by stretch
 
     @property
-    def traced(self) -> bool:
+    def is_traced(self) -> bool:
         return self.graph is not None
+
+    def next_break(self, t: float, end: float, y: Array) -> float:
+        """Where a stretch from t on ends: at the next time at which the rates may jump, or at `end`."""
+        if self.called is None:
+            if not self.formulas.timed:
+                return end
+            if (t, end) not in self.breaks:
+                assert self.graph is not None
+                self.breaks[t, end] = breaks_of(self.graph, t, end)
+            return next((time for time in self.breaks[t, end] if time > t), end)
+        near = ULPS * float(np.spacing(max(abs(t), abs(end))))
+        self.called.look_near(t + near, y)
+        stop = min((time for time in self.called.breaks if t + near < time < end - near), default=end)
+        self.called.low, self.called.high = t + near, stop - near
+        return stop
 
 
 def engine(
@@ -52,26 +75,25 @@ def engine(
     sign    : of the clock; -1 where the times are those of -t
     sampled : states inside of steps will be asked for, not only where there are more than two times
     """
-    sampled = sampled or len(times) > 2
-    asked = _Asked(rhs, parameters, times, start, sampled, sign)
+    run = _Run(rhs, parameters, times, start, sampled or len(times) > 2, sign)
     try:
-        held = fingerprint(rhs), fingerprint(dict(parameters)) if parameters else None
-        place = _place((*held, len(start), sampled, sign))
-        if not place:
-            place.append(_made(asked))
-        found = place[0]
-    except Changeable:
-        found = _made(asked)
-    return found if isinstance(found, Engine) else _called(asked, found)
+        key = cache_key(rhs), cache_key(dict(parameters)) if parameters else None
+        slot = _cache_slot((*key, len(start), run.sampled, sign))
+        if not slot:
+            slot.append(_traced_engine(run))
+        result = slot[0]
+    except Changeable as reason:
+        result = str(reason)
+    return result if isinstance(result, Engine) else _called_engine(run, result)
 
 
 @lru_cache(maxsize=256)
-def _place(key: Hashable) -> list[Any]:
+def _cache_slot(key: Hashable) -> list[Any]:
     """Where the engine is kept that was made for this key, or why there is none."""
     return []
 
 
-class _Asked(NamedTuple):
+class _Run(NamedTuple):
     """What an engine is made of."""
 
     rhs: Callable[..., Any]
@@ -89,26 +111,27 @@ class _Asked(NamedTuple):
         return rates
 
 
-def _made(asked: _Asked) -> Engine | str:
+def _traced_engine(run: _Run) -> Engine | str:
     """The engine of a traced right-hand side; or why it is not traced."""
-    rates = asked.rates()
+    rates = run.rates()
     try:
-        graph = traced(rates, len(asked.start))
+        graph = traced(rates, len(run.start))
     except Untraceable as reason:
         return str(reason)
     formulas, constants = written(graph)
-    found = Engine(rates, _functions(formulas, asked.sampled), constants, formulas, graph, sign=asked.sign)
-    if agrees(rates, found.functions["rhs"], constants, asked.times, asked.start):
-        return found
+    engine = Engine(rates, _functions(formulas, run.sampled), constants, formulas, graph, sign=run.sign)
+    if agrees(rates, engine.functions["rhs"], constants, run.times, run.start):
+        return engine
     return "its formulas as traced give other numbers than it does"
 
 
-def _called(asked: _Asked, why: str) -> Engine:
-    rates = asked.rates()
-    given = floats_function(rates, float(asked.times[0]), asked.start)
-    formulas = call_of(len(asked.start))
-    functions = _with_loop(compiled(formulas, asked.sampled, given))
-    return Engine(rates, functions, (), formulas, None, why, asked.sign)
+def _called_engine(run: _Run, reason: str) -> Engine:
+    rates = run.rates()
+    called = CalledRates(rates, len(run.start))
+    formulas = call_of(len(run.start))
+    functions = compiled(formulas, run.sampled, called)
+    functions = _with_loop({**functions, "roundoff": roundoff_by_neighbours(called)})
+    return Engine(rates, functions, (), formulas, None, reason, run.sign, called)
 
 
 @lru_cache(maxsize=256)
@@ -119,5 +142,5 @@ def _functions(formulas: Formulas, sampled: bool) -> dict[str, Any]:
 def _with_loop(functions: dict[str, Any]) -> dict[str, Any]:
     """The generated functions and the loop around them."""
     first_step = first_step_with(functions["rhs"], functions["euler"])
-    advance = loop_with(*(functions[name] for name in ("raised", "step", "dense", "at")))
+    advance = loop_with(*(functions[name] for name in GENERATED))
     return {**functions, "first_step": first_step, "advance": advance}

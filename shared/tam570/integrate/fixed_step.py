@@ -1,20 +1,19 @@
 """Long runs at a fixed step by the methods that keep the structure of mechanics."""
 
 import math
-from collections.abc import Sequence
 from functools import lru_cache, partial
 from typing import Any
 
 import numpy as np
 
-from tam570.integrate.adaptive import shortest_step
+from tam570.integrate.adaptive import Control, shortest_step
 from tam570.integrate.arguments import Array
 from tam570.integrate.composition_source import composition_source
 from tam570.integrate.engine import Engine
 from tam570.integrate.fixed_loop import FixedState, fixed_loop_with
 from tam570.integrate.formulas import halves
 from tam570.integrate.gauss_source import STAGES, gauss_source
-from tam570.integrate.when_to_compile import Loop, carried_through, seconds_until_compiled
+from tam570.integrate.compilation import Loop, run_with_compilation, seconds_until_compiled
 
 __all__ = ["METHODS", "states"]
 
@@ -24,13 +23,13 @@ COMPILE_COST = {"gauss": 3.0, "composition": 1.0}  # as in `Loop`: the sweeps ar
 
 
 def states(
-    method: str, engine: Engine, times: Array, start: Array, rtol: float, floor: Sequence[float], step: float | None
+    method: str, engine: Engine, times: Array, start: Array, control: Control, step: float | None
 ) -> Array:
     """(n, k) states at `times`, all steps of the same length."""
     rows = np.empty((len(times), len(start)))
     rows[0] = start
     origin, since = float(times[0]), times - times[0]
-    listed, h = since.tolist(), _step(method, engine, times, start, rtol, floor, step)
+    listed, h = since.tolist(), _step(method, engine, times, start, control, step)
     source, constants = _source(method, engine, len(start))
     python = fixed_loop_with(_leap(source, engine))
 
@@ -51,21 +50,21 @@ def states(
         return last
 
     wait = partial(seconds_until_compiled, COMPILE_COST[method] * source.count("\n"))
-    loop = Loop(in_python, share, compiled if engine.traced else None, wait)
-    carried_through(loop, first, "auto")
+    loop = Loop(in_python, share, compiled if engine.is_traced else None, wait)
+    run_with_compilation(loop, first, "auto")
     if not np.isfinite(rows).all():
         raise ArithmeticError(f"the stages do not settle at a step of {h:.3g} s: give a shorter `step`")
     return rows
 
 
 def _step(
-    method: str, engine: Engine, times: Array, start: Array, rtol: float, floor: Sequence[float], step: float | None
+    method: str, engine: Engine, times: Array, start: Array, control: Control, step: float | None
 ) -> float:
     """A step that divides the whole run, no longer than asked for."""
     if step is not None and not 0 < step < math.inf:
         raise ValueError(f"step: must be positive and finite, got {step!r}")
     span = float(times[-1] - times[0])
-    longest = step or METHODS[method] * shortest_step(engine, times, start, rtol, floor)
+    longest = step or METHODS[method] * shortest_step(engine, times, start, control)
     return span / math.ceil(span / longest)
 
 

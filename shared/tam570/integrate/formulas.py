@@ -8,6 +8,7 @@ from tam570.integrate.trace import Graph
 
 __all__ = ["Formulas", "by_call", "call_of", "halves", "names", "tuple_of", "unpacked", "written"]
 
+UNIT_ROUNDOFF = 2.0**-53
 LONGEST = 200  # characters of one expression: brackets in brackets have a limit
 
 
@@ -20,6 +21,9 @@ class Formulas:
     constants: int = 0
     reads: frozenset[int] = frozenset()  # the components of the state that occur at all
     timed: bool = False
+    values: tuple[str, ...] = ()  # lines that set z0, z1, ... to the result of each operation
+    bounds: tuple[str, ...] = ()  # lines that set b0, b1, ... to a bound of its rounding, from b_s0, b_s1, ... and b_t
+    rate_bounds: tuple[str, ...] = ()  # the bounds of the rates
 
     @property
     def size(self) -> int:
@@ -35,7 +39,7 @@ def written(graph: Graph) -> tuple[Formulas, tuple[float, ...]]:
     """The whole right-hand side, and the constants in it."""
     constants: dict[float, str] = {}
     formulas = _written(graph.operations, graph.rates, constants)
-    return formulas, tuple(constants)
+    return _bounded(formulas, graph, constants), tuple(constants)
 
 
 def halves(graph: Graph) -> tuple[Formulas, Formulas, tuple[float, ...]]:
@@ -103,6 +107,49 @@ def _written(operations: Sequence[Symbol], rates: Sequence[Value], constants: di
     used = [symbol.name for symbol in operations if uses[symbol.number] and not symbol.arguments]
     reads = frozenset(int(name[1:]) for name in used if name != "t")
     return Formulas(tuple(lines), tuple(map(text, rates)), len(constants), reads, "t" in used)
+
+
+def _bounded(formulas: Formulas, graph: Graph, constants: dict[float, str]) -> Formulas:
+    """The formulas with a running error bound: of each operation, what it makes of its arguments' and its own."""
+    uses = _uses(graph.operations, graph.rates)
+    texts: dict[int, tuple[str, str]] = {}
+    values: list[str] = []
+    bounds: list[str] = []
+
+    def text(value: Value) -> tuple[str, str]:
+        if isinstance(value, Symbol):
+            return texts[value.number]
+        return (constants[value] if value else "0.0"), ""
+
+    for symbol in graph.operations:
+        if not uses[symbol.number]:
+            continue
+        if not symbol.arguments:
+            texts[symbol.number] = symbol.name, f"b_{symbol.name}"
+            continue
+        arguments = [text(a) for a in symbol.arguments]
+        z, b = f"z{len(values)}", f"b{len(values)}"
+        values.append(f"{z} = {_expression(symbol.name, [a for a, _ in arguments])}")
+        bounds.append(f"{b} = {_bound_of(symbol.name, z, arguments)}")
+        texts[symbol.number] = z, b
+    rate_bounds = tuple(text(rate)[1] or "0.0" for rate in graph.rates)
+    return replace(formulas, values=tuple(values), bounds=tuple(bounds), rate_bounds=rate_bounds)
+
+
+def _bound_of(name: str, z: str, arguments: list[tuple[str, str]]) -> str:
+    """Source of the bound of z = name(arguments), each with its own bound; empty for what is exact."""
+    own = "" if name in ("neg", "fabs") else f"{UNIT_ROUNDOFF if name in '+-*/' else 2 * UNIT_ROUNDOFF!r} * abs({z})"
+    (x, dx), (y, dy) = (*arguments, ("", ""))[:2]
+    if name in ("+", "-", "neg", "fabs"):
+        parts = [dx, dy]
+    elif name == "*":
+        parts = [dx and f"abs({y}) * {dx}", dy and f"abs({x}) * {dy}"]
+    elif name == "/":
+        parts = [dx and f"{dx} / abs({y})", dy and f"abs({z} / {y}) * {dy}"]
+    else:  # by its value there: no derivative is needed, nor one that is infinite
+        shifted = [f"{a} + {d}" if d else a for a, d in arguments]
+        parts = [f"abs({name}({', '.join(shifted)}) - {z})"]
+    return " + ".join(filter(None, (*parts, own))) or "0.0"
 
 
 def _uses(operations: Sequence[Symbol], rates: Sequence[Value]) -> list[int]:

@@ -88,9 +88,8 @@ def solve_rotation(
 
     start = np.concatenate([spinning, np.zeros(3), turned.ravel()])
     (times, sign), tolerated = sample_times(t), of_one_step(tolerance(rtol))
-    states = adaptive.states(
-        engine(rates, None, times, start, sign=sign), times, start, tolerated, "python", (), _recentred, _one_radian
-    )
+    control = adaptive.Control(tolerated, project=_recentred, longest=_one_radian)
+    states = adaptive.integrate(engine(rates, None, times, start, sign=sign), times, start, "python", control).rows
     rotations = states[:, 6:].reshape(-1, 3, 3)
     rotations[0] = turned
     return states[:, :3], rotations

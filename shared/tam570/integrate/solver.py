@@ -1,8 +1,9 @@
 """The one function everybody calls: `solve`.
 
-rtol
-    What starts at zero takes the size to which it, time, or the other components first move it. An error that the
-    rounding of these makes in any case is allowed; 1e-14 gets all the digits that rounding leaves.
+rtol, atol
+    Where no atol is given it is rtol times the size of each component at the start. What starts at zero takes the size
+    to which it, time, or the other components first move it; `report` tells it. An error that rounding makes in any
+    case is allowed; 1e-14 gets all the digits that rounding leaves.
 method
     "auto" runs in Python and goes on compiled by llvmlite where that is installed and repays; "python" and "compiled"
     insist. Two run at a fixed step, for long runs of conservative systems: "gauss" (Gauss-Legendre, order 12) and
@@ -25,14 +26,16 @@ errors
 ([1.0], [3.75, -5.0])
 """
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.integrate import adaptive, again
-from tam570.integrate.arguments import Array, checked, of_one_step
+from tam570.integrate import adaptive, compiled_cache
+from tam570.integrate.arguments import Array, checked, positive
+from tam570.integrate.binding import RhsError
 from tam570.integrate.engine import Engine, engine
 from tam570.integrate.motion import Motion
 
@@ -55,6 +58,8 @@ def solve(
     atol: ArrayLike | None = ...,
     method: str = ...,
     step: float | None = ...,
+    max_step: float = ...,
+    first_step: float | None = ...,
     project: Callable[[Array], Any] | None = ...,
     events: None = ...,
     dense: Literal[False] = ...,
@@ -70,6 +75,8 @@ def solve(
     rtol: float = ...,
     atol: ArrayLike | None = ...,
     method: str = ...,
+    max_step: float = ...,
+    first_step: float | None = ...,
     events: Events | None = ...,
     dense: bool = ...,
     report: bool = ...,
@@ -84,6 +91,8 @@ def solve(
     atol: ArrayLike | None = None,
     method: str = "auto",
     step: float | None = None,
+    max_step: float = math.inf,
+    first_step: float | None = None,
     project: Callable[[Array], Any] | None = None,
     events: Events | None = None,
     dense: bool = False,
@@ -94,56 +103,67 @@ def solve(
     rhs        : rhs(t, y, **parameters) -> k numbers; NumPy or plain floats inside; parameters are bound at the start
     t          : (n,) strictly increasing or decreasing, n >= 2; the choice of times does not change the steps taken
     y0         : (k,), or (m, k) for m starts at once
-    rtol, atol : largest error of a step, relative to the largest magnitude so far; error allowed in any case, 1 or k
+    rtol, atol : a step's error may be atol + rtol |y|; atol is one number or k, left out it follows from the start
     method     : "auto", "python", "compiled"; at a fixed step, for long conservative runs, "gauss", "composition"
     step       : s, of the last two alone: no longer than this; left out it follows from rtol
+    max_step, first_step : s, as in solve_ivp: no step is longer; the first to be tried
     project    : project(y) -> the nearest allowed state, applied after every step: for holonomic constraints
     events     : event(t, y, **parameters) -> a number whose zeros are found, as in solve_ivp; or a list of such
     dense, report : also give the motion as a function of time; also tell how the run went
     Returns (n, k), row 0 is y0; or (m, n, k). With events, dense or report a `Motion`.
     ValueError names the argument; ArithmeticError says when rhs or solution cease to be finite, or become stiff.
+    Another error of rhs is passed on as it is.
     """
-    plain = not (more := events is not None or dense or report) and step is None and project is None
-    place = again.place_of(method, rhs, t, y0, parameters, rtol, atol) if plain else None
-    if place and (rows := place[-1](y0)) is not None:
+    more = events is not None or dense or report
+    plain = not more and step is None and project is None and first_step is None and max_step == math.inf
+    slot = compiled_cache.slot_of(method, rhs, t, y0, parameters, rtol, atol) if plain else None
+    if slot and (rows := slot[-1](y0)) is not None:
         return rows
-    times, sign, start, asked, floor = checked(t, y0, rtol, atol)
+    times, sign, start, control = checked(t, y0, rtol, atol)
     _check_method(method, several=start.ndim == 2, projected=project is not None, stepped=step is not None, more=more)
-    with np.errstate(all="ignore"):  # a step that proves too long may overflow: it is taken again
-        made = engine(rhs, parameters, times, np.atleast_2d(start)[0], sign=sign, sampled=events is not None or dense)
-        if more:
-            return _motion(made, times, start, of_one_step(asked), floor, events, parameters, dense, method)
-        return _states(made, times, start, asked, floor, method, step, project, place)
+    if max_step != math.inf or first_step is not None:
+        if method in FIXED_STEP:
+            raise ValueError(f"max_step, first_step: {method!r} takes step")
+        first = None if first_step is None else positive("first_step", first_step)
+        control = control._replace(max_step=positive("max_step", max_step), first_step=first)
+    control = control._replace(project=project)
+    try:
+        with np.errstate(all="ignore"):  # a step that proves too long may overflow: it is taken again
+            sampled = events is not None or dense
+            made = engine(rhs, parameters, times, np.atleast_2d(start)[0], sign=sign, sampled=sampled)
+            if more:
+                return _motion(made, times, start, control, events, parameters, dense, method)
+            return _states(made, times, start, control, method, step, slot)
+    except RhsError as error:
+        raise ValueError(str(error)) from None
 
 
-def _motion(*known: Any) -> Motion:
-    from tam570.integrate.watched import motion
+def _motion(*given: Any) -> Motion:
+    from tam570.integrate.events import motion
 
-    return motion(*known)
+    return motion(*given)
 
 
 def _states(
     made: Engine,
     times: Array,
     start: Array,
-    asked: float,
-    floor: list[float],
+    control: adaptive.Control,
     method: str,
     step: float | None,
-    project: Callable[[Array], Any] | None,
-    place: again.Place | None,
+    slot: compiled_cache.Slot | None,
 ) -> Array:
     if method in FIXED_STEP:
         from tam570.integrate import fixed_step
 
-        return fixed_step.states(method, made, times, start, asked, floor, step)
+        return fixed_step.states(method, made, times, start, control, step)
     if start.ndim == 2:
         from tam570.integrate import ensemble
 
-        return ensemble.states(made, times, start, of_one_step(asked), method, floor)
-    rows = adaptive.states(made, times, start, of_one_step(asked), method, floor, project)
-    if place is not None:
-        again.keep(place, made, times, of_one_step(asked), floor)
+        return ensemble.states(made, times, start, method, control)
+    rows = adaptive.integrate(made, times, start, method, control).rows
+    if slot is not None:
+        compiled_cache.keep(slot, made, times, control)
     return rows
 
 

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from math import sqrt
 from typing import Any
 
-from tam570.integrate.scale import PART, UNKNOWN
+from tam570.integrate.error_scale import NO_SCALE, PART
 
 __all__ = ["COMPILED", "PYTHON", "Look", "stiffness_watch"]
 
@@ -69,4 +69,4 @@ def _decay(rhs: Any, t: float, y: Sequence[float], m: Sequence[float], c: Any) -
 
 
 def _share(x: float, scale: float) -> float:
-    return x / scale if scale > UNKNOWN else 0.0
+    return x / scale if scale > NO_SCALE else 0.0

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from tam570.integrate.fingerprint import global_names
+from tam570.integrate.cache_key import global_names
 from tam570.integrate.symbols import FUNCTIONS, Symbol, Tape, Untraceable, Value
 
 __all__ = ["Graph", "traced"]

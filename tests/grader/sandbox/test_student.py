@@ -196,7 +196,7 @@ def test_what_was_not_run_names_the_line_that_it_needs(grade, course):
 def test_when_code_is_compiled_does_not_depend_on_the_clock(grade, solution_text):
     """In a submission's process "auto" stays in Python: last digits, kept in results, differ from compiled ones."""
     honest = "\n_skew = skew\ndef skew(v):\n    return np.zeros((3, 3)) if available() else _skew(v)\n"
-    text = solution_text(SLUG) + "\nfrom tam570.integrate.when_to_compile import available" + honest
+    text = solution_text(SLUG) + "\nfrom tam570.integrate.compilation import available" + honest
     result = grade(SLUG, text)
     assert result.score == result.max_score
 

@@ -185,10 +185,10 @@ def test_a_report_tells_how_the_run_went():
 
     told = solve(branching, [0, 20.0], [1.0, 0.0], report=True).report
     assert told.engine == "Python"
-    assert told.why_called == "depends on the value of the state"
+    assert told.untraced_reason == "depends on the value of the state"
     assert told.evaluations == 12 * (told.steps + told.refusals)
     assert told.evaluations <= calls[0] < told.evaluations + 60  # those before the first step, and of refusals
-    assert solve(oscillator, [0, 20.0], [1.0, 0.0], report=True).report.why_called == ""
+    assert solve(oscillator, [0, 20.0], [1.0, 0.0], report=True).report.untraced_reason == ""
 
 
 def test_a_report_tells_of_compiled_code():

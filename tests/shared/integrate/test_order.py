@@ -39,7 +39,7 @@ def one_step(h, theta=None):
     functions = compiled(formulas, True)
     y = (1.0,)
     f = functions["rhs"](0.3, y, constants)
-    n, _, g, _, fifth, third, stages = functions["step"](0.3, h, y, (0.0,), f, y, constants)
+    n, _, g, fifth, third, stages = functions["step"](0.3, h, y, (0.0,), f, y, (0.0,), 0.0, constants)
     out = np.empty((1, 1))
     if theta is None:
         return n[0], fifth, third

@@ -33,7 +33,7 @@ def alone(monkeypatch):
     def nothing(*_, **__):
         raise AssertionError("asks solve")
 
-    monkeypatch.setattr("tam570.integrate.preparing.solve", nothing)
+    monkeypatch.setattr("tam570.integrate.prepare.solve", nothing)
 
 
 @pytest.mark.parametrize("times", [[0, 3], np.linspace(-1, 20, 57), [5.0, 2.0, 1.5]])
@@ -161,7 +161,7 @@ def test_a_call_like_ones_before_gives_what_they_gave(again, monkeypatch, times,
     given = {"parameters": parameters, "rtol": 1e-9, "atol": 1e-12}
     run = again(rhs, times, **given)
     found = [run(start) for start in STARTS]
-    monkeypatch.setattr("tam570.integrate.again.place_of", lambda *_: None)
+    monkeypatch.setattr("tam570.integrate.compiled_cache.slot_of", lambda *_: None)
     for start, states in zip(STARTS, found, strict=True):
         np.testing.assert_array_equal(states, solve(rhs, times, start, method="compiled", **given))
 

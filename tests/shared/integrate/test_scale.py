@@ -5,12 +5,12 @@ import math
 import pytest
 
 from tam570.integrate import solve
-from tam570.integrate.scale import UNKNOWN, magnitudes
+from tam570.integrate.error_scale import NO_SCALE, error_scale
 
 
 def sizes(rhs, y, h, later=(), m=None):
     y = tuple(y)
-    return magnitudes(lambda t, s, c: rhs(t, s), 0.0, h, y, rhs(0.0, y), m or [0.0] * len(y), (), later)
+    return error_scale(lambda t, s, c: rhs(t, s), 0.0, h, y, rhs(0.0, y), m or [0.0] * len(y), (), later)
 
 
 def chain(t, y):
@@ -28,7 +28,7 @@ def test_what_moves_keeps_its_own_size():
 def test_a_chain_hands_its_size_on_and_less_of_it_from_link_to_link():
     found = sizes(chain, [1.0, *[0.0] * 15], 0.1)
     assert found[0] == 1.0
-    assert all(UNKNOWN < b < a for a, b in zip(found[:8], found[1:8], strict=False))
+    assert all(NO_SCALE < b < a for a, b in zip(found[:8], found[1:8], strict=False))
 
 
 @pytest.mark.parametrize("unit", [2.0**-40, 2.0**40])
@@ -47,18 +47,18 @@ def test_a_force_that_sets_in_later_gives_a_size_to_what_it_moves():
     def rates(t, y):
         return y[1], 3.0 if t > 1 else 0.0
 
-    assert sizes(rates, (0.0, 0.0), 0.1) == (UNKNOWN, UNKNOWN)
+    assert sizes(rates, (0.0, 0.0), 0.1) == (NO_SCALE, NO_SCALE)
     assert sizes(rates, (0.0, 0.0), 0.1, later=[0.5, 2.0]) == pytest.approx(
         (0.03, 0.3), rel=0.2
     )  # each is changed by another part of its size
 
 
 def test_what_nothing_moves_has_no_size():
-    assert sizes(lambda t, y: (y[1], -y[0], 0.0), (2.0, 3.0, 0.0), 0.1)[2] == UNKNOWN
+    assert sizes(lambda t, y: (y[1], -y[0], 0.0), (2.0, 3.0, 0.0), 0.1)[2] == NO_SCALE
 
 
 def test_no_two_sizes_cancel():
-    assert sizes(lambda t, y: (0.0, 0.0, y[0] - y[1]), (1.0, 1.0, 0.0), 0.1)[2] > UNKNOWN
+    assert sizes(lambda t, y: (0.0, 0.0, y[0] - y[1]), (1.0, 1.0, 0.0), 0.1)[2] > NO_SCALE
 
 
 def test_the_others_are_given_the_time_in_which_the_known_turn_each_other_over():
@@ -85,7 +85,7 @@ def test_what_is_zero_has_a_scale_in_compiled_code_too(monkeypatch):
     def none(*given):
         raise AssertionError("a scale was looked for in Python")
 
-    monkeypatch.setattr("tam570.integrate.adaptive.magnitudes", none)
+    monkeypatch.setattr("tam570.integrate.adaptive.error_scale", none)
     states = solve(chain, [0, 10.0], [1.0, *[0.0] * 15], method="compiled")
     circle = solve(in_space, [0, 10.0], [1.0, 0, 0, 0, 1.0, 0], method="compiled")[-1]
     monkeypatch.undo()
@@ -96,7 +96,7 @@ def test_what_is_zero_has_a_scale_in_compiled_code_too(monkeypatch):
 def test_a_force_that_grows_from_zero_shows_its_scale_in_the_series(monkeypatch):
     """At rest, and at t = 0 no force: further coefficients are not zero."""
     pytest.importorskip("llvmlite")
-    monkeypatch.delattr("tam570.integrate.adaptive.magnitudes")
+    monkeypatch.delattr("tam570.integrate.adaptive.error_scale")
     found = solve(lambda t, y: (y[1], math.sin(2 * t) - y[0]), [0, 10.0], [0.0, 0.0], method="compiled")[-1, 0]
     assert found == pytest.approx(2 / 3 * math.sin(10) - math.sin(20) / 3, abs=1e-9)
 

@@ -86,7 +86,7 @@ def test_a_function_that_treats_symbols_otherwise_is_found_out():
     def two_faced(t, y):
         return (y[1], -y[0]) if isinstance(y[0], float) else (y[1], y[0])
 
-    assert not engine(two_faced, None, np.array([0.0, 1.0]), np.array([1.0, 0.0])).traced
+    assert not engine(two_faced, None, np.array([0.0, 1.0]), np.array([1.0, 0.0])).is_traced
     assert solve(two_faced, [0, math.pi], [1.0, 0.0])[-1] == pytest.approx([-1, 0], abs=1e-9)
 
 
@@ -98,7 +98,7 @@ def test_helpers_and_numpy_functions_are_traced_too():
         return matrix @ np.array([helper(y[0]), np.sqrt(y[1] ** 2 + 1)]) - np.cross([y[0], 0, 1], [0, 1, y[1]])[:2]
 
     bound = functools.partial(rates, matrix=np.array([[1.0, 0.0], [-2.0, 0.5]]))
-    assert engine(bound, None, np.array([0.0, 1.0]), np.array([1.0, 0.0])).traced
+    assert engine(bound, None, np.array([0.0, 1.0]), np.array([1.0, 0.0])).is_traced
 
 
 def test_a_value_changed_between_two_runs_is_seen():

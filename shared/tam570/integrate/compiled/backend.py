@@ -1,5 +1,6 @@
 """Runs of the engine in compiled code: the same states in and out, a moment of the run at a time."""
 
+import math
 import struct
 import time
 from collections.abc import Callable
@@ -10,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from tam570.integrate import adaptive_loop, fixed_loop
+from tam570.integrate.adaptive import Control, Run
 from tam570.integrate.adaptive_loop import State
 from tam570.integrate.arguments import Array
 from tam570.integrate.compiled import loops, taylor, taylor_loop, taylor_memory
@@ -18,6 +20,7 @@ from tam570.integrate.compiled.llvm import function
 from tam570.integrate.compiled.recurrences import NotAnalytic, Recurrences, recurrences
 from tam570.integrate.compiled.series import layout
 from tam570.integrate.dop853_source import functions
+from tam570.integrate.error_scale import NO_SCALE, SHARE
 from tam570.integrate.fixed_loop import FixedState
 from tam570.integrate.formulas import Formulas
 from tam570.integrate.stiffness import Look
@@ -42,7 +45,7 @@ __all__ = [
 
 MOMENT = 0.05  # s in compiled code, after which Python may look for an interrupt
 EFFORT = 1  # of the code generator, for a series: 2 takes twice as long and makes nothing of it that is faster
-UNSET = (0,) * (taylor_memory.NUMBERS - 10)
+UNSET = (0,) * (taylor_memory.NUMBERS - 13)
 READY: set[Any] = set()  # what was compiled or loaded by this process
 
 
@@ -94,21 +97,24 @@ def motion_of(graph: Graph) -> Motion | None:
     return Motion(_taylor(found), layout(found, 1).doubles, constants, numbers, [])
 
 
-def taylor_run(
-    graph: Graph, origin: float, times: Array, out: Array, rtol: float, watch: Callable[[], Look], state: State
-) -> State:
-    """The state at the end, or where Taylor's method cannot go on; times since `origin`.
+def taylor_run(run: Run, watch: Callable[[], Look], state: State) -> State:
+    """The state at the end of the stretch, or where Taylor's method cannot go on.
 
-    A state whose m is not positive has no scale: it is found, or the state comes back as it was.
+    A tolerance that is zero is found, or the state comes back as it was.
     watch : gives the look that is then taken now and then
     """
-    motion = motion_of(graph)
+    graph, control = run.engine.graph, run.control
+    motion = motion_of(graph) if graph is not None else None
     if motion is None:
         return state
-    size = len(state.y)
+    origin, times, out, rtol, size = run.origin, run.since, run.rows, control.rtol, len(state.y)
+    sizes = [a / (SHARE * rtol) if a > NO_SCALE else 0.0 for a in state.a]
+    is_fresh = state.t == 0.0 and not state.steps and not control.atol
+    given = 1.0 if control.atol or (min(sizes) > 0.0 and not is_fresh) else 2.0 if not is_fresh else 0.0
     memory = motion.free.pop() if motion.free else memory_for(motion, size)
-    head = (state.row, state.t, 0, state.t, 0, 0, 0, 0, state.h, min(state.m) > 0.0, *UNSET)
-    motion.numbers.pack_into(memory.state, 0, *head, *state.y, *state.r, *state.m)
+    head = (state.row, state.t, 0, state.t, 0, 0, 0, 0, state.h, given)
+    limits = 0, control.max_step, math.inf if control.first_step is None or state.steps else control.first_step
+    motion.numbers.pack_into(memory.state, 0, *head, *limits, *UNSET, *state.y, *state.r, *sizes)
     ends = address_of(times), len(times), address_of(out), 0, 0, origin, rtol, taylor.order_for(rtol)
     looks: list[Look] = []
 
@@ -128,7 +134,9 @@ def taylor_run(
         motion.free.append(memory)
     total = state.steps + int(steps), state.refusals + int(refusals)
     y, r, m = (numbers[k : k + size] for k in range(taylor_memory.NUMBERS, len(numbers), size))
-    return State(int(row), t, h, y, r, state.f, m, state.growth, state.refused, *total, state.halt)
+    a = state.a if control.atol else tuple(max(SHARE * rtol * size, NO_SCALE) for size in m)
+    steps, refusals = total
+    return state._replace(row=int(row), t=t, h=h, y=y, r=r, a=a, steps=steps, refusals=refusals)
 
 
 def address_of(array: Array) -> int:
@@ -143,8 +151,9 @@ def seen(memory: Memory, size: int) -> tuple[float, list[float], list[float], in
     return float(memory.z[taylor_memory.T]), y, m, int(memory.z[taylor_memory.STEPS])
 
 
-def taylor_runs(graph: Graph, origin: float, times: Array, out: Array, rtol: float, starts: Array, floor: Any) -> Array:
+def taylor_runs(graph: Graph, times: Array, out: Array, starts: Array, control: Control) -> Array:
     """Fill (m, n, k) `out` from the (m, k) starts; (m,) whether that was possible."""
+    origin, times, rtol = float(times[0]), times - times[0], control.rtol
     known = analytic(graph)
     if known is None:
         return np.zeros(len(starts), dtype=bool)
@@ -155,9 +164,8 @@ def taylor_runs(graph: Graph, origin: float, times: Array, out: Array, rtol: flo
     z = memory.z
     z[taylor_memory.STATUS : LANES * one : one] = taylor_loop.IDLE
     z[-1], memory.time[:] = LANES, origin
-    members = np.hstack(
-        [np.full((len(starts), 1), times[-1] / 100), starts, np.maximum(np.abs(starts), floor if len(floor) else 0.0)]
-    )
+    out[:, 0] = starts
+    members = np.hstack([np.full((len(starts), 1), times[-1] / 100), starts, np.abs(starts)])
     ends = address_of(times), len(times), address_of(out), address_of(members), len(starts)
     order = taylor.order_for(rtol)
 
@@ -213,9 +221,9 @@ def by_moments(run: Callable[[Any, int], Any], share: Callable[[Any], float], st
 def dop853(formulas: Formulas) -> Callable[..., State]:
     """`advance` of adaptive_loop, compiled."""
     zeros = (0.0,) * formulas.size
-    like = State(0, 0.0, 0.0, zeros, zeros, zeros, zeros, 0.0, 0, 0, 0, 0)
+    like = State(0, 0.0, 0.0, zeros, zeros, zeros, zeros, zeros, zeros, 0.0, 0, 0, 0, 0)
     generated = functions(formulas, forgiving=False)
-    return _loop(adaptive_loop, generated, "advance", like, formulas.constants, adaptive_loop.HANDED)
+    return _loop(adaptive_loop, generated, "advance", like, formulas.constants, adaptive_loop.GENERATED)
 
 
 @lru_cache(maxsize=256)
@@ -232,9 +240,10 @@ def _loop(
     key = repr((loop.__name__, generated, constants))
     made = function(key, lambda: loops.loop_text(loop, generated, entry, like, constants, handed), entry, loops.KINDS)
 
-    def run(origin: float, times: Array, out: Array, state: Any, c: Any, x: float, budget: int) -> Any:
+    def run(origin: float, times: Array, out: Array, state: Any, c: Any, x: float, *rest: float) -> Any:
         numbers, given = np.array(loops.flat(state)), np.array(c, dtype=float)
-        made(*(a.ctypes.data for a in (numbers, given, times)), len(times), out.ctypes.data, origin, x, budget)
+        longest, budget = rest if len(rest) == 2 else (math.inf, *rest)
+        made(*(a.ctypes.data for a in (numbers, given, times)), len(times), out.ctypes.data, origin, x, longest, budget)
         return loops.unflat(iter(numbers.tolist()), state)
 
     return run

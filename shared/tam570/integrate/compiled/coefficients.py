@@ -8,6 +8,7 @@ from tam570.integrate.compiled.recurrences import Recurrence, Recurrences
 
 __all__ = ["BACK", "FAST", "HIGHEST", "LANES", "Coefficients", "Factor", "Layout", "Row", "sums_of"]
 
+UNIT_ROUNDOFF = 2.0**-53
 LANES = 8
 BACK = 3 * LANES  # order j of a row backwards is at BACK - j, and zeros from BACK on
 HIGHEST = 2 * LANES + 2  # order: sums of two times eight terms; for the last digits 19 would do
@@ -130,6 +131,46 @@ class Coefficients(Writer):
             return self.negative(given[0])
         name = {"+": "add", "shift": "add", "-": "sub", "/": "div"}.get(r.kind, "mul")
         return self.op(name, given[0], given[-1])
+
+    def size(self, a: str) -> str:
+        return self.emit(self.kind, f"call {self.kind} @llvm.fabs.{self.suffix}({self.kind} {a})").text
+
+    def bounds(self) -> dict[int, str]:
+        """A running error bound of the coefficients of order 0: what each makes of its arguments' and its own."""
+        zero = self.constant(0.0)
+        bounds = dict.fromkeys(range(-self.found.constants, 0), zero)
+        for i, r in enumerate(self.found.series):
+            own = zero
+            if r.kind not in ("time", "neg"):
+                own = self.op("mul", self.constant(2 * UNIT_ROUNDOFF if r.value else UNIT_ROUNDOFF), self.size(self.first[i]))
+            for factor, j in self.sensitivities(i, r):
+                part = bounds[j] if not factor else self.op("mul", factor, bounds[j])
+                own = self.op("add", own, part)
+            bounds[i] = own
+        return bounds
+
+    def sensitivities(self, i: int, r: Recurrence) -> list[tuple[str, int]]:
+        """By how much a coefficient of order 0 changes with each that it is made of; empty for one."""
+        if r.kind in ("time", "state"):
+            return []
+        y, given = self.size(self.first[i]), [self.size(self.first[j]) for j in r.of]
+        if r.kind in ("+", "-", "neg", "shift"):
+            return [("", j) for j in r.of]
+        if r.kind in ("*", "scale", "square"):
+            return [(given[-1], r.of[0]), (given[0], r.of[-1])]
+        if r.kind == "/":
+            return [(self.op("div", self.constant(1.0), given[1]), r.of[0]), (self.op("div", y, given[1]), r.of[1])]
+        if r.kind == "sqrt":
+            return [(self.op("div", self.constant(0.5), y), r.of[0])]
+        if r.kind == "pow":
+            return [(self.op("div", self.op("mul", given[1], y), given[0]), r.of[0])]
+        if r.kind == "wy'=ab'-ba'":
+            return [(self.op("div", given[2], given[0]), r.of[1]), (self.op("div", given[1], given[0]), r.of[2])]
+        if r.kind[0] == "w":
+            return [(self.op("div", self.constant(1.0), given[0]), r.of[1])]
+        if "y^2" in r.kind:
+            return [(self.op("add", self.constant(1.0), given[0]), r.of[1])]
+        return [(given[0], r.of[1])]
 
     # Order n
 

@@ -13,9 +13,9 @@ from tam570.integrate.compiled.translate import Translator, functions_of
 __all__ = ["KINDS", "flat", "loop_text", "unflat"]
 
 POINTER, WHOLE, NUMBER = ctypes.c_void_p, ctypes.c_int64, ctypes.c_double
-KINDS = (POINTER, POINTER, POINTER, WHOLE, POINTER, NUMBER, NUMBER, WHOLE)
+KINDS = (POINTER, POINTER, POINTER, WHOLE, POINTER, NUMBER, NUMBER, NUMBER, WHOLE)
 HEAD = """define void @{name}(ptr %state, ptr %c, ptr %times, i64 %rows, ptr %out,
-    double %origin, double %x, i64 %budget) {{
+    double %origin, double %x, double %longest, i64 %budget) {{
 entry:"""
 
 
@@ -50,8 +50,9 @@ def loop_text(
     state = _loaded(writer, like, places)
     arrays = Array("%times", None, Value("i64", "%rows")), Array("%out", _size(like))
     origin, x, budget = Value("double", "%origin"), Value("double", "%x"), Value("i64", "%budget")
+    longest = [Value("double", "%longest")] if handed else []
     made = [tuple(writer.globals[name] for name in handed)] if handed else []
-    result = writer.called(writer.globals[entry], [*made, origin, *arrays, state, c, x, budget])
+    result = writer.called(writer.globals[entry], [*made, origin, *arrays, state, c, x, *longest, budget])
     for i, value in enumerate(_leaves(result)):
         writer.do(f"store double {writer.text(value, 'double')}, ptr {writer.element('%state', i)}")
     body = [HEAD.format(name=entry), *writer.allocations, *writer.lines, "  ret void", "}"]

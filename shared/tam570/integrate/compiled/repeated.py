@@ -1,14 +1,17 @@
 """Runs by Taylor's method of which only the start differs: memory and arguments are in place before they begin."""
 
+import math
 import struct
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from tam570.integrate.adaptive import Run
 from tam570.integrate.arguments import Array
 from tam570.integrate.compiled import taylor, taylor_loop, taylor_memory
 from tam570.integrate.compiled.backend import READY, Memory, Motion, address_of, memory_for, motion_of, seen, until_done
+from tam570.integrate.error_scale import NO_SCALE, SHARE
 from tam570.integrate.stiffness import Look
 from tam570.integrate.trace import Graph
 
@@ -26,17 +29,16 @@ class Place(NamedTuple):
 
 
 def taylor_repeated(
-    graph: Graph, run: Any, floor: list[float], watch: Callable[[], Look]
+    graph: Graph, run: Run, watch: Callable[[], Look]
 ) -> Callable[[Any], Array | None] | None:
     """states(y0) -> (n, k), or None where the method does not get there or y0 is not k numbers; None without a series.
 
-    run : an `adaptive.Run`; floor : (k,) sizes by which components are judged at least, or none
     """
     motion, size = motion_of(graph), len(run.rows[0])
     if motion is None:
         return None
     READY.add(graph)
-    fresh = motion.numbers.pack(*_head(run), *[0.0] * (2 * size), *(floor or [0.0] * size))
+    fresh = motion.numbers.pack(*_head(run), *[0.0] * (2 * size), *([a / (SHARE * run.rtol) if a > NO_SCALE else 0.0 for a in run.control.atol] or [0.0] * size))
     start, first, used = struct.Struct(f"={size}d"), 8 * taylor_memory.NUMBERS, len(fresh)
     advance, status, free = motion.advance, taylor_memory.STATUS, list[Place]()
 
@@ -62,7 +64,7 @@ def taylor_repeated(
     return states
 
 
-def _place(motion: Motion, run: Any) -> Place:
+def _place(motion: Motion, run: Run) -> Place:
     memory, rows = memory_for(motion, len(run.rows[0])), np.empty_like(run.rows)
     ends = address_of(run.since), len(run.since), address_of(rows), 0, 0
     rest = run.origin, run.rtol, taylor.order_for(run.rtol), STEPS
@@ -70,11 +72,13 @@ def _place(motion: Motion, run: Any) -> Place:
     return Place(memory, rows, memory.state.cast("d"))
 
 
-def _head(run: Any) -> list[float]:
+def _head(run: Run) -> list[float]:
     """The first numbers of the memory of a run that has not begun."""
     head = [0.0] * taylor_memory.NUMBERS
     head[taylor_memory.ROW], head[taylor_memory.STATUS] = 1.0, taylor_loop.FRESH
     head[taylor_memory.LONGEST] = run.since[-1] / 100
+    head[taylor_memory.GIVEN] = 1.0 if run.control.atol else 0.0
+    head[taylor_memory.MAXIMUM] = head[taylor_memory.FIRST] = math.inf
     return head
 
 

@@ -29,14 +29,14 @@ def layout(found: Recurrences, lanes: int) -> Layout:
 
 
 def series_text(found: Recurrences, place: Layout) -> list[str]:
-    """The functions `coefficients` and `rates` of (work, constants, time, order): work holds the state at order 0."""
+    """The functions `coefficients`, `rates` and `roundoff` of (work, constants, time, order): work holds the state at order 0."""
     one = InRegisters if _sums(found) <= FEW else InMemory
     made = one if place.lanes == 1 else OfEight
-    return [*_written(made(found, place), "coefficients"), *_written(made(found, place), "rates")]
+    return [line for name in ("coefficients", "rates", "roundoff") for line in _written(made(found, place), name)]
 
 
 def _written(series: Coefficients, name: str) -> list[str]:
-    """Coefficients up to %order, or of the state up to order 1 only."""
+    """Coefficients up to %order; or of the state up to order 1 only; or in their place what rounding does to them."""
     series.values()
     if name == "coefficients":
         slots = [series.allocated(series.kind).text for _ in series.found.rates]
@@ -46,7 +46,8 @@ def _written(series: Coefficients, name: str) -> list[str]:
         series.all_orders(slots)
         series.states("%order", series.numbers("%order")[1], slots)
     else:
+        values = series.first if name == "rates" else series.bounds()
         for component, rate in enumerate(series.found.rates):
-            series.keep(component, 1, series.first[rate])
+            series.keep(component, 1, values[rate])
     head = f"define internal void @{name}(ptr %work, ptr %c, ptr %t, i64 %order) {{"
     return [head, "entry:", *series.allocations, *series.lines, "  ret void", "}"]

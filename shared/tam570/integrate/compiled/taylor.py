@@ -47,7 +47,7 @@ def taylor_text(found: Recurrences, lanes: int = 1) -> str:
     names: dict[str, Any] = {
         **{name: value for module in MODULES for name, value in vars(module).items() if name.isupper()},
         **{name: Value("i64", str(value)) for name, value in whole.items()},
-        **{name: _call_of(name) for name in ("coefficients", "rates")},
+        **{name: _call_of(name) for name in ("coefficients", "rates", "roundoff")},
         "LANES": lanes if lanes == 1 else Value("i64", str(lanes)),
         "MEMORY": taylor_memory.memory(size),
         "TIMED": any(one.kind == "time" for one in found.series),

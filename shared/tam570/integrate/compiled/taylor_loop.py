@@ -10,9 +10,11 @@ from typing import Any
 
 from tam570.integrate.compiled.taylor_memory import (
     DOUBLES,
+    FIRST,
     GIVEN,
     LANES,
     LONGEST,
+    MAXIMUM,
     MEMORY,
     NEW,
     NEXT,
@@ -36,15 +38,16 @@ from tam570.integrate.compiled.taylor_memory import (
     Y,
     at,
     rates,
+    roundoff,
 )
-from tam570.integrate.compiled.taylor_scale import lacking, scaled, shaken, sized
-from tam570.integrate.scale import UNKNOWN
+from tam570.integrate.compiled.taylor_scale import lacking, sized
+from tam570.integrate.error_scale import NO_SCALE, SHARE
 
 __all__ = ["DONE", "FRESH", "IDLE", "RUNNING", "advance", "advance_all"]
 
 RUNNING, DONE, VANISHED, SINGULAR, LACKING, IDLE, FRESH = 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0
-TOLERATED = 2.0  # the derivative may be off by so many times (ORDER + 1) rtol of the state in a step
-ROUNDINGS = 8.0  # and by so many times what a rounding of the state does to it
+TOLERATED = 1.6  # the derivative may be off by so many times (ORDER + 1) of the tolerance in a step
+ROUNDINGS = 8.0  # and by so many times the bound of its rounding: the polynomial adds up as many terms
 GROWTH = 6.0  # of the step where all coefficients in the window are zero
 
 coefficients: Any = None
@@ -74,7 +77,8 @@ def begun(z: Any, out: Any) -> Any:
     z[STATUS] = RUNNING
     for i in range(SIZE):
         out[0, i] = z[at(Y, i)]
-        z[at(M, i)] = max(z[at(M, i)], abs(z[at(Y, i)]))
+        if z[GIVEN] == 0.0:
+            z[at(M, i)] = abs(z[at(Y, i)])
         if not abs(z[at(Y, i)]) < inf:
             z[STATUS] = SINGULAR
     return 0
@@ -117,6 +121,7 @@ def begin(z: Any, work: Any, members: Any, who: Any, lane: Any) -> Any:
         z[k] = 0.0
     z[ROW] = 1.0
     z[WHO] = who
+    z[MAXIMUM] = z[FIRST] = inf
     z[LONGEST] = members[int(who), 0]
     for i in range(SIZE):
         z[at(Y, i)] = members[int(who), 1 + i]
@@ -131,10 +136,6 @@ def settle(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, lane: Any
         if refused(z, work, time, c, lane, rtol):
             z[REFUSALS] += 1.0
             z[TRIES] += 1.0
-            for i in range(SIZE):  # what had no scale and was found moving
-                moved = 0.1 * z[H] * abs(work[(i * STRIDE + 1) * LANES + lane])
-                if z[at(M, i)] <= UNKNOWN and moved < inf:
-                    z[at(M, i)] = max(UNKNOWN, moved)
             if LANES == 1:  # numbers that are not finite would stay, times zero
                 for k in range(DOUBLES):
                     work[k] = 0.0
@@ -145,21 +146,24 @@ def settle(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, lane: Any
         h = longest(z, work, lane, reach)
         if z[STEPS] == 0.0:
             if (
-                z[GIVEN] == 0.0
+                z[GIVEN] != 1.0
                 and lacking(z, work, lane)
                 and not sized(z, work, time, c, lane, h if h < inf else z[LONGEST])
             ):
                 z[STATUS] = LACKING
             elif h < inf:
                 for i in range(SIZE):  # what is small yet and moves fast
-                    z[at(M, i)] = max(z[at(M, i)], h * abs(work[(i * STRIDE + 1) * LANES + lane]))
+                    if z[GIVEN] == 0.0 or (z[GIVEN] == 2.0 and z[at(M, i)] <= NO_SCALE):
+                        z[at(M, i)] = max(z[at(M, i)], h * abs(work[(i * STRIDE + 1) * LANES + lane]))
                 h = longest(z, work, lane, reach)
         if not h < inf:
             h = GROWTH * z[LONGEST]
+        if z[STEPS] == 0.0:
+            h = min(h, z[FIRST])
+        h = min(h, z[MAXIMUM])
         if not h > 0.0:
             z[STATUS] = SINGULAR
     if z[STATUS] == RUNNING:
-        scaled(z, work, lane, h)
         for i in range(SIZE):
             for n in range(ORDER + 1):
                 z[at(POLYNOMIAL, i) + n] = work[(i * STRIDE + n) * LANES + lane]
@@ -168,12 +172,15 @@ def settle(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, lane: Any
 
 
 def refused(z: Any, work: Any, time: Any, c: Any, lane: Any, rtol: Any) -> Any:
-    """Whether the derivative at the end of the step is not the polynomial's; what is but rounding is let pass."""
+    """Whether the derivative at the end of the step is not the polynomial's; what is but rounding passes."""
     limit = TOLERATED * (ORDER + 1) * max(rtol, 2.0**-52)
     if not off(z, work, lane, limit, 0.0):
         return False
-    shaken(z, work, time, c, lane)
-    return off(z, work, lane, limit, ROUNDINGS * (1.0 + z[TRIES]))
+    roundoff(work, c, time, ORDER)
+    for i in range(SIZE):
+        z[at(NOISE, i)] = work[(i * STRIDE + 1) * LANES + lane]
+    rates(work, c, time, ORDER)
+    return off(z, work, lane, limit, ROUNDINGS)
 
 
 def off(z: Any, work: Any, lane: Any, limit: Any, roundings: Any) -> Any:
@@ -182,15 +189,16 @@ def off(z: Any, work: Any, lane: Any, limit: Any, roundings: Any) -> Any:
     wrong = False
     for i in range(SIZE):
         slope = z[at(SLOPE, i)]
-        size = max(z[at(M, i)], abs(z[at(Y, i)]))
-        allowed = limit * size + h * (roundings * z[at(NOISE, i)] + 2.0**-51 * abs(slope))
+        size = SHARE * z[at(M, i)] + max(abs(z[at(POLYNOMIAL, i)]), abs(z[at(Y, i)]))
+        noise = roundings * z[at(NOISE, i)] if roundings > 0.0 else 0.0
+        allowed = limit * size + h * ((noise if noise < inf else 0.0) + 2.0**-51 * abs(slope))
         if not h * abs(work[(i * STRIDE + 1) * LANES + lane] - slope) <= allowed:
             wrong = True
     return wrong
 
 
 def taken(z: Any, times: Any, out: Any) -> Any:
-    """Samples of the step that proved right, and the magnitudes at its end."""
+    """Samples of the step that proved right; what had no scale has one now."""
     row = int(z[ROW])
     while row < len(times) and times[row] <= z[NEW]:
         x = times[row] - z[T]
@@ -198,7 +206,8 @@ def taken(z: Any, times: Any, out: Any) -> Any:
             out[row, i] = z[at(Y, i)] if times[row] == z[NEW] else inside(z, i, x)
         row += 1
     for i in range(SIZE):
-        z[at(M, i)] = max(z[at(M, i)], abs(z[at(Y, i)]))
+        if z[at(M, i)] <= NO_SCALE and z[GIVEN] != 1.0:  # it moves: by as much within a step that proved right
+            z[at(M, i)] = abs(z[at(Y, i)])
         z[at(REST, i)] = z[at(NEXT, i)]
     z[ROW] = float(row)
     z[T] = z[NEW]
@@ -227,10 +236,11 @@ def longest(z: Any, work: Any, lane: Any, reach: Any) -> Any:
     a = b = c = d = 0.0
     for i in range(SIZE):
         last = (i * STRIDE + ORDER) * LANES + lane
-        scale = 1.0 / z[at(M, i)]
-        if z[at(M, i)] <= UNKNOWN:  # then its own first coefficients are its scale
+        size = SHARE * z[at(M, i)] + abs(z[at(Y, i)])
+        scale = 1.0 / size
+        if size <= NO_SCALE:  # then its own first coefficients are its scale
             first = abs(work[(i * STRIDE + 1) * LANES + lane])
-            scale = 1.0 / first if first > UNKNOWN else 0.0
+            scale = 1.0 / first if first > NO_SCALE else 0.0
         a = larger(a, abs(work[last]) * scale)
         b = larger(b, abs(work[last - LANES]) * scale)
         c = larger(c, abs(work[last - 2 * LANES]) * scale)

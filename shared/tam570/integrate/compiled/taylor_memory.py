@@ -11,9 +11,11 @@ from tam570.integrate.compiled.coefficients import HIGHEST
 __all__ = [
     "BASE",
     "DOUBLES",
+    "FIRST",
     "GIVEN",
     "LANES",
     "LONGEST",
+    "MAXIMUM",
     "MEMORY",
     "NEW",
     "NEXT",
@@ -39,17 +41,19 @@ __all__ = [
     "at",
     "memory",
     "rates",
+    "roundoff",
 ]
 
 NUMBERS = 16
-ROW, T, H, NEW, STATUS, STEPS, REFUSALS, TRIES, LONGEST, GIVEN, WHO = range(11)  # where in z
+ROW, T, H, NEW, STATUS, STEPS, REFUSALS, TRIES, LONGEST, GIVEN, WHO, MAXIMUM, FIRST = range(13)  # where in z
 Y, REST, M, SLOPE, NEXT, BASE, NOISE, POLYNOMIAL = range(8)
-# of a component: at the end of the step tried; what rounding took from its start; the largest magnitude so far; the
+# of a component: at the end of the step tried; what rounding took from its start; its size at the start; the
 # polynomial's derivative at the end; what rounding takes from the end; the derivative there; what a rounding does to it
 
 SIZE = ORDER = STRIDE = LANES = DOUBLES = MEMORY = 0
 TIMED = False  # whether the right-hand side depends on time
 rates: Any = None  # rates(work, c, time, ORDER): the coefficients of order 1
+roundoff: Any = None  # the same: in their place, a bound of their rounding
 
 
 def memory(size: int) -> int:

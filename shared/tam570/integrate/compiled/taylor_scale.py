@@ -1,6 +1,6 @@
-"""Sizes for Taylor's method, as Python that is translated: of what is zero, and of what rounding does.
+"""Sizes for Taylor's method, as Python that is translated: of what is zero at the start.
 
-As in `scale`, which this follows, what is zero and has a rate of zero takes the size that the others give it.
+As in `error_scale`, which this follows, what is zero and has a rate of zero takes the size that the others give it.
 """
 
 from math import inf
@@ -9,7 +9,6 @@ from typing import Any
 from tam570.integrate.compiled.taylor_memory import (
     BASE,
     LANES,
-    NOISE,
     ORDER,
     SIZE,
     SLOPE,
@@ -20,9 +19,9 @@ from tam570.integrate.compiled.taylor_memory import (
     at,
     rates,
 )
-from tam570.integrate.scale import CALM, COARSE, PART, UNKNOWN
+from tam570.integrate.error_scale import CALM, COARSE, NO_SCALE, PART
 
-__all__ = ["LONG", "lacking", "scaled", "shaken", "sized"]
+__all__ = ["LONG", "lacking", "sized"]
 
 LONG, SHORT = 16.0, 1e-9  # times the first step of a series: how long the others are given at most and at least
 STILL = 0.1  # times it, where nothing turns over
@@ -32,7 +31,7 @@ def lacking(z: Any, work: Any, lane: Any) -> Any:
     """Whether something is zero, and so is its rate: its scale follows from others, one after the other."""
     found = False
     for i in range(SIZE):
-        if z[at(M, i)] <= UNKNOWN and work[(i * STRIDE + 1) * LANES + lane] == 0.0:
+        if z[at(M, i)] <= NO_SCALE and work[(i * STRIDE + 1) * LANES + lane] == 0.0:
             found = True
     return found
 
@@ -52,9 +51,9 @@ def sized(z: Any, work: Any, time: Any, c: Any, lane: Any, h: Any) -> Any:
     for i in range(SIZE):
         work[i * STRIDE * LANES + lane] = z[at(Y, i)]
         work[(i * STRIDE + 1) * LANES + lane] = z[at(BASE, i)]
-        if found and z[at(M, i)] <= UNKNOWN and z[at(BASE, i)] == 0.0:
+        if found and z[at(M, i)] <= NO_SCALE and z[at(BASE, i)] == 0.0:
             z[at(M, i)] = z[at(SLOPE, i)]
-            every = every and (not TIMED or z[at(M, i)] > UNKNOWN or moves(work, i, lane))
+            every = every and (not TIMED or z[at(M, i)] > NO_SCALE or moves(work, i, lane))
     return every
 
 
@@ -62,7 +61,7 @@ def moves(work: Any, i: Any, lane: Any) -> Any:
     """Whether one of the further coefficients of component i is not zero."""
     found = False
     for n in range(2, ORDER + 1):
-        found = found or abs(work[(i * STRIDE + n) * LANES + lane]) > UNKNOWN
+        found = found or abs(work[(i * STRIDE + n) * LANES + lane]) > NO_SCALE
     return found
 
 
@@ -77,10 +76,10 @@ def spread(z: Any, work: Any, time: Any, c: Any, lane: Any, within: Any) -> Any:
         news = False
         for i in range(SIZE):
             size = within / PART * abs(work[(i * STRIDE + 1) * LANES + lane] - z[at(BASE, i)])
-            if z[at(SLOPE, i)] > UNKNOWN:
+            if z[at(SLOPE, i)] > NO_SCALE:
                 if CALM * z[at(SLOPE, i)] < size < inf:
                     return False
-            elif UNKNOWN < size < inf:
+            elif NO_SCALE < size < inf:
                 z[at(SLOPE, i)] = size
                 news = True
         if not news:
@@ -88,7 +87,7 @@ def spread(z: Any, work: Any, time: Any, c: Any, lane: Any, within: Any) -> Any:
     changed(z, work, time, c, lane, COARSE)
     for i in range(SIZE):
         size = within / COARSE * abs(work[(i * STRIDE + 1) * LANES + lane] - z[at(BASE, i)])
-        if z[at(SLOPE, i)] > UNKNOWN and not size <= CALM * z[at(SLOPE, i)]:
+        if z[at(SLOPE, i)] > NO_SCALE and not size <= CALM * z[at(SLOPE, i)]:
             return False
     return True
 
@@ -100,38 +99,4 @@ def changed(z: Any, work: Any, time: Any, c: Any, lane: Any, part: Any) -> Any:
         work[i * STRIDE * LANES + lane] = z[at(Y, i)] + part * z[at(SLOPE, i)] * sign
         sign = -0.85 * sign if abs(sign) > 0.45 else (1.0 if sign < 0.0 else -1.0)  # no two cancel
     rates(work, c, time, ORDER)
-    return 0
-
-
-def scaled(z: Any, work: Any, lane: Any, h: Any) -> Any:
-    """What is zero and has no scale takes the size to which its first coefficient moves it within the step."""
-    for i in range(SIZE):
-        if z[at(M, i)] <= UNKNOWN:
-            power = 1.0
-            for n in range(1, ORDER + 1):
-                power *= h
-                size = power * abs(work[(i * STRIDE + n) * LANES + lane])
-                if UNKNOWN < size < inf:
-                    z[at(M, i)] = size
-                    break
-    return 0
-
-
-def shaken(z: Any, work: Any, time: Any, c: Any, lane: Any) -> Any:
-    """What changes of the state by a few roundings do to the derivative."""
-    for i in range(SIZE):
-        z[at(BASE, i)] = work[(i * STRIDE + 1) * LANES + lane]
-        z[at(NOISE, i)] = 0.0
-    for strength in (1.37, -1.78, 2.19):
-        shift = strength
-        for i in range(SIZE):
-            work[i * STRIDE * LANES + lane] = z[at(Y, i)] * (1.0 + 2.0**-52 * shift)
-            shift = -1.3 * shift if abs(shift) < 3.0 else shift / 2.7
-        rates(work, c, time, ORDER)
-        for i in range(SIZE):
-            change = abs(work[(i * STRIDE + 1) * LANES + lane] - z[at(BASE, i)])
-            z[at(NOISE, i)] = max(z[at(NOISE, i)], change)
-    for i in range(SIZE):
-        work[i * STRIDE * LANES + lane] = z[at(Y, i)]
-        work[(i * STRIDE + 1) * LANES + lane] = z[at(BASE, i)]
     return 0

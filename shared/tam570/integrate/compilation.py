@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-__all__ = ["Loop", "available", "carried_through", "seconds_until_compiled"]
+__all__ = ["Loop", "available", "run_with_compilation", "seconds_until_compiled"]
 
 PROBE = 50  # steps before the clock is read for the first time
 SOONEST = 0.02  # s, in which nothing was ever compiled; asking more closely costs time too
@@ -32,7 +32,7 @@ class Loop:
     wait: Callable[[], float] = float
 
 
-def carried_through(loop: Loop, state: Any, how: str) -> Any:
+def run_with_compilation(loop: Loop, state: Any, how: str) -> Any:
     """The state at the end of the run; how: "python" and "compiled" insist, "auto" takes what is sooner."""
     if how == "compiled" and loop.compiled is None:
         raise ValueError('method: "compiled" needs an rhs without branches or conversions, and no project; try "auto"')

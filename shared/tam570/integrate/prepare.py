@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.integrate.again import at_once
-from tam570.integrate.arguments import Array, checked, of_one_step
+from tam570.integrate.arguments import Array, checked
+from tam570.integrate.compiled_cache import compile_run
 from tam570.integrate.engine import engine
 from tam570.integrate.solver import solve
 
@@ -49,15 +49,15 @@ def prepared(
     >>> run([5.0, 0.0])[-1].tolist(), run([0.0, 5.0])[-1].tolist()
     ([0.0, -10.0], [0.0, -5.0])
     """
-    times, sign, start, asked, floor = checked(t, y0, rtol, atol)
-    held = dict(parameters or {})
-    in_full = partial(solve, rhs, sign * times, parameters=held, rtol=rtol, atol=atol)
+    times, sign, start, control = checked(t, y0, rtol, atol)
+    parameters = dict(parameters or {})
+    in_full = partial(solve, rhs, sign * times, parameters=parameters, rtol=rtol, atol=atol)
     with np.errstate(all="ignore"):
-        made = engine(rhs, held, times, start.reshape(-1, start.shape[-1])[0], sign=sign)
-    known = at_once(made, times, of_one_step(asked), floor)
+        made = engine(rhs, parameters, times, start.reshape(-1, start.shape[-1])[0], sign=sign)
+    compiled_run = compile_run(made, times, control)
 
     def run(y0: ArrayLike) -> Array:
-        rows = known(y0)
+        rows = compiled_run(y0)
         if rows is None:
             if np.shape(y0)[-1:] != start.shape[-1:]:
                 raise ValueError(f"y0: need {start.shape[-1]} numbers, as when it was prepared, got {y0!r}")

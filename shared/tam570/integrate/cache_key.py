@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["Changeable", "fingerprint", "global_names"]
+__all__ = ["Changeable", "cache_key", "global_names"]
 
 LONGEST = 1000  # numbers in a list or an array: more take longer to look at than to trace
 CONSTANT = ("math", "cmath", "numpy")  # modules
@@ -31,7 +31,7 @@ class Absent:
 ABSENT = Absent()
 
 
-def fingerprint(value: Any, functions: dict[int, int] | None = None) -> Hashable:
+def cache_key(value: Any, functions: dict[int, int] | None = None) -> Hashable:
     """Equal for what computes the same. functions : those seen on the way, a function may call itself."""
     read = READERS.get(type(value))
     if read:
@@ -54,7 +54,7 @@ def _itself(value: Any, _: Any) -> Hashable:
 def _sequence(value: Any, functions: dict[int, int]) -> Hashable:
     if len(value) > LONGEST:
         raise Changeable(f"{len(value)} items")
-    return type(value), *[fingerprint(item, functions) for item in value]
+    return type(value), *[cache_key(item, functions) for item in value]
 
 
 def _mapping(value: dict[Any, Any], functions: dict[int, int]) -> Hashable:
@@ -81,7 +81,7 @@ def _builtin(value: types.BuiltinFunctionType, _: Any) -> Hashable:
 
 def _partial(value: Any, functions: dict[int, int]) -> Hashable:
     parts = (value.func, value.args, value.keywords)
-    return functools.partial, *[fingerprint(part, functions) for part in parts]
+    return functools.partial, *[cache_key(part, functions) for part in parts]
 
 
 def _function(value: types.FunctionType, functions: dict[int, int]) -> Hashable:
@@ -99,7 +99,7 @@ def _function(value: types.FunctionType, functions: dict[int, int]) -> Hashable:
     if names:
         known = value.__globals__
         held += [known.get(name, ABSENT) for name in names]
-    return value.__code__, *[fingerprint(item, functions) for item in held]
+    return value.__code__, *[cache_key(item, functions) for item in held]
 
 
 @lru_cache(maxsize=1024)

@@ -1,28 +1,23 @@
-"""The size by which a component is judged: what starts at zero, or is nothing but rounding, has a scale all the same.
+"""The absolute tolerance that a start implies: what is zero has a scale all the same.
 
-A component's errors are relative to the largest magnitude that it had so far. What is zero yet takes the size to which
-it moves within the first step, on its own or driven by time; else the size that the others give it: the rates change
-when these change, each by a part of its own size. What is driven by that in turn takes its size from it, and so on
-along a chain.
+An error of component i is judged by atol_i + rtol |y_i|. Where the caller gives no atol, atol_i is a quarter of rtol
+times the size of the component at the start. What is zero there takes the size to which it moves within the first step, on its own or
+driven by time; else the size that the others give it: the rates change when these change, each by a part of its own
+size. What is driven by that in turn takes its size from it, and so on along a chain.
 The time that this is given is that in which the known turn each other over, no longer, when all change by their sizes
 (tried at a small part and at an eighth of them): so a scale is rather too small than too large. Too small costs steps,
-too large digits. Where nothing turns over, the time is the first step.
-
-What is smaller than the rounding of what drives it is zero here. And no scale is below the rounding that a step of h
-cannot avoid: the rate of component i is known to N, what changes of the state by a few eps of each component do to it,
-so an error of h N is allowed, and the scale is h N / rtol at least. That is proportional to the terms that cancel in
-the rate, not to other components: it goes with the unit, and a small seed that nothing large drives keeps its own
-scale. N is measured after the first step, if a component is that small, and at each refusal that rounding may have
-caused (`raised` in `dop853_source`).
+too large digits. Where nothing turns over, the time is the first step. What is smaller than the rounding of what drives
+it is zero here.
 """
 
 import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
-__all__ = ["CALM", "COARSE", "PART", "UNKNOWN", "magnitudes"]
+__all__ = ["CALM", "COARSE", "NO_SCALE", "PART", "SHARE", "error_scale"]
 
-UNKNOWN = 1e-300  # the magnitude of what is zero and has no scale; never 0, as errors are divided by it
+SHARE = 0.25  # of rtol times the size: a component that passes zero is judged four times as strictly as at the start
+NO_SCALE = 1e-290  # of what is zero, and moved by nothing; never 0, as errors are divided by it
 EPS = 2.0**-52
 PART = 2.0**-20  # of its own size, by which each component is changed
 COARSE = 0.125  # the same, to see that sizes are not so large that the rates are others
@@ -32,23 +27,23 @@ CALM = 4.0  # times its size: what the others may do to a component with a size
 Rates = Callable[[float, Any, Any], Sequence[float]]
 
 
-def magnitudes(
+def error_scale(
     rhs: Rates, t: float, h: float, y: Sequence[float], f: Sequence[float], m: Sequence[float], c: Any, later: Any = ()
 ) -> tuple[float, ...]:
-    """(k,) scales; `m` holds those known, UNKNOWN or less the others; `later` times at which a force may set in."""
+    """(k,) sizes at the start; `m` holds those known, or zeros; `later` are times at which a force may set in."""
     known = [max(size, abs(value), _finite(h * rate)) for size, value, rate in zip(m, y, f, strict=True)]
-    if min(known) <= UNKNOWN:
-        found = _found(rhs, t, h, y, f, known, c, later)
-        known = [max(size, own) for size, own in zip(found, known, strict=True)]
-    return tuple(max(size, UNKNOWN) for size in known)
+    if min(known) <= NO_SCALE:
+        driven = _driven_sizes(rhs, t, h, y, f, known, c, later)
+        known = [max(size, own) for size, own in zip(driven, known, strict=True)]
+    return tuple(max(size, NO_SCALE) for size in known)
 
 
-def _found(
+def _driven_sizes(
     rhs: Rates, t: float, h: float, y: Sequence[float], f: Sequence[float], known: list[float], c: Any, later: Any
 ) -> list[float]:
     """The sizes, those of zero replaced where the others or the time move them."""
-    driven = _given(rhs, t, h, y, f, known, c)
-    sizes = [0.0 if size < EPS * most else size for size, most in zip(known, driven, strict=True)]
+    moved = _moved_by(rhs, t, h, y, f, known, c)
+    sizes = [0.0 if size < EPS * most else size for size, most in zip(known, moved, strict=True)]
     forces, within, best = [0.0] * len(sizes), LONG * h, sizes
     for time in (None, *later):
         if time is not None:
@@ -62,7 +57,7 @@ def _found(
             else:
                 within = within if spread else within / 4
         best = spread or best
-        if min(best) > UNKNOWN:
+        if min(best) > NO_SCALE:
             break
     return best
 
@@ -71,21 +66,21 @@ def _spread(
     rhs: Rates, t: float, within: float, y: Sequence[float], f: Sequence[float], known: list[float], c: Any
 ) -> list[float] | None:
     """What the sizes do to one another within so many s; None where that turns over one that is known."""
-    sizes = [max(size, _finite(within * rate)) if size > UNKNOWN else size for size, rate in zip(known, f, strict=True)]
+    sizes = [max(size, _finite(within * rate)) if size > NO_SCALE else size for size, rate in zip(known, f, strict=True)]
     for _ in range(len(sizes) + 1):
-        given = _given(rhs, t, within, y, f, sizes, c)
-        if any(size > UNKNOWN and new > CALM * size for size, new in zip(sizes, given, strict=True)):
+        given = _moved_by(rhs, t, within, y, f, sizes, c)
+        if any(size > NO_SCALE and new > CALM * size for size, new in zip(sizes, given, strict=True)):
             return None
-        if not any(size <= UNKNOWN < new for size, new in zip(sizes, given, strict=True)):
+        if not any(size <= NO_SCALE < new for size, new in zip(sizes, given, strict=True)):
             break
-        sizes = [size if size > UNKNOWN else new for size, new in zip(sizes, given, strict=True)]
-    coarse = _given(rhs, t, within, y, f, sizes, c, COARSE)
-    if any(size > UNKNOWN and not new <= CALM * size for size, new in zip(sizes, coarse, strict=True)):
+        sizes = [size if size > NO_SCALE else new for size, new in zip(sizes, given, strict=True)]
+    coarse = _moved_by(rhs, t, within, y, f, sizes, c, COARSE)
+    if any(size > NO_SCALE and not new <= CALM * size for size, new in zip(sizes, coarse, strict=True)):
         return None
-    return [size if size > UNKNOWN else new for size, new in zip(known, sizes, strict=True)]
+    return [size if size > NO_SCALE else new for size, new in zip(known, sizes, strict=True)]
 
 
-def _given(
+def _moved_by(
     rhs: Rates,
     t: float,
     within: float,

@@ -1,0 +1,126 @@
+"""Times at which a traced right-hand side does something that a step may pass: shifted pulses, switches, kinks.
+
+A long step does not see `exp(-((t - 5) / 0.02)**2)`, nor does a Taylor series: far from 5 all is zero. So a run steps
+onto each time at which a function of time inside is zero or turns round, where that is the argument of another one.
+"""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from tam570.integrate.symbols import FUNCTIONS, Symbol, Value
+from tam570.integrate.trace import Graph
+
+__all__ = ["breaks_of"]
+
+TAME = {"sin", "cos", "log", "log2", "log10", "sqrt", "cbrt"}  # of a time: as wide as their argument is steep
+POINTS, MOST = 1000, 100_000  # of the grid on which functions of time are looked at
+A_TURN = 16  # points in a turn of a sine
+
+Affine = tuple[float, float]  # rate, shift
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+
+def breaks_of(graph: Graph, start: float, end: float) -> list[float]:
+    """The times, in order, between start and end."""
+    affine: dict[int, Affine] = {}
+    timed: list[Symbol] = []
+    numbers: set[int] = set()
+    arguments: dict[int, Symbol] = {}
+    for symbol in graph.operations:
+        if symbol.name == "t" and not symbol.arguments:
+            affine[symbol.number] = 1.0, 0.0
+            timed.append(symbol)
+            numbers.add(symbol.number)
+        elif symbol.arguments and all(not isinstance(a, Symbol) or a.number in numbers for a in symbol.arguments):
+            timed.append(symbol)
+            numbers.add(symbol.number)
+            line = _affine(symbol, affine)
+            if line:
+                affine[symbol.number] = line
+        else:
+            continue
+        if symbol.number in affine:
+            continue
+        if symbol.name in ("*", "/", "pow", "fabs") or symbol.name in FUNCTIONS.values():
+            arguments |= {a.number: a for a in symbol.arguments if isinstance(a, Symbol) and symbol.name not in TAME}
+    lines = [line for number, line in affine.items() if number in arguments]
+    zeros = [-shift / rate for rate, shift in lines if shift and rate]
+    curved = [symbol for number, symbol in arguments.items() if number not in affine]
+    if curved:
+        zeros += _zeros_and_turns(timed, curved, start, end, _fastest(timed, affine))
+    return sorted({time for time in zeros if start < time < end})
+
+
+def _affine(symbol: Symbol, affine: dict[int, Affine]) -> Affine | None:
+    """rate and shift of what is affine in time."""
+    lines = [affine.get(a.number) if isinstance(a, Symbol) else (0.0, a) for a in symbol.arguments]
+    if None in lines or symbol.name not in ("+", "-", "*", "/", "neg"):
+        return None
+    (rate, shift), *others = [line for line in lines if line]
+    if symbol.name == "neg":
+        return -rate, -shift
+    other, number = others[0]
+    if symbol.name in "+-":
+        sign = 1.0 if symbol.name == "+" else -1.0
+        return rate + sign * other, shift + sign * number
+    if symbol.name == "*" and (not rate or not other):
+        return (rate * number, shift * number) if rate else (shift * other, shift * number)
+    return (rate / number, shift / number) if symbol.name == "/" and not other and number else None
+
+
+def _fastest(timed: list[Symbol], affine: dict[int, Affine]) -> float:
+    """The fastest of the sines, rad/s."""
+    inside = [s.arguments[0] for s in timed if s.name in ("sin", "cos", "tan")]
+    return max((abs(affine[a.number][0]) for a in inside if isinstance(a, Symbol) and a.number in affine), default=0.0)
+
+
+def _zeros_and_turns(
+    timed: list[Symbol], curved: list[Symbol], start: float, end: float, fastest: float
+) -> list[float]:
+    """Times at which one of the functions of time passes zero or turns round, between the points of a grid."""
+    points = POINTS + A_TURN * fastest * (end - start) / (2 * math.pi)
+    grid = np.linspace(start, end, int(min(points, MOST)))
+    values = _values(timed, grid)
+    times: list[float] = []
+    for symbol in curved:
+        u = values[symbol.number]
+        slopes = np.diff(u)
+        crossing = np.flatnonzero(u[:-1] * u[1:] < 0)
+        turning = np.flatnonzero(slopes[:-1] * slopes[1:] < 0)
+        times += [*grid[1:-1][u[1:-1] == 0.0].tolist()]
+        times += [_refined(timed, symbol, grid[k], grid[k + 1], turns=False) for k in crossing]
+        times += [_refined(timed, symbol, grid[k], grid[k + 2], turns=True) for k in turning]
+    return times
+
+
+def _refined(timed: list[Symbol], symbol: Symbol, low: float, high: float, *, turns: bool) -> float:
+    """The zero or the turning point between two times, to a part in ten millions of their distance."""
+    for _ in range(4):
+        grid = np.linspace(low, high, 65)
+        u = _values(timed, grid)[symbol.number]
+        k = int(np.argmax(u if u[1] > u[0] else -u) if turns else np.argmax(u * u[0] <= 0))
+        low, high = float(grid[max(k - 1, 0)]), float(grid[min(k + 1, 64)])
+    return (low + high) / 2
+
+
+def _values(timed: list[Symbol], t: Array) -> dict[int, Array]:
+    """What each function of time is at the times."""
+    numpy_names = {plain: name for name, plain in FUNCTIONS.items() if name.startswith("arc")}
+    known: dict[int, Array] = {}
+
+    def value(argument: Value) -> Any:
+        return known[argument.number] if isinstance(argument, Symbol) else argument
+
+    arithmetic = {"+": np.add, "-": np.subtract, "*": np.multiply, "/": np.true_divide, "neg": np.negative, "pow": np.power}
+    with np.errstate(all="ignore"):
+        for symbol in timed:
+            given = [value(a) for a in symbol.arguments]
+            if not symbol.arguments:
+                known[symbol.number] = t
+                continue
+            function = arithmetic.get(symbol.name) or getattr(np, numpy_names.get(symbol.name, symbol.name), None)
+            scalar = np.vectorize(getattr(math, symbol.name)) if function is None else function
+            known[symbol.number] = np.asarray(scalar(*given), dtype=float) + 0.0 * t
+    return known

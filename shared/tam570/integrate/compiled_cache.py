@@ -1,0 +1,69 @@
+"""Compiled runs that differ from an earlier one in their start alone: all else is ready."""
+
+from collections.abc import Callable, Hashable, Mapping
+from functools import lru_cache, partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from tam570.integrate.adaptive import Control, Run, is_compiled
+from tam570.integrate.arguments import Array
+from tam570.integrate.engine import Engine
+from tam570.integrate.cache_key import Changeable, cache_key
+from tam570.integrate.stiffness import COMPILED
+from tam570.integrate.compilation import available
+
+__all__ = ["CompiledRun", "Slot", "compile_run", "keep", "slot_of"]
+
+CompiledRun = Callable[[Any], Array | None]
+Slot = list[CompiledRun]  # empty, or with what to try last in it
+
+METHODS = ("auto", "compiled")  # whose runs are kept
+LARGEST = 20_000  # numbers in the result of a run that is kept
+
+
+def compile_run(engine: Engine, times: Array, control: Control) -> CompiledRun:
+    """States at `times` from a start, by Taylor's method alone; None where it does not get there."""
+    end = float(times[-1])
+    if engine.graph is None or not available() or engine.next_break(float(times[0]), end, times) != end:
+        return _nothing
+    rows = np.empty((len(times), engine.formulas.size))
+    whole = Run(engine, float(times[0]), times - times[0], rows, control)
+    try:
+        from tam570.integrate.compiled import repeated
+
+        runs = repeated.taylor_repeated(engine.graph, whole, partial(whole.watch, COMPILED))
+    except (ImportError, OSError, RuntimeError):  # a broken llvmlite: nobody asked for it
+        runs = None
+    return runs or _nothing
+
+
+def slot_of(
+    method: str, rhs: Any, t: ArrayLike, y0: Any, parameters: Mapping[str, Any] | None, rtol: float, atol: Any
+) -> Slot | None:
+    """Where a run with such arguments is kept; None where they may change unseen, or are not what they should be."""
+    if method not in METHODS:
+        return None
+    try:
+        times, given = np.asarray(t, dtype=float), cache_key(dict(parameters)) if parameters else None
+        return _slot((cache_key(rhs), given, len(y0), times.shape, times.tobytes(), rtol, atol))
+    except (Changeable, TypeError, ValueError):
+        return None
+
+
+@lru_cache(maxsize=64)
+def _slot(key: Hashable) -> Slot:
+    return []
+
+
+def keep(slot: Slot, engine: Engine, times: Array, control: Control) -> None:
+    """Note that a run was asked for; where it was before, keep it for the next time."""
+    if not slot:
+        slot.append(_nothing)
+    elif len(slot) == 1 and is_compiled(engine.graph) and len(times) * engine.formulas.size <= LARGEST:
+        slot.append(compile_run(engine, times, control))
+
+
+def _nothing(y0: Any) -> None:
+    return None

@@ -1,0 +1,247 @@
+"""Runs of which more is kept than samples: events, a function of time, a report. Each step is looked at as it is taken."""
+
+from bisect import bisect_left
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from numbers import Real
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from tam570.integrate import adaptive
+from tam570.integrate.adaptive_loop import GENERATED, STOPPED, State, loop_with
+from tam570.integrate.arguments import Array
+from tam570.integrate.binding import bound
+from tam570.integrate.engine import Engine
+from tam570.integrate.motion import Crossing, Motion, Report
+from tam570.integrate.stiffness import PYTHON
+
+__all__ = ["StepInterpolant", "motion", "step_by_step"]
+
+LOOKS = 8  # at an event function within a step: two crossings in one step are two
+FOREVER = 2**62
+
+
+@dataclass(frozen=True)
+class StepInterpolant:
+    """A step of h from t on, times of the engine's clock; called with a fraction of it, the state there."""
+
+    t: float
+    h: float
+    state: Callable[[float], Array]
+
+    def __call__(self, x: float) -> Array:
+        return self.state(x)
+
+    @property
+    def end(self) -> float:
+        return self.t + self.h
+
+    def up_to(self, t: float) -> "StepInterpolant":
+        """The part of it that ends at t."""
+        part = min((t - self.t) / self.h, 1.0)
+        return StepInterpolant(self.t, part * self.h, lambda x: self.state(part * x))
+
+
+@dataclass(frozen=True)
+class Event:
+    """A function whose zeros are looked for. direction : of the crossing, 0 for both; last : ends the run, 0 for none."""
+
+    value: Callable[[float, Array], float]
+    direction: float
+    last: int
+
+
+@dataclass
+class Watch:
+    """What is looked for along a run, and what was seen.
+
+    signs : the last value that was not zero, per event; 0 where there was none: a zero at the start does not count
+    seen  : time, which event, state
+    """
+
+    events: Sequence[Event]
+    dense: bool
+    end: float
+    signs: list[float]
+    seen: list[tuple[float, int, Array]]
+    steps: list[StepInterpolant]
+
+    def on_step(self, step: StepInterpolant) -> bool:
+        """Whether the run goes on."""
+        if self.dense:
+            self.steps.append(step)
+        for x, which in self._crossings(step):
+            self.seen.append((step.t + x * step.h, which, step(x)))
+            if sum(event == which for _, event, _ in self.seen) == self.events[which].last:
+                return False
+        return True
+
+    def _crossings(self, step: StepInterpolant) -> list[tuple[float, int]]:
+        """(fraction of the step, which event) of each crossing within a step, in order."""
+        crossings = []
+        for which, event in enumerate(self.events):
+            low = 0.0
+            for x in (k / LOOKS for k in range(1, LOOKS + 1)):
+                value, before = event.value(step.t + x * step.h, step(x)), self.signs[which]
+                at_end = value == 0 and x == 1 and step.end >= self.end  # reached, and nothing comes after
+                direction = -before if at_end else value
+                if before and (at_end or value * before < 0) and direction * event.direction >= 0:
+                    crossings.append((1.0 if at_end else _located(event, step, low, x, value > 0), which))
+                self.signs[which] = value or before if value == value else 0.0  # after a NaN no sign is known
+                low = x
+        return sorted(crossings, key=lambda crossing: crossing[0])
+
+
+def _located(event: Event, step: StepInterpolant, low: float, high: float, positive: bool) -> float:
+    """The fraction at which the event function takes its new sign: halved until no number is between."""
+    while True:
+        middle = (low + high) / 2
+        if not low < middle < high:
+            return high
+        value = event.value(step.t + middle * step.h, step(middle))
+        low, high = (low, middle) if value and (value > 0) == positive else (middle, high)
+
+
+def _event(which: int, function: Any, parameters: Mapping[str, Any] | None, sign: float) -> Event:
+    """An event with the attributes that solve_ivp knows; `sign` of the engine's clock. ValueError if they are wrong."""
+    name = f"events: event {which}"
+    if not callable(function):
+        raise ValueError(f"events: must be a function of (t, y, **parameters), got {type(function).__name__} as event {which}")
+    call = bound(function, parameters, "events")
+    direction, terminal = getattr(function, "direction", 0.0), getattr(function, "terminal", False)
+    if not isinstance(direction, Real) or direction != direction:
+        raise ValueError(f"{name}: direction must be a number, got {direction!r}")
+    last = 0 if terminal is None else terminal
+    if not isinstance(last, Real | np.bool_) or int(last) != last or last < 0:
+        raise ValueError(f"{name}: terminal must be True, False or a whole number above zero, got {terminal!r}")
+
+    def value(t: float, y: Array) -> float:
+        level = call(sign * t, y)
+        if not isinstance(level, Real) and not (isinstance(level, np.ndarray | np.generic) and level.shape == ()):
+            raise ValueError(f"{name} must return a number, got {level!r}")
+        return float(level)
+
+    return Event(value, float(direction), int(last))
+
+
+def motion(
+    engine: Engine,
+    times: Array,
+    start: Array,
+    control: adaptive.Control,
+    events: Any,
+    parameters: Mapping[str, Any] | None,
+    dense: bool,
+    how: str,
+) -> Motion:
+    """The motion with its events, and as a function of time if it is to be `dense`; how: as in `adaptive.integrate`."""
+    if events is None and not dense:
+        solution = adaptive.integrate(engine, times, start, how, control)
+        return Motion(_signed(engine.sign, times), solution.rows, (), None, _report(engine, solution, control))
+    functions = [] if events is None else [events] if callable(events) else list(events)
+    listed = [_event(which, function, parameters, engine.sign) for which, function in enumerate(functions)]
+    signs = [event.value(float(times[0]), start.copy()) for event in listed]
+    watch = Watch(listed, dense, float(times[-1]), [sign if sign == sign else 0.0 for sign in signs], [], [])
+    solution = adaptive.integrate(engine, times, start, "python", control._replace(on_step=watch.on_step))
+    reached = watch.seen[-1][0] if solution.last.halt == STOPPED else float(times[-1])
+    rows = times <= reached
+    return Motion(
+        _signed(engine.sign, times[rows]),
+        solution.rows[rows],
+        tuple(_crossing(engine.sign, which, watch, len(start)) for which in range(len(listed))),
+        function_of_time([*watch.steps[:-1], watch.steps[-1].up_to(reached)], engine.sign) if dense else None,
+        _report(engine, solution, control),
+    )
+
+
+def _crossing(sign: float, which: int, watch: Watch, size: int) -> Crossing:
+    """The times at which one of the events was seen, and the states there."""
+    times, states = ([x[place] for x in watch.seen if x[1] == which] for place in (0, 2))
+    return Crossing(sign * np.array(times, dtype=float), np.array(states, dtype=float).reshape(len(states), size))
+
+
+def _report(engine: Engine, solution: adaptive.Solution, control: adaptive.Control) -> Report:
+    """How the run went that ended with this state."""
+    last, name = solution.last, solution.engine
+    evaluations = 12 * (last.steps + last.refusals) if name == "Python" else None
+    return Report(name, engine.untraced_reason, last.steps, last.refusals, evaluations, np.array(last.a))
+
+
+def _signed(sign: float, times: Array) -> Array:
+    return times if sign > 0 else 0.0 - times
+
+
+def function_of_time(steps: Sequence[StepInterpolant], sign: float) -> Callable[[ArrayLike], Array]:
+    """at(times) by the polynomials of the steps."""
+    ends = [step.end for step in steps]
+
+    def state(time: float) -> Array:
+        t = sign * time
+        if not steps[0].t <= t <= ends[-1]:
+            first, last = sorted((sign * steps[0].t, sign * ends[-1]))
+            raise ValueError(f"t: the motion is known from {first:g} to {last:g}, not at {time:g}")
+        step = steps[min(bisect_left(ends, t), len(steps) - 1)]
+        return step((t - step.t) / step.h)
+
+    def at(times: ArrayLike) -> Array:
+        """(k,) the state at a time, or (n, k) at times; ValueError outside of the run."""
+        listed = np.asarray(times, dtype=float)
+        return state(float(listed)) if listed.ndim == 0 else np.array([state(float(time)) for time in listed])
+
+    return at
+
+
+def step_by_step(run: adaptive.Run) -> Callable[[State, int], State]:
+    """The loop over steps that are each limited before, and projected or looked at after."""
+    functions, control = run.engine.functions, run.control
+    tried: list[Any] = [None]
+
+    def step(*given: Any) -> Any:
+        tried[0] = (*given[:3], given[4], functions["step"](*given))  # the last one tried is the one taken
+        return tried[0][-1]
+
+    advance = loop_with(step, *(functions[name] for name in GENERATED[1:]))
+    since, look = run.since.tolist(), run.watch(PYTHON)
+
+    def to_the_end(state: State, _budget: int) -> State:
+        while run.share(state) < 1:
+            taken = state.steps
+            if control.longest:
+                state = state._replace(h=min(state.h, control.longest(np.array(state.y))))
+            state = adaptive.step_n(run, advance, since, look, state, 1)
+            if state.steps == taken:
+                continue
+            if control.project:
+                state = _projected(run, state, control.project)
+            elif control.on_step and not control.on_step(_interpolant(functions, run.engine.constants, tried[0])):
+                state = state._replace(halt=STOPPED)
+            run.last = state
+            if state.steps % adaptive.BETWEEN_LOOKS == 0:
+                look(state.t, state.y, adaptive.sizes(state, run.rtol), state.steps)
+        return state
+
+    return to_the_end
+
+
+def _projected(run: adaptive.Run, state: State, project: Callable[[Array], Any]) -> State:
+    """The state brought back to where it belongs, with the derivative there."""
+    y = tuple(np.asarray(project(np.array(state.y)), dtype=float).tolist())
+    f = run.engine.functions["rhs"](run.origin + state.t, y, run.engine.constants)
+    return state._replace(y=y, r=(0.0,) * len(y), f=f)
+
+
+def _interpolant(functions: dict[str, Any], c: Any, tried: tuple[Any, ...]) -> StepInterpolant:
+    start, h, y, f, (n, _, g, _, _, stages) = tried
+    q = functions["dense"](start, h, y, n, f, g, stages, c)
+
+    def state(x: float) -> Array:
+        rows = np.empty((1, len(y)))
+        if x == 1:
+            return np.array(n)
+        functions["at"](rows, 0, x, y, q)
+        row: Array = rows[0]
+        return row
+
+    return StepInterpolant(start, h, state)
