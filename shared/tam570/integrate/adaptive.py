@@ -12,13 +12,23 @@ import numpy as np
 from tam570.integrate.adaptive_loop import LARGEST, RUNNING, SETS_IN, STOPPED, State
 from tam570.integrate.arguments import SMALLEST_RTOL, Array
 from tam570.integrate.binding import TRIAL_ERRORS, NewBreak, check_start
+from tam570.integrate.compilation import Loop, run_with_compilation, seconds_until_compiled
 from tam570.integrate.engine import Engine
 from tam570.integrate.error_scale import NO_SCALE, SHARE, error_scale
 from tam570.integrate.stiffness import COMPILED, PYTHON, Look, stiffness_watch
 from tam570.integrate.trace import Graph
-from tam570.integrate.compilation import Loop, run_with_compilation, seconds_until_compiled
 
-__all__ = ["Control", "Run", "Solution", "integrate", "is_compiled", "run_to_end", "shortest_step", "start_run", "step_n"]
+__all__ = [
+    "Control",
+    "Run",
+    "Solution",
+    "integrate",
+    "is_compiled",
+    "run_to_end",
+    "shortest_step",
+    "start_run",
+    "step_n",
+]
 
 BETWEEN_LOOKS = 500  # steps
 KINKS = 30.0  # of the tolerance, so many times less where the rates may have kinks
@@ -93,7 +103,9 @@ def integrate(engine: Engine, times: Array, start: Array, how: str, control: Con
     while True:
         stop = engine.next_break(t, end, y)
         through = max(row, int(np.searchsorted(times, stop, side="right")))
-        samples = np.concatenate([[t], times[row:through], [stop] if through == row or times[through - 1] != stop else []])
+        samples = np.concatenate(
+            [[t], times[row:through], [stop] if through == row or times[through - 1] != stop else []]
+        )
         run = start_run(engine, samples, y, control)
         try:
             run_stretch(run, how, names, a)
@@ -187,7 +199,7 @@ def _trouble(run: Run, last: State) -> Exception:
         called.error.add_note(f"solve: rhs raises this beyond t = {engine.sign * t:.17g}, y = {list(last.y)}")
         return called.error
     return ArithmeticError(
-        f"no step is short enough {where}: the solution seems to become infinite there, or the rates to jump without end"
+        f"no step is short enough {where}: the solution seems to become infinite, or the rates jump without end"
     )
 
 
@@ -201,10 +213,7 @@ def step_n(run: Run, advance: Any, since: Any, look: Look, state: State, budget:
     last = state.steps + state.refusals + budget
     while run.share(state) < 1 and (left := last - state.steps - state.refusals) > 0:
         some = min(left, BETWEEN_LOOKS)
-        before = state
-        state = advance(
-            run.origin, since, run.rows, state, run.engine.constants, run.rtol, run.control.max_step, some
-        )
+        state = advance(run.origin, since, run.rows, state, run.engine.constants, run.rtol, run.control.max_step, some)
         run.last = state
         if some == BETWEEN_LOOKS:
             look(state.t, state.y, sizes(state, run.rtol), state.steps)
@@ -264,7 +273,9 @@ def start_state(run: Run, a: Sequence[float] = ()) -> State:
     f = rhs(origin, y, c)
     if not all(map(math.isfinite, f)):
         if a:
-            raise ArithmeticError(f"rhs or solution is not finite at t = {engine.sign * origin:.17g}: rhs gives {list(f)}")
+            raise ArithmeticError(
+                f"rhs or solution is not finite at t = {engine.sign * origin:.17g}: rhs gives {list(f)}"
+            )
         check_start(engine.rates, origin, run.rows[0], engine.sign)
     first_step = engine.functions["first_step"]
     h, g = first_step(origin, span, y, f, c), f
@@ -279,7 +290,8 @@ def start_state(run: Run, a: Sequence[float] = ()) -> State:
         elif min(a) <= NO_SCALE:
             fresh = error_scale(rhs, origin, h, y, g, [0.0] * len(y), c, later)
             a = tuple(
-                max(SHARE * control.rtol * s, NO_SCALE) if size <= NO_SCALE else size for s, size in zip(fresh, a, strict=True)
+                max(SHARE * control.rtol * s, NO_SCALE) if size <= NO_SCALE else size
+                for s, size in zip(fresh, a, strict=True)
             )
     h = control.first_step or h
     atol, nothing = tuple(control.atol) or tuple(a), (0.0,) * len(y)

@@ -1,7 +1,6 @@
 """Step size and samples: the loop around the generated step. Plain enough for a compiler to take as it is.
 
-The functions written for one right-hand side (rhs, euler, step, error_norms, jump, roundoff, lesser, dense, at) are passed in
-once; what comes back is the loop for that right-hand side.
+The functions written for one right-hand side, which GENERATED names, are passed in once.
 """
 
 from collections.abc import Callable
@@ -11,7 +10,18 @@ from typing import Any, NamedTuple
 
 from tam570.integrate.error_scale import NO_SCALE
 
-__all__ = ["GENERATED", "LARGEST", "NOT_FINITE", "RUNNING", "SETS_IN", "STOPPED", "TOO_SHORT", "State", "advance", "first_step_with"]
+__all__ = [
+    "GENERATED",
+    "LARGEST",
+    "NOT_FINITE",
+    "RUNNING",
+    "SETS_IN",
+    "STOPPED",
+    "TOO_SHORT",
+    "State",
+    "advance",
+    "first_step_with",
+]
 __all__ += ["loop_with"]
 
 SAFETY = 0.9
@@ -27,7 +37,15 @@ JAGGED = 0.1  # the same, of a step of any length
 AT_A_JUMP = 200.0  # of the rates the estimate is but a part of the error; the ratio of both estimates tells it
 AT_REST = 8  # steps at least: where nothing moves, no error says how far to look for what sets in later
 
-GENERATED = ("step", "error_norms", "jump", "roundoff", "lesser", "dense", "at")  # the functions that `advance` is given
+GENERATED = (
+    "step",
+    "error_norms",
+    "jump",
+    "roundoff",
+    "lesser",
+    "dense",
+    "at",
+)  # the functions that `advance` is given
 RUNNING, SETS_IN, TOO_SHORT, NOT_FINITE, STOPPED = 0, 1, 2, 3, 4  # why a loop comes back
 
 
@@ -117,7 +135,7 @@ def advance(
             b = lesser(before, measured)
             fifth, third = error_norms(h, y, n, a, measured, part, part * rtol, stages)
             error = _error(fifth, third, suspicious)
-        jumps = not error <= 1.0 and at_last and _finite(n) and jump(h, y, n, f, g, a, rtol) <= JUMP
+        jumps = not error <= 1.0 and at_last and fifth < inf and _finite(n) and jump(h, y, n, f, g, a, rtol) <= JUMP
         if error <= 1.0 or jumps:
             if jumps and _sets_in(y, n, a):
                 halt = SETS_IN

@@ -1,7 +1,6 @@
 """What a caller gives, checked: each error names the argument."""
 
 import math
-from numbers import Real
 from typing import Any
 
 import numpy as np
@@ -26,7 +25,7 @@ def checked(t: ArrayLike, y0: ArrayLike, rtol: float, atol: ArrayLike | None) ->
 
 def positive(name: str, value: Any) -> float:
     """A number above zero, infinity among them. ValueError with its name."""
-    if not isinstance(value, Real) or not value > 0:
+    if not isinstance(value, float | int | np.floating | np.integer) or not value > 0:
         raise ValueError(f"{name}: must be a number above zero, got {value!r}")
     return float(value)
 

@@ -89,7 +89,7 @@ def _zeros_and_turns(
         slopes = np.diff(u)
         crossing = np.flatnonzero(u[:-1] * u[1:] < 0)
         turning = np.flatnonzero(slopes[:-1] * slopes[1:] < 0)
-        times += [*grid[1:-1][u[1:-1] == 0.0].tolist()]
+        times += grid[1:-1][(u[1:-1] == 0.0) & (u[:-2] * u[2:] < 0)].tolist()
         times += [_refined(timed, symbol, grid[k], grid[k + 1], turns=False) for k in crossing]
         times += [_refined(timed, symbol, grid[k], grid[k + 2], turns=True) for k in turning]
     return times
@@ -113,7 +113,14 @@ def _values(timed: list[Symbol], t: Array) -> dict[int, Array]:
     def value(argument: Value) -> Any:
         return known[argument.number] if isinstance(argument, Symbol) else argument
 
-    arithmetic = {"+": np.add, "-": np.subtract, "*": np.multiply, "/": np.true_divide, "neg": np.negative, "pow": np.power}
+    arithmetic = {
+        "+": np.add,
+        "-": np.subtract,
+        "*": np.multiply,
+        "/": np.true_divide,
+        "neg": np.negative,
+        "pow": np.power,
+    }
     with np.errstate(all="ignore"):
         for symbol in timed:
             given = [value(a) for a in symbol.arguments]

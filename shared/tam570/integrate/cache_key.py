@@ -1,11 +1,13 @@
 """All that a function's result can depend on, as one hashable value: two of a kind compute the same.
 
-Code, defaults, what closures and globals hold, and so for every function that is called. What may change unseen has no
-fingerprint: objects with attributes, modules other than math and NumPy, functions that import or look up names anew.
+Code, defaults, what closures and globals hold, and so for every function that is called. Only a function that is seen
+to be one of numbers alone has a key, and only that is traced: it compares no types, catches no errors, keeps nothing
+from call to call, and uses no names but those listed here. Any other is called as it stands, with arrays.
 """
 
 import dis
 import functools
+import math
 import types
 from collections.abc import Callable, Hashable, Iterable
 from functools import lru_cache
@@ -16,23 +18,45 @@ import numpy as np
 __all__ = ["Changeable", "cache_key", "global_names"]
 
 LONGEST = 1000  # numbers in a list or an array: more take longer to look at than to trace
-CONSTANT = ("math", "cmath", "numpy")  # modules
-REACHING = {"globals", "locals", "vars", "eval", "exec", "open", "input", "getattr", "random"}
+CONSTANT = ("math", "numpy")  # modules
+TRUSTED = ("tam570.given",)  # ours, whose functions look at parameters and refuse
+
+
+def _words(text: str) -> frozenset[str]:
+    return frozenset(text.split())
+
+
+PURE_BUILTINS = _words(
+    """abs all any bool repr divmod enumerate filter float int len list map max min pow range reversed round set slice
+    sorted sum tuple zip isinstance True False None ValueError TypeError ArithmeticError
+    ZeroDivisionError RuntimeError"""
+)
+MATH = frozenset(name for name in dir(math) if name[0] != "_")
+ARRAY_FUNCTIONS = _words(
+    """abs absolute add append arange arccos arccosh arcsin arcsinh arctan arctan2 arctanh array asarray atleast_1d
+    block cbrt column_stack concatenate copy cos cosh cross cumsum deg2rad degrees diag diagonal diff divide dot e
+    einsum empty exp expm1 eye fabs float64 full hstack hypot identity inf inner linspace log log10 log1p log2 matmul
+    mean multiply nan negative newaxis ones outer pi power prod radians rad2deg ravel repeat reshape roll sin sinh size
+    sqrt square stack subtract sum tan tanh tile trace transpose true_divide vdot vstack zeros"""
+)
+METHODS = _words(
+    """T items keys values floating integer ndarray format join copy cumsum diagonal dot flatten ndim prod ravel reshape
+    shape size sum tolist"""
+)
+CHANGING = _words("append extend insert fill")  # methods, as setting an item: of what is made inside
+ATTRIBUTES = MATH | ARRAY_FUNCTIONS | METHODS | CHANGING
+FORBIDDEN = _words(
+    """STORE_GLOBAL DELETE_GLOBAL STORE_ATTR DELETE_ATTR IMPORT_NAME IMPORT_FROM LOAD_NAME STORE_NAME BEFORE_WITH
+    WITH_EXCEPT_START LOAD_SPECIAL LOAD_BUILD_CLASS MATCH_CLASS LOAD_SUPER_ATTR GET_AWAITABLE"""
+)  # instructions
 
 
 class Changeable(Exception):
     """The function depends on something that may change unseen."""
 
 
-class Absent:
-    """What a name that is looked up stands for, where nothing has it."""
-
-
-ABSENT = Absent()
-
-
 def cache_key(value: Any, functions: dict[int, int] | None = None) -> Hashable:
-    """Equal for what computes the same. functions : those seen on the way, a function may call itself."""
+    """Equal for what computes the same. Raises `Changeable`. functions : those seen on the way; one may call itself."""
     read = READERS.get(type(value))
     if read:
         return read(value, {} if functions is None else functions)
@@ -52,16 +76,20 @@ def _itself(value: Any, _: Any) -> Hashable:
 
 
 def _sequence(value: Any, functions: dict[int, int]) -> Hashable:
+    if type(value) is list:
+        functions[MUTABLE] = 0
     if len(value) > LONGEST:
         raise Changeable(f"{len(value)} items")
     return type(value), *[cache_key(item, functions) for item in value]
 
 
 def _mapping(value: dict[Any, Any], functions: dict[int, int]) -> Hashable:
+    functions[MUTABLE] = 0
     return dict, _sequence(tuple(value), functions), _sequence(tuple(value.values()), functions)
 
 
-def _array(value: Any, _: Any) -> Hashable:
+def _array(value: Any, functions: dict[int, int]) -> Hashable:
+    functions[MUTABLE] = 0
     if value.size > LONGEST or value.dtype.hasobject:
         raise Changeable("an array that is large, or of objects")
     return value.shape, value.dtype.str, value.tobytes()
@@ -74,9 +102,17 @@ def _module(value: types.ModuleType, _: Any) -> Hashable:
 
 
 def _builtin(value: types.BuiltinFunctionType, _: Any) -> Hashable:
-    if not (value.__self__ is None or isinstance(value.__self__, types.ModuleType)):
-        raise Changeable(f"{value.__name__} of an object")
-    return value
+    name: str = value.__name__
+    if getattr(math, name, None) is not value:
+        raise Changeable(f"{name} is not among the functions that are known")
+    return "math", name
+
+
+def _numpy_function(value: Any, _: Any) -> Hashable:
+    name: str = value.__name__
+    if name not in ARRAY_FUNCTIONS or getattr(np, name, None) is not value:
+        raise Changeable(f"{name} is not among the functions that are known")
+    return "numpy", name
 
 
 def _partial(value: Any, functions: dict[int, int]) -> Hashable:
@@ -89,25 +125,55 @@ def _function(value: types.FunctionType, functions: dict[int, int]) -> Hashable:
         return "again", functions[id(value)]
     functions[id(value)], module = len(functions), value.__module__ or ""
     if module == "numpy" or module.startswith("numpy."):
-        return value
-    names, hidden = _looked_up(value.__code__)
-    if hidden:
-        raise Changeable(f"{value.__name__} uses {hidden}")
-    held = [value.__defaults__, value.__kwdefaults__]
-    if value.__closure__:
-        held += [cell.cell_contents for cell in value.__closure__]
-    if names:
-        known = value.__globals__
-        held += [known.get(name, ABSENT) for name in names]
-    return value.__code__, *[cache_key(item, functions) for item in held]
+        return _numpy_function(value, functions)
+    if module in TRUSTED:
+        return id(value)
+    names, changes, reason = _looked_up(value.__code__)
+    if reason:
+        raise Changeable(f"{value.__name__} {reason}")
+    values = [value.__defaults__, value.__kwdefaults__]
+    for cell in value.__closure__ or ():
+        try:
+            values.append(cell.cell_contents)
+        except ValueError:
+            raise Changeable(f"{value.__name__} uses a name that has no value yet") from None
+    for name in names:
+        if name in value.__globals__:
+            values.append(value.__globals__[name])
+        elif name not in PURE_BUILTINS:
+            raise Changeable(f"{value.__name__} uses {name}")
+    if changes:
+        functions[CHANGES] = 0
+    key = value.__code__, *[cache_key(item, functions) for item in values]
+    if CHANGES in functions and MUTABLE in functions:
+        raise Changeable(f"{value.__name__} may change what it keeps")
+    return key
 
 
 @lru_cache(maxsize=1024)
-def _looked_up(code: types.CodeType) -> tuple[tuple[str, ...], str]:
-    """The names that a code looks up, and those by which it may reach what they do not tell."""
-    names = sorted(global_names(code))
-    imports = any(line.opname == "IMPORT_NAME" for part in _parts(code) for line in dis.get_instructions(part))
-    return tuple(names), ", ".join(sorted(REACHING & set(names)) + ["import"] * imports)
+def _looked_up(code: types.CodeType) -> tuple[tuple[str, ...], bool, str]:
+    """The global names of a code, whether it changes arrays or lists, and why it is not one of numbers alone."""
+    names, changes = set[str](), False
+    for part in _parts(code):
+        before = None
+        for line in dis.get_instructions(part):
+            name = str(line.argval)
+            if line.opname in FORBIDDEN or (line.opname == "STORE_DEREF" and name in part.co_freevars):
+                return (), False, f"has an instruction {line.opname}"
+            if before and before.opname == "PUSH_EXC_INFO" and name not in ("ZeroDivisionError", "OverflowError"):
+                return (), False, "catches errors"
+            if line.opname == "IS_OP" and not (before and before.opname == "LOAD_CONST" and before.argval is None):
+                return (), False, "compares identities"
+            if line.opname == "LOAD_GLOBAL":
+                names.add(name)
+            elif line.opname in ("LOAD_ATTR", "LOAD_METHOD"):
+                if name not in ATTRIBUTES:
+                    return (), False, f"uses {name}"
+                changes = changes or name in CHANGING
+            in_place = line.opname == "BINARY_OP" and line.argrepr.endswith("=")
+            changes = changes or in_place or line.opname in ("STORE_SUBSCR", "DELETE_SUBSCR", "STORE_SLICE")
+            before = line
+    return tuple(sorted(names)), changes, ""
 
 
 def global_names(code: types.CodeType) -> set[str]:
@@ -122,14 +188,15 @@ def _parts(code: types.CodeType) -> Iterable[types.CodeType]:
             yield from _parts(constant)
 
 
+MUTABLE, CHANGES = -1, -2  # among `functions`: a list or an array is in reach; something sets items
 READERS: dict[type, Callable[[Any, dict[int, int]], Hashable]] = {
     **dict.fromkeys((float, int, bool, complex, str, bytes), _number),
     type(None): _itself,
-    Absent: _itself,
     **dict.fromkeys((tuple, list), _sequence),
     dict: _mapping,
     np.ndarray: _array,
-    np.ufunc: _itself,
+    np.ufunc: _numpy_function,
+    type(np.dot): _numpy_function,
     types.ModuleType: _module,
     types.BuiltinFunctionType: _builtin,
     types.FunctionType: _function,

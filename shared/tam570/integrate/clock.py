@@ -15,7 +15,7 @@ import numpy as np
 
 __all__ = ["Clock"]
 
-ARITHMETIC = {
+ARITHMETIC: dict[Any, Callable[..., Any]] = {
     np.add: operator.add,
     np.subtract: operator.sub,
     np.multiply: operator.mul,

@@ -9,10 +9,10 @@ from numpy.typing import ArrayLike
 
 from tam570.integrate.adaptive import Control, Run, is_compiled
 from tam570.integrate.arguments import Array
-from tam570.integrate.engine import Engine
 from tam570.integrate.cache_key import Changeable, cache_key
-from tam570.integrate.stiffness import COMPILED
 from tam570.integrate.compilation import available
+from tam570.integrate.engine import Engine
+from tam570.integrate.stiffness import COMPILED
 
 __all__ = ["CompiledRun", "Slot", "compile_run", "keep", "slot_of"]
 
@@ -46,8 +46,8 @@ def slot_of(
     if method not in METHODS:
         return None
     try:
-        times, given = np.asarray(t, dtype=float), cache_key(dict(parameters)) if parameters else None
-        return _slot((cache_key(rhs), given, len(y0), times.shape, times.tobytes(), rtol, atol))
+        times, key = np.asarray(t, dtype=float), cache_key((rhs, *(parameters or {}).items()))
+        return _slot((key, len(y0), times.shape, times.tobytes(), rtol, atol))
     except (Changeable, TypeError, ValueError):
         return None
 

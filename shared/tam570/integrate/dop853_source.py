@@ -21,12 +21,18 @@ __all__ = ["compiled", "functions"]
 
 KEPT = range(5, 12)  # the stages that the interpolant takes over from the step
 UNIT_ROUNDOFF = 2.0**-53
-ESTIMATE_ROUNDOFF = 8.0  # the weights of both estimates add up to less: a rate known to N makes an error of 8 h N of them
-SWEEPS = (1.0, 2.0, 3.0)  # the rounding of one rate shifts that component, and so on the rates of others: chains of four
+ESTIMATE_ROUNDOFF = (
+    8.0  # the weights of both estimates add up to less: a rate known to N makes an error of 8 h N of them
+)
+SWEEPS = (
+    1.0,
+    2.0,
+    3.0,
+)  # the rounding of one rate shifts that component, and so on the rates of others: chains of four
 
 
 def functions(formulas: Formulas, sampled: bool = True, forgiving: bool = True) -> str:
-    """Source of `rhs`, `euler`, `step`, `error_norms`, `jump`, `roundoff`, `lesser`, and of `dense` and `at` if sampled.
+    """Source of `rhs`, `euler`, and of what `adaptive_loop.GENERATED` names; of `dense` and `at` if sampled.
 
     forgiving : Python raises an error on overflow, where compiled code goes on with infinity
     """
@@ -83,9 +89,9 @@ def _euler(formulas: Formulas) -> list[str]:
 def _roundoff(formulas: Formulas) -> list[str]:
     """What rounding does to the error estimates of a step of h.
 
-    A running error bound (Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., 3.3): each operation adds its
-    own rounding to the one that its arguments carry; the state is known to half a unit in the last place. It is taken
-    half way through the step: at its start too many things may be exactly zero.
+    A running error bound (Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., 3.3): each operation adds
+    its own rounding to the one that its arguments carry; the state is known to half a unit in the last place. It is
+    taken half way through the step: at its start too many things may be exactly zero.
     """
     lines = ["def roundoff(start, h, y, f, b, c):", *unpacked(formulas, y="y", f="f", b="b")]
     lines += [f"s{i} = y{i} + 0.5 * h * f{i}" for i in sorted(formulas.reads)]

@@ -24,6 +24,7 @@ from tam570.integrate.trace import Graph, traced
 
 __all__ = ["Engine", "engine"]
 
+RUNS = 64  # of one engine, whose breaks are kept
 ULPS = 4.0  # of a break, as it is computed, from which the stretches before and after it keep away
 
 
@@ -50,15 +51,22 @@ class Engine:
         if self.called is None:
             if not self.formulas.timed:
                 return end
-            if (t, end) not in self.breaks:
-                assert self.graph is not None
-                self.breaks[t, end] = breaks_of(self.graph, t, end)
-            return next((time for time in self.breaks[t, end] if time > t), end)
+            return next((time for time in self._breaks_to(t, end) if time > t), end)
         near = ULPS * float(np.spacing(max(abs(t), abs(end))))
         self.called.look_near(t + near, y)
         stop = min((time for time in self.called.breaks if t + near < time < end - near), default=end)
         self.called.low, self.called.high = t + near, stop - near
         return stop
+
+    def _breaks_to(self, t: float, end: float) -> list[float]:
+        """Those of a traced right-hand side, looked for once a run."""
+        for (first, last), times in self.breaks.items():
+            if first <= t and last == end:
+                return times
+        assert self.graph is not None
+        if len(self.breaks) == RUNS:
+            self.breaks.clear()
+        return self.breaks.setdefault((t, end), breaks_of(self.graph, t, end))
 
 
 def engine(
@@ -77,8 +85,8 @@ def engine(
     """
     run = _Run(rhs, parameters, times, start, sampled or len(times) > 2, sign)
     try:
-        key = cache_key(rhs), cache_key(dict(parameters)) if parameters else None
-        slot = _cache_slot((*key, len(start), run.sampled, sign))
+        key = cache_key((rhs, *(parameters or {}).items()))
+        slot = _cache_slot((key, len(start), run.sampled, sign))
         if not slot:
             slot.append(_traced_engine(run))
         result = slot[0]

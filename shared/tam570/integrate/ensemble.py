@@ -21,11 +21,13 @@ def states(engine: Engine, times: Array, starts: Array, how: str, control: Contr
     rows[0] = integrate(engine, times, starts[0], how, control).rows
     alone = (time.perf_counter() - began) * len(starts)
     is_left = np.arange(len(starts)) > 0
-    repays = how == "auto" and engine.graph is not None and alone > seconds_until_compiled(len(engine.graph.operations))
-    if (repays or how == "compiled") and len(starts) >= WORTH_LANES and _is_smooth(engine, times, control):
+    graph = engine.graph
+    repays = how == "auto" and graph is not None and alone > seconds_until_compiled(len(graph.operations))
+    many = len(starts) >= WORTH_LANES and (repays or how == "compiled")
+    if graph is not None and many and _is_smooth(engine, times, control):
         from tam570.integrate.compiled import backend
 
-        is_left &= ~backend.taylor_runs(engine.graph, times, rows, starts, control)
+        is_left &= backend.taylor_runs(graph, times, rows, starts, control) == 0
     for i in np.flatnonzero(is_left):
         rows[i] = integrate(engine, times, starts[i], how, control).rows
     return rows

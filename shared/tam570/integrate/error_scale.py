@@ -1,9 +1,9 @@
 """The absolute tolerance that a start implies: what is zero has a scale all the same.
 
 An error of component i is judged by atol_i + rtol |y_i|. Where the caller gives no atol, atol_i is a quarter of rtol
-times the size of the component at the start. What is zero there takes the size to which it moves within the first step, on its own or
-driven by time; else the size that the others give it: the rates change when these change, each by a part of its own
-size. What is driven by that in turn takes its size from it, and so on along a chain.
+times the size of the component at the start. What is zero there takes the size to which it moves within the first
+step, on its own or driven by time; else the size that the others give it: the rates change when these change, each by a
+part of its own size. What is driven by that in turn takes its size from it, and so on along a chain.
 The time that this is given is that in which the known turn each other over, no longer, when all change by their sizes
 (tried at a small part and at an eighth of them): so a scale is rather too small than too large. Too small costs steps,
 too large digits. Where nothing turns over, the time is the first step. What is smaller than the rounding of what drives
@@ -66,7 +66,9 @@ def _spread(
     rhs: Rates, t: float, within: float, y: Sequence[float], f: Sequence[float], known: list[float], c: Any
 ) -> list[float] | None:
     """What the sizes do to one another within so many s; None where that turns over one that is known."""
-    sizes = [max(size, _finite(within * rate)) if size > NO_SCALE else size for size, rate in zip(known, f, strict=True)]
+    sizes = [
+        max(size, _finite(within * rate)) if size > NO_SCALE else size for size, rate in zip(known, f, strict=True)
+    ]
     for _ in range(len(sizes) + 1):
         given = _moved_by(rhs, t, within, y, f, sizes, c)
         if any(size > NO_SCALE and new > CALM * size for size, new in zip(sizes, given, strict=True)):

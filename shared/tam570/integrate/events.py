@@ -1,4 +1,4 @@
-"""Runs of which more is kept than samples: events, a function of time, a report. Each step is looked at as it is taken."""
+"""Runs of which more is kept than samples: events, a function of time, a report."""
 
 from bisect import bisect_left
 from collections.abc import Callable, Mapping, Sequence
@@ -46,7 +46,7 @@ class StepInterpolant:
 
 @dataclass(frozen=True)
 class Event:
-    """A function whose zeros are looked for. direction : of the crossing, 0 for both; last : ends the run, 0 for none."""
+    """A function whose zeros are sought. direction : of the crossing, 0 for both; last : ends the run, 0 for none."""
 
     value: Callable[[float, Array], float]
     direction: float
@@ -108,13 +108,15 @@ def _event(which: int, function: Any, parameters: Mapping[str, Any] | None, sign
     """An event with the attributes that solve_ivp knows; `sign` of the engine's clock. ValueError if they are wrong."""
     name = f"events: event {which}"
     if not callable(function):
-        raise ValueError(f"events: must be a function of (t, y, **parameters), got {type(function).__name__} as event {which}")
+        raise ValueError(
+            f"events: must be a function of (t, y, **parameters), got {type(function).__name__} as event {which}"
+        )
     call = bound(function, parameters, "events")
     direction, terminal = getattr(function, "direction", 0.0), getattr(function, "terminal", False)
     if not isinstance(direction, Real) or direction != direction:
         raise ValueError(f"{name}: direction must be a number, got {direction!r}")
     last = 0 if terminal is None else terminal
-    if not isinstance(last, Real | np.bool_) or int(last) != last or last < 0:
+    if not isinstance(last, float | int | np.number | np.bool_) or int(last) != last or last < 0:
         raise ValueError(f"{name}: terminal must be True, False or a whole number above zero, got {terminal!r}")
 
     def value(t: float, y: Array) -> float:

@@ -8,12 +8,12 @@ import numpy as np
 
 from tam570.integrate.adaptive import Control, shortest_step
 from tam570.integrate.arguments import Array
+from tam570.integrate.compilation import Loop, run_with_compilation, seconds_until_compiled
 from tam570.integrate.composition_source import composition_source
 from tam570.integrate.engine import Engine
 from tam570.integrate.fixed_loop import FixedState, fixed_loop_with
 from tam570.integrate.formulas import halves
 from tam570.integrate.gauss_source import STAGES, gauss_source
-from tam570.integrate.compilation import Loop, run_with_compilation, seconds_until_compiled
 
 __all__ = ["METHODS", "states"]
 
@@ -22,9 +22,7 @@ METHODS = {"gauss": 3.5, "composition": 0.5}  # step over the shortest that DOP8
 COMPILE_COST = {"gauss": 3.0, "composition": 1.0}  # as in `Loop`: the sweeps are one long loop
 
 
-def states(
-    method: str, engine: Engine, times: Array, start: Array, control: Control, step: float | None
-) -> Array:
+def states(method: str, engine: Engine, times: Array, start: Array, control: Control, step: float | None) -> Array:
     """(n, k) states at `times`, all steps of the same length."""
     rows = np.empty((len(times), len(start)))
     rows[0] = start
@@ -57,9 +55,7 @@ def states(
     return rows
 
 
-def _step(
-    method: str, engine: Engine, times: Array, start: Array, control: Control, step: float | None
-) -> float:
+def _step(method: str, engine: Engine, times: Array, start: Array, control: Control, step: float | None) -> float:
     """A step that divides the whole run, no longer than asked for."""
     if step is not None and not 0 < step < math.inf:
         raise ValueError(f"step: must be positive and finite, got {step!r}")

@@ -54,7 +54,9 @@ def _changes(
     """Of each rate, on one side; what it does to the state within h is passed on to the next change."""
     least, largest, moved = [math.inf] * len(y), [0.0] * len(y), [0.0] * len(y)
     for ulps in ULPS:
-        near = [v + side * ulps * PATTERN[i % 6] * EPS * abs(v) + d for i, (v, d) in enumerate(zip(y, moved, strict=True))]
+        near = [
+            v + side * ulps * PATTERN[i % 6] * EPS * abs(v) + d for i, (v, d) in enumerate(zip(y, moved, strict=True))
+        ]
         changes = [g - rate for g, rate in zip(rates(t, tuple(near)), f, strict=True)]
         least = [min(size, abs(change)) for size, change in zip(least, changes, strict=True)]
         largest = [max(size, abs(change)) for size, change in zip(largest, changes, strict=True)]

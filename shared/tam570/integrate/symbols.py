@@ -126,8 +126,7 @@ class Symbol:
 
     __float__ = __int__ = __bool__ = __index__ = __round__ = __floor__ = __ceil__ = _refuse
     __lt__ = __le__ = __gt__ = __ge__ = __mod__ = __rmod__ = __floordiv__ = __rfloordiv__ = _refuse
-    __eq__ = __ne__ = _refuse
-    __hash__ = object.__hash__
+    __eq__ = __ne__ = __hash__ = __str__ = __repr__ = __format__ = __complex__ = __trunc__ = _refuse
 
 
 _NAMES = """sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh

@@ -84,6 +84,13 @@ def _symbolic(function: Any) -> Any:
     return either
 
 
+def _checked_isinstance(value: Any, kinds: Any) -> bool:
+    """Of a number that is not known yet nobody can say whether it is a float."""
+    if isinstance(value, Symbol):
+        raise Untraceable("depends on the type of the state's components")
+    return isinstance(value, kinds)
+
+
 def _translated(value: Any, known: dict[int | str, Any]) -> Any:
     """`value` with math replaced by its symbolic kin, in all the functions that it calls."""
     if value is math:
@@ -100,7 +107,7 @@ def _translated(value: Any, known: dict[int | str, Any]) -> Any:
 
 
 def _translated_function(function: types.FunctionType, known: dict[int | str, Any]) -> types.FunctionType:
-    names = {**known[BUILTINS], **function.__globals__}
+    names = {"isinstance": _checked_isinstance, **known[BUILTINS], **function.__globals__}
     cells = tuple(types.CellType() for _ in function.__closure__ or ())
     twin = types.FunctionType(function.__code__, names, function.__name__, function.__defaults__, cells)
     twin.__kwdefaults__ = function.__kwdefaults__

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from tam570.integrate import solve
-from tam570.integrate.engine import engine
 from tam570.integrate.cache_key import Changeable, cache_key
+from tam570.integrate.engine import engine
 
 TIMES, START = np.array([0.0, 1.0]), np.array([1.0, 0.5])
 GRAVITY = 9.81
@@ -98,7 +98,8 @@ KINDS = [
 
 @pytest.mark.parametrize(
     ("method", "kind"),
-    [("auto", kind) for kind in KINDS] + [("compiled", kind) for kind in KINDS if kind in ("list", "array", "dictionary", "default")],
+    [("auto", kind) for kind in KINDS]
+    + [("compiled", kind) for kind in KINDS if kind in ("list", "array", "dictionary", "default")],
 )
 def test_what_is_changed_in_place_between_two_runs_is_seen(method, kind):
     rates, change = changed_in_place(kind)
@@ -155,8 +156,8 @@ def test_methods_of_objects_that_change_are_traced_anew():
     spring = Spring()
     first = end(spring.rates)
     spring.rate = 7.0
-    assert end(spring.rates) == pytest.approx(end(oscillator(7.0)), rel=1e-12)
-    assert first == pytest.approx(end(oscillator(2.0)), rel=1e-12)
+    assert end(spring.rates) == pytest.approx(end(oscillator(7.0)), rel=1e-9)
+    assert first == pytest.approx(end(oscillator(2.0)), rel=1e-9)
 
 
 def test_a_function_that_calls_itself_has_a_key():

@@ -142,7 +142,9 @@ class Coefficients(Writer):
         for i, r in enumerate(self.found.series):
             own = zero
             if r.kind not in ("time", "neg"):
-                own = self.op("mul", self.constant(2 * UNIT_ROUNDOFF if r.value else UNIT_ROUNDOFF), self.size(self.first[i]))
+                own = self.op(
+                    "mul", self.constant(2 * UNIT_ROUNDOFF if r.value else UNIT_ROUNDOFF), self.size(self.first[i])
+                )
             for factor, j in self.sensitivities(i, r):
                 part = bounds[j] if not factor else self.op("mul", factor, bounds[j])
                 own = self.op("add", own, part)

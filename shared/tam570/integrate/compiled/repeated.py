@@ -28,17 +28,17 @@ class Place(NamedTuple):
     numbers: "memoryview[float]"  # of the state
 
 
-def taylor_repeated(
-    graph: Graph, run: Run, watch: Callable[[], Look]
-) -> Callable[[Any], Array | None] | None:
-    """states(y0) -> (n, k), or None where the method does not get there or y0 is not k numbers; None without a series.
-
-    """
+def taylor_repeated(graph: Graph, run: Run, watch: Callable[[], Look]) -> Callable[[Any], Array | None] | None:
+    """states(y0) -> (n, k), or None where the method ends early or y0 is not k numbers; None without a series."""
     motion, size = motion_of(graph), len(run.rows[0])
     if motion is None:
         return None
     READY.add(graph)
-    fresh = motion.numbers.pack(*_head(run), *[0.0] * (2 * size), *([a / (SHARE * run.rtol) if a > NO_SCALE else 0.0 for a in run.control.atol] or [0.0] * size))
+    fresh = motion.numbers.pack(
+        *_head(run),
+        *[0.0] * (2 * size),
+        *([a / (SHARE * run.rtol) if a > NO_SCALE else 0.0 for a in run.control.atol] or [0.0] * size),
+    )
     start, first, used = struct.Struct(f"={size}d"), 8 * taylor_memory.NUMBERS, len(fresh)
     advance, status, free = motion.advance, taylor_memory.STATUS, list[Place]()
 

@@ -29,7 +29,7 @@ def layout(found: Recurrences, lanes: int) -> Layout:
 
 
 def series_text(found: Recurrences, place: Layout) -> list[str]:
-    """The functions `coefficients`, `rates` and `roundoff` of (work, constants, time, order): work holds the state at order 0."""
+    """The functions `coefficients`, `rates`, `roundoff` of (work, constants, time, order), order 0 in work."""
     one = InRegisters if _sums(found) <= FEW else InMemory
     made = one if place.lanes == 1 else OfEight
     return [line for name in ("coefficients", "rates", "roundoff") for line in _written(made(found, place), name)]

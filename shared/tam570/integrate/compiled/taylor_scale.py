@@ -6,19 +6,7 @@ As in `error_scale`, which this follows, what is zero and has a rate of zero tak
 from math import inf
 from typing import Any
 
-from tam570.integrate.compiled.taylor_memory import (
-    BASE,
-    LANES,
-    ORDER,
-    SIZE,
-    SLOPE,
-    STRIDE,
-    TIMED,
-    M,
-    Y,
-    at,
-    rates,
-)
+from tam570.integrate.compiled.taylor_memory import BASE, LANES, ORDER, SIZE, SLOPE, STRIDE, TIMED, M, Y, at, rates
 from tam570.integrate.error_scale import CALM, COARSE, NO_SCALE, PART
 
 __all__ = ["LONG", "lacking", "sized"]

@@ -1,0 +1,568 @@
+"""Right-hand sides that lead an integrator astray: it is right to a hundred times the tolerance, or says why not.
+
+Contact, friction, jumps, pulses, lookups, branches, tuples, closures, state, randomness, edges of a domain. Each is
+compared with SciPy's DOP853 at its best tolerance and with short steps, stretch by stretch where there are jumps in
+time, or with an exact answer. The same call is made three times: no answer depends on what ran before.
+"""
+
+import copy
+import functools
+import math
+import pickle
+import struct
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from tam570.integrate import solve
+
+RTOL = 1e-9
+G = 9.81
+
+
+def against(rhs, span, start, *, stops=(), longest=0.02, exact=None, **given):
+    """A case: right-hand side, times, start, times at which the rates jump, the longest step of the peer."""
+    return rhs, span, start, stops, longest, exact, given
+
+
+def by_scipy(rhs, span, start, stops, longest):
+    state, (first, last) = np.array(start, dtype=float), span
+    for end in (*stops, last):
+        low, high = np.nextafter(first, math.inf), np.nextafter(end, -math.inf)
+        rates = functools.partial(lambda t, y, a, b: np.array(rhs(min(max(t, a), b), np.array(y))), a=low, b=high)
+        with np.errstate(all="ignore"):  # it divides zero by zero where nothing moves yet
+            state = solve_ivp(rates, (first, end), state, method="DOP853", rtol=1e-12, atol=1e-13, max_step=longest).y[
+                :, -1
+            ]
+        first = end
+    return state
+
+
+# Contact
+
+
+def wall(stiffness):
+    return lambda t, y: (y[1], -stiffness * y[0] if y[0] < 0 else 0.0)
+
+
+def through_the_wall(stiffness, t=2.0):
+    return [t - 1 - math.pi / math.sqrt(stiffness), 1.0]
+
+
+def bouncing(stiffness, damping=0.0):
+    return lambda t, y: (y[1], -G + max(0.0, -stiffness * y[0] - damping * y[1]) if y[0] < 0 else -G)
+
+
+def hertz(t, y):
+    return y[1], -G + 1e5 * max(-y[0], 0.0) ** 1.5
+
+
+def two_walls(t, y):
+    x = y[0]
+    return y[1], (-1e6 * (x - 1) if x > 1 else -1e6 * (x + 1) if x < -1 else 0.0)
+
+
+def two_balls(t, y):
+    a, b, u, v = y
+    push = 1e5 * max(0.2 - (b - a), 0.0)
+    return u, v, -push, push
+
+
+def gap(t, y):
+    return y[1], -y[0] - 100.0 * np.maximum(y[0] - 0.5, 0.0)
+
+
+def by_where(t, y):
+    return np.array([y[1], np.where(y[0] < 0, -1e5 * y[0], 0.0)])
+
+
+def by_clip(t, y):
+    return np.array([y[1], -50.0 * np.clip(y[0], -0.3, 0.3)])
+
+
+def one_sided_by_abs(t, y):
+    return y[1], -500.0 * (abs(y[0]) + y[0]) / 2 - y[0]
+
+
+CONTACT = {
+    **{
+        f"wall {k:.0e}": against(wall(k), (0, 2), [1.0, -1.0], exact=through_the_wall(k))
+        for k in (1e4, 1e6, 1e7, 1e8, 1e9)
+    },
+    "ball 1e4": against(bouncing(1e4), (0, 1), [1.0, 0.0], longest=1e-3),
+    "ball 1e6": against(bouncing(1e6), (0, 0.6), [1.0, 0.0], longest=1e-4),
+    "damped ball": against(bouncing(1e6, 200.0), (0, 0.6), [1.0, 0.0], longest=1e-4),
+    "Hertz": against(hertz, (0, 0.6), [0.3, 0.0], longest=2e-4),
+    "two walls": against(two_walls, (0, 2.3), [0.0, 2.0], longest=1e-3),
+    "two balls": against(two_balls, (0, 1), [0.0, 1.0, 2.0, 0.0], longest=1e-3),
+    "gap": against(gap, (0, 5), [1.0, 0.0]),
+    "where": against(by_where, (0, 1.4), [1.0, -1.0], longest=1e-3),
+    "clip": against(by_clip, (0, 3), [1.0, 0.0]),
+    "abs of a state": against(one_sided_by_abs, (0, 3), [1.0, 0.0]),
+}
+
+
+# Friction and branches on the state
+
+
+def sliding(t, y):
+    return y[1], -2.0 if y[1] > 0 else 0.0
+
+
+def pushed_with_friction(t, y):
+    return y[1], 1.0 - 0.5 * np.sign(y[1])
+
+
+def quadratic_drag(t, y):
+    return y[1], -abs(y[1]) * y[1] - 1.0
+
+
+def belt(t, y):
+    return y[1], -4.0 * y[0] - 0.3 * math.tanh((y[1] - 0.5) / 0.05)
+
+
+def relay_without_memory(t, y):
+    return y[1], -y[0] + (0.5 if y[0] > 0 else -0.5)
+
+
+def magnet(t, y):
+    return (y[1], -y[0] / (0.01 + y[0] ** 2))
+
+
+def saturated(t, y):
+    return (y[1], -max(-1.0, min(1.0, 20.0 * y[0])))
+
+
+def thermostat(t, y):
+    return (1.0 - y[0] if y[0] < 0.3 else 0.5 - y[0],)
+
+
+def by_dictionary(t, y):
+    return ({True: -y[0], False: -2.0 * y[0]}[bool(y[0] > 0.5)],)
+
+
+def by_match(t, y):
+    match y[0] > 0.5:
+        case True:
+            return (-1.0,)
+        case _:
+            return (-y[0],)
+
+
+def by_while(t, y):
+    angle = y[0]
+    while angle > math.pi:
+        angle -= 2 * math.pi
+    return 1.0, math.cos(angle)
+
+
+def by_any(t, y):
+    return -y if np.any(y > 0.5) else -2 * y
+
+
+def by_index(t, y):
+    return (np.array([-1.0, -2.0, -3.0])[int(min(max(y[0] * 2, 0), 2))] * y[0],)
+
+
+def by_sort(t, y):
+    low, high = sorted(y)
+    return high - low, -low
+
+
+FRICTION = {
+    "it stops": against(sliding, (0, 3), [0.0, 4.0], exact=[4.0, 0.0]),
+    "from rest": against(pushed_with_friction, (0, 2), [0.0, 0.0], exact=[1.0, 1.0]),
+    "quadratic drag": against(quadratic_drag, (0, 3), [0.0, 2.0]),
+    "belt": against(belt, (0, 5), [0.1, 0.0], longest=5e-3),
+    "relay": against(relay_without_memory, (0, 4), [1.0, 0.0], longest=2e-3),
+    "magnet": against(magnet, (0, 3), [0.5, 0.0], longest=2e-3),
+    "saturated": against(saturated, (0, 3), [0.4, 0.0], longest=2e-3),
+    "thermostat": against(thermostat, (0, 2), [0.1], longest=1e-3),
+    "dictionary": against(by_dictionary, (0, 2), [1.0], longest=1e-3),
+    "match": against(by_match, (0, 2), [1.0], longest=1e-3),
+    "while": against(by_while, (0, 5), [0.0, 0.0], exact=[5.0, math.sin(5.0)]),
+    "any": against(by_any, (0, 2), [1.0, -1.0], longest=1e-3),
+    "index": against(by_index, (0, 2), [1.2], longest=1e-3),
+    "sorted": against(by_sort, (0, 2), [1.0, 0.5], longest=1e-3),
+}
+
+
+# Jumps and pulses in time
+
+
+def forced(force):
+    return lambda t, y: (y[1], force(t) - y[0])
+
+
+TABLE, VALUES = np.linspace(0, 10, 21), np.cos(1.7 * np.arange(22))
+HALVES = tuple(np.arange(0.5, 6, 0.5))
+JUMPS = {
+    "step": against(forced(lambda t: 1.0 if t > 1 else 0.0), (0, 3), [0.0, 0.0], stops=(1,)),
+    "short": against(forced(lambda t: 20.0 if 1 <= t <= 1.05 else 0.0), (0, 6), [0.0, 0.0], stops=(1, 1.05)),
+    "very short": against(
+        forced(lambda t: 1e4 if abs(t - 2.5) < 5e-5 else 0.0), (0, 6), [0.0, 0.0], stops=(2.49995, 2.50005)
+    ),
+    "square wave": against(forced(lambda t: 1.0 if t % 2 < 1 else -1.0), (0, 4.5), [0.3, 0.0], stops=(1, 2, 3, 4)),
+    "by a shift": against(forced(lambda t: 3.0 if (t - 1.3) * 2 > 1 else 0.0), (0, 3), [1.0, 0.0], stops=(1.8,)),
+    "where in time": against(forced(lambda t: float(np.where(t < 2, 1.0, -1.0))), (0, 4), [1.0, 0.0], stops=(2,)),
+    "heaviside": against(forced(lambda t: np.heaviside(t - 2.2, 0.5)), (0, 4), [1.0, 0.0], stops=(2.2,)),
+    "sign": against(forced(lambda t: np.sign(t - 2.2)), (0, 4), [1.0, 0.0], stops=(2.2,)),
+    "floor": against(forced(lambda t: math.floor(2 * t) % 3), (0, 2.9), [1.0, 0.0], stops=HALVES[:5]),
+    "int": against(forced(lambda t: (1.0, -2.0, 3.0)[int(t) % 3]), (0, 3.5), [1.0, 0.0], stops=(1, 2, 3)),
+    "interp": against(
+        forced(lambda t: np.interp(t, [0, 1, 1.01, 9], [0, 0, 5, 5])), (0, 3), [1.0, 0.0], stops=(1, 1.01)
+    ),
+    "searchsorted": against(
+        forced(lambda t: VALUES[np.searchsorted(TABLE, t)]), (0, 2.3), [1.0, 0.0], stops=HALVES[:4]
+    ),
+    "ramp": against(forced(lambda t: min(max(t - 1, 0.0), 0.5)), (0, 3), [1.0, 0.0], stops=(1, 1.5)),
+    "abs in time": against(forced(lambda t: abs(t - 1.7)), (0, 3), [1.0, 0.0], stops=(1.7,)),
+    "behind a branch": against(
+        lambda t, y: (y[1], 5.0 if y[0] < 0.9 and 1.2 < t < 1.25 else -y[0]), (0, 3), [1.0, 0.0], stops=(1.2, 1.25)
+    ),
+    "backwards": against(lambda t, y: (1.0 if t > 1 else 0.0,), (2, 0), [1.0], exact=[0.0]),
+}
+
+
+def narrow(t, y, *, centre=5.0, width=0.02):
+    return y[1], math.exp(-(((t - centre) / width) ** 2)) / width - y[0]
+
+
+def by_tanh(t, y):
+    return y[1], 5 * (math.tanh((t - 5) / 0.1) - math.tanh((t - 5.5) / 0.1)) - y[0]
+
+
+def expanded(t, y):
+    return y[1], 40 * math.exp(-400 * t * t + 2400 * t - 3600) - y[0]
+
+
+def logistic(t, y):
+    return y[1], 1 / (1 + math.exp(-200 * (t - 2))) - y[0]
+
+
+def train(t, y):
+    return y[1], 8 * math.exp(-((math.sin(2 * t) / 0.05) ** 2)) - y[0]
+
+
+def lorentzian(t, y):
+    return y[1], 1 / (1 + ((t - 3) / 0.001) ** 2) * 100 - y[0]
+
+
+def by_numpy(t, y):
+    return np.array([y[1], 50 * np.exp(-(((t - 5) / 0.02) ** 2)) - (y[0] if y[0] < 1e9 else 0.0)])
+
+
+PULSES = {
+    "narrow": against(narrow, (0, 6), [0.0, 0.0], longest=2e-3),
+    "narrower": against(narrow, (0, 3), [0.0, 0.0], longest=1e-3, parameters={"centre": 2.1, "width": 0.004}),
+    "tanh": against(by_tanh, (0, 7), [0.0, 0.0], longest=5e-3),
+    "expanded": against(expanded, (0, 5), [0.0, 0.0], longest=2e-3),
+    "logistic": against(logistic, (0, 4), [0.0, 0.0], longest=2e-3),
+    "train": against(train, (0, 6), [0.0, 0.0], longest=2e-3),
+    "Lorentzian": against(lorentzian, (0, 5), [0.0, 0.0], longest=5e-4),
+    "not traced": against(by_numpy, (0, 6), [0.0, 0.0], longest=2e-3),
+}
+
+
+# What a trace does not show
+
+
+def doubled_later(t, y):
+    if t > 1:
+        y = 2 * y
+    return y[1], -y[0]
+
+
+def negated_later(t, y):
+    return (y[1], -y[0]) if t < 1 else tuple(-y)
+
+
+def summed_later(t, y):
+    return (y[1], -y[0]) if t < 1 else (y[1], -y.sum())
+
+
+def isinstance_later(t, y):
+    return (y[1], -y[0]) if t < 1 or not isinstance(y, np.ndarray) else (y[1], -3 * y[0])
+
+
+def by_text(t, y):
+    return y[1], -y[0] if "Symbol" not in str(y[0]) and str(y[0])[0] in "-0123456789" else 7.0
+
+
+def by_float(t, y):
+    try:
+        return y[1], -float(y[0])
+    except TypeError:
+        return y[1], 7.0
+
+
+def scaled_by_attribute(t, y):
+    return y[1], -scaled_by_attribute.rates[0] * y[0]
+
+
+scaled_by_attribute.rates = [4.0]
+
+
+def counting(t, y, calls=[]):  # noqa: B006
+    calls.append(t)
+    return y[1], -y[0]
+
+
+def by_import(t, y):
+    return y[1], -__import__("math").sin(y[0])
+
+
+def by_eval(t, y):
+    return y[1], eval("-y[0]")
+
+
+def by_getattr(t, y):
+    return y[1], -getattr(math, "sin")(y[0])  # noqa: B009
+
+
+def nan_to_num(t, y):
+    return np.nan_to_num(np.array([y[1], -y[0]]))
+
+
+def deep(t, y):
+    y = copy.deepcopy(y)
+    return y[1], -y[0]
+
+
+def pickled(t, y):
+    y = pickle.loads(pickle.dumps(y))
+    return y[1], -y[0]
+
+
+def packed(t, y):
+    a, b = struct.unpack("2d", struct.pack("2d", *y))
+    return b, -a
+
+
+def array_then_list(t, y):
+    return np.array([y[1], -y[0]]) if t < 0.7 else [y[1], -y[0]]
+
+
+def typed(t, y):
+    return (y[1], -y[0]) if type(y[0]) in (float, np.float64) else (0.0, 0.0)
+
+
+def in_place(t, y):
+    y[0], y[1] = y[1], -y[0]
+    return y
+
+
+def filled(t, y):
+    rates = np.empty(2)
+    rates[0], rates[1] = y[1], -y[0]
+    return rates
+
+
+def by_exception(t, y):
+    try:
+        return y[1], -1.0 / (1 if y[0] > 0.5 else 0)
+    except ZeroDivisionError:
+        return y[1], -2.0
+
+
+def generated(t, y):
+    return [y[1], -sum(v for v in y[:1])]
+
+
+class Oscillator:
+    def __init__(self, rate):
+        self.rate = rate
+
+    def __call__(self, t, y):
+        return y[1], -self.rate * y[0]
+
+
+def closure():
+    held = {"rate": 2.0}
+
+    def rates(t, y):
+        return y[1], -held["rate"] * y[0]
+
+    return rates
+
+
+def empty_cell():
+    def rates(t, y):
+        return (y[1], -y[0]) if t >= 0 else (late, late)
+
+    if not rates:
+        late = 0.0
+    return rates
+
+
+BENT = np.frompyfunc(lambda x: -x if x < 0.5 else -0.5, 1, 1)
+SINE = [math.cos(3.0), -math.sin(3.0)]
+TRACES = {
+    "doubled": against(doubled_later, (0, 2), [1.0, 0.0], stops=(1,)),
+    "negated": against(negated_later, (0, 2), [1.0, 0.0], stops=(1,)),
+    "sum": against(summed_later, (0, 2), [1.0, 0.0], stops=(1,)),
+    "isinstance": against(isinstance_later, (0, 2), [1.0, 0.0], stops=(1,)),
+    "attribute": against(scaled_by_attribute, (0, 3), [1.0, 0.0], exact=[math.cos(6.0), -2 * math.sin(6.0)]),
+    "import": against(by_import, (0, 3), [1.0, 0.0]),
+    "getattr": against(by_getattr, (0, 3), [1.0, 0.0]),
+    "class": against(Oscillator(4.0), (0, 3), [1.0, 0.0], exact=[math.cos(6.0), -2 * math.sin(6.0)]),
+    "closure": against(closure(), (0, 3), [1.0, 0.0]),
+    "frompyfunc": against(lambda t, y: (y[1], float(BENT(y[0]))), (0, 3), [1.0, 0.0]),
+    "by exception": against(by_exception, (0, 1.5), [1.0, 0.0], longest=1e-3),
+    **{
+        rhs.__name__: against(rhs, (0, 3), [1.0, 0.0], exact=SINE)
+        for rhs in (by_text, by_float, counting, by_eval, nan_to_num, deep, pickled, packed, array_then_list, typed)
+    },
+    **{rhs.__name__: against(rhs, (0, 3), [1.0, 0.0], exact=SINE) for rhs in (in_place, filled, generated)},
+    "empty cell": against(empty_cell(), (0, 3), [1.0, 0.0], exact=SINE),
+}
+
+
+# Edges of a domain
+
+
+def growing_root(t, y):
+    return (math.sqrt(y[0]),)
+
+
+def relativistic(t, y):
+    return y[1], -y[0] * math.sqrt(1 - y[1] ** 2)
+
+
+EDGES = {
+    "sqrt": against(growing_root, (0, 2), [0.1], exact=[(math.sqrt(0.1) + 1) ** 2]),
+    "log": against(lambda t, y: (math.log(y[0]),), (0, 1), [1.2]),
+    "log with base": against(lambda t, y: (math.log(y[0], 2),), (0, 1), [1.2]),
+    "acos": against(lambda t, y: (math.acos(y[0]),), (0, 0.3), [0.5]),
+    "power": against(lambda t, y: (-(y[0] ** 1.4),), (0, 2), [0.2]),
+    "pow": against(lambda t, y: (-math.pow(y[0], 1.4),), (0, 2), [0.2]),
+    "relativistic": against(relativistic, (0, 2), [0.1, 0.9]),
+    "hypot of three": against(lambda t, y: (y[1], -math.hypot(y[0], y[1], 1.0)), (0, 2), [1.0, 0.0]),
+    "stiff": against(lambda t, y: (-1e4 * (y[0] - math.cos(t)),), (0, 0.3), [1.0], longest=1e-3),
+    "fast start": against(lambda t, y: (-1e5 * y[0], y[0]), (0, 0.05), [1.0, 0.0], exact=[0.0, 1e-5]),
+    "from zero": against(lambda t, y: (y[1], 1e6 * (math.sin(t) - y[0])), (0, 0.5), [0.0, 0.0], longest=1e-3),
+    "tiny beside large": against(lambda t, y: (y[1], -y[0], -y[2]), (0, 3), [1e6, 0.0, 1e-6], longest=0.01),
+}
+
+CASES = {**CONTACT, **FRICTION, **JUMPS, **PULSES, **TRACES, **EDGES}
+
+
+def test_there_are_enough_of_them():
+    assert len(CASES) + len(REFUSED) >= 80
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_it_is_right_and_the_same_whatever_ran_before(name):
+    rhs, span, start, stops, longest, exact, given = CASES[name]
+    if exact is None:
+        exact = by_scipy(functools.partial(rhs, **given.get("parameters", {})), span, start, stops, longest)
+    first = solve(rhs, span, start, rtol=RTOL, **given)[-1]
+    for method in ("auto", "auto", "python"):
+        state = solve(rhs, span, start, rtol=RTOL, method=method, **given)[-1]
+        assert state == pytest.approx(exact, rel=100 * RTOL, abs=100 * RTOL), method
+        assert state == pytest.approx(first, rel=100 * RTOL, abs=100 * RTOL), method
+
+
+# What cannot be solved, and is said
+
+
+def remembers():
+    held = [0.0]
+
+    def rates(t, y):
+        held[0] += 0.1
+        return (-y[0] - held[0],)
+
+    return rates
+
+
+def hysteresis():
+    mode = [1.0]
+
+    def rates(t, y):
+        mode[0] = -1.0 if y[0] > 1 else 1.0 if y[0] < -1 else mode[0]
+        return y[1], mode[0]
+
+    return rates
+
+
+def noise(seed):
+    draw = np.random.default_rng(seed)
+    return lambda t, y: (-y[0] + draw.normal(),)
+
+
+class Mine(ValueError):
+    """An error of the right-hand side's own."""
+
+
+def own_error(t, y):
+    if y[0] < 0.2:
+        raise Mine("below the ground")
+    return (-1.0,)
+
+
+def singular(t, y):
+    return np.linalg.solve([[y[0] - 0.5 if y[0] > 0.5 else 0.0]], [-1.0])
+
+
+def wrong_later(t, y):
+    return (-y[0],) if y[0] > 0.5 else (-y[0], 0.0)
+
+
+def complex_later(t, y):
+    return ((y[0] - 0.5 + 0j) ** 0.5 * -1 - 0.1,)
+
+
+REFUSED = {
+    "it remembers": (remembers(), (0, 1), [1.0], ValueError, "remember"),
+    "hysteresis": (hysteresis(), (0, 5), [0.0, 0.0], ValueError, "remember"),
+    "noise": (noise(1), (0, 1), [1.0], ValueError, "random"),
+    "an error of its own": (own_error, (0, 2), [1.0], Mine, "below the ground"),
+    "a singular matrix": (singular, (0, 2), [1.0], (np.linalg.LinAlgError, ArithmeticError), "finite|Singular"),
+    "another length later": (wrong_later, (0, 2), [1.0], ValueError, "must return 1"),
+    "complex later": (complex_later, (0, 2), [1.0], ValueError, "real"),
+    "it ends at zero": (
+        lambda t, y: (-math.sqrt(y[0]),),
+        (0, 3),
+        [1.0],
+        ArithmeticError,
+        r"not finite at t = (2|1\.9)",
+    ),
+    "infinite": (lambda t, y: (y[0] ** 2,), (0, 2), [1.0], ArithmeticError, "infinite"),
+    "infinite, not traced": (lambda t, y: (y[0] ** 2 if y[0] else 0.0,), (0, 2), [1.0], ArithmeticError, "infinite"),
+    "complex start": (lambda t, y: (-y[0],), (0, 1), [1.0 + 1j], ValueError, "^y0"),
+    "a column": (lambda t, y: (y[1], -y[0]), (0, 1), [[1.0], [0.0]], ValueError, "^y0.*ravel"),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_what_has_no_answer_is_said(name):
+    rhs, span, start, kind, words = REFUSED[name]
+    with pytest.raises(kind, match=words):
+        solve(rhs, span, start, rtol=RTOL)
+
+
+def test_no_step_is_longer_than_asked_for():
+    def blind(t, y):
+        return (20.0 if math.cos(t - 1.02) > 0.9996 else 0.0,)  # for 0.0566 s
+
+    width = 2 * math.acos(0.9996)
+    for method in ("auto", "python"):
+        end = solve(blind, [0, 5], [1.0], max_step=0.01, method=method)[-1, 0]
+        assert end == pytest.approx(1 + 20 * width, abs=1e-7)
+    told = solve(lambda t, y: (y[1], -y[0]), [0, 5], [1.0, 0.0], max_step=0.01, report=True).report
+    assert told.steps >= 500
+    assert solve(lambda t, y: (1.0,), [0, 5], [0.0], first_step=1e-3, report=True, method="python").report.steps > 3
+
+
+@pytest.mark.parametrize("given", [{"max_step": 0}, {"first_step": -1.0}, {"max_step": "1"}, {"first_step": math.nan}])
+def test_steps_that_are_none_are_named(given):
+    with pytest.raises(ValueError, match=f"^{next(iter(given))}"):
+        solve(lambda t, y: (1.0,), [0, 1], [0.0], **given)
+
+
+def test_a_report_tells_the_absolute_tolerance():
+    told = solve(lambda t, y: (y[1], -y[0]), [0, 5], [2.0, 0.0], report=True, method="python").report
+    assert told.atol.shape == (2,)
+    assert 0 < told.atol[0] <= 2e-10
