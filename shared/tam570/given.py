@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["array", "finite", "nonnegative", "numbers", "one_of", "positive", "positives", "sequence", "whole"]
+__all__ = ["array", "divisors", "finite", "nonnegative", "numbers", "one_of", "positive", "positives", "sequence", "whole"]
 
 
 def positive(**named: float) -> None:
@@ -104,3 +104,9 @@ def _floats(name: str, value: Any) -> NDArray[np.float64]:
         if any(map(_is_symbol, np.ravel(value))):
             return np.array(value)
         raise ValueError(f"{name}: must be numbers, got {value!r}") from None
+
+
+def divisors(values: NDArray[Any]) -> None:
+    """Raise ZeroDivisionError where a number is zero, as Python does and NumPy does not; symbols pass."""
+    if values.dtype == float and not values.all():
+        raise ZeroDivisionError

@@ -430,6 +430,13 @@ def relativistic(t, y):
     return y[1], -y[0] * math.sqrt(1 - y[1] ** 2)
 
 
+def rooted(t, y):
+    try:
+        return (-math.sqrt(y[0]),)
+    except ValueError:
+        return (0.0,)
+
+
 EDGES = {
     "sqrt": against(growing_root, (0, 2), [0.1], exact=[(math.sqrt(0.1) + 1) ** 2]),
     "log": against(lambda t, y: (math.log(y[0]),), (0, 1), [1.2]),
@@ -439,6 +446,7 @@ EDGES = {
     "pow": against(lambda t, y: (-math.pow(y[0], 1.4),), (0, 2), [0.2]),
     "relativistic": against(relativistic, (0, 2), [0.1, 0.9]),
     "hypot of three": against(lambda t, y: (y[1], -math.hypot(y[0], y[1], 1.0)), (0, 2), [1.0, 0.0]),
+    "its own fallback": against(rooted, (0, 3), [1.0], exact=[0.0]),
     "stiff": against(lambda t, y: (-1e4 * (y[0] - math.cos(t)),), (0, 0.3), [1.0], longest=1e-3),
     "fast start": against(lambda t, y: (-1e5 * y[0], y[0]), (0, 0.05), [1.0, 0.0], exact=[0.0, 1e-5]),
     "from zero": against(lambda t, y: (y[1], 1e6 * (math.sin(t) - y[0])), (0, 0.5), [0.0, 0.0], longest=1e-3),

@@ -198,7 +198,7 @@ def test_where_a_solution_ends_it_is_told(rates):
 def test_only_what_is_not_finite_is_called_so():
     with pytest.raises(ArithmeticError, match=r"not finite at t = (1|0\.9999)"):
         solve(lambda t, y: (1.0 if t < 1 else math.nan,), [0, 2], [0.0])
-    with pytest.raises(ArithmeticError, match=r"become infinite there") as told:
+    with pytest.raises(ArithmeticError, match=r"become infinite") as told:
         solve(lambda t, y: (y[0] ** 2,), [0, 2], [1.0])
     assert "not finite" not in str(told.value)
 

@@ -13,7 +13,7 @@ from tam570.integrate.adaptive_loop import LARGEST, RUNNING, SETS_IN, STOPPED, S
 from tam570.integrate.arguments import SMALLEST_RTOL, Array
 from tam570.integrate.binding import TRIAL_ERRORS, NewBreak, check_start
 from tam570.integrate.compilation import Loop, run_with_compilation, seconds_until_compiled
-from tam570.integrate.engine import Engine
+from tam570.integrate.engine import Engine, Mistraced
 from tam570.integrate.error_scale import NO_SCALE, SHARE, error_scale
 from tam570.integrate.stiffness import COMPILED, PYTHON, Look, stiffness_watch
 from tam570.integrate.trace import Graph
@@ -194,6 +194,8 @@ def _trouble(run: Run, last: State) -> Exception:
             return error
         if not np.isfinite(g).all():
             return ArithmeticError(f"rhs or solution is not finite {where}: rhs gives {g}")
+        if engine.is_traced and not all(map(math.isfinite, engine.functions["rhs"](time, tuple(y), engine.constants))):
+            return Mistraced()
     called = engine.called
     if called is not None and called.error is not None and not isinstance(called.error, ArithmeticError):
         called.error.add_note(f"solve: rhs raises this beyond t = {engine.sign * t:.17g}, y = {list(last.y)}")

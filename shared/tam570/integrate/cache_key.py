@@ -40,11 +40,12 @@ ARRAY_FUNCTIONS = _words(
     sqrt square stack subtract sum tan tanh tile trace transpose true_divide vdot vstack zeros"""
 )
 METHODS = _words(
-    """T items keys values floating integer ndarray format join copy cumsum diagonal dot flatten ndim prod ravel reshape
-    shape size sum tolist"""
+    """T all any astype copy cumsum diagonal dot flatten floating format integer items join keys max min ndarray ndim
+    prod ravel reshape round shape size sum tolist values"""
 )
 CHANGING = _words("append extend insert fill")  # methods, as setting an item: of what is made inside
 ATTRIBUTES = MATH | ARRAY_FUNCTIONS | METHODS | CHANGING
+CAUGHT = _words("ValueError ArithmeticError ZeroDivisionError OverflowError")  # errors that no unknown number raises
 FORBIDDEN = _words(
     """STORE_GLOBAL DELETE_GLOBAL STORE_ATTR DELETE_ATTR IMPORT_NAME IMPORT_FROM LOAD_NAME STORE_NAME BEFORE_WITH
     WITH_EXCEPT_START LOAD_SPECIAL LOAD_BUILD_CLASS MATCH_CLASS LOAD_SUPER_ATTR GET_AWAITABLE"""
@@ -155,13 +156,14 @@ def _looked_up(code: types.CodeType) -> tuple[tuple[str, ...], bool, str]:
     """The global names of a code, whether it changes arrays or lists, and why it is not one of numbers alone."""
     names, changes = set[str](), False
     for part in _parts(code):
-        before = None
+        before, catching = None, False
         for line in dis.get_instructions(part):
             name = str(line.argval)
             if line.opname in FORBIDDEN or (line.opname == "STORE_DEREF" and name in part.co_freevars):
                 return (), False, f"has an instruction {line.opname}"
-            if before and before.opname == "PUSH_EXC_INFO" and name not in ("ZeroDivisionError", "OverflowError"):
+            if catching and not (line.opname in ("BUILD_TUPLE", "CHECK_EXC_MATCH") or name in CAUGHT):
                 return (), False, "catches errors"
+            catching = line.opname == "PUSH_EXC_INFO" or (catching and line.opname != "CHECK_EXC_MATCH")
             if line.opname == "IS_OP" and not (before and before.opname == "LOAD_CONST" and before.argval is None):
                 return (), False, "compares identities"
             if line.opname == "LOAD_GLOBAL":

@@ -22,10 +22,14 @@ from tam570.integrate.roundoff import roundoff_by_neighbours
 from tam570.integrate.symbols import Untraceable
 from tam570.integrate.trace import Graph, traced
 
-__all__ = ["Engine", "engine"]
+__all__ = ["Engine", "Mistraced", "engine"]
 
 RUNS = 64  # of one engine, whose breaks are kept
 ULPS = 4.0  # of a break, as it is computed, from which the stretches before and after it keep away
+
+
+class Mistraced(Exception):
+    """Where the formulas have no value the right-hand side has one: it is to be called as it stands."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,13 +81,17 @@ def engine(
     *,
     sign: float = 1.0,
     sampled: bool = False,
+    may_trace: bool = True,
 ) -> Engine:
     """Functions for the right-hand side as traced, if it can be and agrees; else for calls of it.
 
     sign    : of the clock; -1 where the times are those of -t
     sampled : states inside of steps will be asked for, not only where there are more than two times
+    may_trace : whether formulas may take the place of calls
     """
     run = _Run(rhs, parameters, times, start, sampled or len(times) > 2, sign)
+    if not may_trace:
+        return _called_engine(run, "it has a value where its formulas have none")
     try:
         key = cache_key((rhs, *(parameters or {}).items()))
         slot = _cache_slot((key, len(start), run.sampled, sign))

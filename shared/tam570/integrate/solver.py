@@ -36,7 +36,7 @@ from numpy.typing import ArrayLike
 from tam570.integrate import adaptive, compiled_cache
 from tam570.integrate.arguments import Array, checked, positive
 from tam570.integrate.binding import RhsError
-from tam570.integrate.engine import Engine, engine
+from tam570.integrate.engine import Engine, Mistraced, engine
 from tam570.integrate.motion import Motion
 
 __all__ = ["solve"]
@@ -127,15 +127,28 @@ def solve(
         first = None if first_step is None else positive("first_step", first_step)
         control = control._replace(max_step=positive("max_step", max_step), first_step=first)
     control = control._replace(project=project)
-    try:
-        with np.errstate(all="ignore"):  # a step that proves too long may overflow: it is taken again
-            sampled = events is not None or dense
-            made = engine(rhs, parameters, times, np.atleast_2d(start)[0], sign=sign, sampled=sampled)
-            if more:
-                return _motion(made, times, start, control, events, parameters, dense, method)
-            return _states(made, times, start, control, method, step, slot)
-    except RhsError as error:
-        raise ValueError(str(error)) from None
+
+    def run(may_trace: bool) -> Array | Motion:
+        made = engine(
+            rhs,
+            parameters,
+            times,
+            np.atleast_2d(start)[0],
+            sign=sign,
+            sampled=events is not None or dense,
+            may_trace=may_trace,
+        )
+        if more:
+            return _motion(made, times, start, control, events, parameters, dense, method)
+        return _states(made, times, start, control, method, step, slot)
+
+    with np.errstate(all="ignore"):  # a step that proves too long may overflow: it is taken again
+        try:
+            return run(may_trace=True)
+        except Mistraced:
+            return run(may_trace=False)
+        except RhsError as error:
+            raise ValueError(str(error)) from None
 
 
 def _motion(*given: Any) -> Motion:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.given import nonnegative, numbers, positives, sequence
+from tam570.given import divisors, nonnegative, numbers, positives, sequence
 from tam570.integrate import solve
 from tam570.show.scene import Array, Panel, Scene, Shape, energy_plot, frame_times, plot_samples
 
@@ -59,8 +59,7 @@ def _by_arrays(places: Sequence[float], masses: Sequence[float], newton: float) 
     r = np.reshape(places, (-1, 3))
     gaps = r - r[:, None]  # from i, the first index, to j
     squares = (gaps * gaps).sum(axis=-1) + np.eye(len(r))  # none pulls at itself: its gap is 0
-    if r.dtype == float and not squares.all():
-        raise ZeroDivisionError
+    divisors(squares)
     factors = newton * np.asarray(masses) / (squares * np.sqrt(squares))
     pulls: list[float] = (factors[:, :, None] * gaps).sum(axis=1).ravel().tolist()
     return pulls
