@@ -19,6 +19,7 @@ from tam570.integrate.stiffness import COMPILED, PYTHON, Look, stiffness_watch
 from tam570.integrate.trace import Graph
 
 __all__ = [
+    "BETWEEN_LOOKS",
     "Control",
     "Run",
     "Solution",
@@ -26,6 +27,7 @@ __all__ = [
     "is_compiled",
     "run_to_end",
     "shortest_step",
+    "sizes",
     "start_run",
     "step_n",
 ]

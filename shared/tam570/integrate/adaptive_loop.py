@@ -21,8 +21,8 @@ __all__ = [
     "State",
     "advance",
     "first_step_with",
+    "loop_with",
 ]
-__all__ += ["loop_with"]
 
 SAFETY = 0.9
 LARGEST, SMALLEST = 6.0, 0.2  # change of the step size from one step to the next (as dop853.f)

@@ -11,7 +11,17 @@ import numpy as np
 from tam570.integrate.arguments import Array
 from tam570.integrate.clock import Clock
 
-__all__ = ["CalledRates", "NewBreak", "Rates", "RhsError", "agrees", "bound", "check_start", "reversed_rates"]
+__all__ = [
+    "TRIAL_ERRORS",
+    "CalledRates",
+    "NewBreak",
+    "Rates",
+    "RhsError",
+    "agrees",
+    "bound",
+    "check_start",
+    "reversed_rates",
+]
 
 Rates = Callable[[float, Any], Any]
 BETWEEN_CLOCKS = 13  # calls: a clock is slow; a step has 12, so that every stage gets one in turn

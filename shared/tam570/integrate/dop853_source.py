@@ -17,7 +17,7 @@ from tam570.integrate.error_scale import NO_SCALE
 from tam570.integrate.formulas import Formulas, by_call, names, tuple_of, unpacked
 from tam570.integrate.tableau import FIFTH, LESS, NODES, ROWS, Row, interpolant
 
-__all__ = ["compiled", "functions"]
+__all__ = ["ESTIMATE_ROUNDOFF", "compiled", "functions"]
 
 KEPT = range(5, 12)  # the stages that the interpolant takes over from the step
 UNIT_ROUNDOFF = 2.0**-53
