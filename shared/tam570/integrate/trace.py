@@ -107,13 +107,15 @@ def _translated(value: Any, known: dict[int | str, Any]) -> Any:
 
 
 def _translated_function(function: types.FunctionType, known: dict[int | str, Any]) -> types.FunctionType:
-    names = {"isinstance": _checked_isinstance, **known[BUILTINS], **function.__globals__}
+    names = {**known[BUILTINS], **function.__globals__}
     cells = tuple(types.CellType() for _ in function.__closure__ or ())
     twin = types.FunctionType(function.__code__, names, function.__name__, function.__defaults__, cells)
     twin.__kwdefaults__ = function.__kwdefaults__
     known[id(function)] = twin  # before its names are looked at: it may call itself
     for name in global_names(function.__code__) & names.keys():
         names[name] = _translated(names[name], known)
+    if "isinstance" in function.__code__.co_names and "isinstance" not in names:
+        names["isinstance"] = _checked_isinstance
     for cell, original in zip(cells, function.__closure__ or (), strict=True):
         cell.cell_contents = _translated(original.cell_contents, known)
     return twin
