@@ -7,7 +7,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["array", "divisors", "finite", "nonnegative", "numbers", "one_of", "positive", "positives", "sequence", "whole"]
+__all__ = [
+    "array",
+    "divisors",
+    "finite",
+    "nonnegative",
+    "numbers",
+    "one_of",
+    "positive",
+    "positives",
+    "sequence",
+    "whole",
+]
 
 
 def positive(**named: float) -> None:
