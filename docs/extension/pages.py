@@ -8,6 +8,7 @@ from scenes import COURSE, film
 
 from tam570.course import assignments, title
 from tam570.lectures import catalogue, load
+from tam570_grader.lms.systems import SYSTEMS
 
 __all__ = ["readable", "setup"]
 
@@ -35,6 +36,7 @@ def _write(app):
         "lectures.md": _lectures(),
         "all_problems.md": _all_problems(),
         "stills.md": _stills(),
+        "systems.md": _systems(),
     }
     for old in {*folder.glob("problems/*.md"), *folder.glob("lectures/*.md")} - {folder / name for name in pages}:
         old.unlink()
@@ -44,6 +46,21 @@ def _write(app):
         if not file.exists() or file.read_text(encoding="utf-8") != text:
             file.write_text(text, encoding="utf-8")
     shutil.copyfile(COURSE / "NOTATION.md", folder / "notation.md")
+
+
+def _systems():
+    """What each learning management system gives and takes, from the value that the grader has of it."""
+    parts = ["# Learning management systems\n"]
+    for name, system in SYSTEMS.items():
+        does = [f"`tam570-grader collect DOWNLOAD --from {name} --roster TABLE`"]
+        does += [f"`tam570-grader lms results/ --to {name} --roster TABLE --out scores.csv`"] * bool(system.table)
+        does += ["the same with `--pages pages.zip --collected collected.csv` hands pages back"] * bool(system.page)
+        times = "The download tells times." if system.has_times else "The download tells no times."
+        column = f' `course.toml` names an assignment\'s column: `{name} = "Title or id"`.'
+        told = f"Download: {system.export}. {times}{column if system.table and system.table.must_match else ''}"
+        commands = "\n".join(f"- {one}" for one in does)
+        parts.append(f"## {system.title}\n\n{told}\n\n{commands}\n\nVerified against: {system.verified}\n")
+    return "\n".join(parts)
 
 
 def _problem(slug):

@@ -1,16 +1,7 @@
 """The learning management systems: what each calls a file that a student handed in, and what its tables look like.
 
-A system is one value of SYSTEMS; the options of the commands, the page of the documentation and the tests are made of
-it. What a system does not have is None. Verified against the vendors' code where it is public:
-
-- Canvas: `lib/content_zipper.rb` (`get_filename`, `add_upload_submission`, `sanitize_file_name`: the name in small
-  letters and without signs, LATE, the user, the attachment; of a group its name and one member's number), and
-  `lib/gradebook_exporter.rb` (`csv_data`: the headings, "    Points Possible", EX, N/A).
-- Moodle: `mod/assign/classes/downloader.php` (`get_student_prefix`: name and participant, or a group's name and number;
-  `load_submissionplugin_filelist`: folders or names) and `mod/assign/gradingtable.php` (the worksheet).
-- Blackboard and Brightspace are closed. What public tools read of them: `kwurst/bb-file-cleanup` (README.md),
-  `nbeaver/offline-grades-upload` (readme.rst), and `OrgDefinedId`, `Points Grade`, `End-of-Line Indicator` of imports.
-- GitHub Classroom: folders `assignment-user`, as `gh classroom clone student-repos` makes them.
+A system is one value of SYSTEMS; the options of the commands, a page of the documentation and the tests are made of it.
+What a system does not have is None.
 """
 
 import re
@@ -43,6 +34,8 @@ class System:
     """What one system writes and reads."""
 
     title: str
+    export: str  # what an instructor downloads
+    verified: str  # against which files the layouts were held
     download: re.Pattern[str] | None  # the name of a file or folder of a student; None: a table or the folders tell
     ids: Mapping[str, tuple[str, ...]] = field(default_factory=dict)  # group of the name: kinds of ids on a roster
     must_agree: bool = False  # a number counts only if the name beside it is its owner's
@@ -54,6 +47,10 @@ class System:
 SYSTEMS = {
     "canvas": System(
         "Canvas",
+        "In SpeedGrader or on the assignment's page, Download Submissions; in the Gradebook, Export",
+        "`instructure/canvas-lms`, `lib/content_zipper.rb` (`get_filename`, `add_upload_submission`, "
+        "`sanitize_file_name`) and `lib/gradebook_exporter.rb` (`csv_data`). A group's file has its name and one "
+        "member's number.",
         re.compile(
             rf"(?P<start>(?P<name>.{{1,400}}?)_(?P<late>LATE_)?(?P<user>{NUMBER})_(?P<order>{NUMBER})_)(?P<file>.+)"
             rf"|(?P<name2>.{{1,400}}?)_(?P<late2>LATE_)?(?P<user2>{NUMBER})_(?:text|link)\.html",
@@ -82,6 +79,10 @@ SYSTEMS = {
     ),
     "moodle": System(
         "Moodle",
+        "In the assignment, Download all submissions and Download grading worksheet, which has the times",
+        "`moodle/moodle`, `mod/assign/classes/downloader.php` (`get_student_prefix`, "
+        "`load_submissionplugin_filelist`) and `mod/assign/gradingtable.php` (the worksheet). A group's folder has its "
+        "name and number.",
         re.compile(
             rf"(?P<name>.{{1,400}}?)_(?P<user>{NUMBER})_assignsubmission_(?:file|onlinetext)_?(?P<file>.*)", re.DOTALL
         ),
@@ -97,10 +98,18 @@ SYSTEMS = {
         ),
     ),
     "gradescope": System(
-        "Gradescope", None, ids={"sid": ("number", "login"), "email": ("email", "login")}, has_times=True
+        "Gradescope",
+        "Export Submissions",
+        "Its help pages, for it is closed. `submission_metadata.yml` tells the submitters of each, a group's too.",
+        None,
+        ids={"sid": ("number", "login"), "email": ("email", "login")},
+        has_times=True,
     ),
     "blackboard": System(
         "Blackboard",
+        "In the Grade Center, Assignment File Download; Work Offline, Download",
+        "Public tools that read its files: `kwurst/bb-file-cleanup` (`README.md`) and `nbeaver/offline-grades-upload` "
+        "(`readme.rst`). Blackboard is closed.",
         re.compile(
             r"(?P<title>.{1,400}?)_(?P<user>[^_/]{1,100})_attempt_(?P<when>\d{4}(?:-\d\d){5})(?:_(?P<file>.+)|\.txt)",
             re.DOTALL,
@@ -115,6 +124,9 @@ SYSTEMS = {
     ),
     "brightspace": System(
         "Brightspace",
+        "In the assignment, Download all submissions; in Grades, Export with Org Defined ID and Username",
+        "Public tools that read its files, for `OrgDefinedId`, `Points Grade` and `End-of-Line Indicator`. It is "
+        "closed, and its folders tell no id: students are joined by name.",
         re.compile(
             rf"{NUMBER}-{NUMBER} - (?P<name>.{{1,400}}?) ?- "
             r"(?P<when>[A-Z][a-z]+ \d{1,2}, \d{4} \d{1,2}:?\d\d [AP]M)(?: ?- (?P<file>.+))?",
@@ -130,5 +142,11 @@ SYSTEMS = {
             mark="#",
         ),
     ),
-    "github": System("GitHub Classroom", None, ids={"user": ("github", "login")}),
+    "github": System(
+        "GitHub Classroom",
+        "`gh classroom clone student-repos`; on the classroom's page, Download roster",
+        "The folders that this command makes, and the roster's headings. Git's times are students', so none is read.",
+        None,
+        ids={"user": ("github", "login")},
+    ),
 }
