@@ -20,10 +20,11 @@ from tam570.show.scene import (
     Panel,
     Scene,
     Shape,
-    drift_plot,
+    drift_note,
     frame_times,
     moving,
     plot_samples,
+    value_plot,
     with_slider,
 )
 
@@ -112,6 +113,8 @@ def _film(parameters: Mapping[str, float]) -> Scene:
     space_rim = circle([0.0, 0.0, tip[0, 2]], [tip[0, 0], 0.0, 0.0], [0.0, tip[0, 0], 0.0], 37)
     shown = plot_samples(times)
     H = transverse * turning + (axial - transverse) * np.einsum("ni,ni->n", turning, along)[:, None] * along
+    omegas = dict(zip("xyz", turning[shown].T, strict=True))
+    note = drift_note({"": H[shown]}, float(H[0, 2]) or 1.0, "the angular momentum")
     return Scene(
         "Free symmetric body",
         "A cone fixed in the body rolls without slip on a cone fixed in space. They touch along the angular velocity. "
@@ -130,11 +133,7 @@ def _film(parameters: Mapping[str, float]) -> Scene:
                 ruler=False,
             )
         ],
-        [
-            drift_plot(
-                "angular momentum in space, change", times[shown], {"": H[shown]}, float(H[0, 2]) or 1.0, "itself"
-            )
-        ],
+        [value_plot("angular velocity in space", times[shown], omegas, "rad/s", *note)],
         view=(0.5, 0.3),
         still_time=0.1,
     )

@@ -22,7 +22,7 @@ from tam570.show.scene import (
     Panel,
     Scene,
     Shape,
-    drift_plot,
+    drift_note,
     frame_times,
     moving,
     plot_samples,
@@ -84,6 +84,8 @@ def film(parameters: Mapping[str, Any]) -> Scene:
     rebuilt = np.array([angular_velocity(*row, sequence) for row in zip(angles[shown], rates, strict=True)])
     curves = dict(zip(("psi", "theta", "phi"), rates.T, strict=True))
     largest = f"up to {np.abs(rates).max():.3g} rad/s, while the body turns at {SPEED:g} rad/s"
+    sums = dict(zip("xyz", rebuilt.T, strict=True))
+    note = drift_note({"": rebuilt}, SPEED, "itself")
     return Scene(
         f"Gimbal {sequence}",
         "A disk in two rings turns steadily about a level axis. Its own axis passes close by the axis of the outer "
@@ -92,7 +94,7 @@ def film(parameters: Mapping[str, Any]) -> Scene:
         [Panel(_gimbal(np.array([rings(row, sequence) for row in angles]), sequence), ruler=False)],
         [
             value_plot("rates of the angles", times[shown], curves, "rad/s", largest),
-            drift_plot("sum of the rates along their axes, change", times[shown], {"": rebuilt}, SPEED, "itself"),
+            value_plot("their sum along the axes of the rings", times[shown], sums, "rad/s", *note),
         ],
         view=(0.9, 0.35),
         still_time=0.44,

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from tam570.given import array, finite, positive, whole
 from tam570.show.drawing import coil
-from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, drift_plot, frame_times, plot_samples
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, drift_note, frame_times, plot_samples, value_plot
 
 __all__ = ["chain", "film", "inverted_pendulum", "modes", "pendulum", "saddle"]
 
@@ -95,6 +95,8 @@ def film(parameters: Mapping[str, Any]) -> Scene:
     q, rate = rows["all together"][shown], -np.sin(np.outer(times[shown], frequencies)) * frequencies * amounts
     one_by_one = (rate**2 + squares * (q @ M @ shapes) ** 2) / 2
     curves = {f"mode {j + 1}": one_by_one[:, j] for j in range(n)}
+    places = {f"mass {j + 1}": q[:, j] for j in range(n)}
+    note = drift_note(curves, float(one_by_one[0].sum()), "all of it")
     return Scene(
         "Modes of a chain",
         f"{n} masses between springs vibrate in each normal mode, one row for a mode. All masses keep time, from one "
@@ -102,13 +104,8 @@ def film(parameters: Mapping[str, Any]) -> Scene:
         times,
         [Panel(drawn)],
         [
-            drift_plot(
-                "energy in each mode of the last row, change",
-                times[shown],
-                curves,
-                float(one_by_one[0].sum()),
-                "all of it",
-            )
+            value_plot("last row: displacements", times[shown], places, "m"),
+            value_plot("last row: energy in each mode", times[shown], curves, "J", *note),
         ],
         still_time=0.02,
     )

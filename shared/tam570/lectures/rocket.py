@@ -19,7 +19,7 @@ from tam570.show.scene import (
     Panel,
     Scene,
     Shape,
-    drift_plot,
+    drift_note,
     frame_times,
     moving,
     plot_samples,
@@ -111,7 +111,7 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
         *_rocket(wrong, apart, burning, 1, "d(mv)/dt = F of the rocket alone"),
     ]
     energies = [coasting_energy(state, **parameters) for state in right[shown]]
-    scale = abs(energies[0]) or 1.0
+    note, alarm = drift_note({"": energies}, abs(energies[0]) or 1.0, "itself")
     return Scene(
         "Rocket",
         "Two rockets start alike. The right one is pushed by its exhaust until its tank is empty. The other follows "
@@ -120,7 +120,7 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
         [Panel(shapes)],
         [
             value_plot("speed", times[shown], {"right": right[shown, 1], "wrong": wrong[shown, 1]}, "m/s"),
-            drift_plot("energy at the end of the burning, change", times[shown], {"": energies}, scale, "itself"),
+            value_plot("mass", times[shown], {"": right[shown, 2]}, "kg", f"energy at its end: {note}", alarm),
         ],
         still_time=0.7,
     )

@@ -15,7 +15,18 @@ from numpy.typing import ArrayLike
 from tam570.given import finite, nonnegative, numbers, positive, positives, sequence
 from tam570.integrate import solve
 from tam570.show.drawing import coil
-from tam570.show.scene import GREY, Array, Panel, Scene, Shape, energy_plot, frame_times, moving, plot_samples
+from tam570.show.scene import (
+    GREY,
+    Array,
+    Panel,
+    Scene,
+    Shape,
+    energy_plot,
+    frame_times,
+    moving,
+    plot_samples,
+    value_plot,
+)
 
 __all__ = ["energy", "exact", "film", "momentum", "rates", "spring_energy", "tension"]
 
@@ -114,5 +125,13 @@ def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) 
         "one speed.",
         times,
         [Panel(shapes)],
-        [energy_plot(times[shown], total, still)],
+        [
+            value_plot(
+                "x",
+                times[shown],
+                {"mass 1": states[shown, 0], "mass 2": states[shown, 1], "centre of mass": centre[shown]},
+                "m",
+            ),
+            energy_plot(times[shown], total, still),
+        ],
     )

@@ -118,8 +118,9 @@ def _checked(student: Student, times: Array, rates: dict[str, Array], mass: floa
     }
     largest = max(float(one.max()) for one in off.values()) / 100
     note = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.2g} of the largest rate"
-    title = "rate() from dH/dt by differences"
-    return value_plot(title, times[shown], off, "%", note, alarm=largest > LARGE, least=1.0)
+    sizes = {f"({d})": np.linalg.norm(rates[d][shown], axis=1) for d in DEFINITIONS}
+    note = f"dH/dt by differences: {note}"
+    return value_plot("rate(), size", times[shown], sizes, "N m", note, alarm=largest > LARGE)
 
 
 def _differences(student: Student, definition: str, times: Array, mass: float) -> Array:

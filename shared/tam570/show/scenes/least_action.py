@@ -4,7 +4,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, moving, value_plot
+from tam570.show.drawing import graph
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, moving
 
 __all__ = ["paths"]
 
@@ -44,26 +45,25 @@ def paths(least: Array, swing: Array, duration: float, action: Callable[[Array],
         [
             Panel(graph, "angle over time", ruler=False),
             Panel([*_pendulum(swing, 1), *_pendulum(least, 0)], "the pendulums", ruler=False),
+            _actions(times, least, swing, action),
         ],
-        [_actions(times, least, swing, action)],
         still_time=0.6,
     )
 
 
-def _actions(times: Array, least: Array, swing: Array, action: Callable[[Array], float]) -> TimePlot:
-    """The actions as steady lines: what each path takes from a to b, more than the least."""
-    lowest = action(least)
-    more = {
-        "swing": action(swing) - lowest,
-        "swing + 0.2 bump": action(swing + 0.2 * np.sin(np.pi * times / times[-1])) - lowest,
-        "swing - 0.2 bump": action(swing - 0.2 * np.sin(np.pi * times / times[-1])) - lowest,
-    }
+def _actions(times: Array, least: Array, swing: Array, action: Callable[[Array], float]) -> Panel:
+    """The action over the size of a bump that is added to the swing: a minimum at 0, or none."""
+    sizes, bump = np.linspace(-1.0, 1.0, 41), np.sin(np.pi * times / times[-1])
+    values = np.array([action(swing + size * bump) for size in sizes])
+    axes, to_points = graph(sizes, values, ("size of the bump (rad)", "action"))
     same = np.abs(least - swing).max() < SAME
-    note = "the swing is the path of least action" if same else "another motion has less action than the swing"
-    ends = times[[0, -1]]
-    return value_plot(
-        "action above the least, for the whole way", ends, {n: [v, v] for n, v in more.items()}, "m²/s", note
-    )
+    shapes = [
+        *axes,
+        Shape("path", to_points(sizes, values), 1, width=2.5),
+        Shape("dot", to_points([0.0], [action(swing)]), 1, width=6),
+    ]
+    title = "action: the swing has the least" if same else "action: the swing has not the least"
+    return Panel(shapes, title, ruler=False)
 
 
 def _pendulum(path: Array, color: int) -> list[Shape]:
