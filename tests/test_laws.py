@@ -102,15 +102,15 @@ def test_the_checks_promise_every_function_and_ten_points(slug, course, solution
     assignment = assignments.assignment(course, slug)
     assert set(assignment.results) == set(exported(solution_text(slug)))
     assert assignment.max_score == 10.0
-    assert all(check.judge.__doc__ and check.points > 0 for check in assignment.checks)
+    assert all(check.line and check.points > 0 for check in assignment.checks)
 
 
-def test_a_row_of_the_readme_has_the_points_of_the_checks_whose_line_names_its_function_first(slug, course):
+def test_a_row_of_the_readme_has_the_points_of_the_checks_that_are_about_its_function(slug, course):
     assignment = assignments.assignment(course, slug)
     readme = (course / "assignments" / slug / "README.md").read_text()
     worth = dict.fromkeys(assignment.results, 0.0)
     for check in assignment.checks:
-        worth[next(word for word in re.findall(r"\w+", check.line) if word in worth)] += check.points
+        worth[check.function] += check.points
     assert {name: float(points) for _, name, points, _ in course_config.ROW.findall(readme)} == worth
 
 
@@ -161,13 +161,12 @@ def test_the_inputs_of_a_check_tell_its_mistakes_from_the_truth(slug, check, zyg
     assignment = assignments.assignment(COURSE, slug)
     student = Student(Source(solution_text(slug).encode()), assignment, zygotes(slug, ResourceLimits()))
     with check_context():
-        check.judge(student, np.random.default_rng(5))
+        check.run(student, np.random.default_rng(5))
     student.leave()
     called = {call.name for call in student.calls}
     suspects = candidates(solution_text(slug), FOLDERS[slug], check.name, called)
     assert known(solution_text(slug), suspects, student.calls) is None
-    assert check.function(assignment.results), "its line names no function"
-    assert not called or called & set(re.findall(r"\w+", check.line)), "its line names none that it calls"
+    assert not called or called & set(re.findall(r"\w+", check.title)), "its title names none that it calls"
 
 
 # Nothing scores nothing
@@ -228,7 +227,7 @@ def called(zygotes, solution_text):
         for check in assignment.checks:
             student.calls.clear()
             with check_context():
-                check.judge(student, np.random.default_rng(5))
+                check.run(student, np.random.default_rng(5))
             names[check.name] = {call.name for call in student.calls}
         student.leave()
         return names

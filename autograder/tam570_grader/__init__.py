@@ -12,11 +12,19 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 from tam570_grader.checks.assignment import Assignment
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.check import check, once
-from tam570_grader.checks.compare import Column, absolute, by_kind, check_raises, compare, compare_columns, largest
+from tam570_grader.checks.compare import (
+    Column,
+    absolute,
+    by_kind,
+    check_domain,
+    check_raises,
+    compare,
+    compare_columns,
+    largest,
+)
 from tam570_grader.checks.curves import kept
 from tam570_grader.checks.expect import Failed, expect, expect_that, fail, get_context
 from tam570_grader.checks.formulas import from_own_lagrangian, in_symbols
-from tam570_grader.checks.laws import law
 from tam570_grader.checks.plots import curves_seen, distances, exchanged, judge_axes_of_lengths, judge_boxes, path_drawn
 from tam570_grader.checks.returns import array, drawing, formula, group, number, rows
 from tam570_grader.checks.times import SOME_TIMES, repeated_calls, uneven
@@ -36,6 +44,7 @@ __all__ = [
     "compare_trajectory",
     "check_conserved",
     "compare",
+    "check_domain",
     "check_raises",
     "SOME_TIMES",
     "Failed",
@@ -56,7 +65,6 @@ __all__ = [
     "judge_boxes",
     "kept",
     "largest",
-    "law",
     "number",
     "once",
     "rows",

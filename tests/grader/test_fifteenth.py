@@ -84,15 +84,13 @@ FOLLOWED = 1e-5  # solve_ivp at rtol 1e-9, atol 1e-9 is off by 1e-7
 MOTION = (Column("the place", "m", [0]), Column("the velocity", "m/s", [1]))
 
 
-@check(points=4, part="a")
+@check("energy", points=4, part="a", line="of the mass and of the spring.")
 def energy_is_kinetic_and_elastic(student, rng):
-    """energy: of the mass and of the spring."""
     compare(student.energy, reference.energy, cases.states(rng), tolerance=FORMULA, quantity="the energy", unit="J")
 
 
-@check(points=6, part="b")
+@check("simulate", points=6, part="b", line="place and velocity at uneven times.")
 def simulation_follows_the_motion(student, rng):
-    """simulate: place and velocity at uneven times."""
     compare_trajectory(student.simulate, reference.motion, cases.motions(rng), MOTION, tolerance=FOLLOWED)
 
 

@@ -120,7 +120,7 @@ class Answer:
 
 
 def judge(definition, p, c):
-    CHECKS[f"special_motion_of_{definition}"].judge(Answer(p, c), None)
+    CHECKS[f"special_motion_of_{definition}"].run(Answer(p, c), None)
 
 
 def turned(p, c, far=100.0):

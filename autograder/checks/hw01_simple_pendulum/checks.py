@@ -9,10 +9,12 @@ from tam570_grader import (
     absolute,
     by_kind,
     check,
+    check_conserved,
     compare,
+    compare_columns,
+    compare_trajectory,
     expect,
     from_own_lagrangian,
-    law,
 )
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.returns import formula, free_body_diagram, group, number, rows
@@ -64,81 +66,155 @@ KEPT = Invariant("the energy", "of its start", reference.energy_of_rows, None, E
 ALPHA = number.described("alpha", "rad/s^2", RATE2)
 
 
-@check(points=0.5, part="a")
+@check("free_body_diagram", points=0.5, part="a", line="every force on the mass, where it acts and along what.")
 def forces_on_the_mass(student, rng):
-    """free_body_diagram: every force on the mass, where it acts and along what."""
-    compare_diagrams(student.free_body_diagram, reference, [*cases.states(rng), *cases.at_rest(rng)])
+    compare_diagrams(student.free_body_diagram, reference, states(rng))
 
 
-STATES = cases.states, cases.at_rest
-newton_gives_the_acceleration = law("linear_momentum_balance: alpha, along the circle.", points=0.5, part="a").agrees(
-    reference.linear_momentum_balance,
-    *STATES,
-    tolerance=FORMULA,
-    only=0,
-    hint="What of each force is along the circle?",
-)
-newton_gives_the_tension = law("linear_momentum_balance: the tension, along the rod.", points=0.5, part="a").agrees(
-    reference.linear_momentum_balance,
-    *STATES,
-    tolerance=FORMULA,
-    only=1,
-    hint="Which way along the rod does m a point?",
-)
-moments_give_the_acceleration = law("angular_momentum_balance: alpha, by M = dH/dt.", points=0.5, part="a").agrees(
-    reference.angular_momentum_balance, *STATES, tolerance=FORMULA, only=0, hint="Which way does the weight turn it?"
-)
+def states(rng):
+    return [*cases.states(rng), *cases.at_rest(rng)]
+
+
+@check("linear_momentum_balance", points=0.5, part="a", line="alpha, along the circle.")
+def newton_gives_the_acceleration(student, rng):
+    compare(
+        student.linear_momentum_balance,
+        reference.linear_momentum_balance,
+        states(rng),
+        tolerance=FORMULA,
+        only=0,
+        hint="What of each force is along the circle?",
+    )
+
+
+@check("linear_momentum_balance", points=0.5, part="a", line="the tension, along the rod.")
+def newton_gives_the_tension(student, rng):
+    compare(
+        student.linear_momentum_balance,
+        reference.linear_momentum_balance,
+        states(rng),
+        tolerance=FORMULA,
+        only=1,
+        hint="Which way along the rod does m a point?",
+    )
+
+
+@check("angular_momentum_balance", points=0.5, part="a", line="alpha, by M = dH/dt.")
+def moments_give_the_acceleration(student, rng):
+    compare(
+        student.angular_momentum_balance,
+        reference.angular_momentum_balance,
+        states(rng),
+        tolerance=FORMULA,
+        only=0,
+        hint="Which way does the weight turn it?",
+    )
+
+
 ARM = "How far from the hinge do momentum and weight act?"
-momentum_and_moment_are_about_the_hinge = law(
-    "angular_momentum_balance: r x m v and the moment of the weight, about the hinge.", points=0.5, part="a"
-).agrees(reference.angular_momentum_balance, *STATES, tolerance=FORMULA, only=(1, 2), hint=ARM)
-energies_are_right = law("energy_balance: T, and V, which is zero at the lowest point.", points=0.5, part="a").agrees(
-    reference.energy_balance, cases.states, tolerance=FORMULA, only=(1, 2), hint="How fast is the mass, and how high?"
-)
-energy_gives_the_acceleration = law(
-    "energy_balance: alpha, from the constancy of the energy.", points=0.25, part="a"
-).agrees(
-    reference.energy_balance,
-    cases.states,
-    tolerance=FORMULA,
-    only=0,
-    hint="The terms of dE/dt have a factor in common.",
-)
+
+
+@check("angular_momentum_balance", points=0.5, part="a", line="r x m v and the moment of the weight, about the hinge.")
+def momentum_and_moment_are_about_the_hinge(student, rng):
+    compare(
+        student.angular_momentum_balance,
+        reference.angular_momentum_balance,
+        states(rng),
+        tolerance=FORMULA,
+        only=(1, 2),
+        hint=ARM,
+    )
+
+
+@check("energy_balance", points=0.5, part="a", line="T, and V, which is zero at the lowest point.")
+def energies_are_right(student, rng):
+    compare(
+        student.energy_balance,
+        reference.energy_balance,
+        cases.states(rng),
+        tolerance=FORMULA,
+        only=(1, 2),
+        hint="How fast is the mass, and how high?",
+    )
+
+
+@check("energy_balance", points=0.25, part="a", line="alpha, from the constancy of the energy.")
+def energy_gives_the_acceleration(student, rng):
+    compare(
+        student.energy_balance,
+        reference.energy_balance,
+        cases.states(rng),
+        tolerance=FORMULA,
+        only=0,
+        hint="The terms of dE/dt have a factor in common.",
+    )
+
+
 CANCELLED = "Do you divide by omega? Cancel it on paper."
-energy_gives_the_acceleration_at_rest = energy_gives_the_acceleration.then(
-    "energy_balance: alpha where omega is zero, too.", points=0.25, part="a"
-).agrees(reference.energy_balance, cases.at_rest, tolerance=FORMULA, only=(0, 1), hint=CANCELLED)
-power_gives_the_acceleration = law(
-    "power_balance: the power of gravity, and alpha from it.", points=0.25, part="a"
-).agrees(
-    reference.power_balance,
-    cases.states,
-    tolerance=FORMULA,
-    hint="Power is F . v: when does gravity speed the mass up?",
+
+
+@check(
+    "energy_balance", points=0.25, part="a", after=energy_gives_the_acceleration, line="alpha where omega is zero, too."
 )
-power_gives_the_acceleration_at_rest = power_gives_the_acceleration.then(
-    "power_balance: alpha where omega is zero, too.", points=0.25, part="a"
-).agrees(reference.power_balance, cases.at_rest, tolerance=FORMULA, hint=CANCELLED)
-virtual_work_gives_the_acceleration = law(
-    "virtual_work: the generalized force of gravity, and alpha from it.", points=0.5, part="a"
-).agrees(reference.virtual_work, *STATES, tolerance=FORMULA, hint="dr is l dtheta, across the rod.")
+def energy_gives_the_acceleration_at_rest(student, rng):
+    compare(
+        student.energy_balance,
+        reference.energy_balance,
+        cases.at_rest(rng),
+        tolerance=FORMULA,
+        only=(0, 1),
+        hint=CANCELLED,
+    )
+
+
+@check("power_balance", points=0.25, part="a", line="the power of gravity, and alpha from it.")
+def power_gives_the_acceleration(student, rng):
+    compare(
+        student.power_balance,
+        reference.power_balance,
+        cases.states(rng),
+        tolerance=FORMULA,
+        hint="Power is F . v: when does gravity speed the mass up?",
+    )
+
+
+@check(
+    "power_balance", points=0.25, part="a", after=power_gives_the_acceleration, line="alpha where omega is zero, too."
+)
+def power_gives_the_acceleration_at_rest(student, rng):
+    compare(student.power_balance, reference.power_balance, cases.at_rest(rng), tolerance=FORMULA, hint=CANCELLED)
+
+
+@check("virtual_work", points=0.5, part="a", line="the generalized force of gravity, and alpha from it.")
+def virtual_work_gives_the_acceleration(student, rng):
+    compare(
+        student.virtual_work,
+        reference.virtual_work,
+        states(rng),
+        tolerance=FORMULA,
+        hint="dr is l dtheta, across the rod.",
+    )
+
+
 AT_REST = "Put numbers in: at rest at the lowest point it is zero, at rest elsewhere negative."
-lagrangian_is_kinetic_less_potential = law(
-    "lagrangian: T - V in theta, omega, m, l, g, with V zero at the lowest point.", points=0.75, part="a"
-).agrees(reference.lagrangian, cases.symbols, tolerance=FORMULA, hint=AT_REST)
 
 
-@check(points=0.75, part="a")
+@check("lagrangian", points=0.75, part="a", line="T - V in theta, omega, m, l, g, with V zero at the lowest point.")
+def lagrangian_is_kinetic_less_potential(student, rng):
+    compare(student.lagrangian, reference.lagrangian, cases.symbols(rng), tolerance=FORMULA, hint=AT_REST)
+
+
+@check("lagrange_equation", points=0.75, part="a", line="alpha in theta, l, g alone.")
 def lagrange_gives_the_acceleration(student, rng):
-    """lagrange_equation: alpha in theta, l, g alone."""
     calls = cases.symbols(rng)
     hint = from_own_lagrangian(student, calls[:5], "It is the alpha of the other balances.")
     compare(student.lagrange_equation, reference, calls, tolerance=FORMULA, hint=hint)
 
 
-@check(points=0.5, part="a")
+@check(
+    "action", points=0.5, part="a", line="its first variation vanishes on true motions, and on other paths it does not."
+)
 def action_is_stationary_on_motions(student, rng):
-    """action: its first variation vanishes on true motions, and on other paths it does not."""
     paths = cases.varied_paths(rng, SMALL)
     hint = "Is it the integral of T - V, by a quadrature of second order that counts both ends as it must?"
     known = {"quantity": "the first variation", "unit": "J s/rad", "hint": hint, "near_miss_credit": False}
@@ -149,68 +225,181 @@ def action_is_stationary_on_motions(student, rng):
         expect((high - low) / (2 * SMALL), expected, tolerance=VARIATION * size, **known)
 
 
-action_is_the_integral = law(
-    "action: the integral of T - V itself, to second order in the step.",
+@check(
+    "action",
     points=0.5,
     part="a",
     after=action_is_stationary_on_motions,
-).agrees(
-    reference.action, cases.paths, cases.plain_paths, tolerance=ACTION, hint="Half the step must quarter the error."
+    line="the integral of T - V itself, to second order in the step.",
 )
+def action_is_the_integral(student, rng):
+    compare(
+        student.action,
+        reference.action,
+        [*cases.paths(rng), *cases.plain_paths(rng)],
+        tolerance=ACTION,
+        hint="Half the step must quarter the error.",
+    )
+
+
 AT_ZERO = by_kind({"with another": "Is anything kept between calls?"}, "Put t = 0 in. Is omega the rate of theta?")
-small_angle_solution_is_harmonic = law(
-    "small_angle_solution: theta and omega of theta'' + (g/l) theta = 0, from the state at t = 0.", points=0.5, part="a"
-).agrees_by_columns(reference.small_angle_solution, cases.small_angles, tolerance=TRAJECTORY, hint=AT_ZERO)
-TO_ZERO = "What becomes of sin(w t)/w, w = sqrt(g/l), as w goes to zero?"
-small_angle_solution_without_gravity = small_angle_solution_is_harmonic.then(
-    "small_angle_solution: without gravity the pendulum turns uniformly.", points=0.25, part="a"
-).agrees_by_columns(reference.small_angle_solution, cases.weightless, tolerance=TRAJECTORY, hint=TO_ZERO)
-period_is_exact = law("period: exact at large amplitudes.", points=0.5, part="a").agrees(
-    reference.period,
-    cases.usual_periods,
-    tolerance=PERIOD,
-    hint="The energy gives omega at theta, and dt = dtheta/omega.",
+
+
+@check(
+    "small_angle_solution",
+    points=0.5,
+    part="a",
+    line="theta and omega of theta'' + (g/l) theta = 0, from the state at t = 0.",
 )
+def small_angle_solution_is_harmonic(student, rng):
+    compare_columns(
+        student.small_angle_solution,
+        reference.small_angle_solution,
+        cases.small_angles(rng),
+        tolerance=TRAJECTORY,
+        hint=AT_ZERO,
+    )
+
+
+TO_ZERO = "What becomes of sin(w t)/w, w = sqrt(g/l), as w goes to zero?"
+
+
+@check(
+    "small_angle_solution",
+    points=0.25,
+    part="a",
+    after=small_angle_solution_is_harmonic,
+    line="without gravity the pendulum turns uniformly.",
+)
+def small_angle_solution_without_gravity(student, rng):
+    compare_columns(
+        student.small_angle_solution,
+        reference.small_angle_solution,
+        cases.weightless(rng),
+        tolerance=TRAJECTORY,
+        hint=TO_ZERO,
+    )
+
+
+@check("period", points=0.5, part="a", line="exact at large amplitudes.")
+def period_is_exact(student, rng):
+    compare(
+        student.period,
+        reference.period,
+        cases.usual_periods(rng),
+        tolerance=PERIOD,
+        hint="The energy gives omega at theta, and dt = dtheta/omega.",
+    )
+
+
 TOO_SMALL = "No amplitude is small enough for the period of small angles."
 COSINES = "Do you subtract nearly equal cosines? cos a - cos b is a product of sines."
 LONGER = "A series in the amplitude, or a quadrature of fixed order, does not reach this far."
-period_grows_towards_the_top = (
-    period_is_exact.then("period: exact from tiny amplitudes to pi, where it has no bound.", points=0.25, part="a")
-    .agrees(reference.period, cases.least_periods, tolerance=PERIOD, hint=TOO_SMALL)
-    .also.agrees(reference.period, cases.small_periods, tolerance=PERIOD, hint=COSINES)
-    .also.agrees(reference.period, cases.next_to_top, tolerance=NEXT_TO_TOP, hint=LONGER)
-    .also.agrees(reference.period, cases.smaller_periods, cases.larger_periods, tolerance=PERIOD, hint=LONGER)
-    .also.agrees(reference.period, cases.tiny_periods, tolerance=AT_THE_ENDS, hint=COSINES)
-    .also.agrees(
-        reference.period, cases.at_the_top, tolerance=AT_THE_ENDS, hint="Do you subtract nearly equal numbers?"
+
+
+@check(
+    "period",
+    points=0.25,
+    part="a",
+    after=period_is_exact,
+    line="exact from tiny amplitudes to pi, where it has no bound.",
+)
+def period_grows_towards_the_top(student, rng):
+    compare(student.period, reference.period, cases.least_periods(rng), tolerance=PERIOD, hint=TOO_SMALL)
+    compare(student.period, reference.period, cases.small_periods(rng), tolerance=PERIOD, hint=COSINES)
+    compare(student.period, reference.period, cases.next_to_top(rng), tolerance=NEXT_TO_TOP, hint=LONGER)
+    compare(
+        student.period,
+        reference.period,
+        [*cases.smaller_periods(rng), *cases.larger_periods(rng)],
+        tolerance=PERIOD,
+        hint=LONGER,
     )
-)
+    compare(student.period, reference.period, cases.tiny_periods(rng), tolerance=AT_THE_ENDS, hint=COSINES)
+    compare(
+        student.period,
+        reference.period,
+        cases.at_the_top(rng),
+        tolerance=AT_THE_ENDS,
+        hint="Do you subtract nearly equal numbers?",
+    )
+
+
 SWING = cases.motions(cases.swing, 15, 1000, "a large swing, t[0] not 0")
-simulate_swings = law("simulate: large swings, row i at t[i], row 0 the given state.", points=0.5, part="a").follows(
-    reference.simulate, SWING, tolerance=TRAJECTORY, hint="Is omega the rate of theta, and is alpha right?", keeps=KEPT
-)
+
+
+@check("simulate", points=0.5, part="a", line="large swings, row i at t[i], row 0 the given state.")
+def simulate_swings(student, rng):
+    compare_trajectory(
+        student.simulate,
+        reference.simulate,
+        SWING(rng),
+        tolerance=TRAJECTORY,
+        hint="Is omega the rate of theta, and is alpha right?",
+        keeps=KEPT,
+    )
+
+
 TWO_TIMES = cases.motions(cases.swing, 100, 2, "two times, many periods apart")
 SMALL_SWING = cases.motions(cases.small, 40, 2, "a small swing, two times many periods apart")
 STEPS = "A fixed number of steps, or a fixed step, does not do for every pendulum."
 LINEAR = "No swing is so small that sin theta is theta: the difference adds up."
-simulate_needs_no_dense_times = (
-    simulate_swings.then("simulate: the same at a few times, whatever was asked before.", points=0.25, part="a")
-    .follows(reference.simulate, cases.few_times, tolerance=TRAJECTORY, hint=STEPS)
-    .also.follows(reference.simulate, TWO_TIMES, tolerance=FAR, hint=STEPS)
-    .also.follows(reference.simulate, SMALL_SWING, tolerance=TRAJECTORY, hint=LINEAR, loose_tolerance_credit=False)
+
+
+@check(
+    "simulate", points=0.25, part="a", after=simulate_swings, line="the same at a few times, whatever was asked before."
 )
-simulate_turns_over_the_top = simulate_swings.then(
-    "simulate: a pendulum that turns round and round; theta goes on growing.", points=0.25, part="a"
-).follows(reference.simulate, cases.over_the_top, tolerance=TRAJECTORY, hint="Is alpha right at every angle?")
-simulate_without_gravity = simulate_swings.then(
-    "simulate: without gravity it turns uniformly.", points=0.25, part="a"
-).follows(reference.simulate, cases.weightless, tolerance=TRAJECTORY, hint="Is anything divided by gravity?")
+def simulate_needs_no_dense_times(student, rng):
+    compare_trajectory(student.simulate, reference.simulate, cases.few_times(rng), tolerance=TRAJECTORY, hint=STEPS)
+    compare_trajectory(student.simulate, reference.simulate, TWO_TIMES(rng), tolerance=FAR, hint=STEPS)
+    compare_trajectory(
+        student.simulate,
+        reference.simulate,
+        SMALL_SWING(rng),
+        tolerance=TRAJECTORY,
+        hint=LINEAR,
+        loose_tolerance_credit=False,
+    )
+
+
+@check(
+    "simulate",
+    points=0.25,
+    part="a",
+    after=simulate_swings,
+    line="a pendulum that turns round and round; theta goes on growing.",
+)
+def simulate_turns_over_the_top(student, rng):
+    compare_trajectory(
+        student.simulate,
+        reference.simulate,
+        cases.over_the_top(rng),
+        tolerance=TRAJECTORY,
+        hint="Is alpha right at every angle?",
+    )
+
+
+@check("simulate", points=0.25, part="a", after=simulate_swings, line="without gravity it turns uniformly.")
+def simulate_without_gravity(student, rng):
+    compare_trajectory(
+        student.simulate,
+        reference.simulate,
+        cases.weightless(rng),
+        tolerance=TRAJECTORY,
+        hint="Is anything divided by gravity?",
+    )
+
+
 MANY = cases.motions(cases.swing, 180, 300, "many periods")
 LOSSES = {1e-4: 0.6, 1e-2: 0.3}
 FIXED = "Tighten rtol and atol; a step of fixed length does not do for every duration."
-simulate_keeps_the_energy = simulate_swings.then(
-    "simulate: the energy stays what it was over many periods.", points=0.25, part="a"
-).keeps(KEPT, reference=reference.simulate, cases=MANY, coarsely=COARSELY, partial=LOSSES, hint=FIXED)
+
+
+@check("simulate", points=0.25, part="a", after=simulate_swings, line="the energy stays what it was over many periods.")
+def simulate_keeps_the_energy(student, rng):
+    check_conserved(
+        student.simulate, reference.simulate, MANY(rng), KEPT, coarsely=COARSELY, partial=LOSSES, hint=FIXED
+    )
 
 
 ASSIGNMENT = Assignment(

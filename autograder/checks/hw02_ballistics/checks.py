@@ -5,7 +5,18 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import Assignment, Column, Failed, absolute, by_kind, check, expect_that, law
+from tam570_grader import (
+    Assignment,
+    Column,
+    Failed,
+    absolute,
+    by_kind,
+    check,
+    compare,
+    compare_columns,
+    compare_trajectory,
+    expect_that,
+)
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.plots import curves_seen, judge_axes_of_lengths, path_drawn
 from tam570_grader.checks.returns import array, drawing, free_body_diagram, number, rows
@@ -63,93 +74,284 @@ COLUMNS = ("x", "m", PLACE), ("y", "m", PLACE), ("vx", "m/s", VELOCITY), ("vy", 
 MOTION = [Column(quantity, unit, [place], scale=scale) for place, (quantity, unit, scale) in enumerate(COLUMNS)]
 
 
-@check(points=0.5, part="a")
+@check("free_body_diagram", points=0.5, part="a", line="every force on the particle, where it acts and along what.")
 def forces_on_the_particle(student, rng):
-    """free_body_diagram: every force on the particle, where it acts and along what."""
     compare_diagrams(student.free_body_diagram, reference, cases.without_time(rng))
 
 
 SIMULATION = {"tolerance": SIMULATED, "restart": lambda row: (row, None)}
 FORCES = "Draw the two forces on the particle: which way does each point when it falls?"
-rates_are_newtons = law(
-    "state_derivative is the velocity and (weight + drag)/mass, for velocities in any direction.", points=0.75, part="a"
-).agrees(reference.state_derivative, cases.states, tolerance=FORMULA, hint=by_kind(HINTS, FORCES))
+
+
+@check(
+    "state_derivative",
+    points=0.75,
+    part="a",
+    line="state_derivative is the velocity and (weight + drag)/mass, for velocities in any direction.",
+)
+def rates_are_newtons(student, rng):
+    compare(
+        student.state_derivative,
+        reference.state_derivative,
+        cases.states(rng),
+        tolerance=FORMULA,
+        hint=by_kind(HINTS, FORCES),
+    )
+
+
 NO_DIVISION = "Do you divide by drag or gravity?"
-rates_without_drag_or_gravity = rates_are_newtons.then(
-    "state_derivative holds where drag or gravity, or both, are zero.", points=0.25, part="a"
-).agrees(reference.state_derivative, cases.states_without, tolerance=FORMULA, hint=NO_DIVISION)
+
+
+@check(
+    "state_derivative",
+    points=0.25,
+    part="a",
+    after=rates_are_newtons,
+    line="state_derivative holds where drag or gravity, or both, are zero.",
+)
+def rates_without_drag_or_gravity(student, rng):
+    compare(
+        student.state_derivative,
+        reference.state_derivative,
+        cases.states_without(rng),
+        tolerance=FORMULA,
+        hint=NO_DIVISION,
+    )
+
+
 NO_GROUND = "Is your state_derivative right? There is no ground: the path goes on below y = 0."
-simulation_follows_the_motion = law(
-    "simulate gives the states at uneven times, launched at t[0], whatever t[0] is.", points=0.75, part="d"
-).follows(reference.simulate, cases.flights, hint=NO_GROUND, **SIMULATION)
-simulation_without_drag_or_gravity = simulation_follows_the_motion.then(
-    "simulate goes straight without gravity, a parabola without drag, whatever was asked before.", points=0.5, part="d"
-).follows(reference.simulate, cases.flights_without, hint=by_kind(HINTS, NO_DIVISION), **SIMULATION)
+
+
+@check(
+    "simulate",
+    points=0.75,
+    part="d",
+    line="simulate gives the states at uneven times, launched at t[0], whatever t[0] is.",
+)
+def simulation_follows_the_motion(student, rng):
+    compare_trajectory(student.simulate, reference.simulate, cases.flights(rng), hint=NO_GROUND, **SIMULATION)
+
+
+@check(
+    "simulate",
+    points=0.5,
+    part="d",
+    after=simulation_follows_the_motion,
+    line="simulate goes straight without gravity, a parabola without drag, whatever was asked before.",
+)
+def simulation_without_drag_or_gravity(student, rng):
+    compare_trajectory(
+        student.simulate, reference.simulate, cases.flights_without(rng), hint=by_kind(HINTS, NO_DIVISION), **SIMULATION
+    )
+
+
 LINEAR = "The equations of vx and vy are linear, of first order and apart; then x and y."
-trajectory_is_the_motion = law("trajectory gives the states in closed form.", points=0.75, part="c").agrees_by_columns(
-    reference.trajectory, cases.flights_from_zero, tolerance=CLOSED, hint=by_kind(HINTS, LINEAR)
+
+
+@check("trajectory", points=0.75, part="c", line="trajectory gives the states in closed form.")
+def trajectory_is_the_motion(student, rng):
+    compare_columns(
+        student.trajectory,
+        reference.trajectory,
+        cases.flights_from_zero(rng),
+        tolerance=CLOSED,
+        hint=by_kind(HINTS, LINEAR),
+    )
+
+
+@check(
+    "trajectory",
+    points=0.25,
+    part="c",
+    after=trajectory_is_the_motion,
+    line="trajectory is launched at t = 0, at whatever times: later ones, a single one, backwards.",
 )
-trajectory_counts_time_from_the_launch = trajectory_is_the_motion.then(
-    "trajectory is launched at t = 0, at whatever times: later ones, a single one, backwards.", points=0.25, part="c"
-).agrees_by_columns(
-    reference.trajectory,
-    cases.late_flights,
-    tolerance=CLOSED,
-    hint="The launch is at t = 0, and row i is the state at t[i].",
-)
+def trajectory_counts_time_from_the_launch(student, rng):
+    compare_columns(
+        student.trajectory,
+        reference.trajectory,
+        cases.late_flights(rng),
+        tolerance=CLOSED,
+        hint="The launch is at t = 0, and row i is the state at t[i].",
+    )
+
+
 EXPM1 = "1 - e^-s is a difference of nearly equal numbers (see numpy.expm1); so is y."
-trajectory_with_any_drag = trajectory_is_the_motion.then(
-    "trajectory keeps its digits at drag 1e-12, at none, and long after e^(-c t/m) is nothing.", points=0.75, part="c"
-).agrees_by_columns(reference.trajectory, cases.flights_with_any_drag, tolerance=CLOSED, hint=by_kind(HINTS, EXPM1))
-flight_ends_at_launch_height = law("flight_time is when y is zero again.", points=0.75, part="c").agrees(
-    reference.flight_time,
-    cases.landings,
-    tolerance=ROOT,
-    hint="Put the time into the y of your closed form: is it zero?",
+
+
+@check(
+    "trajectory",
+    points=0.75,
+    part="c",
+    after=trajectory_is_the_motion,
+    line="trajectory keeps its digits at drag 1e-12, at none, and long after e^(-c t/m) is nothing.",
 )
+def trajectory_with_any_drag(student, rng):
+    compare_columns(
+        student.trajectory,
+        reference.trajectory,
+        cases.flights_with_any_drag(rng),
+        tolerance=CLOSED,
+        hint=by_kind(HINTS, EXPM1),
+    )
+
+
+@check("flight_time", points=0.75, part="c", line="flight_time is when y is zero again.")
+def flight_ends_at_launch_height(student, rng):
+    compare(
+        student.flight_time,
+        reference.flight_time,
+        cases.landings(rng),
+        tolerance=ROOT,
+        hint="Put the time into the y of your closed form: is it zero?",
+    )
+
+
 BRANCH_POINT = (
     "Very little drag is not none. Near its branch point Lambert's W loses digits; a Newton step restores them."
 )
-flight_time_with_hardly_any_drag = flight_ends_at_launch_height.then(
-    "flight_time goes over into 2 v sin(angle)/g without losing its digits.", points=0.5, part="c"
-).agrees(reference.flight_time, cases.landings_of_little_drag, tolerance=ROOT, hint=BRANCH_POINT)
+
+
+@check(
+    "flight_time",
+    points=0.5,
+    part="c",
+    after=flight_ends_at_launch_height,
+    line="flight_time goes over into 2 v sin(angle)/g without losing its digits.",
+)
+def flight_time_with_hardly_any_drag(student, rng):
+    compare(
+        student.flight_time,
+        reference.flight_time,
+        cases.landings_of_little_drag(rng),
+        tolerance=ROOT,
+        hint=BRANCH_POINT,
+    )
+
+
 SHORT = by_kind(HINTS, "Does a search for the root step over a flight that is short, or end at t = 0?")
-flight_time_with_great_drag_and_straight_up = flight_ends_at_launch_height.then(
-    "flight_time holds straight up, nearly flat, at drag a thousand times the weight.", points=0.25, part="c"
-).agrees(reference.flight_time, cases.flat_landings, cases.landings_of_great_drag, tolerance=ROOT, hint=SHORT)
-range_is_where_it_lands = law("horizontal_range is x at the flight time.", points=0.5, part="c").agrees(
-    reference.horizontal_range,
-    cases.landings,
-    tolerance=ROOT,
-    hint="Put the flight time into the x of your closed form.",
+
+
+@check(
+    "flight_time",
+    points=0.25,
+    part="c",
+    after=flight_ends_at_launch_height,
+    line="flight_time holds straight up, nearly flat, at drag a thousand times the weight.",
 )
+def flight_time_with_great_drag_and_straight_up(student, rng):
+    compare(
+        student.flight_time,
+        reference.flight_time,
+        [*cases.flat_landings(rng), *cases.landings_of_great_drag(rng)],
+        tolerance=ROOT,
+        hint=SHORT,
+    )
+
+
+@check("horizontal_range", points=0.5, part="c", line="horizontal_range is x at the flight time.")
+def range_is_where_it_lands(student, rng):
+    compare(
+        student.horizontal_range,
+        reference.horizontal_range,
+        cases.landings(rng),
+        tolerance=ROOT,
+        hint="Put the flight time into the x of your closed form.",
+    )
+
+
 DIGITS = by_kind(HINTS, "Very little drag is not none: is it the time or x that has lost its digits?")
-range_with_hardly_any_drag = range_is_where_it_lands.then(
-    "horizontal_range becomes v^2 sin(2 angle)/g, no digits lost; it holds with great drag, too.", points=0.5, part="c"
-).agrees(
-    reference.horizontal_range, cases.landings_of_little_drag, cases.landings_of_great_drag, tolerance=ROOT, hint=DIGITS
+
+
+@check(
+    "horizontal_range",
+    points=0.5,
+    part="c",
+    after=range_is_where_it_lands,
+    line="horizontal_range becomes v^2 sin(2 angle)/g, no digits lost; it holds with great drag, too.",
 )
+def range_with_hardly_any_drag(student, rng):
+    compare(
+        student.horizontal_range,
+        reference.horizontal_range,
+        [*cases.landings_of_little_drag(rng), *cases.landings_of_great_drag(rng)],
+        tolerance=ROOT,
+        hint=DIGITS,
+    )
+
+
 FLAT = "Does horizontal_range pass? Near its largest it is flat, and a search stops early: set its derivative to zero."
-best_angle_has_the_largest_range = law(
-    "best_angle maximises the range, for speeds below and above the terminal speed.", points=0.75, part="a"
-).agrees(reference.best_angle, cases.usual_speeds, tolerance=ANGLE, partial=SEARCHED, hint=FLAT)
+
+
+@check(
+    "best_angle",
+    points=0.75,
+    part="a",
+    line="best_angle maximises the range, for speeds below and above the terminal speed.",
+)
+def best_angle_has_the_largest_range(student, rng):
+    compare(
+        student.best_angle, reference.best_angle, cases.usual_speeds(rng), tolerance=ANGLE, partial=SEARCHED, hint=FLAT
+    )
+
+
 STILL = by_kind(HINTS, "Does your equation for the angle still hold when drag is zero?")
-best_angle_is_45_degrees_without_drag = best_angle_has_the_largest_range.then(
-    "best_angle is 45 degrees at no drag, and leaves them as the drag grows beside the weight.", points=0.25, part="a"
-).agrees(reference.best_angle, cases.slow_speeds, tolerance=ANGLE, partial=SEARCHED, hint=STILL)
+
+
+@check(
+    "best_angle",
+    points=0.25,
+    part="a",
+    after=best_angle_has_the_largest_range,
+    line="best_angle is 45 degrees at no drag, and leaves them as the drag grows beside the weight.",
+)
+def best_angle_is_45_degrees_without_drag(student, rng):
+    compare(
+        student.best_angle, reference.best_angle, cases.slow_speeds(rng), tolerance=ANGLE, partial=SEARCHED, hint=STILL
+    )
+
+
 VERY_FLAT = "The largest range is very flat there: solve for where its derivative vanishes, on a logarithmic scale."
-best_angle_at_a_huge_speed = best_angle_has_the_largest_range.then(
-    "best_angle goes to zero as the speed grows, and stays good to 1 % of itself.", points=0.5, part="a"
-).agrees(reference.best_angle, cases.huge_speeds, tolerance=SWIFT, scale=lambda _, angle: angle, hint=VERY_FLAT)
+
+
+@check(
+    "best_angle",
+    points=0.5,
+    part="a",
+    after=best_angle_has_the_largest_range,
+    line="best_angle goes to zero as the speed grows, and stays good to 1 % of itself.",
+)
+def best_angle_at_a_huge_speed(student, rng):
+    compare(
+        student.best_angle,
+        reference.best_angle,
+        cases.huge_speeds(rng),
+        tolerance=SWIFT,
+        scale=lambda _, angle: angle,
+        hint=VERY_FLAT,
+    )
+
+
 CORNERS = "Plot your closed form at 10, 100 and 1000 times the terminal speed; launch and landing are corners, too."
-path_at_a_huge_speed_has_the_limit_shape = law(
-    "limit_shape has the corners that a path has at a speed of 1e12 terminal speeds.", points=1, part="b"
-).agrees(reference.limit_shape, cases.angles, tolerance=CORNER, hint=CORNERS)
 
 
-@check(points=0.5, part="e")
+@check(
+    "limit_shape",
+    points=1,
+    part="b",
+    line="limit_shape has the corners that a path has at a speed of 1e12 terminal speeds.",
+)
+def path_at_a_huge_speed_has_the_limit_shape(student, rng):
+    compare(student.limit_shape, reference.limit_shape, cases.angles(rng), tolerance=CORNER, hint=CORNERS)
+
+
+@check(
+    "plot_comparison",
+    points=0.5,
+    part="e",
+    line="plot_comparison draws both paths from t[0] to t[-1] on the same axes, at the same scale.",
+)
 def both_paths_are_drawn(student, rng):
-    """plot_comparison draws both paths from t[0] to t[-1] on the same axes, at the same scale."""
     case = cases.picture(rng)
     t, *start = case.args
     path = reference.trajectory(np.linspace(0.0, t[-1], FINE), *start, **case.kwargs)[:, :2]

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tam570_grader import Assignment, Case, array, check, check_raises, fail, group, law
+from tam570_grader import Assignment, Case, array, check, check_domain, check_raises, compare, fail, group
 
 from . import cases, reference, special
 
@@ -51,65 +51,163 @@ def left_over(case, found, expected):
     return "It is rate less moment: do both pass, and what is left of it on paper?"
 
 
-moment_is_about_C = law("moment: of the total force on P, about C.", points=1, part="a").agrees(
-    reference.moment, cases.moments, tolerance=POINTWISE, hint=ARM
+@check("moment", points=1, part="a", line="of the total force on P, about C.")
+def moment_is_about_C(student, rng):
+    compare(student.moment, reference.moment, cases.moments(rng), tolerance=POINTWISE, hint=ARM)
+
+
+@check(
+    "angular_momentum",
+    points=1,
+    part="a",
+    line="angular_momentum by definitions a and b: the lever arm from C, the velocity as F sees it.",
 )
-momentum_with_the_velocity_in_F = law(
-    "angular_momentum by definitions a and b: the lever arm from C, the velocity as F sees it.", points=1, part="a"
-).agrees(reference.angular_momentum, cases.momenta("ab"), tolerance=POINTWISE, hint=SAME)
-momentum_with_the_velocity_relative_to_C = law(
-    "angular_momentum by definition c: the velocity as one sees it who moves along with C.", points=0.75, part="a"
-).agrees(reference.angular_momentum, cases.momenta("c"), tolerance=POINTWISE, hint="Whose velocity, seen from where?")
+def momentum_with_the_velocity_in_F(student, rng):
+    compare(
+        student.angular_momentum, reference.angular_momentum, cases.momenta("ab")(rng), tolerance=POINTWISE, hint=SAME
+    )
+
+
+@check(
+    "angular_momentum",
+    points=0.75,
+    part="a",
+    line="angular_momentum by definition c: the velocity as one sees it who moves along with C.",
+)
+def momentum_with_the_velocity_relative_to_C(student, rng):
+    compare(
+        student.angular_momentum,
+        reference.angular_momentum,
+        cases.momenta("c")(rng),
+        tolerance=POINTWISE,
+        hint="Whose velocity, seen from where?",
+    )
+
+
 BOTH_MOMENTA = momentum_with_the_velocity_in_F, momentum_with_the_velocity_relative_to_C
-momentum_refuses_other_definitions = law(
-    "angular_momentum raises ValueError for another definition.", points=0.25, part="a", after=BOTH_MOMENTA
-).refuses(reference.angular_momentum, cases.letters(cases.momenta("b")), tolerance=POINTWISE, hint=LETTERS)
-rate_about_a_fixed_point = law(
-    "rate by definition a: the derivative while C' stays where it is.", points=0.5, part="a"
-).agrees(reference.rate, cases.rates("a"), tolerance=POINTWISE, hint=by_difference(FIXED))
-rate_with_the_velocity_in_F = law(
-    "rate by definition b: the derivative of its angular momentum along any motion of P and C.", points=1, part="a"
-).agrees(reference.rate, cases.rates("b"), tolerance=POINTWISE, hint=PRODUCT)
-rate_with_the_velocity_relative_to_C = law(
-    "rate by definition c: the derivative of its angular momentum along any motion of P and C.", points=0.75, part="a"
-).agrees(reference.rate, cases.rates("c"), tolerance=POINTWISE, hint=PRODUCT)
+
+
+@check(
+    "angular_momentum",
+    points=0.25,
+    part="a",
+    after=BOTH_MOMENTA,
+    line="angular_momentum raises ValueError for another definition.",
+)
+def momentum_refuses_other_definitions(student, rng):
+    check_domain(
+        student.angular_momentum,
+        reference.angular_momentum,
+        cases.letters(cases.momenta("b"))(rng),
+        tolerance=POINTWISE,
+        hint=LETTERS,
+    )
+
+
+@check("rate", points=0.5, part="a", line="rate by definition a: the derivative while C' stays where it is.")
+def rate_about_a_fixed_point(student, rng):
+    compare(student.rate, reference.rate, cases.rates("a")(rng), tolerance=POINTWISE, hint=by_difference(FIXED))
+
+
+@check(
+    "rate",
+    points=1,
+    part="a",
+    line="rate by definition b: the derivative of its angular momentum along any motion of P and C.",
+)
+def rate_with_the_velocity_in_F(student, rng):
+    compare(student.rate, reference.rate, cases.rates("b")(rng), tolerance=POINTWISE, hint=PRODUCT)
+
+
+@check(
+    "rate",
+    points=0.75,
+    part="a",
+    line="rate by definition c: the derivative of its angular momentum along any motion of P and C.",
+)
+def rate_with_the_velocity_relative_to_C(student, rng):
+    compare(student.rate, reference.rate, cases.rates("c")(rng), tolerance=POINTWISE, hint=PRODUCT)
+
+
 BOTH_RATES = rate_about_a_fixed_point, rate_with_the_velocity_in_F
-rate_refuses_other_definitions = law(
-    "rate raises ValueError for another definition.", points=0.25, part="a", after=BOTH_RATES
-).refuses(reference.rate, cases.letters(cases.rates("b")), tolerance=POINTWISE, hint=LETTERS)
-discrepancy_with_the_velocity_in_F = law(
-    "discrepancy by definition b: its rate less the moment.", points=0.5, part="a"
-).agrees(reference.discrepancy, cases.rates("b"), tolerance=POINTWISE, hint=left_over)
-discrepancy_with_the_velocity_relative_to_C = law(
-    "discrepancy by definition c: its rate less the moment.", points=0.5, part="a"
-).agrees(reference.discrepancy, cases.rates("c"), tolerance=POINTWISE, hint=left_over)
-no_discrepancy_about_a_fixed_point = discrepancy_with_the_velocity_in_F.then(
-    "discrepancy by definition a.", points=0.25, part="a"
-).agrees(reference.discrepancy, cases.rates("a"), tolerance=POINTWISE, hint=FIXED)
-discrepancy_refuses_other_definitions = discrepancy_with_the_velocity_in_F.then(
-    "discrepancy raises ValueError for another definition.", points=0.25, part="a"
-).refuses(reference.discrepancy, cases.letters(cases.rates("b")), tolerance=POINTWISE, hint=LETTERS)
 
 
-def motion_of(definition, other, points):
-    """The check of one special motion: it must have no flaw; if it has none in another order, the student is told."""
-
-    def judge(student, rng):
-        p, c = student.special_motion(definition)
-        for message, hint in special.flaws(definition, p, c):
-            fail(message, hint=special.order_hint(definition, p, c) or hint)
-
-    holds = f"for which definition {definition} holds at every t, and {other} does not."
-    judge.__doc__ = f"special_motion of {definition}: a motion in which C accelerates, {holds}"
-    return check(points=points, part="a")(judge)
+@check("rate", points=0.25, part="a", after=BOTH_RATES, line="rate raises ValueError for another definition.")
+def rate_refuses_other_definitions(student, rng):
+    check_domain(student.rate, reference.rate, cases.letters(cases.rates("b"))(rng), tolerance=POINTWISE, hint=LETTERS)
 
 
-special_motion_of_b, special_motion_of_c = motion_of("b", "c", 1.5), motion_of("c", "b", 1.25)
+@check("discrepancy", points=0.5, part="a", line="discrepancy by definition b: its rate less the moment.")
+def discrepancy_with_the_velocity_in_F(student, rng):
+    compare(student.discrepancy, reference.discrepancy, cases.rates("b")(rng), tolerance=POINTWISE, hint=left_over)
 
 
-@check(points=0.25, part="a", after=(special_motion_of_b, special_motion_of_c))
+@check("discrepancy", points=0.5, part="a", line="discrepancy by definition c: its rate less the moment.")
+def discrepancy_with_the_velocity_relative_to_C(student, rng):
+    compare(student.discrepancy, reference.discrepancy, cases.rates("c")(rng), tolerance=POINTWISE, hint=left_over)
+
+
+@check(
+    "discrepancy", points=0.25, part="a", after=discrepancy_with_the_velocity_in_F, line="discrepancy by definition a."
+)
+def no_discrepancy_about_a_fixed_point(student, rng):
+    compare(student.discrepancy, reference.discrepancy, cases.rates("a")(rng), tolerance=POINTWISE, hint=FIXED)
+
+
+@check(
+    "discrepancy",
+    points=0.25,
+    part="a",
+    after=discrepancy_with_the_velocity_in_F,
+    line="discrepancy raises ValueError for another definition.",
+)
+def discrepancy_refuses_other_definitions(student, rng):
+    check_domain(
+        student.discrepancy,
+        reference.discrepancy,
+        cases.letters(cases.rates("b"))(rng),
+        tolerance=POINTWISE,
+        hint=LETTERS,
+    )
+
+
+def judge_motion(special_motion, definition):
+    """Fail for each flaw of a special motion; if it has none in another order, the hint says so."""
+    p, c = special_motion(definition)
+    for message, hint in special.flaws(definition, p, c):
+        fail(message, hint=special.order_hint(definition, p, c) or hint)
+
+
+@check(
+    "special_motion",
+    points=1.5,
+    part="a",
+    line="special_motion of b: a motion in which C accelerates, "
+    "for which definition b holds at every t, and c does not.",
+)
+def special_motion_of_b(student, rng):
+    judge_motion(student.special_motion, "b")
+
+
+@check(
+    "special_motion",
+    points=1.25,
+    part="a",
+    line="special_motion of c: a motion in which C accelerates, "
+    "for which definition c holds at every t, and b does not.",
+)
+def special_motion_of_c(student, rng):
+    judge_motion(student.special_motion, "c")
+
+
+@check(
+    "special_motion",
+    points=0.25,
+    part="a",
+    after=(special_motion_of_b, special_motion_of_c),
+    line="special_motion raises ValueError for another definition.",
+)
 def special_motion_refuses_other_definitions(student, rng):
-    """special_motion raises ValueError for another definition."""
     calls = [Case(name).labelled(f'the definition "{name}"') for name in ("d", "bc", "", "a", *cases.LETTERS_ALIKE)]
     check_raises(student.special_motion, calls, hint='Raise ValueError for anything but "b" and "c".')
 

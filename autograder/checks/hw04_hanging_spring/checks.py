@@ -2,7 +2,20 @@
 
 import numpy as np
 
-from tam570_grader import Assignment, Column, Invariant, absolute, by_kind, check, expect, expect_that, law
+from tam570_grader import (
+    Assignment,
+    Column,
+    Invariant,
+    absolute,
+    by_kind,
+    check,
+    check_conserved,
+    compare,
+    compare_columns,
+    compare_trajectory,
+    expect,
+    expect_that,
+)
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.plots import curves_seen, judge_axes_of_lengths, path_drawn
 from tam570_grader.checks.returns import array, drawing, free_body_diagram, group, number, rows
@@ -42,48 +55,113 @@ MOTION = Column("the position", "m", [0, 1, 2], scale=length), Column("the veloc
 KEPT = Invariant("the energy", "of its start", reference.energies, None, ENERGY)
 
 
-@check(points=0.5, part="a")
+@check("free_body_diagram", points=0.5, part="a", line="every force on the mass, where it acts and along what.")
 def forces_on_the_mass(student, rng):
-    """free_body_diagram: every force on the mass, where it acts and along what."""
     compare_diagrams(student.free_body_diagram, reference, cases.states(rng))
 
 
 BELOW = "Which two forces act on the mass, and which way, when it is below the origin?"
-derivative_is_velocity_and_force_over_mass = law(
-    "state_derivative: the velocity, and the acceleration by the spring and the weight.", points=1.5, part="a"
-).agrees(reference.state_derivative, cases.states_at_times, tolerance=POINTWISE, hint=BELOW)
-energy_is_that_of_motion_spring_and_weight = law(
-    "energy: kinetic, of the spring, of the weight; zero at rest at the origin.", points=1, part="a"
-).agrees(reference.energy, cases.states, tolerance=POINTWISE, hint="Three terms: speed, stretch, height.")
+
+
+@check(
+    "state_derivative", points=1.5, part="a", line="the velocity, and the acceleration by the spring and the weight."
+)
+def derivative_is_velocity_and_force_over_mass(student, rng):
+    compare(
+        student.state_derivative,
+        reference.state_derivative,
+        cases.states_at_times(rng),
+        tolerance=POINTWISE,
+        hint=BELOW,
+    )
+
+
+@check("energy", points=1, part="a", line="kinetic, of the spring, of the weight; zero at rest at the origin.")
+def energy_is_that_of_motion_spring_and_weight(student, rng):
+    compare(
+        student.energy,
+        reference.energy,
+        cases.states(rng),
+        tolerance=POINTWISE,
+        hint="Three terms: speed, stretch, height.",
+    )
+
+
 WHERE = "About which point does it oscillate, and how fast? The velocities are the rates of the positions."
-solution_is_the_motion = law(
-    "solution: position and velocity in closed form, given those at t = 0.", points=1.25, part="a"
-).agrees_by_columns(reference.solution, cases.with_gravity, tolerance=POINTWISE, hint=WHERE)
+
+
+@check("solution", points=1.25, part="a", line="position and velocity in closed form, given those at t = 0.")
+def solution_is_the_motion(student, rng):
+    compare_columns(student.solution, reference.solution, cases.with_gravity(rng), tolerance=POINTWISE, hint=WHERE)
+
+
 BEFORE = {"before": "Is anything kept between calls?"}
 AT_ZERO = by_kind(
     {"gravity": "Do you divide by gravity?"} | BEFORE, "Row i is the state at t[i], the given one that at t = 0."
 )
 ON_IT = by_kind(BEFORE, "Do r and v/sqrt(k/m) lie on your ellipse, as seen from its centre?")
-solution_holds_without_gravity_and_from_any_time = solution_is_the_motion.then(
-    "solution: without gravity too, and at times of which none is zero.", points=0.5, part="a"
-).agrees_by_columns(reference.solution, cases.from_any_time, tolerance=POINTWISE, hint=AT_ZERO)
+
+
+@check(
+    "solution",
+    points=0.5,
+    part="a",
+    after=solution_is_the_motion,
+    line="without gravity too, and at times of which none is zero.",
+)
+def solution_holds_without_gravity_and_from_any_time(student, rng):
+    compare_columns(student.solution, reference.solution, cases.from_any_time(rng), tolerance=POINTWISE, hint=AT_ZERO)
+
+
 AT_THE_FIRST = "Does state_derivative pass? Row i is the state at t[i], the given one that at t[0]."
-simulate_moves_as_it_must = law(
-    "simulate: the state at few and uneven times, the first of which is not 0.", points=0.75, part="a"
-).follows(reference.simulate, cases.moving, tolerance=TRAJECTORY, hint=AT_THE_FIRST, keeps=KEPT)
+
+
+@check("simulate", points=0.75, part="a", line="the state at few and uneven times, the first of which is not 0.")
+def simulate_moves_as_it_must(student, rng):
+    compare_trajectory(
+        student.simulate, reference.simulate, cases.moving(rng), tolerance=TRAJECTORY, hint=AT_THE_FIRST, keeps=KEPT
+    )
+
+
 STEPS = "Steps between the times must be as short as the motion asks for."
 FIXED = "A step of fixed length does not do for every spring."
-simulate_does_not_depend_on_the_sampling = (
-    simulate_moves_as_it_must.then(
-        "simulate: the same with only two times, many periods apart, whatever was asked before.", points=0.5, part="a"
-    )
-    .follows(reference.simulate, cases.far_apart, tolerance=3 * TRAJECTORY, hint=STEPS)
-    .also.follows(reference.simulate, cases.at_two_times, cases.alike, tolerance=TRAJECTORY, hint=AT_THE_FIRST)
-    .also.follows(reference.simulate, cases.stiff, tolerance=TRAJECTORY, hint=FIXED)
+
+
+@check(
+    "simulate",
+    points=0.5,
+    part="a",
+    after=simulate_moves_as_it_must,
+    line="the same with only two times, many periods apart, whatever was asked before.",
 )
-energy_stays = simulate_moves_as_it_must.then(
-    "simulate: after ten periods the energy has its first value.", points=0.5, part="a"
-).keeps(KEPT, reference=reference.simulate, cases=cases.ten_periods, coarsely=COARSELY, partial={1e-3: 0.6, 1e-2: 0.3})
+def simulate_does_not_depend_on_the_sampling(student, rng):
+    compare_trajectory(student.simulate, reference.simulate, cases.far_apart(rng), tolerance=3 * TRAJECTORY, hint=STEPS)
+    compare_trajectory(
+        student.simulate,
+        reference.simulate,
+        [*cases.at_two_times(rng), *cases.alike(rng)],
+        tolerance=TRAJECTORY,
+        hint=AT_THE_FIRST,
+    )
+    compare_trajectory(student.simulate, reference.simulate, cases.stiff(rng), tolerance=TRAJECTORY, hint=FIXED)
+
+
+@check(
+    "simulate",
+    points=0.5,
+    part="a",
+    after=simulate_moves_as_it_must,
+    line="after ten periods the energy has its first value.",
+)
+def energy_stays(student, rng):
+    check_conserved(
+        student.simulate,
+        reference.simulate,
+        cases.ten_periods(rng),
+        KEPT,
+        coarsely=COARSELY,
+        partial={1e-3: 0.6, 1e-2: 0.3},
+    )
 
 
 # The ellipse
@@ -94,9 +172,9 @@ def where_it_rests(case, found, expected):
     return "It is above the origin." if above else "Where do spring and weight balance?"
 
 
-orbit_has_its_centre_at_the_equilibrium = law(
-    "orbit: the centre is where the mass can rest.", points=0.5, part="c"
-).agrees(reference.orbit, cases.orbits, tolerance=POINTWISE, only=0, hint=where_it_rests)
+@check("orbit", points=0.5, part="c", line="the centre is where the mass can rest.")
+def orbit_has_its_centre_at_the_equilibrium(student, rng):
+    compare(student.orbit, reference.orbit, cases.orbits(rng), tolerance=POINTWISE, only=0, hint=where_it_rests)
 
 
 def judge_axes(orbit, calls):
@@ -120,23 +198,44 @@ def judge_axes(orbit, calls):
         expect_that(a @ a >= b @ b - RIGHT_ANGLE * square, "the larger axis is not the first")
 
 
-orbit_is_the_ellipse_of_the_motion = law(
-    "orbit: the semi-axes, perpendicular, the larger first.", points=1, part="c"
-).judged(judge_axes, "orbit", cases.orbits)
-orbit_may_be_a_line_or_a_point = orbit_is_the_ellipse_of_the_motion.then(
-    "orbit: an ellipse with one axis or both zero.", points=0.5, part="c"
-).judged(judge_axes, "orbit", cases.flat)
+@check("orbit", points=1, part="c", line="the semi-axes, perpendicular, the larger first.")
+def orbit_is_the_ellipse_of_the_motion(student, rng):
+    judge_axes(student.orbit, cases.orbits(rng))
+
+
+@check(
+    "orbit",
+    points=0.5,
+    part="c",
+    after=orbit_is_the_ellipse_of_the_motion,
+    line="an ellipse with one axis or both zero.",
+)
+def orbit_may_be_a_line_or_a_point(student, rng):
+    judge_axes(student.orbit, cases.flat(rng))
+
 
 # The picture
 
-projection_is_orthographic = law("project: what an eye far away sees, right and up.", points=1, part="a").agrees(
-    reference.project, cases.views, tolerance=POINTWISE, hint="Try one axis at a time: where does (0, 0, 1) go?"
+
+@check("project", points=1, part="a", line="what an eye far away sees, right and up.")
+def projection_is_orthographic(student, rng):
+    compare(
+        student.project,
+        reference.project,
+        cases.views(rng),
+        tolerance=POINTWISE,
+        hint="Try one axis at a time: where does (0, 0, 1) go?",
+    )
+
+
+@check(
+    "plot_projection",
+    points=0.5,
+    part="a",
+    after=projection_is_orthographic,
+    line="plot_projection draws the projected path from t[0] to t[-1], with labels and equal scales.",
 )
-
-
-@check(points=0.5, part="a", after=projection_is_orthographic)
 def the_path_is_drawn(student, rng):
-    """plot_projection draws the projected path from t[0] to t[-1], with labels and equal scales."""
     case = cases.drawn(rng)
     t, r, v, *view = case.args
     places = reference.simulate(t, r, v, **case.kwargs)[:, :3]

@@ -9,9 +9,11 @@ from tam570_grader import (
     absolute,
     array,
     check,
+    check_conserved,
+    check_domain,
+    compare,
     compare_trajectory,
     expect,
-    law,
     number,
     rows,
 )
@@ -59,9 +61,8 @@ MOTION = (
 KEPT = Invariant("the energy", "of m g l", reference.energies, absolute, ENERGY)
 
 
-@check(points=0.5, part="a")
+@check("free_body_diagram", points=0.5, part="a", line="every force on the particle, where it acts and along what.")
 def forces_on_the_particle(student, rng):
-    """free_body_diagram: every force on the particle, where it acts and along what."""
     compare_diagrams(student.free_body_diagram, reference, cases.states(rng))
 
 
@@ -71,37 +72,101 @@ def of_mending(case, found, expected):
 
 
 TWICE = "Differentiate x^2 + y^2 = l^2 twice: which unknown does F = m a leave?"
-force_keeps_the_particle_on_the_circle = law(
-    "constraint_force: radial, and such that F = m a keeps x^2 + y^2 as it is.", points=2, part="a"
-).agrees(reference.constraint_force, cases.states, tolerance=FORMULA, hint=TWICE)
-acceleration_is_that_of_both_forces = law(
-    "acceleration: by the weight and the constraint force.", points=1.5, part="a"
-).agrees(reference.acceleration, cases.states, tolerance=FORMULA, hint="Do both forces act, and what is r . a?")
-consistent_state_is_the_nearest = law(
-    "consistent_state: the place goes along its radius onto the circle, v loses its radial part.", points=1.25, part="a"
-).agrees(reference.consistent_state, cases.off_circle, tolerance=FORMULA, hint=of_mending)
+
+
+@check("constraint_force", points=2, part="a", line="radial, and such that F = m a keeps x^2 + y^2 as it is.")
+def force_keeps_the_particle_on_the_circle(student, rng):
+    compare(student.constraint_force, reference.constraint_force, cases.states(rng), tolerance=FORMULA, hint=TWICE)
+
+
+@check("acceleration", points=1.5, part="a", line="by the weight and the constraint force.")
+def acceleration_is_that_of_both_forces(student, rng):
+    compare(
+        student.acceleration,
+        reference.acceleration,
+        cases.states(rng),
+        tolerance=FORMULA,
+        hint="Do both forces act, and what is r . a?",
+    )
+
+
+@check(
+    "consistent_state",
+    points=1.25,
+    part="a",
+    line="the place goes along its radius onto the circle, v loses its radial part.",
+)
+def consistent_state_is_the_nearest(student, rng):
+    compare(
+        student.consistent_state, reference.consistent_state, cases.off_circle(rng), tolerance=FORMULA, hint=of_mending
+    )
+
+
 NEAREST = "Which point of the circle is nearest to its centre?"
-consistent_state_refuses_the_origin = consistent_state_is_the_nearest.then(
-    "consistent_state raises ValueError where no point of the circle is the nearest.", points=0.25, part="a"
-).refuses(reference.consistent_state, cases.origin, tolerance=FORMULA, hint=NEAREST)
-energy_is_kinetic_and_potential = law(
-    "energy: m v^2/2 and the potential energy of the weight, zero at y = 0.", points=1, part="a"
-).agrees(reference.energy, cases.states, tolerance=FORMULA, hint="How high is it above y = 0, and how fast?")
+
+
+@check(
+    "consistent_state",
+    points=0.25,
+    part="a",
+    after=consistent_state_is_the_nearest,
+    line="consistent_state raises ValueError where no point of the circle is the nearest.",
+)
+def consistent_state_refuses_the_origin(student, rng):
+    check_domain(
+        student.consistent_state, reference.consistent_state, cases.origin(rng), tolerance=FORMULA, hint=NEAREST
+    )
+
+
+@check("energy", points=1, part="a", line="m v^2/2 and the potential energy of the weight, zero at y = 0.")
+def energy_is_kinetic_and_potential(student, rng):
+    compare(
+        student.energy,
+        reference.energy,
+        cases.states(rng),
+        tolerance=FORMULA,
+        hint="How high is it above y = 0, and how fast?",
+    )
+
+
 WEIGHTLESS = "What changes the velocity when there is no weight?"
-without_gravity_it_goes_round_uniformly = law(
-    "simulate: uniform motion around the circle where there is no gravity.", points=0.5, part="a"
-).follows(reference.simulate, cases.without_gravity, tolerance=FOLLOWED, hint=WEIGHTLESS, keeps=KEPT)
-with_gravity_it_swings_or_goes_round = law(
-    "simulate: the state at few and uneven times, the first of which is not 0.", points=0.75, part="a"
-).follows(reference.simulate, cases.with_gravity, tolerance=FOLLOWED, hint="Does acceleration pass?", keeps=KEPT)
+
+
+@check("simulate", points=0.5, part="a", line="uniform motion around the circle where there is no gravity.")
+def without_gravity_it_goes_round_uniformly(student, rng):
+    compare_trajectory(
+        student.simulate,
+        reference.simulate,
+        cases.without_gravity(rng),
+        tolerance=FOLLOWED,
+        hint=WEIGHTLESS,
+        keeps=KEPT,
+    )
+
+
+@check("simulate", points=0.75, part="a", line="the state at few and uneven times, the first of which is not 0.")
+def with_gravity_it_swings_or_goes_round(student, rng):
+    compare_trajectory(
+        student.simulate,
+        reference.simulate,
+        cases.with_gravity(rng),
+        tolerance=FOLLOWED,
+        hint="Does acceleration pass?",
+        keeps=KEPT,
+    )
 
 
 LEAVES = "Do place and velocity leave the circle: what corrects the errors of the steps?"
 
 
-@check(points=1, part="a", after=with_gravity_it_swings_or_goes_round)
+@check(
+    "simulate",
+    points=1,
+    part="a",
+    after=with_gravity_it_swings_or_goes_round,
+    line="after 100 s the particle is still on the circle, and its velocity tangent to it.",
+)
 def it_stays_on_the_circle(student, rng):
-    """simulate: after 100 s the particle is still on the circle, and its velocity tangent to it."""
     (motion,) = compare_trajectory(
         student.simulate, reference, cases.long(rng), tolerance=COARSELY, hint=LEAVES, near_miss_credit=False
     )
@@ -125,21 +190,48 @@ def drift(off, out):
 
 
 TIGHTEN, LOSSES = "Tighten rtol and atol: does it leave the circle between the samples?", {1e-3: 0.6, 1e-2: 0.3}
-energy_stays = with_gravity_it_swings_or_goes_round.then(
-    "simulate: after 100 s the energy has its first value.", points=0.25, part="a"
-).keeps(KEPT, reference=reference.simulate, cases=cases.long, coarsely=COARSELY, partial=LOSSES, hint=TIGHTEN)
-at_the_very_top_it_stays = with_gravity_it_swings_or_goes_round.then(
-    "simulate: at rest straight above the hinge it is in equilibrium.", points=0.5, part="a"
-).follows(
-    reference.simulate,
-    cases.at_the_top,
-    tolerance=TOP,
-    hint="What do the two forces add up to there?",
-    loose_tolerance_credit=False,
+
+
+@check(
+    "simulate",
+    points=0.25,
+    part="a",
+    after=with_gravity_it_swings_or_goes_round,
+    line="after 100 s the energy has its first value.",
 )
-wireframe_is_the_rod = law("wireframe: one segment, from the hinge to the particle.", points=0.5, part="a").agrees(
-    reference.wireframe, cases.states, tolerance=FORMULA, hint="Its first end is the hinge, its second the particle."
+def energy_stays(student, rng):
+    check_conserved(
+        student.simulate, reference.simulate, cases.long(rng), KEPT, coarsely=COARSELY, partial=LOSSES, hint=TIGHTEN
+    )
+
+
+@check(
+    "simulate",
+    points=0.5,
+    part="a",
+    after=with_gravity_it_swings_or_goes_round,
+    line="at rest straight above the hinge it is in equilibrium.",
 )
+def at_the_very_top_it_stays(student, rng):
+    compare_trajectory(
+        student.simulate,
+        reference.simulate,
+        cases.at_the_top(rng),
+        tolerance=TOP,
+        hint="What do the two forces add up to there?",
+        loose_tolerance_credit=False,
+    )
+
+
+@check("wireframe", points=0.5, part="a", line="one segment, from the hinge to the particle.")
+def wireframe_is_the_rod(student, rng):
+    compare(
+        student.wireframe,
+        reference.wireframe,
+        cases.states(rng),
+        tolerance=FORMULA,
+        hint="Its first end is the hinge, its second the particle.",
+    )
 
 
 ASSIGNMENT = Assignment(

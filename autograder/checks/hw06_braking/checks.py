@@ -10,9 +10,10 @@ from tam570_grader import (
     check,
     check_raises,
     compare,
+    compare_columns,
+    compare_trajectory,
     expect_that,
     largest,
-    law,
     number,
     rows,
 )
@@ -82,9 +83,13 @@ MOTION, SLOWLY = columns(lambda case, _=None: max(way(case), wheelbase(case.kwar
 TO_REST = columns(MOTION[0].scale, AT_REST / STOPPED)
 
 
-@check(points=0.5, part="a")
+@check(
+    "free_body_diagram",
+    points=0.5,
+    part="a",
+    line="every force on the car, seen from above, where it acts and along what.",
+)
 def forces_on_the_car(student, rng):
-    """free_body_diagram: every force on the car, seen from above, where it acts and along what."""
     calls = cases.of_diagrams(rng)
     compare_diagrams(student.free_body_diagram, reference, calls)
     judge_refusals(student, [("free_body_diagram", calls[0])])
@@ -133,7 +138,6 @@ def of_run(motion):
     return "Find the time at which it stops: does anything change from then on?"
 
 
-EVERY_WAY = cases.ways(*cases.WAYS), cases.odd_cars, cases.headings
 DERIVATIVE = {"tolerance": FORMULA, "hint": of_rates}
 HARDLY = {"tolerance": SOME, "hint": of_friction, "near_miss_credit": False, "scale": largest}
 OWN = [Column(one.quantity, one.unit, one.where) for one in RATES[2:]]  # of the scale of its own number
@@ -141,59 +145,166 @@ HARDLY_RATES = {"columns": OWN, "tolerance": SOME, "hint": of_rates, "near_miss_
 RUN = {"tolerance": FOLLOWED, "hint": of_run}
 A_SLOW_RUN = {"columns": SLOWLY, "tolerance": SLOW, "hint": of_run}
 
-axle_load_balances_the_weight = law("axle_load: what the locked axle carries at rest.", points=0.75, part="a").agrees(
-    reference.axle_load, cases.parked, tolerance=FORMULA, hint="Which axle carries more, the one near G or the other?"
+
+@check("axle_load", points=0.75, part="a", line="what the locked axle carries at rest.")
+def axle_load_balances_the_weight(student, rng):
+    compare(
+        student.axle_load,
+        reference.axle_load,
+        cases.parked(rng),
+        tolerance=FORMULA,
+        hint="Which axle carries more, the one near G or the other?",
+    )
+
+
+@check(
+    "friction_force", points=1, part="a", line="against the velocity of the axle that drags, in proportion to its load."
 )
-friction_opposes_the_sliding = law(
-    "friction_force: against the velocity of the axle that drags, in proportion to its load.", points=1, part="a"
-).agrees(reference.friction_force, cases.ways(cases.TURN, count=8), tolerance=FORMULA, hint=WHICH_WAY)
-friction_in_any_motion_and_at_rest = (
-    friction_opposes_the_sliding.then("friction_force: any motion, however slow; zero at rest.", points=0.5, part="a")
-    .agrees(reference.friction_force, *EVERY_WAY, tolerance=FORMULA, hint=of_friction)
-    .also.agrees(reference.friction_force, cases.slow, tolerance=SLOW, hint=of_friction)
-    .also.agrees(reference.friction_force, cases.hardly_moving, **HARDLY)
+def friction_opposes_the_sliding(student, rng):
+    compare(
+        student.friction_force,
+        reference.friction_force,
+        cases.ways(cases.TURN, count=8)(rng),
+        tolerance=FORMULA,
+        hint=WHICH_WAY,
+    )
+
+
+@check(
+    "friction_force",
+    points=0.5,
+    part="a",
+    after=friction_opposes_the_sliding,
+    line="any motion, however slow; zero at rest.",
 )
-equations_of_motion = law(
-    "state_derivative: the balances of momentum; the free axle does not slip sideways.", points=1.25, part="a"
-).agrees_by_columns(reference.state_derivative, cases.timed(cases.ways(cases.TURN, count=10)), **DERIVATIVE)
-equations_in_any_motion = (
-    equations_of_motion.then("state_derivative: in reverse, on the spot, straight, slow.", points=0.5, part="a")
-    .agrees_by_columns(reference.state_derivative, cases.timed(cases.ways(*cases.MOVING), cases.headings), **DERIVATIVE)
-    .also.agrees_by_columns(reference.state_derivative, cases.timed(cases.slow), tolerance=SLOW, hint=of_rates)
-    .also.agrees_by_columns(reference.state_derivative, cases.timed(cases.hardly_moving), **HARDLY_RATES)
+def friction_in_any_motion_and_at_rest(student, rng):
+    compare(
+        student.friction_force,
+        reference.friction_force,
+        [*cases.ways(*cases.WAYS)(rng), *cases.odd_cars(rng), *cases.headings(rng)],
+        tolerance=FORMULA,
+        hint=of_friction,
+    )
+    compare(student.friction_force, reference.friction_force, cases.slow(rng), tolerance=SLOW, hint=of_friction)
+    compare(student.friction_force, reference.friction_force, cases.hardly_moving(rng), **HARDLY)
+
+
+@check(
+    "state_derivative", points=1.25, part="a", line="the balances of momentum; the free axle does not slip sideways."
 )
-equations_without_friction_and_at_rest = equations_of_motion.then(
-    "state_derivative: without friction, without gravity; all zero at rest.", points=0.5, part="a"
-).agrees_by_columns(reference.state_derivative, cases.timed(cases.ways(cases.REST), cases.odd_cars), **DERIVATIVE)
-kinetic_energy_of_G_and_of_turning = law("kinetic_energy: of G, and of turning about it.", points=0.5, part="a").agrees(
-    reference.kinetic_energy, *EVERY_WAY, tolerance=FORMULA, hint="What is the velocity of G?"
+def equations_of_motion(student, rng):
+    compare_columns(
+        student.state_derivative,
+        reference.state_derivative,
+        cases.timed(cases.ways(cases.TURN, count=10))(rng),
+        **DERIVATIVE,
+    )
+
+
+@check(
+    "state_derivative", points=0.5, part="a", after=equations_of_motion, line="in reverse, on the spot, straight, slow."
 )
-simulate_brakes = law(
-    "simulate: braking with either axle locked, row i at t[i], row 0 the given state.", points=0.75, part="a"
-).follows(reference.simulate, cases.braking(100), **RUN)
-simulate_needs_no_dense_times = simulate_brakes.then(
-    "simulate: the same motion when only a few times are asked for.", points=0.25, part="a"
-).follows(reference.simulate, cases.few_times, **RUN)
-simulate_glides_without_friction = (
-    simulate_brakes.then("simulate: without friction or gravity it glides, however slow.", points=0.25, part="a")
-    .follows(reference.simulate, cases.gliding, **RUN)
-    .also.follows(reference.simulate, cases.gliding_slowly, **A_SLOW_RUN)
+def equations_in_any_motion(student, rng):
+    compare_columns(
+        student.state_derivative,
+        reference.state_derivative,
+        cases.timed(cases.ways(*cases.MOVING), cases.headings)(rng),
+        **DERIVATIVE,
+    )
+    compare_columns(
+        student.state_derivative,
+        reference.state_derivative,
+        cases.timed(cases.slow)(rng),
+        tolerance=SLOW,
+        hint=of_rates,
+    )
+    compare_columns(
+        student.state_derivative, reference.state_derivative, cases.timed(cases.hardly_moving)(rng), **HARDLY_RATES
+    )
+
+
+@check(
+    "state_derivative",
+    points=0.5,
+    part="a",
+    after=equations_of_motion,
+    line="without friction, without gravity; all zero at rest.",
 )
-growth_rate_is_the_slope = law("yaw_growth_rate: d(yaw acceleration)/d(yaw rate).", points=0.75, part="a").agrees(
-    reference.yaw_growth_rate,
-    cases.at_speeds,
-    tolerance=GROWTH,
-    hint="At yaw rate 0, is friction's sideways part in it?",
+def equations_without_friction_and_at_rest(student, rng):
+    compare_columns(
+        student.state_derivative,
+        reference.state_derivative,
+        cases.timed(cases.ways(cases.REST), cases.odd_cars)(rng),
+        **DERIVATIVE,
+    )
+
+
+@check("kinetic_energy", points=0.5, part="a", line="of G, and of turning about it.")
+def kinetic_energy_of_G_and_of_turning(student, rng):
+    compare(
+        student.kinetic_energy,
+        reference.kinetic_energy,
+        [*cases.ways(*cases.WAYS)(rng), *cases.odd_cars(rng), *cases.headings(rng)],
+        tolerance=FORMULA,
+        hint="What is the velocity of G?",
+    )
+
+
+@check("simulate", points=0.75, part="a", line="braking with either axle locked, row i at t[i], row 0 the given state.")
+def simulate_brakes(student, rng):
+    compare_trajectory(student.simulate, reference.simulate, cases.braking(100)(rng), **RUN)
+
+
+@check(
+    "simulate",
+    points=0.25,
+    part="a",
+    after=simulate_brakes,
+    line="the same motion when only a few times are asked for.",
 )
-critical_speed_is_where_growth_begins = law(
-    "critical_speed: that at which the growth rate is zero; math.inf where it never is.", points=0.5, part="a"
-).agrees(reference.critical_speed, cases.parked, tolerance=FORMULA, hint=WHERE_ZERO)
-small_yaw_rate_is_the_linear_solution = law("small_yaw_rate: exact by linear theory.", points=0.75, part="d").agrees(
-    reference.small_yaw_rate,
-    cases.slowing,
-    tolerance=GROWTH,
-    hint="What is d(yaw rate)/d(speed)? Integrate over the speed.",
+def simulate_needs_no_dense_times(student, rng):
+    compare_trajectory(student.simulate, reference.simulate, cases.few_times(rng), **RUN)
+
+
+@check(
+    "simulate",
+    points=0.25,
+    part="a",
+    after=simulate_brakes,
+    line="without friction or gravity it glides, however slow.",
 )
+def simulate_glides_without_friction(student, rng):
+    compare_trajectory(student.simulate, reference.simulate, cases.gliding(rng), **RUN)
+    compare_trajectory(student.simulate, reference.simulate, cases.gliding_slowly(rng), **A_SLOW_RUN)
+
+
+@check("yaw_growth_rate", points=0.75, part="a", line="d(yaw acceleration)/d(yaw rate).")
+def growth_rate_is_the_slope(student, rng):
+    compare(
+        student.yaw_growth_rate,
+        reference.yaw_growth_rate,
+        cases.at_speeds(rng),
+        tolerance=GROWTH,
+        hint="At yaw rate 0, is friction's sideways part in it?",
+    )
+
+
+@check(
+    "critical_speed", points=0.5, part="a", line="that at which the growth rate is zero; math.inf where it never is."
+)
+def critical_speed_is_where_growth_begins(student, rng):
+    compare(student.critical_speed, reference.critical_speed, cases.parked(rng), tolerance=FORMULA, hint=WHERE_ZERO)
+
+
+@check("small_yaw_rate", points=0.75, part="d", line="exact by linear theory.")
+def small_yaw_rate_is_the_linear_solution(student, rng):
+    compare(
+        student.small_yaw_rate,
+        reference.small_yaw_rate,
+        cases.slowing(rng),
+        tolerance=GROWTH,
+        hint="What is d(yaw rate)/d(speed)? Integrate over the speed.",
+    )
 
 
 def judge_refusals(student, calls):
@@ -207,27 +318,40 @@ def judge_refusals(student, calls):
         check_raises(function, bad, hint='Only "front" and "rear" are axles.')
 
 
-@check(points=0.25, part="a")
+@check(
+    "axle_load",
+    points=0.25,
+    part="a",
+    line="axle_load, friction_force, state_derivative, kinetic_energy, simulate: ValueError for another `locked`.",
+)
 def mechanics_refuses_other_axles(student, rng):
-    """axle_load, friction_force, state_derivative, kinetic_energy, simulate: ValueError for another `locked`."""
     compare(student.axle_load, reference, cases.parked(rng)[:2], tolerance=FORMULA)
     judge_refusals(student, cases.of_mechanics(rng))
 
 
-@check(points=0.25, part="a")
+@check(
+    "critical_speed",
+    points=0.25,
+    part="a",
+    line="critical_speed, yaw_growth_rate, small_yaw_rate: ValueError for another `locked`.",
+)
 def stability_refuses_other_axles(student, rng):
-    """critical_speed, yaw_growth_rate, small_yaw_rate: ValueError for another `locked`."""
     compare(student.critical_speed, reference, cases.parked(rng)[1:2], tolerance=FORMULA)
     judge_refusals(student, cases.of_stability(rng))
 
 
 # Last: a student whose integrator never gets past the stop shall lose nothing else by it.
-simulate_comes_to_rest_and_stays = (
-    simulate_brakes.then("simulate: it stops, and stays; a car at rest does not start.", points=0.75, part="a")
-    .follows(reference.simulate, cases.braking_slowly, **A_SLOW_RUN)
-    .also.follows(reference.simulate, cases.stops, columns=TO_REST, tolerance=STOPPED, hint=of_run)
-    .also.follows(reference.simulate, cases.at_rest, tolerance=FORMULA, hint=of_run)
+
+
+@check(
+    "simulate", points=0.75, part="a", after=simulate_brakes, line="it stops, and stays; a car at rest does not start."
 )
+def simulate_comes_to_rest_and_stays(student, rng):
+    compare_trajectory(student.simulate, reference.simulate, cases.braking_slowly(rng), **A_SLOW_RUN)
+    compare_trajectory(
+        student.simulate, reference.simulate, cases.stops(rng), columns=TO_REST, tolerance=STOPPED, hint=of_run
+    )
+    compare_trajectory(student.simulate, reference.simulate, cases.at_rest(rng), tolerance=FORMULA, hint=of_run)
 
 
 ASSIGNMENT = Assignment(

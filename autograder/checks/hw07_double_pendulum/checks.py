@@ -7,10 +7,12 @@ from tam570_grader import (
     Column,
     Invariant,
     check,
+    check_conserved,
     check_raises,
+    compare,
+    compare_trajectory,
     curves_seen,
     judge_axes_of_lengths,
-    law,
     once,
     path_drawn,
 )
@@ -49,9 +51,8 @@ KEPT_ENERGY = Invariant("the energy", "of m g l", reference.energies, MOMENT, EN
 KEPT_MOMENTUM = Invariant("the angular momentum", "of m l^2 omega", reference.momenta, SPIN, ENERGY)
 
 
-@check(points=0.5, part="a")
+@check("free_body_diagram", points=0.5, part="a", line="every force on each bar, where it acts and along what.")
 def forces_on_each_bar(student, rng):
-    """free_body_diagram: every force on each bar, where it acts and along what."""
     calls = cases.free_bars(rng)
     compare_diagrams(student.free_body_diagram, reference, calls)
     bad = [call.replace(bar).labelled("another bar") for call in calls[:1] for bar in (0, 3, -1)]
@@ -84,62 +85,189 @@ DIVIDED = "Without gravity the same equations hold: use a tighter tolerance, or 
 TIGHT = "Does angular_acceleration pass, and are rtol and atol tight?"
 DOWN = "An angle of zero is down, a positive one to the right"
 
-mass_matrix_makes_the_kinetic_energy = law(
-    "mass_matrix: [M] of Lagrange's equations, or of the two that your {f} and {g} belong to.", points=1, part="a"
-).judged(agree_in_equations, "mass_matrix", cases.states, tolerance=FORMULA, hint=VELOCITIES)
-velocity_terms_are_centripetal = law(
-    "velocity_terms: {f} of Lagrange's equations, or of the two that your [M] and {g} belong to.", points=1, part="a"
-).judged(agree_in_equations, "velocity_terms", cases.states, tolerance=FORMULA, hint=CENTRIPETAL)
-gravity_terms_are_moments_of_the_weights = law(
-    "gravity_terms: {g} of Lagrange's equations, or of the two that your [M] and {f} belong to.", points=0.75, part="a"
-).judged(agree_in_equations, "gravity_terms", cases.states, tolerance=FORMULA, hint=HEIGHTS)
-accelerations_obey_the_equations = law(
-    "angular_acceleration: [M]{alpha} + {f} + {g} = 0, without gravity too.", points=0.75, part="a"
-).agrees(reference.angular_acceleration, cases.states, tolerance=FORMULA, hint=in_equations)
-accelerations_with_a_nearly_massless_bar = accelerations_obey_the_equations.then(
-    "angular_acceleration keeps its digits when one bar has 1e-9 of the other's mass.", points=0.25, part="a"
-).agrees(reference.angular_acceleration, cases.nearly_massless, tolerance=MASSLESS, hint=SCALED)
-free_bars_accelerate_as_lagranges = law(
-    "on_the_fly: alpha from two free bars and two hinge constraints.", points=0.5, part="a"
-).agrees(reference.on_the_fly, cases.states, tolerance=FORMULA, only=0, hint=TEN)
-hinge_forces_balance = free_bars_accelerate_as_lagranges.then(
-    "on_the_fly: with the hinge forces and the weights each bar obeys Newton's law.", points=0.75, part="a"
-).agrees(reference.on_the_fly, cases.states, tolerance=FORMULA, only=1, hint=HANGING)
-free_bars_with_a_nearly_massless_one = (
-    free_bars_accelerate_as_lagranges.then(
-        "on_the_fly keeps its digits with a bar of 1e-9 of the other's mass, and straight down.", points=0.25, part="a"
-    )
-    .agrees(reference.on_the_fly, cases.nearly_massless, tolerance=MASSLESS, only=0, hint=SCALED)
-    .also.agrees(reference.on_the_fly, cases.straight_down, tolerance=FORMULA, only=0)
+
+@check(
+    "mass_matrix",
+    points=1,
+    part="a",
+    line="[M] of Lagrange's equations, or of the two that your {f} and {g} belong to.",
 )
-energy_is_kinetic_and_potential = law(
-    "energy: kinetic of turning bars, potential of their mass centres, zero at the ceiling.", points=0.75, part="a"
-).agrees(reference.energy, cases.states, tolerance=FORMULA, hint=BELOW)
-angular_momentum_is_about_the_ceiling = law(
-    "angular_momentum: r x m v and I omega of both bars, about the ceiling hinge.", points=0.75, part="a"
-).agrees(reference.angular_momentum, cases.states, tolerance=FORMULA, hint=BOTH_PARTS)
-simulation_follows_the_equations = law(
-    "simulate: angles and angular velocities at uneven times, whatever t[0] is.", points=0.5, part="a"
-).follows(reference.simulate, cases.motions, tolerance=FOLLOWED, keeps=KEPT_ENERGY, hint=TIGHT)
+def mass_matrix_makes_the_kinetic_energy(student, rng):
+    agree_in_equations(student.mass_matrix, cases.states(rng), tolerance=FORMULA, hint=VELOCITIES)
+
+
+@check(
+    "velocity_terms",
+    points=1,
+    part="a",
+    line="{f} of Lagrange's equations, or of the two that your [M] and {g} belong to.",
+)
+def velocity_terms_are_centripetal(student, rng):
+    agree_in_equations(student.velocity_terms, cases.states(rng), tolerance=FORMULA, hint=CENTRIPETAL)
+
+
+@check(
+    "gravity_terms",
+    points=0.75,
+    part="a",
+    line="{g} of Lagrange's equations, or of the two that your [M] and {f} belong to.",
+)
+def gravity_terms_are_moments_of_the_weights(student, rng):
+    agree_in_equations(student.gravity_terms, cases.states(rng), tolerance=FORMULA, hint=HEIGHTS)
+
+
+@check("angular_acceleration", points=0.75, part="a", line="[M]{alpha} + {f} + {g} = 0, without gravity too.")
+def accelerations_obey_the_equations(student, rng):
+    compare(
+        student.angular_acceleration,
+        reference.angular_acceleration,
+        cases.states(rng),
+        tolerance=FORMULA,
+        hint=in_equations,
+    )
+
+
+@check(
+    "angular_acceleration",
+    points=0.25,
+    part="a",
+    after=accelerations_obey_the_equations,
+    line="angular_acceleration keeps its digits when one bar has 1e-9 of the other's mass.",
+)
+def accelerations_with_a_nearly_massless_bar(student, rng):
+    compare(
+        student.angular_acceleration,
+        reference.angular_acceleration,
+        cases.nearly_massless(rng),
+        tolerance=MASSLESS,
+        hint=SCALED,
+    )
+
+
+@check("on_the_fly", points=0.5, part="a", line="alpha from two free bars and two hinge constraints.")
+def free_bars_accelerate_as_lagranges(student, rng):
+    compare(student.on_the_fly, reference.on_the_fly, cases.states(rng), tolerance=FORMULA, only=0, hint=TEN)
+
+
+@check(
+    "on_the_fly",
+    points=0.75,
+    part="a",
+    after=free_bars_accelerate_as_lagranges,
+    line="with the hinge forces and the weights each bar obeys Newton's law.",
+)
+def hinge_forces_balance(student, rng):
+    compare(student.on_the_fly, reference.on_the_fly, cases.states(rng), tolerance=FORMULA, only=1, hint=HANGING)
+
+
+@check(
+    "on_the_fly",
+    points=0.25,
+    part="a",
+    after=free_bars_accelerate_as_lagranges,
+    line="on_the_fly keeps its digits with a bar of 1e-9 of the other's mass, and straight down.",
+)
+def free_bars_with_a_nearly_massless_one(student, rng):
+    compare(
+        student.on_the_fly, reference.on_the_fly, cases.nearly_massless(rng), tolerance=MASSLESS, only=0, hint=SCALED
+    )
+    compare(student.on_the_fly, reference.on_the_fly, cases.straight_down(rng), tolerance=FORMULA, only=0)
+
+
+@check(
+    "energy",
+    points=0.75,
+    part="a",
+    line="kinetic of turning bars, potential of their mass centres, zero at the ceiling.",
+)
+def energy_is_kinetic_and_potential(student, rng):
+    compare(student.energy, reference.energy, cases.states(rng), tolerance=FORMULA, hint=BELOW)
+
+
+@check("angular_momentum", points=0.75, part="a", line="r x m v and I omega of both bars, about the ceiling hinge.")
+def angular_momentum_is_about_the_ceiling(student, rng):
+    compare(student.angular_momentum, reference.angular_momentum, cases.states(rng), tolerance=FORMULA, hint=BOTH_PARTS)
+
+
+@check("simulate", points=0.5, part="a", line="angles and angular velocities at uneven times, whatever t[0] is.")
+def simulation_follows_the_equations(student, rng):
+    compare_trajectory(
+        student.simulate, reference.simulate, cases.motions(rng), tolerance=FOLLOWED, keeps=KEPT_ENERGY, hint=TIGHT
+    )
+
+
 SHARES = {1e-4: 0.75, 1e-3: 0.5, 1e-2: 0.25}
 ROUGHLY = 0.08  # of the scale: in ten seconds errors grow a thousandfold, careful ones to 2e-3; rest is off by 1
-energy_is_conserved_from_horizontal = simulation_follows_the_equations.then(
-    "simulate: from (pi/2, pi/2) at rest the energy stays for ten seconds.", points=0.25, part="a"
-).keeps(KEPT_ENERGY, reference=reference.simulate, cases=cases.from_horizontal, coarsely=ROUGHLY, partial=SHARES)
-momentum_is_conserved_without_gravity = simulation_follows_the_equations.then(
-    "simulate: without gravity energy and angular momentum stay.", points=0.25, part="a"
-).keeps(
-    KEPT_MOMENTUM, KEPT_ENERGY, reference=reference.simulate, cases=cases.weightless, coarsely=FOLLOWED, hint=DIVIDED
+
+
+@check(
+    "simulate",
+    points=0.25,
+    part="a",
+    after=simulation_follows_the_equations,
+    line="from (pi/2, pi/2) at rest the energy stays for ten seconds.",
 )
-small_oscillations_have_two_frequencies = law(
-    "small_oscillation_frequencies: of [M]{th}'' + [K]{th} = 0 about hanging straight down.", points=0.5, part="a"
-).agrees(reference.small_oscillation_frequencies, cases.thrown(10), tolerance=FREQUENCY, hint=in_order)
-frequencies_in_special_cases = small_oscillations_have_two_frequencies.then(
-    "small_oscillation_frequencies: equal bars, a nearly massless bar, no gravity.", points=0.25, part="a"
-).agrees(reference.small_oscillation_frequencies, cases.special, tolerance=FREQUENCY, hint=in_order)
-wireframe_shows_the_bars = law("wireframe: ceiling hinge to elbow, elbow to tip.", points=0.5, part="a").agrees(
-    reference.wireframe, cases.states, tolerance=FORMULA, hint=DOWN
+def energy_is_conserved_from_horizontal(student, rng):
+    check_conserved(
+        student.simulate, reference.simulate, cases.from_horizontal(rng), KEPT_ENERGY, coarsely=ROUGHLY, partial=SHARES
+    )
+
+
+@check(
+    "simulate",
+    points=0.25,
+    part="a",
+    after=simulation_follows_the_equations,
+    line="without gravity energy and angular momentum stay.",
 )
+def momentum_is_conserved_without_gravity(student, rng):
+    check_conserved(
+        student.simulate,
+        reference.simulate,
+        cases.weightless(rng),
+        KEPT_MOMENTUM,
+        KEPT_ENERGY,
+        coarsely=FOLLOWED,
+        hint=DIVIDED,
+    )
+
+
+@check(
+    "small_oscillation_frequencies",
+    points=0.5,
+    part="a",
+    line="of [M]{th}'' + [K]{th} = 0 about hanging straight down.",
+)
+def small_oscillations_have_two_frequencies(student, rng):
+    compare(
+        student.small_oscillation_frequencies,
+        reference.small_oscillation_frequencies,
+        cases.thrown(10)(rng),
+        tolerance=FREQUENCY,
+        hint=in_order,
+    )
+
+
+@check(
+    "small_oscillation_frequencies",
+    points=0.25,
+    part="a",
+    after=small_oscillations_have_two_frequencies,
+    line="equal bars, a nearly massless bar, no gravity.",
+)
+def frequencies_in_special_cases(student, rng):
+    compare(
+        student.small_oscillation_frequencies,
+        reference.small_oscillation_frequencies,
+        cases.special(rng),
+        tolerance=FREQUENCY,
+        hint=in_order,
+    )
+
+
+@check("wireframe", points=0.5, part="a", line="ceiling hinge to elbow, elbow to tip.")
+def wireframe_shows_the_bars(student, rng):
+    compare(student.wireframe, reference.wireframe, cases.states(rng), tolerance=FORMULA, hint=DOWN)
 
 
 @once
@@ -151,9 +279,13 @@ def tip_path(rng):
     return case, elbows, tips
 
 
-@check(points=0.5, part="d")
+@check(
+    "plot_tip_path",
+    points=0.5,
+    part="d",
+    line="plot_tip_path draws the tip's path from t[0] to t[-1], at equal scales.",
+)
 def tip_path_is_drawn(student, rng):
-    """plot_tip_path draws the tip's path from t[0] to t[-1], at equal scales."""
     case, elbows, tips = tip_path(rng)
     others = {
         "It is the elbow's path": elbows,

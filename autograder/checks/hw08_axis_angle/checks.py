@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tam570_grader import Assignment, absolute, array, compare, expect, law
+from tam570_grader import Assignment, absolute, array, check, check_domain, compare, expect
 
 from . import cases, reference
 
@@ -34,12 +34,31 @@ def of_which_term(case, found, expected):
     return "The cosine is right in it, the sine is not." if sine > 100 * cosine else "What does each term become there?"
 
 
-skew_is_the_cross_product = law("skew(v) r = v x r, for any v and r.", points=1, part="a").agrees(
-    reference.skew, cases.vectors, tolerance=POINTWISE, hint="Which columns are v x e, for the three unit vectors e?"
+@check("skew", points=1, part="a", line="skew(v) r = v x r, for any v and r.")
+def skew_is_the_cross_product(student, rng):
+    compare(
+        student.skew,
+        reference.skew,
+        cases.vectors(rng),
+        tolerance=POINTWISE,
+        hint="Which columns are v x e, for the three unit vectors e?",
+    )
+
+
+@check(
+    "rotation_matrix",
+    points=2,
+    part="a",
+    line="rotation_matrix turns by the angle about the axis, right-handed, whatever the axis's length.",
 )
-matrix_turns_by_the_right_hand_rule = law(
-    "rotation_matrix turns by the angle about the axis, right-handed, whatever the axis's length.", points=2, part="a"
-).agrees(reference.rotation_matrix, cases.turns, cases.plain_turns, tolerance=POINTWISE, hint=of_few_digits)
+def matrix_turns_by_the_right_hand_rule(student, rng):
+    compare(
+        student.rotation_matrix,
+        reference.rotation_matrix,
+        [*cases.turns(rng), *cases.plain_turns(rng)],
+        tolerance=POINTWISE,
+        hint=of_few_digits,
+    )
 
 
 def rotations_by_size(function, sizes):
@@ -57,31 +76,70 @@ def vectors_by_size(function, sizes):
         compare(function, reference, calls, tolerance=tolerance)
 
 
-matrix_holds_for_every_angle = matrix_turns_by_the_right_hand_rule.then(
-    "rotation_matrix: an angle of 1e-12 turns by 1e-12, one of 1e6 by 1e6; R^T R = I and det R = 1 for all of them.",
+@check(
+    "rotation_matrix",
     points=1,
     part="a",
-).judged(rotations_by_size, "rotation_matrix", cases.turns_by_size)
-matrix_depends_on_the_direction_alone = matrix_turns_by_the_right_hand_rule.then(
-    "rotation_matrix: axes of length 1e-100 or 1e100 give the same matrix as the unit axis.", points=1, part="a"
-).agrees(
-    reference.rotation_matrix,
-    cases.of_any_length,
-    tolerance=POINTWISE,
-    hint="What becomes of the square of its length?",
+    after=matrix_turns_by_the_right_hand_rule,
+    line="an angle of 1e-12 turns by 1e-12, one of 1e6 by 1e6; R^T R = I and det R = 1 for all of them.",
 )
-matrix_refuses_what_is_no_axis = matrix_turns_by_the_right_hand_rule.then(
-    "rotation_matrix raises ValueError for an axis that is zero or not finite, whatever the angle.", points=1, part="a"
-).refuses(reference.rotation_matrix, cases.no_axes, tolerance=POINTWISE)
-vector_turns_by_the_right_hand_rule = law(
-    "rotate turns r as the matrix would, whatever the axis's length.", points=2, part="a"
-).agrees(reference.rotate, cases.turned_vectors, tolerance=POINTWISE, hint=of_few_digits)
-vector_turns_by_every_angle = vector_turns_by_the_right_hand_rule.then(
-    "rotate holds for angles from 1e-12 to 1e6 and axes from 1e-100 to 1e100 long.", points=1, part="a"
-).judged(vectors_by_size, "rotate", cases.vectors_by_size)
-rotate_refuses_what_is_no_axis = vector_turns_by_the_right_hand_rule.then(
-    "rotate raises ValueError for an axis that is zero or not finite, whatever angle and vector.", points=1, part="a"
-).refuses(reference.rotate, cases.vectors_about_no_axes, tolerance=POINTWISE)
+def matrix_holds_for_every_angle(student, rng):
+    rotations_by_size(student.rotation_matrix, cases.turns_by_size(rng))
+
+
+@check(
+    "rotation_matrix",
+    points=1,
+    part="a",
+    after=matrix_turns_by_the_right_hand_rule,
+    line="axes of length 1e-100 or 1e100 give the same matrix as the unit axis.",
+)
+def matrix_depends_on_the_direction_alone(student, rng):
+    compare(
+        student.rotation_matrix,
+        reference.rotation_matrix,
+        cases.of_any_length(rng),
+        tolerance=POINTWISE,
+        hint="What becomes of the square of its length?",
+    )
+
+
+@check(
+    "rotation_matrix",
+    points=1,
+    part="a",
+    after=matrix_turns_by_the_right_hand_rule,
+    line="rotation_matrix raises ValueError for an axis that is zero or not finite, whatever the angle.",
+)
+def matrix_refuses_what_is_no_axis(student, rng):
+    check_domain(student.rotation_matrix, reference.rotation_matrix, cases.no_axes(rng), tolerance=POINTWISE)
+
+
+@check("rotate", points=2, part="a", line="rotate turns r as the matrix would, whatever the axis's length.")
+def vector_turns_by_the_right_hand_rule(student, rng):
+    compare(student.rotate, reference.rotate, cases.turned_vectors(rng), tolerance=POINTWISE, hint=of_few_digits)
+
+
+@check(
+    "rotate",
+    points=1,
+    part="a",
+    after=vector_turns_by_the_right_hand_rule,
+    line="rotate holds for angles from 1e-12 to 1e6 and axes from 1e-100 to 1e100 long.",
+)
+def vector_turns_by_every_angle(student, rng):
+    vectors_by_size(student.rotate, cases.vectors_by_size(rng))
+
+
+@check(
+    "rotate",
+    points=1,
+    part="a",
+    after=vector_turns_by_the_right_hand_rule,
+    line="rotate raises ValueError for an axis that is zero or not finite, whatever angle and vector.",
+)
+def rotate_refuses_what_is_no_axis(student, rng):
+    check_domain(student.rotate, reference.rotate, cases.vectors_about_no_axes(rng), tolerance=POINTWISE)
 
 
 ASSIGNMENT = Assignment(

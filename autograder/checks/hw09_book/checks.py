@@ -10,13 +10,13 @@ from tam570_grader import (
     Case,
     absolute,
     check,
+    check_domain,
     check_raises,
     compare,
     expect,
     expect_that,
     judge_boxes,
     largest,
-    law,
 )
 from tam570_grader.checks.returns import array, group, number
 
@@ -50,27 +50,65 @@ QUARTER_TURN = partial(of_few_digits, otherwise="Where does a quarter turn take 
 WHICH_FIRST = partial(of_few_digits, otherwise="Which matrix acts on a vector first, the leftmost or the rightmost?")
 THE_EDGES = partial(of_few_digits, otherwise="Turn a real book: where do its three edges end?")
 
-turns_about_the_coordinate_axes = law(
-    "axis_rotation turns by the angle about x, y or z, by the right-hand rule.", points=1, part="a"
-).agrees(reference.axis_rotation, cases.turns, tolerance=WITHIN, hint=QUARTER_TURN)
-other_axes_are_refused = turns_about_the_coordinate_axes.then(
-    "axis_rotation raises ValueError for any other string.", points=0.5, part="a"
-).refuses(reference.axis_rotation, cases.no_axes, tolerance=WITHIN)
-space_sequence_takes_the_first_step_first = law(
-    "space_sequence turns about axes fixed in space, first step first.", points=1, part="a"
-).agrees(reference.space_sequence, cases.sequences, tolerance=WITHIN, hint=WHICH_FIRST)
-space_sequence_takes_few_steps = space_sequence_takes_the_first_step_first.then(
-    "space_sequence of one step, and of none: the identity.", points=0.25, part="a"
-).agrees(reference.space_sequence, cases.few_steps, tolerance=WITHIN)
-body_sequence_takes_the_axes_along = law(
-    "body_sequence turns about the axes that the steps before have turned.", points=1, part="a"
-).agrees(reference.body_sequence, cases.sequences, tolerance=WITHIN, hint=WHICH_FIRST)
-body_sequence_takes_few_steps = body_sequence_takes_the_axes_along.then(
-    "body_sequence of one step, and of none: the identity.", points=0.25, part="a"
-).agrees(reference.body_sequence, cases.few_steps, tolerance=WITHIN)
-the_book_is_turned_in_both_orders = law(
-    "book_rotations: 90 degrees about z then x, and about x then z, axes fixed in space.", points=1, part="a"
-).agrees(reference.book_rotations, lambda rng: [Case()], tolerance=WITHIN, hint=THE_EDGES)
+
+@check(
+    "axis_rotation",
+    points=1,
+    part="a",
+    line="axis_rotation turns by the angle about x, y or z, by the right-hand rule.",
+)
+def turns_about_the_coordinate_axes(student, rng):
+    compare(student.axis_rotation, reference.axis_rotation, cases.turns(rng), tolerance=WITHIN, hint=QUARTER_TURN)
+
+
+@check(
+    "axis_rotation",
+    points=0.5,
+    part="a",
+    after=turns_about_the_coordinate_axes,
+    line="axis_rotation raises ValueError for any other string.",
+)
+def other_axes_are_refused(student, rng):
+    check_domain(student.axis_rotation, reference.axis_rotation, cases.no_axes(rng), tolerance=WITHIN)
+
+
+@check("space_sequence", points=1, part="a", line="space_sequence turns about axes fixed in space, first step first.")
+def space_sequence_takes_the_first_step_first(student, rng):
+    compare(student.space_sequence, reference.space_sequence, cases.sequences(rng), tolerance=WITHIN, hint=WHICH_FIRST)
+
+
+@check(
+    "space_sequence",
+    points=0.25,
+    part="a",
+    after=space_sequence_takes_the_first_step_first,
+    line="space_sequence of one step, and of none: the identity.",
+)
+def space_sequence_takes_few_steps(student, rng):
+    compare(student.space_sequence, reference.space_sequence, cases.few_steps(rng), tolerance=WITHIN)
+
+
+@check(
+    "body_sequence", points=1, part="a", line="body_sequence turns about the axes that the steps before have turned."
+)
+def body_sequence_takes_the_axes_along(student, rng):
+    compare(student.body_sequence, reference.body_sequence, cases.sequences(rng), tolerance=WITHIN, hint=WHICH_FIRST)
+
+
+@check(
+    "body_sequence",
+    points=0.25,
+    part="a",
+    after=body_sequence_takes_the_axes_along,
+    line="body_sequence of one step, and of none: the identity.",
+)
+def body_sequence_takes_few_steps(student, rng):
+    compare(student.body_sequence, reference.body_sequence, cases.few_steps(rng), tolerance=WITHIN)
+
+
+@check("book_rotations", points=1, part="a", line="90 degrees about z then x, and about x then z, axes fixed in space.")
+def the_book_is_turned_in_both_orders(student, rng):
+    compare(student.book_rotations, reference.book_rotations, [Case()], tolerance=WITHIN, hint=THE_EDGES)
 
 
 # (d, e) Axis and angle
@@ -117,29 +155,60 @@ def near_half_turns(case, found, expected):
     return of_pairs(case, found, expected, FLAT_AT_PI if near(found[0], expected[0], WITHIN) else WHICH_PART)
 
 
-axis_and_angle_are_those_of_the_matrix = law(
-    "axis_angle gives the unit axis and the angle of a rotation, of the book's two and of a quarter turn too.",
+@check(
+    "axis_angle",
     points=1,
     part="a",
-).agrees(reference.axis_angle, cases.generic, tolerance=WITHIN, hint=WHAT_STAYS)
-small_angles_keep_their_digits = axis_and_angle_are_those_of_the_matrix.then(
-    "axis_angle keeps all digits of axis and angle for angles from 1e-12 to 1e-2.", points=0.75, part="a"
-).agrees(reference.axis_angle, cases.small, tolerance=RELATIVE, scale=largest, hint=FLAT)
-angles_near_pi_keep_their_digits = (
-    axis_and_angle_are_those_of_the_matrix.then(
-        "axis_angle keeps all digits 1e-12 to 1e-2 from a half turn, and at a quarter turn.", points=0.75, part="a"
-    )
-    .agrees(reference.axis_angle, cases.near_pi, tolerance=WITHIN, hint=near_half_turns)
-    .also.agrees(reference.axis_angle, cases.near_quarters, tolerance=WITHIN, hint=FLAT)
+    line="axis_angle gives the unit axis and the angle of a rotation, of the book's two and of a quarter turn too.",
 )
-axes_with_small_components_keep_their_digits = angles_near_pi_keep_their_digits.then(
-    "axis_angle keeps all digits near pi where a component of the axis is very small.", points=0.25, part="a"
-).agrees(reference.axis_angle, cases.small_components, tolerance=WITHIN, hint=near_half_turns)
+def axis_and_angle_are_those_of_the_matrix(student, rng):
+    compare(student.axis_angle, reference.axis_angle, cases.generic(rng), tolerance=WITHIN, hint=WHAT_STAYS)
 
 
-@check(points=0.25, part="a", after=axis_and_angle_are_those_of_the_matrix)
+@check(
+    "axis_angle",
+    points=0.75,
+    part="a",
+    after=axis_and_angle_are_those_of_the_matrix,
+    line="axis_angle keeps all digits of axis and angle for angles from 1e-12 to 1e-2.",
+)
+def small_angles_keep_their_digits(student, rng):
+    compare(student.axis_angle, reference.axis_angle, cases.small(rng), tolerance=RELATIVE, scale=largest, hint=FLAT)
+
+
+@check(
+    "axis_angle",
+    points=0.75,
+    part="a",
+    after=axis_and_angle_are_those_of_the_matrix,
+    line="axis_angle keeps all digits 1e-12 to 1e-2 from a half turn, and at a quarter turn.",
+)
+def angles_near_pi_keep_their_digits(student, rng):
+    compare(student.axis_angle, reference.axis_angle, cases.near_pi(rng), tolerance=WITHIN, hint=near_half_turns)
+    compare(student.axis_angle, reference.axis_angle, cases.near_quarters(rng), tolerance=WITHIN, hint=FLAT)
+
+
+@check(
+    "axis_angle",
+    points=0.25,
+    part="a",
+    after=angles_near_pi_keep_their_digits,
+    line="axis_angle keeps all digits near pi where a component of the axis is very small.",
+)
+def axes_with_small_components_keep_their_digits(student, rng):
+    compare(
+        student.axis_angle, reference.axis_angle, cases.small_components(rng), tolerance=WITHIN, hint=near_half_turns
+    )
+
+
+@check(
+    "axis_angle",
+    points=0.25,
+    part="a",
+    after=axis_and_angle_are_those_of_the_matrix,
+    line="axis_angle of a half turn: the angle pi and the axis, of either sign.",
+)
 def half_turns_have_their_axis(student, rng):
-    """axis_angle of a half turn: the angle pi and the axis, of either sign."""
     for case, (axis, angle) in student.axis_angle.each(cases.half_turns(rng)):
         expect(angle, math.pi, tolerance=WITHIN, quantity="the angle", unit="rad", hint=FLAT_AT_PI)
         squares = (case.args[0] + np.eye(3)) / 2
@@ -147,18 +216,28 @@ def half_turns_have_their_axis(student, rng):
         expect(np.outer(axis, axis), squares, tolerance=WITHIN, quantity="the product n n^T of the axis", hint=hint)
 
 
-@check(points=0.25, part="a", after=axis_and_angle_are_those_of_the_matrix)
+@check(
+    "axis_angle",
+    points=0.25,
+    part="a",
+    after=axis_and_angle_are_those_of_the_matrix,
+    line="axis_angle of the identity: the angle 0 and any unit axis.",
+)
 def no_turn_has_a_unit_axis(student, rng):
-    """axis_angle of the identity: the angle 0 and any unit axis."""
     for _, (axis, angle) in student.axis_angle.each([Case(np.eye(3)).labelled("the identity")]):
         expect(angle, 0.0, tolerance=WITHIN, quantity="the angle", unit="rad")
         expect_that(np.any(axis), "the axis is the zero vector")
         expect(np.linalg.norm(axis), 1.0, tolerance=WITHIN, quantity="the length of the axis")
 
 
-@check(points=0.25, part="a", after=axis_and_angle_are_those_of_the_matrix)
+@check(
+    "axis_angle",
+    points=0.25,
+    part="a",
+    after=axis_and_angle_are_those_of_the_matrix,
+    line="axis_angle refuses matrices that are not rotations, and accepts one with R^T R wrong by 9e-7.",
+)
 def what_is_no_rotation_is_refused(student, rng):
-    """axis_angle refuses matrices that are not rotations, and accepts one with R^T R wrong by 9e-7."""
     compare(student.axis_angle, reference, cases.nearly_rotations(rng), tolerance=SHEARED)
     stretched = Case((1 + 4.5e-7) * np.eye(3)).labelled("the identity times 1 + 4.5e-7")
     for _, (axis, angle) in student.axis_angle.each([stretched]):
@@ -171,9 +250,12 @@ def what_is_no_rotation_is_refused(student, rng):
 
 # (c) The book
 
-the_book_has_its_twelve_edges = law(
-    "book_edges are the edges of the turned book, in any order and direction.", points=1.5, part="c"
-).judged(judge_boxes, "book_edges", cases.books, tolerance=WITHIN)
+
+@check(
+    "book_edges", points=1.5, part="c", line="book_edges are the edges of the turned book, in any order and direction."
+)
+def the_book_has_its_twelve_edges(student, rng):
+    judge_boxes(student.book_edges, cases.books(rng), tolerance=WITHIN)
 
 
 ASSIGNMENT = Assignment(

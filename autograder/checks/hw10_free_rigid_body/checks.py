@@ -1,11 +1,21 @@
 """Hidden checks of hw10."""
 
 from dataclasses import replace
-from functools import partial
 
 import numpy as np
 
-from tam570_grader import Assignment, Column, Invariant, absolute, by_kind, check, law
+from tam570_grader import (
+    Assignment,
+    Column,
+    Invariant,
+    absolute,
+    by_kind,
+    check,
+    check_conserved,
+    check_domain,
+    compare,
+    compare_trajectory,
+)
 from tam570_grader.checks.plots import along, curves_seen, exchanged, judge_axes_of_lengths, judge_boxes, path_drawn
 from tam570_grader.checks.returns import array, drawing, group, number, rows
 
@@ -33,33 +43,81 @@ def last_length(case, _):
 
 # Pointwise
 
-euler_equations_keep_the_angular_momentum = law(
-    "euler_equations: omega' of a body without moments, for any three inertias, equal ones too.", points=0.75, part="a"
-).agrees(
-    reference.euler_equations, cases.turning, tolerance=POINTWISE, hint="In body components H changes by -omega x H."
+
+@check(
+    "euler_equations",
+    points=0.75,
+    part="a",
+    line="omega' of a body without moments, for any three inertias, equal ones too.",
 )
-attitude_follows_omega = law("attitude_rate: dR/dt for omega in body components.", points=0.5, part="a").agrees(
-    reference.attitude_rate,
-    cases.turning_in_space,
-    tolerance=POINTWISE,
-    hint="The columns of R move at omega x themselves.",
-)
-energy_is_half_omega_h = law("energy: half of omega . H.", points=0.5, part="a").agrees(
-    reference.energy, cases.turning, tolerance=POINTWISE
-)
-angular_momentum_is_in_space_axes = law(
-    "angular_momentum: the vector H in space components.", points=0.5, part="a"
-).agrees(reference.angular_momentum, cases.turning_in_space, tolerance=POINTWISE)
+def euler_equations_keep_the_angular_momentum(student, rng):
+    compare(
+        student.euler_equations,
+        reference.euler_equations,
+        cases.turning(rng),
+        tolerance=POINTWISE,
+        hint="In body components H changes by -omega x H.",
+    )
+
+
+@check("attitude_rate", points=0.5, part="a", line="dR/dt for omega in body components.")
+def attitude_follows_omega(student, rng):
+    compare(
+        student.attitude_rate,
+        reference.attitude_rate,
+        cases.turning_in_space(rng),
+        tolerance=POINTWISE,
+        hint="The columns of R move at omega x themselves.",
+    )
+
+
+@check("energy", points=0.5, part="a", line="half of omega . H.")
+def energy_is_half_omega_h(student, rng):
+    compare(student.energy, reference.energy, cases.turning(rng), tolerance=POINTWISE)
+
+
+@check("angular_momentum", points=0.5, part="a", line="the vector H in space components.")
+def angular_momentum_is_in_space_axes(student, rng):
+    compare(student.angular_momentum, reference.angular_momentum, cases.turning_in_space(rng), tolerance=POINTWISE)
+
+
 THREE_TURNS = "omega is psi' along space z, theta' along the line of nodes, and phi' along body z."
 SINE = {"negative theta": "The sine of theta is negative there: do you compute it as a square root?"}
-euler_rates_make_omega = law(
-    "euler_rates_313: the rates of psi, theta, phi that make this omega, for theta of any sign.", points=0.75, part="a"
-).agrees(reference.euler_rates_313, cases.euler_angles, tolerance=POINTWISE, hint=by_kind(SINE, THREE_TURNS))
-euler_rates_are_refused_where_undetermined = euler_rates_make_omega.then(
-    "euler_rates_313 raises ValueError where abs(sin theta) < 1e-12, and nowhere else.", points=0.25, part="a"
-).refuses(
-    reference.euler_rates_313, cases.undetermined, tolerance=SINGULAR, allowed=4, hint="sin theta may be negative."
+
+
+@check(
+    "euler_rates_313",
+    points=0.75,
+    part="a",
+    line="the rates of psi, theta, phi that make this omega, for theta of any sign.",
 )
+def euler_rates_make_omega(student, rng):
+    compare(
+        student.euler_rates_313,
+        reference.euler_rates_313,
+        cases.euler_angles(rng),
+        tolerance=POINTWISE,
+        hint=by_kind(SINE, THREE_TURNS),
+    )
+
+
+@check(
+    "euler_rates_313",
+    points=0.25,
+    part="a",
+    after=euler_rates_make_omega,
+    line="euler_rates_313 raises ValueError where abs(sin theta) < 1e-12, and nowhere else.",
+)
+def euler_rates_are_refused_where_undetermined(student, rng):
+    check_domain(
+        student.euler_rates_313,
+        reference.euler_rates_313,
+        cases.undetermined(rng),
+        tolerance=SINGULAR,
+        allowed=4,
+        hint="sin theta may be negative.",
+    )
+
 
 # Motions
 
@@ -111,79 +169,175 @@ ROTATES = Invariant("R^T R", "", squares, absolute, INVARIANT)
 KEEPS_MOMENTUM = Invariant("H in space", "of its start", momenta, None, INVARIANT)
 KEEPS_ENERGY = Invariant("the energy", "of its start", energies, None, INVARIANT)
 SHARES = {1e-4: 0.5, 1e-2: 0.25}  # of the drift of the energy
-FOLLOWED = {"tolerance": TRAJECTORY, "restart": restart, "name": "simulate"}
-TURNS = {"cases": cases.many_turns, "columns": BOTH, "name": "simulate", "coarsely": 3e-2, "hint": SHORT}
+FOLLOWED = {"tolerance": TRAJECTORY, "restart": restart}
+TURNS = {"columns": BOTH, "coarsely": 3e-2, "hint": SHORT}
 
-omega_follows_elliptic_functions = law(
-    "simulate: omega against Jacobi's elliptic functions, on both sides of the separatrix.", points=0.75, part="a"
-).follows(reference.tumble, cases.tumbles, columns=[OMEGA], hint="Does euler_equations pass?", **FOLLOWED)
-attitude_follows_the_motion = law(
-    "simulate: the rotations along a general motion, from any attitude at the start.", points=0.75, part="a"
-).follows(reference.motion, cases.general_motions, columns=[ATTITUDE], hint=wrong_attitude, **FOLLOWED)
-FOLLOWS = omega_follows_elliptic_functions, attitude_follows_the_motion
-invariants_stay_over_many_turns = (
-    law("simulate: R^T R = I, H in space and the energy over many fast turns.", points=0.5, part="a", after=FOLLOWS)
-    .keeps(ROTATES, KEEPS_MOMENTUM, reference=reference.motion, **TURNS)
-    .also.keeps(KEEPS_ENERGY, reference=reference.motion, partial=SHARES, **TURNS)
+
+@check(
+    "simulate",
+    points=0.75,
+    part="a",
+    line="omega against Jacobi's elliptic functions, on both sides of the separatrix.",
 )
-special_bodies_move_too = law(
-    "simulate: equal inertias, rest, pure spin, two times, starts at half turns.", points=0.5, part="a", after=FOLLOWS
-).follows(reference.motion, cases.special_motions, columns=BOTH, hint=wrong_attitude, **FOLLOWED)
+def omega_follows_elliptic_functions(student, rng):
+    compare_trajectory(
+        student.simulate,
+        reference.tumble,
+        cases.tumbles(rng),
+        columns=[OMEGA],
+        hint="Does euler_equations pass?",
+        **FOLLOWED,
+    )
+
+
+@check("simulate", points=0.75, part="a", line="the rotations along a general motion, from any attitude at the start.")
+def attitude_follows_the_motion(student, rng):
+    compare_trajectory(
+        student.simulate,
+        reference.motion,
+        cases.general_motions(rng),
+        columns=[ATTITUDE],
+        hint=wrong_attitude,
+        **FOLLOWED,
+    )
+
+
+FOLLOWS = omega_follows_elliptic_functions, attitude_follows_the_motion
+
+
+@check(
+    "simulate", points=0.5, part="a", after=FOLLOWS, line="R^T R = I, H in space and the energy over many fast turns."
+)
+def invariants_stay_over_many_turns(student, rng):
+    check_conserved(student.simulate, reference.motion, cases.many_turns(rng), ROTATES, KEEPS_MOMENTUM, **TURNS)
+    check_conserved(student.simulate, reference.motion, cases.many_turns(rng), KEEPS_ENERGY, partial=SHARES, **TURNS)
+
+
+@check(
+    "simulate",
+    points=0.5,
+    part="a",
+    after=FOLLOWS,
+    line="equal inertias, rest, pure spin, two times, starts at half turns.",
+)
+def special_bodies_move_too(student, rng):
+    compare_trajectory(
+        student.simulate, reference.motion, cases.special_motions(rng), columns=BOTH, hint=wrong_attitude, **FOLLOWED
+    )
+
 
 # (a) A = B
 
-symmetric_bodies_precess = law(
-    "symmetric_solution: omega in body components at all times, from omega at t[0].", points=0.75, part="a"
-).agrees(
-    reference.symmetric_solution, cases.precessing, tolerance=POINTWISE, hint="Compare with euler_equations at t[0]."
+
+@check("symmetric_solution", points=0.75, part="a", line="omega in body components at all times, from omega at t[0].")
+def symmetric_bodies_precess(student, rng):
+    compare(
+        student.symmetric_solution,
+        reference.symmetric_solution,
+        cases.precessing(rng),
+        tolerance=POINTWISE,
+        hint="Compare with euler_equations at t[0].",
+    )
+
+
+@check(
+    "wobble_rate",
+    points=0.5,
+    part="a",
+    line="the rate at which the symmetry axis goes round H, at any angle between them.",
 )
-wobble_goes_round_the_angular_momentum = law(
-    "wobble_rate: the rate at which the symmetry axis goes round H, at any angle between them.", points=0.5, part="a"
-).agrees(
-    reference.wobble_rate, cases.wobbling, tolerance=POINTWISE, hint="Split omega along H and along the symmetry axis."
-)
+def wobble_goes_round_the_angular_momentum(student, rng):
+    compare(
+        student.wobble_rate,
+        reference.wobble_rate,
+        cases.wobbling(rng),
+        tolerance=POINTWISE,
+        hint="Split omega along H and along the symmetry axis.",
+    )
+
 
 # (b) Stability and tumbling
 
-small_deviations_grow_at_this_rate = law(
-    "growth_rate_squared: positive where the spin is unstable, else minus the frequency squared.", points=0.75, part="b"
-).agrees(
-    reference.growth_rate_squared, cases.spins, tolerance=POINTWISE, hint="Keep what is linear in small deviations."
+
+@check(
+    "growth_rate_squared",
+    points=0.75,
+    part="b",
+    line="positive where the spin is unstable, else minus the frequency squared.",
 )
+def small_deviations_grow_at_this_rate(student, rng):
+    compare(
+        student.growth_rate_squared,
+        reference.growth_rate_squared,
+        cases.spins(rng),
+        tolerance=POINTWISE,
+        hint="Keep what is linear in small deviations.",
+    )
+
+
 BACK = "After what time is omega back, sign and all?"
 
 
-def period_round(which, sign):
-    """The check of the period on one side of the separatrix."""
-    label = f"omega round the axis of the {which} inertia"
-    return law(f"tumble_period for {label}.", points=0.375, part="b").agrees(
-        reference.tumble_period, partial(cases.on_side, label=label, sign=sign), tolerance=PERIOD, hint=BACK
+@check("tumble_period", points=0.375, part="b", line="tumble_period for omega round the axis of the largest inertia.")
+def period_round_the_last_axis(student, rng):
+    calls = cases.on_side(rng, label="omega round the axis of the largest inertia", sign=1)
+    compare(student.tumble_period, reference.tumble_period, calls, tolerance=PERIOD, hint=BACK)
+
+
+@check("tumble_period", points=0.375, part="b", line="tumble_period for omega round the axis of the smallest inertia.")
+def period_round_the_first_axis(student, rng):
+    calls = cases.on_side(rng, label="omega round the axis of the smallest inertia", sign=-1)
+    compare(student.tumble_period, reference.tumble_period, calls, tolerance=PERIOD, hint=BACK)
+
+
+PERIODS = period_round_the_last_axis, period_round_the_first_axis
+
+
+@check(
+    "tumble_period",
+    points=0.25,
+    part="b",
+    after=PERIODS,
+    line="tumble_period for pure spin about axis 0 or 2, by small oscillations.",
+)
+def period_of_pure_spin_is_that_of_small_oscillations(student, rng):
+    compare(
+        student.tumble_period,
+        reference.tumble_period,
+        cases.pure_spins(rng),
+        tolerance=PERIOD,
+        hint="There the modulus k is 0.",
     )
 
 
-period_round_the_last_axis, period_round_the_first_axis = period_round("largest", 1), period_round("smallest", -1)
-PERIODS = period_round_the_last_axis, period_round_the_first_axis
-period_of_pure_spin_is_that_of_small_oscillations = law(
-    "tumble_period for pure spin about axis 0 or 2, by small oscillations.", points=0.25, part="b", after=PERIODS
-).agrees(reference.tumble_period, cases.pure_spins, tolerance=PERIOD, hint="There the modulus k is 0.")
-period_grows_to_infinity_at_the_separatrix = (
-    law("tumble_period near the separatrix, and math.inf on it.", points=0.25, part="b", after=PERIODS)
-    .agrees(
+@check(
+    "tumble_period", points=0.25, part="b", after=PERIODS, line="tumble_period near the separatrix, and math.inf on it."
+)
+def period_grows_to_infinity_at_the_separatrix(student, rng):
+    compare(
+        student.tumble_period,
         reference.tumble_period,
-        cases.near_separatrix,
+        cases.near_separatrix(rng),
         tolerance=NEAR_PERIOD,
         hint="How near 1 is a modulus k that is not 1?",
     )
-    .also.agrees(reference.tumble_period, cases.on_separatrix, tolerance=PERIOD, hint="What is K(k) for k = 1?")
-)
+    compare(
+        student.tumble_period,
+        reference.tumble_period,
+        cases.on_separatrix(rng),
+        tolerance=PERIOD,
+        hint="What is K(k) for k = 1?",
+    )
+
 
 # Drawing
 
 AXES = "y horizontal", "z height vertical"
 
-the_box_has_its_twelve_edges = law(
-    "wireframe: the edges of the turned box, in any order and direction.", points=0.5, part="b"
-).judged(judge_boxes, "wireframe", cases.boxes, tolerance=POINTWISE)
+
+@check("wireframe", points=0.5, part="b", line="the edges of the turned box, in any order and direction.")
+def the_box_has_its_twelve_edges(student, rng):
+    judge_boxes(student.wireframe, cases.boxes(rng), tolerance=POINTWISE)
 
 
 def seen_along_x(rotations):
@@ -204,9 +358,13 @@ def mistaken(rotations):
     }
 
 
-@check(points=0.5, part="a")
+@check(
+    "plot_rim_paths",
+    points=0.5,
+    part="a",
+    line="both paths as seen along x, from t[0] to t[-1], with labels and equal scales.",
+)
 def rim_paths_are_drawn(student, rng):
-    """plot_rim_paths: both paths as seen along x, from t[0] to t[-1], with labels and equal scales."""
     points = "Does simulate pass and get the inertia? Draw y and z of (radius, 0, 0), (0, radius, 0) in space at all t"
     for case in cases.pictures(rng):
         picture, (t, R, omega), radius = student.plot_rim_paths.drawn(case), case.args, case.kwargs["radius"]

@@ -4,7 +4,7 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import Assignment, absolute, by_kind, group, law, number
+from tam570_grader import Assignment, absolute, by_kind, check, check_domain, compare, group, number
 
 from . import cases, reference
 
@@ -65,75 +65,240 @@ ABOUT_WHICH = "G is at rest: about which axis does the disk turn, and how high i
 
 # (a) Rolling
 
-rolling_spin_balances_the_moments = law(
-    "rolling_spin is the total spin that keeps lean and precession steady, in- or outwards.", points=1.25, part="a"
-).agrees(reference.rolling_spin, cases.members, tolerance=WITHIN, hint=MOMENTS)
-rolling_spin_holds_upright_and_without_gravity = rolling_spin_balances_the_moments.then(
-    "rolling_spin holds for an upright disk and for no gravity.", points=0.25, part="a"
-).agrees(reference.rolling_spin, cases.plain_members, tolerance=WITHIN, hint=WHICH_ARE_ZERO)
-rolling_track_has_the_contact_at_rest = law(
-    "rolling_track_radius is the radius, with its sign, of the contact point's track.", points=1, part="a"
-).agrees(reference.rolling_track_radius, cases.members, cases.plain_members, tolerance=WITHIN, hint=AT_REST)
-rolling_precession_balances_the_moments = law(
-    "rolling_precession keeps the lean steady on the given track.", points=1.25, part="a"
-).agrees(reference.rolling_precession, cases.tracks, tolerance=WITHIN, hint=BOTH_CONDITIONS)
-rolling_precession_holds_on_tracks_of_any_sign = rolling_precession_balances_the_moments.then(
-    "rolling_precession: the contact beyond the centre, a roller, a coin, an almost flat disk.", points=0.5, part="a"
-).agrees(reference.rolling_precession, cases.tracks_of_any_sign, tolerance=WITHIN, hint=WHICH_SIGN)
-rolling_precession_is_zero_where_nothing_turns_it = rolling_precession_balances_the_moments.then(
-    "rolling_precession is 0 without gravity, or upright on any track but a point; only then.", points=0.5, part="a"
-).agrees(reference.rolling_precession, cases.straight_tracks, tolerance=WITHIN, scale=absolute)
-rolling_precession_refuses_what_does_not_exist = rolling_precession_balances_the_moments.then(
-    "rolling_precession raises ValueError where no steady rolling exists, or any Omega does.", points=0.75, part="a"
-).refuses(
-    reference.rolling_precession, cases.impossible_tracks, tolerance=WITHIN, allowed=0, hint="What would Omega^2 be?"
+
+@check(
+    "rolling_spin",
+    points=1.25,
+    part="a",
+    line="rolling_spin is the total spin that keeps lean and precession steady, in- or outwards.",
 )
+def rolling_spin_balances_the_moments(student, rng):
+    compare(student.rolling_spin, reference.rolling_spin, cases.members(rng), tolerance=WITHIN, hint=MOMENTS)
+
+
+@check(
+    "rolling_spin",
+    points=0.25,
+    part="a",
+    after=rolling_spin_balances_the_moments,
+    line="rolling_spin holds for an upright disk and for no gravity.",
+)
+def rolling_spin_holds_upright_and_without_gravity(student, rng):
+    compare(
+        student.rolling_spin, reference.rolling_spin, cases.plain_members(rng), tolerance=WITHIN, hint=WHICH_ARE_ZERO
+    )
+
+
+@check(
+    "rolling_track_radius",
+    points=1,
+    part="a",
+    line="rolling_track_radius is the radius, with its sign, of the contact point's track.",
+)
+def rolling_track_has_the_contact_at_rest(student, rng):
+    compare(
+        student.rolling_track_radius,
+        reference.rolling_track_radius,
+        [*cases.members(rng), *cases.plain_members(rng)],
+        tolerance=WITHIN,
+        hint=AT_REST,
+    )
+
+
+@check("rolling_precession", points=1.25, part="a", line="rolling_precession keeps the lean steady on the given track.")
+def rolling_precession_balances_the_moments(student, rng):
+    compare(
+        student.rolling_precession,
+        reference.rolling_precession,
+        cases.tracks(rng),
+        tolerance=WITHIN,
+        hint=BOTH_CONDITIONS,
+    )
+
+
+@check(
+    "rolling_precession",
+    points=0.5,
+    part="a",
+    after=rolling_precession_balances_the_moments,
+    line="the contact beyond the centre, a roller, a coin, an almost flat disk.",
+)
+def rolling_precession_holds_on_tracks_of_any_sign(student, rng):
+    compare(
+        student.rolling_precession,
+        reference.rolling_precession,
+        cases.tracks_of_any_sign(rng),
+        tolerance=WITHIN,
+        hint=WHICH_SIGN,
+    )
+
+
+@check(
+    "rolling_precession",
+    points=0.5,
+    part="a",
+    after=rolling_precession_balances_the_moments,
+    line="rolling_precession is 0 without gravity, or upright on any track but a point; only then.",
+)
+def rolling_precession_is_zero_where_nothing_turns_it(student, rng):
+    compare(
+        student.rolling_precession,
+        reference.rolling_precession,
+        cases.straight_tracks(rng),
+        tolerance=WITHIN,
+        scale=absolute,
+    )
+
+
+@check(
+    "rolling_precession",
+    points=0.75,
+    part="a",
+    after=rolling_precession_balances_the_moments,
+    line="rolling_precession raises ValueError where no steady rolling exists, or any Omega does.",
+)
+def rolling_precession_refuses_what_does_not_exist(student, rng):
+    check_domain(
+        student.rolling_precession,
+        reference.rolling_precession,
+        cases.impossible_tracks(rng),
+        tolerance=WITHIN,
+        allowed=0,
+        hint="What would Omega^2 be?",
+    )
+
 
 # (b) Sliding
 
-sliding_spin_balances_the_moments = (
-    law("sliding_spin keeps lean and precession steady where only the normal force acts.", points=0.75, part="b")
-    .agrees(reference.sliding_spin, cases.members, tolerance=WITHIN, hint="Which part of the contact force is gone?")
-    .also.agrees(reference.sliding_spin, cases.plain_members, tolerance=WITHIN, hint=WHICH_ARE_ZERO)
+
+@check(
+    "sliding_spin",
+    points=0.75,
+    part="b",
+    line="sliding_spin keeps lean and precession steady where only the normal force acts.",
 )
-sliding_track_is_around_the_resting_centre = law(
-    "sliding_track_radius is the contact's distance from the vertical through G, signed as R is.", points=0.5, part="b"
-).agrees(reference.sliding_track_radius, cases.sliding_tracks, tolerance=WITHIN, hint="Where is G?")
+def sliding_spin_balances_the_moments(student, rng):
+    compare(
+        student.sliding_spin,
+        reference.sliding_spin,
+        cases.members(rng),
+        tolerance=WITHIN,
+        hint="Which part of the contact force is gone?",
+    )
+    compare(
+        student.sliding_spin, reference.sliding_spin, cases.plain_members(rng), tolerance=WITHIN, hint=WHICH_ARE_ZERO
+    )
+
+
+@check(
+    "sliding_track_radius",
+    points=0.5,
+    part="b",
+    line="sliding_track_radius is the contact's distance from the vertical through G, signed as R is.",
+)
+def sliding_track_is_around_the_resting_centre(student, rng):
+    compare(
+        student.sliding_track_radius,
+        reference.sliding_track_radius,
+        cases.sliding_tracks(rng),
+        tolerance=WITHIN,
+        hint="Where is G?",
+    )
+
 
 # (c) Both
 
-common_precession_is_in_both_families = law(
-    "common_precession belongs to the motions that roll and slide at once.", points=0.75, part="c"
-).agrees(reference.common_precession, cases.settled, tolerance=WITHIN, hint=SAME_CIRCLE)
-common_precession_has_a_limit_upright = (
-    common_precession_is_in_both_families.then(
-        "common_precession at lean 0 is its limit, next to 0 near it; almost flat it holds.", points=0.25, part="c"
+
+@check(
+    "common_precession",
+    points=0.75,
+    part="c",
+    line="common_precession belongs to the motions that roll and slide at once.",
+)
+def common_precession_is_in_both_families(student, rng):
+    compare(
+        student.common_precession, reference.common_precession, cases.settled(rng), tolerance=WITHIN, hint=SAME_CIRCLE
     )
-    .agrees(reference.common_precession, cases.next_to_upright, tolerance=UPRIGHT, hint="Cancel the sine first.")
-    .also.agrees(reference.common_precession, cases.steep, tolerance=WITHIN)
+
+
+@check(
+    "common_precession",
+    points=0.25,
+    part="c",
+    after=common_precession_is_in_both_families,
+    line="common_precession at lean 0 is its limit, next to 0 near it; almost flat it holds.",
 )
-contact_force_moves_the_centre = law(
-    "contact_force gives the mass its centripetal acceleration and carries its weight.", points=0.5, part="c"
-).agrees(reference.contact_force, cases.whirls, tolerance=WITHIN, hint=wrong_force)
-contact_force_of_straight_rolling = contact_force_moves_the_centre.then(
-    "contact_force: an upright disk without precession rolls straight on, its weight carried.", points=0.25, part="c"
-).agrees(reference.contact_force, cases.straight_rolling, tolerance=WITHIN, hint="Nothing there goes round.")
-moment_residual_is_moment_minus_rate = law(
-    "moment_residual: moment less rate of angular momentum about G, for any motion and force.", points=0.75, part="c"
-).agrees(
-    reference.moment_residual,
-    cases.under_forces,
-    tolerance=WITHIN,
-    hint="What is the force's arm, and what of H turns?",
+def common_precession_has_a_limit_upright(student, rng):
+    compare(
+        student.common_precession,
+        reference.common_precession,
+        cases.next_to_upright(rng),
+        tolerance=UPRIGHT,
+        hint="Cancel the sine first.",
+    )
+    compare(student.common_precession, reference.common_precession, cases.steep(rng), tolerance=WITHIN)
+
+
+@check(
+    "contact_force",
+    points=0.5,
+    part="c",
+    line="contact_force gives the mass its centripetal acceleration and carries its weight.",
 )
+def contact_force_moves_the_centre(student, rng):
+    compare(student.contact_force, reference.contact_force, cases.whirls(rng), tolerance=WITHIN, hint=wrong_force)
+
+
+@check(
+    "contact_force",
+    points=0.25,
+    part="c",
+    after=contact_force_moves_the_centre,
+    line="an upright disk without precession rolls straight on, its weight carried.",
+)
+def contact_force_of_straight_rolling(student, rng):
+    compare(
+        student.contact_force,
+        reference.contact_force,
+        cases.straight_rolling(rng),
+        tolerance=WITHIN,
+        hint="Nothing there goes round.",
+    )
+
+
+@check(
+    "moment_residual",
+    points=0.75,
+    part="c",
+    line="moment less rate of angular momentum about G, for any motion and force.",
+)
+def moment_residual_is_moment_minus_rate(student, rng):
+    compare(
+        student.moment_residual,
+        reference.moment_residual,
+        cases.under_forces(rng),
+        tolerance=WITHIN,
+        hint="What is the force's arm, and what of H turns?",
+    )
+
 
 # (d) The shuddering coin
 
-settling_energy_adds_up = law(
-    "settling_energy: kinetic and potential energy of the motion that rolls and slides at once.", points=0.75, part="d"
-).agrees(
-    reference.settling_energy, cases.settled, cases.next_to_upright, cases.steep, tolerance=WITHIN, hint=ABOUT_WHICH
+
+@check(
+    "settling_energy",
+    points=0.75,
+    part="d",
+    line="kinetic and potential energy of the motion that rolls and slides at once.",
 )
+def settling_energy_adds_up(student, rng):
+    compare(
+        student.settling_energy,
+        reference.settling_energy,
+        [*cases.settled(rng), *cases.next_to_upright(rng), *cases.steep(rng)],
+        tolerance=WITHIN,
+        hint=ABOUT_WHICH,
+    )
 
 
 ASSIGNMENT = Assignment(

@@ -10,11 +10,12 @@ from tam570_grader import (
     Invariant,
     by_kind,
     check,
+    check_conserved,
     compare,
+    compare_trajectory,
     expect,
     from_own_lagrangian,
     in_symbols,
-    law,
 )
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.returns import array, formula, free_body_diagram, number, rows
@@ -53,15 +54,13 @@ KEPT = Invariant("the energy", "of its start", reference.energy_of_rows, None, E
 SYMBOLS = ("x", "v", "m", "c", "g")
 
 
-@check(points=0.5, part="a")
+@check("free_body_diagram", points=0.5, part="a", line="every force on the bead, where it acts and along what.")
 def forces_on_the_bead(student, rng):
-    """free_body_diagram: every force on the bead, where it acts and along what."""
     compare_diagrams(student.free_body_diagram, reference, cases.places(rng))
 
 
-@check(points=1, part="a")
+@check("lagrangian", points=1, part="a", line="T - V in x, v, m, c, g, V up to a constant.")
 def lagrangian_is_kinetic_less_potential(student, rng):
-    """lagrangian: T - V in x, v, m, c, g, V up to a constant."""
     calls = in_symbols(cases.usual(rng), *SYMBOLS)
     levels = student.lagrangian.at([{**case.kwargs, "x": 0.0, "v": 0.0} for case in calls])
     known = {"quantity": "the Lagrangian", "unit": "J", "hint": "How fast is the bead along the wire, and how high?"}
@@ -70,9 +69,8 @@ def lagrangian_is_kinetic_less_potential(student, rng):
         expect(value - level, reference.lagrangian(**case.kwargs), tolerance=tolerance, **known)
 
 
-@check(points=1.5, part="a")
+@check("lagrange_equation", points=1.5, part="a", line="x'' in x, v, c, g alone.")
 def lagrange_gives_the_acceleration(student, rng):
-    """lagrange_equation: x'' in x, v, c, g alone."""
     calls = in_symbols(cases.usual(rng), *SYMBOLS)
     hint = from_own_lagrangian(student, calls[:5], "dT/dv depends on x: its rate has a term with v. dT/dx is not zero.")
     compare(student.lagrange_equation, reference, calls, tolerance=FORMULA, hint=hint)
@@ -82,19 +80,25 @@ TWICE = by_kind(
     {"at rest": "Which part of g is along the wire, and what is its x component?"},
     "Is y'' = 2 c v^2 + 2 c x x'', and v the rate of x?",
 )
-newton_gives_the_acceleration = (
-    law("acceleration_newton: x'' by F = m a along the tangent, as Lagrange has it.", points=1.5, part="b")
-    .agrees(reference.acceleration_newton, cases.beads, tolerance=FORMULA, hint=TWICE)
-    .also.agrees(reference.acceleration_newton, cases.next_to_bottom, tolerance=FEW_DIGITS, hint=TWICE)
-)
+
+
+@check("acceleration_newton", points=1.5, part="b", line="x'' by F = m a along the tangent, as Lagrange has it.")
+def newton_gives_the_acceleration(student, rng):
+    compare(student.acceleration_newton, reference.acceleration_newton, cases.beads(rng), tolerance=FORMULA, hint=TWICE)
+    compare(
+        student.acceleration_newton,
+        reference.acceleration_newton,
+        cases.next_to_bottom(rng),
+        tolerance=FEW_DIGITS,
+        hint=TWICE,
+    )
 
 
 BEND = by_kind({"at rest": "How much of the weight does a slope carry?"}, "How sharply does the wire bend at x?")
 
 
-@check(points=0.75, part="b")
+@check("constraint_force", points=0.75, part="b", line="as large as carrying and turning the bead takes.")
 def force_has_the_right_size(student, rng):
-    """constraint_force: as large as carrying and turning the bead takes."""
     for case, force in student.constraint_force.each(cases.beads(rng) + cases.next_to_bottom(rng)):
         size = math.hypot(*reference.constraint_force(*case.args, **case.kwargs))
         tolerance = FORMULA * (size or 1.0)
@@ -104,54 +108,154 @@ def force_has_the_right_size(student, rng):
 
 
 TANGENT = "Dot it with the tangent (1, 2 c x): is that zero, and does the force act on the bead?"
-force_and_weight_make_the_acceleration = law(
-    "constraint_force: normal to the wire, and with the weight it is m a.",
+
+
+@check(
+    "constraint_force",
     points=0.5,
     part="b",
     after=force_has_the_right_size,
-).agrees(reference.constraint_force, cases.beads, cases.next_to_bottom, tolerance=FORMULA, hint=TANGENT)
-SPEED = by_kind({"at rest": "At rest it is potential: how high is the bead?"}, "How fast is the bead along the wire?")
-energy_is_kinetic_and_potential = law(
-    "energy: of the speed along the wire and of the height above the bottom.", points=1, part="b"
-).agrees(reference.energy, cases.beads, cases.next_to_bottom, cases.nearly_at_rest, tolerance=FORMULA, hint=SPEED)
-WIDE = cases.rides(0.4, 1.0, 1000, 15.0, "an amplitude near 1/c")
-simulate_slides = law("simulate: large motions, row i at t[i], row 0 the given state.", points=0.75, part="b").follows(
-    reference.simulate, WIDE, tolerance=TRAJECTORY, hint="Is v the rate of x, and x'' as in part (a)?", keeps=KEPT
+    line="normal to the wire, and with the weight it is m a.",
 )
-SMALL = "Do you leave terms out at small amplitudes, or is atol too loose for them?"
-simulate_needs_no_dense_times = (
-    simulate_slides.then("simulate: the same motion when only a few times are asked for.", points=0.25, part="b")
-    .follows(
-        reference.simulate, cases.few_times, tolerance=TRAJECTORY, hint="Is the tolerance tight over long steps of t?"
+def force_and_weight_make_the_acceleration(student, rng):
+    compare(
+        student.constraint_force,
+        reference.constraint_force,
+        [*cases.beads(rng), *cases.next_to_bottom(rng)],
+        tolerance=FORMULA,
+        hint=TANGENT,
     )
-    .also.follows(reference.simulate, cases.close, tolerance=TRAJECTORY, hint=SMALL, near_miss_credit=False)
+
+
+SPEED = by_kind({"at rest": "At rest it is potential: how high is the bead?"}, "How fast is the bead along the wire?")
+
+
+@check("energy", points=1, part="b", line="of the speed along the wire and of the height above the bottom.")
+def energy_is_kinetic_and_potential(student, rng):
+    compare(
+        student.energy,
+        reference.energy,
+        [*cases.beads(rng), *cases.next_to_bottom(rng), *cases.nearly_at_rest(rng)],
+        tolerance=FORMULA,
+        hint=SPEED,
+    )
+
+
+WIDE = cases.rides(0.4, 1.0, 1000, 15.0, "an amplitude near 1/c")
+
+
+@check("simulate", points=0.75, part="b", line="large motions, row i at t[i], row 0 the given state.")
+def simulate_slides(student, rng):
+    compare_trajectory(
+        student.simulate,
+        reference.simulate,
+        WIDE(rng),
+        tolerance=TRAJECTORY,
+        hint="Is v the rate of x, and x'' as in part (a)?",
+        keeps=KEPT,
+    )
+
+
+SMALL = "Do you leave terms out at small amplitudes, or is atol too loose for them?"
+
+
+@check(
+    "simulate",
+    points=0.25,
+    part="b",
+    after=simulate_slides,
+    line="the same motion when only a few times are asked for.",
 )
-simulate_without_gravity = simulate_slides.then(
-    "simulate: without gravity the bead keeps its speed, whatever was asked before.", points=0.25, part="b"
-).follows(reference.simulate, cases.weightless, tolerance=TRAJECTORY, hint="Is anything divided by gravity?")
+def simulate_needs_no_dense_times(student, rng):
+    compare_trajectory(
+        student.simulate,
+        reference.simulate,
+        cases.few_times(rng),
+        tolerance=TRAJECTORY,
+        hint="Is the tolerance tight over long steps of t?",
+    )
+    compare_trajectory(
+        student.simulate, reference.simulate, cases.close(rng), tolerance=TRAJECTORY, hint=SMALL, near_miss_credit=False
+    )
+
+
+@check(
+    "simulate",
+    points=0.25,
+    part="b",
+    after=simulate_slides,
+    line="without gravity the bead keeps its speed, whatever was asked before.",
+)
+def simulate_without_gravity(student, rng):
+    compare_trajectory(
+        student.simulate,
+        reference.simulate,
+        cases.weightless(rng),
+        tolerance=TRAJECTORY,
+        hint="Is anything divided by gravity?",
+    )
+
+
 STEEP = cases.rides(5.0, 8.0, 60, 60.0, "an amplitude of several 1/c")
-simulate_slides_down_steep_wires = simulate_slides.then(
-    "simulate: an amplitude of many 1/c, where the bead turns sharply at the bottom.", points=0.25, part="b"
-).follows(
-    reference.simulate, STEEP, tolerance=SHARP_TURN, hint="Are the steps short enough for the turn at the bottom?"
+
+
+@check(
+    "simulate",
+    points=0.25,
+    part="b",
+    after=simulate_slides,
+    line="an amplitude of many 1/c, where the bead turns sharply at the bottom.",
 )
+def simulate_slides_down_steep_wires(student, rng):
+    compare_trajectory(
+        student.simulate,
+        reference.simulate,
+        STEEP(rng),
+        tolerance=SHARP_TURN,
+        hint="Are the steps short enough for the turn at the bottom?",
+    )
+
+
 MANY_PERIODS = cases.rides(0.4, 1.0, 300, 180.0, "many periods")
 LOSSES, DURATION = {1e-3: 0.6, 1e-2: 0.3}, "Do your steps grow with the duration, or is the tolerance loose?"
-simulate_keeps_the_energy = simulate_slides.then(
-    "simulate: the energy stays what it was over many periods.", points=0.25, part="b"
-).keeps(KEPT, reference=reference.simulate, cases=MANY_PERIODS, coarsely=COARSELY, partial=LOSSES, hint=DURATION)
+
+
+@check("simulate", points=0.25, part="b", after=simulate_slides, line="the energy stays what it was over many periods.")
+def simulate_keeps_the_energy(student, rng):
+    check_conserved(
+        student.simulate, reference.simulate, MANY_PERIODS(rng), KEPT, coarsely=COARSELY, partial=LOSSES, hint=DURATION
+    )
+
+
 EXACT = "Does the energy give v at every x, dt = dx/v, and is the quadrature exact where v is zero?"
-period_is_exact = law("period: exact for amplitudes near 1/c.", points=1, part="b").agrees(
-    reference.period, cases.usual_periods, tolerance=PERIOD, hint=EXACT
-)
+
+
+@check("period", points=1, part="b", line="exact for amplitudes near 1/c.")
+def period_is_exact(student, rng):
+    compare(student.period, reference.period, cases.usual_periods(rng), tolerance=PERIOD, hint=EXACT)
+
+
 ROOT = "Do you add a small number under a root, or use an absolute tolerance? 1e-15 m^2 is not small here."
 REACH = "Does your series or quadrature reach amplitudes of a hundred times 1/c?"
-period_of_small_and_of_huge_amplitudes = (
-    period_is_exact.then("period: exact on almost flat and on almost upright wires.", points=0.5, part="b")
-    .agrees(reference.period, cases.tiny_periods, tolerance=TINY, hint=ROOT)
-    .also.agrees(reference.period, cases.small_periods, tolerance=PERIOD, hint="Do you subtract nearly equal heights?")
-    .also.agrees(reference.period, cases.large_periods, cases.largest_period, tolerance=PERIOD, hint=REACH)
-)
+
+
+@check("period", points=0.5, part="b", after=period_is_exact, line="exact on almost flat and on almost upright wires.")
+def period_of_small_and_of_huge_amplitudes(student, rng):
+    compare(student.period, reference.period, cases.tiny_periods(rng), tolerance=TINY, hint=ROOT)
+    compare(
+        student.period,
+        reference.period,
+        cases.small_periods(rng),
+        tolerance=PERIOD,
+        hint="Do you subtract nearly equal heights?",
+    )
+    compare(
+        student.period,
+        reference.period,
+        [*cases.large_periods(rng), *cases.largest_period(rng)],
+        tolerance=PERIOD,
+        hint=REACH,
+    )
 
 
 ASSIGNMENT = Assignment(

@@ -2,7 +2,19 @@
 
 import numpy as np
 
-from tam570_grader import Assignment, Column, Invariant, by_kind, check, group, law, number, rows
+from tam570_grader import (
+    Assignment,
+    Column,
+    Invariant,
+    by_kind,
+    check,
+    check_conserved,
+    compare,
+    compare_trajectory,
+    group,
+    number,
+    rows,
+)
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.returns import free_body_diagram
 
@@ -47,9 +59,8 @@ KEPT = Invariant(
 )
 
 
-@check(points=0.5, part="a")
+@check("free_body_diagram", points=0.5, part="a", line="every force on the cylinder, where it acts and along what.")
 def forces_on_the_cylinder(student, rng):
-    """free_body_diagram: every force on the cylinder, where it acts and along what."""
     compare_diagrams(student.free_body_diagram, reference, cases.diagrams(rng))
 
 
@@ -80,58 +91,187 @@ HOWEVER_SMALL = "However small the rocking, the other terms are there: do you li
 ABSOLUTE = "Is the tolerance absolute, and too coarse for a small motion?"
 ANY_DURATION = "Are there too few steps for this duration, or is the tolerance loose?"
 
-AT_REST = cases.at_rest(cases.plain), cases.at_rest(cases.level)
 
-centred_cylinder_rolls_by_both_methods = (
-    law("With G at the centre, acceleration and naive_contact_acceleration are both right.", points=0.5, part="a")
-    .agrees(reference.acceleration, cases.centred(8), tolerance=FORMULA, hint=BOTH)
-    .also.agrees(reference.naive_contact_acceleration, cases.centred(8), tolerance=FORMULA)
+@check(
+    "acceleration", points=0.5, part="a", line="with G at the centre it is right, and naive_contact_acceleration too."
 )
-acceleration_balances_momentum_about_G = law(
-    "acceleration: the force that G's acceleration needs has, about G, the moment I^G phi''.", points=1.5, part="a"
-).agrees(reference.acceleration, AT_REST[0], cases.rolling(20), cases.plain, tolerance=FORMULA, hint=REST_OR_RATES)
-acceleration_level_and_without_gravity = acceleration_balances_momentum_about_G.then(
-    "acceleration: on level ground, and without gravity.", points=0.5, part="a"
-).agrees(reference.acceleration, cases.flat(5), cases.weightless(5), cases.level, tolerance=FORMULA, hint=NO_WEIGHT)
-contact_inertia_by_the_parallel_axis_theorem = law(
-    "contact_inertia: I^G plus the mass times the distance from C to G squared.", points=1, part="a"
-).agrees(reference.contact_inertia, cases.rolling(12), cases.centred(3), *AT_REST, tolerance=FORMULA, hint=DISTANCE)
-naive_acceleration_is_the_moment_over_the_inertia = law(
-    "naive_contact_acceleration: the moment of the weight about C over I^C, at any angle.", points=0.75, part="a"
-).agrees(reference.naive_contact_acceleration, cases.rolling(10), *AT_REST, tolerance=FORMULA, hint=WEIGHT_ACTS_AT_G)
-missing_moment_makes_it_right = law(
-    "missing_moment: with it, I^C phi'' + missing_moment = M_C has the phi'' of the balances.", points=1.25, part="b"
-).agrees(reference.missing_moment, cases.rolling(20), cases.plain, tolerance=FORMULA, hint=CONTACT_POINT)
-contact_force_accelerates_G = law(
-    "contact_force: with the weight it is the mass times the acceleration of G; (along, normal).", points=1.25, part="b"
-).agrees(reference.contact_force, cases.slow, tolerance=FORMULA, hint=part_of_force)
-contact_force_may_pull = contact_force_accelerates_G.then(
-    "contact_force: contact is kept where the ramp must pull, and without gravity.", points=0.25, part="b"
-).agrees(
-    reference.contact_force, cases.pulled, cases.weightless(5), cases.level, tolerance=FORMULA, hint=CONTACT_IS_KEPT
-)
-energy_of_G_and_of_turning = law(
-    "energy: of the motion of G, of the turning, and of the height of G.", points=1, part="b"
-).agrees(
-    reference.energy, cases.rolling(12), cases.weightless(3), cases.plain, cases.level, tolerance=FORMULA, hint=HEIGHT
-)
-simulate_rolls_and_rocks = law(
-    "simulate: rolling down and rocking, row i at t[i], row 0 the given state.", points=0.75, part="b"
-).follows(reference.simulate, lambda rng: cases.runs(rng, 200), tolerance=TRAJECTORY, hint=GOES_ON, keeps=KEPT)
-simulate_needs_no_dense_times = (
-    simulate_rolls_and_rocks.then("simulate: the same motion when few times are asked for.", points=0.25, part="b")
-    .follows(reference.simulate, cases.few_times, tolerance=TRAJECTORY, hint=OWN_STEPS)
-    .also.follows(
-        reference.simulate, cases.near_lowest, tolerance=TRAJECTORY, hint=HOWEVER_SMALL, near_miss_credit=False
+def centred_cylinder_rolls_by_both_methods(student, rng):
+    compare(student.acceleration, reference.acceleration, cases.centred(8)(rng), tolerance=FORMULA, hint=BOTH)
+    compare(
+        student.naive_contact_acceleration,
+        reference.naive_contact_acceleration,
+        cases.centred(8)(rng),
+        tolerance=FORMULA,
     )
+
+
+@check(
+    "acceleration",
+    points=1.5,
+    part="a",
+    line="the force that G's acceleration needs has, about G, the moment I^G phi''.",
 )
-simulate_rocks_at_the_linear_frequency = simulate_rolls_and_rocks.then(
-    "simulate: small rocking on level ground has the frequency of the linear equation.", points=0.25, part="b"
-).follows(reference.small_rocking, cases.small_rocking, name="simulate", **SMALL, hint=ABSOLUTE)
+def acceleration_balances_momentum_about_G(student, rng):
+    compare(
+        student.acceleration,
+        reference.acceleration,
+        [*cases.at_rest(cases.plain)(rng), *cases.rolling(20)(rng), *cases.plain(rng)],
+        tolerance=FORMULA,
+        hint=REST_OR_RATES,
+    )
+
+
+@check(
+    "acceleration",
+    points=0.5,
+    part="a",
+    after=acceleration_balances_momentum_about_G,
+    line="on level ground, and without gravity.",
+)
+def acceleration_level_and_without_gravity(student, rng):
+    compare(
+        student.acceleration,
+        reference.acceleration,
+        [*cases.flat(5)(rng), *cases.weightless(5)(rng), *cases.level(rng)],
+        tolerance=FORMULA,
+        hint=NO_WEIGHT,
+    )
+
+
+@check("contact_inertia", points=1, part="a", line="I^G plus the mass times the distance from C to G squared.")
+def contact_inertia_by_the_parallel_axis_theorem(student, rng):
+    compare(
+        student.contact_inertia,
+        reference.contact_inertia,
+        [
+            *cases.rolling(12)(rng),
+            *cases.centred(3)(rng),
+            *cases.at_rest(cases.plain)(rng),
+            *cases.at_rest(cases.level)(rng),
+        ],
+        tolerance=FORMULA,
+        hint=DISTANCE,
+    )
+
+
+@check(
+    "naive_contact_acceleration", points=0.75, part="a", line="the moment of the weight about C over I^C, at any angle."
+)
+def naive_acceleration_is_the_moment_over_the_inertia(student, rng):
+    compare(
+        student.naive_contact_acceleration,
+        reference.naive_contact_acceleration,
+        [*cases.rolling(10)(rng), *cases.at_rest(cases.plain)(rng), *cases.at_rest(cases.level)(rng)],
+        tolerance=FORMULA,
+        hint=WEIGHT_ACTS_AT_G,
+    )
+
+
+@check(
+    "missing_moment",
+    points=1.25,
+    part="b",
+    line="with it, I^C phi'' + missing_moment = M_C has the phi'' of the balances.",
+)
+def missing_moment_makes_it_right(student, rng):
+    compare(
+        student.missing_moment,
+        reference.missing_moment,
+        [*cases.rolling(20)(rng), *cases.plain(rng)],
+        tolerance=FORMULA,
+        hint=CONTACT_POINT,
+    )
+
+
+@check(
+    "contact_force",
+    points=1.25,
+    part="b",
+    line="with the weight it is the mass times the acceleration of G; (along, normal).",
+)
+def contact_force_accelerates_G(student, rng):
+    compare(student.contact_force, reference.contact_force, cases.slow(rng), tolerance=FORMULA, hint=part_of_force)
+
+
+@check(
+    "contact_force",
+    points=0.25,
+    part="b",
+    after=contact_force_accelerates_G,
+    line="contact is kept where the ramp must pull, and without gravity.",
+)
+def contact_force_may_pull(student, rng):
+    compare(
+        student.contact_force,
+        reference.contact_force,
+        [*cases.pulled(rng), *cases.weightless(5)(rng), *cases.level(rng)],
+        tolerance=FORMULA,
+        hint=CONTACT_IS_KEPT,
+    )
+
+
+@check("energy", points=1, part="b", line="of the motion of G, of the turning, and of the height of G.")
+def energy_of_G_and_of_turning(student, rng):
+    compare(
+        student.energy,
+        reference.energy,
+        [*cases.rolling(12)(rng), *cases.weightless(3)(rng), *cases.plain(rng), *cases.level(rng)],
+        tolerance=FORMULA,
+        hint=HEIGHT,
+    )
+
+
+@check("simulate", points=0.75, part="b", line="rolling down and rocking, row i at t[i], row 0 the given state.")
+def simulate_rolls_and_rocks(student, rng):
+    compare_trajectory(
+        student.simulate, reference.simulate, cases.runs(rng, 200), tolerance=TRAJECTORY, hint=GOES_ON, keeps=KEPT
+    )
+
+
+@check(
+    "simulate",
+    points=0.25,
+    part="b",
+    after=simulate_rolls_and_rocks,
+    line="the same motion when few times are asked for.",
+)
+def simulate_needs_no_dense_times(student, rng):
+    compare_trajectory(student.simulate, reference.simulate, cases.few_times(rng), tolerance=TRAJECTORY, hint=OWN_STEPS)
+    compare_trajectory(
+        student.simulate,
+        reference.simulate,
+        cases.near_lowest(rng),
+        tolerance=TRAJECTORY,
+        hint=HOWEVER_SMALL,
+        near_miss_credit=False,
+    )
+
+
+@check(
+    "simulate",
+    points=0.25,
+    part="b",
+    after=simulate_rolls_and_rocks,
+    line="small rocking on level ground has the frequency of the linear equation.",
+)
+def simulate_rocks_at_the_linear_frequency(student, rng):
+    compare_trajectory(student.simulate, reference.small_rocking, cases.small_rocking(rng), hint=ABSOLUTE, **SMALL)
+
+
 SHARES = {1e-4: 0.6, 1e-2: 0.3}  # of the drift of the energy
-simulate_keeps_the_energy = simulate_rolls_and_rocks.then(
-    "simulate: the energy stays what it was over many turns, with and without gravity.", points=0.25, part="b"
-).keeps(KEPT, reference=reference.simulate, cases=cases.many_turns, partial=SHARES, hint=ANY_DURATION)
+
+
+@check(
+    "simulate",
+    points=0.25,
+    part="b",
+    after=simulate_rolls_and_rocks,
+    line="the energy stays what it was over many turns, with and without gravity.",
+)
+def simulate_keeps_the_energy(student, rng):
+    check_conserved(
+        student.simulate, reference.simulate, cases.many_turns(rng), KEPT, partial=SHARES, hint=ANY_DURATION
+    )
 
 
 ASSIGNMENT = Assignment(

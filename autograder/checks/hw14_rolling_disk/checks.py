@@ -12,9 +12,12 @@ from tam570_grader import (
     array,
     by_kind,
     check,
+    check_conserved,
+    compare,
+    compare_columns,
+    compare_trajectory,
     expect,
     expect_that,
-    law,
     number,
     rows,
 )
@@ -100,9 +103,8 @@ EULER = (
 )
 
 
-@check(points=0.5, part="a")
+@check("free_body_diagram", points=0.5, part="a", line="every force on the disk, where it acts and along what.")
 def forces_on_the_disk(student, rng):
-    """free_body_diagram: every force on the disk, where it acts and along what."""
     compare_diagrams(student.free_body_diagram, reference, [*cases.instants(rng), *cases.flat_and_upright(rng)])
 
 
@@ -116,9 +118,16 @@ INTEGRALS = Invariant(CARRIED, "rad/s", reference.two_integrals, rate, KEPT)
 # (a) Three derivations
 
 PLACED = "The centre is contact + a e2, R is Rz(yaw) Rx(tilt) Rz(roll), omega is yaw' z + tilt' e1 + roll' e3."
-matrix_state_places_the_disk = law(
-    "matrix_state has the centre, R row by row, and the total omega in space axes.", points=0.5, part="a"
-).agrees_by_columns(reference.matrix_state, cases.instants, tolerance=POINTWISE, hint=PLACED)
+
+
+@check(
+    "matrix_state",
+    points=0.5,
+    part="a",
+    line="matrix_state has the centre, R row by row, and the total omega in space axes.",
+)
+def matrix_state_places_the_disk(student, rng):
+    compare_columns(student.matrix_state, reference.matrix_state, cases.instants(rng), tolerance=POINTWISE, hint=PLACED)
 
 
 def along(quantity, off, state, limit):
@@ -143,22 +152,64 @@ NEXT_TO_FLAT = {"tolerance": FLAT, "hint": "No tilt but 0 and pi is singular."}
 INSTANTS, FLAT_AND_UPRIGHT = cases.timed(cases.instants), cases.timed(cases.flat_and_upright)
 BY_MATRIX, FLAT_BY_MATRIX = cases.by_matrix(INSTANTS), cases.by_matrix(FLAT_AND_UPRIGHT)
 
-euler_equations_hold = law(
-    "euler_state_derivative balances momentum and angular momentum of disk, hoop and wheel.", points=1.25, part="a"
-).agrees_by_columns(reference.euler_state_derivative, INSTANTS, tolerance=POINTWISE, hint=TEST_IT)
-euler_equations_hold_next_to_flat_and_upright = euler_equations_hold.then(
-    "euler_state_derivative holds at a tilt of 1e-3, and for a disk spinning upright on a point.", points=0.25, part="a"
-).agrees_by_columns(reference.euler_state_derivative, FLAT_AND_UPRIGHT, **NEXT_TO_FLAT)
-matrix_equations_hold = (
-    law("matrix_state_derivative: the balances hold, and omega in space axes turns R.", points=0.75, part="a")
-    .agrees_by_columns(reference.matrix_state_derivative, BY_MATRIX, tolerance=POINTWISE, hint=IN_SPACE)
-    .also.agrees_by_columns(reference.matrix_state_derivative, FLAT_BY_MATRIX, **NEXT_TO_FLAT)
+
+@check(
+    "euler_state_derivative",
+    points=1.25,
+    part="a",
+    line="euler_state_derivative balances momentum and angular momentum of disk, hoop and wheel.",
 )
-multiplier_equations_hold = (
-    law("multiplier_state_derivative: the balances hold, with multipliers for the contact.", points=0.75, part="a")
-    .agrees_by_columns(reference.multiplier_state_derivative, BY_MATRIX, tolerance=POINTWISE, hint=ARM)
-    .also.agrees_by_columns(reference.multiplier_state_derivative, FLAT_BY_MATRIX, **NEXT_TO_FLAT)
+def euler_equations_hold(student, rng):
+    compare_columns(
+        student.euler_state_derivative,
+        reference.euler_state_derivative,
+        INSTANTS(rng),
+        tolerance=POINTWISE,
+        hint=TEST_IT,
+    )
+
+
+@check(
+    "euler_state_derivative",
+    points=0.25,
+    part="a",
+    after=euler_equations_hold,
+    line="euler_state_derivative holds at a tilt of 1e-3, and for a disk spinning upright on a point.",
 )
+def euler_equations_hold_next_to_flat_and_upright(student, rng):
+    compare_columns(
+        student.euler_state_derivative, reference.euler_state_derivative, FLAT_AND_UPRIGHT(rng), **NEXT_TO_FLAT
+    )
+
+
+@check("matrix_state_derivative", points=0.75, part="a", line="the balances hold, and omega in space axes turns R.")
+def matrix_equations_hold(student, rng):
+    compare_columns(
+        student.matrix_state_derivative,
+        reference.matrix_state_derivative,
+        BY_MATRIX(rng),
+        tolerance=POINTWISE,
+        hint=IN_SPACE,
+    )
+    compare_columns(
+        student.matrix_state_derivative, reference.matrix_state_derivative, FLAT_BY_MATRIX(rng), **NEXT_TO_FLAT
+    )
+
+
+@check(
+    "multiplier_state_derivative", points=0.75, part="a", line="the balances hold, with multipliers for the contact."
+)
+def multiplier_equations_hold(student, rng):
+    compare_columns(
+        student.multiplier_state_derivative,
+        reference.multiplier_state_derivative,
+        BY_MATRIX(rng),
+        tolerance=POINTWISE,
+        hint=ARM,
+    )
+    compare_columns(
+        student.multiplier_state_derivative, reference.multiplier_state_derivative, FLAT_BY_MATRIX(rng), **NEXT_TO_FLAT
+    )
 
 
 # (b) Simulation, (c) both ways
@@ -167,38 +218,91 @@ FOLLOWED = {"tolerance": TRAJECTORY, "hint": "If the derivatives are right, is t
 TWO = partial(cases.motions, count=2, span=6.0, samples=4)
 LONGER = partial(cases.motions, count=1, span=20.0, samples=6)
 
-euler_simulation_follows_the_motion = law(
-    "simulate_euler follows the motion from any start, row i at t[i], row 0 the given state.", points=0.5, part="b"
-).follows(reference.simulate_euler, cases.simulated, keeps=ENERGY_KEPT, **FOLLOWED)
-euler_simulation_keeps_two_integrals = euler_simulation_follows_the_motion.then(
-    "simulate_euler: omega along e2 and e3 depends only on the tilt, at any times.", points=0.5, part="b"
-).keeps(INTEGRALS, reference=reference.simulate_euler, cases=TWO, partial={1e-4: 0.5})
-matrix_simulation_follows_the_motion = law(
-    "simulate_matrix follows the motion from any start, row i at t[i], row 0 the given state.", points=0.5, part="b"
-).follows(reference.simulate_matrix, cases.by_matrix(cases.simulated), **FOLLOWED)
+
+@check(
+    "simulate_euler",
+    points=0.5,
+    part="b",
+    line="simulate_euler follows the motion from any start, row i at t[i], row 0 the given state.",
+)
+def euler_simulation_follows_the_motion(student, rng):
+    compare_trajectory(
+        student.simulate_euler, reference.simulate_euler, cases.simulated(rng), keeps=ENERGY_KEPT, **FOLLOWED
+    )
+
+
+@check(
+    "simulate_euler",
+    points=0.5,
+    part="b",
+    after=euler_simulation_follows_the_motion,
+    line="omega along e2 and e3 depends only on the tilt, at any times.",
+)
+def euler_simulation_keeps_two_integrals(student, rng):
+    check_conserved(student.simulate_euler, reference.simulate_euler, TWO(rng), INTEGRALS, partial={1e-4: 0.5})
+
+
+@check(
+    "simulate_matrix",
+    points=0.5,
+    part="b",
+    line="simulate_matrix follows the motion from any start, row i at t[i], row 0 the given state.",
+)
+def matrix_simulation_follows_the_motion(student, rng):
+    compare_trajectory(
+        student.simulate_matrix, reference.simulate_matrix, cases.by_matrix(cases.simulated)(rng), **FOLLOWED
+    )
+
 
 BOTH = euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion
-both_simulations_agree = (
-    law("simulate_matrix, simulate_euler: a long motion on the ground, R a rotation.", points=0.5, part="c", after=BOTH)
-    .keeps(ROTATES, HEIGHT, reference=reference.simulate_matrix, cases=cases.by_matrix(cases.long_motion))
-    .also.follows(reference.simulate_matrix, cases.by_matrix(cases.long_motion), tolerance=AGREED)
-    .also.follows(reference.simulate_euler, cases.long_motion, tolerance=AGREED)
+
+
+@check(
+    "simulate_matrix",
+    points=0.5,
+    part="c",
+    after=BOTH,
+    line="simulate_matrix, simulate_euler: a long motion on the ground, R a rotation.",
 )
+def both_simulations_agree(student, rng):
+    check_conserved(
+        student.simulate_matrix, reference.simulate_matrix, cases.by_matrix(cases.long_motion)(rng), ROTATES, HEIGHT
+    )
+    compare_trajectory(
+        student.simulate_matrix, reference.simulate_matrix, cases.by_matrix(cases.long_motion)(rng), tolerance=AGREED
+    )
+    compare_trajectory(student.simulate_euler, reference.simulate_euler, cases.long_motion(rng), tolerance=AGREED)
 
 
 # (d) Steady circles
 
-steady_residual_is_the_tilt_acceleration = law(
-    "steady_residual is tilt'' at this lean, precession and total spin, steady or not.", points=0.75, part="d"
-).agrees(reference.steady_residual, cases.steady, tolerance=POINTWISE, hint="Use tilt = lean + pi/2 and tilt' = 0.")
+
+@check(
+    "steady_residual",
+    points=0.75,
+    part="d",
+    line="steady_residual is tilt'' at this lean, precession and total spin, steady or not.",
+)
+def steady_residual_is_the_tilt_acceleration(student, rng):
+    compare(
+        student.steady_residual,
+        reference.steady_residual,
+        cases.steady(rng),
+        tolerance=POINTWISE,
+        hint="Use tilt = lean + pi/2 and tilt' = 0.",
+    )
 
 
 # (e) The picture
 
 
-@check(points=0.5, part="e")
+@check(
+    "wireframe",
+    points=0.5,
+    part="e",
+    line="wireframe is a closed regular polygon on the rim, and two perpendicular diameters that roll with the disk.",
+)
 def wireframe_is_a_rolling_disk(student, rng):
-    """wireframe is a closed regular polygon on the rim, and two perpendicular diameters that roll with the disk."""
     for calls in cases.pictures(rng):
         places = [judge_wireframe(case, lines) for case, lines in student.wireframe.each(calls)]
         apart, hint = reference.turned(np.diff(places, axis=0), np.pi), "Do they roll with the disk?"
@@ -236,13 +340,27 @@ REST_OR_RATES = by_kind(
     {"at rest": "At rest it is wrong, too: what is the height of the centre?"},
     "At rest it is right: look at the speed of the centre and the turning about it.",
 )
-energy_is_kinetic_and_potential = law(
-    "energy adds what moves, what turns and what is high.", points=0.5, part="f"
-).agrees(reference.energy, cases.resting_first, tolerance=POINTWISE, hint=REST_OR_RATES)
+
+
+@check("energy", points=0.5, part="f", line="energy adds what moves, what turns and what is high.")
+def energy_is_kinetic_and_potential(student, rng):
+    compare(student.energy, reference.energy, cases.resting_first(rng), tolerance=POINTWISE, hint=REST_OR_RATES)
+
+
 NEEDED = euler_simulation_follows_the_motion, energy_is_kinetic_and_potential
-energy_is_conserved = law(
-    "The energy of simulate_euler's motion stays what it was, over a long time.", points=0.25, part="f", after=NEEDED
-).keeps(ENERGY_KEPT, reference=reference.simulate_euler, cases=LONGER, partial={1e-4: 0.6, 1e-3: 0.3})
+
+
+@check(
+    "energy",
+    points=0.25,
+    part="f",
+    after=NEEDED,
+    line="along simulate_euler's motion it stays what it was, over a long time.",
+)
+def energy_is_conserved(student, rng):
+    check_conserved(
+        student.simulate_euler, reference.simulate_euler, LONGER(rng), ENERGY_KEPT, partial={1e-4: 0.6, 1e-3: 0.3}
+    )
 
 
 def wrong_force(case, found, expected):
@@ -255,19 +373,49 @@ def wrong_force(case, found, expected):
     return along("The force", found - expected, case.args[0], limit) or otherwise
 
 
-contact_force_moves_the_centre = law(
-    "contact_force is what the centre's acceleration and the weight ask for, in space axes.", points=0.75, part="f"
-).agrees(reference.contact_force, cases.instants, tolerance=POINTWISE, hint=wrong_force)
+@check(
+    "contact_force",
+    points=0.75,
+    part="f",
+    line="contact_force is what the centre's acceleration and the weight ask for, in space axes.",
+)
+def contact_force_moves_the_centre(student, rng):
+    compare(student.contact_force, reference.contact_force, cases.instants(rng), tolerance=POINTWISE, hint=wrong_force)
 
 
 # (g) and (h) Stability
 
-critical_speed_parts_stable_from_unstable = law(
-    "critical_speed is the centre's speed at which a small lean neither grows nor swings.", points=0.5, part="g"
-).agrees(reference.critical_speed, cases.wheels, tolerance=LINEAR, hint="Linearise: what is yaw' to first order?")
-growth_rate_is_that_of_a_small_lean = law(
-    "growth_rate_squared is the lean's, below and above the critical speed, and at rest.", points=0.75, part="h"
-).agrees(reference.growth_rate_squared, cases.speeds, tolerance=LINEAR, hint="Linearise about upright.")
+
+@check(
+    "critical_speed",
+    points=0.5,
+    part="g",
+    line="critical_speed is the centre's speed at which a small lean neither grows nor swings.",
+)
+def critical_speed_parts_stable_from_unstable(student, rng):
+    compare(
+        student.critical_speed,
+        reference.critical_speed,
+        cases.wheels(rng),
+        tolerance=LINEAR,
+        hint="Linearise: what is yaw' to first order?",
+    )
+
+
+@check(
+    "growth_rate_squared",
+    points=0.75,
+    part="h",
+    line="growth_rate_squared is the lean's, below and above the critical speed, and at rest.",
+)
+def growth_rate_is_that_of_a_small_lean(student, rng):
+    compare(
+        student.growth_rate_squared,
+        reference.growth_rate_squared,
+        cases.speeds(rng),
+        tolerance=LINEAR,
+        hint="Linearise about upright.",
+    )
 
 
 ASSIGNMENT = Assignment(

@@ -144,7 +144,7 @@ def calls_of_checks(course: Path, slug: str, text: str) -> tuple[dict[str, set[s
     try:
         for check in assignment.checks:
             student.asked = set()
-            check.judge(student, generator(SEED, slug, check))
+            check.run(student, generator(SEED, slug, check))
             calls[check.name] = student.asked
     finally:
         student.leave()

@@ -137,6 +137,8 @@ def assignment(root: Path, slug: str) -> LoadedAssignment:
     checks = _named_checks(module)
     stated = _stated(module)
     rubric = load_rubric(root / "assignments" / slug)
+    if unknown := [check.name for check in checks if check.function not in stated.returns]:
+        raise UsageError(f"{slug}: the check {unknown[0]} is about no function of the assignment")
     found = LoadedAssignment(slug, checks, stated.returns, stated.needs, stated.forbidden, source, rubric, root)
     return _adapted(found, folder) if (folder / f"{ADAPTED}.py").exists() else found
 
@@ -230,11 +232,8 @@ def _stated(module: ModuleType) -> Assignment:
 
 
 def _named_checks(module: ModuleType) -> tuple[Check, ...]:
-    """The checks of a module, in order; a law has the name that it is bound to."""
-    found = {name: value for name, value in vars(module).items() if isinstance(value, Check)}
-    for name, one in found.items():
-        one.judge.__name__ = name
-    return tuple(found.values())
+    """The checks of a module, in order."""
+    return tuple(value for value in vars(module).values() if isinstance(value, Check))
 
 
 def _loaded(path: Path, name: str) -> ModuleType:

@@ -1,10 +1,9 @@
-"""A check: a plain function `name(student, rng)` whose docstring is the line that the student reads.
+"""A check: a plain function `name(student, rng)` about one function of the student.
 
-    @check(points=2, part="a", after=other_check)
-    def keeps_lengths(student, draw):
-        "R^T R = I, for any axis and angle."
-        for case, R in student.rotation_matrix.each(axes_and_angles(draw, 50)):
-            expect(R.T @ R, np.eye(3), within=1e-12, of="R^T R")
+    @check("rotation_matrix", points=2, part="a", after=other_check, line="R^T R = I, for any axis and angle.")
+    def keeps_lengths(student, rng):
+        for case, R in student.rotation_matrix.each(cases.axes_and_angles(rng)):
+            expect(R.T @ R, np.eye(3), tolerance=1e-12, quantity="R^T R")
 
 `student.f(...)` calls the student's function in the sandbox and returns what `Assignment.returns` states, as float64
 arrays, or ends the check with a message; `student.f.each([Case(...), ...])` makes many calls in one round trip. `rng`
@@ -12,9 +11,8 @@ is a random generator that belongs to the check and is the same for every studen
 """
 
 import functools
-import re
 import threading
-from collections.abc import Callable, Container, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
@@ -47,38 +45,47 @@ class Memory:
             return self._known[key]
 
 
+Run = Callable[[Any, np.random.Generator], None]  # run(student, rng)
+
+
 @dataclass(frozen=True)
 class Check:
-    """One hidden check, as `@check` or a `law` makes it."""
+    """One hidden check, as `@check` makes it; `some_check.run(student, rng)` runs it by hand."""
 
-    judge: Callable[[Any, np.random.Generator], None]
+    run: Run
+    function: str  # that it is about
     points: float
     part: str
+    line: str  # what it tests, for the student
     after: tuple["Check", ...]
 
     @property
     def name(self) -> str:
-        return self.judge.__name__
+        return self.run.__name__
 
     @property
-    def line(self) -> str:
-        """What the check tests, for the student: the first paragraph of its docstring on one line."""
-        return " ".join((self.judge.__doc__ or self.name).strip().split("\n\n")[0].split())
-
-    def function(self, results: Container[str]) -> str:
-        """The function that it is about: the first of `results` that its line names, empty if it names none."""
-        return next((word for word in re.findall(r"\w+", self.line) if word in results), "")
+    def title(self) -> str:
+        """The line, with the function that it is about in front."""
+        return self.line if self.line.startswith(self.function) else f"{self.function}: {self.line}"
 
 
 def check(
-    *, points: float, part: str, after: Check | Sequence[Check] = ()
-) -> Callable[[Callable[[Any, np.random.Generator], None]], Check]:
-    """Make a function a check worth `points` in a lettered part, run only when all of `after` have (nearly) passed."""
+    function: str, *, points: float, part: str, line: str, after: Check | Sequence[Check] = ()
+) -> Callable[[Run], Check]:
+    """Make a function of a student and a generator a check.
 
-    def made(judge: Callable[[Any, np.random.Generator], None]) -> Check:
-        return Check(judge, float(points), part, needed(after))
+    Parameters
+    ----------
+    function : the student's function that the check is about
+    points, part : what it is worth, and in which lettered part
+    line : what it tests, for the student
+    after : the check, or the checks, that must (nearly) pass before this one runs
+    """
 
-    return made
+    def decorated(run: Run) -> Check:
+        return Check(run, function, float(points), part, line, needed(after))
+
+    return decorated
 
 
 def needed(after: Check | Sequence[Check]) -> tuple[Check, ...]:

@@ -24,6 +24,7 @@ __all__ = [
     "by_kind",
     "largest",
     "find_reference",
+    "check_domain",
     "check_raises",
     "trim_to_signature",
 ]
@@ -234,3 +235,12 @@ def check_raises(function: Any, cases: Iterable[Case], *, hint: str = "") -> Non
     for case, refused in function.refusals(cases):
         if not refused:
             fail(f"{function.name} does not raise ValueError", label=case.label, hint=hint, at=case)
+
+
+def check_domain(
+    function: Any, reference: Reference, cases: Sequence[Case], *, tolerance: float, allowed: int = 1, hint: str = ""
+) -> None:
+    """Fail unless the function is right in the first `allowed` cases, and raises ValueError in all others."""
+    compare(function, reference, cases[:allowed], tolerance=tolerance, hint="This input is allowed")
+    refused = trim_to_signature(find_reference(reference, function), cases[allowed:])
+    check_raises(function, refused, hint=hint)

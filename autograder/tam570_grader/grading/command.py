@@ -191,7 +191,7 @@ def _print_gradescope(course: Path, summary: RunSummary) -> int:
     if code := _warn_of_faults(summary):
         return code
     checks = assignments.assignment(course, summary.last["assignment"]).checks
-    say(json.dumps(autograder.results(summary.last, {check.name: check.line for check in checks}), indent=1))
+    say(json.dumps(autograder.results(summary.last, {check.name: check.title for check in checks}), indent=1))
     return 0
 
 

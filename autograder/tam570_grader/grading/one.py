@@ -161,7 +161,7 @@ def _judge(check: Check, student: Student, assignment: LoadedAssignment, seed: i
     """Run a check; the student's calls are then its own."""
     student.calls.clear()
     with budget(), np.errstate(all="ignore"), check_context(recorder=recorder, aside=student.aside):
-        check.judge(student, generator(seed, assignment.slug, check))
+        check.run(student, generator(seed, assignment.slug, check))
 
 
 def _cause(
@@ -251,7 +251,7 @@ def _consequence(
         raise
     except Exception:  # it was not run before, and is not now
         return None
-    called = {call.name for call in student.calls} or {check.function(assignment.results)}
+    called = {call.name for call in student.calls} or {check.function}
     return _passed(check) if any(name not in functions for name in called) else None
 
 
@@ -261,7 +261,7 @@ def _is_drawn(assignment: LoadedAssignment, call: Called) -> bool:
 
 
 def _passed(check: Check) -> CheckResult:
-    return CheckResult(check.name, check.part, check.points, check.points, "passed", check.line)
+    return CheckResult(check.name, check.part, check.points, check.points, "passed", check.title)
 
 
 def _failed(check: Check, failed: Failed, cause: Cause | None, fault: str = "") -> CheckResult:
@@ -284,7 +284,7 @@ def _grader_error(check: Check, error: str) -> CheckResult:
 
 
 def _line(checks: Sequence[Check], name: str) -> str:
-    return next(check.line.rstrip(".") for check in checks if check.name == name)
+    return next(check.title.rstrip(".") for check in checks if check.name == name)
 
 
 def _skipped(cells: Sequence[str]) -> str:

@@ -179,7 +179,7 @@ def prove(root: Path, slugs: Sequence[str]) -> None:
         told = limits(root)
         config = WorkerConfig(ResourceLimits(told["memory"] * 2**20, told["cpu"], told["call"]), (root,))
         one = assignments.assignment(root, slug)
-        mine = {check.name for check in one.checks if check.judge.__module__.endswith(f".{OWN}")}
+        mine = {check.name for check in one.checks if check.run.__module__.endswith(f".{OWN}")}
         texts = {"solution": one.solution, "stub": (root / "assignments" / slug / f"{slug}.py").read_text("utf-8")}
         for what, text in texts.items():
             for seed in range(SEEDS):
@@ -290,8 +290,7 @@ def _tell(path: Path, assignment: LoadedAssignment, part: Part, folder: Path) ->
     must(path, bool(assignment.checks), f"[{assignment.slug[:4]}] leaves no check: leave the assignment out instead")
     worth = dict.fromkeys(assignment.results, 0.0)
     for check in assignment.checks:
-        name = check.function(assignment.results)
-        worth[name] = worth.get(name, 0.0) + check.points
+        worth[check.function] += check.points
     readme = (folder / "README.md").read_text(encoding="utf-8")
     readme = ROW.sub(lambda row: f"{row[1]}{worth.get(row[2], 0.0):g}{row[4]}", readme)
     more = [f"Part ({letter}) is left out in this course." for letter in part.leave_out]

@@ -123,7 +123,7 @@ def functions_by_part(assignment: LoadedAssignment) -> dict[str, str]:
     """The part of each function: that of the first check that is about it, else the first part."""
     found: dict[str, str] = {}
     for check in assignment.checks:
-        found.setdefault(check.function(assignment.results), check.part)
+        found.setdefault(check.function, check.part)
     first = assignment.checks[0].part
     return {name: found.get(name, first) for name in assignment.results}
 
@@ -171,7 +171,7 @@ def _part(assignment: LoadedAssignment, part: str, text: str, shown: str | None,
 
 def _used_in(assignment: LoadedAssignment, part: str) -> list[str]:
     """The functions that the checks of a part are about."""
-    used = {check.function(assignment.results) for check in assignment.checks if check.part == part}
+    used = {check.function for check in assignment.checks if check.part == part}
     return sorted(used & {*assignment.results})
 
 

@@ -65,8 +65,8 @@ def load_assignment_info(course: Path, slug: str) -> AssignmentInfo:
     if slug not in assignments.slugs(course):
         return AssignmentInfo(slug, {}, {}, {})
     assignment = assignments.assignment(course, slug)
-    lines = {check.name: check.line for check in assignment.checks}
-    functions = {check.name: check.function(assignment.results) for check in assignment.checks}
+    lines = {check.name: check.title for check in assignment.checks}
+    functions = {check.name: check.function for check in assignment.checks}
     return AssignmentInfo(_title(course / "assignments" / slug, slug), lines, functions, assignment.manual)
 
 

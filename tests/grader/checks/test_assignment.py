@@ -18,6 +18,7 @@ SLUG = "hw08_axis_angle"
         ("needs=", "need=", TypeError),
         ('"rotate": ("rotation_matrix",)', '"rotat": ("rotation_matrix",)', ValueError),
         ('"rotate": ("rotation_matrix",)', '"rotate": ("rotation_matrix")', ValueError),
+        ('@check("skew"', '@check("skow"', UsageError),
         ("ASSIGNMENT =", "ASSIGMENT =", UsageError),
     ],
 )

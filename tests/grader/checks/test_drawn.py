@@ -106,7 +106,7 @@ def judged(slug, text, course, zygotes):
     student = Student(Source(text.encode()), assignment, zygotes(slug, ResourceLimits()))
     try:
         with check_context():
-            check.judge(student, np.random.default_rng(3))
+            check.run(student, np.random.default_rng(3))
     finally:
         student.leave()
 

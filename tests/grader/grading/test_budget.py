@@ -145,6 +145,6 @@ def test_rows_that_are_absurd_are_judged_by_every_check(number, grade, solution_
     result = grade(slug, solution_text(slug) + absurd, naming=False)
     assert result.status == "graded"
     assert not any(check.message and "to judge" in check.message for check in result.checks)
-    lines = {check.name: check.line for check in assignments.assignment(course, slug).checks}
+    lines = {check.name: check.title for check in assignments.assignment(course, slug).checks}
     of_motions = ("simulate", "plot_rim_paths")  # which calls it
     assert all(check.outcome == "passed" for check in result.checks if not lines[check.name].startswith(of_motions))

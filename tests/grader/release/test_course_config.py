@@ -36,9 +36,8 @@ MINE = '''
 from tam570_grader import Case, check, expect
 
 
-@check(points=2, part="b")
+@check("rotate", points=2, part="b", line="turning back undoes it.")
 def turning_back_undoes(student, rng):
-    """rotate: turning back undoes it."""
     r, axis = rng.normal(size=3), rng.normal(size=3)
     ((_, there),) = student.rotate.each([Case(r, axis, 0.7)])
     ((_, back),) = student.rotate.each([Case(there, axis, -0.7)])

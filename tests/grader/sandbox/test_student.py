@@ -189,7 +189,7 @@ def test_what_was_not_run_names_the_line_that_it_needs(grade, course):
     marks = {mark.name: mark for mark in grade("hw01_simple_pendulum", "def period(*_, **__): return 0.0").checks}
     for check in assignments.assignment(course, "hw01_simple_pendulum").checks:
         if check.after and not marks[check.name].unwritten:
-            needed = next(one.line.rstrip(".") for one in check.after if not marks[one.name].unlocks_dependents)
+            needed = next(one.title.rstrip(".") for one in check.after if not marks[one.name].unlocks_dependents)
             assert marks[check.name].message == f"Not run: it needs “{needed}” to pass first."
 
 

@@ -1,0 +1,100 @@
+"""A check is a function about one function of the student; compare and check_domain judge it over cases."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from tam570_grader.checks.case import Case
+from tam570_grader.checks.check import check
+from tam570_grader.checks.compare import check_domain, compare
+from tam570_grader.checks.expect import Failed, check_context
+from tam570_grader.checks.returns import number
+
+
+def root(x):
+    return x**0.5
+
+
+def student(function, seen=None):
+    """A student whose `root` is this function; what it is called with is noted in `seen`."""
+
+    def each(cases):
+        for case in cases:
+            if seen is not None:
+                seen.append(case)
+            yield case, function(*case.args)
+
+    def refused(x):
+        try:
+            function(x)
+        except ValueError:
+            return True
+        return False
+
+    def refusals(cases):
+        return ((case, refused(*case.args)) for case in cases)
+
+    return SimpleNamespace(root=SimpleNamespace(name="root", returns=number, each=each, refusals=refusals))
+
+
+def drawn(rng):
+    return [Case(rng.uniform(1, 2)).labelled("a random x")]
+
+
+@check("root", points=2, part="b", line="the positive root.")
+def root_is_positive(student, rng):
+    compare(student.root, root, drawn(rng), tolerance=1e-9)
+
+
+@check("root", points=1, part="b", after=root_is_positive, line="root raises ValueError for a negative number.")
+def negative_numbers_have_no_root(student, rng):
+    calls = [*drawn(rng), Case(-1.0).labelled("x = -1")]
+    check_domain(student.root, root, calls, tolerance=1e-9)
+
+
+def run(one, function, seen=None):
+    with check_context():
+        one.run(student(function, seen), np.random.default_rng(1))
+
+
+def test_a_check_is_a_record_of_what_its_decorator_says():
+    first, second = root_is_positive, negative_numbers_have_no_root
+    assert (first.name, first.function, first.points, first.part, first.after) == (
+        "root_is_positive",
+        "root",
+        2.0,
+        "b",
+        (),
+    )
+    assert second.after == (first,)
+    assert (first.title, second.title) == ("root: the positive root.", "root raises ValueError for a negative number.")
+
+
+def test_it_passes_what_is_right_and_fails_what_is_not():
+    run(root_is_positive, root)
+    with pytest.raises(Failed):
+        run(root_is_positive, lambda x: -root(x))
+
+
+def test_a_function_raises_beyond_its_domain_and_is_right_within():
+    def positive(x):
+        if x < 0:
+            raise ValueError
+        return root(x)
+
+    run(negative_numbers_have_no_root, positive)
+    for wrong in (lambda x: root(abs(x)), lambda x: 2 * positive(x)):  # raises nothing; is wrong where it answers
+        with pytest.raises(Failed):
+            run(negative_numbers_have_no_root, wrong)
+
+
+def test_a_call_is_cut_to_what_the_reference_takes():
+    seen = []
+    compare(student(root, seen).root, root, [Case(4.0, 7.0, mass=2.0).labelled("more than it takes")], tolerance=1e-9)
+    assert seen == [Case(4.0).labelled("more than it takes")]
+
+
+def test_a_call_may_have_arguments_before_its_own():
+    case = Case(2.0, mass=1.0).labelled("a random x").with_leading(0.5)
+    assert (case.args, case.kwargs, case.label) == ((0.5, 2.0), {"mass": 1.0}, "a random x")
