@@ -15,12 +15,19 @@ __all__ = ["Crossing", "Motion", "Report"]
 class Report:
     """How a run went.
 
-    engine          : "Python" or "compiled"
-    untraced_reason : why the right-hand side was called as it stands instead of traced; empty if it was traced
-    steps           : taken
-    refusals        : steps that were too long and taken again
-    evaluations     : of the right-hand side by these steps, twelve each; None where compiled series took their place
-    atol            : (k,) the error allowed in any case; where the caller gave none, what follows from the start
+    Parameters
+    ----------
+    engine : str
+        "Python" or "compiled".
+    untraced_reason : str
+        Why the right-hand side was called unchanged instead of traced; empty if it was traced.
+    steps : int
+    refusals : int
+        Steps that were too long and were repeated.
+    evaluations : int or None
+        Of the right-hand side in these steps, twelve each; None if compiled series replaced them.
+    atol : (k,) ndarray
+        The error allowed in any case; if the caller gave none, what follows from the start.
     """
 
     engine: str
@@ -42,11 +49,16 @@ class Crossing(NamedTuple):
 class Motion:
     """A motion with what was asked for.
 
-    t      : (n,) the times asked for, those up to a terminal event
-    states : (n, k)
-    events : one `Crossing` for each event function
-    at     : at(time or times) -> (k,) or (n, k) states, where `dense` was asked for; else None
-    report : `Report`
+    Parameters
+    ----------
+    t : (n,) ndarray
+        The times asked for, those up to a terminal event.
+    states : (n, k) ndarray
+    events : tuple of Crossing
+        One for each event function.
+    at : callable or None
+        at(time or times) returns (k,) or (n, k) states, if you asked for `dense`.
+    report : Report
     """
 
     t: Array

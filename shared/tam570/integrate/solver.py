@@ -98,21 +98,50 @@ def solve(
     dense: bool = False,
     report: bool = False,
 ) -> Array | Motion:
-    """States at the times `t` of y' = rhs(t, y, **parameters), y(t[0]) = y0; the module's docstring says more.
+    """Solve `y' = rhs(t, y, **parameters)`, `y(t[0]) = y0`, and return the states at the times `t`.
 
-    rhs        : rhs(t, y, **parameters) -> k numbers; NumPy or plain floats inside; parameters are bound at the start
-    t          : (n,) strictly increasing or decreasing, n >= 2; the choice of times does not change the steps taken
-    y0         : (k,), or (m, k) for m starts at once
-    rtol, atol : a step's error may be atol + rtol |y|; atol is one number or k, left out it follows from the start
-    method     : "auto", "python", "compiled"; at a fixed step, for long conservative runs, "gauss", "composition"
-    step       : s, of the last two alone: no longer than this; left out it follows from rtol
-    max_step, first_step : s, as in solve_ivp: no step is longer; the first to be tried
-    project    : project(y) -> the nearest allowed state, applied after every step: for holonomic constraints
-    events     : event(t, y, **parameters) -> a number whose zeros are found, as in solve_ivp; or a list of such
-    dense, report : also give the motion as a function of time; also tell how the run went
-    Returns (n, k), row 0 is y0; or (m, n, k). With events, dense or report a `Motion`.
-    ValueError names the argument; ArithmeticError says when rhs or solution cease to be finite, or become stiff.
-    Another error of rhs is passed on as it is.
+    Parameters
+    ----------
+    rhs : callable
+        `rhs(t, y, **parameters)` returns k numbers, with NumPy or plain floats inside. Parameters are bound at
+        the start.
+    t : (n,) array_like
+        Strictly increasing or decreasing, n >= 2. The choice of times does not change the steps taken.
+    y0 : (k,) or (m, k) array_like
+        One start, or m starts at once.
+    parameters : mapping, optional
+        Keyword arguments of rhs.
+    rtol, atol : float, atol also (k,)
+        The error of a step may be atol + rtol abs(y). If you omit atol, it follows from the start.
+    method : str
+        "auto", "python" or "compiled"; or, at a fixed step for long conservative runs, "gauss" or "composition".
+    step : float, optional
+        The longest step of these two, in s. If you omit it, it follows from rtol.
+    max_step, first_step : float, optional
+        In s, as in SciPy's solve_ivp.
+    project : callable, optional
+        project(y) returns the nearest allowed state; it is applied after every step, for holonomic constraints.
+    events : callable or list of callables, optional
+        `event(t, y, **parameters)` returns a number whose zeros are found, as in SciPy's solve_ivp.
+    dense, report : bool
+        Also return the motion as a function of time; also report how the run went.
+
+    Returns
+    -------
+    (n, k) or (m, n, k) ndarray, or Motion
+        Row 0 is y0. With events, dense or report, a `Motion`.
+
+    Raises
+    ------
+    ValueError
+        If an argument does not fit; the message names it.
+    ArithmeticError
+        If rhs or solution cease to be finite, or the equations become stiff; the message gives the time.
+
+    Examples
+    --------
+    >>> solve(lambda t, y: (y[1], -y[0]), [0.0, math.pi], [1.0, 0.0])[-1].round(9)
+    array([-1., -0.])
     """
     more = events is not None or dense or report
     plain = not more and step is None and project is None and first_step is None and max_step == math.inf

@@ -21,10 +21,17 @@ MONTHS = ("Aug", "Sept", "Oct", "Nov")
 
 @dataclass(frozen=True)
 class Lecture:
-    """One lecture as its first line tells it.
+    """One lecture, from the first line of its module.
 
-    day  : (month, day) of the first lecture on it, to sort by
-    date : as it is written, "19, 21 Sept"
+    Parameters
+    ----------
+    name : str
+    day : tuple
+        Month and day of its first date, to sort by.
+    date : str
+        As written, such as "19, 21 Sept".
+    title : str
+    file : Path
     """
 
     name: str

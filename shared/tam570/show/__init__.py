@@ -19,10 +19,15 @@ SAVED_AS = (".html", ".png", ".gif", ".webp", ".mp4")
 
 @dataclass(frozen=True)
 class Shown:
-    """A scene, or why there is none; a notebook shows it inline.
+    """A scene, or the reason why there is none; a notebook shows it inline.
 
-    scene    : None if it could not be made
-    trouble : why not
+    Parameters
+    ----------
+    scene : Scene or None
+    trouble : str
+        The reason, if there is no scene.
+    height : int
+        In pixels, in a notebook.
     """
 
     scene: Scene | None
@@ -42,7 +47,7 @@ class Shown:
         return self.trouble if self.scene is None else f"<{self.scene.title}: {self.scene.times[-1]:g} s>"
 
     def save(self, file: str | Path) -> None:
-        """Write it to FILE.html, .png, .gif, .webp or .mp4. Trouble if it cannot be."""
+        """Write it to a file .html, .png, .gif, .webp or .mp4; raise Trouble if that fails."""
         if self.scene is None:
             raise Trouble(self.trouble)
         save(self.scene, Path(file))
