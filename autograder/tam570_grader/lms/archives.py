@@ -17,6 +17,7 @@ __all__ = ["File", "Room", "inside", "is_beside", "members", "shortened"]
 MOST = 100_000  # files in a download
 MOST_INSIDE = 1000  # files of a student, in zip files of their own too
 MOST_UNPACKED = 2 * LARGEST  # bytes of all work of a student: every student's is held until all are read
+TABLE, LARGEST_TABLE = "submission_metadata.yml", 200 * 2**20  # Gradescope's, of bytes: it holds every output
 LONGEST_PATH = 1000  # characters
 ENTRY = 46  # bytes that a zip file's directory has for a file, at least
 METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)  # the others unpack a piece whole, however large it becomes
@@ -116,7 +117,7 @@ def _member(archive: zipfile.ZipFile, info: zipfile.ZipInfo) -> File:
         return File(info.filename, b"", "it cannot be unpacked: make the zip file with the system's own program")
     try:
         with archive.open(info) as file:
-            return _checked(info.filename, file.read(min(info.file_size, LARGEST) + 1))
+            return _checked(info.filename, file.read(min(info.file_size, _most(info.filename)) + 1))
     except Exception as error:  # as above
         return File(info.filename, b"", f"it cannot be unpacked: {shortened(str(error))}")
 
@@ -124,7 +125,7 @@ def _member(archive: zipfile.ZipFile, info: zipfile.ZipInfo) -> File:
 def _of_folder(path: Path, source: Path) -> File:
     name = path.relative_to(source).as_posix()
     with open(path, "rb") as file:
-        return _checked(name, file.read(LARGEST + 1))
+        return _checked(name, file.read(_most(name) + 1))
 
 
 def _regular(source: Path) -> list[Path]:
@@ -138,7 +139,14 @@ def _regular(source: Path) -> list[Path]:
     return sorted(path for path in found if stat.S_ISREG(path.lstat().st_mode))
 
 
+def _most(name: str) -> int:
+    """Bytes that a file may have; a folder's name before it is a student's, so the outermost table alone is large."""
+    return (
+        LARGEST_TABLE if name.rsplit("/", 1)[-1] == TABLE and "submission_" not in name.removesuffix(TABLE) else LARGEST
+    )
+
+
 def _checked(name: str, data: bytes) -> File:
-    if len(data) > LARGEST:
-        return File(name, b"", f"it is larger than {LARGEST // 2**20} MiB")
+    if len(data) > _most(name):
+        return File(name, b"", f"it is larger than {_most(name) // 2**20} MiB")
     return File(name, data)

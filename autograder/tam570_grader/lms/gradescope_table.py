@@ -1,19 +1,22 @@
 """`submission_metadata.yml`, the table of who handed in what in Gradescope's export: none of it is taken on trust."""
 
+import io
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import yaml
 
 from tam570_grader.errors import UsageError
+from tam570_grader.grading.submissions import LARGEST
 from tam570_grader.lms.archives import File
 
 __all__ = ["Table", "table_in"]
 
 NAME = "submission_metadata.yml"
 FOLDER = re.compile(r"submission_[0-9]+")  # of one submission
+WANTED = (b"  :submitters:", b"  :created_at:")
 AGAIN = "export the submissions again in Gradescope"
 People = tuple[tuple[dict[str, str], str], ...]  # the ids of each submitter, and the name
 
@@ -39,10 +42,24 @@ def table_in(files: Iterable[File]) -> Table:
         raise UsageError(f"the export holds no {NAME} beside its submissions: choose Export Submissions in Gradescope")
     if found.refused:
         raise UsageError(f"{found.path} cannot be read: {found.refused}; {AGAIN}")
-    told = _read(found)
+    told = _read(found if len(found.data) <= LARGEST else replace(found, data=_without_results(found.data)))
     if not isinstance(told, dict) or not told:
-        raise UsageError(f"{found.path} lists no submissions; {AGAIN}")
+        size = f", and is larger than {LARGEST // 2**20} MiB" if len(found.data) > LARGEST else ""
+        raise UsageError(f"{found.path} lists no submissions{size}; {AGAIN}")
     return Table(found, {str(folder): _submission(one, f"{found.path}, {folder}") for folder, one in told.items()})
+
+
+def _without_results(data: bytes) -> bytes:
+    """The lines of a long table that tell whose a submission is and when it came; its outputs are passed over."""
+    kept, is_wanted = list[bytes](), False
+    for line in io.BytesIO(data):
+        if not line.startswith(b" "):
+            is_wanted = True
+        elif line.startswith(b"  :"):
+            is_wanted = line.startswith(WANTED)
+        if is_wanted:
+            kept.append(line)
+    return b"".join(kept)
 
 
 def _may_be_it(file: File) -> bool:

@@ -89,7 +89,9 @@ def _points(arguments: argparse.Namespace) -> int:
         new = list(_checked(arguments.table, found, manual, checks)) if arguments.table else []
     feedback.must_write_pages()
     with contextlib.closing(ResultStore(folder)) as book:  # nobody else adds rows meanwhile
-        hand, open_, notes = late_policy.obeyed(manual_points.read(folder).with_(new), terms, book, arguments.collected)
+        hand, open_, notes = late_policy.apply_late_policy(
+            manual_points.read(folder).with_(new), terms, book, arguments.collected
+        )
         manual_points.write(folder, hand)
         failed = feedback.write_pages(folder / "feedback", book, course)
     for line in [*open_, *notes]:

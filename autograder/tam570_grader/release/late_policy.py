@@ -19,7 +19,7 @@ from tam570_grader.release.course_toml import COPY, FILE, by_slug, must, no_othe
 from tam570_grader.results.manual_points import EVERYONE, EXTENSION, LATE, MOST, OFF, Entry, ManualAdjustments
 from tam570_grader.results.store import Results
 
-__all__ = ["KEYS", "LatePolicy", "obeyed", "stale", "policies", "policies_of"]
+__all__ = ["KEYS", "LatePolicy", "apply_late_policy", "stale", "policies", "policies_of"]
 
 KEYS = ("due", "extension")  # of an assignment's table
 RULES = ("off_a_day", "most_off", "grace")  # of [late], beside its zone
@@ -91,7 +91,7 @@ def _is_number(value: Any) -> bool:
     return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
 
 
-def obeyed(
+def apply_late_policy(
     hand: ManualAdjustments, known: Mapping[str, LatePolicy], found: Results, collected: Path | None
 ) -> tuple[ManualAdjustments, list[str], list[str]]:
     """What was added by hand with the rows that the terms make, sentences on what they leave open, and notes.

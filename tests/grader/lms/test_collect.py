@@ -350,3 +350,15 @@ def test_a_download_of_another_system_is_said(course, tmp_path, capsys):
     for system, says in (("canvas", "is --from right?"), ("gradescope", "submission_metadata.yml")):
         assert cli.main(["--root", str(course), "collect", str(tmp_path / "a.zip"), "--from", system]) == 2
         assert says in capsys.readouterr().err
+
+
+def test_a_long_table_is_read_without_its_outputs(collect):
+    """Gradescope writes every output into it; none of that is held as a tree."""
+    long = "  :results:\n    output: '" + "x" * 100 + "'\n"
+    table = "".join(
+        line if not line.startswith("  :created_at") else line + long * 80_000 for line in METADATA.splitlines(True)
+    )
+    assert len(table) > LARGEST
+    files = {"submission_metadata.yml": table, "submission_1/hw08.py": "ab", "submission_2/hw08.py": "c"}
+    code, found, _, said = collect("gradescope", files)
+    assert (code, found) == (0, {module("aadams"): "ab", module("bbrown"): "ab", module("cchen"): "c"}), said
