@@ -33,6 +33,8 @@ TRIED = 12  # rows at which the right equations are asked where they lead
 OBEYED = 0.03  # of the change between rows: a wrong term makes more, a loose tolerance less
 # Of the duration: in one so short no step has an error, and a wrong term has the same part in the rate as in any other.
 INSTANTS = 1e-8, 1e-7
+LONGER = 3  # durations, in which the second row of other times is sought
+MOST_STEPS = 4  # of other times, that are tried
 ASKED = 6  # rows, and right states, from which both set off for an instant
 ABSURD = 100  # scales: from what is off by more the right motion may take as long as it likes
 STEPS = 2_000_000  # of the right motion from a student's rows
@@ -120,6 +122,7 @@ def _tells(motion: Motion, motions: Sequence[Motion], turns: Sequence[int]) -> l
         (lambda: _another(motion, motions), "This is the motion of an earlier call: is a result kept between calls?"),
         (lambda: _joined(motion), JOINED),
         (lambda: _denser(motion), SAMPLED),
+        (lambda: _at_other_times(motion), "These are rows of the right motion at other times: use the times in t"),
     ]
 
 
@@ -149,6 +152,35 @@ def _even(motion: Motion) -> bool:
         for even in (np.linspace(t[0], t[-1], len(t)), t[0] + (t[1] - t[0]) * np.arange(len(t)))
         if len(t) > 2
     )
+
+
+def _at_other_times(motion: Motion) -> bool:
+    """Whether the rows are those at even times of another step, such as one of the student's own."""
+    moved = np.max(np.ptp(motion.found, axis=0) / motion.scales)
+    if len(motion.t) < 3 or not ROUGHLY < moved <= ABSURD or motion.errors[0].max() > ALIKE:
+        return False
+    start, count = motion.t[0], np.arange(len(motion.t))
+    try:
+        with limited(STEPS):
+            return any(motion.near(motion.truly(start + step * count)) for step in _steps(motion))
+    except (ValueError, ArithmeticError, Exhausted):
+        return False
+
+
+def _steps(motion: Motion) -> Iterator[float]:
+    """Durations after which the right motion passes by the student's second row."""
+    from scipy.optimize import minimize_scalar
+
+    start, later = motion.t[0], LONGER * (motion.t[-1] - motion.t[0]) * np.linspace(0, 1, LONGER * DENSER + 1)
+
+    def missed(step: float) -> float:
+        row = motion.truly(np.array([start, start + step]))[-1]
+        return float(np.sum(((row - motion.found[1]) / motion.scales) ** 2))
+
+    off = np.max(np.abs(motion.truly(start + later) - motion.found[1]) / motion.scales, axis=1)
+    closest = (off[1:-1] <= off[:-2]) & (off[1:-1] <= off[2:]) & (off[1:-1] < ROUGHLY)
+    for index in np.flatnonzero(closest)[:MOST_STEPS]:
+        yield float(minimize_scalar(missed, bounds=later[[index, index + 2]], method="bounded").x)
 
 
 def _from_zero(motion: Motion) -> bool:

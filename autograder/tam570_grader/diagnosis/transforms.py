@@ -34,11 +34,21 @@ FACTORS = {
     "lacks the factor sqrt(2)": math.sqrt(0.5),
     "has a factor sqrt(2) too many": math.sqrt(2),
 }
+
+
+def _into_turn(turn: float, angle: Any) -> Any:
+    return angle - turn * np.round(np.asarray(angle) / turn)
+
+
 POWERS: dict[str, Callable[[Any], Any]] = {
     "is the square of the right one": np.square,
     "is the square root of the right one": np.sqrt,
     "is one over the right one": np.reciprocal,
     "has lost its sign": np.abs,
+    "is zero where the right one is negative": partial(np.maximum, 0.0),
+    "is the square root of the right one, and zero where that is negative": lambda value: np.sqrt(np.maximum(value, 0)),
+    "is the arctan of a ratio, which has lost a half turn; use arctan2": partial(_into_turn, math.pi),
+    "is wrapped to less than half a turn either way": partial(_into_turn, 2 * math.pi),
 }
 GRAVITY = 9.81  # m/s^2
 LENGTHS = ("radius", "length", "offset")  # from one point to the other, of a moment of inertia

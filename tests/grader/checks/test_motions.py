@@ -206,3 +206,14 @@ def test_wrong_physics_of_small_effect_is_not_called_right(grade, solution_text,
     said = " ".join(mark.message for mark in grade(slug, solution_text(slug) + text).checks if mark.failure)
     assert ("The physics is right" in said) == reference
     assert "is wrong by" in said
+
+
+@pytest.mark.parametrize(("count", "step"), [(3, 0.2), (3, 2.3), (200, 0.011)])
+def test_rows_of_other_times_than_those_that_are_asked_for(count, step):
+    t = np.linspace(1, 3, count) ** 1.5
+
+    def own_times(t, start, factor=1.0):
+        return swings(1 + step * np.arange(len(t)), start) * [1, factor]
+
+    assert "at other times" in told(own_times, t)
+    assert "at other times" not in told(partial(own_times, factor=1.01), t)

@@ -185,6 +185,18 @@ def turned(v, angle):
         ),
         (lambda: pairs(lambda r, angle: (r, abs(angle))), "The second result of polar has lost its sign"),
         (
+            lambda: pairs(lambda r, angle: (r, math.atan(math.tan(angle)))),
+            "The second result of polar is the arctan of a ratio",
+        ),
+        (
+            lambda: pairs(lambda r, angle: (r, max(angle, 0.0))),
+            "The second result of polar is zero where the right one is negative",
+        ),
+        (
+            lambda: pairs(lambda r, angle: (r, math.sqrt(max(angle, 0.0)))),
+            "The second result of polar is the square root of the right one, and zero",
+        ),
+        (
             lambda: pairs(lambda r, angle: (r, angle / (2 * math.pi))),
             "The second result of polar lacks the factor 2 pi",
         ),

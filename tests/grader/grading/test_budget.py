@@ -8,6 +8,7 @@ import pytest
 
 from tam570_grader.checks import assignments
 from tam570_grader.checks.effort import Exhausted, compile_counted, limited
+from tam570_grader.diagnosis import diagnose
 from tam570_grader.grading import budget, one
 from tam570_grader.grading.one import graded
 from tam570_grader.sandbox.student import Source
@@ -66,7 +67,7 @@ def test_memory_is_limited_where_a_cluster_grades_in_a_thread_of_its_own(judged,
 
 
 def test_to_look_for_a_mistake_is_part_of_it(judged, solution_text, monkeypatch):
-    monkeypatch.setattr(one, "known", compiled(ENDLESS)["endless"])
+    monkeypatch.setattr(diagnose, "known", compiled(ENDLESS)["endless"])
     result = judged(text=solution_text(SLUG) + "\n\ndef skew(v): return np.eye(3)")
     assert result.status == "graded"
     assert {check.suspect for check in result.checks} == {None}
