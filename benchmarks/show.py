@@ -27,18 +27,17 @@ SOLUTIONS = HERE.parent / "solutions"
 PENDULUM = "hw07_double_pendulum"
 REPEATS = 5
 STAGES = """
-import json, sys, time
+import json, pathlib, sys, time
 times = [time.perf_counter()]
-from tam570.show import Student, import_module, load_student
+from tam570.show import load_student, scene_of
 from tam570.show.page import page
 slug, file = sys.argv[1:]
 times.append(time.perf_counter())
-module = load_student(file, slug)
-scene = import_module(f"tam570.show.scenes.{slug[:4]}")
+module = load_student(pathlib.Path(file), slug)
 times.append(time.perf_counter())
-film = scene.film(Student(module))
+scene = scene_of(module, slug)
 times.append(time.perf_counter())
-page(film)
+page(scene)
 times.append(time.perf_counter())
 print(json.dumps([after - before for before, after in zip(times, times[1:])]))
 """
