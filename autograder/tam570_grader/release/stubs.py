@@ -38,7 +38,7 @@ def _made(course: Path, slug: str) -> dict[Path, str]:
     readme, rubric = released / "README.md", load_rubric(released)
     figure = assignments.figure(course, slug)
     return {
-        readme: with_rubric(readme.read_text(encoding="utf-8"), rubric),
+        **({readme: with_rubric(readme.read_text(encoding="utf-8"), rubric)} if readme.exists() else {}),
         released / f"{slug}.py": stub(solution.read_text(encoding="utf-8")),
         released / "contract.json": contract(assignments.assignment(course, slug)),
         **({released / "figure.svg": figure.svg()} if figure else {}),
