@@ -49,6 +49,7 @@ def motion(
     mass = sympy.Matrix([[sympy.simplify(sympy.diff(p, w)) for w in v] for p in momenta])
     _check_inertia(mass)
     _check_independence(matrix)
+    _check_pivots(mass, matrix)
     used = set().union(*(e.free_symbols for e in (L, *Q, *given)))
     return Motion(
         time=t,
@@ -86,9 +87,26 @@ def _check_independence(matrix: Expression) -> None:
         raise ValueError("constraints are not independent: leave out what follows from the others")
 
 
+def _check_pivots(mass: Expression, matrix: Expression) -> None:
+    """The written elimination exchanges no rows: an indefinite M must not have a zero where it divides."""
+    M, A = _at_numbers(mass, matrix)
+    for system in (M, A * M.inv() * A.T):
+        if any(_rank(system[:k, :k]) < k for k in range(1, system.rows + 1)):
+            raise ValueError(
+                f"lagrangian: the mass matrix {mass.tolist()} is indefinite, and elimination divides by zero; choose "
+                "other coordinates, such as sums and differences of these"
+            )
+
+
+def _at_numbers(*matrices: Expression) -> list[Expression]:
+    """The matrices at some numbers, in 30 digits."""
+    symbols = sorted(set().union(*(matrix.free_symbols for matrix in matrices)), key=str)
+    numbers = {symbol: sympy.Rational(17 + i, 13) for i, symbol in enumerate(symbols)}
+    return [matrix.subs(numbers).evalf(30) for matrix in matrices]
+
+
 def _rank(matrix: Expression) -> int:
-    """The rank at some numbers, in 30 digits."""
-    numbers = {s: sympy.Rational(17 + i, 13) for i, s in enumerate(sorted(matrix.free_symbols, key=str))}
-    at_numbers = matrix.subs(numbers).evalf(30)
+    """The rank at some numbers."""
+    (at_numbers,) = _at_numbers(matrix)
     negligible = 1e-20 * at_numbers.norm()  # far above the rounding of 30 digits
     return int(at_numbers.rank(iszerofunc=lambda x: abs(x) <= negligible))

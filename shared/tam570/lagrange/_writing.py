@@ -1,8 +1,8 @@
 """The equations as Python text: straight lines of plain floats, nothing computed twice, no zero carried along.
 
 Numbers to come are names in the text; a zero that is known beforehand is None. Linear systems are eliminated
-line by line, without pivots: the mass matrix of a system with inertia in every coordinate is positive definite,
-and so is A M^-1 A^T of independent constraints.
+line by line, without exchanges: the mass matrix of a system with inertia in every coordinate is positive definite, and
+so is A M^-1 A^T of independent constraints. An indefinite one that would need exchanges is refused before.
 """
 
 import keyword
