@@ -43,8 +43,12 @@ def breaks_of(graph: Graph, start: float, end: float) -> list[float]:
             continue
         if symbol.number in affine:
             continue
-        if symbol.name in ("*", "/", "pow", "fabs") or symbol.name in FUNCTIONS.values():
-            arguments |= {a.number: a for a in symbol.arguments if isinstance(a, Symbol) and symbol.name not in TAME}
+        given = [a for a in symbol.arguments if isinstance(a, Symbol)]
+        is_multiple = len(given) == 1 and (
+            symbol.name == "*" or (symbol.name == "/" and symbol.arguments[0] is given[0])
+        )
+        if symbol.name not in TAME and not is_multiple and symbol.name not in ("+", "-", "neg"):
+            arguments |= {a.number: a for a in given}
     lines = [line for number, line in affine.items() if number in arguments]
     zeros = [-shift / rate for rate, shift in lines if shift and rate]
     curved = [symbol for number, symbol in arguments.items() if number not in affine]
