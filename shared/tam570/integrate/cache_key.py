@@ -9,13 +9,13 @@ import dis
 import functools
 import math
 import types
-from collections.abc import Callable, Hashable, Iterable
+from collections.abc import Callable, Hashable, Iterable, Mapping
 from functools import lru_cache
 from typing import Any
 
 import numpy as np
 
-__all__ = ["Changeable", "cache_key", "global_names"]
+__all__ = ["Changeable", "cache_key", "call_key", "global_names"]
 
 LONGEST = 1000  # numbers in a list or an array: more take longer to look at than to trace
 CONSTANT = ("math", "numpy")  # modules
@@ -66,6 +66,17 @@ def cache_key(value: Any, functions: dict[int, int] | None = None) -> Hashable:
     if isinstance(value, type) and value.__module__ in ("builtins", "numpy"):
         return value
     raise Changeable(f"{type(value).__name__} may change unseen")
+
+
+def call_key(rhs: Any, parameters: Mapping[str, Any] | None) -> Hashable:
+    """The key of a right-hand side with its parameters. Raises `Changeable`."""
+    functions: dict[int, int] = {}
+    key = cache_key(rhs, functions)
+    if parameters:
+        key = key, cache_key(tuple(parameters.items()), functions)
+    if CHANGES in functions and MUTABLE in functions:
+        raise Changeable("it may change what it keeps")
+    return key
 
 
 def _number(value: Any, _: Any) -> Hashable:
@@ -145,10 +156,7 @@ def _function(value: types.FunctionType, functions: dict[int, int]) -> Hashable:
             raise Changeable(f"{value.__name__} uses {name}")
     if changes:
         functions[CHANGES] = 0
-    key = value.__code__, *[cache_key(item, functions) for item in values]
-    if CHANGES in functions and MUTABLE in functions:
-        raise Changeable(f"{value.__name__} may change what it keeps")
-    return key
+    return value.__code__, *[cache_key(item, functions) for item in values]
 
 
 @lru_cache(maxsize=1024)

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from tam570.integrate.adaptive import Control, Run, is_compiled
 from tam570.integrate.arguments import Array
-from tam570.integrate.cache_key import Changeable, cache_key
+from tam570.integrate.cache_key import Changeable, call_key
 from tam570.integrate.compilation import available
 from tam570.integrate.engine import Engine
 from tam570.integrate.stiffness import COMPILED
@@ -46,7 +46,7 @@ def slot_of(
     if method not in METHODS:
         return None
     try:
-        times, key = np.asarray(t, dtype=float), cache_key((rhs, *(parameters or {}).items()))
+        times, key = np.asarray(t, dtype=float), call_key(rhs, parameters)
         return _slot((key, len(y0), times.shape, times.tobytes(), rtol, atol))
     except (Changeable, TypeError, ValueError):
         return None

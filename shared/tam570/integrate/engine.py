@@ -15,7 +15,7 @@ from tam570.integrate.adaptive_loop import GENERATED, first_step_with, loop_with
 from tam570.integrate.arguments import Array
 from tam570.integrate.binding import CalledRates, Rates, agrees, bound, check_start, reversed_rates
 from tam570.integrate.breaks import breaks_of
-from tam570.integrate.cache_key import Changeable, cache_key
+from tam570.integrate.cache_key import Changeable, call_key
 from tam570.integrate.dop853_source import compiled
 from tam570.integrate.formulas import Formulas, call_of, written
 from tam570.integrate.roundoff import roundoff_by_neighbours
@@ -93,7 +93,7 @@ def engine(
     if not may_trace:
         return _called_engine(run, "it has a value where its formulas have none")
     try:
-        key = cache_key((rhs, *(parameters or {}).items()))
+        key = call_key(rhs, parameters)
         slot = _cache_slot((key, len(start), run.sampled, sign))
         if not slot:
             slot.append(_traced_engine(run))
