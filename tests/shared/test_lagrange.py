@@ -282,7 +282,7 @@ def test_fractions_are_exact():
 def test_an_indefinite_mass_matrix_is_eliminated_or_refused():
     x, y, v, w, m, k = sympy.symbols("x y v w m k")
     with pytest.raises(ValueError, match="indefinite"):
-        lagrange.source(m * v * w - k * x * y, [x, y], [v, w])  # M = [[0, m], [m, 0]]: two oscillators in odd coordinates
+        lagrange.source(m * v * w - k * x * y, [x, y], [v, w])  # M = [[0, m], [m, 0]]
     twin = lagrange.load(lagrange.source(m * v * v / 2 + 2 * m * v * w - k * x * x / 2, [x, y], [v, w]))
     _, _, a, b = twin.rhs(0.0, (1.0, 0.5, 0.0, 0.0), m=2.0, k=3.0)
     assert (2.0 * a + 4.0 * b, 4.0 * a) == pytest.approx((-3.0, 0.0))

@@ -1,0 +1,56 @@
+"""Error against tolerance on the public problems: how many times rtol, for the compiled and the Python engine.
+
+The error is the largest over twenty times of a run, relative to the largest magnitude of its component, beyond what the
+problem itself makes of a change of its start by rtol. Prints the table; --write keeps it in results/.
+
+    python benchmarks/error_against_tolerance.py --write
+"""
+
+import argparse
+import platform
+import sys
+from datetime import date
+from pathlib import Path
+
+import numpy as np
+
+HERE = Path(__file__).parent
+sys.path.insert(0, str(HERE / "run_time"))
+
+import public  # noqa: E402
+
+from tam570.integrate import solve  # noqa: E402
+
+TOLERANCES = (1e-6, 1e-8, 1e-10, 1e-12)
+FINEST = 1e-15
+
+
+def errors(rhs, start, end, method):
+    """Largest error over rtol, and over rtol times the sensitivity of the problem, for each tolerance."""
+    t = np.linspace(0, end, 21)
+    exact = solve(rhs, t, start, rtol=FINEST)
+    size = np.abs(exact).max(axis=0) + 1e-300
+    near = solve(rhs, t, np.array(start, dtype=float) * (1 + 1e-8), rtol=FINEST)
+    sensitivity = max(1.0, float((np.abs(near - exact) / size).max() / 1e-8))
+    found = [float((np.abs(solve(rhs, t, start, rtol=r, method=method) - exact) / size).max() / r) for r in TOLERANCES]
+    return found, [error / sensitivity for error in found]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--write", action="store_true")
+    options = parser.parse_args()
+    lines = [
+        f"{date.today()}, {platform.machine()}, Python {platform.python_version()}: error / rtol / sensitivity",
+        f"{'':24}" + "".join(f"{f'{r:g}':>16}" for r in TOLERANCES),
+    ]
+    for name, (rhs, start, end) in public.PROBLEMS.items():
+        both = [errors(rhs, start, end, method)[1] for method in ("compiled", "python")]
+        lines.append(f"{name:24}" + "".join(f"{f'{a:.2g} / {b:.2g}':>16}" for a, b in zip(*both, strict=True)))
+        print(lines[-1], flush=True)
+    if options.write:
+        (HERE / "results" / "error_against_tolerance.txt").write_text("\n".join(lines) + "\n")
+
+
+if __name__ == "__main__":
+    main()
