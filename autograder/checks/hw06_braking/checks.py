@@ -120,13 +120,18 @@ def of_rates(case, found, expected):
     return "G slips sideways, for it is not on the free axle: do you turn (forward, left) by the heading?"
 
 
+TOO_EARLY = "You stop the car too early."
+
+
 def of_run(motion):
     """What to say of a motion that ends early, goes straight on, or does not stay where it stops."""
     found, expected = motion.found, motion.expected
     rests = ~expected[:, 3:].any(axis=1)
     after = found[rests]
     if not found[~rests, 3:].any(axis=1).all():
-        return "Speed and yaw rate are zero there before it stops: does your event count time from t[0]?"
+        runs = found[:, 3:].any(axis=1)
+        late = motion.t[0] != 0 and motion.errors[runs].max(initial=0.0) <= SLOW
+        return "You stop the car too early: does your event count time from t[0]?" if late else TOO_EARLY
     if not found[1:, 4].any() and expected[1:, 4].any():
         return "It goes straight on: a small yaw rate is not zero, and may grow."
     if not rests.any():

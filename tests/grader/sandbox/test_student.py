@@ -257,3 +257,17 @@ def test_who_looks_as_if_killed_by_others_is_not_tried_again(death, course, zygo
     zygote = zygotes(SLUG, ResourceLimits(cpu=2, call=1.5))
     outcome = graded("eve", source, assignments.assignment(course, SLUG), zygote, 1, attempt=ATTEMPTS[0])
     assert outcome.score < 10
+
+
+def test_what_chooses_words_leaves_half_of_the_time(course, zygotes, solution_text, monkeypatch):
+    zygote = zygotes(SLUG, ResourceLimits())
+    student = Student(Source(solution_text(SLUG).encode()), assignments.assignment(course, SLUG), zygote)
+    vector = Case(np.ones(3))
+    try:
+        assert student.skew.aside(vector).shape == (3, 3)
+        monkeypatch.setattr(student, "seconds", lambda: 0.6 * zygote.limits.cpu)
+        with pytest.raises(Failed):
+            student.skew.aside(vector)
+        assert student.skew(np.ones(3)).shape == (3, 3) and len(student.calls) == 1
+    finally:
+        student.leave()
