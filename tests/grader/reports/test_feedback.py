@@ -75,7 +75,7 @@ def secrets(mark):
 
 def test_the_detail_would_be_found_if_it_were_there(page, grade, solution_text):
     slug = "hw07_double_pendulum"
-    result = wrong(slug, "point_masses", grade, solution_text)
+    result = wrong(slug, "mass_matrix", grade, solution_text)
     record = result.record()
     number = next(number for mark in result.checks for number in secrets(mark))
     leaking = json.loads(json.dumps(record).replace('"quantity": "', f'"quantity": "{number} ', 1))
@@ -101,7 +101,7 @@ def test_what_a_function_raises_in_a_hidden_call_is_not_on_the_page(page, grade,
 
 
 def test_a_page_needs_no_other_file(page, grade, solution_text):
-    result = wrong("hw07_double_pendulum", "point_masses", grade, solution_text)
+    result = wrong("hw07_double_pendulum", "mass_matrix", grade, solution_text)
     assert not re.search(r"(?:src|href)=\"(?!#)|url\(|@import|<script", page(result))
 
 
