@@ -1,0 +1,366 @@
+"""Known mistakes of hw01."""
+
+import math
+
+import numpy as np
+
+from tam570_grader.diagnosis.mistakes import mistake
+
+from .checks import (
+    action_is_stationary_on_motions,
+    action_is_the_integral,
+    energies_are_right,
+    energy_gives_the_acceleration,
+    energy_gives_the_acceleration_at_rest,
+    forces_on_the_mass,
+    lagrange_gives_the_acceleration,
+    lagrangian_is_kinetic_less_potential,
+    moments_give_the_acceleration,
+    momentum_and_moment_are_about_the_hinge,
+    newton_gives_the_acceleration,
+    newton_gives_the_tension,
+    period_grows_towards_the_top,
+    period_is_exact,
+    power_gives_the_acceleration,
+    power_gives_the_acceleration_at_rest,
+    simulate_keeps_the_energy,
+    simulate_needs_no_dense_times,
+    simulate_swings,
+    simulate_turns_over_the_top,
+    simulate_without_gravity,
+    small_angle_solution_is_harmonic,
+    small_angle_solution_without_gravity,
+    virtual_work_gives_the_acceleration,
+)
+
+# Balances
+
+
+@mistake(
+    "You drew a centrifugal force along the rod; no other body exerts it.",
+    first_fails=forces_on_the_mass,
+    compared=False,
+)
+def free_body_diagram(reference, theta, omega, **pendulum):
+    weight, (r, inwards) = reference(theta, omega, **pendulum)
+    return [(r, r), weight, (r, inwards)]
+
+
+@mistake("You wrote None for the rod; its force acts along it.", first_fails=forces_on_the_mass, compared=False)
+def free_body_diagram(reference, theta, omega, **pendulum):
+    weight, (r, _) = reference(theta, omega, **pendulum)
+    return [weight, (r, None)]
+
+
+@mistake("You use cos(theta) in alpha; use sin(theta).", first_fails=newton_gives_the_acceleration)
+def linear_momentum_balance(reference, theta, omega, **pendulum):
+    return reference(math.pi / 2 - theta, omega, **pendulum)[0], reference(theta, omega, **pendulum)[1]
+
+
+@mistake("You cut a negative tension off to 0; a rod can push.", first_fails=newton_gives_the_tension)
+def linear_momentum_balance(reference, theta, omega, **pendulum):
+    alpha, tension = reference(theta, omega, **pendulum)
+    return alpha, max(tension, 0.0)
+
+
+@mistake(
+    "You subtract m l omega^2 from the tension; add it, because the mass accelerates towards the hinge.",
+    first_fails=newton_gives_the_tension,
+)
+def linear_momentum_balance(reference, theta, omega, **pendulum):
+    alpha, tension = reference(theta, omega, **pendulum)
+    return alpha, tension - 2 * pendulum["mass"] * pendulum["length"] * omega**2
+
+
+@mistake("You use the whole weight in the tension; use its part along the rod.", first_fails=newton_gives_the_tension)
+def linear_momentum_balance(reference, theta, omega, *, mass, length, gravity):
+    alpha, _ = reference(theta, omega, mass=mass, length=length, gravity=gravity)
+    return alpha, mass * (length * omega**2 + gravity)
+
+
+@mistake(
+    "You use the wrong sign for the moment of the weight; it turns the mass back down.",
+    first_fails=moments_give_the_acceleration,
+)
+def angular_momentum_balance(reference, theta, omega, *, gravity, **rod):
+    return reference(theta, omega, gravity=-gravity, **rod)
+
+
+@mistake(
+    "You return the momentum m l omega; its moment about the hinge is m l^2 omega.",
+    first_fails=momentum_and_moment_are_about_the_hinge,
+)
+def angular_momentum_balance(reference, theta, omega, *, length, **pendulum):
+    alpha, momentum, moment = reference(theta, omega, length=length, **pendulum)
+    return alpha, momentum / length, moment
+
+
+@mistake(
+    "You set the potential energy to zero at the hinge; it is zero at the lowest point.", first_fails=energies_are_right
+)
+def energy_balance(reference, theta, omega, *, mass, length, gravity):
+    alpha, kinetic, potential = reference(theta, omega, mass=mass, length=length, gravity=gravity)
+    return alpha, kinetic, potential - mass * gravity * length
+
+
+@mistake(
+    "You drop the sign of sin(theta); alpha is positive where theta is between -pi and 0.",
+    first_fails=energy_gives_the_acceleration,
+)
+def energy_balance(reference, theta, omega, **pendulum):
+    alpha, *energies = reference(theta, omega, **pendulum)
+    return -abs(alpha), *energies
+
+
+@mistake(
+    "You divide the rate of the potential energy by omega, which is 0/0 at rest; cancel omega first.",
+    first_fails=energy_gives_the_acceleration_at_rest,
+    compared=False,
+)
+def energy_balance(reference, theta, omega, **pendulum):
+    alpha, *energies = reference(theta, omega, **pendulum)
+    return alpha * omega / np.float64(omega), *energies
+
+
+@mistake(
+    "You use the speed in the power; gravity's power is negative where the mass rises.",
+    first_fails=power_gives_the_acceleration,
+)
+def power_balance(reference, theta, omega, **pendulum):
+    alpha, power = reference(theta, omega, **pendulum)
+    return alpha, power * np.sign(omega)
+
+
+@mistake(
+    "You divide the power by omega, which is 0/0 at rest; cancel omega first.",
+    first_fails=power_gives_the_acceleration_at_rest,
+    compared=False,
+)
+def power_balance(reference, theta, omega, *, mass, length, gravity):
+    _, power = reference(theta, omega, mass=mass, length=length, gravity=gravity)
+    return power / (mass * length**2 * omega), power
+
+
+@mistake(
+    "You divide the generalized force by m l; it is a moment, so divide it by m l^2.",
+    first_fails=virtual_work_gives_the_acceleration,
+)
+def virtual_work(reference, theta, omega, *, length, **pendulum):
+    alpha, generalized_force = reference(theta, omega, length=length, **pendulum)
+    return alpha * length, generalized_force
+
+
+# Lagrange and Hamilton
+
+
+@mistake(
+    "You set the potential energy to zero at the hinge; it is zero at the lowest point.",
+    first_fails=lagrangian_is_kinetic_less_potential,
+)
+def lagrangian(reference):
+    import sympy
+
+    mass, length, gravity = sympy.symbols("m l g")
+    return reference() + mass * gravity * length
+
+
+@mistake("You add the potential energy; the Lagrangian is T - V.", first_fails=lagrangian_is_kinetic_less_potential)
+def lagrangian(reference):
+    import sympy
+
+    g = sympy.Symbol("g")
+    return reference().subs(g, -g)
+
+
+@mistake(
+    "You replace sin(theta) by theta; Lagrange's equation of this Lagrangian has sin(theta).",
+    first_fails=lagrange_gives_the_acceleration,
+)
+def lagrange_equation(reference):
+    import sympy
+
+    theta = sympy.Symbol("theta")
+    return reference().subs(sympy.sin(theta), theta)
+
+
+@mistake("You leave the mass in alpha; it cancels.", first_fails=lagrange_gives_the_acceleration, compared=False)
+def lagrange_equation(reference):
+    import sympy
+
+    return sympy.Symbol("m") * reference()
+
+
+@mistake(
+    "You integrate T + V; the action is the integral of T - V.",
+    first_fails=action_is_stationary_on_motions,
+    tolerance=1e-3,
+)
+def action(reference, theta, step, *, gravity, **rod):
+    return reference(theta, step, gravity=-gravity, **rod)
+
+
+@mistake(
+    "You use the potential energy of small angles, m g l theta^2/2; the path has large angles.",
+    first_fails=action_is_stationary_on_motions,
+    tolerance=1e-3,
+)
+def action(reference, theta, step, *, mass, length, gravity):
+    middle = (theta[:-1] + theta[1:]) / 2
+    kinetic = reference(theta, step, mass=mass, length=length, gravity=0.0)
+    return kinetic - step * np.sum(mass * gravity * length * middle**2 / 2)
+
+
+@mistake(
+    "You take the potential energy at the first end of each step, which is of first order; take it at the middle.",
+    first_fails=action_is_the_integral,
+)
+def action(reference, theta, step, *, mass, length, gravity):
+    kinetic = reference(theta, step, mass=mass, length=length, gravity=0.0)
+    return kinetic - step * np.sum(mass * gravity * length * (1 - np.cos(theta[:-1])))
+
+
+# Small angles and the period
+
+
+@mistake("You use g/l as the frequency; it is the square root of g/l.", first_fails=small_angle_solution_is_harmonic)
+def small_angle_solution(reference, t, theta0, omega0, *, length, gravity):
+    return reference(t, theta0, omega0, length=length**2, gravity=gravity**2)
+
+
+@mistake(
+    "You start from theta0, omega0 at t[0]; they are the state at t = 0.", first_fails=small_angle_solution_is_harmonic
+)
+def small_angle_solution(reference, t, theta0, omega0, **rod):
+    return reference(t - t[0], theta0, omega0, **rod)
+
+
+@mistake(
+    "In omega(t), your term with theta0 lacks the factor sqrt(g/l); differentiate theta(t).",
+    first_fails=small_angle_solution_is_harmonic,
+)
+def small_angle_solution(reference, t, theta0, omega0, *, length, gravity):
+    k, rows = math.sqrt(gravity / length), reference(t, theta0, omega0, length=length, gravity=gravity)
+    return rows + np.outer((k - 1) * theta0 * np.sin(k * t), [0, 1])
+
+
+@mistake(
+    "You divide sin(w t) by w = sqrt(g/l), which is 0/0 without gravity; use its limit t.",
+    first_fails=small_angle_solution_without_gravity,
+    compared=False,
+)
+def small_angle_solution(reference, t, theta0, omega0, *, length, gravity):
+    k = np.sqrt(gravity / length)
+    c, s = np.cos(k * t), np.sin(k * t)
+    return np.column_stack([theta0 * c + omega0 * s / k, omega0 * c - theta0 * k * s])
+
+
+@mistake("You return the period of small angles; it grows with the amplitude.", first_fails=period_is_exact)
+def period(reference, amplitude, *, length, gravity):
+    return 2 * math.pi * math.sqrt(length / gravity)
+
+
+@mistake("You stop after two terms of the series in the amplitude; the period is exact.", first_fails=period_is_exact)
+def period(reference, amplitude, *, length, gravity):
+    return 2 * math.pi * math.sqrt(length / gravity) * (1 + amplitude**2 / 16)
+
+
+@mistake("You pass the modulus k to ellipk; SciPy's takes the parameter m = k^2.", first_fails=period_is_exact)
+def period(reference, amplitude, *, length, gravity):
+    from scipy.special import ellipk
+
+    return 4 * math.sqrt(length / gravity) * ellipk(math.sin(amplitude / 2))
+
+
+@mistake(
+    "You subtract nearly equal cosines, which leaves no digits at tiny amplitudes; use a product of sines.",
+    first_fails=period_grows_towards_the_top,
+    compared=False,
+    numerics=True,
+)
+def period(reference, amplitude, *, length, gravity):
+    from scipy.integrate import quad
+
+    def slowness(theta):
+        return 1 / np.sqrt(2 * (np.cos(theta) - np.cos(amplitude)))
+
+    return 4 * math.sqrt(length / gravity) * quad(slowness, 0, amplitude)[0]
+
+
+# Motion
+
+
+@mistake("You use the wrong sign for gravity; it pulls the mass down.", first_fails=simulate_swings, name="upside_down")
+def _state_derivative(reference, t, state, *, length, gravity):
+    return reference(t, state, length=length, gravity=-gravity)
+
+
+@mistake("You integrate the linear equation; use sin(theta).", first_fails=simulate_swings)
+def simulate(reference, t, theta0, omega0, **rod):
+    return small_angle_solution(t - t[0], theta0, omega0, **rod)
+
+
+@mistake("You assume evenly spaced times; use the given times.", first_fails=simulate_swings)
+def simulate(reference, t, theta0, omega0, **rod):
+    return reference(np.linspace(t[0], t[-1], len(t)), theta0, omega0, **rod)
+
+
+@mistake(
+    "You integrate with solve_ivp's default tolerances; tighten rtol and atol.",
+    first_fails=simulate_swings,
+    compared=False,
+    numerics=True,
+)
+def simulate(reference, t, theta0, omega0, **rod):
+    from scipy.integrate import solve_ivp
+
+    return solve_ivp(lambda s, y: _state_derivative(s, y, **rod), (t[0], t[-1]), [theta0, omega0], t_eval=t).y.T
+
+
+@mistake(
+    "You take one Runge-Kutta step between two times; choose the step by the motion.",
+    first_fails=simulate_needs_no_dense_times,
+    compared=False,
+    numerics=True,
+    name="a_step_a_sample",
+)
+def simulate(reference, t, theta0, omega0, **rod):
+    def f(y):
+        return np.array(_state_derivative(0.0, y, **rod))
+
+    rows = [np.array([theta0, omega0])]
+    for h in np.diff(t):
+        y = rows[-1]
+        a = f(y)
+        b = f(y + h / 2 * a)
+        c = f(y + h / 2 * b)
+        rows.append(y + h / 6 * (a + 2 * b + 2 * c + f(y + h * c)))
+    return np.array(rows)
+
+
+@mistake(
+    "You wrap theta between -pi and pi; it counts whole turns.", first_fails=simulate_turns_over_the_top, compared=False
+)
+def simulate(reference, t, theta0, omega0, **rod):
+    rows = reference(t, theta0, omega0, **rod)
+    return np.column_stack([(rows[:, 0] + np.pi) % (2 * np.pi) - np.pi, rows[:, 1]])
+
+
+@mistake(
+    "You measure time in units of sqrt(l/g), which is infinite without gravity; use seconds.",
+    first_fails=simulate_without_gravity,
+    compared=False,
+)
+def simulate(reference, t, theta0, omega0, *, length, gravity):
+    unit = math.sqrt(length / gravity)
+    return reference(t / unit, theta0, omega0 * unit, length=1.0, gravity=1.0) / [1, unit]
+
+
+@mistake(
+    "You return the start in every row of a long motion; integrate to the end.",
+    first_fails=simulate_keeps_the_energy,
+    compared=False,
+)
+def simulate(reference, t, theta0, omega0, *, length, gravity):
+    if gravity and t[-1] - t[0] > 150 * math.sqrt(length / gravity):
+        return np.tile([theta0, omega0], (len(t), 1))
+    return reference(t, theta0, omega0, length=length, gravity=gravity)
