@@ -259,7 +259,9 @@ def period(reference, amplitude, *, length, gravity):
     return 2 * math.pi * math.sqrt(length / gravity)
 
 
-@mistake("You stop after two terms of the series in the amplitude; the period is exact.", first_fails=period_is_exact)
+@mistake(
+    "You stop after two terms of the series in the amplitude; return the exact period.", first_fails=period_is_exact
+)
 def period(reference, amplitude, *, length, gravity):
     return 2 * math.pi * math.sqrt(length / gravity) * (1 + amplitude**2 / 16)
 
