@@ -306,6 +306,7 @@ def simulate(reference, t, state, locked, **car):
 @mistake(
     "You fill the rows after the stop with zeros; the place and heading keep their values.",
     first_fails=simulate_comes_to_rest_and_stays,
+    compared=False,
 )
 def simulate(reference, t, state, locked, **car):
     rows = reference(t, state, locked, **car)
