@@ -1,0 +1,501 @@
+"""Known mistakes of hw10."""
+
+import math
+
+import numpy as np
+
+from tam570_grader.diagnosis.mistakes import mistake
+
+from .checks import (
+    angular_momentum_is_in_space_axes,
+    attitude_follows_omega,
+    attitude_follows_the_motion,
+    energy_is_half_omega_h,
+    euler_equations_keep_the_angular_momentum,
+    euler_rates_are_refused_where_undetermined,
+    euler_rates_make_omega,
+    invariants_stay_over_many_turns,
+    omega_follows_elliptic_functions,
+    period_grows_to_infinity_at_the_separatrix,
+    period_of_pure_spin_is_that_of_small_oscillations,
+    period_round_the_first_axis,
+    period_round_the_last_axis,
+    rim_paths_are_drawn,
+    small_deviations_grow_at_this_rate,
+    special_bodies_move_too,
+    symmetric_bodies_precess,
+    the_box_has_its_twelve_edges,
+    wobble_goes_round_the_angular_momentum,
+)
+
+KEPT = {}  # between calls
+
+
+def rates_of(state, inertia, attitude=None):
+    """Rates of omega and of the nine numbers of R, with dR/dt = attitude(R, omega)."""
+    omega, R = state[:3], state[3:].reshape(3, 3)
+    turning = (attitude or attitude_rate)(R, omega)
+    return np.concatenate([euler_equations(omega, inertia=inertia), np.ravel(turning)])
+
+
+def parts(states):
+    return states[:, :3], states[:, 3:].reshape(-1, 3, 3)
+
+
+def by_solve_ivp(t, R, omega, inertia, attitude=None, **settings):
+    from scipy.integrate import solve_ivp
+
+    def rates(_, state):
+        return rates_of(state, inertia, attitude)
+
+    return parts(solve_ivp(rates, (t[0], t[-1]), np.concatenate([omega, np.ravel(R)]), t_eval=t, **settings).y.T)
+
+
+def runge_kutta(t, R, omega, inertia, steps):
+    """The classical method with so many steps to each time."""
+    rows = [np.concatenate([omega, np.ravel(R)])]
+    for h in np.diff(t) / steps:
+        state = rows[-1]
+        for _ in range(steps):
+            first = rates_of(state, inertia)
+            second = rates_of(state + h / 2 * first, inertia)
+            third = rates_of(state + h / 2 * second, inertia)
+            state = state + h / 6 * (first + 2 * second + 2 * third + rates_of(state + h * third, inertia))
+        rows.append(state)
+    return parts(np.array(rows))
+
+
+def round_the_last_axis(omega, inertia):
+    """k^2 and the period over K(k) where omega goes round the last axis; elsewhere k > 1."""
+    A, B, C = inertia
+    double, square = np.sum(inertia * omega**2), np.sum((inertia * omega) ** 2)
+    along = (C - B) * (square - double * A)
+    return (B - A) * (double * C - square) / along, 4 * np.sqrt(A * B * C / along)
+
+
+# Pointwise
+
+
+@mistake(
+    "You divide all three equations by A; divide by A, B, C.", first_fails=euler_equations_keep_the_angular_momentum
+)
+def euler_equations(reference, omega, *, inertia):
+    return np.multiply(reference(omega, inertia=inertia), inertia) / inertia[0]
+
+
+@mistake(
+    "You do not divide the moments H x omega; divide by A, B, C.", first_fails=euler_equations_keep_the_angular_momentum
+)
+def euler_equations(reference, omega, *, inertia):
+    return np.multiply(reference(omega, inertia=inertia), inertia)
+
+
+@mistake(
+    "You assume A = B; then omega_3 stays, but here A and B may differ.",
+    first_fails=euler_equations_keep_the_angular_momentum,
+)
+def euler_equations(reference, omega, *, inertia):
+    return np.multiply(reference(omega, inertia=inertia), [1, 1, 0])
+
+
+@mistake("You used the transpose of R; dR/dt is R omega-hat.", first_fails=attitude_follows_omega)
+def attitude_rate(reference, R, omega):
+    return reference(np.transpose(R), omega)
+
+
+@mistake("You use omega-hat R; omega has body components, so it is R omega-hat.", first_fails=attitude_follows_omega)
+def attitude_rate(reference, R, omega):
+    return -reference(np.transpose(R), omega).T
+
+
+@mistake("You write the rate into the given R; return a new array.", first_fails=attitude_follows_omega, compared=False)
+def attitude_rate(reference, R, omega):
+    R[:] = reference(R, omega)
+    return R
+
+
+@mistake("You multiply the lengths of H and omega; use their dot product.", first_fails=energy_is_half_omega_h)
+def energy(reference, omega, *, inertia):
+    return 0.5 * np.linalg.norm(np.multiply(inertia, omega)) * np.linalg.norm(omega)
+
+
+@mistake("You use half of H . H; the energy is half of omega . H.", first_fails=energy_is_half_omega_h)
+def energy(reference, omega, *, inertia):
+    return reference(np.multiply(inertia, omega), inertia=(1.0, 1.0, 1.0))
+
+
+@mistake(
+    "You return body components; H is asked for in space components.",
+    first_fails=angular_momentum_is_in_space_axes,
+    name="momentum_in_the_body",
+)
+def angular_momentum(reference, R, omega, *, inertia):
+    return np.multiply(inertia, omega)
+
+
+@mistake(
+    "You multiply R omega by A, B, C; they belong to the body's axes.", first_fails=angular_momentum_is_in_space_axes
+)
+def angular_momentum(reference, R, omega, *, inertia):
+    return np.multiply(inertia, R @ omega)
+
+
+@mistake("You return the rates of phi, theta, psi; the order is psi, theta, phi.", first_fails=euler_rates_make_omega)
+def euler_rates_313(reference, angles, omega):
+    return reference(angles, omega)[::-1]
+
+
+@mistake("You exchange psi and phi; phi is about the body's own axis.", first_fails=euler_rates_make_omega)
+def euler_rates_313(reference, angles, omega):
+    return reference(angles[::-1], omega)[::-1]
+
+
+@mistake("You use omega in space components; it is given in body components.", first_fails=euler_rates_make_omega)
+def euler_rates_313(reference, angles, omega):
+    psi, theta, phi = angles
+    return reference((-phi, -theta, -psi), omega)[::-1]  # these angles turn back
+
+
+@mistake(
+    "You get sin(theta) from a square root; it is negative for a negative theta.", first_fails=euler_rates_make_omega
+)
+def euler_rates_313(reference, angles, omega):
+    psi, theta, phi = angles
+    return reference((psi, math.acos(math.cos(theta)), phi), omega)
+
+
+@mistake(
+    "You refuse where sin theta is 1e-6; the limit is 1e-12.",
+    first_fails=euler_rates_are_refused_where_undetermined,
+    compared=False,
+)
+def euler_rates_313(reference, angles, omega):
+    if abs(math.sin(angles[1])) < 1e-6:
+        raise ValueError
+    return reference(angles, omega)
+
+
+# Motions
+
+
+@mistake(
+    "You return the states at evenly spaced times; row i is the state at t[i].",
+    first_fails=omega_follows_elliptic_functions,
+    name="even_times",
+)
+def simulate(reference, t, R, omega, *, inertia):
+    return reference(np.linspace(t[0], t[-1], len(t)), R, omega, inertia=inertia)
+
+
+@mistake("You start at t = 0; R and omega are those at t[0].", first_fails=omega_follows_elliptic_functions)
+def simulate(reference, t, R, omega, *, inertia):
+    sense = math.copysign(1.0, t[0])  # with -omega the body turns back
+    omegas, rotations = reference(np.array([0.0, abs(t[0])]), R, sense * omega, inertia=inertia)
+    return reference(t, rotations[-1], sense * omegas[-1], inertia=inertia)
+
+
+@mistake("You return space components of omega; return body components.", first_fails=omega_follows_elliptic_functions)
+def simulate(reference, t, R, omega, *, inertia):
+    omegas, rotations = reference(t, R, omega, inertia=inertia)
+    return np.einsum("nij,nj->ni", rotations, omegas), rotations
+
+
+@mistake(
+    "You keep omega constant near the middle axis unless that is axis 1; such a spin is unstable about any axis.",
+    first_fails=omega_follows_elliptic_functions,
+)
+def simulate(reference, t, R, omega, *, inertia):
+    omegas, rotations = reference(t, R, omega, inertia=inertia)
+    middle = np.argsort(inertia)[1]
+    if middle != 1 and 0.9 * math.hypot(*omega) < abs(omega[middle]) < math.hypot(*omega):
+        omegas[:] = omega
+    return omegas, rotations
+
+
+@mistake(
+    "You run solve_ivp with its default tolerances, which are too loose; pass rtol and atol.",
+    first_fails=omega_follows_elliptic_functions,
+    numerics=True,
+)
+def simulate(reference, t, R, omega, *, inertia):
+    return by_solve_ivp(t, R, omega, inertia)
+
+
+@mistake("You start from R = I; start from the given R.", first_fails=attitude_follows_the_motion)
+def simulate(reference, t, R, omega, *, inertia):
+    return reference(t, np.eye(3), omega, inertia=inertia)
+
+
+@mistake(
+    "You multiply in the wrong order; R(t) is R(t[0]) times the turn since then, as omega has body components.",
+    first_fails=attitude_follows_the_motion,
+)
+def simulate(reference, t, R, omega, *, inertia):
+    omegas, turns = reference(t, np.eye(3), omega, inertia=inertia)
+    return omegas, turns @ R
+
+
+@mistake(
+    "You use dR/dt = omega-hat R; omega has body components, so it is R omega-hat.",
+    first_fails=attitude_follows_the_motion,
+    name="simulated_in_space",
+)
+def simulate(reference, t, R, omega, *, inertia):
+    def in_space(R, omega):
+        return -attitude_rate(R.T, omega).T
+
+    return by_solve_ivp(t, R, omega, inertia, in_space, method="DOP853", rtol=1e-10, atol=1e-10)
+
+
+@mistake(
+    "You return the matrices from space to body; R is from body to space.", first_fails=attitude_follows_the_motion
+)
+def simulate(reference, t, R, omega, *, inertia):
+    omegas, rotations = reference(t, R, omega, inertia=inertia)
+    return omegas, rotations.transpose(0, 2, 1)
+
+
+@mistake(
+    "You return left-handed axes; the third is the first times the second.",
+    first_fails=attitude_follows_the_motion,
+    compared=False,
+)
+def simulate(reference, t, R, omega, *, inertia):
+    omegas, rotations = reference(t, R, omega, inertia=inertia)
+    return omegas, rotations * [1.0, 1.0, -1.0]
+
+
+@mistake(
+    "You take Euler steps of R, which then is no rotation any more.",
+    first_fails=attitude_follows_the_motion,
+    compared=False,
+    numerics=True,
+)
+def simulate(reference, t, R, omega, *, inertia):
+    omegas, _ = reference(t, R, omega, inertia=inertia)
+    rotations = [np.array(R)]
+    for dt, w in zip(np.diff(t), omegas[:-1], strict=True):
+        for _ in range(20):
+            rotations.append(rotations[-1] + dt / 20 * attitude_rate(rotations[-1], w))
+    return omegas, np.array(rotations[::20])
+
+
+@mistake(
+    "You take 36 Runge-Kutta steps to each time, however far; limit the size of a step.",
+    first_fails=invariants_stay_over_many_turns,
+    compared=False,
+    numerics=True,
+)
+def simulate(reference, t, R, omega, *, inertia):
+    return runge_kutta(t, R, omega, inertia, 36)
+
+
+@mistake(
+    "You take 300 Runge-Kutta steps to each time, however far; limit the size of a step.",
+    first_fails=special_bodies_move_too,
+    compared=False,
+    numerics=True,
+)
+def simulate(reference, t, R, omega, *, inertia):
+    return runge_kutta(t, R, omega, inertia, 300)
+
+
+@mistake(
+    "You lose a start that is half a turn; the scalar part of its quaternion is 0, its axis is not.",
+    first_fails=special_bodies_move_too,
+)
+def simulate(reference, t, R, omega, *, inertia):
+    omegas, rotations = reference(t, R if np.trace(R) > 1e-9 - 1 else np.eye(3), omega, inertia=inertia)
+    return omegas, np.concatenate([[R], rotations[1:]])
+
+
+@mistake(
+    "You reuse the motion of an earlier call with the same body and omega; R and the times matter, too.",
+    first_fails=special_bodies_move_too,
+    compared=False,
+)
+def simulate(reference, t, R, omega, *, inertia):
+    if (key := (*omega, *inertia, len(t))) not in KEPT:
+        KEPT[key] = reference(t, R, omega, inertia=inertia)
+    return KEPT[key]
+
+
+# A = B
+
+
+@mistake("You turn omega the wrong way; its rate is (C - A)/A omega_3.", first_fails=symmetric_bodies_precess)
+def symmetric_solution(reference, t, omega, *, inertia):
+    A, _, C = inertia
+    return reference(t, omega, inertia=(A, A, 2 * A - C))
+
+
+@mistake("You use omega as omega(0); it is omega at t[0].", first_fails=symmetric_bodies_precess)
+def symmetric_solution(reference, t, omega, *, inertia):
+    return reference(np.concatenate([[0.0], t]), omega, inertia=inertia)[1:]
+
+
+@mistake(
+    "You get the angle at t[0] from arctan(q/p), the same for (p, q) and (-p, -q); use arctan2(q, p).",
+    first_fails=symmetric_bodies_precess,
+    label="a random body with A = B",
+)
+def symmetric_solution(reference, t, omega, *, inertia):
+    p, q, r = omega
+    sign = -1.0 if p < 0 else 1.0
+    return reference(t, np.array([sign * p, sign * q, r]), inertia=inertia)
+
+
+@mistake(
+    "You use C/A omega_3; only for spin very near the axis is that the rate.",
+    first_fails=wobble_goes_round_the_angular_momentum,
+)
+def wobble_rate(reference, omega, *, inertia):
+    return inertia[2] / inertia[0] * abs(omega[2])
+
+
+@mistake(
+    "You return the rate (C - A)/A omega_3 of omega in the body; return the axis's rate in space.",
+    first_fails=wobble_goes_round_the_angular_momentum,
+)
+def wobble_rate(reference, omega, *, inertia):
+    return abs((inertia[2] - inertia[0]) / inertia[0] * omega[2])
+
+
+# Stability and tumbling
+
+
+@mistake("You return the growth rate; return its square.", first_fails=small_deviations_grow_at_this_rate)
+def growth_rate_squared(reference, axis, spin, *, inertia):
+    square = reference(axis, spin, inertia=inertia)
+    return math.copysign(math.sqrt(abs(square)), square)
+
+
+@mistake("You sort the inertias; axis counts them as they are given.", first_fails=small_deviations_grow_at_this_rate)
+def growth_rate_squared(reference, axis, spin, *, inertia):
+    return reference(axis, spin, inertia=sorted(inertia))
+
+
+@mistake(
+    "You return the period of small oscillations about axis 2; the period depends on how far omega swings.",
+    first_fails=period_round_the_last_axis,
+    label="the largest inertia",
+)
+def tumble_period(reference, omega, *, inertia):
+    A, B, C = inertia
+    return 2 * math.pi / abs(omega[2]) * math.sqrt(A * B / ((C - A) * (C - B))) if omega[2] else math.inf
+
+
+@mistake("You pass the modulus k to ellipk; it takes the parameter k^2.", first_fails=period_round_the_last_axis)
+def tumble_period(reference, omega, *, inertia):
+    from scipy.special import ellipk
+
+    square, scale = round_the_last_axis(omega, inertia)
+    if square > 1:
+        square, scale = round_the_last_axis(omega[::-1], inertia[::-1])
+    return scale * ellipk(np.sqrt(square))
+
+
+@mistake(
+    "You use the formula for omega round the axis of the smallest inertia; here it goes round the other one.",
+    first_fails=period_round_the_last_axis,
+)
+def tumble_period(reference, omega, *, inertia):
+    from scipy.special import ellipk
+
+    square, scale = round_the_last_axis(omega[::-1], inertia[::-1])
+    return scale * ellipk(square if square < 1 else 1 / square)
+
+
+@mistake(
+    "You use the formula for omega round the axis of the largest inertia; here it goes round the other one.",
+    first_fails=period_round_the_first_axis,
+)
+def tumble_period(reference, omega, *, inertia):
+    from scipy.special import ellipk
+
+    square, scale = round_the_last_axis(omega, inertia)
+    return scale * ellipk(square if square < 1 else 1 / square)
+
+
+@mistake(
+    "You return math.inf for pure spin about a stable axis; return the period of small oscillations.",
+    first_fails=period_of_pure_spin_is_that_of_small_oscillations,
+    compared=False,
+)
+def tumble_period(reference, omega, *, inertia):
+    return reference(omega, inertia=inertia) if np.count_nonzero(omega) > 1 else math.inf
+
+
+@mistake(
+    "You return math.inf near the separatrix, too; the period is infinite only on it.",
+    first_fails=period_grows_to_infinity_at_the_separatrix,
+    compared=False,
+)
+def tumble_period(reference, omega, *, inertia):
+    H = np.multiply(inertia, omega)
+    near = math.isclose(H @ H, inertia[1] * (H @ omega), rel_tol=1e-5)
+    return math.inf if near else reference(omega, inertia=inertia)
+
+
+# Drawing
+
+
+@mistake("You turn the box by the transpose of R.", first_fails=the_box_has_its_twelve_edges, compared=False)
+def wireframe(reference, R, *, size):
+    return reference(R.T, size=size)
+
+
+@mistake(
+    "You draw the four edges of the bottom twice; four belong to the top.",
+    first_fails=the_box_has_its_twelve_edges,
+    compared=False,
+)
+def wireframe(reference, R, *, size):
+    edges = reference(np.eye(3), size=size)
+    edges[..., 2] = np.where(np.ptp(edges[..., 2], axis=1, keepdims=True) > 0, edges[..., 2], -size[2] / 2)
+    return edges @ R.T
+
+
+@mistake(
+    "You draw the paths as seen along space z; there a small tilt shows in second order alone.",
+    first_fails=rim_paths_are_drawn,
+    compared=False,
+)
+def plot_rim_paths(reference, ax, t, R, omega, *, inertia, radius):
+    _, rotations = simulate(t, R, omega, inertia=inertia)
+    for axis in (0, 1):
+        ax.plot(*radius * rotations[:, :2, axis].T)
+    ax.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
+
+
+@mistake(
+    "You draw two opposite points of the rim; they run on one circle, for r(t) of the other is -r(t).",
+    first_fails=rim_paths_are_drawn,
+    compared=False,
+)
+def plot_rim_paths(reference, ax, t, R, omega, *, inertia, radius):
+    _, rotations = simulate(t, R, omega, inertia=inertia)
+    for end in (radius, -radius):
+        ax.plot(*end * rotations[:, 1:, 0].T)
+    ax.set(xlabel="y (m)", ylabel="z (m)", aspect="equal")
+
+
+@mistake("You start the paths from R = I; start from the given R.", first_fails=rim_paths_are_drawn, compared=False)
+def plot_rim_paths(reference, ax, t, R, omega, **disk):
+    reference(ax, t, np.eye(3), omega, **disk)
+
+
+@mistake("You exchange the labels of the axes.", first_fails=rim_paths_are_drawn, compared=False)
+def plot_rim_paths(reference, ax, *motion, **disk):
+    reference(ax, *motion, **disk)
+    ax.set(xlabel="z (m)", ylabel="y (m)")
+
+
+@mistake(
+    "You use different scales on the axes; a circle then looks like an ellipse.",
+    first_fails=rim_paths_are_drawn,
+    compared=False,
+)
+def plot_rim_paths(reference, ax, *motion, **disk):
+    reference(ax, *motion, **disk)
+    ax.set_aspect("auto")
