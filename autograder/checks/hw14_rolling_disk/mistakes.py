@@ -1,0 +1,465 @@
+"""Known mistakes of hw14."""
+
+import math
+
+import numpy as np
+
+from tam570_grader.diagnosis.mistakes import mistake
+
+from .checks import (
+    both_simulations_agree,
+    contact_force_moves_the_centre,
+    critical_speed_parts_stable_from_unstable,
+    energy_is_conserved,
+    energy_is_kinetic_and_potential,
+    euler_equations_hold,
+    euler_equations_hold_next_to_flat_and_upright,
+    euler_simulation_follows_the_motion,
+    euler_simulation_keeps_two_integrals,
+    forces_on_the_disk,
+    growth_rate_is_that_of_a_small_lean,
+    matrix_equations_hold,
+    matrix_simulation_follows_the_motion,
+    matrix_state_places_the_disk,
+    multiplier_equations_hold,
+    steady_residual_is_the_tilt_acceleration,
+    wireframe_is_a_rolling_disk,
+)
+
+
+def runge_kutta(derivative, t, state, steps, disk):
+    """The classical method with so many steps to each time."""
+
+    def rates(state):
+        return np.array(derivative(0.0, state, **disk))
+
+    rows = [np.array(state)]
+    for h in np.diff(t) / steps:
+        state = rows[-1]
+        for _ in range(steps):
+            first = rates(state)
+            second = rates(state + h / 2 * first)
+            third = rates(state + h / 2 * second)
+            state = state + h / 6 * (first + 2 * second + 2 * third + rates(state + h * third))
+        rows.append(state)
+    return np.array(rows)
+
+
+def rolling_inertia(disk):
+    return disk["mass"] * disk["radius"] ** 2
+
+
+# The diagram
+
+
+@mistake("You drew m a as a force; no other body exerts it.", first_fails=forces_on_the_disk, compared=False)
+def free_body_diagram(reference, state, **disk):
+    (centre, down), ground = reference(state, **disk)
+    return [(centre, down), ground, (centre, (1.0, 0.5, 0.1))]
+
+
+@mistake(
+    "You drew the force of the ground straight up; a disk that rolls needs friction.",
+    first_fails=forces_on_the_disk,
+    compared=False,
+)
+def free_body_diagram(reference, state, **disk):
+    weight, (contact, _) = reference(state, **disk)
+    return [weight, (contact, (0.0, 0.0, 1.0))]
+
+
+# The matrix state
+
+
+@mistake("You return the contact; return the centre, contact + a e2.", first_fails=matrix_state_places_the_disk)
+def matrix_state(reference, state, *, radius):
+    return np.concatenate([state[:2], [0.0], reference(state, radius=radius)[3:]])
+
+
+@mistake("You return R column by column; return it row by row.", first_fails=matrix_state_places_the_disk)
+def matrix_state(reference, state, *, radius):
+    found = reference(state, radius=radius)
+    return np.concatenate([found[:3], found[3:12].reshape(3, 3).T.ravel(), found[12:]])
+
+
+@mistake("You return body components of omega; return space components.", first_fails=matrix_state_places_the_disk)
+def matrix_state(reference, state, *, radius):
+    found = reference(state, radius=radius)
+    return np.concatenate([found[:12], found[12:] @ found[3:12].reshape(3, 3)])
+
+
+@mistake(
+    "You use roll' as the total spin; yaw' has a part along the axle, too.", first_fails=matrix_state_places_the_disk
+)
+def matrix_state(reference, state, *, radius):
+    found = reference(state, radius=radius)
+    return np.concatenate([found[:12], found[12:] - state[5] * math.cos(state[3]) * found[5:12:3]])
+
+
+@mistake("You turn the disk at roll' about z; it rolls about its axle.", first_fails=matrix_state_places_the_disk)
+def matrix_state(reference, state, *, radius):
+    _, _, yaw, _, _, yaw_rate, tilt_rate, roll_rate = state
+    omega = [tilt_rate * math.cos(yaw), tilt_rate * math.sin(yaw), yaw_rate + roll_rate]
+    return np.concatenate([reference(state, radius=radius)[:12], omega])
+
+
+# Three derivations
+
+
+@mistake(
+    "You set x' = y' = 0; the disk's point at the contact is at rest, but the contact moves along the ground.",
+    first_fails=euler_equations_hold,
+)
+def euler_state_derivative(reference, t, state, **disk):
+    return [0.0, 0.0, *reference(t, state, **disk)[2:]]
+
+
+@mistake(
+    "You move the contact with the spin, as fast as the centre; it moves with roll'.", first_fails=euler_equations_hold
+)
+def euler_state_derivative(reference, t, state, **disk):
+    speed = -disk["radius"] * _spin(state)
+    return [speed * math.cos(state[2]), speed * math.sin(state[2]), *reference(t, state, **disk)[2:]]
+
+
+@mistake("You use roll' as the total spin; yaw' has a part along the axle, too.", first_fails=euler_equations_hold)
+def euler_state_derivative(reference, t, state, **disk):
+    without_yaw = [*state[:7], state[7] - state[5] * math.cos(state[3])]
+    return [*reference(t, state, **disk)[:5], *reference(t, without_yaw, **disk)[5:]]
+
+
+@mistake("You turn the frame e1, e2, e3 with the body; it does not roll.", first_fails=euler_equations_hold)
+def euler_state_derivative(reference, t, state, **disk):
+    tilt, _, yaw_rate, tilt_rate, roll_rate = state[3:]
+    A, _ = disk["inertia"]
+    rates = np.array(reference(t, state, **disk))
+    along_e1 = A / (A + rolling_inertia(disk)) * yaw_rate * math.sin(tilt) * roll_rate
+    yaw_acceleration = -tilt_rate * roll_rate / math.sin(tilt)
+    rates[5:] += yaw_acceleration, along_e1, -yaw_acceleration * math.cos(tilt)
+    return rates
+
+
+@mistake(
+    "You treat the contact as a point of the body; its place in the disk changes.", first_fails=euler_equations_hold
+)
+def euler_state_derivative(reference, t, state, **disk):
+    rolling = rolling_inertia(disk)
+    rates = np.array(reference(t, state, **disk))
+    rates[6] -= rolling / (disk["inertia"][0] + rolling) * state[5] * math.sin(state[3]) * state[7]
+    return rates
+
+
+@mistake("You use 9.81 m/s^2; use the given gravity.", first_fails=euler_equations_hold, name="gravity_of_the_earth")
+def euler_state_derivative(reference, t, state, *, gravity, **disk):
+    return reference(t, state, gravity=9.81, **disk)
+
+
+@mistake(
+    "You keep the tilt 0.01 away from flat; no tilt but 0 and pi is singular.",
+    first_fails=euler_equations_hold_next_to_flat_and_upright,
+    compared=False,
+)
+def euler_state_derivative(reference, t, state, **disk):
+    tilt = min(max(state[3], 0.01), math.pi - 0.01)
+    return reference(t, [*state[:3], tilt, *state[4:]], **disk)
+
+
+@mistake(
+    "You use dR/dt = R omega-hat; omega has space components, so it is omega-hat R.", first_fails=matrix_equations_hold
+)
+def matrix_state_derivative(reference, t, state, **disk):
+    rates = np.array(reference(t, state, **disk))
+    rates[3:12] = (np.reshape(state[3:12], (3, 3)) @ _cross_matrix(state[12:])).ravel()
+    return rates
+
+
+@mistake(
+    "You use diag(A, A, C) in space axes; there the inertia is R diag(A, A, C) R^T.",
+    first_fails=multiplier_equations_hold,
+)
+def multiplier_state_derivative(reference, t, state, *, mass, radius, inertia, gravity):
+    A, C = inertia
+    R, omega, inertia = np.reshape(state[3:12], (3, 3)), np.asarray(state[12:]), np.diag([A, A, C])
+    arm, arm_rate = _contact_arm(R[:, 2], omega, radius)
+    lever = _cross_matrix(arm)
+    force = mass * (np.array([0.0, 0.0, gravity]) - np.cross(omega, arm_rate))  # at omega' = 0
+    moment = lever @ force - np.cross(omega, inertia @ omega)
+    omega_rate = np.linalg.solve(inertia - mass * lever @ lever, moment)
+    return np.concatenate([-np.cross(omega, arm), (_cross_matrix(omega) @ R).ravel(), omega_rate])
+
+
+@mistake(
+    "You forget the rate of the arm when you differentiate the constraint; the arm to the contact turns.",
+    first_fails=multiplier_equations_hold,
+)
+def _contact_arm(reference, axle, omega, radius):
+    arm, _ = reference(axle, omega, radius)
+    return arm, np.zeros(3)
+
+
+@mistake(
+    "You call matrix_state_derivative; derive these equations on their own.",
+    first_fails=multiplier_equations_hold,
+    compared=False,
+)
+def multiplier_state_derivative(reference, t, state, **disk):
+    return matrix_state_derivative(t, state, **disk)
+
+
+# Simulations
+
+
+@mistake(
+    "You return the states at evenly spaced times; row i is the state at t[i].",
+    first_fails=euler_simulation_follows_the_motion,
+)
+def simulate_euler(reference, t, state, **disk):
+    return reference(np.linspace(t[0], t[-1], len(t)), state, **disk)
+
+
+@mistake("You start at t = 0; the given state is that at t[0].", first_fails=euler_simulation_follows_the_motion)
+def simulate_euler(reference, t, state, **disk):
+    sense = np.array([1.0] * 5 + [math.copysign(1.0, t[0])] * 3)  # with its rates reversed the disk rolls back
+    found = reference(np.array([0.0, abs(t[0])]), sense * state, **disk)[1]
+    return reference(t, sense * found, **disk)
+
+
+@mistake(
+    "You wrap yaw and roll to half a turn on either side; they count whole turns.",
+    first_fails=euler_simulation_follows_the_motion,
+)
+def simulate_euler(reference, t, state, **disk):
+    states = reference(t, state, **disk)
+    states[:, [2, 4]] = (states[:, [2, 4]] + np.pi) % (2 * np.pi) - np.pi
+    return states
+
+
+@mistake(
+    "You return x and y of the centre; return those of the contact.", first_fails=euler_simulation_follows_the_motion
+)
+def simulate_euler(reference, t, state, **disk):
+    states = reference(t, state, **disk)
+    states[:, :2] = [matrix_state(row, radius=disk["radius"])[:2] for row in states]
+    return states
+
+
+@mistake(
+    "You run solve_ivp with its default tolerances, which are too loose; pass rtol and atol.",
+    first_fails=euler_simulation_follows_the_motion,
+    numerics=True,
+)
+def simulate_euler(reference, t, state, **disk):
+    from scipy.integrate import solve_ivp
+
+    return solve_ivp(lambda s, y: euler_state_derivative(s, y, **disk), (t[0], t[-1]), state, t_eval=t).y.T
+
+
+@mistake(
+    "You leave a disk at rest where it is; it falls.", first_fails=euler_simulation_follows_the_motion, compared=False
+)
+def simulate_euler(reference, t, state, **disk):
+    return reference(t, state, **disk) if np.any(state[5:]) else np.tile(state, (len(t), 1))
+
+
+@mistake(
+    "You take 24 Runge-Kutta steps to each time, however far; limit the size of a step.",
+    first_fails=euler_simulation_keeps_two_integrals,
+    compared=False,
+    numerics=True,
+)
+def simulate_euler(reference, t, state, **disk):
+    return runge_kutta(euler_state_derivative, t, state, 24, disk)
+
+
+@mistake(
+    "You damp the tilt a little in a long motion; nothing takes energy.",
+    first_fails=energy_is_conserved,
+    compared=False,
+    numerics=True,
+)
+def simulate_euler(reference, t, state, **disk):
+    def damped(t, state, **disk):
+        rates = np.array(euler_state_derivative(t, state, **disk))
+        rates[6] -= 1e-4 * math.sqrt(disk["gravity"] / disk["radius"]) * state[6]
+        return rates
+
+    long = disk["gravity"] * (t[-1] - t[0]) ** 2 > 100 * disk["radius"]
+    return _states(damped, t, state, **disk) if long else reference(t, state, **disk)
+
+
+@mistake("You leave out the start; row 0 is the given state.", first_fails=matrix_simulation_follows_the_motion)
+def simulate_matrix(reference, t, state, **disk):
+    states = reference(t, state, **disk)
+    return np.concatenate([states[1:], states[-1:]])
+
+
+@mistake(
+    "You run solve_ivp with its default tolerances, which are too loose; pass rtol and atol.",
+    first_fails=matrix_simulation_follows_the_motion,
+    compared=False,
+    numerics=True,
+)
+def simulate_matrix(reference, t, state, **disk):
+    from scipy.integrate import solve_ivp
+
+    return solve_ivp(lambda s, y: matrix_state_derivative(s, y, **disk), (t[0], t[-1]), state, t_eval=t).y.T
+
+
+@mistake(
+    "You take 18 Runge-Kutta steps to each time, however far; limit the size of a step.",
+    first_fails=both_simulations_agree,
+    compared=False,
+    numerics=True,
+)
+def simulate_matrix(reference, t, state, **disk):
+    return runge_kutta(matrix_state_derivative, t, state, 18, disk)
+
+
+# Steady circles, and the picture
+
+
+@mistake(
+    "You use the spin as relative to the turning frame; it is the total spin.",
+    first_fails=steady_residual_is_the_tilt_acceleration,
+)
+def steady_residual(reference, lean, precession, spin, **disk):
+    return reference(lean, precession, spin - precession * math.sin(lean), **disk)
+
+
+@mistake("You reversed the sign of the lean; it is tilt - pi/2.", first_fails=steady_residual_is_the_tilt_acceleration)
+def steady_residual(reference, lean, precession, spin, **disk):
+    return reference(-lean, precession, spin, **disk)
+
+
+@mistake("You divide by A; divide by A + m a^2.", first_fails=steady_residual_is_the_tilt_acceleration)
+def steady_residual(reference, lean, precession, spin, **disk):
+    return reference(lean, precession, spin, **disk) * (1 + rolling_inertia(disk) / disk["inertia"][0])
+
+
+@mistake(
+    "You draw the diameters along e1 and e2; they roll with the disk.",
+    first_fails=wireframe_is_a_rolling_disk,
+    compared=False,
+)
+def wireframe(reference, state, *, radius, sides):
+    still = [*state[:4], 0.0, *state[5:]]
+    lines = reference(state, radius=radius, sides=sides)
+    lines[sides:] = reference(still, radius=radius, sides=sides)[sides:]
+    return lines
+
+
+@mistake(
+    "You leave the polygon open; its last side ends at its first corner.",
+    first_fails=wireframe_is_a_rolling_disk,
+    compared=False,
+)
+def wireframe(reference, state, *, radius, sides):
+    lines = reference(state, radius=radius, sides=sides)
+    lines[sides - 1] = lines[0]
+    return lines
+
+
+# Energy and force
+
+
+@mistake(
+    "You set the potential to zero with the disk upright; it is zero with the centre on the ground.",
+    first_fails=energy_is_kinetic_and_potential,
+)
+def energy(reference, state, **disk):
+    return reference(state, **disk) - disk["mass"] * disk["gravity"] * disk["radius"]
+
+
+@mistake(
+    "You use roll' as the total spin; yaw' has a part along the axle, too.", first_fails=energy_is_kinetic_and_potential
+)
+def energy(reference, state, **disk):
+    return reference([*state[:7], state[7] - state[5] * math.cos(state[3])], **disk)
+
+
+@mistake("You forget the speed of the centre that tilt' makes.", first_fails=energy_is_kinetic_and_potential)
+def energy(reference, state, **disk):
+    return reference(state, **disk) - rolling_inertia(disk) * state[6] ** 2 / 2
+
+
+@mistake(
+    "You return components along e1, e2, e3; return those along x, y, z.", first_fails=contact_force_moves_the_centre
+)
+def contact_force(reference, state, **disk):
+    return _frame(state) @ reference(state, **disk)
+
+
+@mistake(
+    "You turned the acceleration from e1, e2, e3 to x, y, z with the transposed matrix.",
+    first_fails=contact_force_moves_the_centre,
+)
+def contact_force(reference, state, **disk):
+    weight = np.array([0.0, 0.0, disk["mass"] * disk["gravity"]])
+    return _frame(state) @ _frame(state) @ (reference(state, **disk) - weight) + weight
+
+
+@mistake("You subtract m a from the weight; the force is m (a + g z).", first_fails=contact_force_moves_the_centre)
+def contact_force(reference, state, **disk):
+    return 2 * np.array([0.0, 0.0, disk["mass"] * disk["gravity"]]) - reference(state, **disk)
+
+
+@mistake(
+    "You differentiate only the components of the velocity; e1, e2, e3 turn, too.",
+    first_fails=contact_force_moves_the_centre,
+)
+def contact_force(reference, state, **disk):
+    yaw_acceleration, tilt_acceleration, roll_acceleration = euler_state_derivative(0.0, state, **disk)[5:]
+    _, _, _, tilt, _, yaw_rate, tilt_rate, _ = state
+    spin_rate = roll_acceleration + yaw_acceleration * math.cos(tilt) - yaw_rate * tilt_rate * math.sin(tilt)
+    acceleration = disk["radius"] * np.array([-spin_rate, 0.0, tilt_acceleration]) @ _frame(state)
+    return disk["mass"] * (acceleration + [0.0, 0.0, disk["gravity"]])
+
+
+# Stability
+
+
+@mistake(
+    "You return the critical spin; the speed is a times that.", first_fails=critical_speed_parts_stable_from_unstable
+)
+def critical_speed(reference, **disk):
+    return reference(**disk) / disk["radius"]
+
+
+@mistake("You forget m a^2 beside C.", first_fails=critical_speed_parts_stable_from_unstable)
+def critical_speed(reference, *, mass, radius, inertia, gravity):
+    return radius * math.sqrt(mass * gravity * radius * inertia[0]) / inertia[1]
+
+
+@mistake(
+    "You use A + m a^2 for the yaw; the contact force has no moment about e2.",
+    first_fails=critical_speed_parts_stable_from_unstable,
+)
+def critical_speed(reference, **disk):
+    return reference(**disk) * math.sqrt(1 + rolling_inertia(disk) / disk["inertia"][0])
+
+
+@mistake(
+    "You return the rate or the frequency; return its square, negative where the lean swings.",
+    first_fails=growth_rate_is_that_of_a_small_lean,
+)
+def growth_rate_squared(reference, speed, **disk):
+    return math.sqrt(abs(reference(speed, **disk)))
+
+
+@mistake(
+    "You return 0 where the motion is stable; return minus the square of the frequency.",
+    first_fails=growth_rate_is_that_of_a_small_lean,
+)
+def growth_rate_squared(reference, speed, **disk):
+    return max(reference(speed, **disk), 0.0)
+
+
+@mistake("You divide by A; divide by A + m a^2.", first_fails=growth_rate_is_that_of_a_small_lean)
+def growth_rate_squared(reference, speed, **disk):
+    return reference(speed, **disk) * (1 + rolling_inertia(disk) / disk["inertia"][0])
+
+
+@mistake("You forget m a^2 beside C.", first_fails=growth_rate_is_that_of_a_small_lean)
+def growth_rate_squared(reference, speed, *, mass, radius, inertia, gravity):
+    A, C = inertia
+    return (mass * gravity * radius - C**2 / A * (speed / radius) ** 2) / (A + mass * radius**2)
