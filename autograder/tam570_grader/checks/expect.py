@@ -138,7 +138,7 @@ def expect(
     worst = int(np.argmax(errors)) if errors.size else 0  # the first NaN, if there is one
     error = float(errors.flat[worst]) if errors.size else np.nan
     if recorder := get_context().recorder:
-        recorder(np.inf if np.isnan(error) else error / tolerance)
+        recorder(_in_limits(error, tolerance))
     elif not error <= tolerance:
         numbers = {"error": error, "limit": tolerance, "expected": expected, "actual": actual}
         numbers["time"] = _time(t, errors, worst)
@@ -181,6 +181,13 @@ def _said(hint: Hint, running: CheckContext) -> tuple[str, str]:
         return "", ""
     except Exception as error:
         return "", repr(error)[:LONGEST_FAULT]
+
+
+def _in_limits(error: float, tolerance: float) -> float:
+    """The error over its limit, which is 0 where a number must be exact."""
+    if np.isnan(error):
+        return np.inf
+    return error / tolerance if tolerance else np.inf if error else 0.0
 
 
 def _off(actual: Any, expected: Any) -> Any:

@@ -8,7 +8,7 @@ import pytest
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.check import check
 from tam570_grader.checks.compare import check_domain, compare
-from tam570_grader.checks.expect import Failed, check_context
+from tam570_grader.checks.expect import Failed, check_context, expect
 from tam570_grader.checks.returns import number
 
 
@@ -98,3 +98,11 @@ def test_a_call_is_cut_to_what_the_reference_takes():
 def test_a_call_may_have_arguments_before_its_own():
     case = Case(2.0, mass=1.0).labelled("a random x").with_leading(0.5)
     assert (case.args, case.kwargs, case.label) == ((0.5, 2.0), {"mass": 1.0}, "a random x")
+
+
+def test_an_exact_number_is_within_its_limit_of_zero_or_infinitely_far_over_it():
+    over = []
+    with check_context(recorder=over.append):
+        expect(3, 3, tolerance=0)
+        expect(4, 3, tolerance=0)
+    assert over == [0, np.inf]
