@@ -168,7 +168,7 @@ def rolling_precession(reference, lean, track_radius, **disk):
 
 
 @mistake(
-    "Without gravity you raise ValueError for some leans; a disk at rest, Omega = 0, is a solution for every lean.",
+    "You raise ValueError for some leans without gravity; a disk at rest, Omega = 0, is a solution for every lean.",
     first_fails=rolling_precession_is_zero_where_nothing_turns_it,
     compared=False,
 )
