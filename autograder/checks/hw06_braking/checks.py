@@ -107,6 +107,9 @@ def of_friction(case, found, expected):
     return "Coulomb friction is against the velocity, and as large at any speed: what is 0/0 at rest?"
 
 
+TURNING_AXES = "In axes that turn, does the rate of speed have a term with the yaw rate squared?"
+
+
 def of_rates(case, found, expected):
     unbraked = reference.state_derivative(*case.args, **{**case.kwargs, "friction": 0.0})
     if np.allclose(found, unbraked, rtol=1e-4, atol=0) and not np.allclose(expected, unbraked, rtol=1e-4, atol=0):
@@ -114,7 +117,8 @@ def of_rates(case, found, expected):
     if "1 mm/s" in case.label or "1e-8" in case.label:
         return "Friction is as large at any speed, however low: is yours smoothed there?"
     if np.allclose(found[:3], expected[:3]) and not np.allclose(found[3], expected[3]):
-        return "In axes that turn, does the rate of speed have a term with the yaw rate squared?"
+        without = expected[3] - unbraked[3] * np.array([1, 2])  # the term is missing, or has the other sign
+        return TURNING_AXES if np.isclose(found[3], without, rtol=1e-6, atol=0).any() else ""
     if np.allclose(found[:4], expected[:4]):
         return "Do the moments about the free axle balance, speed times yaw rate included?"
     return "G slips sideways, for it is not on the free axle: do you turn (forward, left) by the heading?"

@@ -355,6 +355,8 @@ def _code(text: str) -> CodeType:
 
 
 def _same(found: Any, wrong: Any, within: float) -> bool:
+    if any(np.iscomplexobj(part) for part in parts(wrong)):
+        return False  # a root of something negative; results are real
     if found is None or found is NoValue or wrong is NoValue:
         return (found is None or found is NoValue) and (wrong is NoValue or not _finite(wrong))
     if isinstance(wrong, tuple) and not isinstance(found, tuple):

@@ -70,7 +70,8 @@ def vectors(wrong):
 
 
 def pairs(wrong):
-    places = [(float(x), float(y)) for x, y in DRAW.normal(size=(4, 2))]
+    signs = np.array([[1, 1], [1, -1], [-1, 1], [-1, -1]])  # one in each quadrant
+    places = (signs * DRAW.uniform(0.2, 2, (4, 2))).tolist()
     return [Call("polar", Case(*place), wrong(math.hypot(*place), math.atan2(*place[::-1]))) for place in places]
 
 
