@@ -319,6 +319,8 @@ def shortest_step(engine: Engine, times: Array, start: Array, control: Control) 
     for step in range(200):
         before = state
         state = step_n(run, engine.functions["advance"], [0.0, span], lambda *_: None, state, 1)
+        if state.halt not in (RUNNING, SETS_IN):
+            raise _trouble(run, state)
         if state.row == 2 or state.halt:
             break
         if state.t > before.t:  # taken, not refused

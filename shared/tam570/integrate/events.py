@@ -116,7 +116,7 @@ def _event(which: int, function: Any, parameters: Mapping[str, Any] | None, sign
     if not isinstance(direction, Real) or direction != direction:
         raise ValueError(f"{name}: direction must be a number, got {direction!r}")
     last = 0 if terminal is None else terminal
-    if not isinstance(last, float | int | np.number | np.bool_) or int(last) != last or last < 0:
+    if not isinstance(last, float | int | np.number | np.bool_) or not last >= 0 or not float(last).is_integer():
         raise ValueError(f"{name}: terminal must be True, False or a whole number above zero, got {terminal!r}")
 
     def value(t: float, y: Array) -> float:

@@ -196,3 +196,38 @@ def test_a_report_tells_of_compiled_code():
     told = solve(oscillator, [0, 20.0], [1.0, 0.0], report=True, method="compiled").report
     assert (told.engine, told.evaluations) == ("compiled", None)
     assert told.steps > 3
+
+
+def rising(t, y):
+    return (1.0,)
+
+
+def test_an_event_at_the_very_end_counts_by_its_direction():
+    at_end = [event(lambda t, y: t - 1, direction) for direction in (0.0, 1.0, -1.0)]
+    assert [found.t.tolist() for found in solve(rising, [0, 1], [0.0], events=at_end).events] == [[1.0], [1.0], []]
+
+
+@pytest.mark.parametrize("terminal", [-1, 3.5, "yes", math.nan])
+def test_a_terminal_that_is_no_count_is_named(terminal):
+    with pytest.raises(ValueError, match="^events: event 0: terminal"):
+        solve(rising, [0, 1], [0.0], events=event(height(0.5), terminal=terminal))
+    assert len(solve(rising, [0, 1], [0.0], events=event(height(0.5), terminal=None)).t) == 2
+
+
+def test_what_is_not_a_number_yet_does_not_cross():
+    found = solve(rising, [0, 1], [0.0], events=event(lambda t, y: math.nan if t < 0.4 else y[0] + 1)).events[0]
+    assert found.t.size == 0
+
+
+@pytest.mark.parametrize("value", [np.array([1.0]), "up", None, 1j])
+def test_an_event_that_gives_no_number_is_named(value):
+    with pytest.raises(ValueError, match="^events: event 0 must return a number"):
+        solve(rising, [0, 1], [0.0], events=event(lambda t, y: value))
+
+
+def test_of_two_terminal_events_the_earlier_ends_the_run_backwards_too():
+    first, second = event(height(-0.4), terminal=True), event(height(-0.5), terminal=True)
+    motion = solve(rising, [0, -1], [0.0], events=[second, first], dense=True)
+    assert [found.t.size for found in motion.events] == [0, 1]
+    assert motion.events[1].t[0] == pytest.approx(-0.4, abs=1e-12)
+    assert motion.at(-0.2)[0] == pytest.approx(-0.2, abs=1e-12)
