@@ -12,28 +12,18 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 from tam570_grader.checks.assignment import Assignment
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.check import check, once
-from tam570_grader.checks.compare import (
-    Column,
-    absolute,
-    by_kind,
-    check_domain,
-    check_raises,
-    compare,
-    compare_columns,
-    largest,
-)
+from tam570_grader.checks.compare import Column, absolute, check_domain, check_raises, compare, compare_columns, largest
 from tam570_grader.checks.curves import kept
 from tam570_grader.checks.expect import Failed, expect, expect_that, fail, get_context
 from tam570_grader.checks.formulas import from_own_lagrangian, in_symbols
 from tam570_grader.checks.plots import curves_seen, distances, exchanged, judge_axes_of_lengths, judge_boxes, path_drawn
 from tam570_grader.checks.returns import array, drawing, formula, group, number, rows
-from tam570_grader.checks.times import SOME_TIMES, repeated_calls, uneven
+from tam570_grader.checks.times import KEPT, SOME_TIMES, repeated_calls, uneven
 from tam570_grader.checks.trajectory import Invariant, check_conserved, compare_trajectory
 
 __all__ = [
     "Assignment",
     "absolute",
-    "by_kind",
     "compare_columns",
     "get_context",
     "path_drawn",
@@ -46,6 +36,7 @@ __all__ = [
     "compare",
     "check_domain",
     "check_raises",
+    "KEPT",
     "SOME_TIMES",
     "Failed",
     "fail",

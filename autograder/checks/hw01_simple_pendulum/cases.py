@@ -5,7 +5,7 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import SOME_TIMES, Case, in_symbols, once, repeated_calls, uneven
+from tam570_grader import KEPT, SOME_TIMES, Case, in_symbols, once, repeated_calls, uneven
 
 from . import reference
 
@@ -154,7 +154,7 @@ def small_angles(rng):
     calls = [Case(*start, **known).labelled(label) for label, start in starts.items()]
     others = [{name: 1.4 * value} for name, value in known.items()] + [{"gravity": WEAK}]
     return calls + [
-        calls[0].replace(**one).labelled("the pendulum before with another rod or gravity") for one in others
+        calls[0].replace(**one).labelled("the pendulum before with another rod or gravity", KEPT) for one in others
     ]
 
 

@@ -7,7 +7,6 @@ from tam570_grader import (
     Column,
     Invariant,
     absolute,
-    by_kind,
     check,
     check_conserved,
     compare,
@@ -242,7 +241,7 @@ def action_is_the_integral(student, rng):
     )
 
 
-AT_ZERO = by_kind({"with another": "Is anything kept between calls?"}, "Put t = 0 in. Is omega the rate of theta?")
+AT_ZERO = "Put t = 0 in. Is omega the rate of theta?"
 
 
 @check(

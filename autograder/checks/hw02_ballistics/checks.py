@@ -6,11 +6,11 @@ from functools import partial
 import numpy as np
 
 from tam570_grader import (
+    KEPT,
     Assignment,
     Column,
     Failed,
     absolute,
-    by_kind,
     check,
     compare,
     compare_columns,
@@ -36,7 +36,6 @@ CORNER = 1e-9  # the right path, at a speed of 1e12 terminal speeds, is 5e-11 fr
 DRAWN, FINE = 1e-4, 1001
 FEWER = 200  # times that; chords of a line of ten points leave a parabola by (2.4/9)^2/4 = 1.8e-2
 
-KEPT = "Is anything kept between calls?"
 SMALL_BESIDE = "Whether drag counts depends on c t/m or c v/(m g), not on c."
 HINTS = {
     "before": KEPT,
@@ -47,7 +46,17 @@ HINTS = {
     "great drag": "What is left of the equation when e^-s is nothing? e^s goes beyond all numbers.",
     "below a tenth": "45 degrees are for no drag: the angle falls in proportion to the drag, then by its next term.",
     "two times": "Which way does it fly, and is it launched at the origin?",
-}  # words of the kind of input: where to look
+}  # words of a label: where to look
+
+
+def where_to_look(otherwise):
+    """A hint, of a case or of a motion, by what its label tells of the input."""
+
+    def hint(one, *_):
+        label = getattr(one, "case", one).label
+        return next((message for words, message in HINTS.items() if words in label), otherwise)
+
+    return hint
 
 
 def of_rates(case, _):
@@ -95,7 +104,7 @@ def rates_are_newtons(student, rng):
         reference.state_derivative,
         cases.states(rng),
         tolerance=FORMULA,
-        hint=by_kind(HINTS, FORCES),
+        hint=where_to_look(FORCES),
     )
 
 
@@ -141,7 +150,7 @@ def simulation_follows_the_motion(student, rng):
 )
 def simulation_without_drag_or_gravity(student, rng):
     compare_trajectory(
-        student.simulate, reference.simulate, cases.flights_without(rng), hint=by_kind(HINTS, NO_DIVISION), **SIMULATION
+        student.simulate, reference.simulate, cases.flights_without(rng), hint=where_to_look(NO_DIVISION), **SIMULATION
     )
 
 
@@ -155,7 +164,7 @@ def trajectory_is_the_motion(student, rng):
         reference.trajectory,
         cases.flights_from_zero(rng),
         tolerance=CLOSED,
-        hint=by_kind(HINTS, LINEAR),
+        hint=where_to_look(LINEAR),
     )
 
 
@@ -192,7 +201,7 @@ def trajectory_with_any_drag(student, rng):
         reference.trajectory,
         cases.flights_with_any_drag(rng),
         tolerance=CLOSED,
-        hint=by_kind(HINTS, EXPM1),
+        hint=where_to_look(EXPM1),
     )
 
 
@@ -229,7 +238,7 @@ def flight_time_with_hardly_any_drag(student, rng):
     )
 
 
-SHORT = by_kind(HINTS, "Does a search for the root step over a flight that is short, or end at t = 0?")
+SHORT = where_to_look("Does a search for the root step over a flight that is short, or end at t = 0?")
 
 
 @check(
@@ -260,7 +269,7 @@ def range_is_where_it_lands(student, rng):
     )
 
 
-DIGITS = by_kind(HINTS, "Very little drag is not none: is it the time or x that has lost its digits?")
+DIGITS = where_to_look("Very little drag is not none: is it the time or x that has lost its digits?")
 
 
 @check(
@@ -295,7 +304,7 @@ def best_angle_has_the_largest_range(student, rng):
     )
 
 
-STILL = by_kind(HINTS, "Does your equation for the angle still hold when drag is zero?")
+STILL = where_to_look("Does your equation for the angle still hold when drag is zero?")
 
 
 @check(

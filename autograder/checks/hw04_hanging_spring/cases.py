@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 
-from tam570_grader import SOME_TIMES, Case, repeated_calls, uneven
+from tam570_grader import KEPT, SOME_TIMES, Case, repeated_calls, uneven
 
 from .reference import Z, centre, rate_of
 
@@ -157,7 +157,7 @@ def orbits(rng):
         yield case.replace(case.args[0], v)
     yield from [Case(p - Z, v, **WHOLE).labelled(label) for label, starts in ABOUT_REST.items() for p, v in starts]
     again = "the ellipse before with another"
-    yield from [Case(2 * X - Z, Y, **{**WHOLE, name: 2.0}).labelled(f"{again} {name}") for name in WHOLE]
+    yield from [Case(2 * X - Z, Y, **{**WHOLE, name: 2.0}).labelled(f"{again} {name}", KEPT) for name in WHOLE]
 
 
 def flat(rng):

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from tam570_grader import Case
+from tam570_grader import KEPT, Case
 
 from . import reference
 
@@ -67,7 +67,7 @@ def members(rng):
         Case(a_lean(rng), rng.choice([-1, 1]) * usual(disk) * rng.uniform(0.3, 3), **disk).labelled(label)
         for label, disk in disks(rng, *WHEELS * 4, COIN)
     ]
-    return telling_first([*cases, cases[0].replace(**cases[1].kwargs).labelled(AGAIN)])
+    return telling_first([*cases, cases[0].replace(**cases[1].kwargs).labelled(AGAIN, KEPT)])
 
 
 def plain_members(rng):
@@ -92,7 +92,7 @@ def tracks(rng):
         lean = rng.uniform(0.1, 1.35)
         track = reference.smallest_track(lean, **disk) + disk["radius"] * rng.uniform(0.3, 6)
         cases.append(Case(lean, track, **disk).labelled(label))
-    return telling_first([*cases, cases[0].replace(gravity=2 * cases[0].kwargs["gravity"]).labelled(AGAIN)])
+    return telling_first([*cases, cases[0].replace(gravity=2 * cases[0].kwargs["gravity"]).labelled(AGAIN, KEPT)])
 
 
 def tracks_of_any_sign(rng):
@@ -176,7 +176,7 @@ def settled(rng):
     cases = [Case(a_lean(rng), **disk).labelled(label) for label, disk in disks(rng, *WHEELS * 3, COIN)]
     first = cases[0]
     cases += [Case(sign * math.pi / 4, **UNIT).labelled("whole numbers") for sign in (1, -1)]
-    again = first.replace(gravity=2 * first.kwargs["gravity"]).labelled(AGAIN)
+    again = first.replace(gravity=2 * first.kwargs["gravity"]).labelled(AGAIN, KEPT)
     return [*cases, again, first.replace(-first.args[0], gravity=LITTLE_GRAVITY).labelled(LITTLE)]
 
 
@@ -197,7 +197,7 @@ def whirls(rng):
         for label, disk in disks(rng, *WHEELS * 4, COIN)
     ]
     cases += [cases[0].replace(sign * STEEP_LEANS[0]).labelled(STEEP) for sign in (1, -1)]
-    cases.append(cases[0].replace(**cases[1].kwargs).labelled(AGAIN))
+    cases.append(cases[0].replace(**cases[1].kwargs).labelled(AGAIN, KEPT))
     for _, disk in disks(rng, *WHEELS):
         case = Case(a_lean(rng), *(usual(disk) * rng.uniform(0.3, 3, 2) * rng.choice([-1, 1], 2)), **disk)
         cases += [case.replace(0.0).labelled("an upright disk"), case.replace(gravity=0.0).labelled("no gravity")]
@@ -217,7 +217,7 @@ def under_forces(rng):
             case, inward = case.labelled(f"{case.label}, no inward force"), 0.0
         cases.append(case.replace(*case.args, inward, normal))
     other = tuple(2 * it for it in cases[0].kwargs["inertia"])
-    return telling_first([*cases, cases[0].replace(inertia=other).labelled(AGAIN)])
+    return telling_first([*cases, cases[0].replace(inertia=other).labelled(AGAIN, KEPT)])
 
 
 def straight_rolling(rng):

@@ -4,7 +4,7 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import Assignment, absolute, by_kind, check, check_domain, compare, group, number
+from tam570_grader import Assignment, absolute, check, check_domain, compare, group, number
 
 from . import cases, reference
 
@@ -58,7 +58,7 @@ def wrong_force(case, found, expected):
     return "The results are (inward, normal): F = m a of G, which moves on a circle."
 
 
-MOMENTS = by_kind({"before": "Is a result kept?"}, "The moment of the contact force about G is Omega z x H.")
+MOMENTS = "The moment of the contact force about G is Omega z x H."
 WHICH_SIGN = "Which sign must the moment of the weight have?"
 AT_REST = "The point of the disk on the ground has no velocity."
 ABOUT_WHICH = "G is at rest: about which axis does the disk turn, and how high is G?"

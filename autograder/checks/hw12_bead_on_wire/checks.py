@@ -8,7 +8,6 @@ from tam570_grader import (
     Assignment,
     Column,
     Invariant,
-    by_kind,
     check,
     check_conserved,
     compare,
@@ -76,8 +75,13 @@ def lagrange_gives_the_acceleration(student, rng):
     compare(student.lagrange_equation, reference, calls, tolerance=FORMULA, hint=hint)
 
 
-TWICE = by_kind(
-    {"at rest": "Which part of g is along the wire, and what is its x component?"},
+def at_rest_or_not(at_rest, moving):
+    """A hint by whether the bead is at rest."""
+    return lambda case, *_: moving if case.args[1] else at_rest
+
+
+TWICE = at_rest_or_not(
+    "Which part of g is along the wire, and what is its x component?",
     "Is y'' = 2 c v^2 + 2 c x x'', and v the rate of x?",
 )
 
@@ -94,7 +98,7 @@ def newton_gives_the_acceleration(student, rng):
     )
 
 
-BEND = by_kind({"at rest": "How much of the weight does a slope carry?"}, "How sharply does the wire bend at x?")
+BEND = at_rest_or_not("How much of the weight does a slope carry?", "How sharply does the wire bend at x?")
 
 
 @check("constraint_force", points=0.75, part="b", line="as large as carrying and turning the bead takes.")
@@ -127,7 +131,7 @@ def force_and_weight_make_the_acceleration(student, rng):
     )
 
 
-SPEED = by_kind({"at rest": "At rest it is potential: how high is the bead?"}, "How fast is the bead along the wire?")
+SPEED = at_rest_or_not("At rest it is potential: how high is the bead?", "How fast is the bead along the wire?")
 
 
 @check("energy", points=1, part="b", line="of the speed along the wire and of the height above the bottom.")

@@ -6,7 +6,6 @@ from tam570_grader import (
     Assignment,
     Column,
     Invariant,
-    by_kind,
     check,
     check_conserved,
     compare,
@@ -74,10 +73,13 @@ def part_of_force(case, found, expected):
     return "Along is right, normal is not: G is accelerated off the ramp too, by phi'' and by phi_dot squared."
 
 
-REST_OR_RATES = by_kind(  # those at rest are judged first
-    {"at rest": "At rest it is wrong, too: look at the moment of the weight and at the inertia."},
-    "At rest it is right: differentiate the position of G twice, and mind the terms in phi_dot squared.",
-)
+def rest_or_rates(case, found, expected):
+    """Those at rest are judged first."""
+    if case.args[1] == 0:
+        return "At rest it is wrong, too: look at the moment of the weight and at the inertia."
+    return "At rest it is right: differentiate the position of G twice, and mind the terms in phi_dot squared."
+
+
 BOTH = "Balance momentum about G: only friction turns it."
 NO_WEIGHT = "Without weight it still does not turn uniformly; is anything divided by the slope?"
 DISTANCE = "How far is G from the contact, at this phi?"
@@ -117,7 +119,7 @@ def acceleration_balances_momentum_about_G(student, rng):
         reference.acceleration,
         [*cases.at_rest(cases.plain)(rng), *cases.rolling(20)(rng), *cases.plain(rng)],
         tolerance=FORMULA,
-        hint=REST_OR_RATES,
+        hint=rest_or_rates,
     )
 
 

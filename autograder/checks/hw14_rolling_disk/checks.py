@@ -10,7 +10,6 @@ from tam570_grader import (
     Invariant,
     absolute,
     array,
-    by_kind,
     check,
     check_conserved,
     compare,
@@ -336,15 +335,17 @@ def judge_wireframe(case, lines):
 
 # (f) Energy and force
 
-REST_OR_RATES = by_kind(
-    {"at rest": "At rest it is wrong, too: what is the height of the centre?"},
-    "At rest it is right: look at the speed of the centre and the turning about it.",
-)
+
+def rest_or_rates(case, found, expected):
+    """Those at rest are judged first."""
+    if not np.any(case.args[0][5:]):
+        return "At rest it is wrong, too: what is the height of the centre?"
+    return "At rest it is right: look at the speed of the centre and the turning about it."
 
 
 @check("energy", points=0.5, part="f", line="energy adds what moves, what turns and what is high.")
 def energy_is_kinetic_and_potential(student, rng):
-    compare(student.energy, reference.energy, cases.resting_first(rng), tolerance=POINTWISE, hint=REST_OR_RATES)
+    compare(student.energy, reference.energy, cases.resting_first(rng), tolerance=POINTWISE, hint=rest_or_rates)
 
 
 NEEDED = euler_simulation_follows_the_motion, energy_is_kinetic_and_potential

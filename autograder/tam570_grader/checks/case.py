@@ -37,7 +37,7 @@ class Case:
         return packed([[*map(_sent, self.args)], {key: _sent(value) for key, value in self.kwargs.items()}])
 
     def labelled(self, label: str, hint: str = "") -> "Case":
-        """Return the same arguments with a label, and with a hint for who fails at just these."""
+        """Return the same arguments with a label, and with a hint that `compare` prefers to that of the check."""
         case = Case(*self.args, **self.kwargs)
         case.label, case.hint = label, hint
         return case

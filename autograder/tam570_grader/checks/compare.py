@@ -21,7 +21,6 @@ __all__ = [
     "compare",
     "compare_columns",
     "call_cases",
-    "by_kind",
     "largest",
     "find_reference",
     "check_domain",
@@ -117,16 +116,6 @@ def largest(_: Any, expected: Any) -> float:
     return float(np.max(np.abs(np.asarray(expected, float)), initial=0.0))
 
 
-def by_kind(hints: Mapping[str, str], otherwise: str) -> Callable[..., str]:
-    """A hint, of a case or of a motion, that is the first whose words are in the kind of input."""
-
-    def hint(one: Any, *_: Any) -> str:
-        label = getattr(one, "case", one).label
-        return next((message for words, message in hints.items() if words in label), otherwise)
-
-    return hint
-
-
 def call_cases(function: Any, reference: Reference, cases: Iterable[Case]) -> Iterator[tuple[Case, Any, Any]]:
     """Each case, cut to what the right function takes, with the student's result and the right one."""
     true = find_reference(reference, function)
@@ -168,8 +157,8 @@ def describe(function: Any, name: str) -> Any:
 
 
 def _hint(hint: Any, case: Case, found: Any, reference: Any, one: Any, expected: Any) -> str:
-    """What right numbers have lost, else the hint."""
-    return digits_lost(one, expected) or (hint(case, found, reference) if callable(hint) else hint)
+    """What right numbers have lost, else the hint of the case, else that of the check."""
+    return digits_lost(one, expected) or case.hint or (hint(case, found, reference) if callable(hint) else hint)
 
 
 def digits_lost(found: Any, expected: Any) -> str:

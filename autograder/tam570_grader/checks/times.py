@@ -13,6 +13,8 @@ Array = NDArray[np.float64]
 # kind: of an array of times, what a closed form must take, too
 SOME_TIMES = {"a single time": slice(-1, None), "times in descending order": slice(None, None, -1)}
 
+KEPT = "Is anything kept between calls?"
+
 
 def uneven(rng: np.random.Generator, span: float, count: int, start: float | None = None) -> Array:
     """`count` times of uneven spacing over a span, from `start`, or from anywhere but zero."""
@@ -29,7 +31,7 @@ def repeated_calls(rng: np.random.Generator, case: Case, **others: Any) -> list[
              change is not allowed
     """
     t = case.args[0]
-    again = case.labelled("a motion that is asked for again")
+    again = case.labelled("a motion that is asked for again", KEPT)
     span = t[-1] - t[0]
     changed = [case.replace(uneven(rng, span, len(t), t[0] + rng.uniform(1, 3)))]
     if len(t) > 2:
@@ -41,7 +43,7 @@ def repeated_calls(rng: np.random.Generator, case: Case, **others: Any) -> list[
     for name, value in case.kwargs.items():
         if (other := others.get(name, _other(rng, value))) is not None:
             changed.append(case.replace(**{name: other}))
-    return [again, *(one.labelled("the call before with one argument changed") for one in changed)]
+    return [again, *(one.labelled("the call before with one argument changed", KEPT) for one in changed)]
 
 
 def _other(rng: np.random.Generator, value: Any) -> Any:

@@ -106,3 +106,11 @@ def test_an_exact_number_is_within_its_limit_of_zero_or_infinitely_far_over_it()
         expect(3, 3, tolerance=0)
         expect(4, 3, tolerance=0)
     assert over == [0, np.inf]
+
+
+@pytest.mark.parametrize(("own", "said"), [("", "Look at y^2."), ("Is it positive?", "Is it positive?")])
+def test_the_hint_of_a_case_goes_before_that_of_the_check(own, said):
+    with check_context(), pytest.raises(Failed) as failed:
+        calls = [Case(4.0).labelled("a root of 4", own)]
+        compare(student(lambda x: -root(x)).root, root, calls, tolerance=1e-9, hint="Look at y^2.")
+    assert failed.value.failure.hint == said
