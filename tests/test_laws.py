@@ -13,8 +13,7 @@ from tam570_grader.checks import assignments
 from tam570_grader.checks.expect import check_context
 from tam570_grader.checks.returns import Array, Drawing, Formula, FreeBodyDiagram, Group
 from tam570_grader.diagnosis.mistakes import candidates, known, mistakes
-from tam570_grader.release import course_config
-from tam570_grader.release.stubs import stub
+from tam570_grader.release.stubs import stub, with_points
 from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.zygote import ResourceLimits
 
@@ -106,12 +105,12 @@ def test_the_checks_promise_every_function_and_ten_points(slug, course, solution
 
 
 def test_a_row_of_the_readme_has_the_points_of_the_checks_that_are_about_its_function(slug, course):
-    assignment = assignments.assignment(course, slug)
-    readme = (course / "assignments" / slug / "README.md").read_text()
-    worth = dict.fromkeys(assignment.results, 0.0)
-    for check in assignment.checks:
-        worth[check.function] += check.points
-    assert {name: float(points) for _, name, points, _ in course_config.ROW.findall(readme)} == worth
+    readme, worth = (
+        (course / "assignments" / slug / "README.md").read_text(),
+        assignments.assignment(course, slug).worth,
+    )
+    assert with_points(readme, worth) == readme, "run: tam570-grader stubs"
+    assert with_points(readme, dict.fromkeys(worth, 0.125)).count("| 0.125 |") == len(worth)
 
 
 # Right answers pass

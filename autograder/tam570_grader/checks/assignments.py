@@ -78,6 +78,12 @@ class LoadedAssignment:
         return {letter: (part.points, part.asks) for letter, part in self.rubric.items()}
 
     @property
+    def worth(self) -> dict[str, float]:
+        """The points of each function: those of the checks that are about it."""
+        checks = self.checks
+        return {name: sum(check.points for check in checks if check.function == name) for name in self.results}
+
+    @property
     def max_score(self) -> float:
         return round(sum(check.points for check in self.checks), 6)
 

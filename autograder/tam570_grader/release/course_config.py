@@ -22,7 +22,7 @@ from tam570_grader.checks.assignments import ADAPTED, OWN, LoadedAssignment
 from tam570_grader.errors import UsageError, warn, writing
 from tam570_grader.release import late_policy
 from tam570_grader.release.course_toml import COLUMNS, COPY, FILE, by_slug, must, no_other, toml
-from tam570_grader.release.stubs import contract
+from tam570_grader.release.stubs import contract, with_points
 from tam570_grader.results.tables import written
 from tam570_grader.rubric import with_rubric
 
@@ -33,7 +33,6 @@ SEEDS = 3  # with which checks of a course's own are tried on the solution and t
 VARIABLE = "TAM570_COURSE"  # of the environment: names a course, as --root does
 REMEDY = "no autograder/checks and solutions; name a checkout of the course"
 SHARED = ("shared", "autograder/tam570_grader", "pyproject.toml", "README.md", "LICENSE", "NOTATION.md")
-ROW = re.compile(r"^(\| `(\w+)\(.*?` *\| *)([\d.]+)( *\|)", re.MULTILINE)
 TIMES = "One call may take {call} s of processor time, the whole submission {cpu} s."
 STANDARD = {"call": 10, "cpu": 60, "memory": 1024}  # as the options of `grade`: s, s, MiB
 SUM = re.compile(r"^The autograder gives (?:all )?ten points", re.MULTILINE)
@@ -288,11 +287,7 @@ def _are_texts(value: Any) -> bool:
 def _tell(path: Path, assignment: LoadedAssignment, part: Part, folder: Path) -> None:
     """Put the points, and what is left out or allowed, into what students get."""
     must(path, bool(assignment.checks), f"[{assignment.slug[:4]}] leaves no check: leave the assignment out instead")
-    worth = dict.fromkeys(assignment.results, 0.0)
-    for check in assignment.checks:
-        worth[check.function] += check.points
-    readme = (folder / "README.md").read_text(encoding="utf-8")
-    readme = ROW.sub(lambda row: f"{row[1]}{worth.get(row[2], 0.0):g}{row[4]}", readme)
+    readme = with_points((folder / "README.md").read_text(encoding="utf-8"), assignment.worth)
     more = [f"Part ({letter}) is left out in this course." for letter in part.leave_out]
     more += [f"In this course you may use `{name}`." for name in part.allow]
     says = " ".join([*more, f"The autograder gives {assignment.max_score:g} points"])

@@ -6,6 +6,7 @@ Beside it stand the contract, what each function returns, as the checks have it,
 import ast
 import json
 import re
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -15,8 +16,9 @@ from tam570_grader.checks.returns import Drawing, Formula, FreeBodyDiagram, Grou
 from tam570_grader.errors import say
 from tam570_grader.rubric import load_rubric, with_rubric
 
-__all__ = ["contract", "exported", "run", "stub"]
+__all__ = ["contract", "exported", "run", "stub", "with_points"]
 
+ROW = re.compile(r"^(\| `(\w+)\(.*?` *\| *)[\d.]+( *\|)", re.MULTILINE)  # of a function, in a README's table
 BODY = "raise NotImplementedError"
 
 
@@ -32,13 +34,23 @@ def run(course: Path, *, check: bool) -> int:
     return 1 if check and stale else 0
 
 
+def with_points(readme: str, worth: Mapping[str, float]) -> str:
+    """The README with the points of each function in its row of the table, as the checks give them."""
+    return ROW.sub(lambda row: f"{row[1]}{worth.get(row[2], 0.0):g}{row[3]}", readme)
+
+
 def _made(course: Path, slug: str) -> dict[Path, str]:
     """What is derived of an assignment: the README's rubric, the stub, and the contract for the students' `check`."""
     released, solution = course / "assignments" / slug, course / "solutions" / f"{slug}.py"
     readme, rubric = released / "README.md", load_rubric(released)
     figure = assignments.figure(course, slug)
+    worth = assignments.assignment(course, slug).worth
     return {
-        **({readme: with_rubric(readme.read_text(encoding="utf-8"), rubric)} if readme.exists() else {}),
+        **(
+            {readme: with_points(with_rubric(readme.read_text(encoding="utf-8"), rubric), worth)}
+            if readme.exists()
+            else {}
+        ),
         released / f"{slug}.py": stub(solution.read_text(encoding="utf-8")),
         released / "contract.json": contract(assignments.assignment(course, slug)),
         **({released / "figure.svg": figure.svg()} if figure else {}),
