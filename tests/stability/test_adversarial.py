@@ -114,6 +114,11 @@ def pushed_with_friction(t, y):
     return y[1], 1.0 - 0.5 * np.sign(y[1])
 
 
+def coulomb(t, y):
+    """Half a turn about 0.5, then one about -0.5, which has no room for another."""
+    return y[1], -y[0] - 0.5 * np.sign(y[1])
+
+
 def quadratic_drag(t, y):
     return y[1], -abs(y[1]) * y[1] - 1.0
 
@@ -173,6 +178,7 @@ def by_sort(t, y):
 FRICTION = {
     "it stops": against(sliding, (0, 3), [0.0, 4.0], exact=[4.0, 0.0]),
     "from rest": against(pushed_with_friction, (0, 2), [0.0, 0.0], exact=[1.0, 1.0]),
+    "Coulomb": against(coulomb, (0, 5), [2.0, 0.0], exact=[-0.5 + 0.5 * math.cos(5), -0.5 * math.sin(5)]),
     "quadratic drag": against(quadratic_drag, (0, 3), [0.0, 2.0]),
     "belt": against(belt, (0, 5), [0.1, 0.0], longest=5e-3),
     "relay": against(relay_without_memory, (0, 4), [1.0, 0.0], longest=2e-3),
@@ -539,6 +545,7 @@ REFUSED = {
     ),
     "infinite": (lambda t, y: (y[0] ** 2,), (0, 2), [1.0], ArithmeticError, "infinite"),
     "infinite, not traced": (lambda t, y: (y[0] ** 2 if y[0] else 0.0,), (0, 2), [1.0], ArithmeticError, "infinite"),
+    "friction that holds": (lambda t, y: (-np.sign(y[0]),), (0, 3), [1.0], ArithmeticError, "to and fro at t = 1"),
     "complex start": (lambda t, y: (-y[0],), (0, 1), [1.0 + 1j], ValueError, "^y0"),
     "a column": (lambda t, y: (y[1], -y[0]), (0, 1), [[1.0], [0.0]], ValueError, "^y0.*ravel"),
 }

@@ -33,6 +33,8 @@ __all__ = [
 ]
 
 BETWEEN_LOOKS = 500  # steps
+OUT_OF_REACH = 1e9  # steps that nobody waits for
+LOOKS = 20  # in a row
 KINKS = 30.0  # of the tolerance, so many times less where the rates may have kinks
 AFTER_A_JUMP = 6  # steps in a row, each as much longer than the one before as it may be
 BACKEND = "tam570.integrate.compiled.backend"  # which imports llvmlite, and is imported where it is wanted
@@ -75,6 +77,8 @@ class Run:
     rows: Array
     control: Control
     last: State = field(init=False)
+    looked: tuple[float, int, int] = (0.0, 0, 0)  # time, steps and refusals at the last look
+    stuck: int = 0  # looks in a row that found no progress
 
     @property
     def rtol(self) -> float:
@@ -219,9 +223,28 @@ def step_n(run: Run, advance: Any, since: Any, look: Look, state: State, budget:
         some = min(left, BETWEEN_LOOKS)
         state = advance(run.origin, since, run.rows, state, run.engine.constants, run.rtol, run.control.max_step, some)
         run.last = state
+        check_progress(run, state)
         if some == BETWEEN_LOOKS:
             look(state.t, state.y, sizes(state, run.rtol), state.steps)
     return state
+
+
+def check_progress(run: Run, state: State) -> None:
+    """ArithmeticError where most steps are refused and the end is out of reach: the rates jump to and fro."""
+    t, steps, refusals = run.looked
+    tried = state.steps - steps + state.refusals - refusals
+    if tried < BETWEEN_LOOKS:
+        return
+    is_stuck = (
+        state.refusals - refusals > tried / 4 and (state.t - t) * OUT_OF_REACH < (run.since[-1] - state.t) * tried
+    )
+    run.looked, run.stuck = (state.t, state.steps, state.refusals), run.stuck + 1 if is_stuck else 0
+    if run.stuck == LOOKS:
+        where = run.engine.sign * (run.origin + state.t)
+        raise ArithmeticError(
+            f"the rates jump to and fro at t = {where:.9g}, y = {list(state.y)}: steps of {state.h:.1g} do not end. "
+            "Friction that holds a body at rest has no rate there: stop at an event, or smooth the jump"
+        )
 
 
 def sizes(state: State, rtol: float) -> list[float]:
@@ -284,8 +307,9 @@ def start_state(run: Run, a: Sequence[float] = ()) -> State:
     first_step = engine.functions["first_step"]
     h, g = first_step(origin, span, y, f, c), f
     if h < 1e-8 * span:  # the rates may jump at the very start
-        g = rhs(origin + h, y, c)
-        h = max(h, first_step(origin + h, span, y, g, c))
+        onward = engine.functions["euler"](h, y, f)
+        g = rhs(origin + h, onward, c)
+        h = max(h, first_step(origin + h, span, onward, g, c))
     if not control.atol:
         later = _doubling(origin, h, span) if engine.formulas.timed else ()
         if not a:

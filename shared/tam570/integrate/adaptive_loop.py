@@ -28,7 +28,7 @@ SAFETY = 0.9
 LARGEST, SMALLEST = 6.0, 0.2  # change of the step size from one step to the next (as dop853.f)
 DOUBLED = 2.0  # step size after an error that was rounding
 EXPONENT = -1 / 8  # of order 8
-JUMP = 1e-11  # move of the state, relative, by a change of the rates within the shortest of all steps: a jump of the
+JUMP = 1e-9  # move of the state, relative, by a change of the rates within the shortest of all steps: a jump of the
 # rates makes less of it, a singularity more
 SUSPICIOUS = 0.005  # of the third's power 9/4: the error of exp(a t) and of its like is 0.02 and more, so that less is
 # an estimate of order 5 that passes through zero
