@@ -8,6 +8,7 @@ variant is named if it alone explains every call of the check, of which at least
 import ast
 import functools
 import inspect
+import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -168,7 +169,7 @@ class _InPlace:
 
 def _symbolic(call: Called) -> bool:
     args = call.case.args
-    return bool(args) and isinstance(args[0], list) and isinstance(args[0][0], dict)
+    return bool(args) and isinstance(args[0], list) and bool(args[0]) and isinstance(args[0][0], dict)
 
 
 def _explains(variant: Variant, calls: Sequence[Judged]) -> bool:
@@ -179,7 +180,7 @@ def _quietly(variant: Variant, call: Judged) -> Any:
     """The answer of a variant; None where it has none, whatever is in its way."""
     count(1 + sum(map(np.size, parts(call.right))) // ELEMENTS)
     try:
-        with np.errstate(all="ignore"), limited(OF_ONE):
+        with np.errstate(all="ignore"), warnings.catch_warnings(action="ignore"), limited(OF_ONE):
             return variant(call)
     except (Exhausted, ArithmeticError, LookupError, TypeError, ValueError, AttributeError, NameError):
         return None
