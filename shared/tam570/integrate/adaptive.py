@@ -34,7 +34,7 @@ __all__ = [
 
 BETWEEN_LOOKS = 500  # steps
 OUT_OF_REACH = 1e9  # steps that nobody waits for
-LOOKS = 20  # in a row
+LOOKS = 40  # in a row: stiffness, where that is the cause, is told before
 KINKS = 30.0  # of the tolerance, so many times less where the rates may have kinks
 AFTER_A_JUMP = 6  # steps in a row, each as much longer than the one before as it may be
 BACKEND = "tam570.integrate.compiled.backend"  # which imports llvmlite, and is imported where it is wanted
