@@ -36,22 +36,22 @@ def grows(*_):
 
 @pytest.fixture
 def judged(course, zygotes, solution_text, monkeypatch):
-    """`judged(judge, name)` -> the result where the check of this name does something else; right answers otherwise."""
+    """`judged(run, name)` -> the result where the check of this name runs something else; right answers otherwise."""
     assignment = assignments.assignment(course, SLUG)
     monkeypatch.setattr(one, "budget", lambda: budget.budget(FEW, LITTLE))
 
-    def judged(judge=None, name="", text=""):
-        checks = [replace(check, judge=judge) if check.name == name else check for check in assignment.checks]
+    def judged(run=None, name="", text=""):
+        checks = [replace(check, run=run) if check.name == name else check for check in assignment.checks]
         source = Source((text or solution_text(SLUG)).encode())
         return graded("ada", source, replace(assignment, checks=tuple(checks)), zygotes(SLUG, ResourceLimits()), 1)
 
     return judged
 
 
-@pytest.mark.parametrize(("judge", "says"), [(compiled(ENDLESS)["endless"], "work"), (grows, "memory")])
-def test_a_check_that_does_not_end_fails_alone(judge, says, judged, course):
+@pytest.mark.parametrize(("run", "says"), [(compiled(ENDLESS)["endless"], "work"), (grows, "memory")])
+def test_a_check_that_does_not_end_fails_alone(run, says, judged, course):
     check = assignments.assignment(course, SLUG).checks[-1]
-    result = judged(judge, check.name)
+    result = judged(run, check.name)
     assert result.status == "graded" and result.score == 10 - check.points
     assert says in result.checks[-1].message
     assert judged().score == 10

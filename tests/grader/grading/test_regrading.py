@@ -76,7 +76,7 @@ def test_a_changed_check_is_named_with_whose_score_it_changes(tree, tmp_path, ca
     assert grade(tree, "--out", tmp_path / "old") == 0
     checks = other_course / "autograder" / "checks" / SLUG / "checks.py"
     name = assignments.assignment(course, SLUG).checks[0].name
-    easy = f'@check(points=1, part="a")\ndef {name}(student, draw):\n    """skew: anything."""\n'
+    easy = f'@check("skew", points=1, part="a", line="anything.")\ndef {name}(student, rng):\n    pass\n'
     checks.write_text(f"{checks.read_text()}\n\nfrom tam570_grader import check\n\n\n{easy}")
     graded.clear()
     capsys.readouterr()
