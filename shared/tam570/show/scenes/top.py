@@ -8,6 +8,7 @@ from tam570.show.drawing import circle
 from tam570.show.scene import (
     GREY,
     INK,
+    RATE,
     Array,
     Panel,
     Scene,
@@ -23,6 +24,7 @@ __all__ = ["tops"]
 
 LENGTH, HEIGHT, RADIUS = 1.0, 0.6, 0.45  # m, of the picture: the axis, its disk
 NUDGED = 0.02  # rad, the tilt of a top that may sleep
+FASTEST = np.pi * RATE  # rad/s; beyond half a turn from frame to frame the picture turns backward
 
 
 def tops(
@@ -44,11 +46,12 @@ def tops(
     free = motion(times, start)
     asleep = motion(times, (0.0, NUDGED, 0.0, 0.0, 0.0, spin))
     try:
-        both = [motion(times, (0.0, tilt, 0.0, W, 0.0, spin - W * np.cos(tilt))) for W in steady(tilt, spin)]
-        title = "steady precession, slow and fast"
+        rates = [W for W in steady(tilt, spin) if abs(W) < FASTEST]  # near the level the fast one has no bound
+        title = ("too fast to draw", "slow steady precession", "steady precession, slow and fast")[len(rates)]
     except ValueError:  # too slow a spin
-        both, title = [], "too slow for steady precession"
-    precessing = [part for color, states in enumerate(both) for part in _top(states, color, ("slow", "fast")[color])]
+        rates, title = [], "too slow for steady precession"
+    steadily = [motion(times, (0.0, tilt, 0.0, W, 0.0, spin - W * np.cos(tilt))) for W in rates]
+    precessing = [part for color, one in enumerate(steadily) for part in _top(one, color, ("slow", "fast")[color])]
     shown = plot_samples(times)
     changes = {name.replace("_", " "): _shares(law, free[shown]) for name, law in laws.items()}
     note, alarm = drift_note(changes, 1.0, "energy and both momenta")
