@@ -65,14 +65,14 @@ def _shown(mark: Mapping[str, Any], sheet: AssignmentInfo) -> dict[str, Any]:
         "line": sheet.lines.get(mark["name"], mark["name"]),
         "points": mark["points"],
         "max_points": mark["max_points"],
-        "says": "" if mark["outcome"] == "passed" else mark["message"],
+        "message": "" if mark["outcome"] == "passed" else mark["message"],
         "pictures": pictures((mark.get("failure") or {}).get("curve")),
     }
 
 
 def _plain(mark: Mapping[str, Any]) -> str:
-    says = f"\n  {mark['says']}" if mark["says"] else ""
-    return f"{SIGNS[mark['outcome']]} {mark['points']:g}/{mark['max_points']:g} {mark['line']}{says}"
+    message = f"\n  {mark['message']}" if mark["message"] else ""
+    return f"{SIGNS[mark['outcome']]} {mark['points']:g}/{mark['max_points']:g} {mark['line']}{message}"
 
 
 def safe(output: Notebook) -> Notebook | None:
