@@ -13,7 +13,7 @@ SEED = 570
 LATE = 7  # days, of student 11, in every assignment
 CLASS = range(60)
 MISTAKES = {
-    "hw03_angular_momentum_rate": ("moment_about_the_origin", "acceleration_of_C_forgotten", "rate_b_by_c"),
+    "hw03_angular_momentum_rate": ("moment_about_the_origin", "rate_c_with_both_terms", "rate_b_by_c"),
     "hw08_axis_angle": ("transposed_skew", "zero_axis_is_no_rotation", "rotate_changes_r"),
     "hw09_book": ("axis_rotation", "space_sequence", "axis_angle"),
 }
