@@ -43,7 +43,7 @@ def texts(course, solution_text):
 @pytest.fixture
 def scores(texts, grade):
     """What each student earns: the file alone is graded, without names, folders or tables."""
-    alone = {slug: [grade(slug, text, SEED, naming=False).score for text in texts[slug]] for slug in SLUGS}
+    alone = {slug: [grade(slug, text, SEED).score for text in texts[slug]] for slug in SLUGS}
     assert all(len(set(found)) == 4 and found[0] == 10 for found in alone.values())  # else rows could be exchanged
     return {n: [alone[slug][which(n, slug)] for slug in SLUGS] for n in CLASS}
 

@@ -127,7 +127,7 @@ def test_a_submission_of_many_files_is_looked_at_once_a_file(tree):
 
         __hash__ = type(tree).__hash__
 
-    entries = [Counted(tree / f"{number}.py") for number in range(300)]
+    entries = [(Counted(tree / f"{number}.py"), False) for number in range(300)]
     submissions._of_files(entries, "ben", SLUG, tree)
     assert len(compared) <= 2 * len(entries)
 
