@@ -32,10 +32,12 @@ verify: $(VENV)/ready bubblewrap
 	$(BIN)/python benchmarks/grading.py --peers nbgrader
 	$(BIN)/python benchmarks/size.py
 	$(BIN)/python benchmarks/autograde.py
+	$(BIN)/python benchmarks/error_against_tolerance.py --write
 	$(BIN)/python benchmarks/rotations.py
 	$(BIN)/python benchmarks/ensembles.py
 	$(BIN)/python benchmarks/show.py --peers
 	$(BIN)/python benchmarks/run_time_against_error.py
+	$(BIN)/python benchmarks/run_time_against_error.py --peers
 	$(BIN)/python benchmarks/run_time_for_pages.py
 
 # The site, into build/site: warnings are errors, and every link is followed.

@@ -17,11 +17,12 @@ import tempfile
 import time
 from pathlib import Path
 
+import record
 from grading import CLASSES, COURSE, _nbgrader, _notebook, class_of
 
 from tam570_grader.nbgrader.course import run as make_course
 
-RETURNS = Path(__file__).parent / "results" / "autograde.json"
+RESULTS = record.RESULTS / "autograde.json"
 OWN = ("Execute", "IgnorePattern", "LimitOutput", "SaveAutoGrades", "AssignLatePenalties", "CheckCellMetadata")
 HANGS = """
 
@@ -138,11 +139,11 @@ def shown(rows):
 
 def kept(rows):
     """Put the rows into the file in place of those of the same class."""
-    old = json.loads(RETURNS.read_text()) if RETURNS.exists() else []
+    old = record.read(RESULTS).get("rows", [])
     new = {(row["assignment"], row["endless_loop"]) for row in rows}
     rest = [row for row in old if (row["assignment"], row["endless_loop"]) not in new]
     both = sorted(rest + rows, key=lambda row: (row["assignment"], row["endless_loop"]))
-    RETURNS.write_text(json.dumps(both, indent=1) + "\n")
+    record.write(RESULTS, rows=both)
 
 
 def main():

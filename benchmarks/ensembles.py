@@ -8,7 +8,6 @@ is the median distance of the two ends, of the state: it shows that both have fo
 """
 
 import argparse
-import json
 import statistics
 import sys
 import time
@@ -21,9 +20,10 @@ HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE / "run_time"))
 
 import methods  # noqa: E402
+import record  # noqa: E402
 import scenes  # noqa: E402
 
-RESULTS = HERE / "results" / "ensembles.json"
+RESULTS = record.RESULTS / "ensembles.json"
 PROBLEMS = ("double pendulum, points", "Duffing", "heavy top", "Lorenz", "Euler's top", "figure eight")
 TOLERANCES = (1e-6, 1e-9, 1e-12)
 SPREAD = 0.05  # of the starts about the problem's own
@@ -67,7 +67,7 @@ def main():
         return print("heyoka is not installed, and nothing is compared: pip install heyoka")
     asked = [(name, tolerance) for name in PROBLEMS for tolerance in TOLERANCES]
     rows = [compared(name, options.members, at) for name, at in tqdm(asked, desc="runs", leave=False, disable=None)]
-    options.out.write_text(json.dumps(rows, indent=1) + "\n")
+    record.write(options.out, rows=rows)
     for row in rows:
         print(
             f"{row['problem']:24} {row['tolerance']:.0e}  {row['seconds']:7.3f} s, heyoka {row['heyoka']:7.3f} s:"

@@ -7,9 +7,7 @@ problem itself makes of a change of its start by rtol. Prints the table; --write
 """
 
 import argparse
-import platform
 import sys
-from datetime import date
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +16,7 @@ HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE / "run_time"))
 
 import public  # noqa: E402
+import record  # noqa: E402
 
 from tam570.integrate import solve  # noqa: E402
 
@@ -41,7 +40,7 @@ def main():
     parser.add_argument("--write", action="store_true")
     options = parser.parse_args()
     lines = [
-        f"{date.today()}, {platform.machine()}, Python {platform.python_version()}: error / rtol / sensitivity",
+        "error / rtol / sensitivity: {command}, {machine}, {date}".format(**record.facts()),
         f"{'':24}" + "".join(f"{f'{r:g}':>16}" for r in TOLERANCES),
     ]
     for name, (rhs, start, end) in public.PROBLEMS.items():
@@ -49,7 +48,7 @@ def main():
         lines.append(f"{name:24}" + "".join(f"{f'{a:.2g} / {b:.2g}':>16}" for a, b in zip(*both, strict=True)))
         print(lines[-1], flush=True)
     if options.write:
-        (HERE / "results" / "error_against_tolerance.txt").write_text("\n".join(lines) + "\n")
+        (record.RESULTS / "error_against_tolerance.txt").write_text("\n".join(lines) + "\n")
 
 
 if __name__ == "__main__":

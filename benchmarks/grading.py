@@ -9,7 +9,6 @@ Prints a table and writes results/grading.json. Times of one run on one machine;
 
 import argparse
 import contextlib
-import json
 import os
 import resource
 import subprocess
@@ -19,6 +18,7 @@ import threading
 import time
 from pathlib import Path
 
+import record
 from tqdm import tqdm
 
 from tam570_grader.checks import assignments
@@ -27,7 +27,7 @@ from tam570_grader.grading.submissions import submissions
 from tam570_grader.sandbox.launch import isolation
 from tam570_grader.sandbox.zygote import Cell, ResourceLimits
 
-RETURNS = Path(__file__).parent / "results" / "grading.json"
+RESULTS = record.RESULTS / "grading.json"
 COURSE = assignments.find(Path(__file__).parents[1])
 CLASSES = {  # what everybody in the class hands in
     "hw08_axis_angle": "solutions/hw08_axis_angle.py",
@@ -217,8 +217,7 @@ def main():
         )
     for slug, its_runs in runs.items():
         told_of_jobs(slug, its_runs)
-    RETURNS.parent.mkdir(exist_ok=True)
-    RETURNS.write_text(json.dumps(rows, indent=1) + "\n")
+    record.write(RESULTS, rows=rows)
 
 
 if __name__ == "__main__":

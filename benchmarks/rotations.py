@@ -8,19 +8,18 @@ are read as it reads them by default (made orthogonal); `assume_valid` leaves th
 """
 
 import argparse
-import json
-import platform
 import time
 import warnings
 from pathlib import Path
 
 import numpy as np
+import record
 import scipy
 from scipy.spatial.transform import Rotation
 
 from tam570 import rotations
 
-RESULTS = Path(__file__).parent / "results" / "rotations.json"
+RESULTS = record.RESULTS / "rotations.json"
 
 
 def inputs(count, seed=570):
@@ -186,7 +185,7 @@ def main():
     parser.add_argument("--quick", action="store_true", help="no batches of 1e6, fewer matrices")
     parser.add_argument("--output", type=Path, help=f"where the JSON goes (default {RESULTS.name}, none if quick)")
     options = parser.parse_args()
-    versions = {"python": platform.python_version(), "numpy": np.__version__, "scipy": scipy.__version__}
+    versions = {"numpy": np.__version__, "scipy": scipy.__version__}
     result = {"versions": versions, "timings": [], "errors": []}
     for row in timings([1, 1000] if options.quick else [1, 1000, 1_000_000]):
         result["timings"].append(row)
@@ -200,8 +199,7 @@ def main():
         print(f"{row['scene']:14s} {row['round_trip']:16s} {row['eps']:5.2f} eps{scipys}")
     output = options.output or (None if options.quick else RESULTS)
     if output:
-        output.parent.mkdir(parents=True, exist_ok=True)
-        output.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
+        record.write(output, **result)
 
 
 if __name__ == "__main__":

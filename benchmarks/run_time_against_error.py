@@ -5,15 +5,15 @@ to 30 digits. Times are processor time: warm ones the median of repeated runs, t
 the first run of a right-hand side took more; cold ones are those of a new process, imports and compilation included,
 at the first tolerance that reaches an error of 1e-9.
 
-    python benchmarks/run_time_against_error.py            all; writes results/run_time_against_error.json and .png
+    python benchmarks/run_time_against_error.py            the scenes; writes results/run_time_against_error.json
+    python benchmarks/run_time_against_error.py --peers    compiled methods, public problems too; writes results/run_time_against_peers.json
     python benchmarks/run_time_against_error.py --quick    three scenes, four tolerances, no cold processes
-    python benchmarks/run_time_against_error.py --methods "tam570, prepared" heyoka CyRK --sets public
+    python benchmarks/run_time_against_error.py --methods "tam570, prepared" heyoka CyRK --sets public --out FILE
 """
 
 import argparse
 import json
 import os
-import platform
 import resource
 import subprocess
 import sys
@@ -30,14 +30,17 @@ sys.path.insert(0, str(HERE / "run_time"))
 
 import comparison  # noqa: E402
 import methods  # noqa: E402
+import record  # noqa: E402
 import scenes  # noqa: E402
 
-RESULTS = HERE / "results" / "run_time_against_error.json"
-REFERENCES = HERE / "results" / "run_time_references.json"
+RESULTS = record.RESULTS / "run_time_against_error.json"
+PEERS_RESULTS = record.RESULTS / "run_time_against_peers.json"
+REFERENCES = record.RESULTS / "run_time_references.json"
 
 TOLERANCES = [10.0**-k for k in range(3, 16)]
 QUICK_TOLERANCES = [1e-4, 1e-7, 1e-10, 1e-13]
 ALL = [name for group in scenes.SETS.values() for name in group]
+PEERS = ("tam570, compiled", "tam570, prepared", "heyoka", "CyRK", "SciPy DOP853")
 QUICK_SCENES = ["ballistics", "hanging spring", "braking car"]
 TARGETS = (1e-6, 1e-9, 1e-12)
 LONGEST = 4.0  # s of one run; a method that takes longer is not asked for more digits
@@ -119,16 +122,21 @@ def _median_time(run, first):
 
 
 def curves(name, tolerances, reference, names):
-    """{method: [[tolerance, seconds, error, seconds of the first run], ...]} of one scene; the methods take turns."""
-    scene, found, done = scenes.scene(name), {method: [] for method in names}, set()
+    """Return {method: [[tolerance, seconds, error], ...]} of one scene, and {method: seconds} that the first run took more.
+
+    The methods take turns.
+    """
+    scene, found, done, compiling = scenes.scene(name), {method: [] for method in names}, set(), {}
     for tolerance in tolerances:
         for method in (m for m in names if m not in done):
             result = measured(method, scene, tolerance, reference)
             if result is not None:
-                found[method].append([tolerance, *result])
-                if result[0] > LONGEST:
+                seconds, wrong, first = result
+                found[method].append([tolerance, seconds, wrong])
+                compiling.setdefault(method, max(0.0, first - seconds))
+                if seconds > LONGEST:
                     done.add(method)
-    return found
+    return found, compiling
 
 
 def cold_times(name, found):
@@ -138,7 +146,7 @@ def cold_times(name, found):
     """
     times = {}
     for method, curve in found.items():
-        tolerance = next((tol for tol, _, e, _ in curve if e <= 1e-9), None)
+        tolerance = next((tol for tol, _, e in curve if e <= 1e-9), None)
         if tolerance is None:
             continue
         times[method] = min(_process(name, method, tolerance) for _ in range(2))
@@ -178,53 +186,12 @@ def report(results):
     print("\nsmallest error over condition number times eps")
     for name, scene in results["scenes"].items():
         floor = scene["condition"] * EPS
-        best = {m: min(e for _, _, e, _ in curve) / floor for m, curve in scene["curves"].items() if curve}
+        best = {m: min(e for _, _, e in curve) / floor for m, curve in scene["curves"].items() if curve}
         print(f"  {name:22} {floor:.1e}  " + ", ".join(f"{m} {x:.2g}" for m, x in best.items()))
     for name, scene in results["scenes"].items():
         if scene.get("cold"):
             print(f"\nfirst result from a cold process, s: {name}")
             print("  " + ", ".join(f"{m} {s:.2f}" for m, s in sorted(scene["cold"].items(), key=lambda item: item[1])))
-
-
-def draw_scene(ax, scene, colours):
-    """The curves of the methods, and where the rounding of the start sets an end to them."""
-    for method, curve in scene["curves"].items():
-        if curve:
-            _, seconds, errors, _ = np.transpose(curve)
-            ours = method.startswith("tam570")
-            line, width = ("o-", 1.8) if ours else (".--", 0.9)
-            errors = np.maximum(errors, 1e-18)
-            ax.loglog(errors, seconds, line, ms=3.5, lw=width, color=colours[method], label=method)
-    ax.axvline(scene["condition"] * EPS, color="0.7", lw=1)
-    ax.grid(alpha=0.3)
-
-
-def picture(results, path):
-    """One panel a scene: seconds over error, both in decades."""
-    import matplotlib
-
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-
-    names = list(results["scenes"])
-    columns = min(5, len(names))
-    rows = -(-len(names) // columns)
-    figure, axes = plt.subplots(rows, columns, figsize=(4 * columns, 3.6 * rows), sharex=True, squeeze=False)
-    colours = dict(zip(methods.METHODS, plt.colormaps["tab20"].colors, strict=False))
-    for ax, name in zip(axes.flat, names, strict=False):
-        draw_scene(ax, results["scenes"][name], colours)
-        ax.set_title(name, fontsize=10)
-    for ax in axes.flat[len(names) :]:
-        ax.set_visible(False)
-    for ax in axes[-1]:
-        ax.set_xlabel("relative error at the end")
-    for ax in axes[:, 0]:
-        ax.set_ylabel("run time (s)")
-    axes[0, 0].set_xlim(1.0, 1e-18)
-    lines = {line.get_label(): line for ax in axes.flat for line in ax.get_lines() if line.get_label()[0] != "_"}
-    figure.legend(lines.values(), lines.keys(), loc="lower center", ncol=7, frameon=False, fontsize=9)
-    figure.tight_layout(rect=(0, 0.3 / (rows + 1), 1, 1))
-    figure.savefig(path, dpi=110)
 
 
 def measure(names, tolerances, cold, keep, found, asked=()):
@@ -235,8 +202,8 @@ def measure(names, tolerances, cold, keep, found, asked=()):
     exact = references(names)
     installed = [method for method in asked or methods.METHODS if methods.available(method)]
     for name in tqdm(names, desc="scenes"):
-        scene = {"curves": curves(name, tolerances, exact[name], installed)}  # first: nothing is compiled yet
-        scene["condition"] = condition(scenes.scene(name))
+        measured_curves, compiling = curves(name, tolerances, exact[name], installed)  # first: nothing is compiled yet
+        scene = {"curves": measured_curves, "compiling": compiling, "condition": condition(scenes.scene(name))}
         scene["cold"] = cold_times(name, scene["curves"]) if cold else {}
         found[name] = scene
         keep(summary(found))
@@ -244,39 +211,35 @@ def measure(names, tolerances, cold, keep, found, asked=()):
 
 
 def summary(found):
-    return {
-        "machine": f"{platform.processor() or platform.machine()}, {os.cpu_count()} cores",
-        "python": platform.python_version(),
-        "scenes": found,
-        **comparison.tables({name: scene["curves"] for name, scene in found.items()}, TARGETS, scenes.SETS),
-    }
+    return {**comparison.tables(found, TARGETS, scenes.SETS), "scenes": found}
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true", help="three scenes, four tolerances, no cold processes")
-    parser.add_argument(
-        "--scenes", nargs="+", choices=ALL, metavar="NAME", help="these alone; what is kept of others stays"
-    )
+    parser.add_argument("--peers", action="store_true", help="compiled methods alone, on the public problems too")
+    parser.add_argument("--scenes", nargs="+", choices=ALL, metavar="NAME", help="these alone; --out keeps its others")
     parser.add_argument("--sets", nargs="+", choices=scenes.SETS, help="the scenes of these sets alone")
     parser.add_argument("--methods", nargs="+", choices=methods.METHODS, help="these alone")
     parser.add_argument("--tolerances", nargs="+", type=float, help="these alone")
     parser.add_argument("--no-cold", action="store_true", help="no cold processes")
-    parser.add_argument("--out", type=Path, help="JSON to write; the picture goes beside it")
+    parser.add_argument("--out", type=Path, help="JSON to write, also for a part of the scenes or methods")
     given = parser.parse_args()
     sets = [name for group in given.sets or () for name in scenes.SETS[group]]
-    names = given.scenes or sets or (QUICK_SCENES if given.quick else ALL)
+    usual = [*scenes.SETS["scenes"], *(scenes.SETS["public"] if given.peers else ())]
+    names = given.scenes or sets or (QUICK_SCENES if given.quick else usual)
     tolerances = given.tolerances or (QUICK_TOLERANCES if given.quick else TOLERANCES)
-    out = given.out or (None if given.quick else RESULTS)
-    keep = (lambda results: out.write_text(json.dumps(results, indent=1) + "\n")) if out else (lambda results: None)
-    kept = json.loads(out.read_text())["scenes"] if (given.scenes or sets) and out and out.exists() else {}
+    whole = not (given.quick or given.scenes or sets or given.methods or given.tolerances or given.no_cold)
+    out = given.out or ((PEERS_RESULTS if given.peers else RESULTS) if whole else None)
+    keep = (lambda results: record.write(out, **results)) if out else (lambda results: None)
+    kept = record.read(out).get("scenes", {}) if (given.scenes or sets) and out else {}
+    asked, cold = given.methods or (PEERS if given.peers else ()), not (given.quick or given.no_cold or given.peers)
     with tempfile.TemporaryDirectory() as empty:  # so that compiling is measured
         os.environ["XDG_CACHE_HOME"] = empty
-        results = measure(names, tolerances, not (given.quick or given.no_cold), keep, kept, given.methods or ())
+        results = measure(names, tolerances, cold, keep, kept, asked)
     report(results)
     if out:
-        picture(results, out.with_suffix(".png"))
-        print(f"\nwritten: {out}, {out.with_suffix('.png')}")
+        print(f"\nwritten: {out}")
 
 
 if __name__ == "__main__":

@@ -54,7 +54,7 @@ def shared():
         if row is None or row.shape != right.shape or np.abs(row - right).max() > SAME * np.abs(right).max():
             continue
         curves = {
-            method: [[_short(seconds), _short(error)] for _, seconds, error, *_ in scene["curves"][method] if error > 0]
+            method: [[_short(seconds), _short(error)] for _, seconds, error in scene["curves"][method] if error > 0]
             for method in METHODS
         }
         found[slug] = {

@@ -18,11 +18,13 @@ import tempfile
 import time
 from pathlib import Path
 
+import record
+
 from tam570.course import assignments
 from tam570.show import load_student, scene_of
 
 HERE = Path(__file__).parent
-RESULTS = HERE / "results" / "show.json"
+RESULTS = record.RESULTS / "show.json"
 SOLUTIONS = HERE.parent / "solutions"
 PENDULUM = "hw07_double_pendulum"
 REPEATS = 5
@@ -111,7 +113,7 @@ def main():
             print(f" {row['gzip bytes'] / 1e3:6.1f} {kept:>12} {row['tracks kept']:>7}/{row['points']}", end="")
         print()
     if arguments.peers and not arguments.quick:
-        RESULTS.write_text(json.dumps(rows, indent=1) + "\n")
+        record.write(RESULTS, rows=rows)
 
 
 if __name__ == "__main__":

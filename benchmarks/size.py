@@ -19,6 +19,7 @@ import tempfile
 from dataclasses import replace
 from pathlib import Path
 
+import record
 from tqdm import tqdm
 
 from tam570_grader.checks import assignments
@@ -29,7 +30,7 @@ from tam570_grader.release.stubs import stub
 from tam570_grader.results.records import read
 from tam570_grader.sandbox.zygote import ResourceLimits
 
-RETURNS = Path(__file__).parent / "results" / "size.json"
+RESULTS = record.RESULTS / "size.json"
 COURSE = assignments.find(Path(__file__).parents[1])
 SLUGS = assignments.slugs(COURSE)
 WORKS = 4  # on each assignment
@@ -139,12 +140,12 @@ def told(rows):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--sizes", type=int, nargs="+", default=[1000, 10000, 70000], metavar="N")
-    parser.add_argument("--out", type=Path, default=RETURNS)
+    parser.add_argument("--out", type=Path, default=RESULTS)
     options = parser.parse_args()
     known, rows = graded(), []
     for size in tqdm(sorted(options.sizes), desc="classes", leave=False, disable=None):
         rows.append(costs(size, known))
-        options.out.write_text(json.dumps(rows, indent=1) + "\n")
+        record.write(options.out, rows=rows)
     told(rows)
 
 

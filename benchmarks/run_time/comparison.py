@@ -9,18 +9,19 @@ OURS = ("tam570, prepared", "tam570, compiled")
 PEERS = ("heyoka", "CyRK", "numbalsoda")
 
 
-def tables(curves, targets, sets):
-    """All of it; curves : {scene: {method: rows}}, sets : {name: scenes}."""
+def tables(scenes, targets, sets):
+    """All of it; scenes : {scene: its curves and compiling}, sets : {name: scenes}."""
+    curves = {name: scene["curves"] for name, scene in scenes.items()}
     return {
         "ratios": {f"{target:g}": ratios(curves, target) for target in targets},
-        "compiling": compiling(curves),
+        "compiling": compiling(scenes),
         "against": {group: list(_against(curves, members, targets)) for group, members in sets.items()},
     }
 
 
 def time_to(target, curve):
     """Seconds to an error of `target`, between the two runs that enclose it, in logarithms; None if not reached."""
-    for (_, t1, e1, *_), (_, t2, e2, *_) in zip(curve, curve[1:], strict=False):
+    for (_, t1, e1), (_, t2, e2) in zip(curve, curve[1:], strict=False):
         if e1 > target >= e2 > 0:
             share = np.log(e1 / target) / np.log(e1 / e2)
             return float(t1 * (t2 / t1) ** share)
@@ -31,9 +32,9 @@ def compiling(found):
     """{method: [median, largest]} of the seconds that a first run took more than a warm one, over the scenes."""
     extra = {}
     for scene in found.values():
-        for method, curve in scene.items():
-            if curve and method != "tam570, prepared":  # it has the code that "tam570, compiled" made
-                extra.setdefault(method, []).append(max(0.0, curve[0][3] - curve[0][1]))
+        for method, seconds in scene["compiling"].items():
+            if method != "tam570, prepared":  # it has the code that "tam570, compiled" made
+                extra.setdefault(method, []).append(seconds)
     return {method: [float(np.median(values)), max(values)] for method, values in extra.items()}
 
 

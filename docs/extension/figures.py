@@ -5,7 +5,6 @@ python docs/extension/figures.py    draws them again, into docs/generated/
 
 import json
 import re
-import subprocess
 from pathlib import Path
 from statistics import median
 
@@ -50,14 +49,9 @@ def _results(name):
 
 
 def _origin(name):
-    """The machine and the day of a measurement, from the results and their commit."""
-    log = ["git", "-C", str(COURSE), "log", "-1", "--format=%as", "--", str(RESULTS / f"{name}.json")]
-    day = subprocess.run(log, capture_output=True, text=True).stdout.strip() or "an unknown day"
+    """Return how and where a benchmark was measured."""
     results = _results(name)
-    facts = results if isinstance(results, dict) else {}
-    facts = {**facts, **facts.get("versions", {})}
-    machine = [facts.get("machine", "2 cores"), *(f"Python {facts[key]}" for key in ("python",) if key in facts)]
-    return f"Measured on a shared machine ({', '.join(machine)}); recorded on {day}."
+    return f"`{results['command']}` on a shared machine ({results['machine']}), {results['date']}."
 
 
 def _picture(name):
@@ -103,7 +97,8 @@ def _table(head, rows):
     return "\n".join("| " + " | ".join(line) + " |" for line in lines)
 
 
-def _grading(rows):
+def _grading(results):
+    rows = results["rows"]
     by = {
         (row["assignment"], row["grader"].split(",")[0]): row["seconds_each"] for row in rows if row["submissions"] > 1
     }
@@ -115,7 +110,8 @@ def _grading(rows):
     return _table(["one submission", "tam570-grader, 2 jobs", "nbgrader", "ratio"], lines)
 
 
-def _size(rows):
+def _size(results):
+    rows = results["rows"]
     lines = []
     for row in rows:
         seconds = [f"{row[step]['cpu_seconds']:.1f} s" for step in ("resume", "late file", "report")]
@@ -124,7 +120,8 @@ def _size(rows):
     return _table(["submissions", "resume", "one late file", "report", "most memory", "page"], lines)
 
 
-def _autograde(rows):
+def _autograde(results):
+    rows = results["rows"]
     by = {(row["assignment"], row["way"], row["endless_loop"]): row["one_more"] for row in rows}
     peer_name = "nbgrader's own, the same notebooks"
     columns = [
@@ -140,7 +137,8 @@ def _autograde(rows):
     return _table(["one submission more", "our preprocessors", "nbgrader's own", "ratio"], lines)
 
 
-def _show(rows):
+def _show(results):
+    rows = results["rows"]
     by = {row["scene"]: row for row in rows}
     ours, peer = by["hw07_double_pendulum"], by["hw07_double_pendulum, matplotlib HTMLWriter"]
     lines = [
@@ -184,7 +182,8 @@ def _against(results):
     return _table(["problems", "error", *heads], lines)
 
 
-def _ensembles(rows):
+def _ensembles(results):
+    rows = results["rows"]
     lines = []
     for tolerance in sorted({row["tolerance"] for row in rows}, reverse=True):
         ratios = {row["problem"]: row["ratio"] for row in rows if row["tolerance"] == tolerance}
