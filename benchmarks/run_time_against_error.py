@@ -5,8 +5,8 @@ to 30 digits. Times are processor time: warm ones the median of repeated runs, t
 the first run of a right-hand side took more; cold ones are those of a new process, imports and compilation included,
 at the first tolerance that reaches an error of 1e-9.
 
-    python benchmarks/run_time_against_error.py            the scenes; writes results/run_time_against_error.json
-    python benchmarks/run_time_against_error.py --peers    compiled methods, public problems too; writes results/run_time_against_peers.json
+    python benchmarks/run_time_against_error.py            all methods; writes results/run_time_against_error.json
+    python benchmarks/run_time_against_error.py --peers    compiled, public problems too; run_time_against_peers.json
     python benchmarks/run_time_against_error.py --quick    three scenes, four tolerances, no cold processes
     python benchmarks/run_time_against_error.py --methods "tam570, prepared" heyoka CyRK --sets public --out FILE
 """
@@ -122,7 +122,7 @@ def _median_time(run, first):
 
 
 def curves(name, tolerances, reference, names):
-    """Return {method: [[tolerance, seconds, error], ...]} of one scene, and {method: seconds} that the first run took more.
+    """Return {method: [[tolerance, seconds, error], ...]} of one scene, and what compiling took, {method: seconds}.
 
     The methods take turns.
     """
