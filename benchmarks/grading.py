@@ -4,7 +4,8 @@
     python benchmarks/grading.py --quick            20 of each
     python benchmarks/grading.py --peers nbgrader   the same functions and tests as a notebook, graded by nbgrader
 
-Prints a table and writes results/grading.json. Times of one run on one machine; compare them with each other.
+Prints a table and, with --peers, writes results/grading.json. Times of one run on one machine; compare them with each
+other.
 """
 
 import argparse
@@ -25,7 +26,9 @@ from tam570_grader.checks import assignments
 from tam570_grader.grading.batch import RunConfig, records
 from tam570_grader.grading.submissions import submissions
 from tam570_grader.sandbox.launch import isolation
-from tam570_grader.sandbox.zygote import Cell, ResourceLimits
+from tam570_grader.sandbox.process import SandboxProcess
+from tam570_grader.sandbox.replies import imported
+from tam570_grader.sandbox.zygote import ResourceLimits
 
 RESULTS = record.RESULTS / "grading.json"
 COURSE = assignments.find(Path(__file__).parents[1])
@@ -52,22 +55,22 @@ class Stopwatch:
     def __init__(self):
         self.waited, self.memory = 0.0, 0.0
         self._over = threading.Event()
-        self._receive = Cell.receive
+        self._receive = SandboxProcess.receive
 
     def __enter__(self):
-        def receive(cell, *how):
+        def receive(process, form):
             started = time.perf_counter()
-            reply = self._receive(cell, *how)
-            if isinstance(reply, dict) and "defined" not in reply:  # that is the import, which we count as ours
+            reply = self._receive(process, form)
+            if form is not imported:  # the import, which we count as ours
                 self.waited += time.perf_counter() - started
             return reply
 
-        Cell.receive = receive
+        SandboxProcess.receive = receive
         threading.Thread(target=self._look).start()
         return self
 
     def __exit__(self, *exception):
-        Cell.receive = self._receive
+        SandboxProcess.receive = self._receive
         self._over.set()
 
     def _look(self):
@@ -217,7 +220,8 @@ def main():
         )
     for slug, its_runs in runs.items():
         told_of_jobs(slug, its_runs)
-    record.write(RESULTS, rows=rows)
+    if options.peers and not options.quick:
+        record.write(RESULTS, rows=rows)
 
 
 if __name__ == "__main__":
