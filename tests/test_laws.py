@@ -161,7 +161,7 @@ def test_the_inputs_of_a_check_tell_its_mistakes_from_the_truth(slug, check, zyg
     student.leave()
     called = {call.name for call in student.calls}
     compared = [call for call in student.calls if not isinstance(assignment.results[call.name], FreeBodyDiagram)]
-    suspects = candidates(solution_text(slug), FOLDERS[slug], check.name, {call.name for call in compared})
+    suspects = candidates(solution_text(slug), FOLDERS[slug], {call.name for call in compared})
     assert known(solution_text(slug), suspects, compared) is None
     assert not called or called & set(re.findall(r"\w+", check.title)), "its title names none that it calls"
 

@@ -19,7 +19,6 @@ from tam570_grader.errors import UsageError
 from tam570_grader.grading.executor import TaskExecutor, in_order
 from tam570_grader.grading.one import Result
 from tam570_grader.release.stubs import exported
-from tam570_grader.results.records import CheckResult
 
 __all__ = ["ENOUGH", "Diagnosis", "as_json", "diagnoses", "diagnosis", "faults", "report"]
 
@@ -41,11 +40,11 @@ class Diagnosis:
     """What the feedback says of a wrong submission, and what it must say."""
 
     name: str
-    expected: str  # "" if the header does not say
+    expected: str  # "" if no number is compared
     named: bool
     suspects: tuple[str, ...]
     messages: tuple[str, ...]
-    misled: bool  # a known mistake was named that is not what the header says
+    misled: bool  # another known mistake was named
 
 
 def diagnoses(course: Path, slug: str, executor: TaskExecutor, quick: bool) -> list[Diagnosis]:
@@ -53,9 +52,8 @@ def diagnoses(course: Path, slug: str, executor: TaskExecutor, quick: bool) -> l
     solution = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
     wrong = submissions(course, slug, "mistakes")
     if not wrong:
-        raise UsageError(
-            f"there is no wrong submission to name in {assignments.checks_folder(course, slug) / 'mistakes'}; write one"
-        )
+        file = assignments.checks_folder(course, slug) / "mistakes.py"
+        raise UsageError(f"there is no wrong submission to name in {file}; write one")
     wrong = dict(list(wrong.items())[:: max(1, len(wrong) // QUICK)]) if quick else wrong
     styles = submissions(course, slug, "alternatives")
     tasks = [Grading(course, slug, name, f"{solution}\n\n{text}", SEED, naming=True) for name, text in wrong.items()]
@@ -84,26 +82,10 @@ def diagnosis(result: Result, mistake: Mistake, known: Container[str]) -> Diagno
     failed = [check_result for check_result in result.checks if check_result.outcome == "failed"]
     suspects = tuple(check_result.suspect for check_result in failed if check_result.suspect)
     messages = tuple(check_result.message for check_result in failed)
-    fragment = mistake.names
-    expected = " | ".join(filter(None, [mistake.message if mistake.compared else "", mistake.also]))
-    by_suspect = any(_in(one, expected) for one in suspects)
-    by_message = any(_names(check_result, one) for check_result in failed for one in fragment.split(" | "))
-    by_message |= not (mistake.compared or mistake.names or mistake.fails)  # its check says what it is
-    misled = any(one in known and not _in(one, expected) for one in suspects)
-    return Diagnosis(result.student, expected, by_suspect or by_message, suspects, messages, misled)
-
-
-def _names(check_result: CheckResult, fragment: str) -> bool:
-    """Whether a check says a fragment of the mistake; of a wrong number its hint alone, or its suspect, says what."""
-    why = check_result.failure
-    if not why or _in(f" for {why.label}", fragment):
-        return False
-    return _in(check_result.message if why.message else why.suspect or why.hint, fragment)
-
-
-def _in(says: str, expected: str) -> bool:
-    """Whether one of the expected fragments is in what is said."""
-    return any(fragment and fragment.lower() in says.lower() for fragment in expected.split(" | "))
+    expected = mistake.message if mistake.compared else ""
+    named = not mistake.compared or expected in suspects  # else its check says what it is
+    misled = any(one in known and one != expected for one in suspects)
+    return Diagnosis(result.student, expected, named, suspects, messages, misled)
 
 
 def faults(found: Sequence[Diagnosis]) -> int:

@@ -95,19 +95,8 @@ def margins(course: Path, slug: str, seeds: int, executor: TaskExecutor) -> list
 
 def _not_passed(course: Path, slug: str, known: Mistake) -> frozenset[str]:
     """The checks that a wrong submission may not pass: from the first that fails on."""
-    if not known.fails:
-        order = [check.name for check in assignments.assignment(course, slug).checks]
-        return frozenset(order[order.index(known.first_fails) :])
-    names = set(known.fails)
-    for check in assignments.assignment(course, slug).checks:
-        if names & {other.name for other in check.after}:
-            names.add(check.name)
-    return frozenset(names)
-
-
-def _failed(known: Mistake) -> frozenset[str]:
-    """The checks that it must fail."""
-    return known.fails or frozenset([known.first_fails])
+    order = [check.name for check in assignments.assignment(course, slug).checks]
+    return frozenset(order[order.index(known.first_fails) :])
 
 
 def _careful(text: str, method: str) -> str:
@@ -134,10 +123,10 @@ def margin(check: str, found: Sequence[tuple[str, Mapping[str, float]]], slips: 
     if not careful:
         return None
     wrong = [(name, error) for name, error in errors if name in slips and error < np.inf]
-    told = [(name, error) for name, error in wrong if error > 1 or check in _failed(slips[name])]
+    told = [(name, error) for name, error in wrong if error > 1 or check == slips[name].first_fails]
     inaccurate = [one for one in told if slips[one[0]].numerics]
     physics = [one for one in told if one not in inaccurate]
-    own = [one for one in physics if check in _failed(slips[one[0]])]
+    own = [one for one in physics if check == slips[one[0]].first_fails]
     return Margin(check, max(careful), _smallest(own or physics), _smallest(inaccurate))
 
 

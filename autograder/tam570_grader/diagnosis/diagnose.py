@@ -12,17 +12,14 @@ from tam570_grader.diagnosis.search import general, wrong_arguments
 __all__ = ["diagnose", "follows"]
 
 
-def diagnose(
-    solution: str, folder: Path, check: str, calls: Sequence[Called], earlier: Sequence[Cause] = ()
-) -> Cause | None:
+def diagnose(solution: str, folder: Path, calls: Sequence[Called], earlier: Sequence[Cause] = ()) -> Cause | None:
     """Why a check fails.
 
     Parameters
     ----------
     solution : the text of the reference solution
     folder : the assignment's checks
-    check : the name of the failed check
-    calls : those that it made, with the student's results
+    calls : those that the failed check made, with the student's results
     earlier : the causes of the checks that failed before it
 
     Returns
@@ -32,7 +29,7 @@ def diagnose(
     """
     if found := follows(solution, calls, earlier):
         return found
-    suspects = candidates(solution, folder, check, {call.name for call in calls})
+    suspects = candidates(solution, folder, {call.name for call in calls})
     found = known(solution, suspects, calls) or general(solution, calls)
     if found and earlier:
         return _in_common(solution, [found, *wrong_arguments(solution, calls)], earlier) or found

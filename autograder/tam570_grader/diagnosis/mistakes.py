@@ -15,7 +15,6 @@ import ast
 import functools
 import hashlib
 import math
-import re
 from collections import Counter
 from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from dataclasses import dataclass
@@ -45,7 +44,6 @@ __all__ = [
     "known",
     "mistake",
     "mistakes",
-    "old_mistake",
     "overlays",
     "parts",
     "right_answer",
@@ -82,9 +80,6 @@ class Mistake:
     label: str = ""
     compared: bool = True
     numerics: bool = False
-    fails: frozenset[str] = frozenset()  # of the old form: all checks that fail
-    also: str = ""  # of the old form
-    names: str = ""  # of the old form
 
     @functools.cached_property
     def defined(self) -> frozenset[str]:
@@ -116,7 +111,7 @@ def mistake(
     return lambda function: function
 
 
-FILE, FOLDER = "mistakes.py", "mistakes"
+FILE = "mistakes.py"
 OVERLAY = """{besides}
 
 _reference = {function}
@@ -133,10 +128,8 @@ def {function}(*args, **parameters):
 @functools.cache
 def mistakes(folder: Path) -> tuple[Mistake, ...]:
     """The known mistakes of the assignment with this folder of checks, in order."""
-    if (folder / FILE).exists():
-        return tuple(_decorated((folder / FILE).read_text(encoding="utf-8")))
-    paths = sorted((folder / FOLDER).glob("*.py"))
-    return tuple(old_mistake(path.stem, path.read_text(encoding="utf-8")) for path in paths)
+    path = folder / FILE
+    return tuple(_decorated(path.read_text(encoding="utf-8"))) if path.exists() else ()
 
 
 def overlays(folder: Path) -> dict[str, str]:
@@ -176,43 +169,10 @@ def _value(node: ast.expr) -> Any:
     return node.id if isinstance(node, ast.Name) else ast.literal_eval(node)
 
 
-def header(text: str) -> tuple[str, dict[str, str]]:
-    """Of the old form, the first paragraph of a docstring on one line, and its lines `key: value`."""
-    docstring = ast.get_docstring(ast.parse(text)) or ""
-    says = " ".join(docstring.split("\n\n")[0].split())
-    return says, dict(re.findall(r"^(\w+): (.+)$", docstring, re.MULTILINE))
-
-
-def old_mistake(name: str, text: str) -> Mistake:
-    """The mistake in a file of the old form."""
-    message, known = header(text)
-    fails = frozenset(filter(None, known.get("fails", "").split(", ")))
-    return Mistake(
-        name,
-        message,
-        "",
-        text,
-        tolerance=float(known["within"]) if "within" in known else None,
-        label=known.get("where", ""),
-        compared=not {"names", "unnamed"} & known.keys(),
-        numerics="numerics" in known,
-        fails=fails,
-        also=known.get("also", ""),
-        names=known.get("names", ""),
-    )
-
-
-def candidates(solution: str, folder: Path, check: str, functions: Container[str]) -> list[Mistake]:
-    """The mistakes that a student who fails a check may have made, of those that change one of these functions."""
-    return [
-        known
-        for known in mistakes(folder)
-        if known.compared and (check in known.fails if known.fails else _changes_one(solution, known, functions))
-    ]
-
-
-def _changes_one(solution: str, known: Mistake, functions: Container[str]) -> bool:
-    return any(reach & known.defined for name, reach in reached(solution).items() if name in functions)
+def candidates(solution: str, folder: Path, functions: Container[str]) -> list[Mistake]:
+    """The mistakes that are compared with numbers, of those that change one of these functions."""
+    within = frozenset().union(*(reach for name, reach in reached(solution).items() if name in functions))
+    return [known for known in mistakes(folder) if known.compared and known.defined & within]
 
 
 def known(solution: str, suspects: Iterable[Mistake], calls: Sequence[Called]) -> Cause | None:

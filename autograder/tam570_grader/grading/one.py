@@ -173,11 +173,11 @@ def _cause(
         with budget():
             solution, calls = assignment.solution, [call for call in student.calls if not _is_drawn(assignment, call)]
             folder = assignments.checks_folder(assignment.root, assignment.slug)
-            cause = diagnose(solution, folder, check.name, calls, earlier)
+            cause = diagnose(solution, folder, calls, earlier)
             if cause and cause.follows_from not in ("", cause.function):
                 common = _earlier({check.name: cause})
                 if not _following(check, student, assignment, seed, [*earlier, *common]):
-                    cause = diagnose(solution, folder, check.name, calls)
+                    cause = diagnose(solution, folder, calls)
             return cause, ""
     except (Exhausted, MemoryError):
         return None, ""

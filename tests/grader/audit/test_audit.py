@@ -15,10 +15,9 @@ from tam570_grader.audit.margins import Margin
 from tam570_grader.audit.mutate import mutants
 from tam570_grader.checks import assignments
 from tam570_grader.checks.failure import Failure
-from tam570_grader.diagnosis.mistakes import Mistake, old_mistake
+from tam570_grader.diagnosis.mistakes import Mistake
 from tam570_grader.errors import UsageError
 from tam570_grader.grading.executor import executor
-from tam570_grader.reports import sentences
 from tam570_grader.results.records import CheckResult, Result
 
 SLUG = "hw08_axis_angle"
@@ -234,7 +233,7 @@ def test_a_diagnosis_tells_named_from_unnamed_and_misled():
     def said(mistake, suspect, known=("the transpose",)):
         mark = CheckResult("a", "a", 0.0, 1.0, "failed", "It is off by 1.", suspect, Failure())
         result = Result("s", "hw", "graded", 0.0, 1.0, 1, 0.1, "", (mark,))
-        return diagnosis.diagnosis(result, old_mistake("one", f'"""{mistake}"""'), known)
+        return diagnosis.diagnosis(result, Mistake("one", mistake, "a", ""), known)
 
     right, silent = said("the transpose", "the transpose"), said("the transpose", None)
     wrong, found = said("a sign", "the transpose"), said("a sign", "the transpose", known=())
@@ -242,33 +241,6 @@ def test_a_diagnosis_tells_named_from_unnamed_and_misled():
     assert [one.misled for one in (right, silent, wrong, found)] == [False, False, True, False]
     assert diagnosis.faults([right, silent]) == 1 and diagnosis.faults([right]) == 0
     assert diagnosis.faults([right] * 10 + [wrong]) == 1
-
-
-@pytest.mark.parametrize(
-    ("names", "why", "named"),
-    [
-        (
-            "a long arm",
-            Failure(quantity="the moment", error=1.0, limit=0.1, label="a long arm", hint="Which arm?"),
-            False,
-        ),
-        ("the moment is wrong", Failure(quantity="the moment", error=1.0, limit=0.1, hint="Which arm?"), False),
-        (
-            "which arm",
-            Failure(quantity="the moment", error=1.0, limit=0.1, label="a long arm", hint="Which arm?"),
-            True,
-        ),
-        ("zero | which arm", Failure(quantity="the moment", error=1.0, limit=0.1, hint="Which arm?"), True),
-        ("which arm", Failure(quantity="the moment", error=1.0, limit=0.1, hint="Which arm?", suspect="A sign"), False),
-        ("for a long arm", Failure(message="moment raised ValueError", label="a long arm"), False),
-        ("raised ValueError for a long arm", Failure(message="moment raised ValueError", label="a long arm"), True),
-    ],
-)
-def test_a_mistake_is_named_by_what_is_said_of_it_and_not_by_the_input(names, why, named):
-    mark = CheckResult("a", "a", 0.0, 1.0, "failed", sentences.full_message(why), why.suspect, why)
-    result = Result("s", "hw", "graded", 0.0, 1.0, 1, 0.1, "", (mark,))
-    mistake = old_mistake("one", f'"""An arm.\n\nnames: {names}\n"""')
-    assert diagnosis.diagnosis(result, mistake, ()).named == named
 
 
 @pytest.mark.every

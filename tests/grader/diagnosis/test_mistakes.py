@@ -1,19 +1,19 @@
 """Known mistakes: what agrees with one, and what does not."""
 
 import math
+from dataclasses import replace
 
 import pytest
 
 from tam570_grader.checks.case import Case
-from tam570_grader.diagnosis.mistakes import known, solution_with
-from tam570_grader.diagnosis.mistakes import old_mistake as mistake
+from tam570_grader.diagnosis.mistakes import Mistake, candidates, known, mistakes, solution_with
 from tam570_grader.sandbox.function import Call
 
 SOLUTION = "import math\n\nimport numpy as np\n\n\ndef f(x):\n    return 2.0 * x\n\n\ndef g(x):\n    return 3.0 * x\n"
 
 
-def wrong(body, extra=""):
-    return mistake("one", f'"""A wrong formula.\n\nfails: a_check\n{extra}"""\n\n\ndef f(x):\n    return {body}\n')
+def wrong(body, **fields):
+    return Mistake("one", "A wrong formula.", "a_check", f"def f(x):\n    return {body}\n", **fields)
 
 
 def named(slip, *calls):
@@ -57,7 +57,7 @@ def test_every_call_must_agree():
 
 def test_how_closely_is_said_by_the_mistake():
     assert not named(wrong("x"), ("f", 1.0, 1.001))
-    assert named(wrong("x", "within: 1e-2\n"), ("f", 1.0, 1.001))
+    assert named(wrong("x", tolerance=1e-2), ("f", 1.0, 1.001))
 
 
 def test_a_slip_in_a_mistake_is_not_hidden():
@@ -69,7 +69,7 @@ def test_an_answer_is_computed_once_for_the_same_input():
     """A wrong function that counts its calls."""
     counted = wrong("(calls.append(1), x)[1]")
     text = counted.text.replace("def f", "calls = []\n\n\ndef f")
-    counted = mistake("one", text)
+    counted = replace(counted, text=text)
     for x in (5.0, 5.0, 6.0, 5.0):
         known(SOLUTION, [counted], [Call("f", Case(x), x)])
     assert len(solution_with(SOLUTION, text).calls) == 2
@@ -78,12 +78,49 @@ def test_an_answer_is_computed_once_for_the_same_input():
 def test_one_mistake_of_several_is_told_by_the_inputs_that_show_it_alone():
     thin, thick = Case(1.0).labelled("a thin disk"), Case(2.0).labelled("a hoop")
     calls = [Call("f", thin, 1.0), Call("f", thick, 7.0)]
-    told, untold = wrong("x", "where: thin\n"), wrong("x")
+    told, untold = wrong("x", label="thin"), wrong("x")
     assert known(SOLUTION, [untold, told], calls).message == told.message
     assert known(SOLUTION, [untold], calls) is None
-    assert known(SOLUTION, [wrong("x", "where: thick\n")], calls) is None
+    assert known(SOLUTION, [wrong("x", label="thick")], calls) is None
 
 
-@pytest.mark.parametrize(("extra", "suspect"), [("", True), ("names: a hint\n", False), ("unnamed: chance\n", False)])
-def test_a_mistake_that_its_numbers_do_not_tell_is_no_suspect(extra, suspect):
-    assert wrong("x", extra).compared == suspect
+FILE = '''
+"""Mistakes of an assignment."""
+
+from tam570_grader.diagnosis.mistakes import mistake
+
+from .checks import a_check
+
+HALF = 0.5
+
+
+@mistake("You halve x.", first_fails=a_check)
+def f(reference, x):
+    return HALF * x
+
+
+@mistake("You add 1; a hint says so.", first_fails=a_check, compared=False)
+def f(reference, x):
+    return reference(x) + 1.0
+
+
+@mistake("You forget g.", first_fails=a_check, name="nothing", tolerance=1e-2, label="thin")
+def g(reference, x):
+    return 0.0
+'''
+
+
+def test_a_file_of_mistakes_is_read_whole(tmp_path):
+    (tmp_path / "mistakes.py").write_text(FILE)
+    halved, added, forgotten = mistakes(tmp_path)
+    assert [one.name for one in (halved, added, forgotten)] == ["f", "f_2", "nothing"]
+    assert {one.first_fails for one in (halved, added, forgotten)} == {"a_check"}
+    assert (forgotten.tolerance, forgotten.label, halved.tolerance) == (1e-2, "thin", None)
+    assert [solution_with(SOLUTION, one.text).f(4.0) for one in (halved, added, forgotten)] == [2.0, 9.0, 8.0]
+    assert mistakes(tmp_path / "none") == ()
+
+
+def test_a_mistake_is_a_suspect_of_the_functions_that_it_changes(tmp_path):
+    (tmp_path / "mistakes.py").write_text(FILE)
+    names = [[one.name for one in candidates(SOLUTION, tmp_path, {asked})] for asked in "fg"]
+    assert names == [["f"], ["nothing"]], "f_2 is not compared"
