@@ -108,7 +108,7 @@ def memory():
     total = 0
     for process in Path("/proc").glob("[0-9]*"):
         with contextlib.suppress(OSError):
-            if process.name == str(os.getpid()) or b"inside.worker" in (process / "cmdline").read_bytes():
+            if process.name == str(os.getpid()) or b"protocol.zygote" in (process / "cmdline").read_bytes():
                 total += int((process / "smaps_rollup").read_text().split("Pss:")[1].split()[0])
     return total / 1024
 
