@@ -104,12 +104,14 @@ def graded(slug, count, jobs):
 
 
 def memory():
-    """MiB of this process and of all workers, what they share counted once (Linux)."""
-    total = 0
-    for process in Path("/proc").glob("[0-9]*"):
+    """Return the MiB of this process and its descendants, what they share counted once (Linux)."""
+    family, total = {os.getpid()}, 0
+    for pid in sorted(int(path.name) for path in Path("/proc").glob("[0-9]*")):  # parents first
         with contextlib.suppress(OSError):
-            if process.name == str(os.getpid()) or b"protocol.zygote" in (process / "cmdline").read_bytes():
-                total += int((process / "smaps_rollup").read_text().split("Pss:")[1].split()[0])
+            parent = int(Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[1])
+            if pid in family or parent in family:
+                family.add(pid)
+                total += int(Path(f"/proc/{pid}/smaps_rollup").read_text().split("Pss:")[1].split()[0])
     return total / 1024
 
 
