@@ -104,9 +104,9 @@ class Scene:
     """A scene in motion.
 
     times : (n,) s, evenly spaced
-    sight : what is seen, in words, for those who do not see it
+    alt_text : the scene in words, for a screen reader
     view  : azimuth and elevation of the eye in a scene in space, rad
-    poster : share of the time at which a single picture tells most
+    still_time : share of the time at which a single picture shows most
     notes : what could not be shown, and why
     slider : the same scene for other values of a number
     settings : the numbers that `--set` changes, as they are
