@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from tam570_grader.checks.case import Case
-from tam570_grader.checks.expect import expect, expect_that, fail
+from tam570_grader.checks.expect import expect, expect_that, fail, get_context
 from tam570_grader.checks.expected import expected_result
 from tam570_grader.checks.returns import Description, Scale
 
@@ -82,9 +82,10 @@ def compare(
     results = []
     for case, found, whole in call_cases(function, reference, cases):
         results.append(found)
-        for one, expected, what, its_unit, size in _members(found, whole, words, case, only):
+        for member, one, expected, what, its_unit, size in _members(found, whole, words, case, only):
             told = functools.partial(_hint, hint, case, found, whole, one, expected)
             limits = _limits(size, tolerance, partial or {})
+            get_context().note(function, case, member, None, expected, quantity=what, scale=size, tolerance=tolerance)
             _infinite_alike(one, expected, what, told)
             expect(one, expected, quantity=what, unit=its_unit, hint=told, near_miss_credit=near_miss_credit, **limits)
     return results
@@ -192,6 +193,9 @@ def compare_columns(
         for column in columns or function.returns.columns:
             one, other = found[..., column.where], expected[..., column.where]
             size = (column.scale(case, expected) if column.scale else np.max(np.abs(other))) or 1.0
+            where = np.arange(expected.shape[-1])[column.where].tolist()
+            limits = {"quantity": column.quantity, "scale": size, "tolerance": tolerance}
+            get_context().note(function, case, None, where, other, **limits)
             told = functools.partial(_hint, hint, case, found, expected, one, other)
             known: dict[str, Any] = {
                 "quantity": column.quantity,
@@ -204,7 +208,7 @@ def compare_columns(
 
 
 def _members(found: Any, expected: Any, words: Any, case: Case, only: Only) -> Iterable[tuple[Any, ...]]:
-    """(found, expected, of, unit, scale) of each member of a result."""
+    """(member, found, expected, of, unit, scale) of each member of a result."""
     several = isinstance(found, tuple)
     pairs = list(zip(found, expected, strict=True)) if several else [(found, expected)]
     for index, (one, other) in enumerate(pairs):
@@ -212,7 +216,15 @@ def _members(found: Any, expected: Any, words: Any, case: Case, only: Only) -> I
             continue
         what, its_unit, its_scale = (_of(index, said) for said in words)
         size = (its_scale or largest)(case, other)
-        yield one, other, what, its_unit, np.where(np.asarray(size) == 0, 1.0, size) if np.ndim(size) else size or 1.0
+        member = index if several else None
+        yield (
+            member,
+            one,
+            other,
+            what,
+            its_unit,
+            np.where(np.asarray(size) == 0, 1.0, size) if np.ndim(size) else size or 1.0,
+        )
 
 
 def _of(index: int, said: Any) -> Any:
@@ -222,6 +234,7 @@ def _of(index: int, said: Any) -> Any:
 def check_raises(function: Any, cases: Iterable[Case], *, hint: str = "") -> None:
     """Fail unless the function raises ValueError in every case."""
     for case, refused in function.refusals(cases):
+        get_context().note(function, case, None, None, None, raises=True)
         if not refused:
             fail(f"{function.name} does not raise ValueError", label=case.label, hint=hint, at=case)
 

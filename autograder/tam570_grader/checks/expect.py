@@ -63,6 +63,13 @@ class CheckContext:
     failures: list[tuple[Failed, Hint]] = field(default_factory=list)
     recorder: Callable[[float], None] | None = None  # told every error over its limit; nothing fails then
     aside: Callable[[], AbstractContextManager[None]] = nullcontext  # in which calls are made that choose the words
+    examples: list[dict[str, Any]] | None = None  # what is compared is noted here, call by call, if it is a list
+
+    def note(self, function: Any, case: Case, member: int | None, columns: Any, expected: Any, **limits: Any) -> None:
+        """Note what a result of a student's function is compared with, for the examples that students have."""
+        if self.examples is not None:
+            part = {"member": member, "columns": columns, "expected": expected, **limits}
+            self.examples.append({"function": function.name, "case": case, "compare": part})
 
     def judge(self, function: str, case: Case) -> None:
         """From now on the result of this call is judged."""

@@ -78,6 +78,8 @@ def compare_trajectory(
         if chaotic and motion.error > tolerance and obeys(motion, everywhere=True):
             continue
         get_context().judge(function.name, motion.case)
+        if not chaotic:
+            _note(motion, columns, tolerance)
         _compare(
             motion,
             columns,
@@ -138,6 +140,15 @@ def _motions(
         if motions[0].error > hopeless and not get_context().recorder:
             break
     return motions
+
+
+def _note(motion: Motion, columns: Sequence[Column], tolerance: float) -> None:
+    """Note what each column is compared with, for the examples that students have."""
+    for column in columns:
+        where = np.arange(motion.expected.shape[1])[column.where].tolist()
+        scale = float(np.max(motion.scales[where]))
+        limits = {"quantity": column.quantity, "scale": scale, "tolerance": tolerance}
+        get_context().note(motion.function, motion.case, None, where, motion.expected[:, where], **limits)
 
 
 def _telling(tolerance: float, motion: Motion) -> tuple[bool, int, float]:

@@ -18,6 +18,7 @@ def add_stubs(commands: Commands) -> argparse.ArgumentParser:
     stubs = _told(commands, "stubs", "make the students' stubs from the solutions")
     stubs.set_defaults(command=_stubs)
     stubs.add_argument("--check", action="store_true", help="write nothing; exit 1 if a stub is out of date")
+    stubs.add_argument("--examples", nargs="*", metavar="SLUG", help="make the examples that `tam570 check` runs, too")
     return stubs
 
 
@@ -64,6 +65,10 @@ def _trust(arguments: argparse.Namespace) -> int:
 def _stubs(arguments: argparse.Namespace) -> int:
     from tam570_grader.release import course_config, stubs
 
+    if arguments.examples is not None:
+        from tam570_grader.release import examples
+
+        return examples.write(course_config.course_of(arguments), arguments.examples)
     return stubs.run(course_config.course_of(arguments), check=arguments.check)
 
 

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-__all__ = ["Examples", "array_of", "fingerprint", "load_examples", "plain"]
+__all__ = ["FILE", "Examples", "array_of", "fingerprint", "load_examples", "part", "plain"]
 
 FILE = "examples.json"
 SAME = 1e-5  # of a fingerprint's size: mistakes are further apart
@@ -40,14 +40,22 @@ class Examples:
     def judge(self, function: Callable[..., Any], number: int) -> None:
         """Call the function as the example does; AssertionError where a result is not right."""
         call = self.calls[number]
-        result = function(*map(_argument, call["args"]), **{k: _argument(v) for k, v in call["kwargs"].items()})
+        refused = any(comparison.get("raises") for comparison in call["compare"])
+        try:
+            result = function(*map(_argument, call["args"]), **{k: _argument(v) for k, v in call["kwargs"].items()})
+        except ValueError:
+            if refused:
+                return
+            raise
+        if refused:
+            raise AssertionError(f"It raises no ValueError for {call['label']}, and it should.")
         self.results[number] = result
         for comparison in call["compare"]:
-            found, right = _part(result, comparison), array_of(comparison["expected"])
+            found, right = part(result, comparison), array_of(comparison["expected"])
             scale = array_of(comparison["scale"])
-            if found.shape != right.shape:
+            if found.shape != right.shape and right.ndim:
                 raise AssertionError(f"Your code gives an array of shape {found.shape}; {right.shape} is right.")
-            error = float(np.max(np.abs(found - right) / scale, initial=0.0))
+            error = float(np.max(np.where(found == right, 0.0, np.abs(found - right)) / scale, initial=0.0))
             if not error <= comparison["tolerance"]:
                 raise AssertionError(self._message(call, comparison, found, right))
 
@@ -75,7 +83,7 @@ class Examples:
             right = [fingerprint(array_of(one["expected"])) for one in comparisons]
             for one, expected in zip(comparisons, wrong.get(str(number), right), strict=True):
                 size = 1e-12 + abs(expected) + float(np.max(np.abs(array_of(one["expected"])), initial=0.0))
-                if not abs(fingerprint(_part(result, one)) - expected) <= SAME * size:
+                if not abs(fingerprint(part(result, one)) - expected) <= SAME * size:
                     return False
         return True
 
@@ -125,8 +133,10 @@ def _argument(value: Any) -> Any:
     return [_argument(one) for one in value] if isinstance(value, list) else value
 
 
-def _part(result: Any, comparison: Mapping[str, Any]) -> Any:
+def part(result: Any, comparison: Mapping[str, Any]) -> Any:
     """The part of a result that is compared: a member of a tuple, some of its columns."""
     member, columns = comparison["member"], comparison["columns"]
+    if member is None and isinstance(result, tuple | list) and np.ndim(result[0]) > 1:  # several arrays along a motion
+        result = np.hstack([np.reshape(np.asarray(one, float), (len(one), -1)) for one in result])
     values = np.asarray(result if member is None else result[member], float)
     return values if columns is None else values[..., columns]

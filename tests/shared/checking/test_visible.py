@@ -4,7 +4,10 @@ import shutil
 
 import pytest
 
+from tam570.checking.examples import load_examples
 from tam570_grader.checks import assignments
+from tam570_grader.diagnosis.mistakes import mistakes, solution_with
+from tam570_grader.release.examples import caught
 
 EXACT = """
 import runpy
@@ -64,3 +67,23 @@ def test_the_visible_tests_take_any_numbers_and_give_arrays(desk, tam570, slug, 
     shutil.copy(course / "assignments" / slug / f"test_{name}", desk)
     code, said = tam570("check", desk / name)
     assert code == 0, said
+
+
+def test_every_right_answer_passes_the_examples(slug, course, solution_text):
+    """In whatever style: an example that fails one of them is not released."""
+    examples = load_examples(course / "assignments" / slug)
+    texts = ["", *(path.read_text() for path in RIGHT if path.parents[1].name == slug)]
+    assert examples.calls and not any(caught(examples, solution_with(solution_text(slug), text)) for text in texts)
+
+
+@pytest.mark.every
+def test_nine_in_ten_of_the_known_mistakes_fail_at_home(desk, tam570, slug, course, solution_text):
+    """By an example, or by a test: what `check` calls right is right."""
+    examples, solution = load_examples(course / "assignments" / slug), solution_text(slug)
+    known = mistakes(assignments.checks_folder(course, slug))
+    passing = [one for one in known if not caught(examples, solution_with(solution, one.text))]
+    for one in [*passing]:
+        (desk / f"{slug}.py").write_text(f"{solution}\n\n{one.text}")
+        if tam570("check", desk / f"{slug}.py")[0] == 1:
+            passing.remove(one)
+    assert len(passing) <= 0.1 * len(known), [one.message for one in passing]

@@ -1,0 +1,169 @@
+"""Makes the examples of an assignment: the fewest comparisons of its checks, with public inputs, that tell mistakes.
+
+`tam570 check` runs them at home. They are drawn from a public seed, and a run of the grader never has that one. Of a
+comparison that a right submission in another style fails, nothing is released.
+"""
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from tam570.checking.examples import FILE, Examples, fingerprint, part, plain
+from tam570_grader.checks import assignments
+from tam570_grader.checks.assignments import LoadedAssignment
+from tam570_grader.checks.expect import check_context
+from tam570_grader.checks.returns import Drawing, Formula
+from tam570_grader.diagnosis.mistakes import Mistake, mistakes, solution_with
+from tam570_grader.errors import say
+from tam570_grader.grading.one import generator
+from tam570_grader.results.tables import written
+from tam570_grader.sandbox.pool import sandboxes, tried
+from tam570_grader.sandbox.student import Source, Student
+from tam570_grader.sandbox.zygote import ResourceLimits
+
+__all__ = ["caught", "examples_of", "write"]
+
+PUBLIC_SEED = 1
+MOST_NUMBERS = 160  # of an example's arguments and results together
+MOST_OF_A_LABEL = 2  # examples of a function for one kind of input that are looked at
+Example = dict[str, Any]
+
+
+def write(course: Path, names: Sequence[str]) -> int:
+    """Write the examples of these assignments, or of all; the exit code."""
+    slugs = assignments.slugs(course)
+    with sandboxes():
+        for slug in assignments.named(names, slugs) if names else slugs:
+            path = course / "assignments" / slug / FILE
+            written(path, examples_of(course, slug))
+            say(f"{path} written", error=True)
+    return 0
+
+
+def examples_of(course: Path, slug: str) -> str:
+    """The text of `examples.json`."""
+    assignment = assignments.assignment(course, slug)
+    known = [one for one in mistakes(assignments.checks_folder(course, slug)) if one.text]
+    candidates = list(_fair(course, assignment, _candidates(assignment)))
+    answers = [_answers(assignment, one, candidates) for one in known]
+    chosen = _chosen(candidates, answers)
+    named = [_fingerprints(one, given, chosen, candidates) for one, given in zip(known, answers, strict=True)]
+    lines = [json.dumps(candidates[k], allow_nan=False) for k in chosen]
+    told = [json.dumps(one) for one in named if one]
+    return '{"examples": [\n' + ",\n".join(lines) + '\n], "mistakes": [\n' + ",\n".join(told) + "\n]}\n"
+
+
+def caught(examples: Examples, module: Any) -> bool:
+    """Whether a module fails one of the examples."""
+    return any(_wrong(examples, k, getattr(module, call["function"], None)) for k, call in enumerate(examples.calls))
+
+
+def _candidates(assignment: LoadedAssignment) -> list[Example]:
+    """What the checks compare along the solution, with the public seed; a few of each kind of input."""
+    notes: list[dict[str, Any]] = []
+
+    def judge(zygote: Any, _: Any) -> None:
+        student = Student(Source(assignment.solution.encode()), assignment, zygote)
+        try:
+            student.load()
+            for check in assignment.checks:
+                with np.errstate(all="ignore"), check_context(aside=student.aside, examples=notes):
+                    check.run(student, generator(PUBLIC_SEED, assignment.slug, check))
+        finally:
+            student.leave()
+
+    tried(judge, sorted(assignment.needs), ResourceLimits(cpu=600, call=100))
+    found: dict[tuple[str, bytes], Example] = {}
+    count: dict[tuple[Any, ...], int] = {}
+    for note in notes:
+        returns, case = assignment.results[note["function"]], note["case"]
+        if isinstance(returns, Formula | Drawing):
+            continue
+        key = note["function"], case.packed
+        if key not in found:
+            label = note["function"], case.label, note["compare"]["member"]
+            count[label] = count.get(label, 0) + 1
+            if count[label] > MOST_OF_A_LABEL or _size(case.args, case.kwargs.values()) > MOST_NUMBERS:
+                continue
+            args, kwargs = [plain(one) for one in case.args], {name: plain(one) for name, one in case.kwargs.items()}
+            found[key] = {"function": key[0], "label": case.label, "args": args, "kwargs": kwargs, "compare": []}
+        compare = {name: plain(_rounded(one)) for name, one in note["compare"].items()}
+        if compare not in found[key]["compare"]:
+            found[key]["compare"].append(compare)
+    return [one for one in found.values() if len(json.dumps(one)) < 40 * MOST_NUMBERS]
+
+
+def _rounded(value: Any) -> Any:
+    return np.asarray(value, float) if isinstance(value, np.ndarray | np.generic | tuple) else value
+
+
+def _size(*groups: Any) -> int:
+    return sum(int(np.size(one)) for group in groups for one in group if not isinstance(one, str))
+
+
+def _fair(course: Path, assignment: LoadedAssignment, candidates: Sequence[Example]) -> Iterator[Example]:
+    """The examples that the solution and all right submissions in other styles pass."""
+    folder = assignments.checks_folder(course, assignment.slug) / "alternatives"
+    texts = ["", *(path.read_text(encoding="utf-8") for path in sorted(folder.glob("*.py")))]
+    modules = [solution_with(assignment.solution, text) for text in texts]
+    examples = Examples(candidates, ())
+    for k, candidate in enumerate(candidates):
+        if not any(_wrong(examples, k, getattr(module, candidate["function"], None)) for module in modules):
+            yield candidate
+
+
+def _wrong(examples: Examples, number: int, function: Any) -> bool:
+    """Whether a function fails an example."""
+    try:
+        with np.errstate(all="ignore"):
+            examples.judge(function, number)
+    except Exception:  # of a mistake, whatever it is
+        return True
+    return False
+
+
+def _answers(assignment: LoadedAssignment, mistake: Mistake, candidates: Sequence[Example]) -> dict[int, Any]:
+    """The results of a mistake, by the number of each example that it fails; None where it raises."""
+    module, examples = solution_with(assignment.solution, mistake.text), Examples(candidates, ())
+    wrong = [k for k, one in enumerate(candidates) if _wrong(examples, k, getattr(module, one["function"], None))]
+    return {k: examples.results.get(k) for k in wrong}
+
+
+def _chosen(candidates: Sequence[Example], answers: Sequence[Mapping[int, Any]]) -> list[int]:
+    """The fewest examples, greedily, of which each mistake fails one; and one of each function."""
+    left = [{*given} for given in answers if given]
+    left += [{k for k, other in enumerate(candidates) if other["function"] == name} for name in _functions(candidates)]
+    chosen: list[int] = []
+    while left:
+        best = max(range(len(candidates)), key=lambda k: sum(k in one for one in left))
+        chosen.append(best)
+        left = [one for one in left if best not in one]
+    return sorted(chosen)
+
+
+def _functions(candidates: Sequence[Example]) -> list[str]:
+    return [*dict.fromkeys(one["function"] for one in candidates)]
+
+
+def _fingerprints(
+    mistake: Mistake, answers: Mapping[int, Any], chosen: Sequence[int], candidates: Sequence[Example]
+) -> dict[str, Any] | None:
+    """What tells a mistake of one function by the results of the chosen examples."""
+    results: dict[str, list[float]] = {}
+    changed = {candidates[k]["function"] for k in answers} & mistake.defined
+    if len(changed) != 1 or not mistake.compared:
+        return None
+    (function,) = changed
+    for number, k in enumerate(chosen):
+        if k in answers and candidates[k]["function"] == function and answers[k] is not None:
+            compare = candidates[k]["compare"]
+            numbers = [fingerprint(part(answers[k], one)) for one in compare if not one.get("raises")]
+            if not np.isfinite(numbers).all():
+                return None
+            results[str(number)] = [float(f"{one:.9g}") for one in numbers]
+    if not results:
+        return None
+    return {"function": function, "message": mistake.message, "results": results}
