@@ -154,7 +154,8 @@ def _collected(modules: Sequence[Module]) -> list[Test]:
         try:
             with contextlib.redirect_stderr(io.StringIO()):
                 names = {"_example": module.examples.judge} if module.examples else {}
-                tests = {test.name: test for test in collect(module.path, module.text, names)} | tests
+                for test in collect(module.path, module.text, names):
+                    tests.setdefault(test.name, test)
         except Exception as error:
             if number == 0:
                 raise
