@@ -136,7 +136,7 @@ def _argument(value: Any) -> Any:
 def part(result: Any, comparison: Mapping[str, Any]) -> Any:
     """The part of a result that is compared: a member of a tuple, some of its columns."""
     member, columns = comparison["member"], comparison["columns"]
-    if member is None and isinstance(result, tuple | list) and np.ndim(result[0]) > 1:  # several arrays along a motion
+    if columns is not None and isinstance(result, tuple | list) and np.ndim(result[0]) > 1:  # arrays along a motion
         result = np.hstack([np.reshape(np.asarray(one, float), (len(one), -1)) for one in result])
     values = np.asarray(result if member is None else result[member], float)
     return values if columns is None else values[..., columns]

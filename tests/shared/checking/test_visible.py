@@ -69,6 +69,10 @@ def test_the_visible_tests_take_any_numbers_and_give_arrays(desk, tam570, slug, 
     assert code == 0, said
 
 
+WITH_EXAMPLES = [path.parent.name for path in sorted((assignments.find() / "assignments").glob("*/examples.json"))]
+
+
+@pytest.mark.parametrize("slug", WITH_EXAMPLES)
 def test_every_right_answer_passes_the_examples(slug, course, solution_text):
     """In whatever style: an example that fails one of them is not released."""
     examples = load_examples(course / "assignments" / slug)
@@ -77,6 +81,7 @@ def test_every_right_answer_passes_the_examples(slug, course, solution_text):
 
 
 @pytest.mark.every
+@pytest.mark.parametrize("slug", WITH_EXAMPLES)
 def test_nine_in_ten_of_the_known_mistakes_fail_at_home(desk, tam570, slug, course, solution_text):
     """By an example, or by a test: what `check` calls right is right."""
     examples, solution = load_examples(course / "assignments" / slug), solution_text(slug)
