@@ -21,7 +21,12 @@ from .checks import (
 # Moment
 
 
-@mistake("You take the moment about O; take it about C.", first_fails=moment_is_about_C, name="moment_about_the_origin")
+@mistake(
+    "You take the moment about O; take it about C.",
+    first_fails=moment_is_about_C,
+    compared=False,
+    name="moment_about_the_origin",
+)
 def moment(reference, r_p, a_p, r_c, *, mass):
     return reference(r_p, a_p, 0 * r_c, mass=mass)
 
