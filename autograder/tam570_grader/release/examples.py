@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from tam570.checking.examples import FILE, Examples, fingerprint, part, plain
+from tam570.checking.examples import FILE, Examples, closed, fingerprint, part, plain
 from tam570_grader.checks import assignments
 from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.checks.expect import check_context
@@ -166,4 +166,4 @@ def _fingerprints(
             results[str(number)] = [float(f"{one:.9g}") for one in numbers]
     if not results:
         return None
-    return {"function": function, "message": mistake.message, "results": results}
+    return {"function": function, "message": closed(mistake.message), "results": results}

@@ -4,7 +4,9 @@
 number for each example that it changes, which tells it without telling how anything is done.
 """
 
+import base64
 import json
+import zlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -13,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-__all__ = ["FILE", "Examples", "array_of", "fingerprint", "load_examples", "part", "plain"]
+__all__ = ["FILE", "Examples", "array_of", "closed", "fingerprint", "load_examples", "part", "plain"]
 
 FILE = "examples.json"
 SAME = 1e-5  # of a fingerprint's size: mistakes are further apart
@@ -71,7 +73,7 @@ class Examples:
         results = {n: one for n, one in self.results.items() if self.calls[n]["function"] == function}
         for mistake in self.mistakes:
             if mistake["function"] == function and results and self._agrees(mistake["results"], results):
-                return str(mistake["message"])
+                return opened(mistake["message"])
         return None
 
     def _agrees(self, wrong: Mapping[str, Sequence[float]], results: Mapping[int, Any]) -> bool:
@@ -101,6 +103,16 @@ def fingerprint(values: ArrayLike) -> float:
     """A number for an array, which differs where the array does: a sum with weights that no symmetry has."""
     flat = np.ravel(np.asarray(values, float))
     return float(flat @ np.cos(1.0 + np.arange(flat.size) * np.sqrt(2.0)))
+
+
+def closed(message: str) -> str:
+    """A sentence in a form that nobody reads by accident: those of mistakes that are not yours give answers away."""
+    return base64.b64encode(zlib.compress(message.encode())).decode()
+
+
+def opened(message: str) -> str:
+    """The sentence that `closed` packed."""
+    return zlib.decompress(base64.b64decode(message)).decode()
 
 
 def plain(value: Any) -> Any:
