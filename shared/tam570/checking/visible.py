@@ -248,7 +248,7 @@ def _place(index: Sequence[Any]) -> str:
 def _line(error: BaseException) -> str:
     """The last statement of a test that led to an error, on one line."""
     frames = [one for one in traceback.extract_tb(error.__traceback__) if Path(one.filename).name.startswith("test_")]
-    if not frames or frames[-1].line.startswith("_example("):
+    if not frames or (frames[-1].line or "").startswith("_example("):
         return ""
     first, last = frames[-1].lineno or 0, frames[-1].end_lineno or 0
     return " ".join(linecache.getline(frames[-1].filename, number).strip() for number in range(first, last + 1))
