@@ -96,24 +96,26 @@ def simulation_follows_the_motion(student, rng):
 
 ASSIGNMENT = Assignment(returns={"energy": number, "simulate": rows(2)}, forbidden={}, needs=("numpy",))
 '''
-MISTAKE = '''"""The damping has the wrong sign.
-
-fails: simulation_follows_the_motion
-"""
-
-
+SLIP = """
 def _rates(t, state, *, mass, stiffness, damping):
     x, v = state
     return v, -(stiffness * x - damping * v) / mass
-'''
-WITHOUT_SPRING = '''"""The energy lacks the part of the spring.
-
-fails: energy_is_kinetic_and_elastic
 """
+MISTAKES = '''"""Known mistakes of hw15."""
+
+from tam570_grader.diagnosis.mistakes import mistake
+
+from .checks import energy_is_kinetic_and_elastic, simulation_follows_the_motion
 
 
-def energy(x, v, *, mass, stiffness):
+@mistake("You leave out the energy of the spring; add it.", first_fails=energy_is_kinetic_and_elastic)
+def energy(reference, x, v, *, mass, stiffness):
     return mass * v**2 / 2
+
+
+@mistake("You let the damping push; it acts against the velocity.", first_fails=simulation_follows_the_motion)
+def _rates(reference, t, state, *, damping, **parameters):
+    return reference(t, state, damping=-damping, **parameters)
 '''
 README = """# hw15: A mass on a damped spring
 
@@ -184,8 +186,7 @@ FILES = {
     f"autograder/checks/{SLUG}/reference.py": RIGHT,
     f"autograder/checks/{SLUG}/cases.py": CASES,
     f"autograder/checks/{SLUG}/checks.py": CHECKS,
-    f"autograder/checks/{SLUG}/mistakes/growing.py": MISTAKE,
-    f"autograder/checks/{SLUG}/mistakes/without_spring.py": WITHOUT_SPRING,
+    f"autograder/checks/{SLUG}/mistakes.py": MISTAKES,
     f"autograder/checks/{SLUG}/alternatives/the_same.py": SOLUTION,
     f"assignments/{SLUG}/README.md": README,
     f"assignments/{SLUG}/test_{SLUG}.py": VISIBLE,
@@ -205,7 +206,7 @@ def fifteen(tmp_path_factory, course):
     for path, text in FILES.items():
         (copy / path).parent.mkdir(parents=True, exist_ok=True)
         (copy / path).write_text(text)
-    for student, text in {"ada": SOLUTION, "ben": f"{SOLUTION}\n\n{MISTAKE}"}.items():
+    for student, text in {"ada": SOLUTION, "ben": f"{SOLUTION}\n\n{SLIP}"}.items():
         (work := copy / "submitted" / student / SLUG).mkdir(parents=True)
         (work / f"{SLUG}.py").write_text(text)
     return copy
@@ -224,7 +225,7 @@ def test_it_is_graded_and_its_mistake_is_named(fifteen, capsys):
     assert cli.main(command) == 0
     ada, ben = sorted(map(json.loads, capsys.readouterr().out.splitlines()), key=lambda line: line["student"])
     assert (ada["score"], ben["score"]) == (10.0, 4.0)
-    assert ben["checks"][1]["suspect"] == "The damping has the wrong sign."
+    assert ben["checks"][1]["suspect"] == "You let the damping push; it acts against the velocity."
 
 
 def test_it_is_released_for_nbgrader(fifteen, tmp_path):
