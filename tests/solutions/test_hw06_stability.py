@@ -124,7 +124,7 @@ def test_the_checks_find_the_stop_of_a_car_that_does_not_turn(start, car):
     """Its yaw acceleration is zero or rounding, which ends no integration: two draws where it once did."""
     assignments.assignment(assignments.find(), "hw06_braking")
     known = dict(zip((*BODY, "friction", "gravity"), car, strict=True))
-    time, end = sys.modules["_checks_hw06_braking.right"].stopped(np.array(start), "front", known)
+    time, end = sys.modules["_checks_hw06_braking.reference"].stopped(np.array(start), "front", known)
     slowing = known["friction"] * known["gravity"] * known["rear"] / wheelbase(known)
     assert time == pytest.approx(abs(start[3]) / slowing, rel=1e-5)
     way = math.copysign(start[3] ** 2 / (2 * slowing), start[3])

@@ -14,7 +14,7 @@ DRAW = np.random.default_rng(7)
 @pytest.fixture(scope="module")
 def reference(course):
     assert assignments.assignment(course, "hw07_double_pendulum").checks
-    return sys.modules["_checks_hw07_double_pendulum.right"]
+    return sys.modules["_checks_hw07_double_pendulum.reference"]
 
 
 @pytest.fixture

@@ -61,8 +61,8 @@ class Zygote:
         self.limits = limits
         self._errors = tempfile.TemporaryFile()  # noqa: SIM115  closed with the worker
         self._control, inside = socket.socketpair()
-        self._jail_limits = _limits(limits)
-        settings = {"limits": self._jail_limits, "control": inside.fileno(), "preload": list(preload)}
+        self.jail_limits = _limits(limits)
+        settings = {"limits": self.jail_limits, "control": inside.fileno(), "preload": list(preload)}
         command, path = jailed_command(hidden) if isolation() == "bubblewrap" else plain_command()
         self._process = subprocess.Popen(
             [*command, json.dumps(settings), json.dumps(path)],
