@@ -70,12 +70,12 @@ def compare(
 ) -> list[Any]:
     """Fail unless the student's `function` gives what `reference` gives, in every case; return its results.
 
-    right  : the right function, or the module in which it has the name of the student's
-    within : of the scale, by default the largest number of the right result
-    of, unit, scale : one for each member where the result is a tuple; left out, as `Assignment.returns` has them
+    reference : the right function, or the module in which it has the name of the student's
+    tolerance : of the scale, by default the largest number of the right result
+    quantity, unit, scale : one for each member where the result is a tuple; left out, as `Assignment.returns` has them
     hint   : where to look; a function of the case, the result and the right one is asked on failure alone
     only   : the member of a tuple that is judged, or several
-    gradual : False where an error of a few limits is no sign that the physics is right
+    near_miss_credit : False where an error of a few limits is no sign that the physics is right
     """
     said = (quantity, unit, scale)
     words = [describe(function, name) if one is None else one for name, one in zip(DESCRIPTIONS, said, strict=True)]
