@@ -9,10 +9,10 @@ import subprocess
 import sys
 import warnings
 import zlib
-from collections import defaultdict
 
 import numpy as np
 import pytest
+from parameters import SLUGS, first
 
 from tam570_grader import cli
 from tam570_grader.checks import assignments
@@ -22,7 +22,6 @@ from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.zygote import ResourceLimits, Zygote
 
 COURSE = assignments.find()
-SLUGS = assignments.slugs(COURSE)
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "chrome")
 WHOLE = (
     "test_nbgrader.py",
@@ -32,7 +31,7 @@ WHOLE = (
     "test_site_browser.py",
 )  # fixtures of up to a minute
 LONGEST_ID = 80  # characters
-SEEDS = {"seed": ([0], range(50)), "input_seed": ([1], range(4))}  # in the quick form, and in full
+SEEDS = {"seed": range(10), "input_seed": range(1, 4)}  # the first is not slow
 NBGRADER = """
 import json, os, sys, warnings
 from nbgrader.apps import NbGraderApp
@@ -55,41 +54,15 @@ for line in sys.stdin:
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
-def pytest_addoption(parser):
-    parser.addoption("--every", action="store_true", help="every mistake, alternative and attack")
-    parser.addoption("--full", action="store_true", help="every figure in full: 50 seeds, the long runs")
-
-
 @pytest.hookimpl(tryfirst=True)
-def pytest_collection_modifyitems(config, items):
-    """What shares dear fixtures, or an assignment's workers, runs in one process; what is not asked for is left out."""
-    full = config.getoption("--full")
-    asked = {"full": full, "every": full or config.getoption("--every")}
-    for item, rest in _beyond_samples(items):
-        item.add_marker(rest)
-    kept, left_out = [], []
-    for item in items:
-        (kept if all(wanted or name not in item.keywords for name, wanted in asked.items()) else left_out).append(item)
-    config.hook.pytest_deselected(items=left_out)
-    items[:] = kept
+def pytest_collection_modifyitems(items):
+    """What shares expensive fixtures, or an assignment's workers, runs in one process; the long ones come first."""
     for item in items:
         module = item.nodeid.partition("::")[0]
         graded = re.search(r"\bhw\d\d", item.nodeid) if module.endswith("test_laws.py") else None
         if graded or module.endswith(WHOLE):
             item.add_marker(pytest.mark.xdist_group(module + (graded[0] if graded else "")))
-    items.sort(key=lambda item: "xdist_group" not in item.keywords)  # the long ones first
-
-
-def _beyond_samples(items):
-    """Of a test marked `sample(n)` all cases but n, which lie evenly, and not at the same place in each; and `rest`."""
-    cases = defaultdict(list)
-    for item in items:
-        mark = item.get_closest_marker("sample")
-        if mark and not {"every", "full"} & set(item.keywords):
-            cases[item.nodeid.partition("[")[0], *mark.args, mark.kwargs.get("rest", "every")].append(item)
-    for (name, n, rest), found in cases.items():
-        kept = {(zlib.crc32(name.encode()) + k * len(found) // n) % len(found) for k in range(n)}
-        yield from ((item, rest) for k, item in enumerate(found) if k not in kept)
+    items.sort(key=lambda item: "xdist_group" not in item.keywords)
 
 
 def pytest_make_parametrize_id(val):
@@ -103,9 +76,9 @@ def pytest_generate_tests(metafunc):
     """A test with `slug` runs for every assignment, one with `seed` or `input_seed` for every one of these."""
     if "slug" in metafunc.fixturenames and not _parametrized(metafunc, "slug"):
         metafunc.parametrize("slug", SLUGS)
-    for name, (quick, full) in SEEDS.items():
+    for name, seeds in SEEDS.items():
         if name in metafunc.fixturenames:
-            metafunc.parametrize(name, full if metafunc.config.getoption("--full") else quick)
+            metafunc.parametrize(name, first(1, seeds))
 
 
 def _parametrized(metafunc, name):

@@ -22,7 +22,7 @@ from tam570_grader.sandbox.zygote import ResourceLimits
 COURSE = assignments.find()
 SLUG = "hw08_axis_angle"
 FILES = sorted((Path(__file__).parent / "hostile").glob("*.py"))
-ATTACKS = [pytest.param(path, marks=[pytest.mark.every] if k % 8 else []) for k, path in enumerate(FILES)]
+ATTACKS = [pytest.param(path, marks=[pytest.mark.slow] if k % 8 else []) for k, path in enumerate(FILES)]
 HONEST = (
     COURSE / "autograder" / "checks" / SLUG / "alternatives" / "quaternions_and_lists.py"
 )  # no function calls another
@@ -75,7 +75,7 @@ def test_the_honest_part_keeps_its_points_and_the_next_student_notices_nothing(
     assert not planted(), "left lying about"
 
 
-@pytest.mark.every
+@pytest.mark.slow
 def test_a_class_of_attackers_costs_their_allowances_and_no_more(grade, solution_text, zygotes, monkeypatch):
     """Forty attacks and an honest one between them on one worker, which outlives them all."""
     spent = []
@@ -100,7 +100,7 @@ def test_a_class_of_attackers_costs_their_allowances_and_no_more(grade, solution
     assert max(lasted for _, lasted in spent) <= PATIENCE * (limits.cpu + limits.call)
 
 
-@pytest.mark.full
+@pytest.mark.slow
 def test_a_class_of_two_hundred_waits_for_its_attackers_allowances_alone(tmp_path, solution_text):
     honest, attackers = tmp_path / "honest", tmp_path / "attackers"
     for k in range(200 - len(FILES)):

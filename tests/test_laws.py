@@ -7,6 +7,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from parameters import SLUGS, first
 
 from tam570_grader.audit.diagnosis import diagnosis
 from tam570_grader.checks import assignments
@@ -18,27 +19,29 @@ from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.zygote import ResourceLimits
 
 COURSE = assignments.find()
-CHECKS = [(slug, check) for slug in assignments.slugs(COURSE) for check in assignments.assignment(COURSE, slug).checks]
+CHECKS = [(slug, check) for slug in SLUGS for check in assignments.assignment(COURSE, slug).checks]
 
 
-FOLDERS = {slug: assignments.checks_folder(COURSE, slug) for slug in assignments.slugs(COURSE)}
+FOLDERS = {slug: assignments.checks_folder(COURSE, slug) for slug in SLUGS}
 ALTERNATIVES = [(slug, path) for slug, folder in FOLDERS.items() for path in sorted(folder.glob("alternatives/*.py"))]
 MISTAKES = [(slug, one) for slug, folder in FOLDERS.items() for one in mistakes(folder)]
 
 
-def sampled(cases):
-    """The cases of mistakes; the short form has one of each check, the shortest that it is the first to catch."""
-    longest_first = sorted(cases, key=lambda case: -len(case[1].text))  # what integrates by itself is long and slow
-    needed = {(slug, one.first_fails): one for slug, one in longest_first}.values()
-    marked = [pytest.param(*case, marks=[] if case[1] in needed else [pytest.mark.every]) for case in cases]
-    return {**named(cases), "argvalues": marked}
-
-
-def named(cases):
+def first_of_each(cases, key):
+    """Arguments of `parametrize`: the cases with ids; all but the first of each key are slow."""
+    keys = [key(*case) for case in cases]
+    slow = [key in keys[:k] for k, key in enumerate(keys)]
     return {
-        "argvalues": cases,
+        "argvalues": [
+            pytest.param(*case, marks=[pytest.mark.slow] if is_slow else [])
+            for case, is_slow in zip(cases, slow, strict=True)
+        ],
         "ids": [f"{slug[:4]}-{getattr(it, 'name', it).removesuffix('.py')}" for slug, it in cases],
     }
+
+
+def slug_alone(slug, _):
+    return slug
 
 
 def outcomes(result, outcome):
@@ -112,8 +115,7 @@ def test_the_solution_has_full_marks(slug, seed, grade, solution_text):
     assert result.score == result.max_score, failures(result)
 
 
-@pytest.mark.sample(14)
-@pytest.mark.parametrize(("slug", "path"), **named(ALTERNATIVES))
+@pytest.mark.parametrize(("slug", "path"), **first_of_each(ALTERNATIVES, slug_alone))
 def test_right_answers_in_other_styles_have_full_marks(slug, path, seed, grade):
     result = grade(slug, path.read_text(), seed)
     assert result.score == result.max_score, failures(result)
@@ -122,7 +124,7 @@ def test_right_answers_in_other_styles_have_full_marks(slug, path, seed, grade):
 # Wrong answers lose points where they must
 
 
-@pytest.mark.parametrize(("slug", "mistake"), **sampled(MISTAKES))
+@pytest.mark.parametrize(("slug", "mistake"), **first_of_each(MISTAKES, lambda slug, one: (slug, one.first_fails)))
 def test_a_wrong_submission_loses_points_at_its_check_whatever_the_inputs(
     slug, mistake, input_seed, grade, solution_text
 ):
@@ -136,7 +138,7 @@ def test_a_wrong_submission_loses_points_at_its_check_whatever_the_inputs(
     assert not found.misled, failures(result)
 
 
-@pytest.mark.parametrize(("slug", "check"), **named(CHECKS))
+@pytest.mark.parametrize(("slug", "check"), **first_of_each(CHECKS, lambda slug, check: (slug, check.name)))
 def test_every_check_has_a_mistake_that_it_catches(slug, check, grade, solution_text):
     """First of all checks, or beside others: what is wrong in one function may be wrong in those that call it."""
     known = mistakes(FOLDERS[slug])
@@ -151,8 +153,7 @@ def test_every_check_has_a_mistake_that_it_catches(slug, check, grade, solution_
     assert any(check.name == one.first_fails for one in known) or any(map(caught, known))
 
 
-@pytest.mark.sample(50)
-@pytest.mark.parametrize(("slug", "check"), **named(CHECKS))
+@pytest.mark.parametrize(("slug", "check"), **first_of_each(CHECKS, slug_alone))
 def test_the_inputs_of_a_check_tell_its_mistakes_from_the_truth(slug, check, zygotes, solution_text):
     assignment = assignments.assignment(COURSE, slug)
     student = Student(Source(solution_text(slug).encode()), assignment, zygotes(slug, ResourceLimits()))
@@ -185,10 +186,14 @@ EMPTY = {
     "an exit at import": "import sys; sys.exit(0)",
     "a hard exit at import": "import os; os._exit(0)",
 }
+NOTHING = [
+    pytest.param(slug, what, marks=[] if slug.startswith("hw08") or what == "zeros" else [pytest.mark.slow])
+    for slug in SLUGS
+    for what in EMPTY
+]
 
 
-@pytest.mark.sample(40)
-@pytest.mark.parametrize("what", EMPTY)
+@pytest.mark.parametrize(("slug", "what"), NOTHING)
 def test_what_says_nothing_scores_nothing(slug, what, grade, course):
     results = assignments.assignment(course, slug).results
     text = "\n".join(
@@ -205,7 +210,7 @@ def test_the_untouched_stub_scores_nothing(slug, grade, course):
     assert outcomes(result, "not_run") == {check.name for check in assignments.assignment(course, slug).checks}
 
 
-@pytest.mark.sample(4)
+@pytest.mark.parametrize("slug", first(2, SLUGS))
 def test_an_endless_loop_scores_nothing(slug, grade, course):
     names = assignments.assignment(course, slug).results
     text = "\n".join(f"def {name}(*args, **kwargs):\n    while True: pass" for name in names)
@@ -232,7 +237,7 @@ def called(zygotes, solution_text):
     return called
 
 
-@pytest.mark.sample(6)
+@pytest.mark.parametrize("slug", first(4, SLUGS))
 def test_every_check_calls_what_is_recorded(slug, called):
     promises = assignments.assignment(COURSE, slug).results
     undrawn = {name for name, returns in promises.items() if not isinstance(returns, Drawing)}
@@ -249,8 +254,7 @@ WRAPPERS = {
 }
 
 
-@pytest.mark.sample(18)
-@pytest.mark.parametrize("what", WRAPPERS)
+@pytest.mark.parametrize("what", first(1, WRAPPERS))
 def test_right_numbers_in_a_wrong_form_score_nothing(slug, what, grade, course, solution_text, called):
     results = assignments.assignment(course, slug).results
     numeric = {name for name, returns in results.items() if isinstance(returns, Array | Group)}
@@ -259,7 +263,7 @@ def test_right_numbers_in_a_wrong_form_score_nothing(slug, what, grade, course, 
     assert not {name for name in kept if called(slug)[name] & numeric}, failures(result)
 
 
-@pytest.mark.sample(12)
+@pytest.mark.parametrize("slug", first(4, SLUGS))
 @pytest.mark.parametrize("form", ["lambda x: np.asarray(x).tolist()", "lambda x: np.asarray(x, dtype=object)"])
 def test_right_numbers_in_any_form_that_asarray_takes_have_full_marks(slug, form, grade, course, solution_text):
     result = grade(slug, solution_text(slug) + wrapped(assignments.assignment(course, slug).results, form))

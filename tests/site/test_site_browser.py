@@ -6,7 +6,7 @@ import sys
 import pytest
 from axe_playwright_python.sync_playwright import Axe
 
-pytestmark = pytest.mark.every
+pytestmark = pytest.mark.slow
 
 LECTURE, SCENES = "generated/lectures/top.html", "generated/assignments.html"
 KINDS = (

@@ -89,7 +89,7 @@ def environment(tmp_path):
     return {**os.environ, "PATH": path, "COURSE": str(DOCS.parent), "HOME": str(tmp_path / "home"), "MPLBACKEND": "Agg"}
 
 
-@pytest.mark.every
+@pytest.mark.slow
 @pytest.mark.parametrize("page", [page for page in PAGES if any(one.kind != "pycon" for one in texts(page))])
 def test_the_commands_of_a_page_work_in_their_order(page, tmp_path, environment):
     (tmp_path / "home").mkdir()
@@ -123,7 +123,7 @@ def test_the_first_hour_counts_the_sample_class():
     assert len(counts) == 2 and {int(one) for one in counts} == {len(sample_class())}
 
 
-@pytest.mark.every
+@pytest.mark.slow
 def test_the_first_hour_shows_what_the_demo_prints(tmp_path, capsys):
     shown = re.search(r"^```text\n(student .*?)^```$", (DOCS / "instructors" / "index.md").read_text(), re.M | re.S)[1]
     rows = shown.splitlines()

@@ -173,7 +173,7 @@ def test_the_energy_stays(start):
     assert worst_energy(start, 20 * 2 * math.pi / K) < 1e-11
 
 
-@pytest.mark.full
+@pytest.mark.slow
 @pytest.mark.parametrize("start", STARTS.values(), ids=STARTS.keys())
 def test_the_energy_stays_for_a_thousand_periods(start):
     assert worst_energy(start, 1000 * 2 * math.pi / K) < 1e-11

@@ -108,7 +108,7 @@ def test_the_energy_is_that_of_its_terms():
         assert abs(hw.energy(state, **known) - (work + motion_energy)) <= ROUNDINGS * scale
 
 
-@pytest.mark.parametrize("periods", [20, pytest.param(1000, marks=pytest.mark.full)])
+@pytest.mark.parametrize("periods", [20, pytest.param(1000, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("known", [SPRING, {**SPRING, "gravity": 0.0}, *springs(4)])
 def test_the_invariants_stay(known, periods):
     """Energy, the angular momentum about the centre, and the oscillator's tensor, along the simulation."""

@@ -154,7 +154,7 @@ def test_it_stays_on_the_circle_and_keeps_its_energy(start, length):
     judge(states, length, 9.3)
 
 
-@pytest.mark.full
+@pytest.mark.slow
 @pytest.mark.parametrize("length", [1.7, 1e3])
 @pytest.mark.parametrize("start", STARTS.values(), ids=STARTS.keys())
 def test_it_stays_so_for_ten_thousand_seconds(start, length):
@@ -162,7 +162,7 @@ def test_it_stays_so_for_ten_thousand_seconds(start, length):
     judge(states, length, 9.3)
 
 
-@pytest.mark.full
+@pytest.mark.slow
 def test_it_stays_so_even_at_a_length_of_a_millimetre():
     """More than a hundred thousand swings."""
     _, states = long_run(STARTS["swinging"], 1e-3, 1e4)

@@ -174,7 +174,7 @@ def test_the_sampling_of_the_times_changes_nothing(locked):
     np.testing.assert_allclose(dense[picked], sparse, rtol=0, atol=1e-12)
 
 
-@pytest.mark.full
+@pytest.mark.slow
 @LOCKED
 def test_every_car_stops_and_loses_all_its_energy_on_the_way(locked):
     """Long wheels, heavy frames, any start: no start leaves the time of the stop in doubt."""

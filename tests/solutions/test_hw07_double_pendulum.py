@@ -208,7 +208,7 @@ def test_the_tip_path_is_that_of_the_wireframe():
     assert axes.get_aspect() == 1
 
 
-@pytest.mark.full
+@pytest.mark.slow
 @pytest.mark.parametrize("number", range(20))
 def test_energy_over_a_minute_of_chaos(number):
     rng = np.random.default_rng(number)

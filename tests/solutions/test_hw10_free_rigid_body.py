@@ -117,7 +117,7 @@ def test_the_invariants_stay(body, start):
     assert max(invariant_drifts(BODIES[body], STARTS[start], np.linspace(-2.0, 20.0, 23))) <= FIGURE / 10
 
 
-@pytest.mark.full
+@pytest.mark.slow
 @pytest.mark.parametrize("body", BODIES)
 @pytest.mark.parametrize("start", STARTS)
 def test_the_invariants_stay_for_1000_s(body, start):
@@ -269,7 +269,7 @@ def test_omega_is_back_after_a_period_and_not_before(omega):
     assert np.abs(omegas[1] - omega).max() > 0.1
 
 
-@pytest.mark.full
+@pytest.mark.slow
 def test_omega_is_back_after_a_thousand_flips():
     omega = STARTS["middle axis"]
     period = hw.tumble_period(omega, inertia=BODY)

@@ -122,7 +122,7 @@ def test_the_energy_stays(steepness):
     assert worst_energy(steepness, 5, 200) < 1e-11
 
 
-@pytest.mark.full
+@pytest.mark.slow
 @pytest.mark.parametrize("steepness", STEEPNESS)
 def test_the_energy_stays_for_a_thousand_periods(steepness):
     assert worst_energy(steepness, 1000, 2000) < 1e-11

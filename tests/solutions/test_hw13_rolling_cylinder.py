@@ -196,7 +196,7 @@ def test_simulation_keeps_the_energy():
         assert np.ptp(energies) <= 2e-12 * scale  # some tens of steps, and kinetic energies of many times m g r
 
 
-@pytest.mark.full
+@pytest.mark.slow
 def test_simulation_keeps_the_energy_for_a_thousand_rocks():
     for cylinder in cylinders(3, slope=0.0):
         k = math.sqrt(cylinder["gravity"] / cylinder["radius"])

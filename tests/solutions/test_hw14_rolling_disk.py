@@ -304,7 +304,7 @@ def test_the_drawing_is_fixed_in_the_disk():
 # The long form
 
 
-@pytest.mark.full
+@pytest.mark.slow
 def test_a_thousand_seconds():
     state, disk = general_start("disk")
     t = np.linspace(0, 1e3, 11)
@@ -334,7 +334,7 @@ def test_a_nearly_flat_coin_shudders_for_two_seconds(kick):
     assert np.ptp(motion[:, 3]) <= 1e-9 * 1e-3 if kick == 0.0 else np.ptp(motion[:, 3]) > 1e-5
 
 
-@pytest.mark.full
+@pytest.mark.slow
 def test_a_nearly_flat_coin_shudders_for_a_thousand_seconds():
     state, disk = shuddering("disk", 1e-3, 0.1)
     motion = hw.simulate_euler(np.linspace(0, 1e3, 5), state, **disk)

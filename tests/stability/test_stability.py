@@ -252,7 +252,7 @@ def test_energy_over_many_periods(method):
     assert drift(pendulum_energy, states).max() < 1e-14
 
 
-@pytest.mark.full
+@pytest.mark.slow
 @pytest.mark.parametrize("method", ["gauss", "composition"])
 def test_energy_over_ten_thousand_periods(method):
     """Accumulated rounding, the mean over twelve motions: one random walk alone has no exponent to speak of."""
@@ -266,7 +266,7 @@ def test_energy_over_ten_thousand_periods(method):
     assert growth_exponent(share, mean) < 0.6  # a random walk is 0.5, a drift would be 1
 
 
-@pytest.mark.full
+@pytest.mark.slow
 @pytest.mark.parametrize("method", ["auto", "gauss", "composition"])
 def test_a_hundred_thousand_periods(method):
     T = period(1.0)
@@ -275,7 +275,7 @@ def test_a_hundred_thousand_periods(method):
     assert drift(pendulum_energy, states).max() < allowed
 
 
-@pytest.mark.full
+@pytest.mark.slow
 def test_flips_by_the_thousand():
     inertia = (1.0, 2.0, 3.0)
     omegas = solve(euler, np.linspace(0, 5e4, 1001), [0.0, 1.0, 1e-6], parameters={"inertia": inertia}, rtol=1e-15)

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from parameters import SLUGS, first
 
 from tam570_grader import cli
 from tam570_grader.audit import diagnosis, fairness, margins, mutation
@@ -61,7 +62,7 @@ def test_slips_that_read_alike_are_numbered():
     assert [one.slip for one in found if one.operator == "a sign"] == ["-a -> a", "-a -> a #2"]
 
 
-@pytest.mark.sample(3)
+@pytest.mark.parametrize("slug", first(3, SLUGS))
 def test_mutants_of_solutions_are_programs_with_names_of_their_own(slug, solution_text):
     found = mutants(slug, solution_text(slug))
     assert len(found) >= 50 and len({one.name for one in found}) == len(found)
@@ -75,8 +76,8 @@ def test_the_audit_of_an_assignment_finds_no_survivor(capsys):
     assert " 1 equivalent, 0 survive" in capsys.readouterr().out
 
 
-@pytest.mark.every
-@pytest.mark.parametrize("sample", [["--quick"], pytest.param([], marks=pytest.mark.full)])
+@pytest.mark.slow
+@pytest.mark.parametrize("sample", [["--quick"], pytest.param([], marks=pytest.mark.slow)])
 def test_no_slip_in_a_solution_keeps_full_marks(slug, sample, capsys):
     assert cli.main(["audit", slug, "--jobs", "1", *sample]) == 0, capsys.readouterr().out
 
@@ -95,14 +96,16 @@ def test_the_audit_fails_when_a_mutant_crashes_a_check(capsys, monkeypatch):
     assert " 0 killed, 0 equivalent, 0 survive, " in out and "CRASHES A CHECK skew: " in out
 
 
-@pytest.mark.sample(1)
 @pytest.mark.parametrize(
     ("slip", "proof", "fault"),
-    [
-        (("_unit", "axis / largest -> axis * largest"), "it is", "it loses points"),
-        (("_unit", "axis -> largest"), "it is", "there is no such mutant"),
-        (("_unit", "scaled @ scaled -> scaled.T @ scaled"), " ", "it has no proof"),
-    ],
+    first(
+        1,
+        [
+            (("_unit", "axis / largest -> axis * largest"), "it is", "it loses points"),
+            (("_unit", "axis -> largest"), "it is", "there is no such mutant"),
+            (("_unit", "scaled @ scaled -> scaled.T @ scaled"), " ", "it has no proof"),
+        ],
+    ),
 )
 def test_the_audit_fails_when_a_line_lists_in_vain(slip, proof, fault, capsys, monkeypatch):
     known = equivalents(assignments.find(), SLUG)
@@ -243,7 +246,7 @@ def test_a_diagnosis_tells_named_from_unnamed_and_misled():
     assert diagnosis.faults([right] * 10 + [wrong]) == 1
 
 
-@pytest.mark.every
+@pytest.mark.slow
 def test_the_margins_of_a_check_are_measured_from_both_sides(capsys):
     assert cli.main(["audit", "hw12", "--margins", "--quick", "--jobs", "1", "--json"]) == 0
     found = json.loads(capsys.readouterr().out)["checks"]

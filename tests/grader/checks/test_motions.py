@@ -61,7 +61,7 @@ def test_rows_in_another_order_or_at_rest_break_them(loose):
     assert not leads(np.tile(loose[0], (601, 1)))
 
 
-@pytest.mark.full
+@pytest.mark.slow
 def test_no_grade_leaps_between_ten_limits_and_a_tenth(loose):
     errors = np.geomspace(10, 1e5, 101)[1:] * 1e-6 * 20.0
     shares = np.array([loose_tolerance_share(motion(loose), 1e-6, 20.0, error) for error in errors])

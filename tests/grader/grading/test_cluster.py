@@ -18,7 +18,7 @@ from tam570_grader.sandbox.launch import isolation
 
 pytest.importorskip("distributed", reason="no dask.distributed: pip install 'tam570[cluster]'")
 pytestmark = [
-    pytest.mark.every,
+    pytest.mark.slow,
     pytest.mark.skipif(isolation() != "bubblewrap", reason="workers refuse without bubblewrap"),
 ]
 SLUG = "hw08_axis_angle"

@@ -224,7 +224,7 @@ def kill_at_random(over, kills, killed):
                     break
 
 
-@pytest.mark.every
+@pytest.mark.slow
 @linux
 def test_scores_are_the_same_for_one_job_for_two_and_where_supervisors_are_killed(tmp_path, course, solution_text):
     found = class_of(tmp_path, 10, solution_text)
@@ -262,7 +262,7 @@ def by_one_job(course, everything):
     return list(batch.records(config_of(course, everything, 1)))
 
 
-@pytest.mark.full
+@pytest.mark.slow
 @pytest.mark.parametrize("cluster", [False, True])
 def test_two_jobs_and_a_cluster_give_what_one_job_gives_and_nothing_twice(course, everything, by_one_job, cluster):
     config = replace(config_of(course, everything, 2), cluster=Cluster("local") if cluster else None)
@@ -270,7 +270,7 @@ def test_two_jobs_and_a_cluster_give_what_one_job_gives_and_nothing_twice(course
 
 
 @linux
-@pytest.mark.full
+@pytest.mark.slow
 def test_fifty_kills_change_nothing(tmp_path, course, everything, by_one_job):
     """After results that a seed chooses a supervisor is killed, or the sandbox below it: each time another's.
 

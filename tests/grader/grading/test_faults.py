@@ -78,9 +78,9 @@ def zombie(pid):
     return True
 
 
-@pytest.mark.every
+@pytest.mark.slow
 @linux
-@pytest.mark.parametrize(("students", "kills"), [(60, 6), pytest.param(500, 50, marks=pytest.mark.full)])
+@pytest.mark.parametrize(("students", "kills"), [(60, 6), pytest.param(500, 50, marks=pytest.mark.slow)])
 def test_a_run_killed_at_random_moments_ends_as_an_undisturbed_one(tmp_path, solution_text, students, kills):
     tree = class_of(students, tmp_path / "submitted", solution_text(SLUG))
     began = time.monotonic()
@@ -99,7 +99,7 @@ def test_a_run_killed_at_random_moments_ends_as_an_undisturbed_one(tmp_path, sol
     assert outcome(tmp_path / "killed") == outcome(tmp_path / "calm")
 
 
-@pytest.mark.every
+@pytest.mark.slow
 @linux
 @pytest.mark.skipif(isolation() != "bubblewrap", reason="processes of another depth")
 def test_no_process_that_dies_changes_a_result(tmp_path, solution_text):

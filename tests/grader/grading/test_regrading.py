@@ -243,7 +243,7 @@ def test_what_is_no_key_is_refused(tree, tmp_path, capsys, arguments, says):
     assert says in capsys.readouterr().err
 
 
-@pytest.mark.full
+@pytest.mark.slow
 def test_solutions_have_full_marks_for_a_thousand_students(slug, tmp_path, course, solution_text):
     from tam570_grader.grading.submissions import Submission
     from tam570_grader.sandbox.student import Source

@@ -120,7 +120,7 @@ def test_an_exchange_of_nbgrader(watch, tmp_path, solution_text):
     assert "Attempt 1" in (tmp_path / "exchange" / "feedback" / f"{name}.html").read_text()
 
 
-@pytest.mark.every
+@pytest.mark.slow
 def test_a_watch_that_is_killed_loses_nothing(course, tmp_path, hand_in):
     (tmp_path / "submitted").mkdir()
     out = tmp_path / "results"

@@ -5,6 +5,7 @@ import shutil
 from pathlib import Path
 
 import pytest
+from parameters import first
 
 from tam570_grader.checks import assignments
 from tam570_grader.checks.assignments import slug_of
@@ -61,19 +62,21 @@ def test_a_notebook_is_graded_by_its_code_cells(run, tmp_path, solution_text, no
     assert "cell 5: ZeroDivisionError" in line["message"]
 
 
-@pytest.mark.sample(6)
 @pytest.mark.parametrize(
     "cell",
-    [
-        "if 'google.colab' in str(get_ipython()):\n    !pip install tam570 \\\n        numpy\nassert True",
-        "%precision 3\nassert (4\n    % 3\n    != 2)",
-        "%time two = 2\nabs?\nassert two == 2",
-        "display(3, metadata={})\nget_ipython().run_line_magic('matplotlib', 'inline')",
-        "from IPython import get_ipython\nif 'IPKernelApp' in get_ipython().config:\n    1 / 0",
-        "import matplotlib.pyplot as plt\nimport matplotlib\nmatplotlib.use('TkAgg')\nplt.figure()",
-        "from matplotlib import pyplot\npyplot.switch_backend('QtAgg')\npyplot.plot([1])",
-        "%pylab inline\nassert allclose(sin(pi), 0) and np.eye(2).any()\nplt.plot([1])",
-    ],
+    first(
+        6,
+        [
+            "if 'google.colab' in str(get_ipython()):\n    !pip install tam570 \\\n        numpy\nassert True",
+            "%precision 3\nassert (4\n    % 3\n    != 2)",
+            "%time two = 2\nabs?\nassert two == 2",
+            "display(3, metadata={})\nget_ipython().run_line_magic('matplotlib', 'inline')",
+            "from IPython import get_ipython\nif 'IPKernelApp' in get_ipython().config:\n    1 / 0",
+            "import matplotlib.pyplot as plt\nimport matplotlib\nmatplotlib.use('TkAgg')\nplt.figure()",
+            "from matplotlib import pyplot\npyplot.switch_backend('QtAgg')\npyplot.plot([1])",
+            "%pylab inline\nassert allclose(sin(pi), 0) and np.eye(2).any()\nplt.plot([1])",
+        ],
+    ),
 )
 def test_what_runs_in_a_kernel_runs_in_the_grader(run, tmp_path, solution_text, cell, notebook):
     (tmp_path / "hw08.ipynb").write_text(notebook(cell, solution_text(SLUG)))

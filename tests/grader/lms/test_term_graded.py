@@ -8,7 +8,7 @@ import pytest
 from tam570_grader import cli
 from tam570_grader.diagnosis.mistakes import overlays
 
-pytestmark = pytest.mark.every  # 180 submissions in the sandbox
+pytestmark = pytest.mark.slow  # 180 submissions in the sandbox
 SEED = 570
 LATE = 7  # days, of student 11, in every assignment
 CLASS = range(60)

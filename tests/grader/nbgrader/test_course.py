@@ -146,12 +146,12 @@ def said(cells):
     return "".join("".join(one.get("text", one.get("data", {}).get("text/plain", []))) for one in outputs)
 
 
-@pytest.mark.every
+@pytest.mark.slow
 def test_a_notebook_runs_with_the_stub_and_with_the_solution(assert_the_notebook_runs):
     assert_the_notebook_runs(ONE)
 
 
-@pytest.mark.full
+@pytest.mark.slow
 def test_every_notebook_runs_with_the_stub_and_with_the_solution(assert_the_notebook_runs, slug):
     assert_the_notebook_runs(slug)
 
@@ -176,7 +176,7 @@ def test_a_module_that_is_saved_is_read_again(course, work):
     assert "Nothing to see yet" in before and "Nothing to see yet" not in after
 
 
-@pytest.mark.every
+@pytest.mark.slow
 def test_validate_says_whether_the_visible_tests_pass(course, tmp_path, nbgrader, made_course):
     made, _ = made_course(tmp_path, [ONE])
     nbgrader(made, "generate_assignment", ONE)

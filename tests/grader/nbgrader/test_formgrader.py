@@ -12,7 +12,7 @@ import pytest
 
 from tam570_grader.diagnosis.mistakes import overlays
 
-pytestmark = pytest.mark.every  # half a minute of nbgrader
+pytestmark = pytest.mark.slow  # half a minute of nbgrader
 SLUG, MANUAL = "hw07_double_pendulum", "manual-c"
 START = 60  # s, at most, until the server answers
 TYPED, POSSIBLE = 1.5, 2.0  # points of the manual part

@@ -167,14 +167,14 @@ def assert_the_feedback_says_what_was_lost(term):
     assert pictures and secrets
 
 
-@pytest.mark.every
+@pytest.mark.slow
 def test_three_assignments_by_nbgraders_commands(a_whole_term, nbgrader_grades, tmp_path):
     term = a_whole_term(IN_CI)
     assert_the_same_scores(term, nbgrader_grades, tmp_path / "out")
     assert_the_feedback_says_what_was_lost(term)
 
 
-@pytest.mark.full
+@pytest.mark.slow
 def test_all_fourteen_by_nbgraders_commands(course, a_whole_term, nbgrader_grades, tmp_path):
     slips = {slug: next(iter(overlays(assignments.checks_folder(course, slug)))) for slug in assignments.slugs(course)}
     term = a_whole_term({**slips, **IN_CI})
@@ -188,7 +188,7 @@ def in_order(readme):
     return [line for line in lines if line[:1] == ["nbgrader"] or line == ["jupyter", "lab"]]
 
 
-@pytest.mark.every
+@pytest.mark.slow
 def test_the_commands_of_the_courses_readme_in_their_order(course, tmp_path, nbgrader, made_course):
     made, config = made_course(tmp_path, [ONE])
     term = course / "docs" / "instructors" / "term.md"
@@ -207,7 +207,7 @@ def test_the_commands_of_the_courses_readme_in_their_order(course, tmp_path, nbg
     assert "skew(v) r = v x r" in next((tmp_path / ONE / "feedback").rglob("*.html")).read_text()
 
 
-@pytest.mark.every
+@pytest.mark.slow
 @pytest.mark.filterwarnings("ignore")  # nbgrader's own, of SQLAlchemy
 def test_a_gradebook_is_set_up_once_a_command(tmp_path, monkeypatch, jupyter_environment):
     from nbgrader import api

@@ -8,7 +8,7 @@ import pytest
 
 from tam570_grader.checks import assignments
 
-pytestmark = pytest.mark.every  # a minute of nbgrader
+pytestmark = pytest.mark.slow  # a minute of nbgrader
 ONE = "hw08_axis_angle"
 
 

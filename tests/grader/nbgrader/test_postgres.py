@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-pytestmark = pytest.mark.every  # half a minute of nbgrader
+pytestmark = pytest.mark.slow  # half a minute of nbgrader
 SLUG = "hw08_axis_angle"
 STUDENTS = ("ann", "ben", "cas")
 SERVER = "postgres"  # the user: PostgreSQL refuses to run as root

@@ -90,7 +90,7 @@ def test_the_command_works_from_the_wheel_alone(unpacked, tmp_path):
     assert any("lab.tests" in "".join(cell["source"]) for cell in book["cells"])
 
 
-@pytest.mark.full
+@pytest.mark.slow
 def test_a_student_installs_the_kit_in_an_empty_environment_and_works(kit, tmp_path):
     (wheel,) = kit.glob("*.whl")
     python = tmp_path / "env" / "bin" / "python"

@@ -8,7 +8,7 @@ import pytest
 from tam570_grader.checks import assignments
 from tam570_grader.reports import feedback, report
 
-pytestmark = pytest.mark.every  # half a minute of Chromium
+pytestmark = pytest.mark.slow  # half a minute of Chromium
 CHECKS = assignments.find() / "autograder" / "checks"
 SHOWN = {"hw07_double_pendulum": "too_few_steps", "hw05_constrained_pendulum": "differentiated_once"}
 WIDTHS = {"desktop": 1280, "phone": 390}

@@ -65,7 +65,7 @@ def test_the_right_end_of_a_scene_is_what_another_integrator_finds():
     np.testing.assert_allclose(found, scene["end"], rtol=1e-7)
 
 
-@pytest.mark.every
+@pytest.mark.slow
 def test_a_looser_tolerance_has_a_larger_error_and_its_score_is_the_same(measured, grade, solution_text):
     results = [measured(SLUG, solution_text(SLUG) + STEPS.replace("RTOL", tol)) for tol in ("1e-8", "1e-11")]
     loose, tight = (result.speed for result in results)

@@ -38,7 +38,7 @@ for sign, wait in ((signal.SIGSTOP, 4), (signal.SIGCONT, 0)):
 """
 
 
-@pytest.mark.every
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform != "linux", reason="finds the sandbox's processes in /proc")
 def test_who_is_suspended_with_the_grader_is_not_late(course, zygotes):
     text = "def skew(v):\n    import time\n    time.sleep(0.8)\n    return [[0.0] * 3] * 3\n"
@@ -69,7 +69,7 @@ def test_one_that_sleeps_through_its_calls_is_ended(grade, solution_text, monkey
     assert len(received) < 20, "it is ended within a batch of calls"
 
 
-@pytest.mark.every
+@pytest.mark.slow
 def test_one_that_sleeps_at_every_import_and_call_is_ended(grade, solution_text, monkeypatch):
     """Each function of hw02 has bans, and a cell, of its own."""
     monkeypatch.setattr("tam570_grader.sandbox.student.PATIENCE", 1)
@@ -248,7 +248,7 @@ def ticks():
 """
 
 
-@pytest.mark.every
+@pytest.mark.slow
 @pytest.mark.skipif(isolation() != "bubblewrap", reason="a process can kill itself elsewhere")
 @pytest.mark.parametrize("death", DEATHS.values(), ids=DEATHS)
 def test_who_looks_as_if_killed_by_others_is_not_tried_again(death, course, zygotes, solution_text):

@@ -5,6 +5,7 @@ import os
 import time
 
 import pytest
+from parameters import first
 
 from tam570.checking import deadline
 from tam570.checking.examples import load_examples
@@ -53,8 +54,7 @@ HW08 = "hw08_axis_angle"
 TESTS = 7 + len(load_examples(folder(HW08)).calls)
 
 
-@pytest.mark.sample(3)
-@pytest.mark.parametrize("above", TOP)
+@pytest.mark.parametrize("above", first(3, TOP))
 def test_what_stops_the_import_where_work_is_graded_stops_it_here(hw08, desk, tam570, above):
     file = hw08(above=above + "\n")
     (file.parent / "data.csv").write_text("1\n")
@@ -71,8 +71,7 @@ def test_the_grader_gives_what_is_said(grade, solution_text, above):
     assert result.status != "graded" and result.score == 0
 
 
-@pytest.mark.sample(2)
-@pytest.mark.parametrize("body", CALLS)
+@pytest.mark.parametrize("body", first(2, CALLS))
 def test_the_grader_refuses_the_function(grade, solution_text, body):
     """And the others have their points."""
     result = grade(
@@ -110,8 +109,7 @@ def test_a_file_in_another_encoding_names_the_line(hw08, tam570):
     assert tam570("check")[0] == 0
 
 
-@pytest.mark.sample(4)
-@pytest.mark.parametrize("body", CALLS)
+@pytest.mark.parametrize("body", first(4, CALLS))
 def test_what_a_call_does_wrong_is_said_at_once(hw08, tam570, body):
     hw08(f"def rotate(r, axis, angle):\n    {body}")
     code, said = tam570("check")
@@ -141,15 +139,17 @@ def test_a_number_of_results_is_compared_and_not_unpacked(desk, tam570, solution
     assert "on_the_fly gives 3 results; 2 results are asked for" in " ".join(said.split())
 
 
-@pytest.mark.sample(1)
 @pytest.mark.parametrize(
     ("above", "body"),
-    [
-        ("from scipy.integrate import solve_ivp", "solve_ivp(lambda t, y: y, (0, 1), [1.0])"),
-        ("from scipy import integrate", "integrate.solve_ivp(lambda t, y: y, (0, 1), [1.0])"),
-        ("import scipy.integrate", "scipy.integrate.solve_ivp(lambda t, y: y, (0, 1), [1.0])"),
-        ("from tam570 import integrate as ours", "ours.solve(lambda t, y: y, [0.0, 1.0], [1.0])"),
-    ],
+    first(
+        1,
+        [
+            ("from scipy.integrate import solve_ivp", "solve_ivp(lambda t, y: y, (0, 1), [1.0])"),
+            ("from scipy import integrate", "integrate.solve_ivp(lambda t, y: y, (0, 1), [1.0])"),
+            ("import scipy.integrate", "scipy.integrate.solve_ivp(lambda t, y: y, (0, 1), [1.0])"),
+            ("from tam570 import integrate as ours", "ours.solve(lambda t, y: y, [0.0, 1.0], [1.0])"),
+        ],
+    ),
 )
 def test_what_is_off_limits_in_one_function_may_be_used_in_the_others(desk, tam570, solution_text, above, body):
     text = f"{solution_text('hw02_ballistics')}\n\n{above}\nkept = trajectory\n\ndef trajectory(*args, **how):\n"

@@ -3,6 +3,7 @@
 import shutil
 
 import pytest
+from parameters import SLUGS, first
 
 from tam570.checking.examples import load_examples
 from tam570_grader.checks import assignments
@@ -40,7 +41,7 @@ def unhurried(desk, monkeypatch):
     monkeypatch.delenv("TAM570_CALL_LIMIT")
 
 
-@pytest.mark.sample(2)
+@pytest.mark.parametrize("slug", first(2, SLUGS))
 def test_the_visible_tests_pass_on_the_solution_and_fail_on_the_stub(tam570, slug, course):
     code, said = tam570("check", course / "solutions" / f"{slug}.py")
     assert code == 0, said
@@ -51,15 +52,14 @@ def test_the_visible_tests_pass_on_the_solution_and_fail_on_the_stub(tam570, slu
 RIGHT = sorted((assignments.find() / "autograder" / "checks").glob("*/alternatives/*.py"))
 
 
-@pytest.mark.sample(3, rest="full")
-@pytest.mark.parametrize("path", RIGHT, ids=[f"{path.parents[1].name[:4]}-{path.stem}" for path in RIGHT])
+@pytest.mark.parametrize("path", first(3, RIGHT), ids=[f"{path.parents[1].name[:4]}-{path.stem}" for path in RIGHT])
 def test_the_visible_tests_pass_on_right_answers_in_other_styles(desk, tam570, path):
     shutil.copy(path, desk / f"{path.parents[1].name}.py")
     code, said = tam570("check", desk / f"{path.parents[1].name}.py")
     assert code == 0, said
 
 
-@pytest.mark.sample(2)
+@pytest.mark.parametrize("slug", first(2, SLUGS))
 def test_the_visible_tests_take_any_numbers_and_give_arrays(desk, tam570, slug, course):
     """SymPy's numbers and arrays of them are right results; only hw09's steps are given as a list."""
     name = f"{slug}.py"
@@ -80,7 +80,7 @@ def test_every_right_answer_passes_the_examples(slug, course, solution_text):
     assert examples.calls and not any(caught(examples, solution_with(solution_text(slug), text)) for text in texts)
 
 
-@pytest.mark.every
+@pytest.mark.slow
 @pytest.mark.parametrize("slug", WITH_EXAMPLES)
 def test_nine_in_ten_of_the_known_mistakes_fail_at_home(desk, tam570, slug, course, solution_text):
     """By an example, or by a test: what `check` calls right is right."""

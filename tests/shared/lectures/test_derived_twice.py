@@ -125,7 +125,7 @@ def test_surface(surface, signs):
     by_lagrange("surface", L, [x, y], [u, v], known, others)
 
 
-@pytest.mark.every
+@pytest.mark.slow
 def test_top():
     """Body components of omega from R^T R', R a product of three matrices."""
     psi, theta, phi, a, b, c, m, d, C, A, g = symbols("psi", "theta", "phi", "a", "b", "c", "m", "d", "C", "A", "g")

@@ -8,6 +8,7 @@ import sys
 
 import numpy as np
 import pytest
+from parameters import first
 from scipy.integrate import solve_ivp
 
 from tam570 import cli
@@ -81,8 +82,7 @@ def test_a_wrong_name_is_told_with_the_right_ones(capsys):
         assert re.search("neither.*did you mean top.*list --lectures", " ".join(capsys.readouterr().err.split()))
 
 
-@pytest.mark.sample(8)
-@pytest.mark.parametrize("name", names())
+@pytest.mark.parametrize("name", first(8, names()))
 def test_one_is_loaded_without_the_others(name):
     code = f"import sys; from tam570.lectures import load; load({name!r}); print(*sys.modules)"
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
@@ -157,8 +157,7 @@ def test_a_trial_state_beyond_the_physical_gives_numbers(name):
             assert len(found) == len(start) and all(type(rate) is float for rate in found)
 
 
-@pytest.mark.sample(8)
-@pytest.mark.parametrize("name", MOVING)
+@pytest.mark.parametrize("name", first(8, MOVING))
 def test_any_integrator_may_call_its_rates(name):
     module = load(name)
     for method in ("RK45", "DOP853", "Radau", "LSODA"):
@@ -172,8 +171,7 @@ def test_any_integrator_may_call_its_rates(name):
 # What they keep
 
 
-@pytest.mark.sample(8)
-@pytest.mark.parametrize("name", MOVING)
+@pytest.mark.parametrize("name", first(8, MOVING))
 def test_invariants_stay_for_a_thousand_characteristic_times(name):
     rates, laws, start = parts(name)
     times = np.linspace(0.0, duration(name), 60)

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from parameters import first
 
 from tam570.course import assignments
 from tam570.integrate import solve
@@ -48,8 +49,7 @@ def scene_named(scenes):
     return lambda name: scenes(name) if name in assignments() else show(load(name)).scene
 
 
-@pytest.mark.sample(8)
-@pytest.mark.parametrize("name", [*HOMEWORK, *LECTURES])
+@pytest.mark.parametrize("name", first(8, [*HOMEWORK, *LECTURES]))
 def test_the_page_moves_as_solve_does(tab, scene_named, name):
     scene = scene_named(name)
     opened, live = tab(scene), scene.live

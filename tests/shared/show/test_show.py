@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from parameters import SLUGS, first
 from PIL import Image
 
 from tam570 import cli
@@ -199,7 +200,7 @@ def test_wrong_physics_looks_wrong(edited):
     assert time_plot.alarm and "not conserved" in time_plot.note and time_plot.span[1] > 10.0  # %
 
 
-@pytest.mark.full
+@pytest.mark.slow
 def test_no_wrong_file_breaks_a_page(edited, slug, capsys):
     """Each is shown, in numbers that JSON has, or it is said why not."""
     texts = overlays(CHECKS / slug)
@@ -295,7 +296,7 @@ def test_without_ffmpeg_a_video_is_refused_and_another_way_is_named(short, tmp_p
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.sample(4)
+@pytest.mark.parametrize("slug", first(4, SLUGS))
 def test_every_scene_has_a_picture(scenes, slug, tmp_path):
     save(scenes(slug), tmp_path / "a.png")
     with Image.open(tmp_path / "a.png") as picture:

@@ -4,6 +4,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from parameters import SLUGS, first
 
 from tam570.show import load_student, scene_of
 from tam570.show.page import framed, page
@@ -69,7 +70,7 @@ def ink(tab, canvas):
     )
 
 
-@pytest.mark.sample(4)
+@pytest.mark.parametrize("slug", first(4, SLUGS))
 def test_every_scene_is_drawn_fits_and_has_names(opened, slug, scenes):
     tab, scene = opened(slug), scenes(slug)
     tab.keyboard.press("End")
