@@ -2,6 +2,7 @@
 
 import re
 import shutil
+import subprocess
 from pathlib import Path
 
 from scenes import COURSE, film
@@ -18,11 +19,13 @@ GREEK = {
 }
 LETTER = re.compile(rf"\b({'|'.join(GREEK)})(?=\d?\b)")
 WIDE = "---\nhtml_theme.sidebar_secondary.remove: true\n---\n"
+CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")  # prints the problems
 MARKUP = re.compile(r"([\\*_<>\[\]|$#])")
 
 
 def setup(app):
     app.connect("builder-inited", _write)
+    app.connect("build-finished", _print_problems)
     return {"parallel_read_safe": True}
 
 
@@ -57,9 +60,9 @@ def _systems():
         does += ["the same with `--pages pages.zip --collected collected.csv` hands pages back"] * bool(system.page)
         times = "The download tells times." if system.has_times else "The download tells no times."
         column = f' `course.toml` names an assignment\'s column: `{name} = "Title or id"`.'
-        told = f"Download: {system.export}. {times}{column if system.table and system.table.must_match else ''}"
-        commands = "\n".join(f"- {one}" for one in does)
-        parts.append(f"## {system.title}\n\n{told}\n\n{commands}\n\nVerified against: {system.verified}\n")
+        download = f"Download: {system.export}. {times}{column if system.table and system.table.must_match else ''}"
+        commands = "\n".join(f"- {command}" for command in does)
+        parts.append(f"## {system.title}\n\n{download}\n\n{commands}\n\nVerified against: {system.verified}\n")
     return "\n".join(parts)
 
 
@@ -83,9 +86,21 @@ def _all_problems():
         f":::{{include}} ../../assignments/{slug}/README.md\n:heading-offset: 1\n:relative-images:\n:::\n"
         for slug in assignments()
     ]
-    told = "Print this page, or save it as a PDF file: each problem begins on a new sheet.\n"
+    pdf = '<p><a href="../problems.pdf">The problems as one PDF file</a>.</p>\n' if CHROMIUM else ""
+    printing = f"Print this page: each problem begins on a new sheet. {pdf}\n"
     head = "---\nhtml_theme.sidebar_secondary.remove: true\nnosearch: true\n---\n# All problems on one page\n"
-    return "\n".join([head, told, *includes])
+    return "\n".join([head, printing, *includes])
+
+
+def _print_problems(app, exception):
+    """Print the page of all problems into problems.pdf, where there is a browser."""
+    if exception or not CHROMIUM or app.builder.format != "html":
+        return
+    site = Path(app.outdir).resolve()
+    options = ["--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer"]
+    page = (site / "generated/all_problems.html").as_uri()
+    command = [CHROMIUM, *options, f"--print-to-pdf={site / 'problems.pdf'}", page]
+    subprocess.run(command, check=True, capture_output=True, timeout=300)
 
 
 def _gallery():

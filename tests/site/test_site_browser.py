@@ -104,7 +104,7 @@ def test_every_page_is_quiet_and_fits_a_phone(opened, site, address):
     assert not wide and not cut
 
 
-@pytest.mark.parametrize("viewport, scheme", [(DESK, "light"), (PHONE, "dark")], ids=["light desk", "dark phone"])
+@pytest.mark.parametrize("viewport, scheme", [(DESK, "light"), (DESK, "dark"), (PHONE, "light"), (PHONE, "dark")])
 def test_axe_finds_no_fault_on_any_page(opened, site, address, viewport, scheme):
     tab, faults = opened("index.html", viewport, color_scheme=scheme), {}
     pages = [file.relative_to(site).as_posix() for file in sorted(site.rglob("*.html"))]
