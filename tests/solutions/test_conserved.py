@@ -85,10 +85,6 @@ def bead(periods, steepness, curvature=0.37, gravity=9.3, way=1.0):
     amplitude, wire = steepness / curvature, {"curvature": curvature, "gravity": gravity}
     x, period = way * amplitude, hw.period(amplitude, **wire)
     v = amplitude * math.sqrt(1 - way**2) * rate / math.hypot(1, 2 * curvature * x)
-    wire, period = (
-        {"curvature": curvature, "gravity": gravity},
-        hw.period(steepness / curvature, curvature=curvature, gravity=gravity),
-    )
     states = hw.simulate(uneven(periods / 4, 2 * math.pi / period), x, v, **wire)
     energy = hw.energy(*states.T, mass=2.0, **wire)
     return energy[:, None] / energy[0]

@@ -34,11 +34,7 @@ def test_every_result_has_full_digits(definition):
         r, v, a = (np.linalg.norm(vectors[i]) + np.linalg.norm(vectors[i + 3]) for i in range(3))
         momentum = hw.angular_momentum(definition, *vectors[:2], *vectors[3:5], mass=mass)
         results = (
-            (
-                hw.angular_momentum(definition, position, speed, *vectors[3:5], mass=mass),
-                cross(r_p - r_c, velocity),
-                r * v,
-            ),
+            (momentum, cross(r_p - r_c, velocity), r * v),
             (hw.moment(vectors[0], vectors[2], vectors[3], mass=mass), moment, r * a),
             (hw.discrepancy(definition, *vectors, mass=mass), surplus, r * a + v**2),
             (hw.rate(definition, *vectors, mass=mass), moment + surplus, r * a + v**2),

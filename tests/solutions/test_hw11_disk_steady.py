@@ -39,12 +39,8 @@ def members(shape, count):
         mass, radius, gravity = (float(x) for x in 10 ** DRAW.uniform([-6, -6, -3], [6, 6, 3]))
         inertia = tuple(k * mass * radius**2 for k in SHAPES[shape])
         disk = {"mass": mass, "radius": radius, "inertia": inertia, "gravity": gravity}
-        lean = float(DRAW.choice([-1, 1]) * DRAW.uniform(1e-3, 1.57))
-        yield (
-            disk,
-            lean,
-            float(DRAW.choice([-1, 1]) * math.sqrt(disk["gravity"] / disk["radius"]) * 10 ** DRAW.uniform(-2, 2)),
-        )
+        lean, rate = DRAW.uniform(1e-3, 1.57), math.sqrt(gravity / radius) * 10 ** DRAW.uniform(-2, 2)
+        yield disk, *(float(sign * x) for sign, x in zip(DRAW.choice([-1, 1], 2), (lean, rate), strict=True))
 
 
 @pytest.mark.parametrize("shape", SHAPES)
