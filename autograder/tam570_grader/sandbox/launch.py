@@ -38,7 +38,7 @@ VARIABLES = {
     "OMP_NUM_THREADS": "1",
     "MKL_NUM_THREADS": "1",  # a second thread forbids namespaces
     "MPLBACKEND": "agg",
-    "TAM570_COMPILED": "0",  # compiling costs seconds that a call may not have, and when it starts depends on the clock
+    "TAM570_COMPILED": "0",  # compiling costs seconds that a call may not have
 }
 
 

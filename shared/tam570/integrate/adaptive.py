@@ -1,7 +1,6 @@
 """Runs of order 8 with automatic steps, stretch by stretch: a stretch ends where the rates may jump."""
 
 import math
-import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
@@ -12,32 +11,19 @@ import numpy as np
 from tam570.integrate.adaptive_loop import LARGEST, RUNNING, SETS_IN, STOPPED, State
 from tam570.integrate.arguments import SMALLEST_RTOL, Array
 from tam570.integrate.binding import TRIAL_ERRORS, NewBreak, check_start
-from tam570.integrate.compilation import Loop, run_with_compilation, seconds_until_compiled
+from tam570.integrate.compilation import Estimate, WorthCompiling
 from tam570.integrate.engine import Engine, Mistraced
 from tam570.integrate.error_scale import NO_SCALE, SHARE, error_scale
 from tam570.integrate.stiffness import COMPILED, PYTHON, Look, stiffness_watch
-from tam570.integrate.trace import Graph
 
-__all__ = [
-    "BETWEEN_LOOKS",
-    "Control",
-    "Run",
-    "Solution",
-    "integrate",
-    "is_compiled",
-    "run_to_end",
-    "shortest_step",
-    "sizes",
-    "start_run",
-    "step_n",
-]
+__all__ = ["BETWEEN_LOOKS", "Control", "Run", "Solution", "integrate", "shortest_step", "sizes", "start_run", "step_n"]
 
 BETWEEN_LOOKS = 500  # steps
 OUT_OF_REACH = 1e9  # steps that nobody waits for
 LOOKS = 40  # in a row: stiffness, where that is the cause, is told before
 KINKS = 30.0  # of the tolerance, so many times less where the rates may have kinks
 AFTER_A_JUMP = 6  # steps in a row, each as much longer than the one before as it may be
-BACKEND = "tam570.integrate.compiled.backend"  # which imports llvmlite, and is imported where it is wanted
+FOREVER = 2**62
 
 
 class Control(NamedTuple):
@@ -69,16 +55,20 @@ class Solution(NamedTuple):
 
 @dataclass
 class Run:
-    """A stretch of a run. since : times since `origin`; rows : (n, k), to be filled; last : where it is."""
+    """A stretch of a run. since : times since `origin`; rows : (n, k), to be filled; last : where it is.
+
+    estimate : of the whole run, whether compiling repays; None where that is decided
+    """
 
     engine: Engine
     origin: float
     since: Array
     rows: Array
     control: Control
+    estimate: Estimate | None = None
     last: State = field(init=False)
     looked: tuple[float, int, int] = (0.0, 0, 0)  # time, steps and refusals at the last look
-    stuck: int = 0  # looks in a row that found no progress
+    idle: int = 0  # looks in a row that saw no progress
 
     @property
     def rtol(self) -> float:
@@ -97,89 +87,83 @@ class Run:
 def integrate(engine: Engine, times: Array, start: Array, how: str, control: Control) -> Solution:
     """States at `times`; how: "auto", "python" or "compiled".
 
+    "auto" begins in Python. Where the steps counted so far say that compiling repays, the run starts again in compiled
+    code: so the states are those of "python" or those of "compiled", to the last bit.
     ArithmeticError, with the time, where the rates or the state cease to be finite, or the equations become stiff.
     """
+    in_python = control.project is not None or control.on_step is not None
+    if how == "compiled" and (in_python or engine.graph is None):
+        raise ValueError('method: "compiled" needs an rhs without branches or conversions, and no project; try "auto"')
+    if how != "auto" or in_python or engine.graph is None:
+        return _integrate(engine, times, start, how, control, None)
+    estimate = Estimate(float(times[0]), float(times[-1]), len(engine.graph.operations))
+    try:
+        return _integrate(engine, times, start, "python", control, estimate)
+    except WorthCompiling:
+        try:
+            return _integrate(engine, times, start, "compiled", control, None)
+        except (ImportError, OSError, RuntimeError):  # a broken llvmlite: nobody asked for it
+            return _integrate(engine, times, start, "python", control, None)
+
+
+def _integrate(
+    engine: Engine, times: Array, start: Array, how: str, control: Control, estimate: Estimate | None
+) -> Solution:
+    """Stretch by stretch, each to the next time at which the rates may jump."""
     rows = np.empty((len(times), len(start)))
     rows[0] = start
     t, y, row, end = float(times[0]), start, 1, float(times[-1])
     a: Sequence[float] = ()
-    names, steps, refusals = ["Python"], 0, 0
+    steps = refusals = 0
     if not engine.is_traced:  # it may have kinks, of which an estimate sees but a part
         control = control._replace(rtol=max(control.rtol / KINKS, SMALLEST_RTOL))
     while True:
-        stop = engine.next_break(t, end, y)
+        stop = engine.next_break(t, float(times[0]), end, y)
         through = max(row, int(np.searchsorted(times, stop, side="right")))
         samples = np.concatenate(
             [[t], times[row:through], [stop] if through == row or times[through - 1] != stop else []]
         )
-        run = start_run(engine, samples, y, control)
+        run = start_run(engine, samples, y, control, estimate)
         try:
-            run_stretch(run, how, names, a)
+            _run_stretch(run, how, a)
         except NewBreak:  # noted: the rest of the stretch is another one
             stop = run.origin + run.last.t
         last = run.last
         if last.halt == SETS_IN:
             stop = run.origin + last.t
-        known = min(last.row - 1, through - row)
-        rows[row : row + known] = run.rows[1 : 1 + known]
+        reached = min(last.row - 1, through - row)
+        rows[row : row + reached] = run.rows[1 : 1 + reached]
         steps, refusals = steps + last.steps, refusals + last.refusals
         last = last._replace(steps=steps, refusals=refusals)
         if last.halt == STOPPED or last.row == len(run.rows) and stop >= end:
             break
-        t, y, row, a = stop, np.array(last.y), row + known, last.a
+        t, y, row, a = stop, np.array(last.y), row + reached, last.a
         control = control._replace(first_step=None)
     if control.project:
         rows[1:] = [control.project(state) for state in rows[1:]]
-    return Solution(rows, last._replace(t=run.origin + last.t), names[-1])
+    return Solution(rows, last._replace(t=run.origin + last.t), "compiled" if how == "compiled" else "Python")
 
 
-def start_run(engine: Engine, times: Array, start: Array, control: Control) -> Run:
+def start_run(engine: Engine, times: Array, start: Array, control: Control, estimate: Estimate | None = None) -> Run:
     """A run whose first row is filled."""
     rows = np.empty((len(times), len(start)))
     rows[0] = start
-    return Run(engine, float(times[0]), times - times[0], rows, control)
+    return Run(engine, float(times[0]), times - times[0], rows, control, estimate)
 
 
-def run_stretch(run: Run, how: str, names: list[str], a: Sequence[float]) -> None:
-    """To the end of the stretch. names : gets the name of what goes there; a : absolute tolerance so far."""
-    engine, control = run.engine, run.control
-    alone = control.project is None and control.on_step is None
-    if alone and how != "python" and is_compiled(engine.graph):
-        _by_taylor(run, _unscaled_state(run, a))
-        if run.last.row == len(run.rows):
-            names.append("compiled")
-            return
-    in_python = partial(step_n, run, engine.functions["advance"], run.since.tolist(), run.watch(PYTHON))
-    if not alone:
-        from tam570.integrate.events import step_by_step
-
-        loop = Loop(step_by_step(run), run.share)
-    elif engine.graph is None:
-        loop = Loop(in_python, run.share)
+def _run_stretch(run: Run, how: str, a: Sequence[float]) -> None:
+    """Step to the end of the stretch, or raise ArithmeticError with the time; a : absolute tolerance so far."""
+    control = run.control
+    if how == "compiled":
+        _run_compiled(run, a)
     else:
-        loop = Loop(in_python, run.share, partial(_compiled, run, in_python, names), partial(_wait, engine.graph))
-    lazily = how == "compiled" and engine.graph is not None
-    run_to_end(run, loop, _unscaled_state(run, a) if lazily else start_state(run, a), how)
+        run.last = start_state(run, a)
+        if control.project is None and control.on_step is None:
+            step_n(run, run.engine.functions["advance"], run.since.tolist(), run.watch(PYTHON), run.last, FOREVER)
+        else:
+            from tam570.integrate.events import step_by_step
 
-
-def is_compiled(graph: Graph | None) -> bool:
-    """Whether this process has compiled it before."""
-    backend = sys.modules.get(BACKEND)
-    return backend is not None and graph in backend.READY
-
-
-def _by_taylor(run: Run, state: State) -> State:
-    """The state as far as Taylor's method goes."""
-    backend = sys.modules[BACKEND]
-    watch = partial(run.watch, COMPILED)
-    run.last = backend.taylor_run(run, watch, state)
-    return run.last
-
-
-def run_to_end(run: Run, loop: Loop, first: State, how: str) -> None:
-    """Step until the end. ArithmeticError, with the time, where there is none."""
-    run.last = first
-    run.last = run_with_compilation(loop, first, how)
+            step_by_step(run)
     if run.last.halt not in (RUNNING, SETS_IN, STOPPED):
         raise _trouble(run, run.last)
 
@@ -220,12 +204,15 @@ def step_n(run: Run, advance: Any, since: Any, look: Look, state: State, budget:
     """The state after so many steps of `advance`; since : as its code wants them."""
     last = state.steps + state.refusals + budget
     while run.share(state) < 1 and (left := last - state.steps - state.refusals) > 0:
-        some = min(left, BETWEEN_LOOKS)
+        some = min(left, BETWEEN_LOOKS if run.estimate is None else run.estimate.due - run.estimate.steps)
+        before = state.steps + state.refusals
         state = advance(run.origin, since, run.rows, state, run.engine.constants, run.rtol, run.control.max_step, some)
         run.last = state
         check_progress(run, state)
         if some == BETWEEN_LOOKS:
             look(state.t, state.y, sizes(state, run.rtol), state.steps)
+        if run.estimate is not None:
+            run.estimate.add(state.steps + state.refusals - before, run.origin + state.t)
     return state
 
 
@@ -235,11 +222,9 @@ def check_progress(run: Run, state: State) -> None:
     tried = state.steps - steps + state.refusals - refusals
     if tried < BETWEEN_LOOKS:
         return
-    is_stuck = (
-        state.refusals - refusals > tried / 4 and (state.t - t) * OUT_OF_REACH < (run.since[-1] - state.t) * tried
-    )
-    run.looked, run.stuck = (state.t, state.steps, state.refusals), run.stuck + 1 if is_stuck else 0
-    if run.stuck == LOOKS:
+    is_idle = state.refusals - refusals > tried / 4 and (state.t - t) * OUT_OF_REACH < (run.since[-1] - state.t) * tried
+    run.looked, run.idle = (state.t, state.steps, state.refusals), run.idle + 1 if is_idle else 0
+    if run.idle == LOOKS:
         where = run.engine.sign * (run.origin + state.t)
         raise ArithmeticError(
             f"the rates jump to and fro at t = {where:.9g}, y = {list(state.y)}: steps of {state.h:.1g} do not end. "
@@ -252,36 +237,20 @@ def sizes(state: State, rtol: float) -> list[float]:
     return [abs(v) + (size / rtol if size > NO_SCALE else 0.0) for v, size in zip(state.y, state.a, strict=True)]
 
 
-def _compiled(run: Run, in_python: Callable[[State, int], State], names: list[str], state: State) -> State:
-    """By Taylor's method as far as it goes; where a derivative is lacking, that of order 8 goes on."""
+def _run_compiled(run: Run, a: Sequence[float]) -> None:
+    """Step by Taylor's method as far as it goes; where a derivative is lacking, that of order 8 goes on."""
     from tam570.integrate.compiled import backend
 
-    graph, formulas = run.engine.graph, run.engine.formulas
-    assert graph is not None
-    names.append("compiled")
-    state = _by_taylor(run, state)
-    backend.READY.add(graph)
-    if not state.steps:
-        scaled = start_state(run, state.a)
-        state = _by_taylor(run, scaled)
-    if run.share(state) >= 1:
-        return state
-    f = run.engine.functions["rhs"](run.origin + state.t, state.y, run.engine.constants)
-
-    def order_8(state: State) -> State:
-        by_steps = partial(step_n, run, backend.dop853(formulas), run.since, run.watch(COMPILED))
-        last: State = backend.by_moments(by_steps, run.share, state)
-        return last
-
-    wait = partial(seconds_until_compiled, len(graph.operations))
-    loop = Loop(in_python, run.share, order_8, wait)
-    last: State = run_with_compilation(loop, state._replace(f=f), "auto" if state.steps else "compiled")
-    return last
-
-
-def _wait(graph: Graph) -> float:
-    """Seconds until the compiled loop could start; none where this process has run it before."""
-    return 0.0 if is_compiled(graph) else seconds_until_compiled(len(graph.operations))
+    engine, watch = run.engine, run.watch(COMPILED)
+    run.last = _unscaled_state(run, a)
+    run.last = backend.taylor_run(run, watch, run.last, is_fresh=not a)
+    if not run.last.steps:
+        run.last = backend.taylor_run(run, watch, start_state(run, run.last.a))
+    if run.share(run.last) >= 1:
+        return
+    rates = engine.functions["rhs"](run.origin + run.last.t, run.last.y, engine.constants)
+    by_steps = partial(step_n, run, backend.dop853(engine.formulas), run.since, watch)
+    run.last = backend.by_moments(by_steps, run.share, run.last._replace(f=rates))
 
 
 def _unscaled_state(run: Run, a: Sequence[float]) -> State:

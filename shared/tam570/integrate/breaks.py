@@ -5,6 +5,7 @@ onto each time at which a function of time inside is zero or turns round, where 
 """
 
 import math
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -22,7 +23,8 @@ Affine = tuple[float, float]  # rate, shift
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
 
-def breaks_of(graph: Graph, start: float, end: float) -> list[float]:
+@lru_cache(maxsize=256)
+def breaks_of(graph: Graph, start: float, end: float) -> tuple[float, ...]:
     """The times, in order, between start and end."""
     affine: dict[int, Affine] = {}
     timed: list[Symbol] = []
@@ -54,7 +56,7 @@ def breaks_of(graph: Graph, start: float, end: float) -> list[float]:
     curved = [symbol for number, symbol in arguments.items() if number not in affine]
     if curved:
         zeros += _zeros_and_turns(timed, curved, start, end, _fastest(timed, affine))
-    return sorted({time for time in zeros if start < time < end})
+    return tuple(sorted({time for time in zeros if start < time < end}))
 
 
 def _affine(symbol: Symbol, affine: dict[int, Affine]) -> Affine | None:

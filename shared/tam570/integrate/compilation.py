@@ -1,81 +1,53 @@
-"""A loop in Python that goes on in compiled code where that gets there sooner, compilation included."""
+"""Whether compiled code repays. The work is counted and no clock is read: the same call gives the same answer."""
 
 import importlib.util
 import os
-import sys
-import time
-from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Any
 
-__all__ = ["Loop", "available", "run_with_compilation", "seconds_until_compiled"]
+__all__ = ["PROBE", "Estimate", "WorthCompiling", "available", "repays"]
 
-PROBE = 50  # steps before the clock is read for the first time
-SOONEST = 0.02  # s, in which nothing was ever compiled; asking more closely costs time too
-IMPORT = 0.06  # s, of llvmlite
-COMPILE, AN_OPERATION = 0.05, 0.0015  # s, and for each operation of a right-hand side
+PROBE = 50  # steps in Python before the rest is estimated for the first time
+# On a machine of 2024, median of the public problems of `benchmarks`, s; another machine has about the same ratios:
+IN_PYTHON, BESIDE = 3e-8, 12.0  # an operation of the right-hand side, at a stage; a stage costs so many more
+A_MODULE, AN_OPERATION = 0.15, 0.0012  # to import llvmlite and to compile
+FIRST_OF = 3.0  # calls: compiled code is kept on disk, for the next one and the next process
 
 
-@dataclass(frozen=True)
-class Loop:
-    """A loop over the steps of one run.
+class WorthCompiling(Exception):
+    """The rest of the run takes longer in Python than the whole of it does compiled."""
 
-    python   : python(state, steps at most) -> state
-    share    : share(state), the part of the run that is done, 1 at its end
-    compiled : compiled(state) -> state at the end; None where there is none
-    wait     : wait(), s until that could start; nothing where this process has it already
+
+class Estimate:
+    """Counts the steps of a run in Python, and estimates the rest after 50, 100, 200, ... of them.
+
+    Parameters
+    ----------
+    begin, end : float
+        Of the run, s.
+    operations : int
+        Of the right-hand side.
     """
 
-    python: Callable[[Any, int], Any]
-    share: Callable[[Any], float]
-    compiled: Callable[[Any], Any] | None = None
-    wait: Callable[[], float] = float
+    def __init__(self, begin: float, end: float, operations: int) -> None:
+        self.begin, self.end, self.operations = begin, end, operations
+        self.steps, self.due = 0, PROBE
+
+    def add(self, steps: int, t: float) -> None:
+        """Count steps up to the time t. Raises WorthCompiling."""
+        self.steps += steps
+        if self.steps < self.due or t >= self.end:
+            return
+        self.due *= 2
+        done = (t - self.begin) / (self.end - self.begin)
+        if done and repays(self.steps * (1 / done - 1), self.operations):
+            raise WorthCompiling
 
 
-def run_with_compilation(loop: Loop, state: Any, how: str) -> Any:
-    """The state at the end of the run; how: "python" and "compiled" insist, "auto" takes what is sooner."""
-    if how == "compiled" and loop.compiled is None:
-        raise ValueError('method: "compiled" needs an rhs without branches or conversions, and no project; try "auto"')
-    if how == "python" or loop.compiled is None:
-        return loop.python(state, 2**62)
-    if how == "compiled":
-        return loop.compiled(state)
-    state = _until_it_repays(loop, state)
-    if loop.share(state) >= 1:
-        return state
-    try:
-        return loop.compiled(state)
-    except (ImportError, OSError, RuntimeError):  # a broken llvmlite: nobody asked for it
-        return loop.python(state, 2**62)
-
-
-def _until_it_repays(loop: Loop, state: Any) -> Any:
-    """Steps in Python until the end, or until what is left takes longer than the compiled loop takes to start."""
-    wait = loop.wait() if "llvmlite" in sys.modules else None
-    passed, budget = 0.0, PROBE
-    while wait != 0.0:
-        began = time.perf_counter()
-        state = loop.python(state, budget)
-        passed += time.perf_counter() - began
-        done = loop.share(state)
-        if done >= 1:
-            return state
-        left = passed * (1 / done - 1) if done else 0.0
-        if left > SOONEST:
-            wait = loop.wait() if wait is None else wait
-            if left > wait:
-                return state
-        budget *= 2
-    return state
+def repays(steps: float, operations: int) -> bool:
+    """Whether so many steps of order 8 take longer in Python than compiling does, for one of some calls."""
+    in_python = IN_PYTHON * 12 * steps * (operations + BESIDE)
+    return in_python * FIRST_OF > A_MODULE + AN_OPERATION * operations and available()
 
 
 def available() -> bool:
     """Whether llvmlite is installed, and not forbidden by TAM570_COMPILED=0; it is not imported for that."""
     return os.environ.get("TAM570_COMPILED") != "0" and importlib.util.find_spec("llvmlite") is not None
-
-
-def seconds_until_compiled(operations: float) -> float:
-    """About how long until compiled code could start; infinite without llvmlite."""
-    if not available():
-        return float("inf")
-    return COMPILE + AN_OPERATION * operations + (0.0 if "llvmlite" in sys.modules else IMPORT)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.integrate.adaptive import Control, Run, is_compiled
+from tam570.integrate.adaptive import Control, Run
 from tam570.integrate.arguments import Array
 from tam570.integrate.cache_key import Changeable, call_key
 from tam570.integrate.compilation import available
@@ -25,8 +25,8 @@ LARGEST = 20_000  # numbers in the result of a run that is kept
 
 def compile_run(engine: Engine, times: Array, control: Control) -> CompiledRun:
     """States at `times` from a start, by Taylor's method alone; None where it does not get there."""
-    end = float(times[-1])
-    if engine.graph is None or not available() or engine.next_break(float(times[0]), end, times) != end:
+    begin, end = float(times[0]), float(times[-1])
+    if engine.graph is None or not available() or engine.next_break(begin, begin, end, times) != end:
         return _nothing
     rows = np.empty((len(times), engine.formulas.size))
     whole = Run(engine, float(times[0]), times - times[0], rows, control)
@@ -47,7 +47,8 @@ def slot_of(
         return None
     try:
         times, key = np.asarray(t, dtype=float), call_key(rhs, parameters)
-        return _slot((key, len(y0), times.shape, times.tobytes(), rtol, atol))
+        start = len(y0) if method == "compiled" else np.asarray(y0, dtype=float).tobytes()  # "auto" depends on it
+        return _slot((key, start, times.shape, times.tobytes(), rtol, atol))
     except (Changeable, TypeError, ValueError):
         return None
 
@@ -58,10 +59,10 @@ def _slot(key: Hashable) -> Slot:
 
 
 def keep(slot: Slot, engine: Engine, times: Array, control: Control) -> None:
-    """Note that a run was asked for; where it was before, keep it for the next time."""
+    """Note that a compiled run was asked for; where it was before, keep it for the next time."""
     if not slot:
         slot.append(_nothing)
-    elif len(slot) == 1 and is_compiled(engine.graph) and len(times) * engine.formulas.size <= LARGEST:
+    elif len(slot) == 1 and len(times) * engine.formulas.size <= LARGEST:
         slot.append(compile_run(engine, times, control))
 
 

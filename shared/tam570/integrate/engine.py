@@ -5,7 +5,7 @@ function then, and nothing that it depends on has changed since.
 """
 
 from collections.abc import Callable, Hashable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, NamedTuple
 
@@ -24,7 +24,6 @@ from tam570.integrate.trace import Graph, traced
 
 __all__ = ["Engine", "Mistraced", "engine"]
 
-RUNS = 64  # of one engine, whose breaks are kept
 ULPS = 4.0  # of a break, as it is computed, from which the stretches before and after it keep away
 
 
@@ -44,33 +43,23 @@ class Engine:
     untraced_reason: str = ""
     sign: float = 1.0  # of the clock: -1 where the times are those of -t
     called: CalledRates | None = None
-    breaks: dict[tuple[float, float], list[float]] = field(default_factory=dict)  # of a traced one, by stretch
 
     @property
     def is_traced(self) -> bool:
         return self.graph is not None
 
-    def next_break(self, t: float, end: float, y: Array) -> float:
-        """Where a stretch from t on ends: at the next time at which the rates may jump, or at `end`."""
+    def next_break(self, t: float, begin: float, end: float, y: Array) -> float:
+        """Where a stretch from t on ends in a run from begin to end: where the rates may jump next, or at `end`."""
         if self.called is None:
             if not self.formulas.timed:
                 return end
-            return next((time for time in self._breaks_to(t, end) if time > t), end)
+            assert self.graph is not None
+            return next((time for time in breaks_of(self.graph, begin, end) if time > t), end)
         near = ULPS * float(np.spacing(max(abs(t), abs(end))))
         self.called.look_near(t + near, y)
         stop = min((time for time in self.called.breaks if t + near < time < end - near), default=end)
         self.called.low, self.called.high = t + near, stop - near
         return stop
-
-    def _breaks_to(self, t: float, end: float) -> list[float]:
-        """Those of a traced right-hand side, looked for once a run."""
-        for (first, last), times in self.breaks.items():
-            if first <= t and last == end:
-                return times
-        assert self.graph is not None
-        if len(self.breaks) == RUNS:
-            self.breaks.clear()
-        return self.breaks.setdefault((t, end), breaks_of(self.graph, t, end))
 
 
 def engine(

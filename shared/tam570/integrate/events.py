@@ -195,9 +195,9 @@ def function_of_time(steps: Sequence[StepInterpolant], sign: float) -> Callable[
     return at
 
 
-def step_by_step(run: adaptive.Run) -> Callable[[State, int], State]:
-    """The loop over steps that are each limited before, and projected or looked at after."""
-    functions, control = run.engine.functions, run.control
+def step_by_step(run: adaptive.Run) -> None:
+    """Step to the end; each step is limited before, and projected or looked at after."""
+    functions, control, state = run.engine.functions, run.control, run.last
     tried: list[Any] = [None]
 
     def step(*given: Any) -> Any:
@@ -207,24 +207,20 @@ def step_by_step(run: adaptive.Run) -> Callable[[State, int], State]:
     advance = loop_with(step, *(functions[name] for name in GENERATED[1:]))
     since, look = run.since.tolist(), run.watch(PYTHON)
 
-    def to_the_end(state: State, _budget: int) -> State:
-        while run.share(state) < 1:
-            taken = state.steps
-            if control.longest:
-                state = state._replace(h=min(state.h, control.longest(np.array(state.y))))
-            state = adaptive.step_n(run, advance, since, look, state, 1)
-            if state.steps == taken:
-                continue
-            if control.project:
-                state = _projected(run, state, control.project)
-            elif control.on_step and not control.on_step(_interpolant(functions, run.engine.constants, tried[0])):
-                state = state._replace(halt=STOPPED)
-            run.last = state
-            if state.steps % adaptive.BETWEEN_LOOKS == 0:
-                look(state.t, state.y, adaptive.sizes(state, run.rtol), state.steps)
-        return state
-
-    return to_the_end
+    while run.share(state) < 1:
+        taken = state.steps
+        if control.longest:
+            state = state._replace(h=min(state.h, control.longest(np.array(state.y))))
+        state = adaptive.step_n(run, advance, since, look, state, 1)
+        if state.steps == taken:
+            continue
+        if control.project:
+            state = _projected(run, state, control.project)
+        elif control.on_step and not control.on_step(_interpolant(functions, run.engine.constants, tried[0])):
+            state = state._replace(halt=STOPPED)
+        run.last = state
+        if state.steps % adaptive.BETWEEN_LOOKS == 0:
+            look(state.t, state.y, adaptive.sizes(state, run.rtol), state.steps)
 
 
 def _projected(run: adaptive.Run, state: State, project: Callable[[Array], Any]) -> State:

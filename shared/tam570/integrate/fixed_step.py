@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from tam570.integrate.adaptive import Control, shortest_step
+from tam570.integrate.adaptive import FOREVER, Control, shortest_step
 from tam570.integrate.arguments import Array
-from tam570.integrate.compilation import Loop, run_with_compilation, seconds_until_compiled
+from tam570.integrate.compilation import repays
 from tam570.integrate.composition_source import composition_source
 from tam570.integrate.engine import Engine
 from tam570.integrate.fixed_loop import FixedState, fixed_loop_with
@@ -19,7 +19,7 @@ __all__ = ["METHODS", "states"]
 
 METHODS = {"gauss": 3.5, "composition": 0.5}  # step over the shortest that DOP853 takes at the same rtol
 
-COMPILE_COST = {"gauss": 3.0, "composition": 1.0}  # as in `Loop`: the sweeps are one long loop
+SWEEPS = {"gauss": 0.7, "composition": 0.1}  # over the lines of the source in a step, a twelfth: as `repays` counts
 
 
 def states(method: str, engine: Engine, times: Array, start: Array, control: Control, step: float | None) -> Array:
@@ -31,25 +31,24 @@ def states(method: str, engine: Engine, times: Array, start: Array, control: Con
     source, constants = _source(method, engine, len(start))
     python = fixed_loop_with(_leap(source, engine))
 
-    def run(function: Any, since: Any, state: Any, budget: int) -> Any:
+    def march(function: Any, since: Any, state: Any, budget: int) -> Any:
         return function(origin, since, rows, state, constants, h, budget)
 
     def share(state: Any) -> float:
         return 1.0 if state.row == len(rows) else min(state.done * h / listed[-1], 0.999)
 
-    first = _at_start(method, engine, origin, start)
-    in_python = partial(run, python, listed)
+    state = _at_start(method, engine, origin, start)
+    lines = source.count("\n")
+    if engine.is_traced and repays(SWEEPS[method] * listed[-1] / h, lines):
+        try:
+            from tam570.integrate.compiled import backend
 
-    def compiled(state: FixedState) -> FixedState:
-        from tam570.integrate.compiled import backend
-
-        march = backend.fixed(source, len(start), len(first.k), len(constants))
-        last: FixedState = backend.by_moments(partial(run, march, since), share, state)
-        return last
-
-    wait = partial(seconds_until_compiled, COMPILE_COST[method] * source.count("\n"))
-    loop = Loop(in_python, share, compiled if engine.is_traced else None, wait)
-    run_with_compilation(loop, first, "auto")
+            compiled = backend.fixed(source, len(start), len(state.k), len(constants))
+            backend.by_moments(partial(march, compiled, since), share, state)
+        except (ImportError, OSError, RuntimeError):  # a broken llvmlite: nobody asked for it
+            march(python, listed, state, FOREVER)
+    else:
+        march(python, listed, state, FOREVER)
     if not np.isfinite(rows).all():
         raise ArithmeticError(f"the stages do not settle at a step of {h:.3g} s: give a shorter `step`")
     return rows

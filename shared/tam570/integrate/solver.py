@@ -5,8 +5,9 @@ rtol, atol
     to which it, time, or the other components first move it; `report` tells it. An error that rounding makes in any
     case is allowed; 1e-14 gets all the digits that rounding leaves.
 method
-    "auto" runs in Python and goes on compiled by llvmlite where that is installed and repays; "python" and "compiled"
-    insist. Two run at a fixed step, for long runs of conservative systems: "gauss" (Gauss-Legendre, order 12) and
+    "auto" is "python" or "compiled" (by llvmlite, if it is installed): it counts its steps in Python, and starts again
+    in compiled code where so many are left that compiling repays. The same call gives the same bits, whatever ran
+    before. Two run at a fixed step, for long runs of conservative systems: "gauss" (Gauss-Legendre, order 12) and
     "composition" (order 8, y0 = (q, v), q' of v, v' of q). They also reach the last digits of a hundred periods, where
     the others' energy drifts.
 events
@@ -203,10 +204,10 @@ def _states(
         from tam570.integrate import ensemble
 
         return ensemble.states(made, times, start, method, control)
-    rows = adaptive.integrate(made, times, start, method, control).rows
-    if slot is not None:
+    solution = adaptive.integrate(made, times, start, method, control)
+    if slot is not None and solution.engine == "compiled":
         compiled_cache.keep(slot, made, times, control)
-    return rows
+    return solution.rows
 
 
 def _check_method(method: str, *, several: bool, projected: bool, stepped: bool, more: bool) -> None:

@@ -2,7 +2,6 @@
 
 import math
 import struct
-import time
 from collections.abc import Callable
 from functools import lru_cache
 from types import ModuleType
@@ -27,7 +26,6 @@ from tam570.integrate.stiffness import Look
 from tam570.integrate.trace import Graph
 
 __all__ = [
-    "READY",
     "Memory",
     "Motion",
     "address_of",
@@ -43,10 +41,9 @@ __all__ = [
     "taylor_runs",
 ]
 
-MOMENT = 0.05  # s in compiled code, after which Python may look for an interrupt
+FEWEST, MOST = 1000, 16000  # steps in compiled code, after which Python may look for an interrupt
 EFFORT = 1  # of the code generator, for a series: 2 takes twice as long and makes nothing of it that is faster
 UNSET = (0,) * (taylor_memory.NUMBERS - 13)
-READY: set[Any] = set()  # what was compiled or loaded by this process
 
 
 @lru_cache(maxsize=256)
@@ -97,11 +94,11 @@ def motion_of(graph: Graph) -> Motion | None:
     return Motion(_taylor(found), layout(found, 1).doubles, constants, numbers, [])
 
 
-def taylor_run(run: Run, watch: Callable[[], Look], state: State) -> State:
-    """The state at the end of the stretch, or where Taylor's method cannot go on.
+def taylor_run(run: Run, look: Look, state: State, *, is_fresh: bool = False) -> State:
+    """The state at the end of the stretch, or where Taylor's method cannot go on; as it was if there is no series.
 
-    A tolerance that is zero is found, or the state comes back as it was.
-    watch : gives the look that is then taken now and then
+    look     : taken now and then
+    is_fresh : whether the sizes of the components are those of the start
     """
     graph, control = run.engine.graph, run.control
     motion = motion_of(graph) if graph is not None else None
@@ -109,23 +106,22 @@ def taylor_run(run: Run, watch: Callable[[], Look], state: State) -> State:
         return state
     origin, times, out, rtol, size = run.origin, run.since, run.rows, control.rtol, len(state.y)
     sizes = [a / (SHARE * rtol) if a > NO_SCALE else 0.0 for a in state.a]
-    is_fresh = state.t == 0.0 and not state.steps and not control.atol
-    given = 1.0 if control.atol or (min(sizes) > 0.0 and not is_fresh) else 2.0 if not is_fresh else 0.0
+    is_start = state.t == 0.0 and not state.steps and not control.atol
+    has_sizes = 1.0 if control.atol or (min(sizes) > 0.0 and not is_start) else 2.0 if not is_start else 0.0
     memory = motion.free.pop() if motion.free else memory_for(motion, size)
-    head = (state.row, state.t, 0, state.t, 0, 0, 0, 0, state.h, given)
+    status = taylor_loop.FRESH if is_fresh else taylor_loop.RUNNING
+    head = (state.row, state.t, 0, state.t, status, 0, 0, 0, state.h, has_sizes)
     limits = 0, control.max_step, math.inf if control.first_step is None or state.steps else control.first_step
     motion.numbers.pack_into(memory.state, 0, *head, *limits, *UNSET, *state.y, *state.r, *sizes)
     ends = address_of(times), len(times), address_of(out), 0, 0, origin, rtol, taylor.order_for(rtol)
-    looks: list[Look] = []
 
     def some(budget: int) -> bool:
         taylor.CALL.pack_into(memory.given, 0, *memory.places, *ends, budget)
         motion.advance(memory.address)
-        running = bool(memory.z[taylor_memory.STATUS] == taylor_loop.RUNNING)
-        if running:
-            looks.extend([] if looks else [watch()])
-            looks[0](*seen(memory, size))
-        return running
+        is_running = bool(memory.z[taylor_memory.STATUS] == taylor_loop.RUNNING)
+        if is_running:
+            look(*seen(memory, size))
+        return is_running
 
     until_done(some)
     numbers = motion.numbers.unpack_from(memory.state)
@@ -196,13 +192,9 @@ def _memory(one: int, work: int, lanes: int, constants: tuple[float, ...]) -> Me
 
 def until_done(some: Callable[[int], bool]) -> None:
     """Call until it says no, with so many steps at a time that an interrupt is heard."""
-    budget = 1000
-    while True:
-        began = time.perf_counter()
-        if not some(budget):
-            return
-        if time.perf_counter() - began < MOMENT:
-            budget *= 2
+    budget = FEWEST
+    while some(budget):
+        budget = min(2 * budget, MOST)
 
 
 def by_moments(run: Callable[[Any, int], Any], share: Callable[[Any], float], state: Any) -> Any:

@@ -10,7 +10,7 @@ import numpy as np
 from tam570.integrate.adaptive import Run
 from tam570.integrate.arguments import Array
 from tam570.integrate.compiled import taylor, taylor_loop, taylor_memory
-from tam570.integrate.compiled.backend import READY, Memory, Motion, address_of, memory_for, motion_of, seen, until_done
+from tam570.integrate.compiled.backend import Memory, Motion, address_of, memory_for, motion_of, seen, until_done
 from tam570.integrate.error_scale import NO_SCALE, SHARE
 from tam570.integrate.stiffness import Look
 from tam570.integrate.trace import Graph
@@ -33,7 +33,6 @@ def taylor_repeated(graph: Graph, run: Run, watch: Callable[[], Look]) -> Callab
     motion, size = motion_of(graph), len(run.rows[0])
     if motion is None:
         return None
-    READY.add(graph)
     fresh = motion.numbers.pack(
         *_head(run),
         *[0.0] * (2 * size),
