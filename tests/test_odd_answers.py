@@ -1,0 +1,65 @@
+"""Odd answers cost a student points, and nobody else anything: no grader error, no page lost, no run ended."""
+
+import json
+import random
+from pathlib import Path
+
+import pytest
+
+from tam570_grader.checks import assignments
+from tam570_grader.reports import feedback, report
+from tam570_grader.results import records
+from tam570_grader.sandbox.student import Student
+
+COURSE = assignments.find()
+ODD = (Path(__file__).parent / "odd_answers.py").read_text()
+LEAST = 2000  # odd answers of an assignment, in the long form
+ROUNDS = 6  # submissions, in the short one
+SHARES = (1.0, 0.2, 0.2)  # of the calls that are answered oddly, in turn
+
+
+@pytest.fixture
+def counted(monkeypatch):
+    """How many answers were odd: of those of the functions `counted.names` the share `counted.share`."""
+
+    class Counted:
+        names, share, answers = (), 1.0, 0.0
+
+    real, counted = Student.replies, Counted()
+
+    def replies(student, name, *args, **kwargs):
+        came = real(student, name, *args, **kwargs)
+        counted.answers += counted.share * len(came) if name in counted.names else 0
+        return came
+
+    monkeypatch.setattr(Student, "replies", replies)
+    return counted
+
+
+def submission(slug, text, seed, share):
+    """The solution with some of its functions answering oddly, and their names."""
+    draw = random.Random(f"{slug} {seed}")
+    names = [*assignments.assignment(COURSE, slug).results]
+    names = draw.sample(names, min(len(names), draw.choice([1, 2, 4, 99])))
+    return f"{text}\nODD = {seed}, {names}, {share}\n{ODD}", names
+
+
+@pytest.mark.sample(3)
+def test_odd_answers_cost_points_alone(slug, grade, solution_text, counted, request):
+    full = request.config.getoption("--full")
+    info, results, faults, seed = feedback.load_assignment_info(COURSE, slug), {}, [], 0
+    while counted.answers < LEAST if full else seed < ROUNDS:
+        counted.share = SHARES[seed % len(SHARES)]
+        text, counted.names = submission(slug, solution_text(slug), seed, counted.share)
+        result = grade(slug, text, seed)
+        back = records.read(json.loads(json.dumps(result.record(), allow_nan=False)))
+        feedback.page(back, info)
+        faults += [(seed, check.name, check.error) for check in back.checks if check.error]
+        faults += [
+            (seed, check.name, fault) for check in back.checks if (fault := check.failure and check.failure.fault)
+        ]
+        results[f"s{seed}", slug] = back
+        seed += 1
+    print(f"{slug}: {counted.answers:.0f} odd answers in {seed} submissions")
+    report.report(report.newest(results.values()), {slug: info})
+    assert not faults, faults
