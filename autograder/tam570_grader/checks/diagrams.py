@@ -127,7 +127,13 @@ def compare_diagrams(function: Any, reference: Any, cases: Iterable[Case]) -> No
     """Fail unless the student draws, in every case, the forces of the `FreeBody` that `reference` returns."""
     for _, arrows, body in call_cases(function, reference, cases):
         if message := complaint(body, arrows):
-            fail(f"the free body diagram of {body.name} is wrong", hint=message, sketch=_sketch(body, arrows))
+            right = [_arrow_of(force) for force in body.forces if force.acts]
+            wrong = f"the free body diagram of {body.name} is wrong"
+            fail(wrong, hint=message, sketch=_sketch(body, arrows), expected=_sketch(body, right))
+
+
+def _arrow_of(force: Force) -> Arrow:
+    return Arrow(np.asarray(force.point, float), None if force.along is None else np.asarray(force.along, float))
 
 
 def complaint(body: FreeBody, arrows: Sequence[Arrow]) -> str:

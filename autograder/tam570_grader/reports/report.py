@@ -5,13 +5,15 @@ import hashlib
 import heapq
 import statistics
 from collections import defaultdict
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from tam570_grader.checks.failure import Failure
 from tam570_grader.errors import UsageError, say, writing
 from tam570_grader.reports.feedback import AssignmentInfo, load_assignment_info, template
+from tam570_grader.reports.scenes import wrong_and_right
 from tam570_grader.reports.sentences import points
 from tam570_grader.results import manual_points
 from tam570_grader.results.manual_points import EX, EXCUSED
@@ -24,11 +26,13 @@ from tam570_grader.rubric import load_rubric
 __all__ = ["newest", "report", "results", "run"]
 
 SLOWEST = 20  # submissions that are listed
+SCENES = 3  # of the commonest mistakes
 BINS = 10  # of a distribution of scores
 OUTCOMES = ("passed", "failed", "not_run", "grader_error")
 SCRIPT = Path(__file__).parent / "templates" / "report.js"
 Everyone = Callable[[Collection[str]], Iterable[str]]
 Class = Mapping[Key, Result]  # the newest result of every student and assignment, in order
+Examples = dict[tuple[str, str], Failure]  # by assignment and what went wrong
 
 
 @dataclass(frozen=True)
@@ -49,77 +53,95 @@ class Tally:
 
 
 def run(
-    folder: Path, course: Path, everyone: Everyone | None, out: Path | None, names: Mapping[str, str] | None = None
+    folder: Path,
+    course: Path,
+    everyone: Everyone | None,
+    out: Path | None,
+    names: Mapping[str, str] | None = None,
+    hand_ins: Sequence[Mapping[str, Any]] = (),
 ) -> int:
     """Write the report on the results in the folder; the exit code.
 
     everyone : who takes the course, told whom there are results of
     names    : of the students, by what the results call them
+    hand_ins : how often and when work came, a row for each assignment
     """
-    notes = Notes()
-    found = results(folder, notes)
-    place = out or folder / "report.html"
-    roster = everyone({student for student, _ in found}) if everyone else ()
-    infos = {slug: load_assignment_info(course, slug) for slug in _slugs(found)}
-    claims = _claims(manual_points.read(folder), course, _slugs(found))
-    text = report(found, infos, roster, notes.groups(), names or {}, claims)
-    with writing(place):
-        written(place, text)
-    say(str(place))
+    notes, examples = Notes(), Examples()
+    class_results = results(folder, notes, examples)
+    page = out or folder / "report.html"
+    roster = everyone({student for student, _ in class_results}) if everyone else ()
+    slugs, adjustments = _slugs(class_results), manual_points.read(folder)
+    infos = {slug: load_assignment_info(course, slug) for slug in slugs}
+    text = report(
+        class_results,
+        infos,
+        roster,
+        dropped=_dropped(class_results, adjustments),
+        shared=notes.groups(),
+        names=names or {},
+        claims=_claims(adjustments, course, slugs),
+        scenes=_scenes(course, _suspects(class_results.values(), infos)[:SCENES], examples),
+        hand_ins=hand_ins,
+    )
+    with writing(page):
+        written(page, text)
+    say(str(page))
     return 0
 
 
-def results(folder: Path, notes: Notes | None = None) -> Class:
+def results(folder: Path, notes: Notes | None = None, examples: Examples | None = None) -> Class:
     """The newest results in a folder; a last line that is being written is left out. The notes see each pass by."""
     if not (folder / "results.jsonl").is_file():
         raise UsageError(f"there are no results in {folder}; make them with: tam570-grader grade ... --out {folder}")
-    found = newest((notes or Notes()).passing(stream(folder / "results.jsonl")))
-    if not found:
+    class_results = newest((notes or Notes()).passing(stream(folder / "results.jsonl")), examples)
+    if not class_results:
         raise UsageError(f"{folder / 'results.jsonl'} is empty; nothing has been graded yet")
     adjustments = manual_points.read(folder)
-    return {key: adjustments.applied(result) for key, result in found.items()}
+    return {key: adjustments.applied(result) for key, result in class_results.items()}
 
 
-def newest(found: Iterable[Result]) -> Class:
-    """The newest results, without what the page does not show; of equal marks one alone is kept."""
+def newest(results: Iterable[Result], examples: Examples | None = None) -> Class:
+    """The newest results, without what the page does not show; of equal marks one alone is kept.
+
+    examples : gets a failure for each thing that went wrong
+    """
     shared = dict[CheckResult, CheckResult]()
-    kept = dict[Key, Result]()
-    for result in found:
-        bare = (
-            replace(one, message=one.failure.hint if one.failure and one.failure.hint else "", failure=None)
-            for one in result.checks
-        )
-        checks = tuple(shared.setdefault(check_result, check_result) for check_result in bare)
-        kept[result.student, result.assignment] = replace(result, checks=checks, speed=None, digest="")
-    return dict(sorted(kept.items()))
+    class_results = dict[Key, Result]()
+    for result in results:
+        checks = []
+        for check_result in result.checks:
+            failure = check_result.failure
+            bare = replace(check_result, message=failure.hint if failure and failure.hint else "", failure=None)
+            checks.append(shared.setdefault(bare, bare))
+            if failure and examples is not None:
+                examples.setdefault((result.assignment, _what_went_wrong(bare)), failure)
+        key = result.student, result.assignment
+        class_results[key] = replace(result, checks=tuple(checks), speed=None, digest="")
+    return dict(sorted(class_results.items()))
 
 
 def report(
-    found: Class,
-    infos: Mapping[str, AssignmentInfo],
-    roster: Iterable[str] = (),
-    shared: Sequence[Shared] = (),
-    names: Mapping[str, str] | None = None,
-    claims: Sequence[Mapping[str, Any]] = (),
+    class_results: Class, infos: Mapping[str, AssignmentInfo], roster: Iterable[str] = (), **sections: Any
 ) -> str:
-    """The page, one HTML file that needs nothing else but, for its links, the feedback beside it."""
+    """The page, one HTML file that needs nothing else but, for its links, the feedback beside it.
+
+    sections : dropped, shared, names, claims, scenes, hand_ins; what is left out is not on the page
+    """
     script = SCRIPT.read_text(encoding="utf-8")
-    students = sorted({student for student, _ in found} | set(roster))
-    everything = found.values()
+    students = sorted({student for student, _ in class_results} | set(roster))
+    everything = class_results.values()
     text: str = template("report.html").render(
-        slugs=_slugs(found),
+        {"shared": (), "names": {}, "claims": (), "scenes": (), "hand_ins": ()} | sections,
+        slugs=_slugs(class_results),
         infos=infos,
         students=len(students),
         handed_in=sum(map(_here, everything)),
         seeds=sorted({result.seed for result in everything}),
         isolation=sorted({result.isolation for result in everything}),
-        assignments=_assignments(found, infos),
-        scores=_scores(found, students),
+        assignments=_assignments(class_results, infos),
+        scores=_scores(class_results, students, sections.get("dropped", ())),
         tallies=_tallies(everything, infos),
         suspects=_suspects(everything, infos),
-        claims=claims,
-        names=names or {},
-        shared=shared,
         slowest=heapq.nlargest(SLOWEST, everything, key=lambda result: result.seconds),
         faults=[
             (result, check_result)
@@ -127,7 +149,7 @@ def report(
             for check_result in result.checks
             if check_result.outcome == "grader_error"
         ],
-        absent=_absent(found, students),
+        absent=_absent(class_results, students),
         script=script,
         script_hash=base64.b64encode(hashlib.sha256(script.encode()).digest()).decode(),
     )
@@ -168,13 +190,31 @@ def _spread(handed_in: Sequence[Result]) -> dict[str, Any]:
     }
 
 
-def _scores(found: Class, students: Sequence[str]) -> Iterable[dict[str, Any]]:
-    """A row for each student: a cell for each assignment, and the sum."""
-    slugs = _slugs(found)
+def _scores(
+    class_results: Class, students: Sequence[str], dropped: Container[Key]
+) -> Iterable[dict[str, Any]]:
+    """A row for each student: a cell for each assignment, in brackets where it does not count, and the sum."""
+    slugs = _slugs(class_results)
     for student in students:
-        mine = [found.get((student, slug)) for slug in slugs]
-        total = sum(result.score or 0 for result in mine if result)
-        yield {"student": student, "cells": [_cell(result) for result in mine], "total": points(total)}
+        own = {slug: class_results.get((student, slug)) for slug in slugs}
+        cells = {slug: _cell(result) for slug, result in own.items()}
+        counting = [result.score or 0 for slug, result in own.items() if result and (student, slug) not in dropped]
+        shown = [f"({cell})" if (student, slug) in dropped else cell for slug, cell in cells.items()]
+        yield {"student": student, "cells": shown, "total": points(sum(counting))}
+
+
+def _dropped(class_results: Class, adjustments: manual_points.ManualAdjustments) -> set[Key]:
+    """The lowest results that a course drops, as in the table of grades."""
+    rows = [(*key, result.status, result.score, result.max_score) for key, result in class_results.items()]
+    return adjustments.dropped(rows)
+
+
+def _scenes(course: Path, suspects: Iterable[Mapping[str, Any]], examples: Examples) -> list[dict[str, Any]]:
+    """The mistakes with their pictures, wrong beside right; None where there is nothing to draw."""
+    return [
+        {**it, "pair": wrong_and_right(course, it["slug"], it["key"], examples.get((it["slug"], it["key"])))}
+        for it in suspects
+    ]
 
 
 def _cell(result: Result | None) -> str:
@@ -226,19 +266,24 @@ def _discrimination(found: Sequence[Result]) -> dict[tuple[str, str], float]:
     return {key: round(share, 1) for key, share in shares.items()}
 
 
-def _suspects(found: Iterable[Result], infos: Mapping[str, AssignmentInfo]) -> list[dict[str, Any]]:
+def _suspects(results: Iterable[Result], infos: Mapping[str, AssignmentInfo]) -> list[dict[str, Any]]:
     """What went wrong, known mistakes and failed checks with their hints, those of most students first."""
     who: dict[tuple[str, str], set[str]] = defaultdict(set)
-    for result in found:
+    sentences: dict[tuple[str, str], str] = {}
+    for result in results:
         for check in result.checks:
-            if check.suspect:
-                who[result.assignment, check.suspect].add(result.student)
-            elif check.outcome == "failed":
+            if check.suspect or check.outcome == "failed":
+                key = result.assignment, _what_went_wrong(check)
                 line = infos[result.assignment].lines.get(check.name, check.name.replace("_", " "))
-                says = f"Not passed: {line} {check.message}".strip()
-                who[result.assignment, says].add(result.student)
-    told = [{"slug": slug, "says": says, "who": sorted(names)} for (slug, says), names in who.items()]
-    return sorted(told, key=lambda it: (-len(it["who"]), it["slug"], it["says"]))
+                sentences[key] = check.suspect or f"Not passed: {line} {check.message}".strip()
+                who[key].add(result.student)
+    mistakes = [{"slug": key[0], "key": key[1], "says": sentences[key], "who": sorted(who[key])} for key in who]
+    return sorted(mistakes, key=lambda it: (-len(it["who"]), it["slug"], it["says"]))
+
+
+def _what_went_wrong(check: CheckResult) -> str:
+    """The known mistake, else the check and its hint."""
+    return check.suspect or f"{check.name} {check.message}"
 
 
 def _claims(hand: manual_points.ManualAdjustments, course: Path, slugs: Sequence[str]) -> list[dict[str, Any]]:

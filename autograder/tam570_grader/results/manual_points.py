@@ -156,17 +156,22 @@ class ManualAdjustments:
 
     def table(self, rows: Iterable[tuple[Any, ...]]) -> list[tuple[Any, ...]]:
         """The table of grades, without the lowest results that a course drops."""
-        found = [list(row) for row in rows]
-        counting: dict[str, list[list[Any]]] = {}
-        for row in found:
+        rows = list(rows)
+        dropped = self.dropped(rows)
+        return [(*row[:3], EX, row[4]) if row[:2] in dropped else row for row in rows]
+
+    def dropped(self, rows: Iterable[tuple[Any, ...]]) -> set[Key]:
+        """The lowest results that a course drops, of rows of the table of grades."""
+        counting: dict[str, list[tuple[Any, ...]]] = {}
+        for row in rows:
             if isinstance(row[3], int | float) and row[4]:
                 counting.setdefault(row[0], []).append(row)
-        for student, own in counting.items():
+        dropped = set[Key]()
+        for student, results in counting.items():
             drop = self._rows((student, EVERYONE)).get(DROP)
-            many = min(int(drop.points or 0), len(own) - 1) if drop else 0
-            for row in sorted(own, key=lambda row: float(row[3] / row[4]))[:many]:
-                row[3] = EX
-        return [tuple(row) for row in found]
+            count = min(int(drop.points or 0), len(results) - 1) if drop else 0
+            dropped |= {row[:2] for row in sorted(results, key=lambda row: float(row[3] / row[4]))[:count]}
+        return dropped
 
     def applied(self, result: Result) -> Result:
         """A result with its score settled."""

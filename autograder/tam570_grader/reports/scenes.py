@@ -1,0 +1,142 @@
+"""Pictures of a mistake, wrong beside right, for the page of what to say in the next lecture.
+
+A known mistake that changes an assignment's scene is shown by it; of others a student's numbers stand beside the right
+ones, or a diagram beside the right one.
+"""
+
+import base64
+import io
+import tempfile
+import warnings
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+from PIL import Image
+
+from tam570.show import Trouble, scene_of
+from tam570.show.pictures import write
+from tam570.show.scene import Scene
+from tam570_grader.checks.assignments import checks_folder
+from tam570_grader.checks.failure import Failure
+from tam570_grader.diagnosis.mistakes import mistakes, solution_with
+
+__all__ = ["Pair", "wrong_and_right"]
+
+SIZE = (5.0, 2.8)  # inches
+COLOURS = 32
+FEW = 7  # rows of numbers that are drawn as bars
+SAME = 1e-9
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Two images as addresses of data."""
+
+    wrong: str
+    right: str
+
+
+def wrong_and_right(course: Path, slug: str, suspect: str, failure: Failure | None) -> Pair | None:
+    """The pictures of a mistake; None where there is nothing to draw.
+
+    suspect : the sentence that names the mistake
+    failure : of a student who made it
+    """
+    with warnings.catch_warnings(), np.errstate(all="ignore"):
+        warnings.simplefilter("ignore")
+        try:
+            return _scenes(course, slug, suspect) or _diagrams(failure) or _numbers(failure)
+        except (Trouble, ArithmeticError, ValueError, TypeError, LookupError):  # a mistake may have no picture
+            return None
+
+
+def _scenes(course: Path, slug: str, suspect: str) -> Pair | None:
+    """The scene with a known mistake and the right one, where they differ."""
+    known = mistakes(checks_folder(course, slug))
+    overlay = next((mistake.text for mistake in known if mistake.message == suspect), None)
+    if overlay is None:
+        return None
+    solution = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
+    wrong, right = (scene_of(solution_with(solution, text), slug) for text in (overlay, ""))
+    pairs = list(zip(_numbers_of(wrong), _numbers_of(right), strict=False))
+    if all(a.shape == b.shape and np.allclose(a, b, SAME, SAME, equal_nan=True) for a, b in pairs):
+        return None
+    return Pair(_still(wrong), _still(right))
+
+
+def _numbers_of(scene: Scene) -> Iterator[Any]:
+    """All that is drawn in a scene."""
+    yield from (shape.points for panel in scene.panels for shape in panel.shapes)
+    yield from (curve for plot in scene.time_plots for curve in plot.curves.values())
+
+
+def _still(scene: Scene) -> str:
+    with tempfile.TemporaryDirectory() as folder:
+        write(scene, path := Path(folder) / "still.png")
+        return _address(path.read_bytes())
+
+
+def _diagrams(failure: Failure | None) -> Pair | None:
+    """A student's free body diagram and the right one."""
+    if failure is None or not (failure.sketch and isinstance(failure.expected, Mapping)):
+        return None
+    return Pair(*(_diagram(sketch) for sketch in (failure.sketch, failure.expected)))
+
+
+def _diagram(sketch: Mapping[str, Any]) -> str:
+    figure = Figure(SIZE)
+    axes = figure.subplots()
+    for x1, y1, x2, y2 in sketch["outline"]:
+        axes.plot([x1, x2], [y1, y2], "0.5", lw=2)
+    for x, y, angle in sketch["arrows"]:
+        along = None if angle is None else 60 * np.exp(1j * np.radians(angle))
+        axes.plot(x, y, "k." if along else "ko", markersize=4 if along else 9, fillstyle="full" if along else "none")
+        if along:
+            axes.annotate("", (x + along.real, y + along.imag), (x, y), arrowprops={"arrowstyle": "->", "lw": 2})
+    axes.set(xlim=(-70, 270), ylim=(-70, 270), aspect="equal")
+    axes.set_axis_off()
+    return _drawn(figure)
+
+
+def _numbers(failure: Failure | None) -> Pair | None:
+    """A student's numbers and the right ones, at one scale."""
+    if failure is None or failure.actual is None or failure.expected is None:
+        return None
+    both = [np.asarray(values, float) for values in (failure.actual, failure.expected)]
+    if both[0].shape != both[1].shape or not both[0].size or not np.isfinite(both).all():
+        return None
+    low, high = min(0.0, np.min(both)), max(0.0, np.max(both))
+    margin = 0.05 * (high - low) or 1.0
+    return Pair(*(_plot(values, (low - margin, high + margin)) for values in both))
+
+
+def _plot(values: Any, span: tuple[float, float]) -> str:
+    figure = Figure(SIZE, layout="constrained")
+    axes = figure.subplots()
+    if len(values := np.atleast_1d(values)) < FEW:
+        axes.bar(range(values.size), values.ravel())
+        axes.set_xticks(range(values.size))
+    else:
+        axes.plot(values.reshape(len(values), -1))
+        axes.set_xlabel("row")
+    axes.axhline(0, color="0.5", lw=0.8)
+    axes.set_ylim(*span)
+    return _drawn(figure)
+
+
+def _drawn(figure: Figure) -> str:
+    data = io.BytesIO()
+    figure.savefig(data, format="png")
+    return _address(data.getvalue())
+
+
+def _address(png: bytes) -> str:
+    """An address that holds the image, in few colours."""
+    image = Image.open(io.BytesIO(png)).convert("RGB").quantize(COLOURS)
+    data = io.BytesIO()
+    image.save(data, "PNG", optimize=True)
+    return "data:image/png;base64," + base64.b64encode(data.getvalue()).decode()
