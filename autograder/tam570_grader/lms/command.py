@@ -113,6 +113,7 @@ def add_report(commands: Commands) -> argparse.ArgumentParser:
     add = report.add_argument
     add("folder", type=Path, metavar="DIR", help="what `grade --out` wrote")
     add("--roster", type=Path, metavar="FILE", help="all students, one a line or in the first column of a table")
+    add("--collected", type=Path, metavar="CSV", help="collected.csv, which `collect` wrote: when and how often")
     add("--out", type=Path, metavar="FILE", help="default: DIR/report.html, beside the feedback it links to")
     return report
 
@@ -211,8 +212,10 @@ def _terms(folder: Path, course: Path) -> str:
 
 
 def _report(arguments: argparse.Namespace) -> int:
+    from tam570_grader.checks import assignments
     from tam570_grader.grading import roster
-    from tam570_grader.release import course_config
+    from tam570_grader.lms.hand_ins import hand_ins
+    from tam570_grader.release import course_config, late_policy
     from tam570_grader.reports import feedback, report
 
     feedback.must_write_pages()
@@ -221,7 +224,9 @@ def _report(arguments: argparse.Namespace) -> int:
         warn(line)
     everyone = partial(roster.students, arguments.roster) if arguments.roster else None
     names = roster.names(arguments.roster) if arguments.roster else {}
-    return report.run(arguments.folder, course, everyone, arguments.out, names)
+    policies = late_policy.policies_of(course)
+    times = hand_ins(arguments.folder, arguments.collected, policies, assignments.slugs(course))
+    return report.run(arguments.folder, course, everyone, arguments.out, names, times)
 
 
 def _known_and_given(arguments: argparse.Namespace, graded: Sequence[Path]) -> tuple[Path, list[str], str | None]:

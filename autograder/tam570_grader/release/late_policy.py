@@ -19,7 +19,18 @@ from tam570_grader.release.course_toml import COPY, FILE, by_slug, must, no_othe
 from tam570_grader.results.manual_points import EVERYONE, EXTENSION, LATE, MOST, OFF, Entry, ManualAdjustments
 from tam570_grader.results.store import Results
 
-__all__ = ["KEYS", "LatePolicy", "apply_late_policy", "stale", "policies", "policies_of"]
+__all__ = [
+    "KEYS",
+    "NEEDED",
+    "LatePolicy",
+    "apply_late_policy",
+    "days_between",
+    "moment",
+    "on_the_wall",
+    "policies",
+    "policies_of",
+    "stale",
+]
 
 KEYS = ("due", "extension")  # of an assignment's table
 RULES = ("off_a_day", "most_off", "grace")  # of [late], beside its zone
@@ -169,7 +180,7 @@ def _days(
         student, slug, when = cells["student"], cells["assignment"], cells["when"]
         due = known.get(slug, LatePolicy()).due
         if when and due is not None:
-            late[student, slug] = _days_between(due, _moment(when, collected), known[slug])
+            late[student, slug] = days_between(due, moment(when, collected), known[slug])
         elif cells["late"] and due is not None and (student, slug) not in answered:
             open_.append(f"{student} is late in {slug}, and {collected} does not say when: add a row {LATE} by hand")
     found = [(*key, LATE, math.ceil(100 * days) / 100, None, _by(known[key[1]])) for key, days in late.items()]
@@ -181,17 +192,17 @@ def _by_hand(hand: ManualAdjustments) -> set[tuple[str, str]]:
     return {(one.student, one.slug) for one in hand.entries.values() if one.item == LATE and _source(one) != BY_TABLE}
 
 
-def _days_between(due: datetime, when: datetime, one: LatePolicy) -> float:
+def days_between(due: datetime, when: datetime, one: LatePolicy) -> float:
     """Days by the calendar and the clock on the wall, so that a day with 25 hours is one."""
-    return (_on_the_wall(when, one.zone) - _on_the_wall(due, one.zone) - one.grace) / DAY
+    return (on_the_wall(when, one.zone) - on_the_wall(due, one.zone) - one.grace) / DAY
 
 
-def _on_the_wall(moment: datetime, zone: tzinfo | None) -> datetime:
+def on_the_wall(moment: datetime, zone: tzinfo | None) -> datetime:
     """A time as the clocks of the course show it; one without a zone is of them."""
     return moment.astimezone(zone).replace(tzinfo=None) if moment.tzinfo else moment
 
 
-def _moment(text: str, collected: Path | None) -> datetime:
+def moment(text: str, collected: Path | None) -> datetime:
     """The time in a cell; one without a zone is of this computer's."""
     try:
         return datetime.fromisoformat(text.replace(" UTC", "Z").replace(" Z", "Z"))

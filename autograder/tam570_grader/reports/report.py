@@ -18,7 +18,7 @@ from tam570_grader.reports.sentences import points
 from tam570_grader.results import manual_points
 from tam570_grader.results.manual_points import EX, EXCUSED
 from tam570_grader.results.records import CheckResult, Result
-from tam570_grader.results.shared import Notes, Shared
+from tam570_grader.results.shared import Notes
 from tam570_grader.results.store import Key, stream
 from tam570_grader.results.tables import written
 from tam570_grader.rubric import load_rubric
@@ -190,9 +190,7 @@ def _spread(handed_in: Sequence[Result]) -> dict[str, Any]:
     }
 
 
-def _scores(
-    class_results: Class, students: Sequence[str], dropped: Container[Key]
-) -> Iterable[dict[str, Any]]:
+def _scores(class_results: Class, students: Sequence[str], dropped: Container[Key]) -> Iterable[dict[str, Any]]:
     """A row for each student: a cell for each assignment, in brackets where it does not count, and the sum."""
     slugs = _slugs(class_results)
     for student in students:

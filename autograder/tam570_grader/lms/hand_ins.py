@@ -1,0 +1,73 @@
+"""When work came, and how often: rows of the report, from collected.csv and the journal of `watch`."""
+
+import json
+import statistics
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+from tam570_grader.grading.submissions import form
+from tam570_grader.grading.watch import JOURNAL
+from tam570_grader.lms.submission_import import OLDER, listed
+from tam570_grader.release.late_policy import NEEDED, LatePolicy, days_between, moment, on_the_wall
+
+__all__ = ["hand_ins"]
+
+DAYS = 8  # before the date that are told apart, the first of them with all that is earlier
+HandIn = tuple[str, str, datetime | None]  # student, assignment, time
+
+
+def hand_ins(
+    folder: Path, collected: Path | None, policies: Mapping[str, LatePolicy], slugs: Iterable[str]
+) -> list[dict[str, Any]]:
+    """A row for each assignment of which anything is known.
+
+    folder    : of results, with a journal where `watch` wrote them
+    collected : the table that `collect` wrote
+    """
+    everything = [*(_collected(collected) if collected else ()), *_watched(folder)]
+    rows = [
+        _row(slug, [one for one in everything if one[1] == slug], policies.get(slug, LatePolicy())) for slug in slugs
+    ]
+    return [row for row in rows if row["students"]]
+
+
+def _collected(path: Path) -> Iterator[HandIn]:
+    for row in listed(path, {*NEEDED, "from", "note"}):
+        if form(row["from"]) and (row["file"] or row["note"] == OLDER):
+            yield row["student"], row["assignment"], moment(row["when"], path) if row["when"] else None
+
+
+def _watched(folder: Path) -> Iterator[HandIn]:
+    path = folder / JOURNAL
+    for line in path.read_bytes().splitlines() if path.exists() else ():
+        event = json.loads(line)
+        if event["event"] == "graded":
+            yield event["student"], event["slug"], datetime.fromtimestamp(event["at"]).astimezone()
+
+
+def _row(slug: str, own: Sequence[HandIn], policy: LatePolicy) -> dict[str, Any]:
+    """How often students handed in, and of the last hand-in of each when that was."""
+    attempts = Counter(student for student, *_ in own)
+    last: dict[str, datetime] = {}
+    for student, _, when in own:
+        if when is not None:
+            last[student] = max(on_the_wall(when, policy.zone), last.get(student, datetime.min))
+    times = sorted(last.values())
+    days = [days_between(policy.due, when, policy) for when in times] if policy.due else []
+    in_time = [day for day in days if day <= 0]
+    before = Counter(min(DAYS - 1, int(-day)) for day in in_time)  # whole days
+    bins = [*(before[day] for day in reversed(range(DAYS))), len(days) - len(in_time)] if days else []
+    return {
+        "slug": slug,
+        "students": len(attempts),
+        "mean": f"{statistics.fmean(attempts.values()):.2g}" if attempts else "",
+        "most": max(attempts.values(), default=0),
+        "median": f"{times[len(times) // 2]:%Y-%m-%d %H:%M}" if times else "",
+        "last_day": round(100 * sum(day > -1 for day in in_time) / len(in_time)) if in_time else "",
+        "late": bins[-1] if bins else "",
+        "bins": bins,
+        "highest": max(bins, default=1) or 1,
+    }
