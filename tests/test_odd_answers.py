@@ -13,8 +13,8 @@ from tam570_grader.sandbox.student import Student
 
 COURSE = assignments.find()
 ODD = (Path(__file__).parent / "odd_answers.py").read_text()
-LEAST = 2000  # odd answers of an assignment, in the long form
-ROUNDS = 6  # submissions, in the short one
+CASES = [("hw08_axis_angle", 50)]  # assignments, and how many odd answers at least
+CASES += [pytest.param(slug, 2000, marks=pytest.mark.slow) for slug in assignments.slugs(COURSE)]
 SHARES = (1.0, 0.2, 0.2)  # of the calls that are answered oddly, in turn
 
 
@@ -44,11 +44,10 @@ def submission(slug, text, seed, share):
     return f"{text}\nODD = {seed}, {names}, {share}\n{ODD}", names
 
 
-@pytest.mark.sample(3)
-def test_odd_answers_cost_points_alone(slug, grade, solution_text, counted, request):
-    full = request.config.getoption("--full")
+@pytest.mark.parametrize(("slug", "least"), CASES)
+def test_odd_answers_cost_points_alone(slug, least, grade, solution_text, counted):
     info, results, faults, seed = feedback.load_assignment_info(COURSE, slug), {}, [], 0
-    while counted.answers < LEAST if full else seed < ROUNDS:
+    while counted.answers < least:
         counted.share = SHARES[seed % len(SHARES)]
         text, counted.names = submission(slug, solution_text(slug), seed, counted.share)
         result = grade(slug, text, seed)

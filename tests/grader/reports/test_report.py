@@ -2,17 +2,24 @@
 
 import base64
 import hashlib
+import io
 import json
 import re
 from html.parser import HTMLParser
 
+import numpy as np
 import pytest
+from PIL import Image
 
 from tam570_grader import cli
+from tam570_grader.checks.assignments import checks_folder
+from tam570_grader.checks.failure import Failure
+from tam570_grader.diagnosis.mistakes import mistakes
 from tam570_grader.errors import UsageError
 from tam570_grader.grading.roster import students
 from tam570_grader.reports import report
 from tam570_grader.reports.feedback import AssignmentInfo
+from tam570_grader.reports.scenes import wrong_and_right
 from tam570_grader.results import records, store
 
 SLUGS = ("hw07_double_pendulum", "hw08_axis_angle")
@@ -238,3 +245,32 @@ def test_names_discrimination_and_failures_without_a_name_are_shown():
     rows = tables(text)
     assert rows["scores"][0][:2] == ["s0", "Ann Lee"] and rows["checks"][0][5] == "100.0"
     assert rows["lecture"][0][:3] == ["3", "hw07", "Not passed: first"]
+
+
+def images(pair):
+    return [Image.open(io.BytesIO(base64.b64decode(text.partition(",")[2]))) for text in (pair.wrong, pair.right)]
+
+
+def test_a_mistake_is_drawn_beside_what_is_right(course):
+    """By its scene where that shows it, else by a student's numbers or diagram; of words nothing is drawn."""
+    known = mistakes(checks_folder(course, SLUGS[1]))
+    seen = [pair for one in known[:6] if (pair := wrong_and_right(course, SLUGS[1], one.message, None))]
+    failures = [
+        Failure(actual=[1.0, 2.0, 3.0], expected=[1.0, 2.0, 4.0]),
+        Failure(actual=np.zeros((20, 2)), expected=np.ones((20, 2))),
+        Failure(
+            sketch={"outline": [[0, 0, 200, 0]], "arrows": [[0, 0, 90], [0, 0, None]]},
+            expected={"outline": [], "arrows": []},
+        ),
+    ]
+    pairs = [wrong_and_right(course, SLUGS[1], "another", failure) for failure in failures]
+    for pair in [*seen, *pairs]:
+        wrong, right = images(pair)
+        assert wrong.size == right.size and wrong.tobytes() != right.tobytes()
+    nothing = (
+        None,
+        Failure(actual="a"),
+        Failure(actual=[1.0], expected=[np.nan]),
+        Failure(actual=[1], expected=[1, 2]),
+    )
+    assert seen and not any(wrong_and_right(course, SLUGS[1], "another", failure) for failure in nothing)
