@@ -15,6 +15,7 @@ import ast
 import functools
 import hashlib
 import math
+import sys
 from collections import Counter
 from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from dataclasses import dataclass
@@ -303,7 +304,7 @@ def _values(formula: Any, points: list[dict[str, float]]) -> Any:
 @functools.lru_cache(maxsize=256)
 def solution_with(solution: str, text: str) -> ModuleType:
     """The solution as a module of its own, with the definitions of the mistake in the place of its own."""
-    module = ModuleType("_mistaken")
+    module = sys.modules["_mistaken"] = ModuleType("_mistaken")  # a dataclass looks for its module there
     for part in (solution, text):
         exec(_code(part), vars(module))
     return module

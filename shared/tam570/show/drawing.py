@@ -105,5 +105,6 @@ def graph(
 
     zero = to_points(x0 if x0 * x1 > 0.0 else 0.0, y0 if y0 * y1 > 0.0 else 0.0)
     ends = [[0.0, zero[1]], [1.0, zero[1]], [zero[0], 0.0], [zero[0], height]]
-    labels = [Shape("text", np.array([end]), GREY, words=name) for end, name in zip(ends[1::2], names, strict=True)]
+    places = [[0.95, zero[1]], [zero[0], height]]  # a name at the right end of its axis would be cut off
+    labels = [Shape("text", np.array([at]), GREY, words=name) for at, name in zip(places, names, strict=True)]
     return [Shape("arrow", np.array(ends), GREY, width=1.2), *labels], to_points

@@ -15,6 +15,7 @@ JUMPS = {  # what the physics has, by scene and shape
     ("rocket", "lines"): "the flame goes out",
     ("chains", "arrow"): "the whole chain lies on the scale",
     ("stopping_car", "arrow"): "friction and its moment end with the motion",
+    ("hw06_braking", "arrow"): "friction ends with the motion",
 }
 DEPTH = 1e-3  # of a panel's size, of a touch: half a pixel
 

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from tam570.show.diagrams import force_shapes
 from tam570.show.drawing import graph, unit_circle
 from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.scene import (
@@ -46,6 +47,7 @@ def film(student: Student, rod: Mapping[str, Any], start: Sequence[float], secon
         Shape("lines", hang, GREY, width=1),
         *_pendulum(length, small[:, 0], 1, "small-angle solution"),
         *_pendulum(length, full[:, 0], 0, "full equation"),
+        *force_shapes(notes, student, *full.T, mass=MASS, **rod, size=0.3 * length),
         Shape("dot", np.zeros((1, 2)), INK, width=4),
     ]
     return Scene(

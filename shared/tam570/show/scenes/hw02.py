@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from tam570.show.diagrams import force_shapes
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, plot_samples, value_plot
 from tam570.show.student import Student, Trouble
 
@@ -23,18 +24,21 @@ def film(student: Student, parameters: Mapping[str, Any]) -> Scene:
     best = float(student("best_angle", speed, **ball, shape=()))
     angles = sorted([*map(math.radians, ANGLES), best])
     flights = [float(student("flight_time", speed, angle, **ball, shape=())) for angle in angles]
-    times = frame_times(1.1 * max(flights))
-    pairs = [_both(student, times, angle, flight, speed, ball) for angle, flight in zip(angles, flights, strict=True)]
+    times, notes = frame_times(1.1 * max(flights)), list[str]()
+    motions = [_both(student, times, angle, flight, speed, ball) for angle, flight in zip(angles, flights, strict=True)]
+    pairs = [(numerical[:, :2], closed[:, :2]) for numerical, closed in motions]
     shapes = [part for angle, pair in zip(angles, pairs, strict=True) for part in _throw(*pair, angle == best)]
     farthest = max(closed[:, 0].max() for _, closed in pairs)
     ground = Shape("lines", np.array([[0.0, 0.0], [1.02 * farthest, 0.0]]), GREY, width=2)
+    forces = force_shapes(notes, student, motions[angles.index(best)][0], size=0.08 * farthest, **ball)
     return Scene(
         "Ballistics with drag",
         f"Balls leave one point together at {len(angles)} angles and land one after the other; the farthest is the one "
         f"at {math.degrees(best):.1f} degrees. The numerical solution runs on the curve of the closed form.",
         times,
-        [Panel([ground, *shapes])],
+        [Panel([ground, *shapes, *forces])],
         [_heights(times, angles, pairs, farthest)],
+        notes=notes,
         still_time=0.45,
     )
 
@@ -42,7 +46,7 @@ def film(student: Student, parameters: Mapping[str, Any]) -> Scene:
 def _both(
     student: Student, times: Array, angle: float, flight: float, speed: float, ball: Mapping[str, float]
 ) -> tuple[Array, Array]:
-    """(n, 2) paths by both solutions; where it has landed the ball stays."""
+    """(n, 4) states by both solutions; where it has landed the ball stays."""
     if not 0.0 < flight < LONGEST:
         raise Trouble(f"flight_time gives {flight} s at {math.degrees(angle):.0f} degrees and {speed} m/s")
     flown = np.append(times[times < flight], flight)
@@ -51,7 +55,7 @@ def _both(
     known: dict[str, Any] = {**ball, "shape": shape}
     numerical = student("simulate", flown, speed, angle, **known)
     closed = student("trajectory", flown, speed, angle, **known)
-    return numerical[landed, :2], closed[landed, :2]
+    return numerical[landed], closed[landed]
 
 
 def _throw(numerical: Array, closed: Array, best: bool) -> list[Shape]:

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from tam570.show.diagrams import force_shapes
 from tam570.show.drawing import axes, circle
 from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.scene import (
@@ -45,6 +46,7 @@ def film(student: Student, spring: Mapping[str, Any], start: Sequence[float], se
         Shape("lines", moving(np.zeros(3), mass), 0, "spring", width=3),
         Shape("dot", np.zeros((1, 3)), INK, width=4),
         Shape("dot", mass[:, None], 1, "mass", width=9),
+        *force_shapes(notes, student, states, **spring, size=0.5, origin=(0.0, 0.0, 0.0)),
     ]
     flat = make_each(notes, *(lambda title=title: _projected(student, mass, title) for title in VIEWS))
     return Scene(

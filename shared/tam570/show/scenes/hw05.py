@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from tam570.show.diagrams import force_shapes
 from tam570.show.drawing import unit_circle
 from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.scene import (
@@ -42,6 +43,7 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
     shapes = [
         Shape("path", length * unit_circle(121), GREY, "the circle", width=1.5),
         Shape("lines", rod, GREY, "rod", width=2),
+        *force_shapes(notes, student, states, **parameters, size=0.3 * length),
         *(one for pair in make_each(notes, lambda: _forces(student, states, parameters)) for one in pair),
         Shape("dot", np.zeros((1, 2)), INK, width=5),
         Shape("dot", rod[:, 1:], 1, "particle", width=10),

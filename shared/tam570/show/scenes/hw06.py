@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from tam570.show.diagrams import force_shapes
 from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.scene import (
     GREY,
@@ -36,7 +37,7 @@ STATE = {"x": "m", "y": "m", "heading": "rad", "speed": "m/s", "yaw_rate": "rad/
 START = (0.0, 0.0, 0.0, 14.0, 0.05)  # almost straight
 LANES = {"front": -3.5, "rear": 3.5}  # m
 SECONDS = 6.0
-HALF_WIDTH, OVERHANG, WHEEL = 0.8, 0.7, 0.32  # m
+HALF_WIDTH, OVERHANG, WHEEL, ARROW = 0.8, 0.7, 0.32, 2.0  # m
 
 
 def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
@@ -47,6 +48,7 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
     shapes = [_road(y, ends) for y in LANES.values()]
     for locked, states in motions.items():
         shapes += _car(states, locked, LANES[locked], parameters)
+        shapes += _forces(notes, student, states, locked, parameters)
     return Scene(
         "Braking with one axle locked",
         "Two cars brake side by side. The one with locked front wheels comes to rest pointing ahead; the one with "
@@ -122,6 +124,14 @@ def _car(states: Array, locked: str, y: float, parameters: Mapping[str, Any]) ->
         Shape("lines", _placed(states, wheels[locked], y), 5, "wheels that are locked" if color else "", width=5),
         Shape("text", np.array([[-4.0, y + 1.6]]), color, words=f"{locked} locked"),
     ]
+
+
+def _forces(
+    notes: list[str], student: Student, states: Array, locked: str, parameters: Mapping[str, Any]
+) -> list[Shape]:
+    known = {name: value for name, value in parameters.items() if name != "yaw_inertia"}
+    lane = [0.0, LANES[locked]]
+    return force_shapes(notes, student, states, [locked] * len(states), size=ARROW, origin=lane, **known)
 
 
 def _wheels(at: float) -> Array:

@@ -48,7 +48,7 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
         Shape("lines", bars[:, 1], 1, "bar 2", width=6),
         Shape("dot", moving(hinge, elbow), INK, width=5),
         Shape("dot", tip[:, None], 2, width=5),
-        *(one for shapes in make_each(notes, lambda: _forces(student, states, known)) for one in shapes),
+        *_forces(notes, student, states, known),
     ]
     return Scene(
         "Double pendulum",
@@ -62,12 +62,12 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
     )
 
 
-def _forces(student: Student, states: Array, known: Mapping[str, Any]) -> list[Shape]:
+def _forces(notes: list[str], student: Student, states: Array, known: Mapping[str, Any]) -> list[Shape]:
     """The forces that the student draws on either bar."""
-    length, shapes = 0.3 * float(np.mean(known["lengths"])), list[Shape]()
+    size, shapes = 0.3 * float(np.mean(known["lengths"])), list[Shape]()
     for bar in (1, 2):
-        rows = [bar] * len(states), states[:, :2]
-        shapes += force_shapes(student, *rows, length=length, color=bar + 2, label=f"forces on bar {bar}", **known)
+        look = {"size": size, "color": bar + 2, "label": f"forces on bar {bar}"}
+        shapes += force_shapes(notes, student, [bar] * len(states), states[:, :2], **look, **known)
     return shapes
 
 

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from tam570.show.diagrams import force_shapes
 from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.scene import (
     GREY,
@@ -40,6 +41,7 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
     shapes = [
         Shape("path", _on_wire(np.linspace(-reach, reach, 161), parameters["curvature"]), GREY, "wire", width=3),
         *(one for three in make_each(notes, lambda: _forces(student, states, parameters)) for one in three),
+        *force_shapes(notes, student, states[:, 0], size=ARROW, **parameters),
         Shape("dot", bead[:, None], 0, "bead", width=8),
     ]
     return Scene(

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from tam570.integrate import solve
+from tam570.show.diagrams import force_shapes
 from tam570.show.drawing import circle
 from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.scene import (
@@ -46,7 +47,8 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
     right = student("simulate", times, *start, **parameters, shape=(len(times), 2))
     wrong = make_each(notes, lambda: _naive(student, times, start, parameters))
     farthest = max(float(np.abs(states[:, 0]).max()) for states in (right, *wrong))
-    panels = [Panel(_rolling(right[:, 0], 0, farthest, parameters), "by the balance about G")]
+    shapes = _rolling(right[:, 0], 0, farthest, parameters) + _forces(notes, student, right[:, 0], parameters)
+    panels = [Panel(shapes, "by the balance about G")]
     panels += [
         Panel(_rolling(states[:, 0], 1, farthest, parameters), "as M_C = I^C φ'' would have it") for states in wrong
     ]
@@ -96,6 +98,15 @@ def _naive(student: Student, times: Array, start: Sequence[float], parameters: M
         return solve(rates, times, start, rtol=1e-8)
     except ArithmeticError as error:
         raise Trouble(f"naive_contact_acceleration cannot be integrated: {error}") from error
+
+
+def _forces(notes: list[str], student: Student, phi: Array, parameters: Mapping[str, Any]) -> list[Shape]:
+    """The forces that the student draws, in axes down the ramp and off it from the centre of the cylinder."""
+    slope, radius = parameters["slope"], parameters["radius"]
+    axes = np.array([[np.cos(slope), -np.sin(slope)], [np.sin(slope), np.cos(slope)]])
+    known = {name: parameters[name] for name in ("mass", "radius", "offset", "slope", "gravity")}
+    origin = np.column_stack([radius * phi, np.full_like(phi, radius)]) @ axes
+    return force_shapes(notes, student, phi, size=1.2 * radius, origin=origin, axes=axes, **known)
 
 
 def _rolling(phi: Array, color: int, farthest: float, parameters: Mapping[str, Any]) -> list[Shape]:

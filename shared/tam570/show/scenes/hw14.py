@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from tam570.show.diagrams import force_shapes
 from tam570.show.drawing import circle, floor
 from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.scene import (
@@ -48,6 +49,7 @@ def film(student: Student, disk: Mapping[str, Any], start: Sequence[float], seco
     frame = student.each("wireframe", states, radius=disk["radius"], sides=SIDES, shape=(SIDES + 2, 2, 3))
     rim, diameters = frame[:, :SIDES, 0], frame[:, SIDES:].reshape(-1, 4, 3)
     contact = np.column_stack([states[:, :2], 0.0 * times])
+    known = {name: disk[name] for name in ("mass", "radius", "gravity")}
     shapes = [
         floor(contact.min(axis=0)[:2] - 0.5, contact.max(axis=0)[:2] + 0.5, 0.5),
         Shape("trail", contact[:, None], 1, "path of the contact", width=2),
@@ -55,6 +57,7 @@ def film(student: Student, disk: Mapping[str, Any], start: Sequence[float], seco
         Shape("path", np.concatenate([rim, rim[:, :1]], axis=1), 0, "disk", width=3),
         Shape("lines", diameters, 0, width=1.5),
         Shape("dot", contact[:, None], 1, width=4),
+        *force_shapes(notes, student, states, size=disk["radius"], origin=(0.0, 0.0, 0.0), **known),
     ]
     return Scene(
         "Rolling disk",
