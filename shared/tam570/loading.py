@@ -12,9 +12,9 @@ from types import ModuleType
 from typing import Any, cast
 
 from tam570.bans import LIBRARIES, Forbidden, Unusable, must_be_allowed, must_be_there
-from tam570.notebooks import KERNEL, code_cells, compiled, kernel_module, run
+from tam570.notebooks import KERNEL, LARGEST, code_cells, compiled, in_utf8, kernel_module, run, without_outputs
 
-__all__ = ["SUFFIXES", "Trouble", "guarded_import", "loaded", "replaced", "said", "source_of"]
+__all__ = ["SUFFIXES", "Trouble", "guarded_import", "loaded", "not_utf8", "replaced", "said", "source_of"]
 
 SUFFIXES = (".py", ".ipynb")
 Builtins = Mapping[str, Any]
@@ -26,20 +26,26 @@ class Trouble(Exception):
 
 
 def source_of(file: Path) -> bytes:
-    """The text of a module or notebook. Trouble if it is neither, or not in UTF-8 where Python expects that."""
+    """The text of a module or notebook. Trouble if it is neither, or too large."""
     if file.suffix not in SUFFIXES:
         raise Trouble(f"{file.name} is neither a Python module (.py) nor a notebook (.ipynb).")
     source = file.read_bytes()
-    if file.suffix == ".py" and b"coding" not in b"".join(source.splitlines()[:2]):
-        try:
-            source.decode()
-        except UnicodeDecodeError as error:
-            line = source[: error.start].count(b"\n") + 1
-            raise Trouble(
-                f"{file.name}, line {line}: a character is not UTF-8, so Python cannot read the file.\n"
-                "Save it as UTF-8 in your editor, or write the character without its accent."
-            ) from None
-    return source
+    if file.suffix == ".ipynb" and len(source) > LARGEST:
+        source = without_outputs(source)
+    if len(source) > LARGEST:
+        raise Trouble(f"{file.name} is larger than {LARGEST // 2**20} MiB: is it the right file?")
+    return in_utf8(source)
+
+
+def not_utf8(file: Path) -> str:
+    """Tell that a file is in an encoding that Python does not expect, and the line; "" if it is not."""
+    source = file.read_bytes()
+    if source_of(file) == source or file.suffix != ".py":
+        return ""
+    line = next(k for k, text in enumerate(source.splitlines(), start=1) if in_utf8(text) != text)
+    return (
+        f"{file.name}, line {line}: a character is not UTF-8, so Python cannot read the file; save it as UTF-8."
+    )
 
 
 def loaded(file: Path, slug: str, own: Builtins | None = None) -> tuple[ModuleType, list[str]]:

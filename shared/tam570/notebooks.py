@@ -3,13 +3,27 @@
 import ast
 import inspect
 import io
+import itertools
 import json
 import re
 import tokenize
 from types import CodeType
 from typing import Any
 
-__all__ = ["KERNEL", "Cells", "code_cells", "compiled", "kernel_module", "plain", "run", "text_of"]
+__all__ = [
+    "KERNEL",
+    "LARGEST",
+    "LARGEST_WITH_OUTPUTS",
+    "Cells",
+    "code_cells",
+    "compiled",
+    "in_utf8",
+    "kernel_module",
+    "plain",
+    "run",
+    "text_of",
+    "without_outputs",
+]
 
 # x = %time f(), %timeit, files = !ls, f?
 MAGIC = re.compile(
@@ -20,12 +34,46 @@ PYTHON_CELLS = ("%%time", "%%capture", "%%prun")
 WRITTEN = re.compile(r"%%writefile +(?:-a +)?\S*\bhw\d\d\w*\.py\s")  # a cell that writes the module that is graded
 PYLAB = "from matplotlib.pylab import *; import numpy as np; from matplotlib import pyplot as plt"  # what %pylab does
 PROMPT = re.compile(r"(?:>>>|\.\.\.)(?: |$)|In \[\d+\]: ?|\s*\.\.\.: ?")  # copied with what stood behind it
+LARGEST, LARGEST_WITH_OUTPUTS = 10 * 2**20, 100 * 2**20  # bytes, of a module, of a notebook that is read
+OUTPUTS = rb'"outputs"\s*:\s*(?=\[)|"attachments"\s*:\s*(?=\{)'  # what a cell has shown, pictures in its text
+TOKENS = re.compile(rb"(" + OUTPUTS + rb')|"[^"\\]*(?:\\.[^"\\]*)*"|([\[{])|[\]}]', re.DOTALL)
+MOST_TOKENS = 3_000_000  # of a notebook that is worth reading
+DECLARED = re.compile(rb"\xff\xfe|\xfe\xff|(?:.*\r?\n)?[ \t\f]*#.*coding[:=]")  # UTF-16, or a line as PEP 263 has it
 Cells = list[tuple[int, str]]  # number, counted from 1 over all cells, and text
+
+
+def in_utf8(source: bytes) -> bytes:
+    """The source of a module or notebook; what is neither UTF-8 nor says what it is is read as Latin-1."""
+    try:
+        source.decode()
+    except UnicodeDecodeError:
+        return source if DECLARED.match(source) else source.decode("latin-1").encode()
+    return source
+
+
+def without_outputs(source: bytes) -> bytes:
+    """The notebook without what its cells have shown, and without pictures in their text; its code is untouched.
+
+    It is not parsed: of a hostile file no more is held than its bytes.
+    """
+    parts, begin, depth, first = list[bytes](), 0, 0, 0  # first: where outputs begin that are being left out, or 0
+    for token in itertools.islice(TOKENS.finditer(source), MOST_TOKENS):
+        outputs, opening = token.groups()
+        if outputs and not first:
+            depth, first = 0, token.end()
+        elif opening:
+            depth += 1
+        elif first and token[0] in (b"]", b"}"):
+            depth -= 1
+            if depth == 0:
+                parts += [source[begin:first], b"[]" if token[0] == b"]" else b"{}"]
+                begin, first = token.end(), 0
+    return b"".join([*parts, source[begin:]])
 
 
 def code_cells(source: bytes) -> Cells:
     """The code cells that are Python, in a notebook of format 4 or 3. ValueError if it is not a notebook."""
-    book: dict[str, Any] = json.loads(source)
+    book: dict[str, Any] = json.loads(in_utf8(source))
     cells = book["cells"] if "cells" in book else [c for sheet in book["worksheets"] for c in sheet["cells"]]
     code = [
         (n, _cleaned("".join(cell.get("source") or cell.get("input") or "")))
@@ -53,6 +101,7 @@ def _cleaned(text: str) -> str:
 def text_of(source: bytes, suffix: str) -> str:
     """The Python in a module or notebook; of a cell that does not compile nothing."""
     if suffix == ".py":
+        source = in_utf8(source)
         return source.decode(tokenize.detect_encoding(io.BytesIO(source).readline)[0])
     return "\n\n".join(plain(text) for _, text in code_cells(source))
 

@@ -8,7 +8,9 @@ import pytest
 from tam570 import notebooks
 from tam570.bans import LIBRARIES
 from tam570.loading import Trouble, loaded
+from tam570.notebooks import LARGEST, code_cells
 from tam570.show import show
+from tam570_grader.grading.submissions import CannotRead, Submission, read
 
 SLUG = "hw08_axis_angle"
 CELLS = {
@@ -59,6 +61,23 @@ def test_a_notebook_of_colab_and_a_module_that_jupyter_exported_lose_nothing(boo
     exported = "get_ipython().run_line_magic('matplotlib', 'inline')\nfrom IPython.display import HTML\n"
     (desk / "hw08.py").write_text(exported + solution_text(SLUG))
     assert tam570("check", "hw08.py")[0] == 0 and grade(SLUG, (desk / "hw08.py").read_text()).score == 10
+
+
+def test_what_a_notebook_has_shown_is_not_counted(book, tam570, tmp_path):
+    """Neither here nor where work is graded; its code is."""
+    file = book()
+    cells = json.loads(file.read_text())
+    picture = {"output_type": "display_data", "data": {"image/png": "A" * LARGEST, "text/plain": '"]}\\'}}
+    cells["cells"][1]["outputs"] = [picture, picture]
+    file.write_text(json.dumps(cells))
+    assert tam570("check", file)[0] == 0
+    source = read(Submission("ada", SLUG, file, file.parent))
+    assert len(source.text) < LARGEST and code_cells(source.text) == code_cells(file.read_bytes())
+    cells["cells"][1]["source"] += "#" * LARGEST
+    file.write_text(json.dumps(cells))
+    assert "larger than 10 MiB" in tam570("check", file)[1]
+    with pytest.raises(CannotRead, match="larger than 10 MiB"):
+        read(Submission("ada", SLUG, file, file.parent))
 
 
 def test_a_cell_that_raises_is_left_out_and_named(book, tam570):

@@ -11,13 +11,13 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from tam570.notebooks import LARGEST, LARGEST_WITH_OUTPUTS, without_outputs
 from tam570_grader.checks.assignments import slug_of
 from tam570_grader.errors import UsageError, printable
 from tam570_grader.sandbox.student import Source
 
 __all__ = [
     "GIVEN",
-    "LARGEST",
     "MOST_FILES",
     "MOST_NAMES",
     "WORK",
@@ -35,7 +35,6 @@ __all__ = [
     "submissions",
 ]
 
-LARGEST = 10 * 2**20  # bytes; a notebook with pictures in it may have a few MiB
 LONGEST_NAME = 255  # bytes, of a file
 MOST_KEPT = 40  # characters of an id that is no name of a folder
 NO_NAME = '/\\<>:"|?*'  # in the name of a folder, on any system
@@ -108,6 +107,7 @@ def read(submission: Submission) -> Source:
     name = printable(submission.path.name)
     if not form(submission.path.name):
         raise CannotRead(f"{name} is neither a module (.py) nor a notebook (.ipynb): unpack it, or rename it")
+    notebook = form(submission.path.name) == ".ipynb"
     if not _own(submission.path, submission.tree):
         raise CannotRead(f"{name} is a link to a place outside of the submission")
     try:
@@ -115,14 +115,16 @@ def read(submission: Submission) -> Source:
             about = os.fstat(file.fileno())
             if not stat.S_ISREG(about.st_mode):
                 raise CannotRead(f"{name} is not a regular file")
-            text = file.readall() if about.st_size <= LARGEST else b""
+            most = LARGEST_WITH_OUTPUTS if notebook else LARGEST
+            text = file.readall() if about.st_size <= most else b""
     except OSError as error:
         raise CannotRead(f"{name} cannot be read: {error.strerror}") from None
-    if about.st_size > LARGEST:
-        raise CannotRead(
-            f"{name} is larger than {LARGEST // 2**20} MiB: is it the right file? clear the outputs of a notebook"
-        )
-    return Source(text, notebook=form(submission.path.name) == ".ipynb")
+    if about.st_size > most:
+        raise CannotRead(f"{name} is larger than {most // 2**20} MiB: is it the right file?")
+    text = without_outputs(text) if len(text) > LARGEST else text
+    if len(text) > LARGEST:
+        raise CannotRead(f"{name} is larger than {LARGEST // 2**20} MiB without its outputs: is it the right file?")
+    return Source(text, notebook=notebook)
 
 
 def _own(path: Path, tree: Path) -> bool:

@@ -9,8 +9,9 @@ from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
+from tam570.notebooks import LARGEST, LARGEST_WITH_OUTPUTS, without_outputs
 from tam570_grader.errors import UsageError, printable
-from tam570_grader.grading.submissions import LARGEST, form
+from tam570_grader.grading.submissions import form
 
 __all__ = ["File", "Room", "inside", "is_beside", "members", "shortened"]
 
@@ -43,7 +44,8 @@ class Room:
 
     def takes(self, files: Sequence[zipfile.ZipInfo | File]) -> str:
         """Take the room for these; why there is too little."""
-        size = sum(len(one.data) if isinstance(one, File) else one.file_size for one in files)
+        sizes = (len(one.data) if isinstance(one, File) else one.file_size for one in files)
+        size = sum(min(size, LARGEST) for size in sizes)  # of a notebook with large outputs no more is held
         if len(files) > self.files:
             return f"the student handed in more than {MOST_INSIDE} files"
         if size > self.data:
@@ -141,12 +143,15 @@ def _regular(source: Path) -> list[Path]:
 
 def _most(name: str) -> int:
     """Bytes that a file may have; a folder's name before it is a student's, so the outermost table alone is large."""
-    return (
-        LARGEST_TABLE if name.rsplit("/", 1)[-1] == TABLE and "submission_" not in name.removesuffix(TABLE) else LARGEST
-    )
+    if name.rsplit("/", 1)[-1] == TABLE and "submission_" not in name.removesuffix(TABLE):
+        return LARGEST_TABLE
+    return LARGEST_WITH_OUTPUTS if form(name) == ".ipynb" else LARGEST
 
 
 def _checked(name: str, data: bytes) -> File:
-    if len(data) > _most(name):
-        return File(name, b"", f"it is larger than {_most(name) // 2**20} MiB")
+    most = _most(name)
+    if most == LARGEST_WITH_OUTPUTS and LARGEST < len(data) <= most:
+        data, most = without_outputs(data), LARGEST
+    if len(data) > most:
+        return File(name, b"", f"it is larger than {most // 2**20} MiB")
     return File(name, data)

@@ -8,8 +8,8 @@ from typing import Any
 
 import yaml
 
+from tam570.notebooks import LARGEST
 from tam570_grader.errors import UsageError
-from tam570_grader.grading.submissions import LARGEST
 from tam570_grader.lms.archives import File
 
 __all__ = ["Table", "table_in"]

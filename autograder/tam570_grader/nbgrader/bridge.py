@@ -22,19 +22,11 @@ from nbgrader.preprocessors import NbGraderPreprocessor  # type: ignore[import-u
 from nbgrader.utils import find_all_files  # type: ignore[import-untyped]
 from traitlets import Bool, Dict, Integer, Unicode
 
+from tam570.notebooks import LARGEST, LARGEST_WITH_OUTPUTS
 from tam570_grader.checks import assignments
 from tam570_grader.grading.batch import RunConfig, records
 from tam570_grader.grading.seeds import new_seed
-from tam570_grader.grading.submissions import (
-    LARGEST,
-    MOST_FILES,
-    BadPath,
-    CannotRead,
-    Submission,
-    of_folder,
-    read,
-    submissions,
-)
+from tam570_grader.grading.submissions import MOST_FILES, BadPath, CannotRead, Submission, of_folder, read, submissions
 from tam570_grader.nbgrader.cells import Notebook, grade_id, marked, node, note, pictures_only, rebuilt, safe
 from tam570_grader.nbgrader.gradebook import OpenGradebook, keep_gradebooks_open
 from tam570_grader.options import cores
@@ -273,7 +265,8 @@ def _own_files(submitted: str, folder: str, exclude: Any = None) -> list[str]:
 def _is_small(file: str) -> bool:
     """Whether it is a regular file that is no larger than a submission may be."""
     status = os.lstat(file)
-    return stat.S_ISREG(status.st_mode) and status.st_size <= LARGEST
+    most = LARGEST_WITH_OUTPUTS if file.endswith(".ipynb") else LARGEST
+    return stat.S_ISREG(status.st_mode) and status.st_size <= most
 
 
 def _linked(folder: Path) -> bool:

@@ -11,6 +11,7 @@ import numpy as np
 import numpy.random  # before the fork: NumPy puts it off until it is used
 
 from tam570.bans import IN_ONE, Change, Unusable, everywhere, refused
+from tam570.formulas import form_of
 
 from .picture import picture
 from .wire import portable
@@ -106,8 +107,8 @@ def _formula(function: Callable[..., Any], args: list[Any], kwargs: dict[str, An
     from sympy.core.function import AppliedUndef
 
     expression = function(*args, **kwargs)
-    if not isinstance(expression, sympy.Expr | int | float):
-        return portable(expression if isinstance(expression, str) else object())
+    if form := form_of(expression):
+        return {"form": form}
     expression = sympy.sympify(expression).doit()
     if unknown := expression.atoms(AppliedUndef):
         return {"strangers": sorted(map(str, unknown))}

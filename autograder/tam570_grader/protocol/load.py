@@ -24,6 +24,7 @@ def compiled(source: bytes, name: str, *, notebook: bool, piecewise: bool) -> tu
     """
     if notebook:
         return _compiled_cells(notebooks.code_cells(source))
+    source = notebooks.in_utf8(source)
     if piecewise:
         return _statements(source, f"{name}.py"), []
     return [("", compile(source, f"{name}.py", "exec", dont_inherit=True))], []

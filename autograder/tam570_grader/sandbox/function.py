@@ -8,6 +8,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from tam570.formulas import REMEDIES
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed, NotWritten, get_context
 from tam570_grader.checks.plots import readable
@@ -117,6 +118,8 @@ class Function:
     def _values(self, values: Any, count: int) -> np.ndarray:
         """The real numbers that a formula has at so many points, or Failed."""
         if not isinstance(values, list) or len(values) != count:
+            if form := values.get("form") if isinstance(values, dict) else None:
+                raise Failed(f"{self.name} returns {form} in place of a SymPy expression", hint=REMEDIES[form])
             strange = _strangers(values, self.student.text)
             message = f"{self.name} does not return a SymPy expression in {', '.join(self.returns.symbols)} alone"
             raise Failed(message, hint=strange and f"It has {strange} in it.")

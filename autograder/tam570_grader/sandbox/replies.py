@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from tam570.formulas import REMEDIES
 from tam570_grader.checks.returns import Drawing, Line
 from tam570_grader.errors import printable
 from tam570_grader.protocol.wire import DEEPEST, Foreign
@@ -85,7 +86,9 @@ def _numbers(value: Any, depth: int = 0) -> Any:
 
 
 def _values(value: Any) -> Any:
-    """The values of a formula, one number each; or the strange symbols that it has."""
+    """The values of a formula, one number each; or the strange symbols that it has, or what it is instead."""
+    if isinstance(value, dict) and value.get("form") in [*REMEDIES]:
+        return {"form": value["form"]}
     if isinstance(value, dict):
         return {"strangers": value["strangers"]} if strings(value.get("strangers")) else {"strangers": []}
     if isinstance(value, list):

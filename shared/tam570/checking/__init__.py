@@ -13,13 +13,16 @@ import tempfile
 import time
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
+
+from tam570.checking.trail import last_step
 
 __all__ = ["ALL_PASS", "OUR_FAULT", "SOME_FAIL", "Work", "check", "watch"]
 
 PAUSE = 0.05  # s between two looks at the files: two calls of stat each
 ALL_PASS, SOME_FAIL, OUR_FAULT = 10, 11, 12  # exit codes of the process; with another one a student's code ended it
-ENDED = """Your code ended the process that tests it{where}.
-It exits, crashes, uses too much memory, or makes a call that never comes back."""
+ENDED = "Your code ended the process that tests it{where}: it exits, crashes or uses too much memory."
+HUNG = "Your code ran out of time{where}, and cannot be interrupted. Is there an endless loop?"
 FAILED = "The tests could not be run; the lines above say why. Please tell your teacher."
 Work = Sequence[tuple[Path, str]]  # files and their assignments
 
@@ -29,6 +32,8 @@ def check(work: Work, functions: Sequence[str] = ()) -> int:
     runner = Runner([])
     try:
         runner.run(work, changed=False, functions=functions)
+        while successor := runner.successor([]):
+            runner = successor
         return runner.result()
     finally:
         runner.end()
@@ -47,6 +52,9 @@ def watch(work: Work) -> int:
             if runner.ended():
                 if runner.idle:
                     return 1  # it could not start, and has said why
+                if successor := runner.successor(work):
+                    runner = successor
+                    continue
                 runner.result()
                 runner = Runner(work)
             saved = [(file, slug) for file, slug in work if _stamp(file, slug) not in (None, seen[file])]
@@ -70,7 +78,8 @@ class Runner:
         prepared = [[str(file.resolve()), slug] for file, slug in ahead]
         self.idle = True
         self._folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
-        self._log = Path(self._folder.name, "test.txt")
+        self._trail, self._hung = (Path(self._folder.name, name) for name in ("trail.json", "hung.txt"))
+        self._order: dict[str, Any] = {}
         self._process = subprocess.Popen(
             [
                 sys.executable,
@@ -88,12 +97,33 @@ class Runner:
 
     def run(self, work: Work, *, changed: bool, functions: Sequence[str] = ()) -> None:
         """Give it its order."""
-        self.idle = False
         files = [[str(file.resolve()), slug, changed] for file, slug in work]
-        order = {"work": files, "log": str(self._log), "functions": list(functions)}
+        self._follow({"work": files, "functions": list(functions), "lost": {}})
+
+    def _follow(self, order: dict[str, Any]) -> None:
+        self.idle, self._order = False, order
         assert self._process.stdin is not None
         with contextlib.suppress(BrokenPipeError):
+            order = {**order, "trail": str(self._trail), "hung": str(self._hung)}
             print(json.dumps(order), file=self._process.stdin, flush=True)
+
+    def successor(self, ahead: Work) -> "Runner | None":
+        """A runner that goes on, without the function that ended this one; None if no function did."""
+        if self._process.wait() in (ALL_PASS, SOME_FAIL, OUR_FAULT):
+            return None
+        step, lost = last_step(self._trail), self._order["lost"]
+        slug, function = step["slug"], step["function"]
+        if not function or function in lost.get(slug, {}):
+            return None
+        done = [name for _, name, _ in self._order["work"]].index(slug)
+        lost = {**lost, slug: {**lost.get(slug, {}), function: self._is_out_of_time()}}
+        runner = Runner(ahead)
+        runner._follow({**self._order, "work": self._order["work"][done:], "lost": lost})
+        self.end()
+        return runner
+
+    def _is_out_of_time(self) -> bool:
+        return self._hung.exists() and self._hung.stat().st_size > 0
 
     def ended(self) -> bool:
         return self._process.poll() is not None
@@ -102,9 +132,11 @@ class Runner:
         """Wait for its end: 0 if all tests pass, else 1; says so if a student's code has ended it."""
         code = self._process.wait()
         if code not in (ALL_PASS, SOME_FAIL):
-            test = self._log.read_text(encoding="utf-8") if self._log.exists() else ""
-            where = f" in {test}" if test else " while it was imported"
-            print(FAILED if code == OUR_FAULT else ENDED.format(where=where), file=sys.stderr, flush=True)
+            test = last_step(self._trail)["test"]
+            ended = (HUNG if self._is_out_of_time() else ENDED).format(
+                where=f" in {test}" if test else " while it was imported"
+            )
+            print(FAILED if code == OUR_FAULT else ended, file=sys.stderr, flush=True)
         return 0 if code == ALL_PASS else 1
 
     def replaced(self, work: Work) -> "Runner":

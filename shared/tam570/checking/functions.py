@@ -13,6 +13,7 @@ from tam570.bans import HERE, Change, Forbidden, Unusable, refused
 from tam570.checking.deadline import CALL, TooLong, limited
 from tam570.checking.mistakes import Mistake, tightened
 from tam570.checking.promises import Promise, complaint
+from tam570.checking.trail import Trail
 from tam570.loading import replaced, said
 
 __all__ = ["Fault", "Functions", "Given"]
@@ -39,7 +40,9 @@ class Functions:
     called: list[str] = field(default_factory=list)  # in the test that runs, in order
     mistake: Mistake | None = None  # what is tried on the results
     known: dict[tuple[str, bool, bytes], Any] = field(default_factory=dict)  # results, by function and arguments
-    hanging: set[str] = field(default_factory=set)
+    hanging: dict[str, str] = field(default_factory=dict)  # functions that are not called again, and why
+    trail: Trail = field(default_factory=Trail)
+    total: float = 0.0  # s of processor time of all calls
     longest: dict[str, float] = field(default_factory=dict)  # s of processor time of a function's longest call
     depth: int = 0
 
@@ -87,11 +90,16 @@ class Functions:
 
     def _called(self, name: str, function: Callable[..., Any], given: Given) -> Any:
         if name in self.hanging:
-            raise Fault(name, f"{name} did not return within {CALL:g} s in a test before; it is not called again.")
+            raise Fault(name, self.hanging[name])
+        self.trail.enter(function=name)
         before, started = _contents(given), time.process_time()
-        with self._fair(name):
-            result = function(*given[0], **given[1])
-        self.longest[name] = max(time.process_time() - started, self.longest.get(name, 0.0))
+        try:
+            with self._fair(name):
+                result = function(*given[0], **given[1])
+        finally:
+            seconds = time.process_time() - started
+            self.total += seconds
+        self.longest[name] = max(seconds, self.longest.get(name, 0.0))
         if _contents(given) != before:
             raise Fault(name, f"{name} changes the arrays that it is given. Work on copies: the grader refuses this.")
         return result
@@ -107,7 +115,7 @@ class Functions:
                 rules.enter_context(limited())
                 yield
         except TooLong:
-            self.hanging.add(name)
+            self.hanging[name] = f"{name} did not return within {CALL:g} s in a test before; it is not called again."
             raise Fault(
                 name, f"{name} did not return within {CALL:g} s. The grader ends such a call: is there an endless loop?"
             ) from None

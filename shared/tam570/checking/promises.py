@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from tam570.formulas import REMEDIES, form_of
 from tam570.loading import Trouble
 from tam570.show.student import numbers
 
@@ -77,8 +78,10 @@ def _diagram(dimension: int, result: Any, name: str) -> None:
 def _formula(symbols: Sequence[str], result: Any, name: str) -> None:
     import sympy
 
-    if not isinstance(result, sympy.Expr | int | float):
-        raise Trouble(f"{name} gives {_short(result)}; a SymPy expression in {', '.join(symbols)} is asked for")
+    if form := form_of(result):
+        instead = f". {REMEDIES[form]}" if form in REMEDIES else ""
+        wanted = f"a SymPy expression in {', '.join(symbols)} is asked for{instead}"
+        raise Trouble(f"{name} gives {form}; {wanted}".rstrip(".?"))
     strangers = {one for one in sympy.sympify(result).free_symbols if one.name not in symbols}
     values = {_value(result, strangers, number) for number in STAND_INS} if strangers else set()
     if len(values) > 1:  # it does not cancel

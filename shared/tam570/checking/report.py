@@ -5,7 +5,7 @@ import sys
 import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 
-from tam570.checking.deadline import CALL
+from tam570.checking.deadline import CALL, CPU
 from tam570.checking.visible import Failure, Outcomes
 from tam570.progress import Progress, said
 
@@ -30,8 +30,10 @@ def trouble(slug: str, message: str) -> None:
     print("The grader would give this file 0 points.", file=sys.stderr, flush=True)
 
 
-def imported(skipped: Iterable[str], printed: str) -> None:
-    """What happened while the file was imported."""
+def imported(skipped: Iterable[str], printed: str, note: str) -> None:
+    """What happened while the file was imported, and a note on the file itself."""
+    if note:
+        print(_wrapped(note))
     for cell in skipped:
         print(_wrapped(f"left out, as where it is graded: {cell}", "", "    "))
     if printed:
@@ -70,11 +72,13 @@ def before(names: Sequence[str]) -> None:
         print(_wrapped(f"As before, these fail: {', '.join(map(_words, names))}."))
 
 
-def slow(longest: Mapping[str, float]) -> None:
-    """The functions that need much of the time that the grader gives a call."""
+def slow(longest: Mapping[str, float], total: float) -> None:
+    """The functions that need much of the time that the grader gives a call, or all calls together."""
     for name, seconds in longest.items():
         if seconds > SLOW * CALL:
             print(_wrapped(f"{name} takes {seconds:.1f} s of the {CALL:g} s that the grader gives a call.", "", "    "))
+    if total > SLOW * CPU:
+        print(f"All calls together take {total:.0f} s; the grader ends a file after {CPU:g} s.")
 
 
 def progressed(slug: str, come: Progress, since: str) -> None:

@@ -16,9 +16,10 @@ from tam570.checking.deadline import CALL, TooLong, limited
 from tam570.checking.examples import Examples, load_examples
 from tam570.checking.functions import Functions
 from tam570.checking.mistakes import Mistake, candidates
+from tam570.checking.trail import Trail
 from tam570.checking.visible import Outcomes, Test, collect
 from tam570.course import Stub, contract, folder, stubs
-from tam570.loading import Trouble, guarded_import, loaded, replaced, source_of
+from tam570.loading import Trouble, guarded_import, loaded, not_utf8, replaced, source_of
 from tam570.notebooks import text_of
 from tam570.progress import PASSED, Progress, kept, progress, remember
 
@@ -29,6 +30,8 @@ SLOW_IMPORT = (
     f"{{file}} takes longer than {CALL:g} s to import. Does it run a simulation by itself?\n"
     'Put that below `if __name__ == "__main__":`, so that it runs only when you start the file.'
 )
+ENDED = "{name} ended the process that tests it: it exits, crashes or uses too much memory."
+OUT_OF_TIME = f"{{name}} did not return within {CALL:g} s, and cannot be interrupted. Is there an endless loop?"
 Known = Mapping[str, tuple[str, str]]  # of each test what its outcome depends on, and the outcome
 
 
@@ -41,13 +44,23 @@ class Module:
     examples: Examples | None = None
 
 
-def check(file: Path, slug: str, log: str, *, changed: bool = False, functions: Collection[str] = ()) -> bool:
+def check(
+    file: Path,
+    slug: str,
+    trail: Trail,
+    *,
+    changed: bool = False,
+    functions: Collection[str] = (),
+    lost: Mapping[str, bool],
+) -> bool:
     """Run the released tests, and those that a student has added beside the file; whether all pass.
 
-    log       : a file in which to write which test runs
+    trail     : where to write which test runs, and which function
     changed   : run only those whose outcome may have changed since they were last run
     functions : run only those that call one of these; default: all
+    lost      : the functions that have ended a process, and whether they ran out of time
     """
+    trail.enter(slug=slug, test="", function="")
     modules = tests_of(file, slug)
     released = stubs((folder(slug) / f"{slug}.py").read_bytes())
     used = {name: of for module in modules for name, of in calls(module.text, slug).items()}
@@ -62,11 +75,13 @@ def check(file: Path, slug: str, log: str, *, changed: bool = False, functions: 
     except Trouble as trouble:
         report.trouble(slug, str(trouble))
         return False
-    report.imported(skipped, printed)
+    report.imported(skipped, printed, not_utf8(file))
     known = kept(file) if changed or functions else {}
     known = {test: was for test, was in known.items() if was[0] == now.get(_function(test))}
     tests = _chosen(tests, used, known if changed else {}, functions)
-    outcomes = Outcomes(student, log, report.terminal())
+    student.trail = trail
+    student.hanging |= {name: (OUT_OF_TIME if slow else ENDED).format(name=name) for name, slow in lost.items()}
+    outcomes = Outcomes(student, report.terminal())
     outcomes.run(tests)
     report.cleared(outcomes.terminal)
     known |= {test: (now.get(_function(test), ""), outcome) for test, outcome in outcomes.passed.items()}
@@ -109,7 +124,7 @@ def _report(
     told |= _known_mistakes(outcomes, examples, calling) if examples else {}
     report.failures(outcomes, told)
     report.before([test for test, outcome in results.items() if outcome != PASSED and test not in outcomes.failures])
-    report.slow(outcomes.functions.longest)
+    report.slow(outcomes.functions.longest, outcomes.functions.total)
     if functions:
         print(f"{slug[:4]}: {sum(one == PASSED for one in outcomes.passed.values())} of {len(outcomes.passed)} pass")
     else:
@@ -129,7 +144,7 @@ def _cause(test: str, outcomes: Outcomes, used: Mapping[str, set[str]], results:
 def run_tests(file: Path, slug: str, names: Sequence[str]) -> Outcomes:
     """What becomes of these tests on a file. Trouble if it cannot be tested."""
     functions, _, _ = _functions(file, slug)
-    outcomes = Outcomes(functions, "", None)
+    outcomes = Outcomes(functions, None)
     outcomes.run([test for test in _collected(tests_of(file, slug)) if _function(test.name) in names])
     return outcomes
 

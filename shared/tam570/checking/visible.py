@@ -62,7 +62,6 @@ class Outcomes:
     """The outcome of each test, by its name with its parameters, the failure, and how to repeat it."""
 
     functions: Functions
-    log: str  # the file that names the test that runs
     terminal: int | None  # where to show it
     passed: dict[str, str] = field(default_factory=dict)  # PASSED or FAILED
     failures: dict[str, Failure] = field(default_factory=dict)
@@ -71,8 +70,7 @@ class Outcomes:
     def run(self, tests: Sequence[Test]) -> None:
         """Run these tests and record what becomes of each."""
         for test in tests:
-            if self.log:
-                Path(self.log).write_text(test.name, encoding="utf-8")
+            self.functions.trail.enter(test=test.name, function="")
             if self.terminal is not None:
                 os.write(self.terminal, f"\r\x1b[K{test.name[:76]}".encode())
             self.repeat[test.name] = test.run

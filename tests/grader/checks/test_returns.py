@@ -4,7 +4,10 @@ import math
 
 import numpy as np
 import pytest
+import sympy
 
+from tam570.checking.promises import complaint
+from tam570.formulas import REMEDIES
 from tam570_grader.checks import assignments
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed, expect
@@ -12,6 +15,22 @@ from tam570_grader.checks.returns import array, group, number, result, rows
 from tam570_grader.reports.sentences import describe_failure
 from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.zygote import ResourceLimits
+
+
+@pytest.fixture
+def symbolic(course, zygotes):
+    """`symbolic(expression)` -> a student whose lagrange_equation of hw01 returns it."""
+    slug, students = "hw01_simple_pendulum", []
+
+    def symbolic(expression):
+        lines = ["import sympy", "def lagrange_equation():", "    m, theta, l, g = sympy.symbols('m theta l g')"]
+        source = Source("\n".join([*lines, f"    return {expression}"]).encode())
+        students.append(Student(source, assignments.assignment(course, slug), zygotes(slug, ResourceLimits())))
+        return students[-1]
+
+    yield symbolic
+    for student in students:
+        student.leave()
 
 
 @pytest.mark.parametrize(
@@ -58,12 +77,8 @@ def test_expect_lets_nothing_through_that_is_no_number(actual):
         ("-g * sympy.sin(theta) / l / sympy.Function('f')(theta)", False),
     ],
 )
-def test_what_cancels_may_stand_in_a_formula(expression, reference, course, zygotes):
-    slug = "hw01_simple_pendulum"
-    lines = ["import sympy", "def lagrange_equation():", f"    return {expression}"]
-    lines.insert(2, "    m, theta, l, g = sympy.symbols('m theta l g')")
-    source = Source("\n".join(lines).encode())
-    student = Student(source, assignments.assignment(course, slug), zygotes(slug, ResourceLimits()))
+def test_what_cancels_may_stand_in_a_formula(expression, reference, symbolic):
+    student = symbolic(expression)
     points = [{"theta": 0.3, "l": 2.0, "g": 9.0}, {"theta": 2.0, "l": 0.5, "g": 3.0}]
     if reference:
         sought = [-p["g"] * math.sin(p["theta"]) / p["l"] for p in points]
@@ -71,4 +86,32 @@ def test_what_cancels_may_stand_in_a_formula(expression, reference, course, zygo
     else:
         with pytest.raises(Failed, match="theta, l, g alone|not real"):
             student.lagrange_equation.at(points)
-    student.leave()
+
+
+@pytest.mark.parametrize(
+    ("expression", "form"),
+    [
+        ("sympy.Eq(theta, l)", "an equation"),
+        ("[-g * theta / l]", "a list"),
+        ("sympy.Matrix([-g * theta / l])", "a matrix"),
+        ("{theta: -g * theta / l}", "a dict"),
+        ("'-g*sin(theta)/l'", "text"),
+        ("lambda theta: -g * theta / l", "a function"),
+        ("sympy.lambdify(theta, theta)", "a function"),
+        ("None", "None"),
+    ],
+)
+def test_what_is_no_formula_is_told_alike_here_and_at_home(expression, form, symbolic):
+    with pytest.raises(Failed) as failed:
+        symbolic(expression).lagrange_equation.at([{"theta": 0.3, "l": 2.0, "g": 9.0}])
+    assert f"lagrange_equation returns {form} in" in str(failed.value) and failed.value.failure.hint == REMEDIES[form]
+    names = {"sympy": sympy, **{name: sympy.Symbol(name) for name in ("theta", "l", "g")}}
+    told = complaint({"formula": ["theta", "l", "g"]}, eval(expression, names), "lagrange_equation", ())
+    assert f"gives {form}; " in told and REMEDIES[form].rstrip(".?") in told
+
+
+def test_symbols_with_assumptions_are_symbols(symbolic):
+    (value,) = symbolic("-sympy.Symbol('g', positive=True) / sympy.Symbol('l', real=True)").lagrange_equation.at(
+        [{"theta": 0.3, "l": 2.0, "g": 9.0}]
+    )
+    assert value == -4.5

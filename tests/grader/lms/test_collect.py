@@ -12,8 +12,8 @@ import zipfile
 
 import pytest
 
+from tam570.notebooks import LARGEST
 from tam570_grader import cli
-from tam570_grader.grading.submissions import LARGEST
 
 SLUG = "hw08_axis_angle"
 ROSTER = """Student,ID,SIS User ID,SIS Login ID,Section

@@ -100,13 +100,15 @@ def test_a_missing_library_may_be_done_without(hw08, tam570):
     assert tam570("check")[0] == 0
 
 
-def test_a_file_in_another_encoding_names_the_line(hw08, tam570):
+def test_a_file_in_another_encoding_names_the_line(hw08, tam570, grade):
     file = hw08()
     file.write_bytes(b"x = 1\n# caf\xe9\n" + file.read_bytes())
+    latin = file.read_bytes()
     code, said = tam570("check")
-    assert code == 1 and "line 2: a character is not UTF-8" in said
-    file.write_bytes(b"# coding: latin-1\n" + file.read_bytes())
-    assert tam570("check")[0] == 0
+    assert code == 0 and "line 2: a character is not UTF-8" in said and grade(HW08, latin).score == 10
+    file.write_bytes(b"# coding: latin-1\n" + latin)
+    code, said = tam570("check")
+    assert code == 0 and "UTF-8" not in said
 
 
 @pytest.mark.parametrize("body", first(4, CALLS))
@@ -122,14 +124,21 @@ def test_a_loop_that_swallows_what_ends_it_is_ended(hw08, tam570):
         "def rotate(r, axis, angle):\n    while True:\n        try:\n            while True: pass\n        except: pass"
     )
     code, said = tam570("check")
-    assert code == 1 and ("did not return within 2 s" in said or "ended the process" in said)
+    assert code == 1 and "did not return within 2 s" in said
 
 
-@pytest.mark.parametrize("body", ["import itertools; sum(itertools.count())", "import os; os._exit(0)"])
-def test_code_that_ends_the_process_or_never_comes_back_is_named_by_its_test(hw08, tam570, body):
+@pytest.mark.parametrize(
+    ("body", "said"),
+    [
+        ("import itertools; sum(itertools.count())", "rotate did not return within 2 s, and cannot be interrupted."),
+        ("import os; os._exit(0)", "rotate ended the process that tests it"),
+    ],
+)
+def test_a_function_that_ends_its_process_is_named_and_the_others_are_tested(hw08, tam570, body, said):
     hw08(f"def rotate(r, axis, angle):\n    {body}")
-    code, said = tam570("check")
-    assert code == 1 and "ended the process that tests it in test_rotate_agrees_with_the_matrix" in said
+    code, printed = tam570("check")
+    assert code == 1 and said in " ".join(printed.split())
+    assert f"of {TESTS} tests pass; 6 of 10 points" in printed and "next: rotate" in printed
 
 
 def test_a_number_of_results_is_compared_and_not_unpacked(desk, tam570, solution_text):

@@ -66,8 +66,15 @@ def _forces(notes: list[str], student: Student, states: Array, known: Mapping[st
     """The forces that the student draws on either bar."""
     size, shapes = 0.3 * float(np.mean(known["lengths"])), list[Shape]()
     for bar in (1, 2):
-        look = {"size": size, "color": bar + 2, "label": f"forces on bar {bar}"}
-        shapes += force_shapes(notes, student, [bar] * len(states), states[:, :2], **look, **known)
+        shapes += force_shapes(
+            notes,
+            student,
+            *([bar] * len(states), states[:, :2]),
+            size=size,
+            color=bar + 2,
+            label=f"forces on bar {bar}",
+            **known,
+        )
     return shapes
 
 
