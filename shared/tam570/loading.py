@@ -43,9 +43,7 @@ def not_utf8(file: Path) -> str:
     if source_of(file) == source or file.suffix != ".py":
         return ""
     line = next(k for k, text in enumerate(source.splitlines(), start=1) if in_utf8(text) != text)
-    return (
-        f"{file.name}, line {line}: a character is not UTF-8, so Python cannot read the file; save it as UTF-8."
-    )
+    return f"{file.name}, line {line}: a character is not UTF-8, so Python cannot read the file; save it as UTF-8."
 
 
 def loaded(file: Path, slug: str, own: Builtins | None = None) -> tuple[ModuleType, list[str]]:
