@@ -42,9 +42,9 @@ def test_ten_times_as_stiff_is_ten_times_as_rigid():
     t = np.linspace(0, 0.5, 6)
     stiffnesses, gaps = np.array([1e4, 1e5, 1e6]), []
     for stiffness in stiffnesses:
-        known = {**truss.EXAMPLE, "stiffness": stiffness}
-        moved = solve(truss.rates, t, truss.START, parameters=known, rtol=1e-12)
-        gaps.append(np.abs(moved - truss.rigid(t, truss.START, **known))[:, :8].max())
+        parameters = {**truss.EXAMPLE, "stiffness": stiffness}
+        moved = solve(truss.rates, t, truss.START, parameters=parameters, rtol=1e-12)
+        gaps.append(np.abs(moved - truss.rigid(t, truss.START, **parameters))[:, :8].max())
     assert observed_order(1 / stiffnesses, gaps) == pytest.approx(1.0, abs=0.15)
 
 
@@ -66,18 +66,6 @@ def test_the_rigid_body_keeps_lengths_and_momenta():
     assert between == pytest.approx(((after - before) / (2 * h))[:8], abs=1e-8)
 
 
-@pytest.mark.parametrize("wrong", [((0, 9),), ((1, 1),), ((0, 1.5),), ((-1, 0),), (0, 1), ((0, 1, 2),)])
-def test_bars_that_join_nothing_are_refused(wrong):
-    known = {**truss.EXAMPLE, "bars": wrong, "lengths": (1.0,) * len(wrong)}
-    with pytest.raises(ValueError, match="bars"):
-        truss.rates(0.0, truss.START, **known)
-
-
-def test_as_many_lengths_as_bars():
-    with pytest.raises(ValueError, match="lengths"):
-        truss.rates(0.0, truss.START, **{**truss.EXAMPLE, "lengths": (1.0, 1.0)})
-
-
 # stopping_car
 
 WAYS = [stopping_car.by_centre_of_mass, stopping_car.by_three_points, stopping_car.by_one_point]
@@ -89,8 +77,8 @@ def test_all_ways_to_stop_agree_and_balance(locked):
         height, front, rear = DRAW.uniform(0.2, 1.5, 3)
         friction = DRAW.uniform(0, 0.99) * front / height
         car = {"height": height, "front": front, "rear": rear, "friction": friction, "gravity": 9.81, "locked": locked}
-        d, front_load, rear_load = found = WAYS[0](**car)
-        assert all(way(**car) == pytest.approx(found, rel=1e-9, abs=1e-11) for way in WAYS[1:])
+        d, front_load, rear_load = result = WAYS[0](**car)
+        assert all(way(**car) == pytest.approx(result, rel=1e-9, abs=1e-11) for way in WAYS[1:])
         sliding = {"front": front_load, "rear": rear_load, "both": 9.81}[locked]
         assert d == pytest.approx(friction * sliding, rel=1e-9) and front_load + rear_load == pytest.approx(9.81)
         assert front * front_load - rear * rear_load == pytest.approx(height * d, abs=1e-9)
@@ -108,15 +96,6 @@ def test_the_axle_that_lifts_is_named(way):
     assert way(**{**car, "height": 0.0}, friction=0.8, locked="front") == pytest.approx(
         (0.8 * 9.81 * 0.7 / 1.2, 9.81 * 0.7 / 1.2, 9.81 * 0.5 / 1.2)
     )
-
-
-@pytest.mark.parametrize("way", WAYS)
-@pytest.mark.parametrize(
-    "name, value", [("height", -1.0), ("front", math.nan), ("friction", -0.1), ("gravity", 0.0), ("locked", "left")]
-)
-def test_a_car_that_cannot_be_is_refused(way, name, value):
-    with pytest.raises(ValueError, match=name):
-        way(**{**stopping_car.EXAMPLE, name: value})
 
 
 def test_a_car_without_friction_rolls_on():
@@ -146,47 +125,30 @@ def test_the_hinge_moves_the_centre_of_mass():
         assert force + [0, -0.7 * 9.81] == pytest.approx(0.7 * acceleration, abs=1e-4)
 
 
-def test_hanging_at_rest_the_hinge_carries_the_weight():
-    assert swinging_bar.hinge_force((0.0, 0.0), **BAR) == pytest.approx((0.7 * 9.81, 0.0))
-
-
 @pytest.mark.parametrize("th", [1e-6, 0.5, -2.0, 3.1, 3.14159265, 7.0, -9.0, 0.0])
 def test_the_bar_comes_back_after_four_complete_integrals(th):
     turned = th - 2 * math.pi * round(th / (2 * math.pi))
     w = math.sqrt(1.5 * 9.81 / 1.3)
     T = 4 * ellipkm1(math.cos(turned / 2) ** 2) / w
-    quarter, whole = swinging_bar.exact([0.0, T / 4, T], [th, 0.0], **BAR)[1:]
+    quarter, period = swinging_bar.exact([0.0, T / 4, T], [th, 0.0], **BAR)[1:]
     sensitive = 1e-12 / math.cos(turned / 2)
     assert quarter[0] - (th - turned) == pytest.approx(0.0, abs=sensitive)
     assert quarter[1] == pytest.approx(-2 * w * math.sin(turned / 2), abs=1e-11)
-    assert whole == pytest.approx([th, 0.0], abs=1e2 * sensitive)
-
-
-def test_the_exact_bar_begins_at_rest():
-    with pytest.raises(ValueError, match="state"):
-        swinging_bar.exact([0.0, 1.0], [0.5, 0.1], **BAR)
+    assert period == pytest.approx([th, 0.0], abs=1e2 * sensitive)
 
 
 # sleigh
 
 BODY = {"mass": 0.7, "inertia": 0.2, "offset": 0.4}
-K = math.sqrt(0.2 / 0.7 + 0.4**2)
 
 
 @pytest.mark.parametrize("offset", [0.4, -0.4, 1e-3, 0.0, 3.0])
 @pytest.mark.parametrize("motion", [(-1.0, 0.03), (1.2, -2.0), (0.0, 0.7), (0.8, 0.0), (-1.0, 1e-9)])
 def test_the_exact_sleigh_is_the_solved_one(offset, motion):
-    known, t = {**BODY, "offset": offset}, 1.0 + np.linspace(0, 9, 7)
+    parameters, t = {**BODY, "offset": offset}, 1.0 + np.linspace(0, 9, 7)
     start = (0.3, -0.2, 0.5, *motion)
-    solved = solve(sleigh.rates, t, start, parameters=known, rtol=1e-13)
-    assert sleigh.exact(t, start, **known) == pytest.approx(solved, abs=2e-7 if motion[1] == 1e-9 else 1e-9)
-
-
-def test_it_turns_by_pi_k_over_offset_whatever_its_speed():
-    for speed in (0.5, 1.0, 7.0):
-        states = sleigh.exact([0.0, 1e3], [0.0, 0.0, 0.0, -speed, 1e-12 * speed], **BODY)
-        assert states[1, 2] == pytest.approx(math.pi * K / 0.4, rel=1e-9)
-        assert states[1, 3] == pytest.approx(speed, rel=1e-12)
+    solved = solve(sleigh.rates, t, start, parameters=parameters, rtol=1e-13)
+    assert sleigh.exact(t, start, **parameters) == pytest.approx(solved, abs=2e-7 if motion[1] == 1e-9 else 1e-9)
 
 
 @pytest.mark.parametrize("speed", [-0.8, 0.8])
@@ -195,19 +157,3 @@ def test_small_yaw_rates_grow_at_the_rate_that_is_said(speed):
     states = solve(sleigh.rates, [0, T], [0.0, 0.0, 0.0, speed, 1e-7], parameters=BODY, rtol=1e-13)
     grown = math.log(states[1, 4] / 1e-7) / T
     assert grown == pytest.approx(sleigh.straight_growth_rate(speed, **BODY), rel=1e-6)
-
-
-def test_with_g_at_the_blade_it_goes_in_circles():
-    known = {**BODY, "offset": 0.0}
-    states = sleigh.exact(np.linspace(0, 50, 20), [0.0, 0.0, 0.0, 1.0, 0.5], **known)
-    assert states[:, 3:] == pytest.approx(np.tile([1.0, 0.5], (20, 1)))
-    assert np.hypot(states[:, 0], states[:, 1] - 2.0) == pytest.approx(np.full(20, 2.0), abs=1e-12)
-    assert sleigh.straight_growth_rate(1.0, **known) == 0.0
-
-
-def test_the_blade_does_not_slip():
-    t = np.linspace(0, 8, 4001)
-    states = sleigh.exact(t, sleigh.START, **sleigh.EXAMPLE)
-    velocity = np.gradient(states[:, :2], t, axis=0)[1:-1]
-    across = velocity[:, 1] * np.cos(states[1:-1, 2]) - velocity[:, 0] * np.sin(states[1:-1, 2])
-    assert np.abs(across).max() < 1e-5  # of the differences

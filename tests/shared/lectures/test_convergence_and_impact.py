@@ -7,18 +7,18 @@ import pytest
 
 from tam570.integrate import solve
 from tam570.invariants import drift
-from tam570.lectures import convergence, stiff_impact, string
+from tam570.lectures import convergence, stiff_impact
 from tam570.lectures.collisions import collide
 
 STEPS = [0.01, 0.005, 0.0025]  # s
 ROD = {"mass": 1.3, "inertia": 0.2, "arms": (-0.5, 0.3), "speed": 0.8}
 
 
-@pytest.mark.parametrize(("method", "known"), [("Euler", 1), ("Heun", 2), ("RK4", 4)])
-def test_methods_converge_with_their_order_by_both_equations(method, known):
-    assert convergence.order(method, STEPS) == pytest.approx((known, known), abs=0.1)
-    right, wrong = convergence.errors(method, STEPS)
-    assert right.shape == wrong.shape == (3,) and (np.diff(right) < 0).all() and (np.diff(wrong) < 0).all()
+@pytest.mark.parametrize(("method", "expected"), [("Euler", 1), ("Heun", 2), ("RK4", 4)])
+def test_methods_converge_with_their_order_by_both_equations(method, expected):
+    assert convergence.order(method, STEPS) == pytest.approx((expected, expected), abs=0.1)
+    by_rates, wrong = convergence.errors(method, STEPS)
+    assert by_rates.shape == wrong.shape == (3,) and (np.diff(by_rates) < 0).all() and (np.diff(wrong) < 0).all()
 
 
 def test_only_the_right_equations_keep_the_energy():
@@ -47,26 +47,17 @@ def test_the_rods_keep_their_lengths():
     assert rest2 @ across[1] == pytest.approx(0.0, abs=1e-12) and rest1 @ across[0] == pytest.approx(0.0, abs=1e-12)
 
 
-def test_convergence_refuses_by_name():
-    for wrong in ("midpoint", "", None):
-        with pytest.raises(ValueError, match="method"):
-            convergence.errors(wrong, STEPS)
-    for wrong in ([0.0], [-0.1], [2.0], [[0.1]], [math.nan]):
-        with pytest.raises(ValueError, match="steps"):
-            convergence.errors("Euler", wrong)
-
-
 # Collisions as stiff springs
 
 
 def test_the_rebound_is_that_of_the_solved_motion():
     for stiffness, gravity in ((50.0, 9.81), (3000.0, 9.81), (40.0, 0.0)):
-        known = {"mass": 0.7, "stiffness": stiffness, "gravity": gravity}
+        expected = {"mass": 0.7, "stiffness": stiffness, "gravity": gravity}
         impulse, duration = stiff_impact.rebound(stiffness, mass=0.7, speed=1.5, gravity=gravity)
         times = np.linspace(0.0, duration, 2001)
-        states = solve(stiff_impact.rates, times, [0.0, -1.5], parameters=known, rtol=1e-12)
+        states = solve(stiff_impact.rates, times, [0.0, -1.5], parameters=expected, rtol=1e-12)
         assert states[-1] == pytest.approx([0.0, 1.5], abs=1e-9) and (states[1:-1, 0] < 0).all()
-        pushes = [stiff_impact.push(state, **known) for state in states]
+        pushes = [stiff_impact.push(state, **expected) for state in states]
         assert impulse == pytest.approx(np.trapezoid(pushes, times), rel=1e-5)
 
 
@@ -110,21 +101,3 @@ def test_a_much_stiffer_contact_collides_first():
             rod, _ = collide(rod, [0.0, -1.0], [[arms[which], 0.0], [0.0, 0.0]], **bodies)
         which = 1 - which
     assert [up, turning] == pytest.approx(rod[0, 1:], abs=5e-3)
-
-
-def test_stiff_impact_refuses_by_name():
-    for name, value in {"mass": 0.0, "speed": 0.0, "gravity": -1.0}.items():
-        with pytest.raises(ValueError, match=name):
-            stiff_impact.rebound(1.0, **{"mass": 1.0, "speed": 1.0, "gravity": 9.81, name: value})
-    with pytest.raises(ValueError, match="stiffness"):
-        stiff_impact.rebound(0.0, mass=1.0, speed=1.0, gravity=0.0)
-    for name, value in {"inertia": 0.0, "arms": (1.0,), "speed": math.nan}.items():
-        with pytest.raises(ValueError, match=name):
-            stiff_impact.two_contacts((1.0, 1.0), **{**ROD, name: value})
-    with pytest.raises(ValueError, match="stiffnesses"):
-        stiff_impact.two_contacts((1.0, 0.0), **ROD)
-
-
-def test_the_string_still_refuses_the_hole_where_nothing_is_integrated():
-    with pytest.raises(ValueError, match="state: r"):
-        string.by_newton((0.0, 0.0, 1.0, 1.0), **string.EXAMPLE)

@@ -8,91 +8,122 @@ from tam570 import lagrange
 from tam570.lectures import load
 
 DRAW = np.random.default_rng(570)
+g, k = 9.81, 5.0
 
 
 def symbols(*names):
     return sympy.symbols(" ".join(names), real=True)
 
 
-def compared(name, states, parameters, other):
+def compare(name, states, parameters, by_another_route):
     """Rates of a lecture at random states beside other ones."""
     for state in states:
-        found = load(name).rates(0.0, state.tolist(), **parameters)
-        assert found == pytest.approx(other(state), rel=1e-11, abs=1e-11)
+        rates = load(name).rates(0.0, state.tolist(), **parameters)
+        assert rates == pytest.approx(by_another_route(state), rel=1e-11, abs=1e-11)
 
 
-def by_lagrange(name, L, q, v, parameters, others, around=0.0, **options):
-    """Compare with the equations of a Lagrangian; `others` are its parameters, states are drawn around a state."""
-    equations = lagrange.load(lagrange.source(L, q, v, **options))
-    states = around + DRAW.normal(size=(5, 2 * len(q)))
-    compared(name, states, parameters, lambda state: equations.rhs(0.0, state.tolist(), **others))
-
-
-def test_quadratic_drag():
-    x, y, p, q, m, c, g = symbols("x", "y", "p", "q", "m", "c", "g")
+def quadratic_drag():
+    (x, y, p, q), m, c = symbols("x", "y", "p", "q"), 0.7, 0.3
     speed = sympy.sqrt(p**2 + q**2)
-    L = m * speed**2 / 2 - m * g * y
-    known = {"mass": 0.7, "drag": 0.3, "gravity": 9.81}
-    others = {"m": 0.7, "c": 0.3, "g": 9.81}
-    by_lagrange("quadratic_drag", L, [x, y], [p, q], known, others, forces=[-c * speed * p, -c * speed * q])
+    drag = [-c * speed * p, -c * speed * q]
+    return m * speed**2 / 2 - m * g * y, [x, y], [p, q], {"mass": m, "drag": c, "gravity": g}, {"forces": drag}
 
 
-def test_oscillator():
-    q, v, (m, k) = symbols("x", "y", "z"), symbols("u", "v", "w"), symbols("m", "k")
-    L = m * sum(a**2 for a in v) / 2 - k * sum(a**2 for a in q) / 2
-    by_lagrange("oscillator", L, q, v, {"mass": 0.7, "stiffness": 5.0}, {"m": 0.7, "k": 5.0})
+def oscillator():
+    q, v, m = symbols("x", "y", "z"), symbols("u", "v", "w"), 0.7
+    return sum(m * b**2 / 2 - k * a**2 / 2 for a, b in zip(q, v, strict=True)), q, v, {"mass": m, "stiffness": k}
 
 
-def test_planet():
-    q, v, gm = symbols("x", "y", "z"), symbols("u", "v", "w"), sympy.Symbol("gm", positive=True)
-    L = sum(a**2 for a in v) / 2 + gm / sympy.sqrt(sum(a**2 for a in q))
-    by_lagrange("planet", L, q, v, {"gm": 2.3}, {"gm": 2.3})
+def planet():
+    q, v, gm = symbols("x", "y", "z"), symbols("u", "v", "w"), 2.3
+    return sum(a**2 for a in v) / 2 + gm / sympy.sqrt(sum(a**2 for a in q)), q, v, {"gm": gm}
 
 
-def test_bodies():
+def bodies():
     n, masses, newton = 3, (0.5, 1.5, 2.5), 0.8
     q, v = symbols(*(f"q{i}" for i in range(3 * n))), symbols(*(f"v{i}" for i in range(3 * n)))
     L = sum(masses[i // 3] * v[i] ** 2 for i in range(3 * n)) / 2
-    for i in range(n):
-        for j in range(i):
-            square = sum((q[3 * i + k] - q[3 * j + k]) ** 2 for k in range(3))
-            L += newton * masses[i] * masses[j] / sympy.sqrt(square)
-    by_lagrange("bodies", L, q, v, {"masses": masses, "newton": newton}, {})
+    for i, j in ((1, 0), (2, 0), (2, 1)):
+        square = sum((q[3 * i + k] - q[3 * j + k]) ** 2 for k in range(3))
+        L += newton * masses[i] * masses[j] / sympy.sqrt(square)
+    return L, q, v, {"masses": masses, "newton": newton}
 
 
-def test_two_masses():
-    (x, y, u, v), (m1, m2, k, d) = symbols("x", "y", "u", "v"), symbols("m1", "m2", "k", "d")
-    L = (m1 * u**2 + m2 * v**2) / 2 - k * (y - x - d) ** 2 / 2
-    known = {"masses": (0.5, 2.0), "stiffness": 6.0, "rest_length": 1.2}
-    by_lagrange("two_masses", L, [x, y], [u, v], known, {"m1": 0.5, "m2": 2.0, "k": 6.0, "d": 1.2})
+def two_masses():
+    (x, y), (u, v), m, d = symbols("x", "y"), symbols("u", "v"), (0.5, 2.0), 1.2
+    L = (m[0] * u**2 + m[1] * v**2) / 2 - k * (y - x - d) ** 2 / 2
+    return L, [x, y], [u, v], {"masses": m, "stiffness": k, "rest_length": d}
 
 
-def test_truss():
-    masses, bars, lengths, k = (0.5, 1.0, 2.0), ((0, 1), (1, 2), (2, 0)), (1.0, 1.5, 0.7), 40.0
+def truss():
+    masses, bars, lengths = (0.5, 1.0, 2.0), ((0, 1), (1, 2), (2, 0)), (1.0, 1.5, 0.7)
     q, v = symbols(*(f"q{i}" for i in range(6))), symbols(*(f"v{i}" for i in range(6)))
     L = sum(masses[i // 2] * v[i] ** 2 for i in range(6)) / 2
     for (i, j), rest in zip(bars, lengths, strict=True):
         length = sympy.sqrt((q[2 * i] - q[2 * j]) ** 2 + (q[2 * i + 1] - q[2 * j + 1]) ** 2)
         L -= k * (length - rest) ** 2 / 2
-    known = {"masses": masses, "bars": bars, "lengths": lengths, "stiffness": k}
-    by_lagrange("truss", L, q, v, known, {})
+    return L, q, v, {"masses": masses, "bars": bars, "lengths": lengths, "stiffness": k}
 
 
-def test_swinging_bar():
+def swinging_bar():
     """The bar is the sum of its parts: the Lagrangian is integrated along it."""
-    th, om, m, length, g, s = symbols("th", "om", "m", "length", "g", "s")
+    th, om, s, m, length = *symbols("th", "om", "s"), 0.7, 1.3
     L = sympy.integrate(m / length * (s**2 * om**2 / 2 + g * s * sympy.cos(th)), (s, 0, length))
-    known = {"mass": 0.7, "length": 1.3, "gravity": 9.81}
-    by_lagrange("swinging_bar", L, [th], [om], known, {"m": 0.7, "length": 1.3, "g": 9.81})
+    return L, [th], [om], {"mass": m, "length": length, "gravity": g}
+
+
+def string():
+    """The Lagrangian in Cartesian coordinates of both particles, with r put in by SymPy."""
+    r, th, u, w, m = *symbols("r", "th", "u", "w"), (0.7, 1.9)
+    x, y = r * sympy.cos(th), r * sympy.sin(th)
+    square = sum((a.diff(r) * u + a.diff(th) * w) ** 2 for a in (x, y))
+    L = sympy.simplify(m[0] * square / 2) + m[1] * u**2 / 2 - m[1] * g * r
+    return L, [r, th], [u, w], {"masses": m, "gravity": g}, {"around": [6.0, 0, 0, 0]}
+
+
+def surface(shape, signs):
+    x, y, u, v, m, c = *symbols("x", "y", "u", "v"), 1.7, 0.8
+    h = c * (signs[0] * x**2 + signs[1] * y**2) / 2
+    L = m * (u**2 + v**2 + (sympy.diff(h, x) * u + sympy.diff(h, y) * v) ** 2) / 2 - m * g * h
+    return L, [x, y], [u, v], {"mass": m, "gravity": g, "surface": shape, "curvature": c}
+
+
+def top():
+    """Body components of omega from R^T R', R a product of three matrices."""
+    psi, theta, phi, a, b, c = symbols("psi", "theta", "phi", "a", "b", "c")
+    m, d, C, A = 0.5, 0.3, 0.2, 0.5
+    R = sympy.rot_ccw_axis3(psi) * sympy.rot_ccw_axis1(theta) * sympy.rot_ccw_axis3(phi)
+    rate = sum((R.diff(q) * v for q, v in zip((psi, theta, phi), (a, b, c), strict=True)), sympy.zeros(3))
+    spin = sympy.simplify(R.T * rate)
+    w1, w2, w3 = spin[2, 1], spin[0, 2], spin[1, 0]
+    L = (A * (w1**2 + w2**2) + C * w3**2) / 2 - m * g * d * R[2, 2]
+    parameters = {"mass": m, "distance": d, "axial": C, "transverse": A, "gravity": g}
+    return L, [psi, theta, phi], [a, b, c], parameters, {"around": [0, 1.6, 0, 0, 0, 0]}
+
+
+SYSTEMS = [
+    *((each, ()) for each in (quadratic_drag, oscillator, planet, bodies, two_masses, truss, swinging_bar, string)),
+    *((surface, case) for case in (("bowl", (1, 1)), ("saddle", (1, -1)), ("plane", (0, 0)))),
+    pytest.param(top, (), marks=pytest.mark.slow),
+]
+
+
+@pytest.mark.parametrize(("system", "case"), SYSTEMS)
+def test_rates_are_those_of_a_lagrangian(system, case):
+    L, q, v, parameters, *more = system(*case)
+    options = dict(*more)
+    states = options.pop("around", 0.0) + DRAW.normal(size=(5, 2 * len(q)))
+    equations = lagrange.load(lagrange.source(L, q, v, **options))
+    compare(system.__name__, states, parameters, lambda state: equations.rhs(0.0, state.tolist()))
 
 
 def test_sleigh():
     """With a multiplier for the blade, in the coordinates of the blade."""
     (x, y, h, u, v, w), (m, J, a) = symbols("x", "y", "h", "u", "v", "w"), symbols("m", "J", "a")
     gx, gy = u - a * w * sympy.sin(h), v + a * w * sympy.cos(h)
-    slip = v * sympy.cos(h) - u * sympy.sin(h)
+    sideways = v * sympy.cos(h) - u * sympy.sin(h)
     L = m * (gx**2 + gy**2) / 2 + J * w**2 / 2
-    equations = lagrange.load(lagrange.source(L, [x, y, h], [u, v, w], constraints=[slip]))
+    equations = lagrange.load(lagrange.source(L, [x, y, h], [u, v, w], constraints=[sideways]))
 
     def other(state):
         px, py, heading, speed, yaw = state.tolist()
@@ -101,39 +132,5 @@ def test_sleigh():
         *velocities, ax, ay, turning = equations.rhs(0.0, full, m=0.7, J=0.2, a=0.4)
         return [*velocities, ax * c + ay * s, turning]  # the unit vector ahead turns across itself
 
-    known = {"mass": 0.7, "inertia": 0.2, "offset": 0.4}
-    compared("sleigh", DRAW.normal(size=(5, 5)), known, other)
-
-
-def test_string():
-    """The Lagrangian in Cartesian coordinates of both particles, with r put in by SymPy."""
-    r, th, u, w, m1, m2, g = symbols("r", "th", "u", "w", "m1", "m2", "g")
-    x, y = r * sympy.cos(th), r * sympy.sin(th)
-    square = sum((a.diff(r) * u + a.diff(th) * w) ** 2 for a in (x, y))
-    L = sympy.simplify(m1 * square / 2) + m2 * u**2 / 2 - m2 * g * r
-    known = {"masses": (0.7, 1.9), "gravity": 9.81}
-    by_lagrange("string", L, [r, th], [u, w], known, {"m1": 0.7, "m2": 1.9, "g": 9.81}, around=[6.0, 0, 0, 0])
-
-
-@pytest.mark.parametrize(("surface", "signs"), [("bowl", (1, 1)), ("saddle", (1, -1)), ("plane", (0, 0))])
-def test_surface(surface, signs):
-    x, y, u, v, m, g, c = symbols("x", "y", "u", "v", "m", "g", "c")
-    h = c * (signs[0] * x**2 + signs[1] * y**2) / 2
-    L = m * (u**2 + v**2 + (h.diff(x) * u + h.diff(y) * v) ** 2) / 2 - m * g * h
-    known = {"mass": 1.7, "gravity": 9.81, "surface": surface, "curvature": 0.8}
-    others = {"m": 1.7, "g": 9.81, "c": 0.8} if surface != "plane" else {"m": 1.7}
-    by_lagrange("surface", L, [x, y], [u, v], known, others)
-
-
-@pytest.mark.slow
-def test_top():
-    """Body components of omega from R^T R', R a product of three matrices."""
-    psi, theta, phi, a, b, c, m, d, C, A, g = symbols("psi", "theta", "phi", "a", "b", "c", "m", "d", "C", "A", "g")
-    R = sympy.rot_ccw_axis3(psi) * sympy.rot_ccw_axis1(theta) * sympy.rot_ccw_axis3(phi)
-    rate = sum((R.diff(q) * v for q, v in zip((psi, theta, phi), (a, b, c), strict=True)), sympy.zeros(3))
-    spin = sympy.simplify(R.T * rate)
-    w1, w2, w3 = spin[2, 1], spin[0, 2], spin[1, 0]
-    L = sympy.simplify((A * (w1**2 + w2**2) + C * w3**2) / 2) - m * g * d * R[2, 2]
-    known = {"mass": 0.5, "distance": 0.3, "axial": 0.2, "transverse": 0.5, "gravity": 9.81}
-    others = {"m": 0.5, "d": 0.3, "C": 0.2, "A": 0.5, "g": 9.81}
-    by_lagrange("top", L, [psi, theta, phi], [a, b, c], known, others, around=[0, 1.6, 0, 0, 0, 0])
+    parameters = {"mass": 0.7, "inertia": 0.2, "offset": 0.4}
+    compare("sleigh", DRAW.normal(size=(5, 5)), parameters, other)

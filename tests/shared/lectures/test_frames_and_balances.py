@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tam570.integrate import solve
-from tam570.lectures import bearings, frames, inertia, many, rigid_kinematics
+from tam570.lectures import frames, inertia, many, rigid_kinematics
 from tam570.rotations import matrix_from_axis_angle
 
 DRAW = np.random.default_rng(571)
@@ -22,29 +22,22 @@ def table():
 def test_seen_from_space_only_the_spring_acts():
     """The state's rate, carried to space by differences, is F = m a with the spring alone."""
     for _ in range(10):
-        known, t, state, h = table(), DRAW.uniform(-2, 2), DRAW.normal(size=4), 1e-6
-        rate = np.array(frames.rates(t, state, **known))
-        before, after = (frames.to_space(t + s, state + s * rate, spin=known["spin"]) for s in (-h, h))
-        r, v = np.split(frames.to_space(t, state, spin=known["spin"]), 2)
-        assert (after - before) / (2 * h) == pytest.approx([*v, *(-known["stiffness"] / known["mass"] * r)], abs=1e-7)
+        turntable, t, state, h = table(), DRAW.uniform(-2, 2), DRAW.normal(size=4), 1e-6
+        rate = np.array(frames.rates(t, state, **turntable))
+        before, after = (frames.to_space(t + s, state + s * rate, spin=turntable["spin"]) for s in (-h, h))
+        r, v = np.split(frames.to_space(t, state, spin=turntable["spin"]), 2)
+        assert (after - before) / (2 * h) == pytest.approx(
+            [*v, *(-turntable["stiffness"] / turntable["mass"] * r)], abs=1e-7
+        )
 
 
 def test_the_observer_on_the_table_adds_two_forces():
     for _ in range(5):
-        known, state = table(), DRAW.normal(size=4)
-        added = frames.coriolis(state, **known) + frames.centrifugal(state, **known)
-        felt = known["mass"] * np.array(frames.rates(0.0, state, **known)[2:])
-        assert felt == pytest.approx(added - known["stiffness"] * state[:2], abs=1e-12)
-        assert frames.coriolis(state, **known) @ state[2:] == pytest.approx(0.0, abs=1e-12)
-
-
-def test_without_a_spring_it_goes_straight_on_in_space():
-    known, times = {"mass": 2.0, "stiffness": 0.0, "spin": 1.7}, np.linspace(0.5, 4.5, 30)
-    seen = solve(frames.rates, times, [1.0, 0.2, -0.4, 0.3], parameters=known, rtol=1e-12)
-    space = frames.to_space(times, seen, spin=1.7)
-    straight = space[0, :2] + np.outer(times - times[0], space[0, 2:])
-    assert space[:, :2] == pytest.approx(straight, abs=1e-9)
-    assert seen == pytest.approx(frames.exact(times, seen[0], **known), abs=1e-9)
+        turntable, state = table(), DRAW.normal(size=4)
+        added = frames.coriolis(state, **turntable) + frames.centrifugal(state, **turntable)
+        felt = turntable["mass"] * np.array(frames.rates(0.0, state, **turntable)[2:])
+        assert felt == pytest.approx(added - turntable["stiffness"] * state[:2], abs=1e-12)
+        assert frames.coriolis(state, **turntable) @ state[2:] == pytest.approx(0.0, abs=1e-12)
 
 
 def test_to_space_and_back():
@@ -75,16 +68,6 @@ def test_a_swing_on_the_turning_earth_keeps_to_foucaults_plane():
     ) == pytest.approx(-2 * math.pi)
 
 
-def test_frames_refuse_by_name():
-    for name, value in {"length": 0.0, "gravity": -1.0, "latitude": math.nan, "spin": math.inf}.items():
-        with pytest.raises(ValueError, match=name):
-            frames.foucault(1.0, **{"length": 1.0, "gravity": 9.81, "latitude": 0.7, "spin": 0.1, name: value})
-    with pytest.raises(ValueError, match="state"):
-        frames.to_space(0.0, [1.0, 2.0, 3.0], spin=1.0)
-    with pytest.raises(ValueError, match=r"\bt\b"):
-        frames.to_space([0.0, 1.0], [1.0, 2.0, 3.0, 4.0], spin=1.0)
-
-
 # Kinematics of a rigid body
 
 
@@ -105,22 +88,22 @@ def test_velocity_and_acceleration_are_those_of_differences():
     for _ in range(5):
         axis = DRAW.normal(size=3)
         axis /= np.linalg.norm(axis)
-        known = DRAW.normal(size=(4, 3)), axis, DRAW.normal(size=4), DRAW.normal(size=(4, 3))
+        motion = DRAW.normal(size=(4, 3)), axis, DRAW.normal(size=4), DRAW.normal(size=(4, 3))
         t, h = DRAW.uniform(-1, 1), 1e-4
 
-        def place(t, still=None, known=known):
-            (A, _, _), R, _, _, (p, _, _) = moving_point(t, *known)
+        def position(t, still=None, motion=motion):
+            (A, _, _), R, _, _, (p, _, _) = moving_point(t, *motion)
             return A + R @ (p if still is None else still)
 
-        (_, v_a, a_a), R, omega, alpha, (p, v, a) = moving_point(t, *known)
-        around = [place(t + s) for s in (-h, 0, h)]
-        fixed = [place(t + s, p) for s in (-h, 0, h)]
+        (_, v_a, a_a), R, omega, alpha, (p, v, a) = moving_point(t, *motion)
+        around = [position(t + s) for s in (-h, 0, h)]
+        fixed = [position(t + s, p) for s in (-h, 0, h)]
         assert rigid_kinematics.velocity(v_a, omega, R @ p) == pytest.approx((fixed[2] - fixed[0]) / (2 * h), abs=1e-5)
         second = (fixed[0] - 2 * fixed[1] + fixed[2]) / h**2
         assert rigid_kinematics.acceleration(a_a, omega, alpha, R @ p) == pytest.approx(second, abs=1e-4)
-        terms = rigid_kinematics.five_terms(a_a, omega, alpha, R @ p, R @ v, R @ a)
-        assert len(terms) == 5 and all(term.shape == (3,) for term in terms.values())
-        assert sum(terms.values()) == pytest.approx((around[0] - 2 * around[1] + around[2]) / h**2, abs=1e-4)
+        summands = rigid_kinematics.five_terms(a_a, omega, alpha, R @ p, R @ v, R @ a)
+        assert len(summands) == 5 and all(term.shape == (3,) for term in summands.values())
+        assert sum(summands.values()) == pytest.approx((around[0] - 2 * around[1] + around[2]) / h**2, abs=1e-4)
 
 
 def test_a_turning_vector_keeps_its_length():
@@ -185,15 +168,6 @@ def test_the_balances_are_the_rates_of_the_momenta():
     assert power == pytest.approx((kinetic[1] - kinetic[0]) / (2 * h) - tensions, abs=1e-6)
 
 
-def test_many_refuses_by_name():
-    with pytest.raises(ValueError, match="masses"):
-        many.kinetic(np.zeros(12), masses=[1.0, 0.0])
-    with pytest.raises(ValueError, match="state"):
-        many.kinetic(np.zeros(13), masses=[1.0, 1.0])
-    with pytest.raises(ValueError, match="forces"):
-        many.balances(np.zeros(12), np.ones((2, 2, 3)), masses=[1.0, 1.0])
-
-
 # Inertia
 
 
@@ -241,26 +215,3 @@ def test_box_and_disk_are_the_limits_of_many_particles():
         inertia.inertia(flat, np.full(len(flat), 3.0 / len(flat))), rel=2e-2, abs=1e-2
     )
     assert inertia.principal(inertia.of_disk(3.0, 1.0))[0] == pytest.approx([0.75, 0.75, 1.5])
-
-
-def test_off_diagonal_terms_are_what_bearings_feel():
-    points, masses = cloud()
-    matrix = inertia.inertia(points, masses)
-    assert bearings.moment(matrix, 2.0, 0.0) == pytest.approx([-4 * matrix[1, 2], 4 * matrix[0, 2], 0.0])
-    moments, axes = inertia.principal(matrix)
-    balanced = axes.T @ matrix @ axes
-    assert bearings.moment((balanced + balanced.T) / 2, 2.0, 0.0) == pytest.approx(np.zeros(3), abs=1e-12)
-
-
-def test_what_no_body_has_is_refused_by_name():
-    for wrong in (np.diag([1.0, 1.0, 3.0]), np.diag([-1.0, 1.0, 1.0]), [[1, 2, 0], [0, 1, 0], [0, 0, 1]], np.eye(2)):
-        with pytest.raises(ValueError, match=r"\bI\b"):
-            inertia.principal(wrong)
-    with pytest.raises(ValueError, match="masses"):
-        inertia.inertia(np.zeros((2, 3)), [1.0, 0.0])
-    with pytest.raises(ValueError, match="points"):
-        inertia.inertia(np.zeros((3, 3)), [1.0, 1.0])
-    with pytest.raises(ValueError, match="size"):
-        inertia.of_box(1.0, [1.0, 0.0, 1.0])
-    with pytest.raises(ValueError, match="radius"):
-        inertia.of_disk(1.0, -1.0)

@@ -37,10 +37,10 @@ def tab(browser, tmp_path):
 
 
 def test_all_films_of_a_slider_share_one_scale():
-    found = packed(with_slider(grown, "size", "m", [4.0, 1.0], 2.0))
-    assert found["slider"]["values"] == [1.0, 2.0, 4.0] and found["slider"]["chosen"] == 1
-    one, chosen, four = found["slider"]["scenes"]
-    assert chosen is None and {scene["panels"][0]["unit"] for scene in (one, found, four)} == {4.0 / 2000}
+    document = packed(with_slider(grown, "size", "m", [4.0, 1.0], 2.0))
+    assert document["slider"]["values"] == [1.0, 2.0, 4.0] and document["slider"]["chosen"] == 1
+    one, chosen, four = document["slider"]["scenes"]
+    assert chosen is None and {scene["panels"][0]["unit"] for scene in (one, document, four)} == {4.0 / 2000}
     assert one["panels"][0]["size"] == four["panels"][0]["size"]
 
 

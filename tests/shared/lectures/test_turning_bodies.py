@@ -50,20 +50,6 @@ class TestGimbals:
         assert np.isfinite(gimbals.euler_rates([0.3, near, 0.1], [1.0, 2.0, 3.0], sequence)).all()
 
 
-def test_gimbals_refuse_by_name():
-    for wrong, name in (
-        (("123", [1, 2, 3]), "sequence"),
-        (("313", [1, 2]), "angles"),
-        (("313", [1, 2, math.nan]), "angles"),
-    ):
-        with pytest.raises(ValueError, match=name):
-            gimbals.rings(wrong[1], wrong[0])
-    with pytest.raises(ValueError, match="rates"):
-        gimbals.angular_velocity([1, 2, 3], [1, 2], "313")
-    with pytest.raises(ValueError, match="omega"):
-        gimbals.euler_rates([1, 2, 3], [1, math.inf, 2], "313")
-
-
 BODIES = [
     {"axial": C, "transverse": A, "spin": s, "wobble": w}
     for C, A in ((2.0, 1.0), (0.3, 1.4), (1.0, 1.0))
@@ -143,11 +129,11 @@ def free_state():
 
 def test_the_matrix_moves_as_euler_has_it():
     """Two derivations: omega in space, and omega in the body, with H constant and with Euler's equations."""
-    known = {"inertia": (1.0, 2.3, 2.9)}
+    moments = {"inertia": (1.0, 2.3, 2.9)}
     for _ in range(5):
         R, omega = free_state()
-        body = wrong_coordinates.rates(0.0, [*R.ravel(), *omega], **known)
-        space = drifting_matrix.rates(0.0, [*R.ravel(), *(R @ omega)], **known)
+        body = wrong_coordinates.rates(0.0, [*R.ravel(), *omega], **moments)
+        space = drifting_matrix.rates(0.0, [*R.ravel(), *(R @ omega)], **moments)
         assert space[:9] == pytest.approx(body[:9], abs=1e-13)
         assert space[9:] == pytest.approx(R @ body[9:], abs=1e-13)  # omega x omega = 0
 
@@ -162,8 +148,8 @@ def test_the_matrix_drifts_and_rotations_do_not():
     def euler(t, w):
         return (B - C) * w[1] * w[2] / A, (C - A) * w[2] * w[0] / B, (A - B) * w[0] * w[1] / C
 
-    _, kept = solve_rotation(euler, times, m.START[9:], np.eye(3), rtol=1e-6)
-    assert rotation_defect(kept).max() < 1e-14 < 1e-6 < defects[-1]  # rounding
+    _, matrices = solve_rotation(euler, times, m.START[9:], np.eye(3), rtol=1e-6)
+    assert rotation_defect(matrices).max() < 1e-14 < 1e-6 < defects[-1]  # rounding
 
 
 def test_the_wrong_coordinates_keep_energy_and_size_and_lose_the_direction():
@@ -174,10 +160,3 @@ def test_the_wrong_coordinates_keep_energy_and_size_and_lose_the_direction():
     assert energies == pytest.approx([energies[0]] * 11, rel=1e-9)
     assert np.linalg.norm(H, axis=1) == pytest.approx(np.full(11, np.linalg.norm(H[0])), rel=1e-9)
     assert np.linalg.norm(H - H[0], axis=1).max() > 0.1 * np.linalg.norm(H[0])
-
-
-@pytest.mark.parametrize("module", [drifting_matrix, wrong_coordinates])
-def test_moments_of_inertia_are_positive(module):
-    for wrong in ((1.0, 0.0, 2.0), (1.0, 2.0), (1.0, math.nan, 1.0)):
-        with pytest.raises(ValueError, match="inertia"):
-            module.rates(0.0, module.START, inertia=wrong)
