@@ -1,4 +1,4 @@
-"""Cartesian, with multipliers and projection; arrays in odd forms."""
+"""Show that Cartesian equations with a multiplier pass, and read-only, transposed and zero-dimensional results."""
 import numpy as np
 import sympy as sy
 from scipy.integrate import solve_ivp

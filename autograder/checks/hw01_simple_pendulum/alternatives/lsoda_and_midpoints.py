@@ -1,4 +1,4 @@
-"""Right: odeint, the action by midpoints in plain Python, the period by a quadrature with a singular end."""
+"""Show that LSODA passes, a sum over chords for the action, and a diagram of lines without sizes."""
 
 import math
 

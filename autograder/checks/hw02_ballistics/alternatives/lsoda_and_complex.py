@@ -1,4 +1,4 @@
-"""Right: the plane as complex numbers; LSODA; the best angle from the duration of the best flight."""
+"""Show that the plane as complex numbers passes, LSODA, and markers at every eighth time."""
 
 import cmath
 import math

@@ -1,4 +1,4 @@
-"""Right: RK4 with fixed fine steps between the samples; the solution's other functions in terms of velocity lost."""
+"""Show that fixed Runge-Kutta steps pass, and a best angle from the slope of the range."""
 
 import math
 

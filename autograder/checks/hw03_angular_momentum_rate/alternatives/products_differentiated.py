@@ -1,4 +1,4 @@
-"""Right: every rate written as a differentiated product; b with both velocities along one line, c with P circling nothing."""
+"""Show that any special motions pass: collinear velocities for b, P at rest about C for c."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Right: the rate by a difference of high order of the angular momentum along a short motion with the given derivatives."""
+"""Show that a rate by finite differences of high order passes."""
 
 import numpy as np
 

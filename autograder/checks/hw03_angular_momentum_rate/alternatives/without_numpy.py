@@ -1,4 +1,4 @@
-"""Plain Python: components by the permutation symbol, and rates by complex steps along the motion."""
+"""Show that plain Python passes: the permutation symbol, rates by complex steps, lists."""
 
 EVEN = (0, 1, 2), (1, 2, 0), (2, 0, 1)
 STEP = 1e-30  # s; a complex step has no difference to round

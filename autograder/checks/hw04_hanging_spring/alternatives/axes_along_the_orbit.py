@@ -1,4 +1,4 @@
-"""The axes are sought along a simulated orbit, where the distance from the centre stops changing."""
+"""Show that axes found on a simulated orbit pass, where the distance stops changing."""
 
 import numpy as np
 from scipy.integrate import solve_ivp

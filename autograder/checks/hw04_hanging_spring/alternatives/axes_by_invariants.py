@@ -1,4 +1,4 @@
-"""Right: DOP853 at rtol 1e-9, atol 1e-9, complex exponentials, the axes' sum and difference from the invariants."""
+"""Show that DOP853 at 1e-9 and complex exponentials pass, and axes from energy and angular momentum."""
 
 import numpy as np
 from scipy.integrate import solve_ivp

@@ -1,4 +1,4 @@
-"""Right: Yoshida's symplectic method of fourth order with fixed steps, NumPy scalars, singular vectors."""
+"""Show that a symplectic method with fixed steps passes, and NumPy scalars as results."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Right: LSODA with Baumgarte's stabilisation and a tight tolerance, no projection; acceleration by a linear system."""
+"""Show that LSODA with Baumgarte's stabilisation passes without projection."""
 
 import numpy as np
 from scipy.integrate import solve_ivp

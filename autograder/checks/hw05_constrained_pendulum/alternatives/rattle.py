@@ -1,4 +1,4 @@
-"""Right: the RATTLE method (Andersen 1983), composed to fourth order, with fixed steps: on the circle by construction."""
+"""Show that a method that keeps the constraint by construction passes: RATTLE, composed to fourth order."""
 
 import math
 

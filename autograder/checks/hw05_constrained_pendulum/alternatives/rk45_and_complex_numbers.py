@@ -1,4 +1,4 @@
-"""Right: RK45 at rtol 1e-9, atol 1e-9 on position and rate of turning; the plane as complex numbers."""
+"""Show that the plane as complex numbers passes, RK45 at 1e-9 on position and rate of turning."""
 
 import numpy as np
 from scipy.integrate import solve_ivp

@@ -1,4 +1,4 @@
-"""Right: equations on paper for each axle, DOP853 of solve_ivp with an event for the stop, numpy arrays."""
+"""Show that a stop found by an event passes."""
 
 import math
 

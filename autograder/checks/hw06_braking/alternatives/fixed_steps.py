@@ -1,4 +1,4 @@
-"""Right: complex numbers for the plane, Runge-Kutta with fixed steps that get shorter as the car gets slower, tuples."""
+"""Show that plain Python passes: complex numbers, steps that shrink as the car slows, forces of zero left out."""
 
 import cmath
 import math

@@ -1,4 +1,4 @@
-"""Right: friction smoothed below a fifth of a millimetre a second in the simulation, which LSODA then carries past the stop."""
+"""Show that friction smoothed below 0.2 mm/s passes, which LSODA carries beyond the stop."""
 
 from math import cos, exp, hypot, inf, log, sin, sqrt
 

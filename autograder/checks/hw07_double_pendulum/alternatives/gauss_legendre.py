@@ -1,5 +1,4 @@
-"""Right: a symplectic method, Gauss-Legendre with three stages, in angles and conjugate momenta, fixed steps; the path
-is coloured by the time, piece by piece."""
+"""Show that a symplectic method in conjugate momenta passes, and a path drawn as a LineCollection."""
 
 import numpy as np
 from matplotlib.collections import LineCollection

@@ -1,4 +1,4 @@
-"""Complex numbers; the bars on the fly by a pseudoinverse of all ten equations."""
+"""Show that complex numbers, a pseudoinverse of all ten equations and SymPy's frequencies pass."""
 
 import math, cmath
 import numpy as np

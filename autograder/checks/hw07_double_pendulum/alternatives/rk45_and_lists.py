@@ -1,4 +1,4 @@
-"""Right: plain Python, lists and tuples, formulas by hand, RK45."""
+"""Show that plain Python passes: lists, tuples, formulas by hand, RK45."""
 
 from math import cos, pi, sin, sqrt
 

@@ -1,4 +1,4 @@
-"""Right: turns the part of r that is across the axis, in a frame built on the axis, in one column after another."""
+"""Show that a rotation in a frame built on the axis passes, one column after another."""
 
 import math
 

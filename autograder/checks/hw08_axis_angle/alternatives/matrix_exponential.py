@@ -1,4 +1,4 @@
-"""Right: the exponential of the skew matrix, the part across the axis turned as a complex number; tuples and lists."""
+"""Show that the exponential of the skew matrix passes, complex numbers, tuples and lists."""
 
 import cmath
 

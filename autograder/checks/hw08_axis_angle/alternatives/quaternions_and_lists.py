@@ -1,4 +1,4 @@
-"""Right: by a unit quaternion, in plain Python, with lists for results."""
+"""Show that plain Python passes: a unit quaternion, lists for results."""
 
 import math
 

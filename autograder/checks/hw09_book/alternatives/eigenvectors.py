@@ -1,4 +1,4 @@
-"""Right: the axis as an eigenvector of R + R^T for large angles, from R - R^T for small ones."""
+"""Show that the axis as an eigenvector of R + R^T passes for large angles."""
 
 from itertools import product
 

@@ -1,4 +1,4 @@
-"""Right: sin and cos of half the angle from R - I and the trace; the axis by singular values where R - I is large."""
+"""Show that half angles pass, and the axis by singular values."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Right: unit quaternions in plain Python (Shepperd's choice of the largest), lists for results."""
+"""Show that plain Python passes: unit quaternions by Shepperd's choice of the largest, lists."""
 
 import math
 

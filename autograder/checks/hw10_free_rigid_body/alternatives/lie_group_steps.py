@@ -1,4 +1,4 @@
-"""Right: Lie-group steps at a fixed size, RK4 for omega and the exponential of Magnus of order 4; the period by quadrature."""
+"""Show that Lie-group steps of a fixed size pass, and a period by quadrature."""
 
 import math
 

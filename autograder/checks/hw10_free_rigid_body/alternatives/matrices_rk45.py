@@ -1,4 +1,4 @@
-"""Right: omega and nine elements of R by RK45 with NumPy; the period by ellipk."""
+"""Show that RK45 on nine elements of R passes without orthogonalisation, and a period by ellipk."""
 
 import numpy as np
 from scipy.integrate import solve_ivp

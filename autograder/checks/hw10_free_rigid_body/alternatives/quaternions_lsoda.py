@@ -1,4 +1,4 @@
-"""Right: unit quaternions in plain Python by LSODA, lists and tuples for results; the period by ellipkm1."""
+"""Show that plain Python passes: quaternions, LSODA, lists and tuples, a period by ellipkm1."""
 
 import math
 

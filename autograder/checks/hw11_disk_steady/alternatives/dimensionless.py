@@ -1,4 +1,4 @@
-"""Right: by the textbook's formulas in k = A / (m a^2) and n = C / (m a^2), in plain Python."""
+"""Show that the textbook's formulas in A/(m a^2) and C/(m a^2) pass, in plain Python."""
 
 from math import cos, sin, sqrt, tan
 

@@ -1,4 +1,4 @@
-"""Right: every unknown by a root finder (scipy.optimize) on the balance of moments in the frame of the disk."""
+"""Show that unknowns by a root finder pass."""
 
 import numpy as np
 from scipy.optimize import brentq

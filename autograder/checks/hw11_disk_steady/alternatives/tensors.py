@@ -1,4 +1,4 @@
-"""Right: the inertia tensor in space axes, unknowns by numpy.linalg.solve, results as arrays without dimensions."""
+"""Show that the inertia tensor in space axes passes, and arrays without dimensions."""
 
 import numpy as np
 

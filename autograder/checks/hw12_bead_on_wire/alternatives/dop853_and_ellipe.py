@@ -1,4 +1,4 @@
-"""Right: formulas by hand, DOP853, Legendre's integral from SciPy, lists, symbols known to be real and positive."""
+"""Show that symbols with assumptions, another zero level and Legendre's integral pass."""
 
 import numpy as np
 import sympy as sp

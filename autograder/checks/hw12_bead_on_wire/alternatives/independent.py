@@ -1,4 +1,4 @@
-"""Right: SymPy's euler_equations for Lagrange, lambdify for the simulation, ellipe at a negative parameter."""
+"""Show that SymPy's euler_equations pass, and a simulation of its lambdified result."""
 import matplotlib.pyplot as plt  # noqa: F401
 import numpy as np
 import sympy as sp

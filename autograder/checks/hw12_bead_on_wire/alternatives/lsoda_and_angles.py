@@ -1,4 +1,4 @@
-"""Right: by the angle of the wire and its bend, odeint, tuples, a quadrature that is singular at its end."""
+"""Show that the angle of the wire as the variable passes, odeint, and a quadrature singular at its end."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Right: as handed in, with prints, warnings, a plot shown on import, a dataclass and long doubles."""
+"""Show that prints, warnings, a plot on import, a dataclass, a cache and long doubles pass."""
 from __future__ import annotations
 import numpy as np
 from scipy.integrate import solve_ivp

@@ -1,4 +1,4 @@
-"""Right: moments about the centre's and the material contact's acceleration, complex numbers for the plane; LSODA."""
+"""Show that moments about the centre and about the material contact pass, complex numbers, LSODA."""
 
 import cmath
 import math

@@ -1,4 +1,4 @@
-"""Right: everything from the energy, as E = I^C phi_dot^2/2 + V(phi); RK45 of solve_ivp; plain floats and tuples."""
+"""Show that everything from the energy of one coordinate passes, RK45, plain floats and tuples."""
 
 from math import cos, sin
 

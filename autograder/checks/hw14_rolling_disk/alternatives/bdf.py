@@ -1,4 +1,4 @@
-"""Right: rates of omega along e1, e2, e3, a linear system for the multipliers, SciPy's BDF at 1e-9 for both motions."""
+"""Show that an implicit method (BDF) passes, and multipliers from a linear system."""
 
 import numpy as np
 from scipy.integrate import solve_ivp

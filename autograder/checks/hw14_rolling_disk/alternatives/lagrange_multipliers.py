@@ -1,4 +1,4 @@
-"""Right: Lagrange's equations, five coordinates and two rolling constraints, with odeint (LSODA) at 1e-9."""
+"""Show that Lagrange's equations with five coordinates and two constraints pass, with odeint."""
 
 import numpy as np
 from scipy.integrate import odeint
