@@ -46,30 +46,9 @@ def free_body_diagram(reference, theta, omega, **pendulum):
     return [(r, r), weight, (r, inwards)]
 
 
-@mistake("You wrote None for the rod; its force acts along it.", first_fails=forces_on_the_mass, compared=False)
-def free_body_diagram(reference, theta, omega, **pendulum):
-    weight, (r, _) = reference(theta, omega, **pendulum)
-    return [weight, (r, None)]
-
-
 @mistake("You use cos(theta) in alpha; use sin(theta).", first_fails=newton_gives_the_acceleration)
 def linear_momentum_balance(reference, theta, omega, **pendulum):
     return reference(math.pi / 2 - theta, omega, **pendulum)[0], reference(theta, omega, **pendulum)[1]
-
-
-@mistake("You cut a negative tension off to 0; a rod can push.", first_fails=newton_gives_the_tension)
-def linear_momentum_balance(reference, theta, omega, **pendulum):
-    alpha, tension = reference(theta, omega, **pendulum)
-    return alpha, max(tension, 0.0)
-
-
-@mistake(
-    "You subtract m l omega^2 from the tension; add it, because the mass accelerates towards the hinge.",
-    first_fails=newton_gives_the_tension,
-)
-def linear_momentum_balance(reference, theta, omega, **pendulum):
-    alpha, tension = reference(theta, omega, **pendulum)
-    return alpha, tension - 2 * pendulum["mass"] * pendulum["length"] * omega**2
 
 
 @mistake("You use the whole weight in the tension; use its part along the rod.", first_fails=newton_gives_the_tension)
@@ -191,15 +170,6 @@ def lagrange_equation(reference):
 
 
 @mistake(
-    "You integrate T + V; the action is the integral of T - V.",
-    first_fails=action_is_stationary_on_motions,
-    tolerance=1e-3,
-)
-def action(reference, theta, step, *, gravity, **rod):
-    return reference(theta, step, gravity=-gravity, **rod)
-
-
-@mistake(
     "You use the potential energy of small angles, m g l theta^2/2; the path has large angles.",
     first_fails=action_is_stationary_on_motions,
     tolerance=1e-3,
@@ -235,15 +205,6 @@ def small_angle_solution(reference, t, theta0, omega0, **rod):
 
 
 @mistake(
-    "In omega(t), your term with theta0 lacks the factor sqrt(g/l); differentiate theta(t).",
-    first_fails=small_angle_solution_is_harmonic,
-)
-def small_angle_solution(reference, t, theta0, omega0, *, length, gravity):
-    k, rows = math.sqrt(gravity / length), reference(t, theta0, omega0, length=length, gravity=gravity)
-    return rows + np.outer((k - 1) * theta0 * np.sin(k * t), [0, 1])
-
-
-@mistake(
     "You divide sin(w t) by w = sqrt(g/l), which is 0/0 without gravity; use its limit t.",
     first_fails=small_angle_solution_without_gravity,
     compared=False,
@@ -252,11 +213,6 @@ def small_angle_solution(reference, t, theta0, omega0, *, length, gravity):
     k = np.sqrt(gravity / length)
     c, s = np.cos(k * t), np.sin(k * t)
     return np.column_stack([theta0 * c + omega0 * s / k, omega0 * c - theta0 * k * s])
-
-
-@mistake("You return the period of small angles; it grows with the amplitude.", first_fails=period_is_exact)
-def period(reference, amplitude, *, length, gravity):
-    return 2 * math.pi * math.sqrt(length / gravity)
 
 
 @mistake(
@@ -299,23 +255,6 @@ def _state_derivative(reference, t, state, *, length, gravity):
 @mistake("You integrate the linear equation; use sin(theta).", first_fails=simulate_swings)
 def simulate(reference, t, theta0, omega0, **rod):
     return small_angle_solution(t - t[0], theta0, omega0, **rod)
-
-
-@mistake("You assume evenly spaced times; use the given times.", first_fails=simulate_swings)
-def simulate(reference, t, theta0, omega0, **rod):
-    return reference(np.linspace(t[0], t[-1], len(t)), theta0, omega0, **rod)
-
-
-@mistake(
-    "You integrate with solve_ivp's default tolerances; tighten rtol and atol.",
-    first_fails=simulate_swings,
-    compared=False,
-    numerics=True,
-)
-def simulate(reference, t, theta0, omega0, **rod):
-    from scipy.integrate import solve_ivp
-
-    return solve_ivp(lambda s, y: _state_derivative(s, y, **rod), (t[0], t[-1]), [theta0, omega0], t_eval=t).y.T
 
 
 @mistake(

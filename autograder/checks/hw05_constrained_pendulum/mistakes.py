@@ -21,8 +21,6 @@ from .checks import (
     without_gravity_it_goes_round_uniformly,
 )
 
-KEPT = {}  # between calls
-
 
 def integrated(t, state, rates, rtol, atol):
     """The motion by solve_ivp."""
@@ -42,11 +40,6 @@ def drifting(t, state, gravity):
 
 
 # Forces
-
-
-@mistake("You drew a centrifugal force; no other body exerts it.", first_fails=forces_on_the_particle, compared=False)
-def free_body_diagram(reference, state, **parameters):
-    return [*reference(state, **parameters), (state[:2], state[:2])]
 
 
 @mistake("You drew m a as a force; no other body exerts it.", first_fails=forces_on_the_particle, compared=False)
@@ -134,16 +127,6 @@ def consistent_state(reference, state, *, length):
     return nearest
 
 
-@mistake(
-    "You keep the angular momentum about the hinge; keep the tangential part of the velocity.",
-    first_fails=consistent_state_is_the_nearest,
-)
-def consistent_state(reference, state, *, length):
-    nearest = reference(state, length=length)
-    nearest[2:] *= math.hypot(*state[:2]) / length
-    return nearest
-
-
 @mistake("You move the position along y; move it along its radius.", first_fails=consistent_state_is_the_nearest)
 def consistent_state(reference, state, *, length):
     x, y, vx, vy = state
@@ -217,11 +200,6 @@ def simulate(reference, t, state, **parameters):
     return reference(t, np.array([x, y, sign * vx, sign * vy]), **parameters)
 
 
-@mistake("You use evenly spaced times; use the given times.", first_fails=without_gravity_it_goes_round_uniformly)
-def simulate(reference, t, state, **parameters):
-    return reference(np.linspace(t[0], t[-1], len(t)), state, **parameters)
-
-
 @mistake(
     "You begin the motion at t = 0; the given state is that at t[0].",
     first_fails=without_gravity_it_goes_round_uniformly,
@@ -230,20 +208,6 @@ def simulate(reference, t, state, **parameters):
 )
 def simulate(reference, t, state, **parameters):
     return reference(np.append(0.0, t), state, **parameters)[1:] if t[0] > 0 else reference(t, state, **parameters)
-
-
-@mistake(
-    "You integrate with a loose tolerance; use rtol and atol of 1e-9.",
-    first_fails=without_gravity_it_goes_round_uniformly,
-    compared=False,
-    numerics=True,
-)
-def simulate(reference, t, state, *, length, **parameters):
-    def rates(t, y):
-        return [*y[2:], *acceleration(y, length=length, **parameters)]
-
-    states = integrated(t, state, rates, 4e-4, 4e-7)
-    return np.array([state, *(consistent_state(row, length=length) for row in states[1:])])
 
 
 @mistake("You let gravity pull up; it pulls down.", first_fails=with_gravity_it_swings_or_goes_round, name="gravity_up")
@@ -260,24 +224,6 @@ def simulate(reference, t, state, *, mass, length, gravity):
     s = np.sin(w * since) / w if w else since
     th, om = angle * np.cos(w * since) + rate * s, rate * np.cos(w * since) - w * w * angle * s
     return length * np.column_stack([np.sin(th), -np.cos(th), om * np.cos(th), om * np.sin(th)])
-
-
-@mistake(
-    "You keep results from an earlier call; compute each call anew.", first_fails=with_gravity_it_swings_or_goes_round
-)
-def simulate(reference, t, state, *, length, **parameters):
-    key = (*t, *state, length)
-    if key not in KEPT:
-        KEPT[key] = reference(t, state, length=length, **parameters)
-    return KEPT[key]
-
-
-@mistake(
-    "You leave a particle that starts at rest where it is; it stays only in equilibrium.",
-    first_fails=with_gravity_it_swings_or_goes_round,
-)
-def simulate(reference, t, state, **parameters):
-    return reference(t, state, **parameters) if np.any(state[2:]) else np.tile(state, (len(t), 1))
 
 
 @mistake(
@@ -298,11 +244,6 @@ def simulate(reference, t, state, *, length, **parameters):
     if state[0] == 0 and not np.any(state[2:]):
         state = length * np.array([1e-6, math.copysign(1, state[1]), 0, 0])
     return reference(t, state, length=length, **parameters)
-
-
-@mistake("You return the start in every row of a long motion.", first_fails=it_stays_on_the_circle)
-def simulate(reference, t, state, **parameters):
-    return np.tile(state, (len(t), 1)) if t[-1] - t[0] > 99 else reference(t, state, **parameters)
 
 
 @mistake(
