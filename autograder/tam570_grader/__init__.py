@@ -12,14 +12,23 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 from tam570_grader.checks.assignment import Assignment
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.check import check, once
-from tam570_grader.checks.compare import Column, absolute, check_domain, check_raises, compare, compare_columns, largest
+from tam570_grader.checks.compare import (
+    Column,
+    absolute,
+    check_domain,
+    check_raises,
+    compare,
+    compare_columns,
+    first_wrong,
+    largest,
+)
 from tam570_grader.checks.curves import kept
 from tam570_grader.checks.expect import Failed, expect, expect_that, fail, get_context
 from tam570_grader.checks.formulas import from_own_lagrangian, in_symbols
 from tam570_grader.checks.plots import curves_seen, distances, exchanged, judge_axes_of_lengths, judge_boxes, path_drawn
 from tam570_grader.checks.returns import array, drawing, formula, group, number, rows
 from tam570_grader.checks.times import KEPT, SOME_TIMES, repeated_calls, uneven
-from tam570_grader.checks.trajectory import Invariant, check_conserved, compare_trajectory
+from tam570_grader.checks.trajectory import Invariant, check_conserved, compare_trajectory, from_own_rates
 
 __all__ = [
     "Assignment",
@@ -40,6 +49,7 @@ __all__ = [
     "SOME_TIMES",
     "Failed",
     "fail",
+    "first_wrong",
     "array",
     "check",
     "curves_seen",
@@ -50,6 +60,7 @@ __all__ = [
     "expect_that",
     "formula",
     "from_own_lagrangian",
+    "from_own_rates",
     "Case",
     "group",
     "judge_axes_of_lengths",

@@ -4,12 +4,16 @@ import math
 
 import numpy as np
 
-from tam570_grader import SOME_TIMES, Case, repeated_calls, uneven
+from tam570_grader import KEPT, SOME_TIMES, Case, repeated_calls, uneven
 
 from . import reference
 
 ANY = "a random launch"
 LIGHT = "a light particle, whose drag is small only in kg/s"
+SMALL_BESIDE = "Whether drag counts depends on c t/m or c v/(m g), not on c."
+TO_ZERO = "What becomes of your formula as the drag goes to zero?"
+FAR_ON = "What is left of the equation when e^-s is nothing? e^s goes beyond all numbers."
+PROPORTIONAL = "45 degrees are for no drag: the angle falls in proportion to the drag, then by its next term."
 WHOLE = {"mass": 1.0, "drag": 1.0, "gravity": 1.0}
 LITTLE = 0.99 * 10.0 ** -np.arange(1, 7)  # below which a series takes over: its error is largest just below
 NO_DRAG, NO_GRAVITY = {"drag": 0.0}, {"gravity": 0.0}
@@ -63,7 +67,7 @@ def states(rng):
             state = np.append(place, np.multiply(velocity, rng.uniform(1, 9)))
             calls.append(Case(0.0, state, **parameters(rng)).labelled(label))
     whole = Case(0.0, np.array([1.0, 1.0, -1.0, 1.0]), **WHOLE).labelled("whole numbers")
-    return [*calls, whole, Case(0.0, rng.normal(size=4) * 10, **light(rng)).labelled(LIGHT)]
+    return [*calls, whole, Case(0.0, rng.normal(size=4) * 10, **light(rng)).labelled(LIGHT, SMALL_BESIDE)]
 
 
 def states_without(rng):
@@ -86,7 +90,8 @@ def without_time(rng):
 def flight(rng, label, known, start=0.0):
     """A launch, and times from `start` on, for one to three times m/c."""
     fade = known["drag"] / known["mass"] or 0.3
-    return Case(uneven(rng, rng.uniform(1, 3) / fade, 30, start), *launch(rng), **known).labelled(label)
+    hint = SMALL_BESIDE if label == LIGHT else ""
+    return Case(uneven(rng, rng.uniform(1, 3) / fade, 30, start), *launch(rng), **known).labelled(label, hint)
 
 
 def flights(rng):
@@ -135,12 +140,17 @@ def flights_with_any_drag(rng):
     steps lead.
     """
     drags = [0.0, *10.0 ** rng.uniform(-14, -11, 3), *10.0 ** rng.uniform(-10, -2, 4)]
-    known = [("very little drag" if drag else "no drag", parameters(rng, drag=drag)) for drag in drags]
-    calls = [Case(uneven(rng, rng.uniform(1, 9), 20, 0.0), *launch(rng), **one).labelled(label) for label, one in known]
+    calls = [
+        Case(uneven(rng, rng.uniform(1, 9), 20, 0.0), *launch(rng), **parameters(rng, drag=drag)).labelled(
+            "very little drag" if drag else "no drag", "" if drag else TO_ZERO
+        )
+        for drag in drags
+    ]
     one = parameters(rng)
     for span in (*LITTLE, rng.uniform(1000, 2000), 1e9):  # of c t/m
         t = uneven(rng, span * one["mass"] / one["drag"], 20, 0.0)
-        calls.append(Case(t, *launch(rng), **one).labelled("very little drag" if span < 1 else "great drag"))
+        words = ("very little drag",) if span < 1 else ("great drag", FAR_ON)
+        calls.append(Case(t, *launch(rng), **one).labelled(*words))
     return calls + [flight(rng, LIGHT, light(rng)), *(case for case in alike_flights(rng) if case.args[0][0] == 0)]
 
 
@@ -158,12 +168,12 @@ def landings(rng):
     return [*calls, whole, whole.replace(2.0, drag=0.0), whole.replace(1.0, math.pi / 2)]
 
 
-def of_lift(rng, lift, label, angle=None):
+def of_lift(rng, lift, label, angle=None, hint=""):
     """A launch with this lift, b = c vy/(m g)."""
     (speed, usual), known = launch(rng), parameters(rng)
     angle = angle or usual
     known["drag"] = lift * known["mass"] * known["gravity"] / (speed * math.sin(angle))
-    return Case(speed, angle, **known).labelled(label)
+    return Case(speed, angle, **known).labelled(label, hint or ("" if lift else TO_ZERO))
 
 
 def landings_of_little_drag(rng):
@@ -175,8 +185,10 @@ def landings_of_little_drag(rng):
 
 def landings_of_great_drag(rng):
     """b from ten to a million; from 709 on, e^s is more than any number. Light particles; launches like one before."""
-    great = [of_lift(rng, lift, "great drag") for lift in 10.0 ** rng.uniform((1, 3, 3, 4), (3, 4, 4, 6))]
-    return great + [Case(*launch(rng), **light(rng)).labelled(LIGHT) for _ in range(2)] + alike_landings(rng)
+    great = [of_lift(rng, lift, "great drag", hint=FAR_ON) for lift in 10.0 ** rng.uniform((1, 3, 3, 4), (3, 4, 4, 6))]
+    return (
+        great + [Case(*launch(rng), **light(rng)).labelled(LIGHT, SMALL_BESIDE) for _ in range(2)] + alike_landings(rng)
+    )
 
 
 def flat_landings(rng):
@@ -190,15 +202,15 @@ def alike_landings(rng):
     """Launches that are like the first of them but for one parameter."""
     first = of_lift(rng, rng.uniform(0.3, 3), ANY)
     others = [first.replace(**{name: 1.4 * value}) for name, value in first.kwargs.items()]
-    return [first, *(call.labelled("the launch before with one parameter changed") for call in others)]
+    return [first, *(call.labelled("the launch before with one parameter changed", KEPT) for call in others)]
 
 
 # Speeds
 
 
-def at_speed(swiftness, label, known):
+def at_speed(swiftness, label, known, hint=""):
     """A speed in units of the terminal speed m g/c."""
-    return Case(swiftness * known["mass"] * known["gravity"] / known["drag"], **known).labelled(label)
+    return Case(swiftness * known["mass"] * known["gravity"] / known["drag"], **known).labelled(label, hint)
 
 
 def usual_speeds(rng):
@@ -212,14 +224,14 @@ def slow_speeds(rng):
 
     The third is always from .007 to .01, where a series of first order in the drag is off by 5e-6 and more.
     """
-    drags = {0.0: "no drag", 1e-12: "very little drag", 1e-10: "very little drag"}
-    calls = [Case(launch(rng)[0], **parameters(rng, drag=drag)).labelled(label) for drag, label in drags.items()]
+    drags = {0.0: ("no drag", TO_ZERO), 1e-12: ("very little drag",), 1e-10: ("very little drag",)}
+    calls = [Case(launch(rng)[0], **parameters(rng, drag=drag)).labelled(*words) for drag, words in drags.items()]
     for swiftness in 10.0 ** (rng.uniform(0, 1, 4) * [2, 1, 0.15, 1] - [6, 4, 2.16, 2]):
-        calls.append(at_speed(swiftness, "a speed below a tenth of the terminal speed", parameters(rng)))
+        calls.append(at_speed(swiftness, "a speed below a tenth of the terminal speed", parameters(rng), PROPORTIONAL))
     for swiftness in 10.0 ** rng.uniform(-0.3, 0.3, 2):
         weak = parameters(rng, gravity=10 ** rng.uniform(-3, -2))
-        calls.append(at_speed(swiftness, LIGHT, light(rng)))
-        calls.append(at_speed(swiftness, "a slow launch where gravity is weak", weak))
+        calls.append(at_speed(swiftness, LIGHT, light(rng), SMALL_BESIDE))
+        calls.append(at_speed(swiftness, "a slow launch where gravity is weak", weak, SMALL_BESIDE))
     return calls + alike_landings(rng)
 
 

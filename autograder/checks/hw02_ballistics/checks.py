@@ -6,7 +6,6 @@ from functools import partial
 import numpy as np
 
 from tam570_grader import (
-    KEPT,
     Assignment,
     Column,
     Failed,
@@ -16,6 +15,8 @@ from tam570_grader import (
     compare_columns,
     compare_trajectory,
     expect_that,
+    first_wrong,
+    from_own_rates,
 )
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.plots import curves_seen, judge_axes_of_lengths, path_drawn
@@ -35,28 +36,6 @@ CORNER = 1e-9  # the right path, at a speed of 1e12 terminal speeds, is 5e-11 fr
 # a hundred times the terminal speed, where T = 1.2 v/g is longest for it; the points of a simulation leave it by 1e-7.
 DRAWN, FINE = 1e-4, 1001
 FEWER = 200  # times that; chords of a line of ten points leave a parabola by (2.4/9)^2/4 = 1.8e-2
-
-SMALL_BESIDE = "Whether drag counts depends on c t/m or c v/(m g), not on c."
-HINTS = {
-    "before": KEPT,
-    "asked for again": KEPT,
-    cases.LIGHT: SMALL_BESIDE,
-    "gravity is weak": SMALL_BESIDE,
-    "no drag": "What becomes of your formula as the drag goes to zero?",
-    "great drag": "What is left of the equation when e^-s is nothing? e^s goes beyond all numbers.",
-    "below a tenth": "45 degrees are for no drag: the angle falls in proportion to the drag, then by its next term.",
-    "two times": "Which way does it fly, and is it launched at the origin?",
-}  # words of a label: where to look
-
-
-def where_to_look(otherwise):
-    """A hint, of a case or of a motion, by what its label tells of the input."""
-
-    def hint(one, *_):
-        label = getattr(one, "case", one).label
-        return next((message for words, message in HINTS.items() if words in label), otherwise)
-
-    return hint
 
 
 def of_rates(case, _):
@@ -99,13 +78,7 @@ FORCES = "Draw the two forces on the particle: which way does each point when it
     line="state_derivative is the velocity and (weight + drag)/mass, for velocities in any direction.",
 )
 def rates_are_newtons(student, rng):
-    compare(
-        student.state_derivative,
-        reference.state_derivative,
-        cases.states(rng),
-        tolerance=FORMULA,
-        hint=where_to_look(FORCES),
-    )
+    compare(student.state_derivative, reference.state_derivative, cases.states(rng), tolerance=FORMULA, hint=FORCES)
 
 
 NO_DIVISION = "Do you divide by drag or gravity?"
@@ -128,7 +101,15 @@ def rates_without_drag_or_gravity(student, rng):
     )
 
 
-NO_GROUND = "Is your state_derivative right? There is no ground: the path goes on below y = 0."
+def of_flight(student):
+    """A hint for a simulated flight, by whether it ends at launch height, and by state_derivative."""
+    by_rates = from_own_rates(student.state_derivative, reference, lambda t, row: (t, row))
+
+    def hint(motion):
+        ends = motion.found[:, 1].min() >= -1e-6 > motion.expected[:, 1].min()
+        return "There is no ground: the path goes on below y = 0." if ends else by_rates(motion)
+
+    return hint
 
 
 @check(
@@ -138,7 +119,7 @@ NO_GROUND = "Is your state_derivative right? There is no ground: the path goes o
     line="simulate gives the states at uneven times, launched at t[0], whatever t[0] is.",
 )
 def simulation_follows_the_motion(student, rng):
-    compare_trajectory(student.simulate, reference.simulate, cases.flights(rng), hint=NO_GROUND, **SIMULATION)
+    compare_trajectory(student.simulate, reference.simulate, cases.flights(rng), hint=of_flight(student), **SIMULATION)
 
 
 @check(
@@ -150,21 +131,27 @@ def simulation_follows_the_motion(student, rng):
 )
 def simulation_without_drag_or_gravity(student, rng):
     compare_trajectory(
-        student.simulate, reference.simulate, cases.flights_without(rng), hint=where_to_look(NO_DIVISION), **SIMULATION
+        student.simulate, reference.simulate, cases.flights_without(rng), hint=of_flight(student), **SIMULATION
     )
 
 
-LINEAR = "The equations of vx and vy are linear, of first order and apart; then x and y."
+def of_closed_form(case, result, expected):
+    """Which columns of a closed form are right."""
+    scale = case.args[1] + case.kwargs["gravity"] * np.ptp(case.args[0])
+    x, y, vx, vy = np.abs(result - expected).max(axis=0) <= 1e-6 * scale * max(1.0, np.ptp(case.args[0]))
+    if vx and vy:
+        return "The velocities are right: integrate them from the origin."
+    if x and y:
+        return "The path is right: differentiate it."
+    if vx or vy:
+        return f"Of the velocities, {'vx' if vx else 'vy'} alone is right."
+    return "The equations of vx and vy are linear, of first order and apart; then x and y."
 
 
 @check("trajectory", points=0.75, part="c", line="trajectory gives the states in closed form.")
 def trajectory_is_the_motion(student, rng):
     compare_columns(
-        student.trajectory,
-        reference.trajectory,
-        cases.flights_from_zero(rng),
-        tolerance=CLOSED,
-        hint=where_to_look(LINEAR),
+        student.trajectory, reference.trajectory, cases.flights_from_zero(rng), tolerance=CLOSED, hint=of_closed_form
     )
 
 
@@ -197,18 +184,15 @@ EXPM1 = "1 - e^-s is a difference of nearly equal numbers (see numpy.expm1); so 
 )
 def trajectory_with_any_drag(student, rng):
     compare_columns(
-        student.trajectory,
-        reference.trajectory,
-        cases.flights_with_any_drag(rng),
-        tolerance=CLOSED,
-        hint=where_to_look(EXPM1),
+        student.trajectory, reference.trajectory, cases.flights_with_any_drag(rng), tolerance=CLOSED, hint=EXPM1
     )
 
 
 def of_landing(case, found, expected):
     if found <= ROOT * expected:
         return "y is zero at the launch, too; the landing is the later zero."
-    return "Put the time into the y of your closed form: is it zero?"
+    ((_, y, _, _),) = reference.trajectory(np.array([found]), *case.args, **case.kwargs)
+    return f"At your time y is {y:.2g} m, not 0: put it into your closed form."
 
 
 @check("flight_time", points=0.75, part="c", line="flight_time is when y is zero again.")
@@ -238,7 +222,7 @@ def flight_time_with_hardly_any_drag(student, rng):
     )
 
 
-SHORT = where_to_look("Does a search for the root step over a flight that is short, or end at t = 0?")
+SHORT = "Does a search for the root step over a flight that is short, or end at t = 0?"
 
 
 @check(
@@ -269,7 +253,7 @@ def range_is_where_it_lands(student, rng):
     )
 
 
-DIGITS = where_to_look("Very little drag is not none: is it the time or x that has lost its digits?")
+DIGITS = "Very little drag is not none: is it the time or x that has lost its digits?"
 
 
 @check(
@@ -289,7 +273,11 @@ def range_with_hardly_any_drag(student, rng):
     )
 
 
-FLAT = "Does horizontal_range pass? Near its largest it is flat, and a search stops early: set its derivative to zero."
+def of_maximum(case, angle, expected):
+    if abs(angle - expected) <= max(SEARCHED):
+        return "Near its largest the range is flat, and a search stops early: set its derivative to zero."
+    best, yours = (reference.horizontal_range(case.args[0], one, **case.kwargs) for one in (expected, angle))
+    return f"At your angle the range is {1 - yours / best:.1%} below the largest."
 
 
 @check(
@@ -300,11 +288,16 @@ FLAT = "Does horizontal_range pass? Near its largest it is flat, and a search st
 )
 def best_angle_has_the_largest_range(student, rng):
     compare(
-        student.best_angle, reference.best_angle, cases.usual_speeds(rng), tolerance=ANGLE, partial=SEARCHED, hint=FLAT
+        student.best_angle,
+        reference.best_angle,
+        cases.usual_speeds(rng),
+        tolerance=ANGLE,
+        partial=SEARCHED,
+        hint=of_maximum,
     )
 
 
-STILL = where_to_look("Does your equation for the angle still hold when drag is zero?")
+STILL = "Does your equation for the angle still hold as the drag goes to zero?"
 
 
 @check(
@@ -368,7 +361,8 @@ def both_paths_are_drawn(student, rng):
         "A path is y over x, not over the time.": np.array([[0.0, 0.0], [t[-1], path[-1, 1]]]),
         "x and y are swapped: x is to the right, y up.": path[:, ::-1],
     }
-    picture, hint = student.plot_comparison.drawn(case), "Do simulate and trajectory pass? Draw from t[0] to t[-1]."
+    picture = student.plot_comparison.drawn(case)
+    wrong_source = first_wrong(reference, case, student.simulate, student.trajectory)
     curves = curves_seen(picture, 2)
     for line in curves:
         path_drawn(
@@ -378,7 +372,7 @@ def both_paths_are_drawn(student, rng):
             fewer=FEWER,
             quantity="a curve",
             others=others,
-            hint=hint,
+            wrong_source=wrong_source,
             near_miss_credit=False,
         )
     judge_axes_of_lengths(picture)

@@ -27,7 +27,7 @@ def moment_size(case, _=None):
 
 QUOTIENT = "It is nearly right: is it a difference quotient? Differentiate the product on paper."
 ARM = "The lever arm runs from C to P, and the force on P is all of its m a."
-SAME = "At one instant, can definitions a and b differ?"
+SAME = "From where does the lever arm run, and whose velocity is it, seen from where?"
 
 
 def by_difference(hint):
@@ -45,10 +45,10 @@ PRODUCT = by_difference("Differentiate the product: which vectors change with ti
 def left_over(case, found, expected):
     near = POINTWISE * moment_size(case)
     if np.abs(found).max() <= near:
-        return "It vanishes: is your rate the moment itself, and the motion of C forgotten?"
+        return "It vanishes; for a moving C the rate is not the moment."
     if np.abs(found + expected).max() <= near:
-        return "It has the right size and the wrong sign: is it rate less moment, and does rate pass?"
-    return "It is rate less moment: do both pass, and what is left of it on paper?"
+        return "It has the right size and the wrong sign; it is rate less moment."
+    return "It is rate less moment: subtract them on paper; which terms are left?"
 
 
 @check("moment", points=1, part="a", line="of the total force on P, about C.")

@@ -14,6 +14,8 @@ from tam570_grader import (
     compare_trajectory,
     expect,
     expect_that,
+    first_wrong,
+    from_own_rates,
 )
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.plots import curves_seen, judge_axes_of_lengths, path_drawn
@@ -114,13 +116,19 @@ def solution_holds_without_gravity_and_from_any_time(student, rng):
     compare_columns(student.solution, reference.solution, cases.from_any_time(rng), tolerance=POINTWISE, hint=at_zero)
 
 
-AT_THE_FIRST = "Does state_derivative pass? Row i is the state at t[i], the given one that at t[0]."
+def by_rates(student):
+    return from_own_rates(student.state_derivative, reference, lambda t, row: (t, row))
 
 
 @check("simulate", points=0.75, part="a", line="the state at few and uneven times, the first of which is not 0.")
 def simulate_moves_as_it_must(student, rng):
     compare_trajectory(
-        student.simulate, reference.simulate, cases.moving(rng), tolerance=TRAJECTORY, hint=AT_THE_FIRST, keeps=KEPT
+        student.simulate,
+        reference.simulate,
+        cases.moving(rng),
+        tolerance=TRAJECTORY,
+        hint=by_rates(student),
+        keeps=KEPT,
     )
 
 
@@ -142,7 +150,7 @@ def simulate_does_not_depend_on_the_sampling(student, rng):
         reference.simulate,
         [*cases.at_two_times(rng), *cases.alike(rng)],
         tolerance=TRAJECTORY,
-        hint=AT_THE_FIRST,
+        hint=by_rates(student),
     )
     compare_trajectory(student.simulate, reference.simulate, cases.stiff(rng), tolerance=TRAJECTORY, hint=FIXED)
 
@@ -243,7 +251,9 @@ def the_path_is_drawn(student, rng):
     picture = student.plot_projection.drawn(case)
     (line,) = curves_seen(picture, 1)
     others = {"These are x and y, not right and up.": places[:, :2]}
-    path_drawn(line, reference.project(places, *view), tolerance=DRAWN, quantity="the curve", others=others)
+    wrong_source = first_wrong(reference, case, student.simulate)
+    path = reference.project(places, *view)
+    path_drawn(line, path, tolerance=DRAWN, quantity="the curve", others=others, wrong_source=wrong_source)
     judge_axes_of_lengths(picture, "right horizontal", "up vertical")
 
 

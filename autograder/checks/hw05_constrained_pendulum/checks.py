@@ -14,6 +14,7 @@ from tam570_grader import (
     compare,
     compare_trajectory,
     expect,
+    from_own_rates,
     number,
     rows,
 )
@@ -129,9 +130,6 @@ def energy_is_kinetic_and_potential(student, rng):
     )
 
 
-WEIGHTLESS = "What changes the velocity when there is no weight?"
-
-
 @check("simulate", points=0.5, part="a", line="uniform motion around the circle where there is no gravity.")
 def without_gravity_it_goes_round_uniformly(student, rng):
     compare_trajectory(
@@ -139,7 +137,7 @@ def without_gravity_it_goes_round_uniformly(student, rng):
         reference.simulate,
         cases.without_gravity(rng),
         tolerance=FOLLOWED,
-        hint=WEIGHTLESS,
+        hint=from_own_rates(student.acceleration, reference, lambda t, row: (row,)),
         keeps=KEPT,
     )
 
@@ -151,7 +149,7 @@ def with_gravity_it_swings_or_goes_round(student, rng):
         reference.simulate,
         cases.with_gravity(rng),
         tolerance=FOLLOWED,
-        hint="Does acceleration pass?",
+        hint=from_own_rates(student.acceleration, reference, lambda t, row: (row,)),
         keeps=KEPT,
     )
 

@@ -12,6 +12,8 @@ from tam570_grader import (
     compare,
     compare_trajectory,
     curves_seen,
+    first_wrong,
+    from_own_rates,
     judge_axes_of_lengths,
     once,
     path_drawn,
@@ -86,7 +88,6 @@ HANGING = "At rest the ceiling carries both weights, and bar 1 carries bar 2: wh
 BELOW = "Hanging at rest, below the ceiling, it is negative"
 BOTH_PARTS = "Each bar has the angular momentum of its mass centre and that about its mass centre"
 DIVIDED = "Without gravity the same equations hold: use a tighter tolerance, or divide by no gravity"
-TIGHT = "Does angular_acceleration pass, and are rtol and atol tight?"
 DOWN = "An angle of zero is down, a positive one to the right"
 
 
@@ -196,7 +197,12 @@ def angular_momentum_is_about_the_ceiling(student, rng):
 @check("simulate", points=0.5, part="a", line="angles and angular velocities at uneven times, whatever t[0] is.")
 def simulation_follows_the_equations(student, rng):
     compare_trajectory(
-        student.simulate, reference.simulate, cases.motions(rng), tolerance=FOLLOWED, keeps=KEPT_ENERGY, hint=TIGHT
+        student.simulate,
+        reference.simulate,
+        cases.motions(rng),
+        tolerance=FOLLOWED,
+        keeps=KEPT_ENERGY,
+        hint=from_own_rates(student.angular_acceleration, reference, lambda t, row: (row[:2], row[2:])),
     )
 
 
@@ -298,7 +304,8 @@ def tip_path_is_drawn(student, rng):
     }
     picture = student.plot_tip_path.drawn(case)
     (line,) = curves_seen(picture, 1)
-    path_drawn(line, tips, tolerance=DRAWN, quantity="the curve", others=others)
+    wrong_source = first_wrong(reference, case, student.simulate)
+    path_drawn(line, tips, tolerance=DRAWN, quantity="the curve", others=others, wrong_source=wrong_source)
     judge_axes_of_lengths(picture)
 
 

@@ -146,13 +146,20 @@ def of_pairs(case, found, expected, otherwise, near_miss=""):
 
 LOST = "It is nearly right: where are digits lost?"
 WHAT_STAYS = partial(of_pairs, otherwise="Which vector does R keep, and what is the trace of R?", near_miss=LOST)
-FLAT = partial(of_pairs, otherwise="How flat is the cosine there, and the sine?")
-FLAT_AT_PI = "An arccos of the trace loses half of the digits there, and so does the arcsine of half of the angle."
+FLAT_COSINE = "An arccos of the trace loses half of the digits there, and so does the arcsine of half of the angle."
+HALF = 1e-6  # rad: half of the digits; where the angle itself is small, of an arccos all
 WHICH_PART = "Which part of R is large there: R - R^T or R + R^T?"
 
 
-def near_half_turns(case, found, expected):
-    return of_pairs(case, found, expected, FLAT_AT_PI if near(found[0], expected[0], WITHIN) else WHICH_PART)
+def where_flat(case, found, expected):
+    return of_pairs(case, found, expected, of_angle(found[1], expected[1]) or WHICH_PART)
+
+
+def of_angle(angle, expected):
+    """What an angle is that is wrong; "" if it is right."""
+    if abs(angle - expected) <= WITHIN:
+        return ""
+    return FLAT_COSINE if near(angle, expected, HALF) else "The angle is wrong: the trace of R is 1 + 2 cos(angle)."
 
 
 @check(
@@ -173,7 +180,9 @@ def axis_and_angle_are_those_of_the_matrix(student, rng):
     line="axis_angle keeps all digits of axis and angle for angles from 1e-12 to 1e-2.",
 )
 def small_angles_keep_their_digits(student, rng):
-    compare(student.axis_angle, reference.axis_angle, cases.small(rng), tolerance=RELATIVE, scale=largest, hint=FLAT)
+    compare(
+        student.axis_angle, reference.axis_angle, cases.small(rng), tolerance=RELATIVE, scale=largest, hint=where_flat
+    )
 
 
 @check(
@@ -184,8 +193,8 @@ def small_angles_keep_their_digits(student, rng):
     line="axis_angle keeps all digits 1e-12 to 1e-2 from a half turn, and at a quarter turn.",
 )
 def angles_near_pi_keep_their_digits(student, rng):
-    compare(student.axis_angle, reference.axis_angle, cases.near_pi(rng), tolerance=WITHIN, hint=near_half_turns)
-    compare(student.axis_angle, reference.axis_angle, cases.near_quarters(rng), tolerance=WITHIN, hint=FLAT)
+    compare(student.axis_angle, reference.axis_angle, cases.near_pi(rng), tolerance=WITHIN, hint=where_flat)
+    compare(student.axis_angle, reference.axis_angle, cases.near_quarters(rng), tolerance=WITHIN, hint=where_flat)
 
 
 @check(
@@ -196,9 +205,7 @@ def angles_near_pi_keep_their_digits(student, rng):
     line="axis_angle keeps all digits near pi where a component of the axis is very small.",
 )
 def axes_with_small_components_keep_their_digits(student, rng):
-    compare(
-        student.axis_angle, reference.axis_angle, cases.small_components(rng), tolerance=WITHIN, hint=near_half_turns
-    )
+    compare(student.axis_angle, reference.axis_angle, cases.small_components(rng), tolerance=WITHIN, hint=where_flat)
 
 
 @check(
@@ -210,7 +217,7 @@ def axes_with_small_components_keep_their_digits(student, rng):
 )
 def half_turns_have_their_axis(student, rng):
     for case, (axis, angle) in student.axis_angle.each(cases.half_turns(rng)):
-        expect(angle, math.pi, tolerance=WITHIN, quantity="the angle", unit="rad", hint=FLAT_AT_PI)
+        expect(angle, math.pi, tolerance=WITHIN, quantity="the angle", unit="rad", hint=of_angle(angle, math.pi))
         squares = (case.args[0] + np.eye(3)) / 2
         hint = SIGNS if near(axis**2, np.diag(squares)) else "What is R + I there?"
         expect(np.outer(axis, axis), squares, tolerance=WITHIN, quantity="the product n n^T of the axis", hint=hint)

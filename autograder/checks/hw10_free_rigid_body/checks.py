@@ -14,6 +14,8 @@ from tam570_grader import (
     check_domain,
     compare,
     compare_trajectory,
+    first_wrong,
+    from_own_rates,
 )
 from tam570_grader.checks.plots import along, curves_seen, exchanged, judge_axes_of_lengths, judge_boxes, path_drawn
 from tam570_grader.checks.returns import array, drawing, group, number, rows
@@ -85,7 +87,7 @@ THREE_TURNS = "omega is psi' along space z, theta' along the line of nodes, and 
 
 def wrong_rates(case, found, expected):
     negative = np.sin(case.args[0][1]) < 0
-    return "The sine of theta is negative there: do you compute it as a square root?" if negative else THREE_TURNS
+    return "It is right where the sine of theta is positive." if negative else THREE_TURNS
 
 
 @check(
@@ -139,7 +141,26 @@ def rotations_of(states):
     return states[:, 3:].reshape(-1, 3, 3)
 
 
-def wrong_attitude(motion):
+def by_rates(student):
+    """Make a hint for omega."""
+    return from_own_rates(student.euler_equations, reference, lambda t, row: (row[:3],))
+
+
+def wrong_attitude(student):
+    """Make a hint for the rotations."""
+    by_omega = by_rates(student)
+    by_attitude = from_own_rates(student.attitude_rate, reference, lambda t, row: (row[3:].reshape(3, 3), row[:3]))
+
+    def hint(motion):
+        turning = np.allclose(
+            motion.found[:, :3], motion.expected[:, :3], rtol=0, atol=1e-3 * np.abs(motion.expected[:, :3]).max()
+        )
+        return of_rotations(motion) or (by_attitude if turning else by_omega)(motion)
+
+    return hint
+
+
+def of_rotations(motion):
     """What is wrong with the rotations, if they tell."""
     rotations, expected = rotations_of(motion.found), rotations_of(motion.expected)
     transposes = rotations.transpose(0, 2, 1)
@@ -148,11 +169,8 @@ def wrong_attitude(motion):
         "The three axes are left-handed: the determinant is -1.": np.linalg.det(rotations).min() < 0,
         "These are the transposes, from space to body.": np.abs(transposes - expected).max() < 1e-3,
         "R is not kept orthogonal: R^T R is no longer I.": np.abs(transposes @ rotations - np.eye(3)).max() > 1e-4,
-        "Does euler_equations pass, for such a body too?": not np.allclose(motion.found[:, :3], motion.expected[:, :3]),
     }
-    return next(
-        (message for message, holds in told.items() if holds), "Does attitude_rate pass? omega has body components."
-    )
+    return next((message for message, holds in told.items() if holds), "")
 
 
 def squares(states, inertia):
@@ -184,12 +202,7 @@ TURNS = {"columns": BOTH, "coarsely": 3e-2, "hint": SHORT}
 )
 def omega_follows_elliptic_functions(student, rng):
     compare_trajectory(
-        student.simulate,
-        reference.tumble,
-        cases.tumbles(rng),
-        columns=[OMEGA],
-        hint="Does euler_equations pass?",
-        **FOLLOWED,
+        student.simulate, reference.tumble, cases.tumbles(rng), columns=[OMEGA], hint=by_rates(student), **FOLLOWED
     )
 
 
@@ -200,7 +213,7 @@ def attitude_follows_the_motion(student, rng):
         reference.motion,
         cases.general_motions(rng),
         columns=[ATTITUDE],
-        hint=wrong_attitude,
+        hint=wrong_attitude(student),
         **FOLLOWED,
     )
 
@@ -225,7 +238,12 @@ def invariants_stay_over_many_turns(student, rng):
 )
 def special_bodies_move_too(student, rng):
     compare_trajectory(
-        student.simulate, reference.motion, cases.special_motions(rng), columns=BOTH, hint=wrong_attitude, **FOLLOWED
+        student.simulate,
+        reference.motion,
+        cases.special_motions(rng),
+        columns=BOTH,
+        hint=wrong_attitude(student),
+        **FOLLOWED,
     )
 
 
@@ -239,7 +257,7 @@ def symmetric_bodies_precess(student, rng):
         reference.symmetric_solution,
         cases.precessing(rng),
         tolerance=POINTWISE,
-        hint="Compare with euler_equations at t[0].",
+        hint="Put it into euler_equations: which of the three is not obeyed?",
     )
 
 
@@ -274,7 +292,7 @@ def small_deviations_grow_at_this_rate(student, rng):
         reference.growth_rate_squared,
         cases.spins(rng),
         tolerance=POINTWISE,
-        hint="Keep what is linear in small deviations.",
+        hint="Write Euler's equations for a small deviation: which products are of first order?",
     )
 
 
@@ -368,18 +386,20 @@ def mistaken(rotations):
     line="both paths as seen along x, from t[0] to t[-1], with labels and equal scales.",
 )
 def rim_paths_are_drawn(student, rng):
-    points = "Does simulate pass and get the inertia? Draw y and z of (radius, 0, 0), (0, radius, 0) in space at all t"
     for case in cases.pictures(rng):
         picture, (t, R, omega), radius = student.plot_rim_paths.drawn(case), case.args, case.kwargs["radius"]
         _, rotations = reference.motion(np.linspace(t[0], t[-1], 801), R, omega, inertia=case.kwargs["inertia"])
         paths = [radius * path for path in seen_along_x(rotations)]
+        wrong_source = first_wrong(reference.motion, case, student.simulate)
         others = {message: [radius * path for path in both] for message, both in mistaken(rotations).items()}
         others["These are the paths for a radius of 1 m"] = seen_along_x(rotations)
         behind = all(exchanged(picture, *AXES))  # seen from there: z to the right and y up
         found = [replace(line, points=line.points[:, ::-1]) if behind else line for line in curves_seen(picture, 2)]
         for line, path in zip(in_order(found, paths[0]), paths, strict=True):
             known = {"tolerance": DRAWN * radius / np.ptp(path, axis=0).max(), "fewer": COARSELY / DRAWN}
-            path_drawn(line, path, **known, quantity="a path", others=others, hint=points, near_miss_credit=False)
+            path_drawn(
+                line, path, **known, quantity="a path", others=others, wrong_source=wrong_source, near_miss_credit=False
+            )
         judge_axes_of_lengths(picture, *AXES, from_below=True)
 
 

@@ -10,6 +10,7 @@ from tam570_grader import (
     check_conserved,
     compare,
     compare_trajectory,
+    from_own_rates,
     group,
     number,
     rows,
@@ -87,8 +88,12 @@ WEIGHT_ACTS_AT_G = "M_C is the moment of the weight, which acts at G; I^C depend
 CONTACT_POINT = "What is the acceleration of the point of the cylinder that touches the ramp?"
 CONTACT_IS_KEPT = "Assume that the cylinder never lifts off: which force does that need?"
 HEIGHT = "Where is G, and how high above the centre's place at phi = 0?"
-GOES_ON = "Do you integrate `acceleration`? Contact is kept, and the motion goes on, even where the ramp must pull."
-OWN_STEPS = "Is the tolerance tight, or your own step small, however far apart the times are?"
+
+
+def by_rates(student):
+    return from_own_rates(student.acceleration, reference, lambda t, row: tuple(row))
+
+
 HOWEVER_SMALL = "However small the rocking, the other terms are there: do you linearise, or is the tolerance loose?"
 ABSOLUTE = "Is the tolerance absolute, and too coarse for a small motion?"
 ANY_DURATION = "Are there too few steps for this duration, or is the tolerance loose?"
@@ -226,7 +231,12 @@ def energy_of_G_and_of_turning(student, rng):
 @check("simulate", points=0.75, part="b", line="rolling down and rocking, row i at t[i], row 0 the given state.")
 def simulate_rolls_and_rocks(student, rng):
     compare_trajectory(
-        student.simulate, reference.simulate, cases.runs(rng, 200), tolerance=TRAJECTORY, hint=GOES_ON, keeps=KEPT
+        student.simulate,
+        reference.simulate,
+        cases.runs(rng, 200),
+        tolerance=TRAJECTORY,
+        hint=by_rates(student),
+        keeps=KEPT,
     )
 
 
@@ -238,7 +248,9 @@ def simulate_rolls_and_rocks(student, rng):
     line="the same motion when few times are asked for.",
 )
 def simulate_needs_no_dense_times(student, rng):
-    compare_trajectory(student.simulate, reference.simulate, cases.few_times(rng), tolerance=TRAJECTORY, hint=OWN_STEPS)
+    compare_trajectory(
+        student.simulate, reference.simulate, cases.few_times(rng), tolerance=TRAJECTORY, hint=by_rates(student)
+    )
     compare_trajectory(
         student.simulate,
         reference.simulate,

@@ -17,6 +17,7 @@ from tam570_grader import (
     compare_trajectory,
     expect,
     expect_that,
+    from_own_rates,
     number,
     rows,
 )
@@ -213,7 +214,11 @@ def multiplier_equations_hold(student, rng):
 
 # (b) Simulation, (c) both ways
 
-FOLLOWED = {"tolerance": TRAJECTORY, "hint": "If the derivatives are right, is the tolerance tight?"}
+
+def by_rates(rates):
+    return from_own_rates(rates, reference, lambda t, row: (t, row))
+
+
 TWO = partial(cases.motions, count=2, span=6.0, samples=4)
 LONGER = partial(cases.motions, count=1, span=20.0, samples=6)
 
@@ -226,7 +231,12 @@ LONGER = partial(cases.motions, count=1, span=20.0, samples=6)
 )
 def euler_simulation_follows_the_motion(student, rng):
     compare_trajectory(
-        student.simulate_euler, reference.simulate_euler, cases.simulated(rng), keeps=ENERGY_KEPT, **FOLLOWED
+        student.simulate_euler,
+        reference.simulate_euler,
+        cases.simulated(rng),
+        tolerance=TRAJECTORY,
+        keeps=ENERGY_KEPT,
+        hint=by_rates(student.euler_state_derivative),
     )
 
 
@@ -249,7 +259,11 @@ def euler_simulation_keeps_two_integrals(student, rng):
 )
 def matrix_simulation_follows_the_motion(student, rng):
     compare_trajectory(
-        student.simulate_matrix, reference.simulate_matrix, cases.by_matrix(cases.simulated)(rng), **FOLLOWED
+        student.simulate_matrix,
+        reference.simulate_matrix,
+        cases.by_matrix(cases.simulated)(rng),
+        tolerance=TRAJECTORY,
+        hint=by_rates(student.matrix_state_derivative),
     )
 
 

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from tam570_grader.checks.case import Case
-from tam570_grader.checks.expect import expect, expect_that, fail, get_context
+from tam570_grader.checks.expect import Failed, NotWritten, expect, expect_that, fail, get_context
 from tam570_grader.checks.expected import expected_result
 from tam570_grader.checks.returns import Description, Scale
 
@@ -23,6 +23,8 @@ __all__ = [
     "call_cases",
     "largest",
     "find_reference",
+    "first_wrong",
+    "is_right",
     "check_domain",
     "check_raises",
     "trim_to_signature",
@@ -46,6 +48,7 @@ PLACED, ARGUMENTS, KEYWORDS = (  # f(name, *args, **known)
     inspect.Parameter.VAR_POSITIONAL,
     inspect.Parameter.VAR_KEYWORD,
 )
+NEARLY = 1e-4  # of the largest number: a wrong term is off by more, a simulation at a loose tolerance by less
 SINGLE = 1e-6  # of the largest number; single precision loses 6e-8
 
 DESCRIPTIONS = ("quantity", "unit", "scale")  # of a result, in `Assignment.returns`
@@ -122,6 +125,28 @@ def call_cases(function: Any, reference: Reference, cases: Iterable[Case]) -> It
     true = find_reference(reference, function)
     for case, found in function.each(trim_to_signature(true, cases)):
         yield case, found, expected_result(true, case)
+
+
+def is_right(function: Any, reference: Reference, cases: Iterable[Case]) -> bool:
+    """Whether a student's function gives the right results in calls that no check judges, to choose a hint by."""
+    right = find_reference(reference, function)
+    try:
+        return all(
+            np.allclose(ours, theirs, rtol=0, atol=NEARLY * (largest(case, ours) or 1.0))
+            for case in trim_to_signature(right, cases)
+            for ours, theirs in zip(_parts(expected_result(right, case)), _parts(function.aside(case)), strict=True)
+        )
+    except (Failed, NotWritten):
+        return False
+
+
+def first_wrong(reference: Reference, case: Case, *functions: Any) -> Callable[[], str]:
+    """Make a question for the first of a student's functions that is wrong for a case: its name, or ""."""
+    return lambda: next((one.name for one in functions if not is_right(one, reference, [case])), "")
+
+
+def _parts(result: Any) -> list[Any]:
+    return list(result) if isinstance(result, tuple) else [result]
 
 
 def find_reference(reference: Reference, function: Any) -> Callable[..., Any]:

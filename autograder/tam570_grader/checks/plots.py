@@ -84,7 +84,7 @@ def path_drawn(
     quantity: str,
     others: Mapping[str, ArrayLike] | None = None,
     fewer: float = 10,
-    hint: str = "Does simulate pass, and does it run from t[0] to t[-1]?",
+    wrong_source: Callable[[], str] = str,
     near_miss_credit: bool = True,
 ) -> None:
     """Whether a line is the path, from its first point to its last and in its order.
@@ -92,9 +92,10 @@ def path_drawn(
     within : of the path's extent, for the line's points
     fewer  : how many times as much for the path between fewer points
     others : {hint: path, or several} of what else a line is that has its ends
+    wrong_source : the name of a wrong function whose results are to be drawn; empty if all are right
     """
     size, drawn = float(np.ptp(path, axis=0).max()), along(line, path)
-    told = partial(_other_path, drawn, path, others or {}, tolerance * size, hint)
+    told = partial(_other_path, drawn, path, others or {}, tolerance * size, wrong_source)
     for found, expected, what, room in (
         (drawn[[0, -1]], path[[0, -1]], f"an end of {quantity}", 1),
         (distances(drawn, path), 0.0, f"a point of {quantity}", 1),
@@ -116,7 +117,7 @@ def path_drawn(
     )
 
 
-def _other_path(drawn: Array, path: Array, others: Mapping[str, ArrayLike], near: float, hint: str) -> str:
+def _other_path(drawn: Array, path: Array, others: Mapping[str, ArrayLike], near: float, wrong_source: Any) -> str:
     """Which other path has the ends of the drawn one, if one has."""
     for message, paths in others.items():
         each = np.reshape(paths, (-1, *np.shape(paths)[-2:]))
@@ -125,7 +126,9 @@ def _other_path(drawn: Array, path: Array, others: Mapping[str, ArrayLike], near
     first, last = np.linalg.norm(drawn[[0, -1]] - path[[0, -1]], axis=1)
     if first < near < last and distances(drawn, path).max() < near:
         return "It is right as far as it goes, and ends too early."
-    return hint
+    if name := wrong_source():
+        return f"{name} is wrong for this motion, too: look there first"
+    return "Draw each row, from t[0] to t[-1]"
 
 
 def _arc_length(path: Array) -> float:

@@ -10,12 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tam570_grader.checks.case import Case
-from tam570_grader.checks.compare import Column, Reference, call_cases, find_reference
+from tam570_grader.checks.compare import Column, Reference, call_cases, find_reference, is_right
 from tam570_grader.checks.curves import kept
 from tam570_grader.checks.expect import NEAR_MISS, NEAR_MISS_SHARE, UNLOCKING_SHARE, expect, get_context
 from tam570_grader.checks.motions import ROUGHLY, Motion, diagnosed, flat, obeys
 
-__all__ = ["Invariant", "compare_trajectory", "check_conserved"]
+__all__ = ["Invariant", "compare_trajectory", "check_conserved", "from_own_rates"]
 
 Array = NDArray[np.float64]
 # Right physics at a loose tolerance keeps these shares of the points at these errors (of the scale), and in proportion
@@ -124,6 +124,24 @@ def check_conserved(
             partial=partial,
             hint=hint,
         )
+
+
+def from_own_rates(
+    rates: Any, reference: Reference, arguments: Callable[[float, Array], tuple[Any, ...]]
+) -> Callable[[Motion], str]:
+    """Make a hint for a simulated motion, by whether the student's own rates are right along the right one.
+
+    arguments : (t, row) -> what the rates are asked for there
+    """
+
+    def hint(motion: Motion) -> str:
+        rows = zip(motion.t, motion.expected, strict=True)
+        cases = [Case(*arguments(*row), **motion.case.kwargs) for row in list(rows)[:: max(1, len(motion.t) // 4)]]
+        if is_right(rates, reference, cases):
+            return f"{rates.name} is right along this motion: integrate it, with the given parameters, from t[0] on"
+        return f"{rates.name} is wrong along this motion, too: look there first"
+
+    return hint
 
 
 def _motions(
