@@ -131,7 +131,7 @@ def of_pairs(case, found, expected, otherwise, near_miss=""):
     tells = {
         NEGATIVE: angle < 0 and near(-angle, right_angle) and near(-axis, n),
         TOO_LARGE: angle > math.pi + SAME and near(angle, 2 * math.pi - right_angle),
-        "Small angles are given as 0.": angle == 0,
+        "Small angles are given as 0.": angle == 0 and right_angle < 0.1,
         "Angles near pi are given as pi.": angle == math.pi,
         LONG: not near(axis @ axis, 1) and near(axis, np.linalg.norm(axis) * n),
         # an eigenvector to the rounding of R: no axis that is off by chance is that
@@ -159,7 +159,7 @@ def of_angle(angle, expected):
     """What an angle is that is wrong; "" if it is right."""
     if abs(angle - expected) <= WITHIN:
         return ""
-    return FLAT_COSINE if near(angle, expected, HALF) else "The angle is wrong: the trace of R is 1 + 2 cos(angle)."
+    return FLAT_COSINE if near(angle, expected, HALF) else "Test it: the trace of R is 1 + 2 cos(angle)."
 
 
 @check(

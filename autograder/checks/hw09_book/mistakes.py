@@ -130,6 +130,7 @@ def book_rotations(reference):
 @mistake(
     "Your angle is an arcsine, which never exceeds pi/2; beyond pi/2 the angle is pi minus the arcsine.",
     first_fails=axis_and_angle_are_those_of_the_matrix,
+    label="far from special",
 )
 def axis_angle(reference, R):
     axis, angle = reference(R)

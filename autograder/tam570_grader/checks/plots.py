@@ -84,7 +84,7 @@ def path_drawn(
     quantity: str,
     others: Mapping[str, ArrayLike] | None = None,
     fewer: float = 10,
-    wrong_source: Callable[[], str] = str,
+    wrong_source: Callable[[], str],
     near_miss_credit: bool = True,
 ) -> None:
     """Whether a line is the path, from its first point to its last and in its order.
@@ -128,7 +128,7 @@ def _other_path(drawn: Array, path: Array, others: Mapping[str, ArrayLike], near
         return "It is right as far as it goes, and ends too early."
     if name := wrong_source():
         return f"{name} is wrong for this motion, too: look there first"
-    return "Draw each row, from t[0] to t[-1]"
+    return "The motion is right: draw the point of each row, from t[0] to t[-1]"
 
 
 def _arc_length(path: Array) -> float:
