@@ -28,7 +28,7 @@ from tam570_grader.checks.formulas import from_own_lagrangian, in_symbols
 from tam570_grader.checks.plots import curves_seen, distances, exchanged, judge_axes_of_lengths, judge_boxes, path_drawn
 from tam570_grader.checks.returns import array, drawing, formula, group, number, rows
 from tam570_grader.checks.times import KEPT, SOME_TIMES, repeated_calls, uneven
-from tam570_grader.checks.trajectory import Invariant, check_conserved, compare_trajectory, from_own_rates
+from tam570_grader.checks.trajectory import Invariant, OwnRates, check_conserved, compare_trajectory
 
 __all__ = [
     "Assignment",
@@ -60,7 +60,7 @@ __all__ = [
     "expect_that",
     "formula",
     "from_own_lagrangian",
-    "from_own_rates",
+    "OwnRates",
     "Case",
     "group",
     "judge_axes_of_lengths",

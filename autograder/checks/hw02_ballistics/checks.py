@@ -9,6 +9,7 @@ from tam570_grader import (
     Assignment,
     Column,
     Failed,
+    OwnRates,
     absolute,
     check,
     compare,
@@ -16,7 +17,6 @@ from tam570_grader import (
     compare_trajectory,
     expect_that,
     first_wrong,
-    from_own_rates,
 )
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.plots import curves_seen, judge_axes_of_lengths, path_drawn
@@ -101,15 +101,13 @@ def rates_without_drag_or_gravity(student, rng):
     )
 
 
-def of_flight(student):
-    """A hint for a simulated flight, by whether it ends at launch height, and by state_derivative."""
-    by_rates = from_own_rates(student.state_derivative, reference, lambda t, row: (t, row))
+def of_ground(motion):
+    ends = motion.found[:, 1].min() >= -1e-6 > motion.expected[:, 1].min()
+    return "There is no ground: the path goes on below y = 0." if ends else ""
 
-    def hint(motion):
-        ends = motion.found[:, 1].min() >= -1e-6 > motion.expected[:, 1].min()
-        return "There is no ground: the path goes on below y = 0." if ends else by_rates(motion)
 
-    return hint
+def by_rates(student):
+    return OwnRates(student.state_derivative, reference, lambda t, row: (t, row))
 
 
 @check(
@@ -119,7 +117,14 @@ def of_flight(student):
     line="simulate gives the states at uneven times, launched at t[0], whatever t[0] is.",
 )
 def simulation_follows_the_motion(student, rng):
-    compare_trajectory(student.simulate, reference.simulate, cases.flights(rng), hint=of_flight(student), **SIMULATION)
+    compare_trajectory(
+        student.simulate,
+        reference.simulate,
+        cases.flights(rng),
+        hint=of_ground,
+        own_rates=by_rates(student),
+        **SIMULATION,
+    )
 
 
 @check(
@@ -131,7 +136,12 @@ def simulation_follows_the_motion(student, rng):
 )
 def simulation_without_drag_or_gravity(student, rng):
     compare_trajectory(
-        student.simulate, reference.simulate, cases.flights_without(rng), hint=of_flight(student), **SIMULATION
+        student.simulate,
+        reference.simulate,
+        cases.flights_without(rng),
+        hint=of_ground,
+        own_rates=by_rates(student),
+        **SIMULATION,
     )
 
 

@@ -6,6 +6,7 @@ from tam570_grader import (
     Assignment,
     Column,
     Invariant,
+    OwnRates,
     absolute,
     check,
     check_conserved,
@@ -15,7 +16,6 @@ from tam570_grader import (
     expect,
     expect_that,
     first_wrong,
-    from_own_rates,
 )
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.plots import curves_seen, judge_axes_of_lengths, path_drawn
@@ -117,7 +117,7 @@ def solution_holds_without_gravity_and_from_any_time(student, rng):
 
 
 def by_rates(student):
-    return from_own_rates(student.state_derivative, reference, lambda t, row: (t, row))
+    return OwnRates(student.state_derivative, reference, lambda t, row: (t, row))
 
 
 @check("simulate", points=0.75, part="a", line="the state at few and uneven times, the first of which is not 0.")
@@ -127,7 +127,7 @@ def simulate_moves_as_it_must(student, rng):
         reference.simulate,
         cases.moving(rng),
         tolerance=TRAJECTORY,
-        hint=by_rates(student),
+        own_rates=by_rates(student),
         keeps=KEPT,
     )
 
@@ -150,7 +150,7 @@ def simulate_does_not_depend_on_the_sampling(student, rng):
         reference.simulate,
         [*cases.at_two_times(rng), *cases.alike(rng)],
         tolerance=TRAJECTORY,
-        hint=by_rates(student),
+        own_rates=by_rates(student),
     )
     compare_trajectory(student.simulate, reference.simulate, cases.stiff(rng), tolerance=TRAJECTORY, hint=FIXED)
 

@@ -6,6 +6,7 @@ from tam570_grader import (
     Assignment,
     Column,
     Invariant,
+    OwnRates,
     absolute,
     array,
     check,
@@ -14,7 +15,6 @@ from tam570_grader import (
     compare,
     compare_trajectory,
     expect,
-    from_own_rates,
     number,
     rows,
 )
@@ -137,7 +137,7 @@ def without_gravity_it_goes_round_uniformly(student, rng):
         reference.simulate,
         cases.without_gravity(rng),
         tolerance=FOLLOWED,
-        hint=from_own_rates(student.acceleration, reference, lambda t, row: (row,)),
+        own_rates=OwnRates(student.acceleration, reference, lambda t, row: (row,)),
         keeps=KEPT,
     )
 
@@ -149,7 +149,7 @@ def with_gravity_it_swings_or_goes_round(student, rng):
         reference.simulate,
         cases.with_gravity(rng),
         tolerance=FOLLOWED,
-        hint=from_own_rates(student.acceleration, reference, lambda t, row: (row,)),
+        own_rates=OwnRates(student.acceleration, reference, lambda t, row: (row,)),
         keeps=KEPT,
     )
 

@@ -5,6 +5,7 @@ import numpy as np
 from tam570_grader import (
     Assignment,
     Column,
+    OwnRates,
     array,
     check,
     check_raises,
@@ -12,7 +13,6 @@ from tam570_grader import (
     compare_columns,
     compare_trajectory,
     expect_that,
-    from_own_rates,
     largest,
     number,
     rows,
@@ -127,17 +127,11 @@ def of_rates(case, found, expected):
     return "The velocity of G is wrong: turn (forward, left) by the heading; G slips sideways, for no axle is there."
 
 
-def of_run(student):
-    """Make a hint for a run."""
-
-    def by_rates(motion):
-        locked = motion.case.args[-1]
-        return from_own_rates(student.state_derivative, reference, lambda t, row: (t, row, locked))(motion)
-
-    return lambda motion: of_motion(motion) or by_rates(motion)
+def by_rates(student):
+    return OwnRates(student.state_derivative, reference, lambda t, row: (t, row))
 
 
-def of_motion(motion):
+def of_run(motion):
     """What to say of a motion that ends early, goes straight on, or does not stay where it stops."""
     found, expected = motion.found, motion.expected
     rests = ~expected[:, 3:].any(axis=1)
@@ -272,7 +266,12 @@ def kinetic_energy_of_G_and_of_turning(student, rng):
 @check("simulate", points=0.75, part="a", line="braking with either axle locked, row i at t[i], row 0 the given state.")
 def simulate_brakes(student, rng):
     compare_trajectory(
-        student.simulate, reference.simulate, cases.braking(100)(rng), tolerance=FOLLOWED, hint=of_run(student)
+        student.simulate,
+        reference.simulate,
+        cases.braking(100)(rng),
+        tolerance=FOLLOWED,
+        hint=of_run,
+        own_rates=by_rates(student),
     )
 
 
@@ -285,7 +284,12 @@ def simulate_brakes(student, rng):
 )
 def simulate_needs_no_dense_times(student, rng):
     compare_trajectory(
-        student.simulate, reference.simulate, cases.few_times(rng), tolerance=FOLLOWED, hint=of_run(student)
+        student.simulate,
+        reference.simulate,
+        cases.few_times(rng),
+        tolerance=FOLLOWED,
+        hint=of_run,
+        own_rates=by_rates(student),
     )
 
 
@@ -298,10 +302,20 @@ def simulate_needs_no_dense_times(student, rng):
 )
 def simulate_glides_without_friction(student, rng):
     compare_trajectory(
-        student.simulate, reference.simulate, cases.gliding(rng), tolerance=FOLLOWED, hint=of_run(student)
+        student.simulate,
+        reference.simulate,
+        cases.gliding(rng),
+        tolerance=FOLLOWED,
+        hint=of_run,
+        own_rates=by_rates(student),
     )
     compare_trajectory(
-        student.simulate, reference.simulate, cases.gliding_slowly(rng), **A_SLOW_RUN, hint=of_run(student)
+        student.simulate,
+        reference.simulate,
+        cases.gliding_slowly(rng),
+        **A_SLOW_RUN,
+        hint=of_run,
+        own_rates=by_rates(student),
     )
 
 
@@ -375,13 +389,29 @@ def stability_refuses_other_axles(student, rng):
 )
 def simulate_comes_to_rest_and_stays(student, rng):
     compare_trajectory(
-        student.simulate, reference.simulate, cases.braking_slowly(rng), **A_SLOW_RUN, hint=of_run(student)
+        student.simulate,
+        reference.simulate,
+        cases.braking_slowly(rng),
+        **A_SLOW_RUN,
+        hint=of_run,
+        own_rates=by_rates(student),
     )
     compare_trajectory(
-        student.simulate, reference.simulate, cases.stops(rng), columns=TO_REST, tolerance=STOPPED, hint=of_run(student)
+        student.simulate,
+        reference.simulate,
+        cases.stops(rng),
+        columns=TO_REST,
+        tolerance=STOPPED,
+        hint=of_run,
+        own_rates=by_rates(student),
     )
     compare_trajectory(
-        student.simulate, reference.simulate, cases.at_rest(rng), tolerance=FORMULA, hint=of_run(student)
+        student.simulate,
+        reference.simulate,
+        cases.at_rest(rng),
+        tolerance=FORMULA,
+        hint=of_run,
+        own_rates=by_rates(student),
     )
 
 

@@ -6,6 +6,7 @@ from tam570_grader import (
     Assignment,
     Column,
     Invariant,
+    OwnRates,
     check,
     check_conserved,
     check_raises,
@@ -13,7 +14,6 @@ from tam570_grader import (
     compare_trajectory,
     curves_seen,
     first_wrong,
-    from_own_rates,
     judge_axes_of_lengths,
     once,
     path_drawn,
@@ -202,7 +202,7 @@ def simulation_follows_the_equations(student, rng):
         cases.motions(rng),
         tolerance=FOLLOWED,
         keeps=KEPT_ENERGY,
-        hint=from_own_rates(student.angular_acceleration, reference, lambda t, row: (row[:2], row[2:])),
+        own_rates=OwnRates(student.angular_acceleration, reference, lambda t, row: (row[:2], row[2:])),
     )
 
 

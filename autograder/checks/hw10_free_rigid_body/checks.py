@@ -8,6 +8,7 @@ from tam570_grader import (
     Assignment,
     Column,
     Invariant,
+    OwnRates,
     absolute,
     check,
     check_conserved,
@@ -15,7 +16,6 @@ from tam570_grader import (
     compare,
     compare_trajectory,
     first_wrong,
-    from_own_rates,
 )
 from tam570_grader.checks.plots import along, curves_seen, exchanged, judge_axes_of_lengths, judge_boxes, path_drawn
 from tam570_grader.checks.returns import array, drawing, group, number, rows
@@ -143,19 +143,18 @@ def rotations_of(states):
 
 def by_rates(student):
     """Make a hint for omega."""
-    return from_own_rates(student.euler_equations, reference, lambda t, row: (row[:3],))
+    return OwnRates(student.euler_equations, reference, lambda t, row: (row[:3],))
 
 
 def wrong_attitude(student):
     """Make a hint for the rotations."""
-    by_omega = by_rates(student)
-    by_attitude = from_own_rates(student.attitude_rate, reference, lambda t, row: (row[3:].reshape(3, 3), row[:3]))
+    by_attitude = OwnRates(student.attitude_rate, reference, lambda t, row: (row[3:].reshape(3, 3), row[:3]))
 
     def hint(motion):
         turning = np.allclose(
             motion.found[:, :3], motion.expected[:, :3], rtol=0, atol=1e-3 * np.abs(motion.expected[:, :3]).max()
         )
-        return of_rotations(motion) or (by_attitude if turning else by_omega)(motion)
+        return of_rotations(motion) or (by_attitude.hint(motion) if turning else "")
 
     return hint
 
@@ -202,7 +201,7 @@ TURNS = {"columns": BOTH, "coarsely": 3e-2, "hint": SHORT}
 )
 def omega_follows_elliptic_functions(student, rng):
     compare_trajectory(
-        student.simulate, reference.tumble, cases.tumbles(rng), columns=[OMEGA], hint=by_rates(student), **FOLLOWED
+        student.simulate, reference.tumble, cases.tumbles(rng), columns=[OMEGA], own_rates=by_rates(student), **FOLLOWED
     )
 
 
@@ -214,6 +213,7 @@ def attitude_follows_the_motion(student, rng):
         cases.general_motions(rng),
         columns=[ATTITUDE],
         hint=wrong_attitude(student),
+        own_rates=by_rates(student),
         **FOLLOWED,
     )
 
@@ -243,6 +243,7 @@ def special_bodies_move_too(student, rng):
         cases.special_motions(rng),
         columns=BOTH,
         hint=wrong_attitude(student),
+        own_rates=by_rates(student),
         **FOLLOWED,
     )
 

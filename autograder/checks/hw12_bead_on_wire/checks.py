@@ -8,13 +8,13 @@ from tam570_grader import (
     Assignment,
     Column,
     Invariant,
+    OwnRates,
     check,
     check_conserved,
     compare,
     compare_trajectory,
     expect,
     from_own_lagrangian,
-    from_own_rates,
     in_symbols,
 )
 from tam570_grader.checks.diagrams import compare_diagrams
@@ -156,7 +156,7 @@ def simulate_slides(student, rng):
         reference.simulate,
         WIDE(rng),
         tolerance=TRAJECTORY,
-        hint=from_own_rates(student.acceleration_newton, reference, lambda t, row: tuple(row)),
+        own_rates=OwnRates(student.acceleration_newton, reference, lambda t, row: tuple(row)),
         keeps=KEPT,
     )
 
@@ -177,7 +177,7 @@ def simulate_needs_no_dense_times(student, rng):
         reference.simulate,
         cases.few_times(rng),
         tolerance=TRAJECTORY,
-        hint=from_own_rates(student.acceleration_newton, reference, lambda t, row: tuple(row)),
+        own_rates=OwnRates(student.acceleration_newton, reference, lambda t, row: tuple(row)),
     )
     compare_trajectory(
         student.simulate, reference.simulate, cases.close(rng), tolerance=TRAJECTORY, hint=SMALL, near_miss_credit=False

@@ -6,11 +6,11 @@ from tam570_grader import (
     Assignment,
     Column,
     Invariant,
+    OwnRates,
     check,
     check_conserved,
     compare,
     compare_trajectory,
-    from_own_rates,
     group,
     number,
     rows,
@@ -91,7 +91,7 @@ HEIGHT = "Where is G, and how high above the centre's place at phi = 0?"
 
 
 def by_rates(student):
-    return from_own_rates(student.acceleration, reference, lambda t, row: tuple(row))
+    return OwnRates(student.acceleration, reference, lambda t, row: tuple(row))
 
 
 HOWEVER_SMALL = "However small the rocking, the other terms are there: do you linearise, or is the tolerance loose?"
@@ -235,7 +235,7 @@ def simulate_rolls_and_rocks(student, rng):
         reference.simulate,
         cases.runs(rng, 200),
         tolerance=TRAJECTORY,
-        hint=by_rates(student),
+        own_rates=by_rates(student),
         keeps=KEPT,
     )
 
@@ -249,7 +249,7 @@ def simulate_rolls_and_rocks(student, rng):
 )
 def simulate_needs_no_dense_times(student, rng):
     compare_trajectory(
-        student.simulate, reference.simulate, cases.few_times(rng), tolerance=TRAJECTORY, hint=by_rates(student)
+        student.simulate, reference.simulate, cases.few_times(rng), tolerance=TRAJECTORY, own_rates=by_rates(student)
     )
     compare_trajectory(
         student.simulate,

@@ -8,6 +8,7 @@ from tam570_grader import (
     Assignment,
     Column,
     Invariant,
+    OwnRates,
     absolute,
     array,
     check,
@@ -17,7 +18,6 @@ from tam570_grader import (
     compare_trajectory,
     expect,
     expect_that,
-    from_own_rates,
     number,
     rows,
 )
@@ -216,7 +216,7 @@ def multiplier_equations_hold(student, rng):
 
 
 def by_rates(rates):
-    return from_own_rates(rates, reference, lambda t, row: (t, row))
+    return OwnRates(rates, reference, lambda t, row: (t, row))
 
 
 TWO = partial(cases.motions, count=2, span=6.0, samples=4)
@@ -236,7 +236,7 @@ def euler_simulation_follows_the_motion(student, rng):
         cases.simulated(rng),
         tolerance=TRAJECTORY,
         keeps=ENERGY_KEPT,
-        hint=by_rates(student.euler_state_derivative),
+        own_rates=by_rates(student.euler_state_derivative),
     )
 
 
@@ -263,7 +263,7 @@ def matrix_simulation_follows_the_motion(student, rng):
         reference.simulate_matrix,
         cases.by_matrix(cases.simulated)(rng),
         tolerance=TRAJECTORY,
-        hint=by_rates(student.matrix_state_derivative),
+        own_rates=by_rates(student.matrix_state_derivative),
     )
 
 

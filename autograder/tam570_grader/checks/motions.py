@@ -85,10 +85,17 @@ class Motion:
         return flat(expected_result(self.right, case))
 
 
-def diagnosed(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], near_miss: float) -> str:
+def diagnosed(
+    motion: Motion,
+    motions: Sequence[Motion],
+    turns: Sequence[int],
+    near_miss: float,
+    rates_are_right: Callable[[], bool] | None = None,
+) -> str:
     """What a wrong motion is instead, in a sentence; empty if the rows do not tell.
 
-    nearly : the error, of the scale, up to which a loose tolerance is likely even where nothing moves
+    near_miss : the error, of the scale, up to which a loose tolerance is likely even where nothing moves
+    rates_are_right : whether the student's own function of the rates is
     """
     with np.errstate(all="ignore"):
         moves = np.max(np.ptp(motion.expected, axis=0) / motion.scales) > ALIKE  # what rests is the same at any times
@@ -98,7 +105,8 @@ def diagnosed(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], n
         share = _explained(motion)
         if share >= EXPLAINS:
             return ""
-        return TIGHT if share <= EXPLAINED and motion.error <= ROUGHLY else NEARLY_FOLLOWS
+        likely = share <= EXPLAINED and (motion.error <= ROUGHLY or bool(rates_are_right and rates_are_right()))
+        return TIGHT if likely else NEARLY_FOLLOWS
 
 
 TIGHT = "The physics is right: tighten rtol and atol, or take smaller steps"

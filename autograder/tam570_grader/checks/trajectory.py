@@ -15,11 +15,12 @@ from tam570_grader.checks.curves import kept
 from tam570_grader.checks.expect import NEAR_MISS, NEAR_MISS_SHARE, UNLOCKING_SHARE, expect, get_context
 from tam570_grader.checks.motions import ROUGHLY, Motion, diagnosed, flat, obeys
 
-__all__ = ["Invariant", "compare_trajectory", "check_conserved", "from_own_rates"]
+__all__ = ["Invariant", "compare_trajectory", "check_conserved", "OwnRates"]
 
 Array = NDArray[np.float64]
 # Right physics at a loose tolerance keeps these shares of the points at these errors (of the scale), and in proportion
 # to the logarithm of the error between them and ten limits, so that no grade leaps with the seed.
+ASKED = 4  # rows of a motion, at which the rates are asked
 LOOSE_SHARES = {1e-3: UNLOCKING_SHARE, ROUGHLY: 0.25}
 
 
@@ -39,6 +40,32 @@ class Invariant:
         return float(start) or 1.0
 
 
+@dataclass(frozen=True)
+class OwnRates:
+    """The student's function of the rates in a simulated motion, which may be right where the motion is wrong.
+
+    arguments : (t, row) -> what the rates are asked for there; words of the motion's case follow
+    """
+
+    function: Any
+    reference: Reference
+    arguments: Callable[[float, Array], tuple[Any, ...]]
+
+    def right(self, motion: Motion) -> bool:
+        """Whether they are right at some rows of the right motion."""
+        rows = list(zip(motion.t, motion.expected, strict=True))[:: max(1, len(motion.t) // ASKED)]
+        words = [one for one in motion.case.args if isinstance(one, str)]
+        cases = [Case(*self.arguments(t, row), *words, **motion.case.kwargs) for t, row in rows]
+        return is_right(self.function, self.reference, cases)
+
+    def hint(self, motion: Motion) -> str:
+        """Say where to look."""
+        name = self.function.name
+        if self.right(motion):
+            return f"{name} is right along this motion: integrate it, with the given parameters, from t[0] on"
+        return f"{name} is wrong along this motion, too: look there first"
+
+
 def compare_trajectory(
     function: Any,
     reference: Reference,
@@ -48,6 +75,7 @@ def compare_trajectory(
     tolerance: float,
     hint: str | Callable[[Motion], str] = "",
     keeps: Invariant | None = None,
+    own_rates: OwnRates | None = None,
     restart: Callable[[Array], tuple[Any, ...]] | None = None,
     near_miss_credit: bool = True,
     loose_tolerance_credit: bool = True,
@@ -60,6 +88,7 @@ def compare_trajectory(
     within  : of the scale of each column
     hint    : where to look, or a function of the motion that says it, if the rows themselves tell nothing
     keeps   : an invariant whose course the student's page draws beside the error
+    own_rates : the student's rates, of which the hint tells if the rows and `hint` tell nothing
     restart : restart(row) -> the arguments behind t that begin the motion there; default: the row, cut as these are
     gradual : False where an error of a few limits is no sign that the physics is right
     loose   : False where wrong physics, too, nearly obeys the equations: a tenth of an error is then no sign
@@ -84,7 +113,7 @@ def compare_trajectory(
             motion,
             columns,
             tolerance,
-            partial(_hint, motion, motions, turns, near_miss, hint),
+            partial(_hint, motion, motions, turns, near_miss, hint, own_rates),
             keeps,
             near_miss_credit,
             loose_tolerance_credit,
@@ -124,24 +153,6 @@ def check_conserved(
             partial=partial,
             hint=hint,
         )
-
-
-def from_own_rates(
-    rates: Any, reference: Reference, arguments: Callable[[float, Array], tuple[Any, ...]]
-) -> Callable[[Motion], str]:
-    """Make a hint for a simulated motion, by whether the student's own rates are right along the right one.
-
-    arguments : (t, row) -> what the rates are asked for there
-    """
-
-    def hint(motion: Motion) -> str:
-        rows = zip(motion.t, motion.expected, strict=True)
-        cases = [Case(*arguments(*row), **motion.case.kwargs) for row in list(rows)[:: max(1, len(motion.t) // 4)]]
-        if is_right(rates, reference, cases):
-            return f"{rates.name} is right along this motion: integrate it, with the given parameters, from t[0] on"
-        return f"{rates.name} is wrong along this motion, too: look there first"
-
-    return hint
 
 
 def _motions(
@@ -222,8 +233,18 @@ def loose_tolerance_share(motion: Motion, tolerance: float, size: float, error: 
     return round(float(np.interp(np.log(error / size), np.log(list(known)), list(known.values()))), 2)
 
 
-def _hint(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], near_miss: float, hint: Any) -> str:
-    return diagnosed(motion, motions, turns, near_miss) or (hint(motion) if callable(hint) else hint)
+def _hint(
+    motion: Motion,
+    motions: Sequence[Motion],
+    turns: Sequence[int],
+    near_miss: float,
+    hint: Any,
+    own_rates: OwnRates | None,
+) -> str:
+    rates_are_right = partial(own_rates.right, motion) if own_rates else None
+    said = diagnosed(motion, motions, turns, near_miss, rates_are_right)
+    said = said or (hint(motion) if callable(hint) else hint)
+    return said or (own_rates.hint(motion) if own_rates else "")
 
 
 def _along(invariant: Invariant, motion: Motion) -> Any:
