@@ -17,6 +17,7 @@ test: $(VENV)/ready bubblewrap
 	$(BIN)/ruff check
 	$(BIN)/ruff format --check
 	$(BIN)/mypy
+	$(BIN)/lint-imports
 	$(BIN)/tam570-grader stubs --check
 	$(BIN)/pytest -q -n 2 --dist loadgroup
 

@@ -13,8 +13,9 @@ from tam570_grader.audit.diagnosis import diagnosis
 from tam570_grader.checks import assignments
 from tam570_grader.checks.expect import check_context
 from tam570_grader.checks.returns import Array, Drawing, Formula, FreeBodyDiagram, Group
+from tam570_grader.course.contract import with_points
 from tam570_grader.diagnosis.mistakes import candidates, known, mistakes
-from tam570_grader.release.stubs import stub, with_points
+from tam570_grader.release.stubs import stub
 from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.zygote import ResourceLimits
 

@@ -12,8 +12,8 @@ import pytest
 
 import tam570
 from tam570_grader import cli as grader
+from tam570_grader.cli.grade import warn_of_isolation
 from tam570_grader.errors import counted
-from tam570_grader.grading.command import warn_of_isolation
 from tam570_grader.results import store
 from tam570_grader.results.records import FORMAT
 
@@ -98,14 +98,14 @@ def test_a_disk_that_fails_is_told_in_a_line(desk, capsys, monkeypatch):
     def full(arguments):
         raise OSError(errno.ENOSPC, "No space left on device", "x")
 
-    monkeypatch.setattr("tam570_grader.release.command._kit", full)
+    monkeypatch.setattr("tam570_grader.cli.release._kit", full)
     assert grader.main(["kit", "x"]) == 1
     assert capsys.readouterr().err == "tam570-grader: error: [Errno 28] No space left on device: 'x'\n"
 
 
 @pytest.mark.parametrize("first", [signal.SIGINT, signal.SIGTERM])
 def test_a_second_interrupt_ends_what_the_first_puts_away(monkeypatch, first):
-    monkeypatch.setattr("tam570_grader.release.command._kit", lambda arguments: signal.raise_signal(first))
+    monkeypatch.setattr("tam570_grader.cli.release._kit", lambda arguments: signal.raise_signal(first))
     assert grader.main(["kit", "x"]) == 130
     assert signal.getsignal(signal.SIGINT) == signal.SIG_DFL
 

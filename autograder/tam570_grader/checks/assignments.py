@@ -20,8 +20,8 @@ from tam570_grader.checks.check import Check
 from tam570_grader.checks.effort import Finder
 from tam570_grader.checks.figures import Figure
 from tam570_grader.checks.returns import ReturnSpec
+from tam570_grader.checks.rubric import ManualPart, load_rubric
 from tam570_grader.errors import UsageError
-from tam570_grader.rubric import ManualPart, load_rubric
 
 __all__ = [
     "ADAPTED",

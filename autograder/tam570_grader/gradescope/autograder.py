@@ -7,9 +7,9 @@ from pathlib import Path
 from string import Template
 from typing import Any
 
+from tam570_grader.course.course_toml import COPY
 from tam570_grader.errors import counted, say, writing
 from tam570_grader.grading.seeds import new_seed
-from tam570_grader.release.course_toml import COPY
 from tam570_grader.reports.feedback import overall
 from tam570_grader.results.store import Record
 from tam570_grader.results.tables import written

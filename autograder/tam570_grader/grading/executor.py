@@ -23,7 +23,7 @@ from typing import Any, TypeVar
 
 from tam570_grader.sandbox.pool import TRIES, sandboxes
 
-__all__ = ["PREFETCH", "TaskExecutor", "WorkerLost", "executor", "finished", "in_order", "serve"]
+__all__ = ["PREFETCH", "TaskExecutor", "WorkerLost", "cores", "executor", "finished", "in_order", "serve"]
 
 PREFETCH = 2  # bunches of tasks a job that are handed out: one is worked on, one waits
 CHUNK = 8  # tasks at most: to hand one out costs the head more than to read it
@@ -32,6 +32,11 @@ HEARD = 0.5  # s, in which an interrupt is heard
 PATIENCE = 5  # s, for a process to end by itself
 Task = TypeVar("Task")
 Outcome = TypeVar("Outcome")
+
+
+def cores() -> int:
+    """The processors that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 class WorkerLost(Exception):

@@ -7,16 +7,8 @@ from pathlib import Path
 from tam570_grader.checks.assignments import slug_of
 from tam570_grader.errors import printable
 from tam570_grader.grading import roster
-from tam570_grader.grading.submissions import (
-    GIVEN,
-    MOST_NAMES,
-    BadPath,
-    Submission,
-    entries,
-    form,
-    holds_students,
-    of_name,
-)
+from tam570_grader.grading.submissions import GIVEN, MOST_NAMES, BadPath, Submission, entries, holds_students, of_name
+from tam570_grader.results.collected import form
 
 __all__ = ["not_handed_in", "skipped_files"]
 

@@ -14,19 +14,18 @@ from pathlib import Path
 from tam570.notebooks import LARGEST, LARGEST_WITH_OUTPUTS, without_outputs
 from tam570_grader.checks.assignments import slug_of
 from tam570_grader.errors import UsageError, printable
+from tam570_grader.results.collected import form
 from tam570_grader.sandbox.student import Source
 
 __all__ = [
     "GIVEN",
     "MOST_FILES",
     "MOST_NAMES",
-    "WORK",
     "BadPath",
     "CannotRead",
     "Submission",
     "entries",
     "folder_of",
-    "form",
     "handed_in",
     "holds_students",
     "of_folder",
@@ -40,7 +39,6 @@ MOST_KEPT = 40  # characters of an id that is no name of a folder
 NO_NAME = '/\\<>:"|?*'  # in the name of a folder, on any system
 HIDDEN = re.compile(r"^(?:[.-]|__)[._-]*")  # how folders begin that are passed by, or taken for an option
 MOST_FILES = 1000  # in the folder of a student, or of an assignment
-WORK = (".py", ".ipynb")
 GIVEN = re.compile(r"test_.*|lab|conftest")  # modules beside the students' own
 DEEPEST = 4  # folders within one another that a student's work may lie in
 MOST_NAMES = 10  # of files, in a note on what was found
@@ -153,13 +151,6 @@ def _of_file(path: Path, known: Sequence[str], given: str | None) -> Submission:
     if slug is None:
         raise BadPath(f"cannot tell which assignment {path} is: name it with --assignment, one of {', '.join(known)}")
     return Submission(_name(path.stem), slug, path, path.resolve())
-
-
-def form(name: str) -> str:
-    """Which of WORK a file is by its name, in any case and with the ending .txt that browsers add; "" for none."""
-    plain = name.lower()
-    plain = plain.removesuffix(".txt") if plain.endswith(".py.txt") else plain
-    return next((ending for ending in WORK if plain.endswith(ending)), "")
 
 
 def _in_folder(folder: Path, known: Sequence[str], given: str | None, students: Collection[str]) -> list[Submission]:

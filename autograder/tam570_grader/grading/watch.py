@@ -4,7 +4,6 @@ Everything that happens is a line of `watch.jsonl` in the folder of results, on 
 a copy of what arrived, then its result. Whatever ends the command, the next one goes on from there.
 """
 
-import argparse
 import contextlib
 import hashlib
 import html
@@ -19,18 +18,17 @@ from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.errors import UsageError, counted, say, warn, writing
-from tam570_grader.grading.submissions import CannotRead, Submission, form, of_folder, read, submissions
-from tam570_grader.options import Commands, cores, positive
+from tam570_grader.errors import UsageError, counted, warn
+from tam570_grader.grading.submissions import CannotRead, Submission, of_folder, read, submissions
+from tam570_grader.results.collected import form
 from tam570_grader.results.tables import written
 
-__all__ = ["Arrival", "Policy", "Queue", "add_watch"]
+__all__ = ["Arrival", "Policy", "Queue", "Desk"]
 
 JOURNAL, COPIES, KEY, STATUS = "watch.jsonl", "attempts", "watch.key", "status.html"
 SETTLED = 0.2  # s for which a file has not changed when it is taken: it may be being written
 CHUNK = 12  # submissions of each supervisor between two looks at the folder
 TICK = 500  # ms between two looks at the folder, where nothing tells of a change
-UNITS = {"s": 1, "m": 60, "h": 3600, "d": 86400}
 HANDED_IN = re.compile(r"(?P<student>[^+*]+)\+(?P<slug>[^+]+)\+(?P<timestamp>[^+]+)(?:\+[^+]*)?")  # in an exchange
 
 
@@ -134,84 +132,30 @@ class Queue:
         return max(attempts, key=lambda one: (one["record"]["score"] is not None, one["record"]["score"] or 0.0))
 
 
-def add_watch(commands: Commands) -> argparse.ArgumentParser:
-    watch: argparse.ArgumentParser = commands.add_parser(
-        "watch",
-        help="grade submissions when they arrive",
-        description="Grade submissions when they arrive in a folder, or in a course of nbgrader's exchange, and put "
-        "the page of feedback back: beside the work, or where `nbgrader fetch_feedback` finds it. Each attempt has "
-        "hidden inputs of its own.",
-        epilog="DIR/status.html shows who waits and who has which score, and reloads itself. If the command ends, give "
-        "it again: it goes on from there.",
-    )
-    watch.set_defaults(command=_watch)
-    add = watch.add_argument
-    add("source", type=Path, metavar="SOURCE", help="a tree of submissions, or a course in nbgrader's exchange")
-    add("--out", type=Path, metavar="DIR", required=True, help="write results, copies, the status page there")
-    add("--attempts", type=positive, metavar="N", help="of a student in an assignment (default: no limit)")
-    add("--every", type=_duration, metavar="15m", default=0.0, help="time between two attempts: 30s, 15m, 2h, 1d")
-    add("--count", choices=["best", "last"], default="best", help="the attempt that counts (default: %(default)s)")
-    add("--assignment", metavar="SLUG", help="which one it is, where the names do not tell")
-    add("--jobs", type=positive, metavar="N", default=cores(), help="supervisors (default: %(default)s)")
-    add("--once", action="store_true", help="grade what is there and may be graded, then end")
-    return watch
-
-
-def _duration(text: str) -> float:
-    """15m as seconds."""
-    if not (found := re.fullmatch(r"(\d{1,6})([smhd])", text)):
-        raise argparse.ArgumentTypeError(f"{text!r} is not a time such as 30s, 15m, 2h or 1d")
-    return float(found[1]) * UNITS[found[2]]
-
-
-def _watch(arguments: argparse.Namespace) -> int:
-    from tam570_grader.grading import seeds
-    from tam570_grader.grading.command import warn_of_isolation
-    from tam570_grader.grading.executor import executor
-    from tam570_grader.release import course_config
-    from tam570_grader.reports import feedback
-    from tam570_grader.results.store import ResultStore
-
-    course = course_config.course_of(arguments, [arguments.source])
-    feedback.must_write_pages()
-    warn_of_isolation()
-    if not arguments.source.is_dir():
-        raise UsageError(f"{arguments.source} is not a folder: name the one into which work is handed in")
-    with writing(arguments.out):
-        (arguments.out / COPIES).mkdir(parents=True, exist_ok=True)
-    with contextlib.closing(ResultStore(arguments.out)) as store, executor(arguments.jobs) as crew:
-        policy = Policy(arguments.attempts or math.inf, arguments.every, arguments.count)
-        queue = Queue(arguments.out, policy)
-        secret = seeds.key(arguments.out / KEY, bool(queue.graded))
-        desk = _Desk(arguments, course, queue, store, crew, secret)
-        try:
-            desk.work()
-        except KeyboardInterrupt:
-            raise KeyboardInterrupt(desk.summary()) from None
-        say(desk.summary())
-    return 0
-
-
-class _Desk:
+class Desk:
     """Looks for what arrives, has it graded, and puts the pages back."""
 
     def __init__(
-        self, arguments: argparse.Namespace, course: Path, queue: Queue, store: Any, crew: Any, secret: bytes
+        self,
+        source: Path,
+        course: Path,
+        queue: Queue,
+        store: Any,
+        executor: Any,
+        secret: bytes,
+        *,
+        assignment: str | None = None,
+        jobs: int = 1,
+        once: bool = False,
     ) -> None:
         from tam570_grader.checks import assignments
 
-        self.arguments, self.course, self.queue, self.store, self.crew, self.secret = (
-            arguments,
-            course,
-            queue,
-            store,
-            crew,
-            secret,
-        )
-        self.source: Path = arguments.source.absolute()
+        self.source: Path = source.absolute()
+        self.course, self.queue, self.store, self.executor, self.secret = course, queue, store, executor, secret
+        self.jobs, self.once = jobs, once
         self.is_exchange = (self.source / "inbound").is_dir()
         self.known = assignments.slugs(course)
-        self.given = assignments.one_named(arguments.assignment, self.known)
+        self.given = assignments.one_named(assignment, self.known)
         self._stamps: dict[Path, tuple[int, int, int]] = {}
         self._infos: dict[str, Any] = {}
 
@@ -220,11 +164,11 @@ class _Desk:
         for key in self.queue.graded:  # a kill may have come between a result and its page
             self.store.add(self.queue.counting(key)["record"])
             self.hand_back(self.queue.graded[key][-1])
-        if not self.arguments.once:
+        if not self.once:
             self.warm()
         for _ in self.ticks():
             self.look()
-            while batch := self.queue.ready(time.time())[: CHUNK * self.arguments.jobs]:
+            while batch := self.queue.ready(time.time())[: CHUNK * self.jobs]:
                 self.grade(batch)
                 self.look()
             self.show()
@@ -237,7 +181,7 @@ class _Desk:
 
         idle = Arrival("", self.given or self.known[0], "", 0.0, "", "", "nothing")
         task = replace(self._task(idle), source=Source(b"", notebook=False))
-        for _ in finished(self.crew, supervisor.line, [task] * self.arguments.jobs):
+        for _ in finished(self.executor, supervisor.line, [task] * self.jobs):
             pass
 
     def ticks(self) -> Iterator[None]:
@@ -245,7 +189,7 @@ class _Desk:
         from watchfiles import watch
 
         yield
-        if self.arguments.once:
+        if self.once:
             time.sleep(SETTLED)
             yield
             return
@@ -317,7 +261,7 @@ class _Desk:
         from tam570_grader.grading.executor import WorkerLost, finished
 
         tasks = [self._task(one) for one in batch]
-        for number, task, line in finished(self.crew, supervisor.line, tasks, len(tasks)):
+        for number, task, line in finished(self.executor, supervisor.line, tasks, len(tasks)):
             record = json.loads(supervisor.lost(task, str(line)) if isinstance(line, WorkerLost) else line)
             one = batch[number]
             attempt = len(self.queue.graded.get(one.key, [])) + 1
@@ -330,9 +274,9 @@ class _Desk:
             self.hand_back(told)
 
     def _task(self, one: Arrival) -> Any:
+        from tam570_grader.course import course_config
         from tam570_grader.grading import seeds
         from tam570_grader.grading.supervisor import GradeTask, WorkerConfig
-        from tam570_grader.release import course_config
         from tam570_grader.sandbox.zygote import ResourceLimits
 
         attempt = len(self.queue.graded.get(one.key, [])) + 1

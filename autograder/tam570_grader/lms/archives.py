@@ -11,7 +11,7 @@ from pathlib import Path
 
 from tam570.notebooks import LARGEST, LARGEST_WITH_OUTPUTS, without_outputs
 from tam570_grader.errors import UsageError, printable
-from tam570_grader.grading.submissions import form
+from tam570_grader.results.collected import form
 
 __all__ = ["File", "Room", "inside", "is_beside", "members", "shortened"]
 

@@ -9,9 +9,9 @@ from typing import Any
 
 from dateutil import parser as dates  # type: ignore[import-untyped]
 
-from tam570_grader.grading.submissions import form
 from tam570_grader.lms.archives import File
 from tam570_grader.lms.systems import SYSTEMS, System
+from tam570_grader.results.collected import form
 
 __all__ = ["Handed", "named", "read", "time_of"]
 

@@ -12,10 +12,9 @@ from pathlib import Path
 from tam570_grader.checks import assignments
 from tam570_grader.errors import UsageError, printable, writing
 from tam570_grader.grading import roster as rosters
-from tam570_grader.grading.submissions import form
 from tam570_grader.lms.downloads import named
-from tam570_grader.lms.submission_import import listed
 from tam570_grader.lms.systems import SYSTEMS
+from tam570_grader.results.collected import form, listed
 from tam570_grader.results.tables import written
 
 __all__ = ["run"]

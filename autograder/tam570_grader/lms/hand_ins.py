@@ -8,10 +8,10 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
+from tam570_grader.course.late_policy import NEEDED, LatePolicy, days_between, moment, on_the_wall
 from tam570_grader.grading.submissions import form
 from tam570_grader.grading.watch import JOURNAL
 from tam570_grader.lms.submission_import import OLDER, listed
-from tam570_grader.release.late_policy import NEEDED, LatePolicy, days_between, moment, on_the_wall
 
 __all__ = ["hand_ins"]
 

@@ -4,7 +4,6 @@ It writes the rows that `points` takes from a table: of each part its points, an
 rubric that were given. Nothing else is kept.
 """
 
-import argparse
 import contextlib
 import html
 import json
@@ -19,16 +18,15 @@ from string import Template
 from threading import Lock
 from typing import Any
 
-from tam570_grader.errors import UsageError, say
-from tam570_grader.grading.submissions import CannotRead, Submission, entries, read, submissions
-from tam570_grader.options import Commands, natural
+from tam570_grader.checks.rubric import ManualPart
+from tam570_grader.errors import UsageError
+from tam570_grader.grading.submissions import CannotRead, Submission, entries, read
 from tam570_grader.results import manual_points
 from tam570_grader.results.manual_points import EVERYONE, Entry
-from tam570_grader.results.store import ResultStore, results
-from tam570_grader.rubric import ManualPart
+from tam570_grader.results.store import ResultStore
 from tam570_grader.sandbox.notebooks import Unshown, cells_of
 
-__all__ = ["Desk", "Sheet", "add_mark", "serve"]
+__all__ = ["Desk", "Sheet", "serve"]
 
 TEMPLATES = Path(__file__).parent / "templates"
 SHOWN = (".png", ".jpg", ".jpeg", ".gif", ".svg")
@@ -107,56 +105,6 @@ class Desk:
             return [(str(cell["kind"]), str(cell["source"])) for cell in cells_of(source.text)]
         except (CannotRead, Unshown) as why:
             return [("note", str(why))]
-
-
-def add_mark(commands: Commands) -> argparse.ArgumentParser:
-    mark: argparse.ArgumentParser = commands.add_parser(
-        "mark",
-        help="open a page to grade parts by hand",
-        description="Open a page on this machine with each student's work beside the claims of the rubric. It writes "
-        "the points and comments into DIR/by_hand.csv, as `points` does.",
-        epilog="The address holds a secret: give it to nobody. Keys: n and p change the student, 1 to 9 tick claims.",
-    )
-    mark.set_defaults(command=_mark)
-    add = mark.add_argument
-    add("folder", type=Path, metavar="DIR", help="what `grade --out` wrote")
-    add("--submitted", type=Path, metavar="DIR", help="the tree of submissions, to show the work")
-    add("--only", nargs="+", metavar="SLUG", default=[], help="these assignments alone")
-    add("--anonymous", action="store_true", help="show numbers for names, in any order")
-    add("--port", type=natural, default=0, help="default: any that is free")
-    return mark
-
-
-def _mark(arguments: argparse.Namespace) -> int:
-    from tam570_grader.checks import assignments
-    from tam570_grader.release import course_config
-    from tam570_grader.reports import feedback
-
-    tree = [arguments.submitted] if arguments.submitted else []
-    course, folder = course_config.course_of(arguments, tree), arguments.folder
-    if not (folder / "results.jsonl").is_file():
-        raise UsageError(f"there are no results in {folder}; make them with: tam570-grader grade ... --out {folder}")
-    feedback.must_write_pages()
-    known = assignments.slugs(course)
-    with contextlib.closing(results(folder)) as found:
-        keys = sorted((record["assignment"], record["student"]) for record in found.values())
-    chosen = assignments.named(arguments.only, sorted({slug for slug, _ in keys}))
-    rubrics = {slug: assignments.assignment(course, slug).rubric for slug in chosen if slug in known}
-    work = {(one.student, one.slug): one for one in submissions(tree, known)} if tree else {}
-    sheets = [Sheet(who, slug, rubrics[slug], work.get((who, slug))) for slug, who in keys if rubrics.get(slug)]
-    if not sheets:
-        raise UsageError(f"no assignment in {folder} has a part that is graded by hand")
-    server, address = serve(Desk(folder, sheets, anonymous=arguments.anonymous), arguments.port)
-    say(f"open {address}\nCtrl-C ends it; what you gave is in {folder / manual_points.FILE}")
-    try:
-        server.serve_forever()
-    except KeyboardInterrupt:
-        pass
-    finally:
-        server.server_close()
-    with contextlib.closing(ResultStore(folder)) as store:
-        feedback.write_pages(folder / "feedback", store, course)
-    return 0
 
 
 def serve(desk: Desk, port: int = 0) -> tuple[ThreadingHTTPServer, str]:

@@ -1,23 +1,22 @@
 """Puts a download of a learning management system into `submitted/<student>/<assignment>/`: `tam570-grader collect`."""
 
 from collections import Counter, defaultdict
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from tam570_grader.errors import UsageError, counted, say, warn, writing
 from tam570_grader.grading import roster as rosters
 from tam570_grader.grading.roster import Directory, Person
-from tam570_grader.grading.submissions import GIVEN, folder_of, form, of_folder, of_name
+from tam570_grader.grading.submissions import GIVEN, folder_of, of_folder, of_name
 from tam570_grader.lms.archives import File, Room, inside, is_beside, members
 from tam570_grader.lms.downloads import Handed, read, time_of
 from tam570_grader.lms.systems import SYSTEMS
-from tam570_grader.results.tables import name_in, table, write_table, written
+from tam570_grader.results.collected import COLUMNS, TABLE, form, listed
+from tam570_grader.results.tables import table, write_table, written
 
-__all__ = ["listed", "run"]
+__all__ = ["run"]
 
-COLUMNS = ("student", "name", "assignment", "file", "when", "late", "from", "note")
-TABLE = "collected.csv"
 NOT_WORK = "neither a module (.py) nor a notebook (.ipynb): ask the student for one"
 NAMELESS = "cannot tell the assignment: give it with --assignment"
 OLDER, RELEASED = "older", "came with the assignment"  # why a file is left, where all is well
@@ -46,14 +45,6 @@ class Taken:
     slug: str
     target: str
     note: str = ""
-
-
-def listed(path: Path, needed: Collection[str] = COLUMNS) -> list[dict[str, str]]:
-    """The rows of collected.csv by column; UsageError if it lacks one that is needed."""
-    heading, *rows = table(path, "surrogateescape")  # names of files may hold any bytes
-    if lacking := {*needed} - {*heading}:
-        raise UsageError(f"{path} has no column {', '.join(sorted(lacking))}: name the table that `collect` wrote")
-    return [dict(zip(heading, [*map(name_in, row), *[""] * len(heading)], strict=False)) for row in rows]
 
 
 def run(

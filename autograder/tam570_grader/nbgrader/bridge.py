@@ -24,13 +24,13 @@ from traitlets import Bool, Dict, Integer, Unicode
 
 from tam570.notebooks import LARGEST, LARGEST_WITH_OUTPUTS
 from tam570_grader.checks import assignments
+from tam570_grader.course import course_config
 from tam570_grader.grading.batch import RunConfig, records
+from tam570_grader.grading.executor import cores
 from tam570_grader.grading.seeds import new_seed
 from tam570_grader.grading.submissions import MOST_FILES, BadPath, CannotRead, Submission, of_folder, read, submissions
 from tam570_grader.nbgrader.cells import Notebook, grade_id, marked, node, note, pictures_only, rebuilt, safe
 from tam570_grader.nbgrader.gradebook import OpenGradebook, keep_gradebooks_open
-from tam570_grader.options import cores
-from tam570_grader.release import course_config
 from tam570_grader.release.notebook import FORMAT, part_of, part_points, text_cell
 from tam570_grader.reports.feedback import AssignmentInfo, load_assignment_info
 from tam570_grader.results.store import Record, ResultStore

@@ -7,8 +7,8 @@ from pathlib import Path
 from string import Template
 
 from tam570_grader.checks import assignments
+from tam570_grader.course import course_config
 from tam570_grader.errors import UsageError, counted, say, writing
-from tam570_grader.release import course_config
 from tam570_grader.release.notebook import write_notebook
 from tam570_grader.results.tables import written
 

@@ -11,8 +11,8 @@ from typing import Any
 
 from tam570_grader.checks import assignments
 from tam570_grader.checks.assignments import LoadedAssignment
+from tam570_grader.checks.rubric import ManualPart, rubric_table, without_rubric
 from tam570_grader.results.tables import written
-from tam570_grader.rubric import ManualPart, rubric_table, without_rubric
 
 __all__ = [
     "FORMAT",

@@ -4,21 +4,16 @@ Beside it stand the contract, what each function returns, as the checks have it,
 """
 
 import ast
-import json
 import re
-from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
 
 from tam570_grader.checks import assignments
-from tam570_grader.checks.assignments import LoadedAssignment
-from tam570_grader.checks.returns import Drawing, Formula, FreeBodyDiagram, Group, ReturnSpec
+from tam570_grader.checks.rubric import load_rubric, with_rubric
+from tam570_grader.course.contract import contract, with_points
 from tam570_grader.errors import say
-from tam570_grader.rubric import load_rubric, with_rubric
 
-__all__ = ["contract", "exported", "run", "stub", "with_points"]
+__all__ = ["exported", "run", "stub"]
 
-ROW = re.compile(r"^(\| `(\w+)\(.*?` *\| *)[\d.]+( *\|)", re.MULTILINE)  # of a function, in a README's table
 BODY = "raise NotImplementedError"
 
 
@@ -32,11 +27,6 @@ def run(course: Path, *, check: bool) -> int:
             path.write_text(text, encoding="utf-8")
         say(f"{path} {'is out of date: run tam570-grader stubs' if check else 'written'}", error=True)
     return 1 if check and stale else 0
-
-
-def with_points(readme: str, worth: Mapping[str, float]) -> str:
-    """The README with the points of each function in its row of the table, as the checks give them."""
-    return ROW.sub(lambda row: f"{row[1]}{worth.get(row[2], 0.0):g}{row[3]}", readme)
 
 
 def _made(course: Path, slug: str) -> dict[Path, str]:
@@ -55,26 +45,6 @@ def _made(course: Path, slug: str) -> dict[Path, str]:
         released / "contract.json": contract(assignments.assignment(course, slug)),
         **({released / "figure.svg": figure.svg()} if figure else {}),
     }
-
-
-def contract(assignment: LoadedAssignment) -> str:
-    """The forms of the results, and what is off limits, as JSON: a line for each."""
-    results = [f'  "{name}": {json.dumps(_plain(returns))}' for name, returns in assignment.results.items()]
-    banned = json.dumps({name: list(modules) for name, modules in assignment.forbidden.items()})
-    return '{\n "results": {\n' + ",\n".join(results) + '\n },\n "off_limits": ' + banned + "\n}\n"
-
-
-def _plain(returns: ReturnSpec) -> dict[str, Any]:
-    """A promise as plain data."""
-    if isinstance(returns, Group):
-        return {"group": [_plain(member) for member in returns.members]}
-    if isinstance(returns, Formula):
-        return {"formula": list(returns.symbols)}
-    if isinstance(returns, Drawing):
-        return {"drawing": True}
-    if isinstance(returns, FreeBodyDiagram):
-        return {"diagram": returns.dimension}
-    return {"array": list(returns.shape), **({"infinite": True} if returns.infinite else {})}
 
 
 def stub(source: str) -> str:

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from tam570_grader.checks.failure import Failure
+from tam570_grader.checks.rubric import load_rubric
 from tam570_grader.errors import UsageError, say, writing
 from tam570_grader.reports.feedback import AssignmentInfo, load_assignment_info, template
 from tam570_grader.reports.scenes import wrong_and_right
@@ -21,7 +22,6 @@ from tam570_grader.results.records import CheckResult, Result
 from tam570_grader.results.shared import Notes
 from tam570_grader.results.store import Key, stream
 from tam570_grader.results.tables import written
-from tam570_grader.rubric import load_rubric
 
 __all__ = ["newest", "report", "results", "run"]
 

@@ -4,8 +4,8 @@ import json
 
 import pytest
 
+from tam570_grader.cli.grade import _shard_of
 from tam570_grader.grading import supervisor
-from tam570_grader.grading.command import _shard_of
 
 SLUG = "hw08_axis_angle"
 

@@ -5,7 +5,7 @@ import csv
 import pytest
 
 from tam570_grader import cli
-from tam570_grader.release.late_policy import policies
+from tam570_grader.course.late_policy import policies
 
 SLUG = "hw08_axis_angle"
 COURSE = """

@@ -9,10 +9,10 @@ import urllib.request
 import pytest
 
 from tam570_grader import cli
+from tam570_grader.checks.rubric import ManualPart
 from tam570_grader.grading.submissions import submissions
 from tam570_grader.lms.mark import Desk, Sheet, serve
 from tam570_grader.results import manual_points
-from tam570_grader.rubric import ManualPart
 
 SLUG = "hw07_double_pendulum"
 RUBRIC = {"c": ManualPart("why", ((0.5, "It has a reason."), (1.5, "It draws <b>it</b>.")))}

@@ -9,8 +9,8 @@ import zipfile
 import pytest
 
 from tam570_grader import cli
+from tam570_grader.course.course_toml import COLUMNS
 from tam570_grader.lms.systems import SYSTEMS
-from tam570_grader.release.course_toml import COLUMNS
 from tam570_grader.results.tables import cell, name_in
 
 SLUG, OTHER = "hw08_axis_angle", "hw07_double_pendulum"

@@ -10,7 +10,7 @@ import pytest
 
 from tam570_grader import cli
 from tam570_grader.checks import assignments
-from tam570_grader.release import course_config, late_policy
+from tam570_grader.course import course_config, late_policy
 
 SLUG = "hw08_axis_angle"
 COURSE = """

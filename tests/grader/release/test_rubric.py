@@ -4,8 +4,8 @@ import json
 
 import pytest
 
+from tam570_grader.checks.rubric import load_rubric, rubric_table, with_rubric, without_rubric
 from tam570_grader.release.notebook import problem, write_notebook
-from tam570_grader.rubric import load_rubric, rubric_table, with_rubric, without_rubric
 
 
 @pytest.fixture

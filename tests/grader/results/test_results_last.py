@@ -184,7 +184,7 @@ def test_other_commands_claim_nothing_when_interrupted(tmp_path, monkeypatch, ca
     def interrupted(*_):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(f"tam570_grader.lms.command._{command}", interrupted)
+    monkeypatch.setattr(f"tam570_grader.cli.exchange._{command}", interrupted)
     more = ["--to", "moodle"] if command == "lms" else []
     assert cli.main([command, str(tmp_path), *more]) == 130
     assert capsys.readouterr().err == "\ntam570-grader: interrupted\n"

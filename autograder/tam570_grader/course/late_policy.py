@@ -13,9 +13,9 @@ from pathlib import Path
 from typing import Any
 from zoneinfo import ZoneInfo
 
+from tam570_grader.course.course_toml import COPY, FILE, by_slug, must, no_other, toml
 from tam570_grader.errors import UsageError, counted
-from tam570_grader.grading.submissions import form
-from tam570_grader.release.course_toml import COPY, FILE, by_slug, must, no_other, toml
+from tam570_grader.results.collected import form
 from tam570_grader.results.manual_points import EVERYONE, EXTENSION, LATE, MOST, OFF, Entry, ManualAdjustments
 from tam570_grader.results.store import Results
 
@@ -110,7 +110,7 @@ def apply_late_policy(
     found     : the results, which tell what was graded: of a module and a notebook the time of one counts
     collected : the table that `collect` wrote, whose times tell who is late
     """
-    from tam570_grader.lms.submission_import import listed
+    from tam570_grader.results.collected import listed
 
     slugs = {slug for _, slug in found}
     table = list(_graded(listed(collected, NEEDED), found)) if collected else []

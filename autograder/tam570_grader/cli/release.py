@@ -3,7 +3,7 @@
 import argparse
 from pathlib import Path
 
-from tam570_grader.options import Commands
+from tam570_grader.cli.options import Commands
 
 __all__ = ["add_course", "add_gradescope", "add_kit", "add_stubs", "add_trust"]
 
@@ -56,26 +56,28 @@ def add_trust(commands: Commands) -> argparse.ArgumentParser:
 
 
 def _trust(arguments: argparse.Namespace) -> int:
-    from tam570_grader.release import course_config
+    from tam570_grader.course import course_config
 
     course_config.trust(arguments.folder)
     return 0
 
 
 def _stubs(arguments: argparse.Namespace) -> int:
-    from tam570_grader.release import course_config, stubs
+    from tam570_grader.course import course_config
+    from tam570_grader.release import stubs
 
     if arguments.examples is not None:
         from tam570_grader.release import examples
 
-        return examples.write(course_config.course_of(arguments), arguments.examples)
-    return stubs.run(course_config.course_of(arguments), check=arguments.check)
+        return examples.write(course_config.course_of(arguments.root), arguments.examples)
+    return stubs.run(course_config.course_of(arguments.root), check=arguments.check)
 
 
 def _kit(arguments: argparse.Namespace) -> int:
-    from tam570_grader.release import course_config, kit
+    from tam570_grader.course import course_config
+    from tam570_grader.release import kit
 
-    return kit.run(course_config.course_of(arguments), arguments.folder)
+    return kit.run(course_config.course_of(arguments.root), arguments.folder)
 
 
 def _course(arguments: argparse.Namespace) -> int:
@@ -93,7 +95,7 @@ def _gradescope(arguments: argparse.Namespace) -> int:
 def _course_and_slugs(arguments: argparse.Namespace) -> tuple[Path, Path, list[str]]:
     """The checkout, the folder to write to, the assignments."""
     from tam570_grader.checks import assignments
-    from tam570_grader.release import course_config
+    from tam570_grader.course import course_config
 
-    course = course_config.course_of(arguments)
+    course = course_config.course_of(arguments.root)
     return course, arguments.folder, assignments.named(arguments.assignments, assignments.slugs(course))

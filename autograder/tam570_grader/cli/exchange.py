@@ -6,9 +6,9 @@ from collections.abc import Iterable, Sequence
 from functools import partial
 from pathlib import Path
 
+from tam570_grader.cli.options import Commands
 from tam570_grader.errors import UsageError, warn
 from tam570_grader.lms.systems import SYSTEMS
-from tam570_grader.options import Commands
 
 __all__ = ["add_alike", "add_collect", "add_export", "add_lms", "add_report"]
 
@@ -152,10 +152,10 @@ def _alike(arguments: argparse.Namespace) -> int:
 
 
 def _lms(arguments: argparse.Namespace) -> int:
+    from tam570_grader.course import course_config, course_toml
     from tam570_grader.lms import feedback_export, score_export
-    from tam570_grader.release import course_config, course_toml
 
-    course = course_config.course_of(arguments)
+    course = course_config.course_of(arguments.root)
     grades = arguments.grades / "grades.csv" if arguments.grades.is_dir() else arguments.grades
     if bool(arguments.pages) != bool(arguments.collected):
         raise UsageError("--pages and --collected go together: the names of the download tell whose a page is")
@@ -201,7 +201,7 @@ def _ungraded(folder: Path, course: Path, only: Sequence[str]) -> list[str]:
 
 def _terms(folder: Path, course: Path) -> str:
     """What to say if course.toml has other terms for late work than the results in a folder."""
-    from tam570_grader.release import late_policy
+    from tam570_grader.course import late_policy
     from tam570_grader.results import manual_points
     from tam570_grader.results.store import results
 
@@ -213,13 +213,13 @@ def _terms(folder: Path, course: Path) -> str:
 
 def _report(arguments: argparse.Namespace) -> int:
     from tam570_grader.checks import assignments
+    from tam570_grader.course import course_config, late_policy
     from tam570_grader.grading import roster
     from tam570_grader.lms.hand_ins import hand_ins
-    from tam570_grader.release import course_config, late_policy
     from tam570_grader.reports import feedback, report
 
     feedback.must_write_pages()
-    course = course_config.course_of(arguments)
+    course = course_config.course_of(arguments.root)
     if line := _terms(arguments.folder, course):
         warn(line)
     everyone = partial(roster.students, arguments.roster) if arguments.roster else None
@@ -232,8 +232,8 @@ def _report(arguments: argparse.Namespace) -> int:
 def _known_and_given(arguments: argparse.Namespace, graded: Sequence[Path]) -> tuple[Path, list[str], str | None]:
     """The checkout, its assignments, and the one that --assignment names."""
     from tam570_grader.checks import assignments
-    from tam570_grader.release import course_config
+    from tam570_grader.course import course_config
 
-    course = course_config.course_of(arguments, graded)
+    course = course_config.course_of(arguments.root, graded)
     known = assignments.slugs(course)
     return course, known, assignments.one_named(arguments.assignment, known)

@@ -5,7 +5,6 @@ what an assignment is stands in one place still, and nothing else needs to know 
 two changes, another folder is made. The old ones stay, for a command that still runs may use them.
 """
 
-import argparse
 import hashlib
 import os
 import re
@@ -19,17 +18,16 @@ from typing import Any
 
 from tam570_grader.checks import assignments
 from tam570_grader.checks.assignments import ADAPTED, OWN, LoadedAssignment
+from tam570_grader.checks.rubric import with_rubric
+from tam570_grader.course import late_policy
+from tam570_grader.course.contract import contract, with_points
+from tam570_grader.course.course_toml import COLUMNS, COPY, FILE, by_slug, must, no_other, toml
 from tam570_grader.errors import UsageError, warn, writing
-from tam570_grader.release import late_policy
-from tam570_grader.release.course_toml import COLUMNS, COPY, FILE, by_slug, must, no_other, toml
-from tam570_grader.release.stubs import contract, with_points
 from tam570_grader.results.tables import written
-from tam570_grader.rubric import with_rubric
 
-__all__ = ["FILE", "PLACE", "course", "course_of", "limits", "prove", "root_of", "trust"]
+__all__ = ["FILE", "PLACE", "course", "course_of", "limits", "root_of", "trust"]
 
 PLACE = ".course"
-SEEDS = 3  # with which checks of a course's own are tried on the solution and the stub
 VARIABLE = "TAM570_COURSE"  # of the environment: names a course, as --root does
 REMEDY = "no autograder/checks and solutions; name a checkout of the course"
 SHARED = ("shared", "autograder/tam570_grader", "pyproject.toml", "README.md", "LICENSE", "NOTATION.md")
@@ -48,12 +46,13 @@ class Part:
     checks: str = ""  # a file with checks of one's own, beside course.toml
 
 
-def course_of(arguments: argparse.Namespace, graded: Iterable[Path] = ()) -> Path:
+def course_of(root: str | Path | None, graded: Iterable[Path] = ()) -> Path:
     """Find the course that a command is about, and print which one it is.
 
+    root : the option --root
     graded : what the command reads of students; the course may not come from there
     """
-    place, why = _located(arguments.root, [path.resolve() for path in graded])
+    place, why = _located(root, [path.resolve() for path in graded])
     base = _base_of(place)
     warn(f"course: {place / FILE if (place / FILE).is_file() else place} ({why})", "")
     return _made(place, base)
@@ -159,36 +158,6 @@ def _put(new: Path, place: Path) -> None:
     except OSError:
         if not place.is_dir():
             raise
-
-
-def prove(root: Path, slugs: Sequence[str]) -> None:
-    """Grade the reference solution and the stub by the checks that a course adds, before anybody is graded by them.
-
-    Raises UsageError for a check that the solution fails, or that the stub passes.
-    """
-    from tam570_grader.grading import supervisor
-    from tam570_grader.grading.supervisor import GradeTask, WorkerConfig
-    from tam570_grader.sandbox.student import Source
-    from tam570_grader.sandbox.zygote import ResourceLimits
-
-    for slug in slugs:
-        added, proved = assignments.checks_folder(root, slug) / f"{OWN}.py", root / f".proved-{slug}"
-        if not added.is_file() or proved.exists():
-            continue
-        told = limits(root)
-        config = WorkerConfig(ResourceLimits(told["memory"] * 2**20, told["cpu"], told["call"]), (root,))
-        one = assignments.assignment(root, slug)
-        mine = {check.name for check in one.checks if check.run.__module__.endswith(f".{OWN}")}
-        texts = {"solution": one.solution, "stub": (root / "assignments" / slug / f"{slug}.py").read_text("utf-8")}
-        for what, text in texts.items():
-            for seed in range(SEEDS):
-                task = GradeTask(root, what, slug, seed, Source(text.encode(), notebook=False), conditions=config)
-                for found in supervisor.result(task).checks:
-                    if found.name in mine and (found.outcome == "passed") != (what == "solution"):
-                        told_why = found.message or found.error or found.outcome
-                        why = f"the solution fails it: {told_why}" if what == "solution" else "the stub passes it"
-                        raise UsageError(f"{added.name} of {slug}, check {found.name}: {why}; mend the check")
-        proved.touch()
 
 
 def limits(root: Path) -> dict[str, int]:

@@ -6,8 +6,9 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
+from tam570_grader.cli.options import Commands, add_cluster, positive
 from tam570_grader.errors import UsageError, say
-from tam570_grader.options import Commands, add_cluster, cores, positive
+from tam570_grader.grading.executor import cores
 
 __all__ = ["add_audit"]
 
@@ -60,10 +61,10 @@ def _add_questions(add: Callable[..., Any]) -> None:
 def _audit(arguments: argparse.Namespace) -> int:
     """Print what is asked for, an assignment at a time; 1 if there is a fault."""
     from tam570_grader.checks import assignments
-    from tam570_grader.grading.command import executor_of, warn_of_isolation
-    from tam570_grader.release import course_config
+    from tam570_grader.cli.grade import executor_of, warn_of_isolation
+    from tam570_grader.course import course_config
 
-    course = course_config.course_of(arguments)
+    course = course_config.course_of(arguments.root)
     question = _question(arguments)
     if not arguments.cluster:
         warn_of_isolation()

@@ -1,19 +1,13 @@
 """What the commands' options have in common."""
 
 import argparse
-import os
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-__all__ = ["Commands", "add_cluster", "cores", "natural", "positive"]
+__all__ = ["Commands", "add_cluster", "natural", "positive"]
 
 Commands = Any  # argparse keeps the name of its subparsers' type to itself
-
-
-def cores() -> int:
-    """The processors that this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def natural(text: str) -> int:

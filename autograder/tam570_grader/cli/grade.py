@@ -9,9 +9,10 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from tam570_grader.cli.options import Commands, add_cluster, natural, positive
+from tam570_grader.cli.run import RunSummary, whole_run
 from tam570_grader.errors import UsageError, counted, say, warn
-from tam570_grader.grading.run import RunSummary, whole_run
-from tam570_grader.options import Commands, add_cluster, cores, natural, positive
+from tam570_grader.grading.executor import cores
 
 __all__ = ["add_grade", "executor_of", "warn_of_isolation"]
 
@@ -69,13 +70,14 @@ def _seed(text: str) -> int:
 
 def _grade(arguments: argparse.Namespace) -> int:
     from tam570_grader.checks import assignments
-    from tam570_grader.release import course_config
+    from tam570_grader.course import course_config
+    from tam570_grader.grading.prove import prove
     from tam570_grader.reports import feedback
 
     gc.set_threshold(100_000)  # a large class is many records without circles, which would be sought again and again
-    course = course_config.course_of(arguments, arguments.paths)
+    course = course_config.course_of(arguments.root, arguments.paths)
     found = _submissions(arguments, assignments.slugs(course))
-    course_config.prove(course, sorted({one.slug for one in found}))
+    prove(course, sorted({submission.slug for submission in found}))
     if arguments.vary and arguments.seed is not None:
         raise UsageError("--seed and --vary: a seed is for the whole class, a key varies it; give one of them")
     if arguments.out:
@@ -117,9 +119,9 @@ def _print_results(arguments: argparse.Namespace, course: Path, config: Any, sum
 
 def _config(arguments: argparse.Namespace, course: Path, found: list[Any], earlier: list[Any]) -> Any:
     """What is graded and how; of the results that are there it takes the seed."""
+    from tam570_grader.course import course_config
     from tam570_grader.grading import seeds
     from tam570_grader.grading.batch import RunConfig
-    from tam570_grader.release import course_config
     from tam570_grader.sandbox.zygote import ResourceLimits
 
     key = seeds.key(arguments.vary, any(earlier)) if arguments.vary else None
@@ -134,7 +136,7 @@ def _config(arguments: argparse.Namespace, course: Path, found: list[Any], earli
 
 def _folders(course: Path) -> list[Path]:
     """Where a course lies; one of one's own has a checkout, and the teacher's desk, too."""
-    from tam570_grader.release import course_config
+    from tam570_grader.course import course_config
 
     beside = (
         [(course / "shared").resolve().parent, course.parents[1]] if course.parent.name == course_config.PLACE else []

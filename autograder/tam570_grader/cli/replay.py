@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from tam570_grader.checks.failure import Failure
+from tam570_grader.cli.options import Commands
 from tam570_grader.errors import Over, UsageError, say
-from tam570_grader.options import Commands
 
 __all__ = ["add_replay"]
 
@@ -89,13 +89,13 @@ def _again(arguments: argparse.Namespace, slug: str, why: Failure) -> str:
     """What the function of the file gives at this input, in the sandbox; or why it gives nothing."""
     from tam570_grader.checks import assignments
     from tam570_grader.checks.expect import Failed, NotWritten
+    from tam570_grader.course import course_config
     from tam570_grader.grading.submissions import CannotRead, Submission, read
-    from tam570_grader.release import course_config
     from tam570_grader.reports.sentences import describe_failure
     from tam570_grader.sandbox.student import Student
     from tam570_grader.sandbox.zygote import ResourceLimits, Zygote
 
-    root = course_config.course_of(arguments, [arguments.file])
+    root = course_config.course_of(arguments.root, [arguments.file])
     assignment = assignments.assignment(root, slug)
     try:
         source = read(Submission(arguments.student, slug, arguments.file, arguments.file))

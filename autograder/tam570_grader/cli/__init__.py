@@ -8,16 +8,16 @@ import sys
 from collections.abc import Callable
 
 from tam570 import __version__
-from tam570_grader.audit.command import add_audit
+from tam570_grader.cli.audit import add_audit
+from tam570_grader.cli.certificates import add_certificates
+from tam570_grader.cli.exchange import add_alike, add_collect, add_export, add_lms, add_report
+from tam570_grader.cli.grade import add_grade
+from tam570_grader.cli.mark import add_mark
+from tam570_grader.cli.points import add_points
+from tam570_grader.cli.release import add_course, add_gradescope, add_kit, add_stubs, add_trust
+from tam570_grader.cli.replay import add_replay
+from tam570_grader.cli.watch import add_watch
 from tam570_grader.errors import UsageError, say, warn
-from tam570_grader.grading.certificates import add_certificates
-from tam570_grader.grading.command import add_grade
-from tam570_grader.grading.replay import add_replay
-from tam570_grader.grading.watch import add_watch
-from tam570_grader.lms.command import add_alike, add_collect, add_export, add_lms, add_report
-from tam570_grader.lms.mark import add_mark
-from tam570_grader.lms.points import add_points
-from tam570_grader.release.command import add_course, add_gradescope, add_kit, add_stubs, add_trust
 
 __all__ = ["main"]
 

@@ -1,0 +1,80 @@
+"""The command that takes points by hand: `tam570-grader points`."""
+
+import argparse
+import contextlib
+from pathlib import Path
+
+from tam570_grader.cli.options import Commands
+from tam570_grader.course import late_policy
+from tam570_grader.errors import UsageError, counted, say, warn
+from tam570_grader.lms.points import checked_rows, write_template
+from tam570_grader.results import manual_points
+from tam570_grader.results.manual_points import COLUMNS, EVERYONE, LATE
+from tam570_grader.results.store import ResultStore, results
+
+__all__ = ["add_points"]
+
+
+def add_points(commands: Commands) -> argparse.ArgumentParser:
+    points: argparse.ArgumentParser = commands.add_parser(
+        "points",
+        help="add points by hand, late days and changes to results",
+        description="Add what a table says to the results: grades.csv, the pages, the report and lms have it then. "
+        "An item is the letter of a part that is graded by hand, the name of a check, or a word. A check gets these "
+        "points in the place of its own. With adjust points are added, and total stands in the place of the score. "
+        "All three need a comment. late and extension count days. 'off a day' is the "
+        "share of the score that a late day costs, 'most off' the largest share. The student * is everybody.",
+        epilog="The newest row of a student, an assignment and an item counts; one without points takes it back. "
+        "Nothing is written unless every row is right. DIR/by_hand.csv holds all of it. course.toml may say what late "
+        "days cost, when assignments are due, and who has more time: give the command again when it changes.",
+    )
+    points.set_defaults(command=_points)
+    add = points.add_argument
+    add("folder", type=Path, metavar="DIR", help="what `grade --out` wrote")
+    add(
+        "table", type=Path, nargs="?", metavar="CSV", help=f"the columns are {', '.join(COLUMNS)}; `of` may be left out"
+    )
+    add(
+        "--template",
+        action="store_true",
+        help="write the table to fill in, with what is known, to CSV instead, a new file",
+    )
+    times = "collected.csv, which `collect` wrote: who is late by the dates in course.toml"
+    add("--collected", type=Path, metavar="CSV", help=times)
+    return points
+
+
+def _points(arguments: argparse.Namespace) -> int:
+    from tam570_grader.checks import assignments
+    from tam570_grader.course import course_config
+    from tam570_grader.reports import feedback
+
+    course, folder = course_config.course_of(arguments.root), arguments.folder
+    if not (folder / "results.jsonl").is_file():
+        raise UsageError(f"there are no results in {folder}; make them with: tam570-grader grade ... --out {folder}")
+    with contextlib.closing(results(folder)) as found:
+        slugs = sorted({slug for _, slug in found})
+        known = assignments.slugs(course)
+        here = {slug: assignments.assignment(course, slug) for slug in slugs if slug in known}
+        manual = {slug: here[slug].manual if slug in here else {} for slug in slugs}
+        checks = {slug: {check.name: check.points for check in one.checks} for slug, one in here.items()}
+        terms = late_policy.policies_of(course)
+        if not arguments.table and (arguments.template or not (terms or arguments.collected)):
+            raise UsageError("name the table, too: tam570-grader points DIR CSV")
+        if arguments.template:
+            rubrics = {slug: one.rubric for slug, one in here.items()}
+            return write_template(arguments.table, found, rubrics, manual_points.read(folder))
+        new = list(checked_rows(arguments.table, found, manual, checks)) if arguments.table else []
+    feedback.must_write_pages()
+    with contextlib.closing(ResultStore(folder)) as book:  # nobody else adds rows meanwhile
+        hand, open_, notes = late_policy.apply_late_policy(
+            manual_points.read(folder).with_(new), terms, book, arguments.collected
+        )
+        manual_points.write(folder, hand)
+        failed = feedback.write_pages(folder / "feedback", book, course)
+    for line in [*open_, *notes]:
+        warn(line)
+    count = sum(one.item == LATE for one in hand.entries.values())
+    rows = counted(len({one.key for one in new if one.student != EVERYONE}), "row")
+    say(f"{folder}: {rows} added by hand, {count} late")
+    return 1 if open_ or failed else 0

@@ -1,0 +1,85 @@
+"""The command that grades on arrival: `tam570-grader watch`."""
+
+import argparse
+import contextlib
+import math
+import re
+from pathlib import Path
+
+from tam570_grader.cli.options import Commands, positive
+from tam570_grader.errors import UsageError, say, writing
+from tam570_grader.grading.executor import cores
+from tam570_grader.grading.watch import COPIES, KEY, Desk, Policy, Queue
+
+__all__ = ["add_watch"]
+
+
+UNITS = {"s": 1, "m": 60, "h": 3600, "d": 86400}
+
+
+def add_watch(commands: Commands) -> argparse.ArgumentParser:
+    watch: argparse.ArgumentParser = commands.add_parser(
+        "watch",
+        help="grade submissions when they arrive",
+        description="Grade submissions when they arrive in a folder, or in a course of nbgrader's exchange, and put "
+        "the page of feedback back: beside the work, or where `nbgrader fetch_feedback` finds it. Each attempt has "
+        "hidden inputs of its own.",
+        epilog="DIR/status.html shows who waits and who has which score, and reloads itself. If the command ends, give "
+        "it again: it goes on from there.",
+    )
+    watch.set_defaults(command=_watch)
+    add = watch.add_argument
+    add("source", type=Path, metavar="SOURCE", help="a tree of submissions, or a course in nbgrader's exchange")
+    add("--out", type=Path, metavar="DIR", required=True, help="write results, copies, the status page there")
+    add("--attempts", type=positive, metavar="N", help="of a student in an assignment (default: no limit)")
+    add("--every", type=_duration, metavar="15m", default=0.0, help="time between two attempts: 30s, 15m, 2h, 1d")
+    add("--count", choices=["best", "last"], default="best", help="the attempt that counts (default: %(default)s)")
+    add("--assignment", metavar="SLUG", help="which one it is, where the names do not tell")
+    add("--jobs", type=positive, metavar="N", default=cores(), help="supervisors (default: %(default)s)")
+    add("--once", action="store_true", help="grade what is there and may be graded, then end")
+    return watch
+
+
+def _duration(text: str) -> float:
+    """15m as seconds."""
+    if not (found := re.fullmatch(r"(\d{1,6})([smhd])", text)):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a time such as 30s, 15m, 2h or 1d")
+    return float(found[1]) * UNITS[found[2]]
+
+
+def _watch(arguments: argparse.Namespace) -> int:
+    from tam570_grader.cli.grade import warn_of_isolation
+    from tam570_grader.course import course_config
+    from tam570_grader.grading import seeds
+    from tam570_grader.grading.executor import executor
+    from tam570_grader.reports import feedback
+    from tam570_grader.results.store import ResultStore
+
+    course = course_config.course_of(arguments.root, [arguments.source])
+    feedback.must_write_pages()
+    warn_of_isolation()
+    if not arguments.source.is_dir():
+        raise UsageError(f"{arguments.source} is not a folder: name the one into which work is handed in")
+    with writing(arguments.out):
+        (arguments.out / COPIES).mkdir(parents=True, exist_ok=True)
+    with contextlib.closing(ResultStore(arguments.out)) as store, executor(arguments.jobs) as executor_of_jobs:
+        policy = Policy(arguments.attempts or math.inf, arguments.every, arguments.count)
+        queue = Queue(arguments.out, policy)
+        secret = seeds.key(arguments.out / KEY, bool(queue.graded))
+        desk = Desk(
+            arguments.source,
+            course,
+            queue,
+            store,
+            executor_of_jobs,
+            secret,
+            assignment=arguments.assignment,
+            jobs=arguments.jobs,
+            once=arguments.once,
+        )
+        try:
+            desk.work()
+        except KeyboardInterrupt:
+            raise KeyboardInterrupt(desk.summary()) from None
+        say(desk.summary())
+    return 0

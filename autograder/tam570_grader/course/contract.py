@@ -1,0 +1,39 @@
+"""What a README and the students' check say of the checks: points of each function, forms of the results."""
+
+import json
+import re
+from collections.abc import Mapping
+from typing import Any
+
+from tam570_grader.checks.assignments import LoadedAssignment
+from tam570_grader.checks.returns import Drawing, Formula, FreeBodyDiagram, Group, ReturnSpec
+
+__all__ = ["with_points", "contract"]
+
+
+ROW = re.compile(r"^(\| `(\w+)\(.*?` *\| *)[\d.]+( *\|)", re.MULTILINE)  # of a function, in a README's table
+
+
+def with_points(readme: str, worth: Mapping[str, float]) -> str:
+    """The README with the points of each function in its row of the table, as the checks give them."""
+    return ROW.sub(lambda row: f"{row[1]}{worth.get(row[2], 0.0):g}{row[3]}", readme)
+
+
+def contract(assignment: LoadedAssignment) -> str:
+    """The forms of the results, and what is off limits, as JSON: a line for each."""
+    results = [f'  "{name}": {json.dumps(_plain(returns))}' for name, returns in assignment.results.items()]
+    banned = json.dumps({name: list(modules) for name, modules in assignment.forbidden.items()})
+    return '{\n "results": {\n' + ",\n".join(results) + '\n },\n "off_limits": ' + banned + "\n}\n"
+
+
+def _plain(returns: ReturnSpec) -> dict[str, Any]:
+    """A promise as plain data."""
+    if isinstance(returns, Group):
+        return {"group": [_plain(member) for member in returns.members]}
+    if isinstance(returns, Formula):
+        return {"formula": list(returns.symbols)}
+    if isinstance(returns, Drawing):
+        return {"drawing": True}
+    if isinstance(returns, FreeBodyDiagram):
+        return {"diagram": returns.dimension}
+    return {"array": list(returns.shape), **({"infinite": True} if returns.infinite else {})}

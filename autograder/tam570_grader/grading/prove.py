@@ -1,0 +1,44 @@
+"""Tries the checks of a course's own before anybody is graded by them."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from tam570_grader.checks import assignments
+from tam570_grader.checks.assignments import OWN
+from tam570_grader.course.course_config import limits
+from tam570_grader.errors import UsageError
+
+__all__ = ["prove"]
+
+
+SEEDS = 3  # with which checks of a course's own are tried on the solution and the stub
+
+
+def prove(root: Path, slugs: Sequence[str]) -> None:
+    """Grade the reference solution and the stub by the checks that a course adds, before anybody is graded by them.
+
+    Raises UsageError for a check that the solution fails, or that the stub passes.
+    """
+    from tam570_grader.grading import supervisor
+    from tam570_grader.grading.supervisor import GradeTask, WorkerConfig
+    from tam570_grader.sandbox.student import Source
+    from tam570_grader.sandbox.zygote import ResourceLimits
+
+    for slug in slugs:
+        added, proved = assignments.checks_folder(root, slug) / f"{OWN}.py", root / f".proved-{slug}"
+        if not added.is_file() or proved.exists():
+            continue
+        most = limits(root)
+        config = WorkerConfig(ResourceLimits(most["memory"] * 2**20, most["cpu"], most["call"]), (root,))
+        one = assignments.assignment(root, slug)
+        mine = {check.name for check in one.checks if check.run.__module__.endswith(f".{OWN}")}
+        texts = {"solution": one.solution, "stub": (root / "assignments" / slug / f"{slug}.py").read_text("utf-8")}
+        for what, text in texts.items():
+            for seed in range(SEEDS):
+                task = GradeTask(root, what, slug, seed, Source(text.encode(), notebook=False), conditions=config)
+                for found in supervisor.result(task).checks:
+                    if found.name in mine and (found.outcome == "passed") != (what == "solution"):
+                        told_why = found.message or found.error or found.outcome
+                        why = f"the solution fails it: {told_why}" if what == "solution" else "the stub passes it"
+                        raise UsageError(f"{added.name} of {slug}, check {found.name}: {why}; mend the check")
+        proved.touch()
