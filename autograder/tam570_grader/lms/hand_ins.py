@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import Any
 
 from tam570_grader.course.late_policy import NEEDED, LatePolicy, days_between, moment, on_the_wall
-from tam570_grader.grading.submissions import form
 from tam570_grader.grading.watch import JOURNAL
-from tam570_grader.lms.submission_import import OLDER, listed
+from tam570_grader.lms.submission_import import OLDER
+from tam570_grader.results.collected import form, listed
 
 __all__ = ["hand_ins"]
 
