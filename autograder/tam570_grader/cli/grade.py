@@ -240,10 +240,12 @@ def _warn_of_faults(summary: RunSummary) -> int:
 
 
 def warn_of_isolation() -> None:
-    from tam570_grader.sandbox.launch import isolation
+    """Say so where submissions are plain processes, and hide from them what they could read of this one."""
+    from tam570_grader.sandbox.launch import hide_from_submissions, isolation
 
     if isolation() != "bubblewrap":
+        hide_from_submissions()
         warn(
             "no bubblewrap, or no namespaces for it: submissions run as plain processes with limits, can read files "
-            "and use the network; install bubblewrap"
+            "and command lines (so write --seed @FILE), and use the network; install bubblewrap"
         )

@@ -50,6 +50,11 @@ class Limits:
     user: int | None  # the id to change to, under root
     hidden: Sequence[str] = ()  # modules that are off limits
 
+    @property
+    def refusals(self) -> dict[str, bool]:
+        """What a filter of system calls has to refuse where there are no namespaces, nor a limit of processes."""
+        return {"signals": not self.namespaces, "forks": not self.namespaces and self.processes == 1}
+
 
 def secede(limits: Limits) -> None:
     """Leave the worker's namespaces; without root, as root of a user namespace of our own."""
@@ -84,7 +89,7 @@ def confine(limits: Limits, channel: int, folder: str) -> None:
         LIBC.prctl(NO_NEW_PRIVILEGES, 1, 0, 0, 0)
         LIBC.prctl(DIE_WITH_PARENT, signal.SIGKILL, 0, 0, 0)
         hidden_from_debuggers()
-        refuse_calls()
+        refuse_calls(**limits.refusals)
 
 
 def hidden_from_debuggers() -> None:

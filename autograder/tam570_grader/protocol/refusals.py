@@ -4,7 +4,8 @@
     allowed   with these values of one argument alone; any other use is refused
     absent    said not to exist: what is asked of them cannot be seen, or they are newer than this table
 
-Refused is what outlives a process and is seen by the next, what no limit counts, and the ways to other processes.
+Refused is what outlives a process and is seen by the next, what no limit counts, and the ways to other processes. Where
+a process has no namespace of its own, it may not signal others either, and, where it is to be one process, not fork.
 """
 
 import ctypes
@@ -42,6 +43,8 @@ class Calls:
     allowed: Mapping[str, tuple[int, int, Sequence[int]]]  # number, argument (from 0), values
     clone: int  # not with namespaces
     prctl: int  # not to set filters
+    signals: Sequence[int]  # that a process sends: refused where it sees others
+    forks: Sequence[int]  # besides clone
 
 
 # By the same number on every machine.
@@ -85,6 +88,8 @@ X86_64 = Calls(
     },
     clone=56,
     prctl=157,
+    signals=(62, 129, 200, 234, 297, 424),  # kill, rt_sigqueueinfo, tkill, tgkill, rt_tgsigqueueinfo, pidfd_send_signal
+    forks=(57, 58),  # fork, vfork
 )
 ARM64 = Calls(
     0xC00000B7,
@@ -113,6 +118,8 @@ ARM64 = Calls(
     },
     clone=220,
     prctl=167,
+    signals=(129, 138, 130, 131, 240, 424),
+    forks=(),
 )
 CALLS = {"x86_64": X86_64, "aarch64": ARM64}
 CLONE3 = 435  # clone is taken where it is absent
@@ -132,29 +139,31 @@ PASS, FORBIDDEN, UNKNOWN = 0x7FFF0000, 0x50001, 0x50026  # what a filter returns
 Steps = list[tuple[int, int, int, int]]
 
 
-def refuse_calls() -> None:
-    """Have the kernel refuse what no submission needs.
+def refuse_calls(*, signals: bool = False, forks: bool = False) -> None:
+    """Have the kernel refuse what no submission needs; signals to any process, and new ones, if asked for.
 
     A kernel without filters takes no notice; the namespaces and the other user remain.
     """
-    if data := program():
+    if data := program(signals=signals, forks=forks):
         LIBC.syscall(CALLS[platform.machine()].refused["set_robust_list"], None, ctypes.c_size_t(ROBUST_LIST))
         steps = ctypes.create_string_buffer(data)
         LIBC.prctl(SECCOMP, FILTER, ctypes.byref(_Filter(len(data) // STEP.size, ctypes.addressof(steps))), 0, 0)
 
 
 @cache
-def program() -> bytes:
+def program(*, signals: bool, forks: bool) -> bytes:
     """The filter as the kernel reads it, or nothing; a worker has it made before it forks for a submission."""
     if sys.platform != "linux" or sys.maxsize < 2**32 or platform.machine() not in CALLS:  # 32 bits: others
         return b""
-    return _packed(_steps(CALLS[platform.machine()]))
+    calls = CALLS[platform.machine()]
+    more = (*(calls.signals if signals else ()), *((*calls.forks, calls.clone) if forks else ()))
+    return _packed(_steps(calls, more))
 
 
-def _steps(calls: Calls) -> Steps:
+def _steps(calls: Calls, more: Sequence[int]) -> Steps:
     steps: Steps = [(LOAD, MACHINE, NEXT, NEXT), (EQUAL, calls.machine, NEXT, REFUSE)]
     steps += [(LOAD, NUMBER, NEXT, NEXT), (AT_LEAST, FOREIGN_CALLS, REFUSE, NEXT), (AT_LEAST, NEWER, ABSENT, NEXT)]
-    steps += [(EQUAL, number, REFUSE, NEXT) for number in (*COMMON.values(), *calls.refused.values())]
+    steps += [(EQUAL, number, REFUSE, NEXT) for number in (*COMMON.values(), *calls.refused.values(), *more)]
     steps += [(EQUAL, CLONE3, ABSENT, NEXT)]
     for number, argument, values in calls.allowed.values():
         steps += _judged(number, argument, [(EQUAL, value, ALLOW, NEXT) for value in values], REFUSE)

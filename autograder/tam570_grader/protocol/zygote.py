@@ -44,7 +44,7 @@ def main() -> None:
     gc.disable()  # nothing is garbage yet, and looking for it takes a fifth of the time of the imports
     for name in settings["preload"]:
         importlib.import_module(name)
-    program()
+    program(**jail.Limits(cpu=0, **settings["limits"]).refusals)
     jail.hidden_from_debuggers()
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # guards are reaped by the kernel
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the supervisor decides what an interrupt ends

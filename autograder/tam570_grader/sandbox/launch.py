@@ -1,7 +1,9 @@
 """How a worker is started: in bubblewrap, seeing Python and the course's utilities alone, or as a plain process."""
 
+import ctypes
 import functools
 import os
+import re
 import shutil
 import stat
 import subprocess
@@ -12,9 +14,9 @@ from pathlib import Path
 
 import tam570
 from tam570_grader.errors import UsageError
-from tam570_grader.protocol.jail import SCRATCH
+from tam570_grader.protocol.jail import SCRATCH, hidden_from_debuggers
 
-__all__ = ["environment", "isolation", "jailed_command", "other_packages", "plain_command"]
+__all__ = ["environment", "hide_from_submissions", "isolation", "jailed_command", "other_packages", "plain_command"]
 
 # The package `protocol` alone is imported of what lies beside it.
 BOOT = """
@@ -30,6 +32,8 @@ main()
 HOME = Path(__file__).parents[1]  # that holds the package `protocol`
 TRIALS = 3  # of bubblewrap: one may be killed, or come when memory is short
 SYSTEM_LINKS = ("/lib", "/lib64")  # into /usr on most systems
+ARGUMENTS = slice(45, 47)  # where they begin and end in memory, in /proc/self/stat behind the program's name: proc(5)
+SEED = re.compile(rb"--se[a-z]*[\0=]([^\0@][^\0]*)")  # in a command line, as argparse reads it
 VARIABLES = {
     "PATH": "/usr/bin:/bin",
     "LC_ALL": "C.UTF-8",
@@ -57,6 +61,17 @@ def isolation() -> str:
     tries = (subprocess.run(trial, capture_output=True, timeout=20, check=False) for _ in range(TRIALS))
     works = any(one.returncode == 0 for one in tries)
     return "bubblewrap" if works else "processes"
+
+
+def hide_from_submissions() -> None:
+    """Close this process's memory to submissions that are plain processes, and blot a seed out of its command line."""
+    if sys.platform != "linux" or isolation() == "bubblewrap":
+        return
+    stat = Path("/proc/self/stat").read_text(encoding="utf-8", errors="replace")
+    start, end = map(int, stat.rpartition(")")[2].split()[ARGUMENTS])
+    for seed in SEED.finditer(ctypes.string_at(start, end - start)):
+        ctypes.memset(start + seed.start(1), ord("*"), len(seed[1]))
+    hidden_from_debuggers()
 
 
 def _python() -> list[str]:

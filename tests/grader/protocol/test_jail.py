@@ -10,6 +10,7 @@ import threading
 import pytest
 
 from tam570_grader.protocol import jail
+from tam570_grader.protocol.refusals import program
 
 ASLEEP = [sys.executable, "-c", "import time; print(flush=True); time.sleep(60)"]
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="grading needs Linux or macOS")
@@ -48,3 +49,52 @@ def test_one_that_is_killed_on_the_supervisors_order_is_to_blame():
 
 def test_one_that_ends_by_itself_is_to_blame():
     assert last_word(lambda child, **_: os.kill(child.pid, 11)) == b"0"
+
+
+linux = pytest.mark.skipif(sys.platform != "linux", reason="prctl and /proc are Linux's")
+LIMITS = "jail.Limits(cpu=60, memory=2**30, file_size=2**20, processes=3, namespaces=False, user=None)"
+RUNS_AWAY = f"""
+import os, socket, time
+from tam570_grader.protocol import jail
+from tam570_grader.protocol.refusals import program
+(leash, end), (lifeline, held), (told, tells) = socket.socketpair(), os.pipe(), os.pipe()
+child = os.fork()
+if child == 0:
+    if os.fork() == 0:
+        os.setsid()
+        os.write(tells, str(os.getpid()).encode())
+        time.sleep(60)
+    print(os.read(told, 9).decode(), flush=True)
+    os._exit(0)
+jail.watch(child, end, lifeline, {LIMITS})
+"""
+REFUSED = """
+import os
+from tam570_grader.protocol.refusals import refuse_calls
+refuse_calls(signals=True, forks=True)
+for attempt in (os.fork, lambda: os.kill(os.getppid(), 0), lambda: os.posix_spawn("/bin/true", ["true"], {})):
+    try:
+        attempt()
+        print("worked")
+    except OSError as error:
+        print(error.errno)
+"""
+
+
+def printed(script):
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0, done.stderr
+    return done.stdout.split()
+
+
+@linux
+def test_without_namespaces_what_a_submission_leaves_behind_ends_with_it():
+    """Also in a session of its own, with another parent."""
+    (pid,) = printed(RUNS_AWAY)
+    assert not os.path.exists(f"/proc/{pid}")
+
+
+@linux
+@pytest.mark.skipif(not program(signals=True, forks=True), reason="no filter for this machine")
+def test_without_namespaces_a_submission_starts_and_signals_no_process():
+    assert printed(REFUSED) == ["1", "1", "1"]  # EPERM
