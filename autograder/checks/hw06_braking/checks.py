@@ -124,7 +124,7 @@ def of_rates(case, found, expected):
         return TURNING_AXES if np.isclose(found[3], without, rtol=1e-6, atol=0).any() else ""
     if np.allclose(found[:4], expected[:4]):
         return "Do the moments about the free axle balance, speed times yaw rate included?"
-    return "The velocity of G is wrong: turn (forward, left) by the heading; G slips sideways, for no axle is there."
+    return "Turn (forward, left) by the heading; G slips sideways, for no axle is there."
 
 
 def by_rates(student):

@@ -55,36 +55,9 @@ def free_body_diagram(reference, state, locked, **car):
     return [(free, drag), (locked_axle, left)]
 
 
-@mistake(
-    "You drew the drag along the car; it opposes the velocity of the locked axle.",
-    first_fails=forces_on_the_car,
-    compared=False,
-)
-def free_body_diagram(reference, state, locked, **car):
-    (locked_axle, drag), (free, left) = reference(state, locked, **car)
-    return [(locked_axle, drag - (drag @ left) * left), (free, left)]
-
-
-@mistake(
-    "You drew friction along the free wheel; it rolls, and the ground pushes it only sideways.",
-    first_fails=forces_on_the_car,
-    compared=False,
-)
-def free_body_diagram(reference, state, locked, **car):
-    drag, (free, left) = reference(state, locked, **car)
-    return [drag, (free, left), (free, (-left[1], left[0]))]
-
-
 @mistake("You put half of the weight on each axle; the load depends on G.", first_fails=axle_load_balances_the_weight)
 def axle_load(reference, locked, *, front, rear, **car):
     return reference(locked, front=1.0, rear=1.0, **car)
-
-
-@mistake(
-    "You use the load of the other axle; the axle nearer to G carries more.", first_fails=axle_load_balances_the_weight
-)
-def axle_load(reference, locked, *, front, rear, **car):
-    return reference(locked, front=rear, rear=front, **car)
 
 
 @mistake(
@@ -164,41 +137,6 @@ def friction_force(reference, state, locked, **car):
 # Equations of motion
 
 
-@mistake(
-    "You use the inertia about G; moments about the free axle need the inertia about the free axle.",
-    first_fails=equations_of_motion,
-)
-def _car(reference, locked, mass, yaw_inertia, *others):
-    return {**reference(locked, mass, yaw_inertia, *others), "inertia": yaw_inertia}
-
-
-@mistake(
-    "You omit yaw_rate^2 from the rate of speed; G also accelerates along the car because the car turns.",
-    first_fails=equations_of_motion,
-)
-def _accelerations(reference, speed, yaw_rate, *, free, **car):
-    slowing, turning = reference(speed, yaw_rate, free=free, **car)
-    return slowing + free * yaw_rate * yaw_rate, turning
-
-
-@mistake(
-    "You omit the term with speed times yaw_rate from the yaw acceleration; G accelerates sideways by it.",
-    first_fails=equations_of_motion,
-)
-def _accelerations(reference, speed, yaw_rate, *, mass, inertia, free, **car):
-    slowing, turning = reference(speed, yaw_rate, mass=mass, inertia=inertia, free=free, **car)
-    return slowing, turning - mass * free * speed * yaw_rate / inertia
-
-
-@mistake(
-    "You reverse G's sideways velocity in the rate of y; left is (-sin, cos) of the heading.",
-    first_fails=equations_of_motion,
-)
-def _rates(reference, t, state, *, free, **car):
-    x_rate, y_rate, *others = reference(t, state, free=free, **car)
-    return x_rate, y_rate + 2 * free * state[4] * math.cos(state[2]), *others
-
-
 @mistake("You move G only along the car; G also moves sideways, as the car turns.", first_fails=equations_of_motion)
 def state_derivative(reference, t, state, locked, **car):
     rates = reference(t, state, locked, **car)
@@ -259,18 +197,6 @@ def simulate(reference, t, state, locked, **car):
 @mistake("You assume evenly spaced times; use the given times.", first_fails=simulate_brakes, name="even_times")
 def simulate(reference, t, state, locked, **car):
     return reference(np.linspace(t[0], t[-1], len(t)), state, locked, **car)
-
-
-@mistake(
-    "You integrate with solve_ivp's default tolerances; tighten rtol and atol.",
-    first_fails=simulate_brakes,
-    compared=False,
-    numerics=True,
-)
-def simulate(reference, t, state, locked, **car):
-    from scipy.integrate import solve_ivp
-
-    return solve_ivp(lambda s, y: state_derivative(s, y, locked, **car), (t[0], t[-1]), state, t_eval=t).y.T
 
 
 @mistake(
@@ -336,34 +262,9 @@ def yaw_growth_rate(reference, speed, locked, **car):
     return reference(speed, locked, **car) + more / one["inertia"]
 
 
-@mistake(
-    "You use friction under the whole weight; the locked axle carries only a part of it.",
-    first_fails=growth_rate_is_the_slope,
-)
-def yaw_growth_rate(reference, speed, locked, *, friction, **car):
-    return reference(speed, locked, friction=friction / share(locked, **car), **car)
-
-
-@mistake(
-    "Your term with speed is positive for either locked axle; it is negative with the front locked.",
-    first_fails=growth_rate_is_the_slope,
-)
-def yaw_growth_rate(reference, speed, locked, **car):
-    one = _car(locked, **car)
-    return reference(speed, locked, **car) + one["mass"] * (abs(one["free"]) - one["free"]) * speed / one["inertia"]
-
-
 @mistake("You cut a negative growth rate off to 0; return the negative rate.", first_fails=growth_rate_is_the_slope)
 def yaw_growth_rate(reference, speed, locked, **car):
     return max(reference(speed, locked, **car), 0.0)
-
-
-@mistake(
-    "You use the front axle's distance from G in the critical speed; use the wheelbase.",
-    first_fails=critical_speed_is_where_growth_begins,
-)
-def critical_speed(reference, locked, *, rear, **car):
-    return reference(locked, rear=0.0, **car)
 
 
 @mistake(
@@ -398,13 +299,3 @@ def small_yaw_rate(reference, speed, speed0, yaw_rate0, locked, **car):
 )
 def small_yaw_rate(reference, speed, speed0, yaw_rate0, locked, **car):
     return yaw_rate0 * reference(speed, speed0, 1.0, locked, **car) ** share(locked, **car)
-
-
-@mistake(
-    "Your term with the squared speeds grows for either locked axle; with the front locked it decays.",
-    first_fails=small_yaw_rate_is_the_linear_solution,
-)
-def small_yaw_rate(reference, speed, speed0, yaw_rate0, locked, **car):
-    one = _car(locked, **car)
-    growth = one["mass"] ** 2 * (abs(one["free"]) - one["free"]) * (speed0**2 - speed**2) / 2
-    return reference(speed, speed0, yaw_rate0, locked, **car) * math.exp(growth / (one["drag"] * one["inertia"]))

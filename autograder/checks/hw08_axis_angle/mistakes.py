@@ -111,7 +111,6 @@ def _unit(reference, axis):
 @mistake(
     "You return the identity for the zero axis; raise ValueError.",
     first_fails=matrix_refuses_what_is_no_axis,
-    name="zero_axis_is_no_rotation",
     compared=False,
 )
 def rotation_matrix(reference, axis, angle):
@@ -236,10 +235,7 @@ def rotate(reference, r, axis, angle):
 
 
 @mistake(
-    "You change the given r; return a new vector.",
-    first_fails=vector_turns_by_the_right_hand_rule,
-    name="rotate_changes_r",
-    compared=False,
+    "You change the given r; return a new vector.", first_fails=vector_turns_by_the_right_hand_rule, compared=False
 )
 def rotate(reference, r, axis, angle):
     r[:] = reference(r, axis, angle)

@@ -35,14 +35,6 @@ def axis_rotation(reference, axis, angle):
 
 
 @mistake(
-    "You turn the other way about y; a positive turn about y takes z towards x.",
-    first_fails=turns_about_the_coordinate_axes,
-)
-def axis_rotation(reference, axis, angle):
-    return reference(axis, -angle if axis == "y" else angle)
-
-
-@mistake(
     "You use z for every string except x and y; raise ValueError for other strings.",
     first_fails=other_axes_are_refused,
     compared=False,
@@ -110,12 +102,6 @@ def book_rotations(reference):
     return R_a, R_a.T
 
 
-@mistake("You turn the book by 90 rad; turn it by pi/2.", first_fails=the_book_is_turned_in_both_orders)
-def book_rotations(reference):
-    about_x, about_z = ("x", 90), ("z", 90)
-    return space_sequence([about_z, about_x]), space_sequence([about_x, about_z])
-
-
 @mistake(
     "You turn the book by 1.5708 rad; use math.pi / 2.", first_fails=the_book_is_turned_in_both_orders, compared=False
 )
@@ -156,16 +142,6 @@ def axis_angle(reference, R):
 
 
 @mistake(
-    "You make the largest component of the axis positive and the angle negative; flip both signs.",
-    first_fails=axis_and_angle_are_those_of_the_matrix,
-    compared=False,
-)
-def axis_angle(reference, R):
-    axis, angle = reference(R)
-    return (-axis, -angle) if axis[np.argmax(np.abs(axis))] < 0 else (axis, angle)
-
-
-@mistake(
     "You give all components of the axis one sign beyond 2 rad; R + R^T has the signs of their products.",
     first_fails=axis_and_angle_are_those_of_the_matrix,
 )
@@ -180,15 +156,6 @@ def axis_angle(reference, R):
 )
 def axis_angle(reference, R):
     return reference(R)[0], math.acos(np.clip((np.trace(R) - 1) / 2, -1, 1))
-
-
-@mistake(
-    "You return the angle 0 within 1e-10 of the identity; a small turn is still a turn.",
-    first_fails=small_angles_keep_their_digits,
-    compared=False,
-)
-def axis_angle(reference, R):
-    return reference(np.eye(3) if np.allclose(R, np.eye(3), rtol=0, atol=1e-10) else R)
 
 
 @mistake(
@@ -320,21 +287,3 @@ def book_edges(reference, R, *, size):
 @mistake("You turn the corners by R^T; turn them by R.", first_fails=the_book_has_its_twelve_edges, compared=False)
 def book_edges(reference, R, *, size):
     return reference(R.T, size=size)
-
-
-@mistake(
-    "You turn the size and draw a box along x, y, z; turn the corners.",
-    first_fails=the_book_has_its_twelve_edges,
-    compared=False,
-)
-def book_edges(reference, R, *, size):
-    return reference(np.eye(3), size=np.abs(R @ size))
-
-
-@mistake(
-    "You put the corners at the whole size from the centre; use half of the size.",
-    first_fails=the_book_has_its_twelve_edges,
-    compared=False,
-)
-def book_edges(reference, R, *, size):
-    return reference(R, size=2 * size)

@@ -101,9 +101,7 @@ def energy(reference, omega, *, inertia):
 
 
 @mistake(
-    "You return body components; H is asked for in space components.",
-    first_fails=angular_momentum_is_in_space_axes,
-    name="momentum_in_the_body",
+    "You return body components; H is asked for in space components.", first_fails=angular_momentum_is_in_space_axes
 )
 def angular_momentum(reference, R, omega, *, inertia):
     return np.multiply(inertia, omega)

@@ -22,8 +22,6 @@ from .checks import (
     sliding_track_is_around_the_resting_centre,
 )
 
-KEPT = {}  # between calls
-
 
 def factor(lean, track_radius, mass, radius, inertia):
     """What multiplies Omega^2 cos(lean) in the balance of moments."""
@@ -49,24 +47,6 @@ def rolling_spin(reference, lean, precession, **disk):
 
 
 @mistake(
-    "You forget the moment about G of the inward force; it adds m a^2 to C.",
-    first_fails=rolling_spin_balances_the_moments,
-)
-def rolling_spin(reference, lean, precession, **disk):
-    return sliding_spin(lean, precession, **disk)
-
-
-@mistake(
-    "You reuse the result of an earlier call with the same lean and precession; the disk and gravity matter, too.",
-    first_fails=rolling_spin_balances_the_moments,
-)
-def rolling_spin(reference, *motion, **disk):
-    if motion not in KEPT:
-        KEPT[motion] = reference(*motion, **disk)
-    return KEPT[motion]
-
-
-@mistake(
     "You return no spin without gravity; a disk that precesses still spins.",
     first_fails=rolling_spin_holds_upright_and_without_gravity,
 )
@@ -82,23 +62,9 @@ def rolling_track_radius(reference, lean, precession, **disk):
     return reference(lean, precession, **disk) - disk["radius"] * math.sin(lean)
 
 
-@mistake("Your track radius lost its sign.", first_fails=rolling_track_has_the_contact_at_rest)
-def rolling_track_radius(reference, lean, precession, **disk):
-    return abs(reference(lean, precession, **disk))
-
-
 @mistake("You use C/2 for A; A = C/2 only for a thin disk.", first_fails=rolling_precession_balances_the_moments)
 def rolling_precession(reference, lean, track_radius, *, inertia, **disk):
     return reference(lean, track_radius, inertia=(inertia[1] / 2, inertia[1]), **disk)
-
-
-@mistake(
-    "You use the inertia of a thin uniform disk; use the given one.",
-    first_fails=rolling_precession_balances_the_moments,
-)
-def rolling_precession(reference, lean, track_radius, *, mass, radius, inertia, gravity):
-    thin = mass * radius**2 / 4, mass * radius**2 / 2
-    return reference(lean, track_radius, mass=mass, radius=radius, inertia=thin, gravity=gravity)
 
 
 @mistake(
@@ -168,17 +134,6 @@ def rolling_precession(reference, lean, track_radius, **disk):
 
 
 @mistake(
-    "You raise ValueError for some leans without gravity; a disk at rest, Omega = 0, is a solution for every lean.",
-    first_fails=rolling_precession_is_zero_where_nothing_turns_it,
-    compared=False,
-)
-def rolling_precession(reference, lean, track_radius, *, mass, radius, inertia, gravity):
-    if lean and factor(lean, track_radius, mass, radius, inertia) * lean <= 0.0:
-        raise ValueError("no Omega")
-    return reference(lean, track_radius, mass=mass, radius=radius, inertia=inertia, gravity=gravity)
-
-
-@mistake(
     "You take the root of |Omega^2|; raise ValueError where Omega^2 is negative.",
     first_fails=rolling_precession_refuses_what_does_not_exist,
     compared=False,
@@ -230,11 +185,6 @@ def sliding_track_radius(reference, lean, *, radius):
     return radius * math.cos(lean)
 
 
-@mistake("Your track radius lost its sign.", first_fails=sliding_track_is_around_the_resting_centre)
-def sliding_track_radius(reference, lean, *, radius):
-    return abs(reference(lean, radius=radius))
-
-
 @mistake("You use A + m a^2; G is at rest, so use A.", first_fails=common_precession_is_in_both_families)
 def common_precession(reference, lean, *, mass, radius, inertia, gravity):
     about_contact = inertia[0] + mass * radius**2, inertia[1]
@@ -265,14 +215,6 @@ def contact_force(reference, lean, precession, spin, **disk):
 
 
 @mistake(
-    "You use m a spin^2; the inward force is the mass times the centripetal acceleration of G.",
-    first_fails=contact_force_moves_the_centre,
-)
-def contact_force(reference, lean, precession, spin, **disk):
-    return reference(lean, spin, spin, **disk)
-
-
-@mistake(
     "You use the spin as relative to the turning frame; it is the total spin.",
     first_fails=contact_force_moves_the_centre,
 )
@@ -288,15 +230,6 @@ def contact_force(reference, lean, precession, spin, **disk):
 def contact_force(reference, lean, precession, spin, *, mass, radius, gravity):
     circle = radius * spin / precession
     return mass * precession**2 * circle, mass * gravity
-
-
-@mistake(
-    "You return no force without precession; the weight remains.",
-    first_fails=contact_force_of_straight_rolling,
-    compared=False,
-)
-def contact_force(reference, lean, precession, spin, **disk):
-    return reference(lean, precession, spin, **disk) if precession else (0.0, 0.0)
 
 
 @mistake(

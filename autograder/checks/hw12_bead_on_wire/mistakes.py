@@ -135,7 +135,7 @@ def constraint_force(reference, x, v, *, mass, curvature, gravity):
     return mass * np.array([x_ddot, 2 * curvature * x * x_ddot + gravity])
 
 
-@mistake("You forget the mass.", first_fails=force_has_the_right_size, name="unit_mass")
+@mistake("You forget the mass.", first_fails=force_has_the_right_size)
 def constraint_force(reference, x, v, *, mass, **wire):
     return reference(x, v, mass=1.0, **wire)
 

@@ -23,8 +23,6 @@ from .checks import (
     simulate_rolls_and_rocks,
 )
 
-KEPT = {}  # between calls
-
 
 def runge_kutta(t, start, steps, cylinder):
     """The classical method with so many steps to each time of t."""
@@ -52,20 +50,6 @@ def rocks(t, phi, rate):
 # The diagram
 
 
-@mistake("You drew m a as a force; no other body exerts it.", first_fails=forces_on_the_cylinder, compared=False)
-def free_body_diagram(reference, phi, **cylinder):
-    (G, down), *contact = reference(phi, **cylinder)
-    return [(G, down), *contact, (G, (1.0, 0.3))]
-
-
-@mistake(
-    "You drew two components of the weight; draw it as one arrow.", first_fails=forces_on_the_cylinder, compared=False
-)
-def free_body_diagram(reference, phi, **cylinder):
-    (G, (x, y)), *contact = reference(phi, **cylinder)
-    return [(G, (x, 0.0)), (G, (0.0, y)), *contact]
-
-
 @mistake(
     "You drew the normal force along the vertical; it is normal to the ramp.",
     first_fails=forces_on_the_cylinder,
@@ -76,32 +60,13 @@ def free_body_diagram(reference, phi, **cylinder):
     return [(G, (x, y)), (contact, (-x, -y)), friction]
 
 
-@mistake("You drew the force that the cylinder exerts on the ramp.", first_fails=forces_on_the_cylinder, compared=False)
-def free_body_diagram(reference, phi, **cylinder):
-    weight, (contact, _), friction = reference(phi, **cylinder)
-    return [weight, (contact, (0.0, -1.0)), friction]
-
-
 @mistake("You drew the weight at the centre; it acts at G.", first_fails=forces_on_the_cylinder, compared=False)
 def free_body_diagram(reference, phi, **cylinder):
     (_, down), *contact = reference(phi, **cylinder)
     return [((0.0, 0.0), down), *contact]
 
 
-@mistake(
-    "You left out the friction; without it the cylinder slips.", first_fails=forces_on_the_cylinder, compared=False
-)
-def free_body_diagram(reference, phi, **cylinder):
-    return reference(phi, **cylinder)[:2]
-
-
 # The acceleration
-
-
-@mistake("You divide by I^G; divide the moment about C by I^C.", first_fails=centred_cylinder_rolls_by_both_methods)
-def naive_contact_acceleration(reference, phi, *, mass, radius, offset, inertia, **ramp):
-    body = {"mass": mass, "radius": radius, "offset": offset, "inertia": inertia}
-    return reference(phi, **body, **ramp) * contact_inertia(phi, **body) / inertia
 
 
 @mistake(
@@ -194,13 +159,6 @@ def naive_contact_acceleration(reference, phi, *, mass, radius, offset, inertia,
 
 
 @mistake(
-    "You let the weight act at the centre; it acts at G.", first_fails=naive_acceleration_is_the_moment_over_the_inertia
-)
-def naive_contact_acceleration(reference, phi, *, slope, gravity, **body):
-    return body["mass"] * gravity * body["radius"] * math.sin(slope) / contact_inertia(phi, **body)
-
-
-@mistake(
     "You use the dot product of r_{G/C} and m a_C; use their cross product.", first_fails=missing_moment_makes_it_right
 )
 def missing_moment(reference, phi, phi_dot, *, mass, radius, offset):
@@ -287,13 +245,6 @@ def energy(reference, phi, phi_dot, **c):
 # The motion
 
 
-@mistake("You wrap phi to half a turn on either side; it counts whole turns.", first_fails=simulate_rolls_and_rocks)
-def simulate(reference, t, phi, phi_dot, **cylinder):
-    states = reference(t, phi, phi_dot, **cylinder)
-    states[:, 0] = (states[:, 0] + math.pi) % (2 * math.pi) - math.pi
-    return states
-
-
 @mistake(
     "You return the states at evenly spaced times; row i is the state at t[i].",
     first_fails=simulate_rolls_and_rocks,
@@ -303,13 +254,6 @@ def simulate(reference, t, phi, phi_dot, **cylinder):
     return reference(np.linspace(t[0], t[-1], len(t)), phi, phi_dot, **cylinder)
 
 
-@mistake("You start at t = 0; phi and phi_dot are those at t[0].", first_fails=simulate_rolls_and_rocks)
-def simulate(reference, t, phi, phi_dot, **cylinder):
-    sense = math.copysign(1.0, t[0])  # phi(-s) with phi_dot reversed is the motion backwards
-    phi, phi_dot = reference(np.array([0.0, abs(t[0])]), phi, sense * phi_dot, **cylinder)[1]
-    return reference(t, phi, sense * phi_dot, **cylinder)
-
-
 @mistake("You stop where the normal force is zero; contact is kept.", first_fails=simulate_rolls_and_rocks)
 def simulate(reference, t, phi, phi_dot, **cylinder):
     states = reference(t, phi, phi_dot, **cylinder)
@@ -317,25 +261,6 @@ def simulate(reference, t, phi, phi_dot, **cylinder):
     if lifted:
         states[lifted[0] :] = states[max(lifted[0] - 1, 0)]
     return states
-
-
-@mistake("You return rows for columns; solve_ivp returns (2, n).", first_fails=simulate_rolls_and_rocks, compared=False)
-def simulate(reference, t, phi, phi_dot, **cylinder):
-    return reference(t, phi, phi_dot, **cylinder).T
-
-
-@mistake(
-    "You run solve_ivp with its default tolerances, which are too loose; pass rtol and atol.",
-    first_fails=simulate_rolls_and_rocks,
-    numerics=True,
-)
-def simulate(reference, t, phi, phi_dot, **cylinder):
-    from scipy.integrate import solve_ivp
-
-    def rates(_, state):
-        return state[1], acceleration(*state, **cylinder)
-
-    return solve_ivp(rates, (t[0], t[-1]), (phi, phi_dot), t_eval=t).y.T
 
 
 @mistake(
@@ -359,16 +284,6 @@ def simulate(reference, t, phi, phi_dot, **c):
     body = {name: c[name] for name in ("mass", "radius", "offset", "inertia")}
     stiffness = c["mass"] * c["gravity"] * c["offset"]
     return rocks(t, phi, math.sqrt(stiffness / contact_inertia(0.0, **body)))
-
-
-@mistake(
-    "You reuse the motion of an earlier call with the same start and times; the cylinder and the ramp matter, too.",
-    first_fails=simulate_needs_no_dense_times,
-)
-def simulate(reference, t, phi, phi_dot, **cylinder):
-    if (key := (phi, phi_dot, *t)) not in KEPT:
-        KEPT[key] = reference(t, phi, phi_dot, **cylinder)
-    return KEPT[key]
 
 
 @mistake(
