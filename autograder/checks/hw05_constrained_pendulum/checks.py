@@ -130,6 +130,10 @@ def energy_is_kinetic_and_potential(student, rng):
     )
 
 
+def by_rates(student):
+    return OwnRates(student.acceleration, reference, lambda t, row: (row,))
+
+
 @check("simulate", points=0.5, part="a", line="uniform motion around the circle where there is no gravity.")
 def without_gravity_it_goes_round_uniformly(student, rng):
     compare_trajectory(
@@ -137,7 +141,7 @@ def without_gravity_it_goes_round_uniformly(student, rng):
         reference.simulate,
         cases.without_gravity(rng),
         tolerance=FOLLOWED,
-        own_rates=OwnRates(student.acceleration, reference, lambda t, row: (row,)),
+        own_rates=by_rates(student),
         keeps=KEPT,
     )
 
@@ -149,7 +153,7 @@ def with_gravity_it_swings_or_goes_round(student, rng):
         reference.simulate,
         cases.with_gravity(rng),
         tolerance=FOLLOWED,
-        own_rates=OwnRates(student.acceleration, reference, lambda t, row: (row,)),
+        own_rates=by_rates(student),
         keeps=KEPT,
     )
 
@@ -199,7 +203,14 @@ TIGHTEN, LOSSES = "Tighten rtol and atol: does it leave the circle between the s
 )
 def energy_stays(student, rng):
     check_conserved(
-        student.simulate, reference.simulate, cases.long(rng), KEPT, coarsely=COARSELY, partial=LOSSES, hint=TIGHTEN
+        student.simulate,
+        reference.simulate,
+        cases.long(rng),
+        KEPT,
+        coarsely=COARSELY,
+        partial=LOSSES,
+        hint=TIGHTEN,
+        own_rates=by_rates(student),
     )
 
 

@@ -104,10 +104,24 @@ def where_zero(case, found, expected):
     return "Can your growth rate be positive there?" if case.args[-1] == "front" else "Where is your growth rate zero?"
 
 
+def of_rate(case, rate, expected):
+    """Which of the two terms of a growth rate is there."""
+    gliding = reference.yaw_growth_rate(*case.args, **{**case.kwargs, "friction": 0.0})
+    if abs(rate - gliding) <= GROWTH * of_growth(case, None):
+        return "The term of friction is missing: its sideways part grows with the yaw rate."
+    if abs(rate - expected + gliding) <= GROWTH * of_growth(case, None):
+        return "The term of speed times yaw rate is missing."
+    return "It has two terms: of speed times yaw rate, and of friction's sideways part."
+
+
 def of_friction(case, found, expected):
     if not np.any(found) and np.any(expected):
         return AS_AT_REST
-    return "Coulomb friction is against the velocity, and as large at any speed: what is 0/0 at rest?"
+    if not np.any(expected):
+        return "A car at rest has no friction: 0/0 is not 0."
+    if np.allclose(np.multiply(found, np.linalg.norm(expected)), np.multiply(expected, np.linalg.norm(found))):
+        return "Its direction is right, its size is not: it is as large at any speed."
+    return WHICH_WAY
 
 
 TURNING_AXES = "In axes that turn, does the rate of speed have a term with the yaw rate squared?"
@@ -117,7 +131,7 @@ def of_rates(case, found, expected):
     unbraked = reference.state_derivative(*case.args, **{**case.kwargs, "friction": 0.0})
     if np.allclose(found, unbraked, rtol=1e-4, atol=0) and not np.allclose(expected, unbraked, rtol=1e-4, atol=0):
         return AS_AT_REST
-    if "1 mm/s" in case.label or "1e-8" in case.label:
+    if cases.speed_of(case) <= 2e-3:  # m/s
         return "Friction is as large at any speed, however low: is yours smoothed there?"
     if np.allclose(found[:3], expected[:3]) and not np.allclose(found[3], expected[3]):
         without = expected[3] - unbraked[3] * np.array([1, 2])  # the term is missing, or has the other sign
@@ -179,7 +193,7 @@ def friction_opposes_the_sliding(student, rng):
         reference.friction_force,
         cases.ways(cases.TURN, count=8)(rng),
         tolerance=FORMULA,
-        hint=WHICH_WAY,
+        hint=of_friction,
     )
 
 
@@ -321,13 +335,7 @@ def simulate_glides_without_friction(student, rng):
 
 @check("yaw_growth_rate", points=0.75, part="a", line="d(yaw acceleration)/d(yaw rate).")
 def growth_rate_is_the_slope(student, rng):
-    compare(
-        student.yaw_growth_rate,
-        reference.yaw_growth_rate,
-        cases.at_speeds(rng),
-        tolerance=GROWTH,
-        hint="At yaw rate 0, is friction's sideways part in it?",
-    )
+    compare(student.yaw_growth_rate, reference.yaw_growth_rate, cases.at_speeds(rng), tolerance=GROWTH, hint=of_rate)
 
 
 @check(

@@ -75,7 +75,20 @@ def out_of_order(case, found, expected):
 
 
 def in_order(case, found, expected):
-    return out_of_order(case, found, expected) or "For small angles sin th is th."
+    return out_of_order(case, found, expected) or "Put each one into det([K] - omega^2 [M]): is it zero?"
+
+
+def of_energy(case, energy, expected):
+    """Which of kinetic and potential energy is right."""
+    (theta, omega), near = case.args, FORMULA * MOMENT(case)
+    potential = reference.energy(theta, 0 * omega, **case.kwargs)
+    kinetic = expected - potential
+    if abs(energy - kinetic + potential) <= near:
+        return "The potential energy has the wrong sign: hanging at rest, below the ceiling, it is negative."
+    lowest = reference.energy(0 * theta, 0 * omega, **case.kwargs)
+    if abs(energy - expected + lowest) <= near:
+        return "The potential energy is zero at the height of the ceiling, not in the lowest position."
+    return "At rest it is the weights times the heights; add what each mass centre moves, and what turns about it."
 
 
 # Where to look
@@ -85,9 +98,8 @@ HEIGHTS = "Which lever has each weight, or how does the height of each mass cent
 SCALED = "Is anything added to the masses, or do rows of your linear system differ in size by 1e-9?"
 TEN = "Two bars have three equations each, two hinges two constraints each: do you solve all ten?"
 HANGING = "At rest the ceiling carries both weights, and bar 1 carries bar 2: which rows, which signs?"
-BELOW = "Hanging at rest, below the ceiling, it is negative"
 BOTH_PARTS = "Each bar has the angular momentum of its mass centre and that about its mass centre"
-DIVIDED = "Without gravity the same equations hold: use a tighter tolerance, or divide by no gravity"
+DIVIDED = "Without gravity the same equations hold: the bars still act on each other"
 DOWN = "An angle of zero is down, a positive one to the right"
 
 
@@ -186,12 +198,16 @@ def free_bars_with_a_nearly_massless_one(student, rng):
     line="kinetic of turning bars, potential of their mass centres, zero at the ceiling.",
 )
 def energy_is_kinetic_and_potential(student, rng):
-    compare(student.energy, reference.energy, cases.states(rng), tolerance=FORMULA, hint=BELOW)
+    compare(student.energy, reference.energy, cases.states(rng), tolerance=FORMULA, hint=of_energy)
 
 
 @check("angular_momentum", points=0.75, part="a", line="r x m v and I omega of both bars, about the ceiling hinge.")
 def angular_momentum_is_about_the_ceiling(student, rng):
     compare(student.angular_momentum, reference.angular_momentum, cases.states(rng), tolerance=FORMULA, hint=BOTH_PARTS)
+
+
+def by_rates(student):
+    return OwnRates(student.angular_acceleration, reference, lambda t, row: (row[:2], row[2:]))
 
 
 @check("simulate", points=0.5, part="a", line="angles and angular velocities at uneven times, whatever t[0] is.")
@@ -202,7 +218,7 @@ def simulation_follows_the_equations(student, rng):
         cases.motions(rng),
         tolerance=FOLLOWED,
         keeps=KEPT_ENERGY,
-        own_rates=OwnRates(student.angular_acceleration, reference, lambda t, row: (row[:2], row[2:])),
+        own_rates=by_rates(student),
     )
 
 
@@ -219,7 +235,13 @@ ROUGHLY = 0.08  # of the scale: in ten seconds errors grow a thousandfold, caref
 )
 def energy_is_conserved_from_horizontal(student, rng):
     check_conserved(
-        student.simulate, reference.simulate, cases.from_horizontal(rng), KEPT_ENERGY, coarsely=ROUGHLY, partial=SHARES
+        student.simulate,
+        reference.simulate,
+        cases.from_horizontal(rng),
+        KEPT_ENERGY,
+        coarsely=ROUGHLY,
+        partial=SHARES,
+        own_rates=by_rates(student),
     )
 
 
@@ -239,6 +261,7 @@ def momentum_is_conserved_without_gravity(student, rng):
         KEPT_ENERGY,
         coarsely=FOLLOWED,
         hint=DIVIDED,
+        own_rates=by_rates(student),
     )
 
 

@@ -112,7 +112,12 @@ def force_has_the_right_size(student, rng):
         )
 
 
-TANGENT = "Dot it with the tangent (1, 2 c x): is that zero, and does the force act on the bead?"
+def of_direction(case, force, expected):
+    """Which way a force of the right size is wrong."""
+    along = np.dot(force, [1.0, 2 * case.kwargs["curvature"] * case.args[0]])
+    if abs(along) <= 1e-6 * np.linalg.norm(force):
+        return "It is normal to the wire, and points to the other side: return the force on the bead."
+    return "Its dot product with the tangent (1, 2 c x) is not zero; without friction it is normal to the wire."
 
 
 @check(
@@ -128,7 +133,7 @@ def force_and_weight_make_the_acceleration(student, rng):
         reference.constraint_force,
         [*cases.beads(rng), *cases.next_to_bottom(rng)],
         tolerance=FORMULA,
-        hint=TANGENT,
+        hint=of_direction,
     )
 
 
@@ -146,18 +151,17 @@ def energy_is_kinetic_and_potential(student, rng):
     )
 
 
+def by_rates(student):
+    return OwnRates(student.acceleration_newton, reference, lambda t, row: tuple(row))
+
+
 WIDE = cases.rides(0.4, 1.0, 1000, 15.0, "an amplitude near 1/c")
 
 
 @check("simulate", points=0.75, part="b", line="large motions, row i at t[i], row 0 the given state.")
 def simulate_slides(student, rng):
     compare_trajectory(
-        student.simulate,
-        reference.simulate,
-        WIDE(rng),
-        tolerance=TRAJECTORY,
-        own_rates=OwnRates(student.acceleration_newton, reference, lambda t, row: tuple(row)),
-        keeps=KEPT,
+        student.simulate, reference.simulate, WIDE(rng), tolerance=TRAJECTORY, own_rates=by_rates(student), keeps=KEPT
     )
 
 
@@ -173,11 +177,7 @@ SMALL = "Do you leave terms out at small amplitudes, or is atol too loose for th
 )
 def simulate_needs_no_dense_times(student, rng):
     compare_trajectory(
-        student.simulate,
-        reference.simulate,
-        cases.few_times(rng),
-        tolerance=TRAJECTORY,
-        own_rates=OwnRates(student.acceleration_newton, reference, lambda t, row: tuple(row)),
+        student.simulate, reference.simulate, cases.few_times(rng), tolerance=TRAJECTORY, own_rates=by_rates(student)
     )
     compare_trajectory(
         student.simulate, reference.simulate, cases.close(rng), tolerance=TRAJECTORY, hint=SMALL, near_miss_credit=False
@@ -228,16 +228,26 @@ LOSSES, DURATION = {1e-3: 0.6, 1e-2: 0.3}, "Do your steps grow with the duration
 @check("simulate", points=0.25, part="b", after=simulate_slides, line="the energy stays what it was over many periods.")
 def simulate_keeps_the_energy(student, rng):
     check_conserved(
-        student.simulate, reference.simulate, MANY_PERIODS(rng), KEPT, coarsely=COARSELY, partial=LOSSES, hint=DURATION
+        student.simulate,
+        reference.simulate,
+        MANY_PERIODS(rng),
+        KEPT,
+        coarsely=COARSELY,
+        partial=LOSSES,
+        hint=DURATION,
+        own_rates=by_rates(student),
     )
 
 
-EXACT = "Does the energy give v at every x, dt = dx/v, and is the quadrature exact where v is zero?"
+def of_period(case, period, expected):
+    if abs(period - expected) <= 1e-3 * expected:
+        return "It is nearly right: is your quadrature exact where v is zero?"
+    return "The energy gives v at every x, and dt is dx/v; the wire is longer than x."
 
 
 @check("period", points=1, part="b", line="exact for amplitudes near 1/c.")
 def period_is_exact(student, rng):
-    compare(student.period, reference.period, cases.usual_periods(rng), tolerance=PERIOD, hint=EXACT)
+    compare(student.period, reference.period, cases.usual_periods(rng), tolerance=PERIOD, hint=of_period)
 
 
 ROOT = "Do you add a small number under a root, or use an absolute tolerance? 1e-15 m^2 is not small here."

@@ -1,5 +1,7 @@
 """Hidden checks of hw13."""
 
+from functools import partial
+
 import numpy as np
 
 from tam570_grader import (
@@ -15,6 +17,7 @@ from tam570_grader import (
     number,
     rows,
 )
+from tam570_grader.checks.compare import is_right
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.returns import free_body_diagram
 
@@ -64,14 +67,28 @@ def forces_on_the_cylinder(student, rng):
     compare_diagrams(student.free_body_diagram, reference, cases.diagrams(rng))
 
 
-def part_of_force(case, found, expected):
+def without_weight(case, found, expected):
+    if case.kwargs["gravity"]:
+        return "On level ground only the offset of G makes it turn faster or slower."
+    return "Without gravity it turns uniformly only if G is at the centre."
+
+
+def part_of_force(student, case, found, expected):
     """Which of along and normal is off."""
     along, normal = np.abs(np.subtract(found, expected)) > FORMULA * force(case)
     if along and normal:
-        return "Both parts are wrong: is phi'' right? With the weight the force is m times the acceleration of G."
+        if not is_right(student.acceleration, reference, [case]):
+            return "Both parts are wrong, and acceleration is wrong there, too: look there first."
+        return "Both parts are wrong, and acceleration is right: force and weight make m times the acceleration of G."
     if along:
         return "Normal is right, along is not: m times the acceleration of G down the ramp, less m g sin(slope)."
     return "Along is right, normal is not: G is accelerated off the ramp too, by phi'' and by phi_dot squared."
+
+
+def of_pull(student, case, found, expected):
+    if found[1] >= 0 > expected[1]:
+        return "Assume that the cylinder never lifts off: which force does that need?"
+    return part_of_force(student, case, found, expected)
 
 
 def rest_or_rates(case, found, expected):
@@ -82,11 +99,9 @@ def rest_or_rates(case, found, expected):
 
 
 BOTH = "Balance momentum about G: only friction turns it."
-NO_WEIGHT = "Without weight it still does not turn uniformly; is anything divided by the slope?"
 DISTANCE = "How far is G from the contact, at this phi?"
 WEIGHT_ACTS_AT_G = "M_C is the moment of the weight, which acts at G; I^C depends on phi."
 CONTACT_POINT = "What is the acceleration of the point of the cylinder that touches the ramp?"
-CONTACT_IS_KEPT = "Assume that the cylinder never lifts off: which force does that need?"
 HEIGHT = "Where is G, and how high above the centre's place at phi = 0?"
 
 
@@ -141,7 +156,7 @@ def acceleration_level_and_without_gravity(student, rng):
         reference.acceleration,
         [*cases.flat(5)(rng), *cases.weightless(5)(rng), *cases.level(rng)],
         tolerance=FORMULA,
-        hint=NO_WEIGHT,
+        hint=without_weight,
     )
 
 
@@ -197,7 +212,13 @@ def missing_moment_makes_it_right(student, rng):
     line="with the weight it is the mass times the acceleration of G; (along, normal).",
 )
 def contact_force_accelerates_G(student, rng):
-    compare(student.contact_force, reference.contact_force, cases.slow(rng), tolerance=FORMULA, hint=part_of_force)
+    compare(
+        student.contact_force,
+        reference.contact_force,
+        cases.slow(rng),
+        tolerance=FORMULA,
+        hint=partial(part_of_force, student),
+    )
 
 
 @check(
@@ -213,7 +234,7 @@ def contact_force_may_pull(student, rng):
         reference.contact_force,
         [*cases.pulled(rng), *cases.weightless(5)(rng), *cases.level(rng)],
         tolerance=FORMULA,
-        hint=CONTACT_IS_KEPT,
+        hint=partial(of_pull, student),
     )
 
 
@@ -284,7 +305,13 @@ SHARES = {1e-4: 0.6, 1e-2: 0.3}  # of the drift of the energy
 )
 def simulate_keeps_the_energy(student, rng):
     check_conserved(
-        student.simulate, reference.simulate, cases.many_turns(rng), KEPT, partial=SHARES, hint=ANY_DURATION
+        student.simulate,
+        reference.simulate,
+        cases.many_turns(rng),
+        KEPT,
+        partial=SHARES,
+        hint=ANY_DURATION,
+        own_rates=by_rates(student),
     )
 
 

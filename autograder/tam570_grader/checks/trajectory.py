@@ -130,13 +130,22 @@ def check_conserved(
     coarsely: float = 1e-2,
     partial: dict[float, float] | None = None,
     hint: str = "Use a tighter tolerance, or a smaller step",
+    own_rates: OwnRates | None = None,
 ) -> None:
     """Fail unless invariants keep their values at the start along motions that are followed coarsely.
 
     coarsely : of the scale of each column; where errors grow fast, it is enough that each row leads to the next
     """
     motions = compare_trajectory(
-        function, reference, cases, columns, tolerance=coarsely, hint=hint, near_miss_credit=False, chaotic=True
+        function,
+        reference,
+        cases,
+        columns,
+        tolerance=coarsely,
+        hint=hint,
+        own_rates=own_rates,
+        near_miss_credit=False,
+        chaotic=True,
     )
     for invariant, motion in product(invariants, motions):
         case = motion.case
@@ -242,9 +251,10 @@ def _hint(
     own_rates: OwnRates | None,
 ) -> str:
     rates_are_right = partial(own_rates.right, motion) if own_rates else None
-    said = diagnosed(motion, motions, turns, near_miss, rates_are_right)
-    said = said or (hint(motion) if callable(hint) else hint)
-    return said or (own_rates.hint(motion) if own_rates else "")
+    said = diagnosed(motion, motions, turns, near_miss, rates_are_right) or (hint(motion) if callable(hint) else "")
+    if not said and own_rates and not (isinstance(hint, str) and hint and own_rates.right(motion)):
+        return own_rates.hint(motion)
+    return said or ("" if callable(hint) else hint)
 
 
 def _along(invariant: Invariant, motion: Motion) -> Any:
