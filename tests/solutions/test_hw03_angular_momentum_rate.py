@@ -139,12 +139,3 @@ def test_none_that_only_seems_special_is_taken(definition, p, c, flaw):
         run_check(definition, p, c)
     with pytest.raises(Failed, match=flaw):
         run_check(definition, *turned(p, c))
-
-
-def test_a_property_at_many_times_is_not_one_at_every_time():
-    """P stops at 0, 1/40, ..., 1 to rest there for an instant: no sampling would tell, the coefficients do."""
-    stops = np.poly(np.linspace(0, 1, 9))[::-1]
-    p = np.outer(np.polynomial.polynomial.polyint(stops), [0.0, 1.0, 0.0])
-    p[0] = [0, 1, 0]
-    with pytest.raises(Failed, match="differ"):
-        run_check("b", p, LINE)

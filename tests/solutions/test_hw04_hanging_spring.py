@@ -75,15 +75,3 @@ def test_every_point_is_on_the_ellipse(position, velocity, zeros):
     np.testing.assert_allclose(components @ [a, b], from_centre, rtol=0, atol=1e-13 * (size + SAG))
     if lengths[1] > 1e-6:
         np.testing.assert_allclose(np.sum(components**2, axis=1), 1, rtol=1e-12)
-
-
-def test_the_axes_are_eigenvectors_of_the_tensor():
-    """Route: eigenvalues in mpmath."""
-    for spring, position, velocity in springs(10):
-        mass, stiffness, gravity = (mpmath.mpf(x) for x in spring.values())
-        centre = mpmath.matrix([0, 0, -mass * gravity / stiffness])
-        r, v = mpmath.matrix(position.tolist()) - centre, mpmath.matrix(velocity.tolist())
-        values, _ = mpmath.eigsy(r * r.T + v * v.T * mass / stiffness)
-        _, axes = hw.orbit(position, velocity, **spring)
-        for axis, value in zip(axes, (values[2], values[1]), strict=True):
-            assert abs(np.linalg.norm(axis) - mpmath.sqrt(value)) <= ROUNDINGS * mpmath.sqrt(values[2])

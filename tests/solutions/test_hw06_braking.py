@@ -1,4 +1,4 @@
-"""hw06's solution against fifty digits: Jourdain's principle, work, Chaplygin's sleigh, the stop, growth rates."""
+"""hw06's solution against fifty digits: Jourdain's principle, Chaplygin's sleigh, the stop."""
 
 import math
 import sys
@@ -201,63 +201,6 @@ def test_every_car_stops_and_loses_all_its_energy_on_the_way(locked):
         energies = kinetic_energies(states, locked, c)
         assert (np.diff(energies) <= 0).all()
         assert energies[-1] == 0.0
-
-
-def growth(speed, locked, c):
-    """d(yaw acceleration)/d(yaw rate) at 0: moments about the free axle, differentiated with 50 digits."""
-    free, dragging = (mpmath.mpf(x) for x in free_and_dragging(locked, c))
-    m, arm, u = mpmath.mpf(c["mass"]), dragging - free, mpmath.mpf(speed)
-    drag = mpmath.mpf(c["friction"]) * m * mpmath.mpf(c["gravity"]) * abs(free / arm)
-
-    def yaw_acceleration(r):
-        moment = -arm * drag * arm * r / mpmath.sqrt(u**2 + (arm * r) ** 2)
-        return (moment + m * free * u * r) / (mpmath.mpf(c["yaw_inertia"]) + m * free**2)
-
-    return mpmath.diff(yaw_acceleration, 0)
-
-
-@LOCKED
-def test_growth_rate_is_the_derivative_at_50_digits_and_a_difference_of_the_rates(locked):
-    for _ in range(30):
-        c = car()
-        speed = float(10 ** DRAW.uniform(-1, 1) * usual(c))
-        result = hw.yaw_growth_rate(speed, locked, **c)
-        gliding = hw.yaw_growth_rate(speed, locked, **{**c, "friction": 0.0})
-        size = abs(gliding) + abs(result - gliding)
-        assert abs(result - growth(speed, locked, c)) <= DIGITS * size
-        tiny = np.array([0, 0, 0, speed, 1e-6 * speed / wheelbase(c)])
-        # the yaw acceleration is odd: a difference is off by the square of 1e-6
-        difference = hw.state_derivative(0.0, tiny, locked, **c)[4] / tiny[4]
-        assert abs(result - difference) <= 1e-11 * size
-
-
-def test_the_critical_speed_is_where_the_growth_rate_changes_its_sign():
-    for _ in range(30):
-        c = car()
-        road = only(c, "front", "rear", "friction", "gravity")
-        critical = hw.critical_speed("rear", **road)
-        assert critical**2 == pytest.approx(c["friction"] * c["gravity"] * wheelbase(c), rel=DIGITS)
-        below, above = (hw.yaw_growth_rate(critical * (1 + e), "rear", **c) for e in (-1e-12, 1e-12))
-        assert below < 0 < above
-        assert hw.critical_speed("front", **road) == math.inf
-        assert hw.yaw_growth_rate(1e6 * critical, "front", **c) < 0
-
-
-@LOCKED
-def test_small_yaw_rate_is_the_integral_of_the_growth_over_the_falling_speed(locked):
-    """By mpmath's quadrature of growth/u' over ln u at 30 digits."""
-    for _ in range(5):
-        c = car()
-        speed0 = float(DRAW.uniform(0.5, 3) * usual(c))
-        speed = float(speed0 * DRAW.uniform(0.05, 1))
-        result = hw.small_yaw_rate(speed, speed0, -0.3, locked, **c)
-        with mpmath.workdps(30):
-
-            def per_fold(s, c=c):
-                return -growth(mpmath.exp(s), locked, c) * mpmath.exp(s) / slowing(locked, c)
-
-            exponent = mpmath.quad(per_fold, [mpmath.log(mpmath.mpf(v)) for v in (speed0, speed)])
-            assert abs(result / (-0.3 * mpmath.exp(exponent)) - 1) <= DIGITS * (1 + abs(exponent))
 
 
 def test_the_checks_find_the_stop_of_a_car_that_does_not_turn():

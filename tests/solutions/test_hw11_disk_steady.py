@@ -67,27 +67,6 @@ def test_residual_and_tracks_agree_with_50_digits(shape):
         assert abs(G * precession - disk["radius"] * mpmath.mpf(spin)) <= DIGITS * largest * abs(precession)
 
 
-@pytest.mark.parametrize("shape", SHAPES)
-def test_the_common_family_is_the_intersection(shape):
-    for disk, lean, _ in members(shape, 20):
-        omega = hw.common_precession(lean, **disk)
-        zero = {"rel": 0.0, "abs": 1e-12 * omega * (1 + disk["mass"] * disk["radius"] ** 2 / disk["inertia"][1])}
-        scale = disk["inertia"][0] / disk["inertia"][1]
-        assert hw.rolling_spin(lean, omega, **disk) / scale == pytest.approx(0.0, **zero)
-        assert hw.sliding_spin(lean, omega, **disk) / scale == pytest.approx(0.0, **zero)
-        R = hw.sliding_track_radius(lean, radius=disk["radius"])
-        assert hw.rolling_track_radius(lean, omega, **disk) == pytest.approx(R, rel=1e-11)
-
-
-@pytest.mark.parametrize("shape", SHAPES)
-def test_settling_energy_is_that_of_the_full_model(shape):
-    for disk, lean, _ in members(shape, 20):
-        omega = hw.common_precession(lean, **disk)
-        state = steady_state(lean, omega, 0.0)
-        expected = rolling_disk.energy(state, **disk)
-        assert hw.settling_energy(lean, **disk) == pytest.approx(expected, rel=1e-12)
-
-
 def steady_state(lean, precession, spin):
     """hw14's Euler state of the motion: tilt = pi/2 + lean, and spin = roll' + yaw' cos(tilt)."""
     tilt = lean + math.pi / 2

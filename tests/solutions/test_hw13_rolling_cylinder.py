@@ -66,37 +66,6 @@ def test_acceleration_and_energy_are_lagranges_at_50_digits():
         assert abs(hw.energy(*motion, **cylinder) - precisely(ENERGY, motion, cylinder)) <= DIGITS * scale
 
 
-def test_the_contact_force_is_the_mass_times_the_acceleration_of_G():
-    """The path of G at 50 digits, differenced along a motion with the acceleration of Lagrange's equation."""
-    for cylinder in cylinders(20):
-        phi, rate = motions(cylinder)
-        m, r, e, slope, g = (cylinder[name] for name in ("mass", "radius", "offset", "slope", "gravity"))
-        along, normal = hw.contact_force(phi, rate, **cylinder)
-        turning = precisely(LAGRANGE, (phi, rate), cylinder)
-
-        def at(t, p=phi, w=rate, a=turning):
-            return mpmath.mpf(p) + w * t + a * t * t / 2
-
-        x_ddot = mpmath.diff(lambda t, r=r, e=e: r * at(t) - e * mpmath.sin(at(t)), 0, 2)
-        y_ddot = mpmath.diff(lambda t, e=e: -e * mpmath.cos(at(t)), 0, 2)
-        scale = m * (g + r * rate**2 + r * abs(turning))
-        assert abs(along - m * (x_ddot - g * mpmath.sin(slope))) <= DIGITS * scale
-        assert abs(normal - m * (y_ddot + g * mpmath.cos(slope))) <= DIGITS * scale
-
-
-def test_the_missing_moment_is_half_the_rate_of_the_contact_inertia_times_the_rate():
-    """From dE/dt = 0: I^C phi'' phi' + dI^C/dt phi'^2/2 is the power of gravity; differenced at 50 digits."""
-    for cylinder in cylinders(50):
-        phi, rate = motions(cylinder)
-        m, r, e = (cylinder[name] for name in ("mass", "radius", "offset"))
-
-        def exact(p, m=m, r=r, e=e):
-            return m * (r**2 + e**2 - 2 * r * e * mpmath.cos(p))
-
-        expected = mpmath.diff(exact, phi) * mpmath.mpf(rate) ** 2 / 2
-        assert abs(hw.missing_moment(phi, rate, **body(cylinder)) - expected) <= DIGITS * m * r * r * rate**2
-
-
 @pytest.mark.parametrize("gap", [1e-6, 1e-9])
 def test_contact_inertia_of_an_offset_near_the_radius_keeps_its_digits(gap):
     """r^2 + e^2 - 2 r e cos(phi) by the law of cosines loses them all at phi = 0."""

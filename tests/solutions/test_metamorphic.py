@@ -143,73 +143,8 @@ def rescaled(s, slug):
     return results, [run(s, slug)] * 2
 
 
-def formulas(s, slug):
-    """The same for what is no motion."""
-    results = [np.concatenate([np.ravel(x) for x in FORMULAS[slug](s, u)]) for u in (*UNITS, SI)]
-    return results[:2], results[2:] * 2
-
-
 def turned(s, slug):
     return TURNED[slug](s)
-
-
-def pendulum_formulas(s, u):
-    N, J, g = u.kg * u.m / u.s**2, u.kg * u.m**2 / u.s**2, 9.8 * u.m / u.s**2
-    at = {"mass": 0.6 * u.kg, "length": 0.8 * u.m, "gravity": g}
-    alpha, tension = s.linear_momentum_balance(1.1, -2 / u.s, **at)
-    return [
-        alpha * u.s**2,
-        tension / N,
-        np.divide(s.angular_momentum_balance(1.1, -2 / u.s, **at)[1:], [J * u.s, J]),
-        np.array(s.energy_balance(1.1, -2 / u.s, **at)[1:]) / J,
-        s.power_balance(1.1, -2 / u.s, **at)[1] / J * u.s,
-        s.virtual_work(1.1, -2 / u.s, **at)[1] / J,
-        s.period(1.3, length=0.8 * u.m, gravity=g) / u.s,
-        s.action(np.linspace(0, 1, 9) ** 2, 0.1 * u.s, **at) / (J * u.s),
-    ]
-
-
-def flight_formulas(s, u):
-    at = {"mass": 0.6 * u.kg, "drag": 0.3 * u.kg / u.s, "gravity": 9.8 * u.m / u.s**2}
-    speed = 7 * u.m / u.s
-    states = np.asarray(s.trajectory(TIMES * u.s, speed, 0.7, **at)) / [u.m, u.m, u.m / u.s, u.m / u.s]
-    return [states, s.flight_time(speed, 0.7, **at) / u.s, s.horizontal_range(speed, 0.7, **at) / u.m]
-
-
-def steady_formulas(s, u):
-    disk = {"radius": 0.5 * u.m, "inertia": (0.03 * u.kg * u.m**2, 0.05 * u.kg * u.m**2)}
-    disk |= {"mass": 0.6 * u.kg, "gravity": 9.8 * u.m / u.s**2}
-    return [
-        s.rolling_precession(0.4, 1.5 * u.m, **disk) * u.s,
-        s.rolling_spin(0.4, 2 / u.s, **disk) * u.s,
-        s.rolling_track_radius(0.4, 2 / u.s, **disk) / u.m,
-        s.sliding_spin(0.4, 2 / u.s, **disk) * u.s,
-        s.common_precession(0.4, **disk) * u.s,
-        s.settling_energy(0.4, **disk) * u.s**2 / (u.kg * u.m**2),
-    ]
-
-
-def moment_formulas(s, u):
-    p, v, a, c, w, b = np.array([[1, 2, 3], [2, -1, 1], [0, 1, 2], [3, 1, 1], [1, 1, -2], [2, 0, 1.0]])
-    moved = p * u.m, v * u.m / u.s, a * u.m / u.s**2, c * u.m, w * u.m / u.s, b * u.m / u.s**2
-    size = u.kg * u.m**2 / u.s**2
-    rates = [s.rate(letter, *moved, mass=0.6 * u.kg) / size for letter in "abc"]
-    return [*rates, s.moment(moved[0], moved[2], moved[3], mass=0.6 * u.kg) / size]
-
-
-def bead_formulas(s, u):
-    at = {"curvature": 0.7 / u.m, "gravity": 9.8 * u.m / u.s**2}
-    force = s.constraint_force(0.6 * u.m, 1.2 * u.m / u.s, mass=0.6 * u.kg, **at)
-    return [np.asarray(force) * u.s**2 / (u.kg * u.m), s.period(0.6 * u.m, **at) / u.s]
-
-
-FORMULAS = {
-    "hw01_simple_pendulum": pendulum_formulas,
-    "hw02_ballistics": flight_formulas,
-    "hw03_angular_momentum_rate": moment_formulas,
-    "hw11_disk_steady": steady_formulas,
-    "hw12_bead_on_wire": bead_formulas,
-}
 
 
 def turned_moments(s):
@@ -269,7 +204,6 @@ LAWS = [
     *((law, slug) for law in (shifted, sampled, rescaled) for slug in MOTIONS),
     *((reversed_in_time, slug) for slug in MOTIONS if slug not in IRREVERSIBLE),
     *((mirrored, slug) for slug, it in MOTIONS.items() if it.mirror is not None),
-    *((formulas, slug) for slug in FORMULAS),
     *((turned, slug) for slug in TURNED),
 ]
 
@@ -286,7 +220,7 @@ def disagreement(law, module, slug):
 
 
 def tolerance(law, slug):
-    return CLOSED if law is formulas or (law is turned and slug not in MOTIONS) else MOTION
+    return CLOSED if law is turned and slug not in MOTIONS else MOTION
 
 
 @pytest.mark.parametrize("law, slug", **cases_of(LAWS))
@@ -298,7 +232,6 @@ WRONG = [
     (shifted, "hw04_hanging_spring", "from_time_zero"),
     (sampled, "hw01_simple_pendulum", "a_step_a_sample"),
     (sampled, "hw06_braking", "even_times"),
-    (formulas, "hw03_angular_momentum_rate", "moment_of_a_unit_mass"),
     (rescaled, "hw14_rolling_disk", "gravity_of_the_earth"),
     (turned, "hw10_free_rigid_body", "simulated_in_space"),
 ]
