@@ -169,16 +169,6 @@ def test_hints_go_one_step_further_each_time(desk, capsys):
     assert hinted(capsys, "--all") == said[0] + said[1]
 
 
-def test_who_asks_for_no_function_is_told_how_to_ask_for_one(desk, capsys):
-    assert cli.main(["hint", "hw08"]) == 0
-    assert capsys.readouterr().out.endswith("One of them: tam570 hint hw08 skew\n")
-
-
-def test_a_word_that_says_nothing_is_not_answered_with_all_names(desk, capsys):
-    assert cli.main(["check", "hw99"]) == 2
-    assert capsys.readouterr().err == "tam570: error: 'hw99' is not an assignment; `tam570 list` shows all\n"
-
-
 def test_hints_that_cannot_be_remembered_are_all_to_be_had(desk, capsys, tmp_path):
     (tmp_path / "home").write_text("not a folder")
     assert "(1 of 2)" in hinted(capsys) and "--all" in hinted(capsys)

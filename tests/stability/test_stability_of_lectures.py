@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from tam570.integrate import solve
-from tam570.lectures import load, names
+from tam570.lectures import load
 
 FILE = Path(__file__).parents[2] / "benchmarks" / "run_time" / "lectures.py"
 SPEC = importlib.util.spec_from_file_location("_stability_lectures", FILE)
@@ -50,8 +50,3 @@ def test_close_to_the_sun_what_is_conserved_stays(name):
     for law in load("planet").INVARIANTS.values():
         values = np.array([np.ravel(law(state, **parameters)) for state in states])
         assert np.abs(values - values[0]).max() < 1e-9
-
-
-def test_those_that_are_hard_are_among_them():
-    assert {"planet, e = .999", "bodies", "truss", "sleigh"} <= set(LECTURES.PROBLEMS)
-    assert len(LECTURES.PROBLEMS) == 2 + sum(hasattr(load(name), "rates") for name in names())

@@ -4,19 +4,12 @@ import math
 
 import numpy as np
 import pytest
+from systems import PENDULUM, pendulum
 
 from tam570.integrate import solve, solve_rotation
 from tam570.invariants import rotation_defect, violation
 
 EPS = 2.0**-52
-
-
-def pendulum(t, state, *, length, gravity):
-    theta, omega = state
-    return omega, -gravity / length * math.sin(theta)
-
-
-PENDULUM = {"length": 1.0, "gravity": 9.81}
 
 
 def test_projection_keeps_a_constraint_and_leaves_the_motion_right():

@@ -1,21 +1,13 @@
 """Many starts at once, and what an import loads."""
 
-import math
 import subprocess
 import sys
 
 import numpy as np
 import pytest
+from systems import PENDULUM, pendulum
 
 from tam570.integrate import solve
-
-
-def pendulum(t, state, *, length, gravity):
-    theta, omega = state
-    return omega, -gravity / length * math.sin(theta)
-
-
-PENDULUM = {"length": 1.0, "gravity": 9.81}
 
 
 def test_an_ensemble_is_its_members():

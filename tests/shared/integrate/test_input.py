@@ -4,14 +4,11 @@ import math
 
 import numpy as np
 import pytest
+from systems import oscillator
 
 from tam570.integrate import solve, solve_rotation
 
 EPS = 2.0**-52
-
-
-def oscillator(t, y):
-    return y[1], -y[0]
 
 
 @pytest.mark.parametrize(

@@ -46,15 +46,6 @@ def test_the_states_are_those_of_solve(alone, times, rhs, parameters):
             np.testing.assert_array_equal(run(start), expected)
 
 
-def test_a_run_of_thousands_of_steps_is_carried_on_and_the_next_one_starts_anew(alone):
-    run = prepared(pendulum, [0.0, 2000.0], STARTS[0], parameters=GIVEN, rtol=1e-9)
-    first, other = run(STARTS[0]), run(STARTS[1])
-    np.testing.assert_array_equal(run(STARTS[0]), first)
-    np.testing.assert_array_equal(
-        other, solver.solve(pendulum, [0.0, 2000.0], STARTS[1], parameters=GIVEN, rtol=1e-9, method="compiled")
-    )
-
-
 def test_what_was_given_back_is_not_written_over():
     run = prepared(pendulum, [0, 1, 2], STARTS[0], parameters=GIVEN)
     first = run(STARTS[0])
@@ -84,11 +75,6 @@ def test_a_wrong_start_is_refused_and_the_next_one_runs(start):
     np.testing.assert_array_equal(run(STARTS[0]), right)
 
 
-def test_several_starts_at_once_are_those_of_solve():
-    run = prepared(pendulum, [0, 1], STARTS[:2], parameters=GIVEN)
-    np.testing.assert_array_equal(run(STARTS[:2]), solve(pendulum, [0, 1], STARTS[:2], parameters=GIVEN))
-
-
 def test_what_cannot_be_compiled_runs_as_it_stands(monkeypatch):
     run = prepared(bouncing, [0, 5], [1.0, 0.0])
     np.testing.assert_array_equal(run([1.0, 0.0]), solve(bouncing, [0, 5], [1.0, 0.0]))
@@ -108,29 +94,6 @@ def test_parameters_are_those_of_the_preparation(rhs):
     before = run(STARTS[0])
     given["length"] = 5.0
     np.testing.assert_array_equal(run(STARTS[0]), before)
-
-
-def test_a_solution_that_becomes_infinite_is_told():
-    run = prepared(lambda t, y: (y[0] * y[0],), [0.0, 2.0], [0.1])
-    assert run([0.1])[-1, 0] == pytest.approx(0.125, rel=1e-9)  # 1 / (1 / 0.1 - 2)
-    with pytest.raises(ArithmeticError, match="infinite|finite"):
-        run([1.0])
-    assert run([0.1])[-1, 0] == pytest.approx(0.125, rel=1e-9)
-
-
-def test_stiffness_is_told():
-    run = prepared(lambda t, y: (-1e8 * (y[0] - math.cos(t)),), [0.0, 2000.0], [1.0])
-    with pytest.raises(ArithmeticError, match="stiff"):
-        run([0.0])
-
-
-def test_a_broken_compiler_is_done_without(monkeypatch):
-    def broken(*_):
-        raise RuntimeError("no target")
-
-    monkeypatch.setattr("tam570.integrate.compiled.repeated.taylor_repeated", broken)
-    run = prepared(pendulum, [0, 5], STARTS[0], parameters=GIVEN)
-    np.testing.assert_array_equal(run(STARTS[1]), solve(pendulum, [0, 5], STARTS[1], parameters=GIVEN))
 
 
 # `solve` itself keeps a run that is asked for again and again
@@ -176,19 +139,6 @@ def test_a_call_of_which_anything_differs_is_another(again):
         change()
         with pytest.raises(TypeError):  # an engine is asked for
             run(STARTS[0])
-
-
-def chain(t, y):
-    return [-1.0 * here for here in y]
-
-
-def test_calls_with_more_numbers_are_kept_beside_those_with_fewer(monkeypatch):
-    long, short = ([0.5] * size for size in (3, 2))
-    for start in (long, short) * 3:
-        solve(chain, [0, 1], start, method="compiled")
-    monkeypatch.setattr(solver, "engine", None)
-    for start in (long, short):
-        assert solve(chain, [0, 1], start, method="compiled")[-1] == pytest.approx(0.5 / math.e, rel=1e-9)
 
 
 @pytest.mark.parametrize("start", [[1.0], [math.nan, 0.0], "no", [[1.0], [2.0]], np.ones((2, 1))])

@@ -53,20 +53,6 @@ def test_a_force_that_sets_in_later_gives_a_size_to_what_it_moves():
     )  # each is changed by another part of its size
 
 
-def test_what_nothing_moves_has_no_size():
-    assert sizes(lambda t, y: (y[1], -y[0], 0.0), (2.0, 3.0, 0.0), 0.1)[2] == NO_SCALE
-
-
-def test_no_two_sizes_cancel():
-    assert sizes(lambda t, y: (0.0, 0.0, y[0] - y[1]), (1.0, 1.0, 0.0), 0.1)[2] > NO_SCALE
-
-
-def test_the_others_are_given_the_time_in_which_the_known_turn_each_other_over():
-    """About a second, whatever the first step: the far end of a chain is not judged by a step to the sixteenth."""
-    for h in (1e-1, 3e-2, 1e-2, 1e-3):
-        assert min(sizes(chain, [1.0, *[0.0] * 15], h)) > 1e-13
-
-
 def test_what_is_smaller_than_the_rounding_of_what_drives_it_is_zero():
     def rates(t, y):
         return y[1], -y[0], y[0] + y[2]
@@ -91,14 +77,6 @@ def test_what_is_zero_has_a_scale_in_compiled_code_too(monkeypatch):
     monkeypatch.undo()
     assert states[-1] == pytest.approx(solve(chain, [0, 10.0], [1.0, *[0.0] * 15], method="python")[-1], abs=1e-8)
     assert circle[:3] == pytest.approx([math.cos(10), math.sin(10), 0.0], abs=1e-8)
-
-
-def test_a_force_that_grows_from_zero_shows_its_scale_in_the_series(monkeypatch):
-    """At rest, and at t = 0 no force: further coefficients are not zero."""
-    pytest.importorskip("llvmlite")
-    monkeypatch.delattr("tam570.integrate.adaptive.error_scale")
-    found = solve(lambda t, y: (y[1], math.sin(2 * t) - y[0]), [0, 10.0], [0.0, 0.0], method="compiled")[-1, 0]
-    assert found == pytest.approx(2 / 3 * math.sin(10) - math.sin(20) / 3, abs=1e-9)
 
 
 def test_sizes_are_not_so_large_that_the_rates_are_others():

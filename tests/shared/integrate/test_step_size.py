@@ -4,14 +4,11 @@ import math
 
 import numpy as np
 import pytest
+from systems import oscillator
 
 from tam570.integrate import solve
 
 EPS = 2.0**-52
-
-
-def oscillator(t, y):
-    return y[1], -y[0]
 
 
 def primitive_of_sin8(t):
@@ -67,11 +64,6 @@ def test_noise_that_is_seldom_there_stops_nothing():
     assert abs(speed) == pytest.approx(abs(start[3]) - lost, rel=1e-12)
 
 
-def test_an_infinite_solution_is_an_error_and_says_where():
-    with pytest.raises(ArithmeticError, match=r"t = 1\.0"):
-        solve(lambda t, y: (y[0] ** 2,), [0, 2], [1.0])
-
-
 def test_tolerances_beyond_rounding_finish():
     for rtol in (1e-15, 1e-17, 1e-30):
         state = solve(oscillator, [0, 100], [1.0, 0.0], rtol=rtol)[-1]
@@ -97,9 +89,3 @@ def test_atol_spares_steps_where_nobody_looks():
     assert steps(atol=1e-10) < steps() / 5
     assert steps(atol=[0.0, 0.0, 1e-10, 1e-10]) < steps() / 5
     assert steps(atol=0.0) >= steps()
-
-
-@pytest.mark.parametrize("atol", [-1.0, math.nan, [1.0, 2.0, 3.0], "small"])
-def test_an_atol_that_is_none_is_named(atol):
-    with pytest.raises(ValueError, match="^atol: "):
-        solve(oscillator, [0, 1], [1.0, 0.0], atol=atol)

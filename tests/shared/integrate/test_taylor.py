@@ -1,15 +1,11 @@
 """Taylor's method: every function's series, tolerances, zeros that deceive nobody, samples, many motions at once."""
 
 import math
-import re
 
 import numpy as np
 import pytest
 
 from tam570.integrate import solve
-from tam570.integrate.compiled.recurrences import recurrences
-from tam570.integrate.compiled.taylor import order_for, taylor_text
-from tam570.integrate.trace import traced
 from tam570.invariants import drift
 
 pytest.importorskip("llvmlite")
@@ -29,24 +25,6 @@ INNER = {  # of u between 0.3 and 0.7
     "sine and cosine together": lambda u: math.sin(u) * math.cos(u) - math.cos(2 * u),
     "exp twice": lambda u: math.exp(u) + math.expm1(u),
 }
-
-
-@pytest.mark.parametrize("lanes", [1, 8])
-def test_a_step_calls_nothing_that_its_rates_do_not_need(lanes):
-    """A power of two numbers that are known, computed anew at every step, took half of the time of a step."""
-    found, _ = recurrences(traced(lambda t, y: (y[1], -y[0] * y[1]), 2))
-    assert set(re.findall(r"@(\w+)\(", taylor_text(found, lanes))) <= {
-        "advance",
-        "coefficients",
-        "rates",
-        "roundoff",
-        "exp2",
-        "log2",
-    }
-
-
-def test_the_order_grows_with_the_digits_asked_for_within_its_bounds():
-    assert [order_for(10.0**-k) for k in (1, 3, 5, 6, 9, 12, 16)] == [9, 9, 9, 11, 15, 18, 18]
 
 
 @pytest.mark.parametrize("name", INNER)
@@ -69,15 +47,6 @@ def test_a_tolerance_is_kept_at_every_order(rtol):
     states = solve(lambda t, y: (y[1], -y[0]), t, [1.0, 0.0], rtol=rtol, method="compiled")
     exact = np.stack([np.cos(t), -np.sin(t)], 1)
     assert np.abs(states - exact).max() < 10 * rtol + 2e-15  # samples inside the steps too
-
-
-def test_samples_do_not_change_the_steps():
-    fine = np.linspace(0, 3, 20001)
-    given = {"rtol": 1e-12, "method": "compiled"}
-    states = solve(lambda t, y: (y[1], -math.sin(y[0])), fine, [2.0, 0.1], **given)
-    ends = solve(lambda t, y: (y[1], -math.sin(y[0])), fine[[0, -1]], [2.0, 0.1], **given)
-    assert (states[-1] == ends[-1]).all()
-    assert np.abs(np.diff(states, 3, axis=0)).max() < 1e-10  # no seams between the steps
 
 
 def double_pendulum(t, state):
@@ -140,14 +109,3 @@ def test_motions_together_are_each_alone():
     alone = np.array([solve(double_pendulum, t, start, rtol=1e-12, method="compiled") for start in starts])
     assert np.abs(together - alone).max() < 1e-10
     assert (together[:, 0] == starts).all()
-
-
-def test_motions_that_end_in_infinity_are_told_by_their_time():
-    starts = np.linspace(0.1, 1.0, 20)[:, None] * [1.0, 0.0]
-    with pytest.raises(ArithmeticError, match=r"t = (0\.99|1\.00)"):
-        solve(lambda t, y: (y[0] * y[0], y[0]), [0, 1.01], starts, method="compiled")
-
-
-def test_a_factor_is_taken_out_of_a_quotient_and_two_share_it():
-    found, _ = recurrences(traced(lambda t, y: (3.0 * y[0] / y[1], 5.0 * y[0] / y[1]), 2))
-    assert [one.kind for one in found.series].count("/") == 1

@@ -1,12 +1,10 @@
 """The scenes in headless Chromium: played, scrubbed, turned, by mouse, keys and touch; wide, narrow, light, dark."""
 
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
 from parameters import SLUGS, first
 
-from tam570.show import load_student, scene_of
+from tam570.show import load_student
 from tam570.show.page import framed, page
 from tam570.show.scene import Panel, Scene, Shape, frame_times
 
@@ -102,28 +100,6 @@ def test_it_plays_by_itself_and_stops_and_goes_on(opened):
     assert tab.evaluate(PIXELS, "live") != picture
 
 
-def test_it_waits_where_motion_is_not_wanted(opened):
-    tab = opened(PLANE)
-    tab.wait_for_timeout(150)
-    assert tab.evaluate(TIME) == 0 and tab.get_by_role("button", name="Play").is_visible()
-
-
-def test_at_the_end_it_begins_again(opened):
-    tab = opened(PLANE)
-    tab.keyboard.press("End")
-    assert tab.evaluate(TIME) == pytest.approx(20.0)
-    tab.keyboard.press("Space")
-    until(tab, "state.time < 5")
-
-
-def test_a_speed_is_a_speed(opened):
-    tab = opened(PLANE)
-    tab.get_by_label("Speed").select_option("0.25")
-    assert tab.evaluate("state.speed") == 0.25
-    tab.evaluate("() => { state.playing = true; state.last = 1000; advance(1400); state.playing = false; }")
-    assert tab.evaluate(TIME) == pytest.approx(0.1)
-
-
 def test_the_time_is_scrubbed_by_keys_and_by_mouse(opened):
     tab = opened(PLANE)
     tab.keyboard.press("ArrowRight")
@@ -172,30 +148,6 @@ def test_a_scene_in_space_is_turned_by_touch(opened):
     assert tab.evaluate("camera.azimuth") != before
 
 
-def test_a_swipe_upwards_is_left_to_the_page(opened):
-    """It scrolls; a finger that moves sideways turns the scene."""
-    for slug, left in ((PLANE, "auto"), (SPACE, "pan-y")):
-        assert opened(slug, "phone").evaluate("getComputedStyle(document.getElementById('live')).touchAction") == left
-
-
-def test_a_scene_in_the_plane_does_not_turn(opened):
-    tab = opened(PLANE)
-    before = tab.evaluate(PIXELS, "live")
-    dragged(tab, (90, 30))
-    assert tab.evaluate(PIXELS, "live") == before and not tab.get_by_role("button", name="Reset view").is_visible()
-
-
-@pytest.mark.parametrize("slug", [PLANE, SPACE])
-def test_what_stands_still_is_drawn_once(opened, slug):
-    tab = opened(slug)
-    assert ink(tab, "still") > 50
-    tab.evaluate("stage.still.context.fillRect(0, 0, 7, 7)")
-    marked = tab.evaluate(PIXELS, "still")
-    for _ in range(3):
-        tab.keyboard.press("ArrowRight")
-    assert tab.evaluate(PIXELS, "still") == marked
-
-
 def test_the_tip_is_where_the_student_has_it(opened, scenes):
     tab, scene = opened(PLANE), scenes(PLANE)
     (tip,) = (shape.points[:, 0] for shape in scene.panels[0].shapes if shape.kind == "trail")
@@ -232,13 +184,6 @@ def test_dark_is_dark(opened):
     until(tab, f"colors.ink === '{colors['light'][1]}'")
 
 
-def test_a_window_made_smaller_is_drawn_anew(opened):
-    tab = opened(PLANE)
-    tab.set_viewport_size({"width": 390, "height": 844})
-    until(tab, "stage.live.width < 400")
-    assert ink(tab, "live") > 300
-
-
 def test_a_hostile_string_stays_text(opened):
     bad = "</script><script>document.title='taken'</script><img src=x onerror=\"document.title='taken'\">"
     dot = np.zeros((1, 2))
@@ -255,10 +200,3 @@ def test_in_a_notebook_it_plays_in_its_frame(opened, scenes):
     until(tab.frames[1], "state.time > 0")
     frame.get_by_role("button", name="Pause").click()
     assert frame.locator("#clock").inner_text() != "0.00 s"
-
-
-def test_a_student_without_an_energy_has_a_page(opened, course, scenes):
-    solution = vars(load_student(course / "solutions" / f"{PLANE}.py", PLANE))
-    shown = SimpleNamespace(**{name: solution[name] for name in ("simulate", "wireframe")})
-    tab = opened(page(scene_of(shown, PLANE)))
-    assert "no function energy" in tab.locator(".note").last.inner_text() and tab.locator("figure").count() == 1
