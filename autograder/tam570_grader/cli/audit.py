@@ -73,19 +73,19 @@ def _audit(arguments: argparse.Namespace) -> int:
     slugs = _with_functions(course, slugs, arguments.function) if arguments.function else slugs
     with executor_of(arguments, course, slugs) as executor:
         for slug in slugs:
-            data, lines, found = question(course, slug, executor, arguments)
+            data, lines, survived = question(course, slug, executor, arguments)
             say("\n".join([json.dumps(data)] if arguments.json else lines))
-            faults += found
+            faults += survived
     return 1 if faults else 0
 
 
 def _question(arguments: argparse.Namespace) -> Question:
-    asked = [name for name in QUESTIONS if getattr(arguments, name) is not None]
-    if arguments.keep and asked != ["fairness"]:
+    questions = [name for name in QUESTIONS if getattr(arguments, name) is not None]
+    if arguments.keep and questions != ["fairness"]:
         raise UsageError("--keep: it goes with --fairness alone")
-    if arguments.function and asked:
-        raise UsageError(f"--function: it chooses mutants; it does not go with --{asked[0]}")
-    return QUESTIONS[asked[0]] if asked else _mutation
+    if arguments.function and questions:
+        raise UsageError(f"--function: it chooses mutants; it does not go with --{questions[0]}")
+    return QUESTIONS[questions[0]] if questions else _mutation
 
 
 def _with_functions(course: Path, slugs: Sequence[str], names: Sequence[str]) -> list[str]:
@@ -94,17 +94,17 @@ def _with_functions(course: Path, slugs: Sequence[str], names: Sequence[str]) ->
 
     texts = {slug: (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8") for slug in slugs}
     there = {slug: set(reached(text)) for slug, text in texts.items()}
-    known = sorted(set().union(*there.values()))
-    if unknown := [name for name in names if name not in known]:
-        raise UsageError(f"--function: there is no function {unknown[0]!r}; there are: {', '.join(known)}")
+    functions = sorted(set().union(*there.values()))
+    if unknown := [name for name in names if name not in functions]:
+        raise UsageError(f"--function: there is no function {unknown[0]!r}; there are: {', '.join(functions)}")
     return [slug for slug in slugs if there[slug] & set(names)]
 
 
 def _mutation(course: Path, slug: str, executor: Any, arguments: argparse.Namespace) -> Answer:
     from tam570_grader.audit import mutation
 
-    found = mutation.fates(course, slug, executor, arguments.quick, arguments.function)
-    return mutation.as_json(found), mutation.report(found), found.faults
+    fates = mutation.fates(course, slug, executor, arguments.quick, arguments.function)
+    return mutation.as_json(fates), mutation.report(fates), fates.faults
 
 
 def _fairness(course: Path, slug: str, executor: Any, arguments: argparse.Namespace) -> Answer:
@@ -112,22 +112,22 @@ def _fairness(course: Path, slug: str, executor: Any, arguments: argparse.Namesp
 
     seeds = QUICK_SEEDS if arguments.quick else arguments.fairness
     lines = fairness.fair(course, slug, seeds, executor, arguments.keep)
-    found = fairness.as_json(slug, lines)
-    return found, fairness.report(lines), found["false_fails"]
+    counts = fairness.as_json(slug, lines)
+    return counts, fairness.report(lines), counts["false_fails"]
 
 
 def _diagnosis(course: Path, slug: str, executor: Any, arguments: argparse.Namespace) -> Answer:
     from tam570_grader.audit import diagnosis
 
-    found = diagnosis.diagnoses(course, slug, executor, arguments.quick)
-    return diagnosis.as_json(slug, found), diagnosis.report(slug, found), diagnosis.faults(found)
+    diagnoses = diagnosis.diagnoses(course, slug, executor, arguments.quick)
+    return diagnosis.as_json(slug, diagnoses), diagnosis.report(slug, diagnoses), diagnosis.faults(diagnoses)
 
 
 def _margins(course: Path, slug: str, executor: Any, arguments: argparse.Namespace) -> Answer:
     from tam570_grader.audit import margins
 
-    found = margins.margins(course, slug, QUICK_SEEDS if arguments.quick else margins.SEEDS, executor)
-    return margins.as_json(slug, found), margins.report(slug, found), margins.faults(found)
+    by_check = margins.margins(course, slug, QUICK_SEEDS if arguments.quick else margins.SEEDS, executor)
+    return margins.as_json(slug, by_check), margins.report(slug, by_check), margins.faults(by_check)
 
 
 QUESTIONS: dict[str, Question] = {"fairness": _fairness, "diagnosis": _diagnosis, "margins": _margins}

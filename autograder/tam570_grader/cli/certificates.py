@@ -43,7 +43,7 @@ def _certificates(arguments: argparse.Namespace) -> int:
     until = datetime.datetime.now(datetime.UTC) + datetime.timedelta(days=365 * YEARS)
     with writing(folder):
         folder.mkdir(mode=0o700, parents=True)
-        for name, content in zip(NAMES, _made(until), strict=True):
+        for name, content in zip(NAMES, _certificate_and_key(until), strict=True):
             with open(os.open(folder / name, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600), "wb") as file:
                 file.write(content)
     paths = dict(zip(("cert", "key"), files(folder), strict=True))
@@ -52,7 +52,7 @@ def _certificates(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _made(until: datetime.datetime) -> tuple[bytes, bytes]:
+def _certificate_and_key(until: datetime.datetime) -> tuple[bytes, bytes]:
     """A certificate that vouches for itself alone, and its key."""
     from cryptography import x509
     from cryptography.hazmat.primitives import hashes, serialization
@@ -60,14 +60,14 @@ def _made(until: datetime.datetime) -> tuple[bytes, bytes]:
 
     key = ec.generate_private_key(ec.SECP256R1())
     name = x509.Name([x509.NameAttribute(x509.NameOID.COMMON_NAME, "tam570 cluster")])
-    known = x509.SubjectKeyIdentifier.from_public_key(key.public_key())
+    key_identifier = x509.SubjectKeyIdentifier.from_public_key(key.public_key())
     builder = (
         x509.CertificateBuilder(name, name, key.public_key(), x509.random_serial_number())
         .not_valid_before(datetime.datetime.now(datetime.UTC) - datetime.timedelta(days=1))  # clocks differ
         .not_valid_after(until)
         .add_extension(x509.BasicConstraints(ca=True, path_length=0), critical=True)
-        .add_extension(known, critical=False)
-        .add_extension(x509.AuthorityKeyIdentifier.from_issuer_subject_key_identifier(known), critical=False)
+        .add_extension(key_identifier, critical=False)
+        .add_extension(x509.AuthorityKeyIdentifier.from_issuer_subject_key_identifier(key_identifier), critical=False)
     )
     certificate = builder.sign(key, hashes.SHA256())
     secret = key.private_bytes(

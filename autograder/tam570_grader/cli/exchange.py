@@ -20,7 +20,7 @@ def _titles(names: Iterable[str]) -> str:
 
 
 def add_collect(commands: Commands) -> argparse.ArgumentParser:
-    collect: argparse.ArgumentParser = commands.add_parser(
+    parser: argparse.ArgumentParser = commands.add_parser(
         "collect",
         help="collect what was downloaded from a learning management system",
         description=f"Put a download of {_titles(SYSTEMS)} into folders <student>/<assignment>/ that `grade` reads. A "
@@ -29,8 +29,8 @@ def add_collect(commands: Commands) -> argparse.ArgumentParser:
         epilog="collected.csv, beside that folder, lists who handed in what and when, in all downloads. The exit code "
         "is 1 if a file, or its student, could not be placed, or one that is newer does not count: each is named.",
     )
-    collect.set_defaults(command=_collect)
-    add = collect.add_argument
+    parser.set_defaults(command=_collect)
+    add = parser.add_argument
     add("source", type=Path, metavar="ZIP", help="the zip file that you downloaded, or its folder")
     add("--from", dest="system", choices=[*SYSTEMS], required=True, help="the system")
     add("--roster", type=Path, metavar="CSV", help="the gradebook or participants: folders are named by login")
@@ -38,28 +38,28 @@ def add_collect(commands: Commands) -> argparse.ArgumentParser:
     add("--times", type=Path, metavar="CSV", help="when work came: Moodle's grading worksheet or log")
     add("--assignment", metavar="SLUG", help="which one it is, where the names of files do not tell")
     add("--to", type=Path, metavar="DIR", default=Path("submitted"), help="default: %(default)s")
-    return collect
+    return parser
 
 
 def add_export(commands: Commands) -> argparse.ArgumentParser:
-    export: argparse.ArgumentParser = commands.add_parser(
+    parser: argparse.ArgumentParser = commands.add_parser(
         "export",
         help="lay submissions out for Dolos, JPlag or Moss, with names hidden",
         description="Lay submissions out for a tool that finds shared code. Numbers stand for students; notebooks "
         "become modules; what you released is the base that does not count.",
         epilog="names.csv tells whose number it is: keep it. Names in a student's own text stay as they are.",
     )
-    export.set_defaults(command=_export)
-    add = export.add_argument
+    parser.set_defaults(command=_export)
+    add = parser.add_argument
     add("paths", nargs="+", type=Path, metavar="PATH", help="what `grade` is given")
     add("--for", dest="tool", choices=["dolos", "jplag", "moss"], required=True, help="the tool")
     add("--to", type=Path, metavar="DIR", required=True, help="a folder that is new or empty")
     add("--assignment", metavar="SLUG", help="which one it is, where the names do not tell")
-    return export
+    return parser
 
 
 def add_alike(commands: Commands) -> argparse.ArgumentParser:
-    alike: argparse.ArgumentParser = commands.add_parser(
+    parser: argparse.ArgumentParser = commands.add_parser(
         "alike",
         help="list pairs of submissions that share code",
         description="List pairs of submissions that share code, most alike first. Names, comments and what you "
@@ -67,17 +67,17 @@ def add_alike(commands: Commands) -> argparse.ArgumentParser:
         epilog="Short assignments have few right ways: look at both before you ask anybody. `report` lists who share "
         "a wrong result.",
     )
-    alike.set_defaults(command=_alike)
-    add = alike.add_argument
+    parser.set_defaults(command=_alike)
+    add = parser.add_argument
     add("paths", nargs="+", type=Path, metavar="PATH", help="what `grade` is given")
     add("--least", type=_share, metavar="SHARE", default=0.6, help="of the code of one of two (default: %(default)s)")
     add("--assignment", metavar="SLUG", help="which one it is, where the names do not tell")
-    return alike
+    return parser
 
 
 def add_lms(commands: Commands) -> argparse.ArgumentParser:
     importing = [name for name, system in SYSTEMS.items() if system.table]
-    lms: argparse.ArgumentParser = commands.add_parser(
+    parser: argparse.ArgumentParser = commands.add_parser(
         "lms",
         help="make a table that a learning management system imports",
         description=f"Make a table of scores that {_titles(importing)} imports, and a zip file of pages that some of "
@@ -85,8 +85,8 @@ def add_lms(commands: Commands) -> argparse.ArgumentParser:
         epilog="With a roster the exit code is 1 if a score belongs to nobody on it, or somebody on it has none, if a "
         "score was changed in the gradebook, or if nobody graded a part by hand.",
     )
-    lms.set_defaults(command=_lms)
-    add = lms.add_argument
+    parser.set_defaults(command=_lms)
+    add = parser.add_argument
     add("grades", type=Path, metavar="GRADES", help="what `grade --out` wrote, or the table of `nbgrader export`")
     add("--to", choices=importing, required=True, help="the system")
     add("--roster", type=Path, metavar="FILE", help="the gradebook or participants that the system exported")
@@ -100,37 +100,37 @@ def add_lms(commands: Commands) -> argparse.ArgumentParser:
     add("--pages", type=Path, metavar="ZIP", help="also a zip file of one assignment's pages, to hand back there")
     add("--collected", type=Path, metavar="CSV", help="for --pages: collected.csv, which `collect` wrote")
     add("--out", type=Path, metavar="FILE", help="default: print it")
-    return lms
+    return parser
 
 
 def add_report(commands: Commands) -> argparse.ArgumentParser:
-    report: argparse.ArgumentParser = commands.add_parser(
+    parser: argparse.ArgumentParser = commands.add_parser(
         "report",
         help="make one page on the class",
         description="Make one page on the class: scores, checks, known mistakes, who is missing.",
     )
-    report.set_defaults(command=_report)
-    add = report.add_argument
+    parser.set_defaults(command=_report)
+    add = parser.add_argument
     add("folder", type=Path, metavar="DIR", help="what `grade --out` wrote")
     add("--roster", type=Path, metavar="FILE", help="all students, one a line or in the first column of a table")
     add("--collected", type=Path, metavar="CSV", help="collected.csv, which `collect` wrote: when and how often")
     add("--out", type=Path, metavar="FILE", help="default: DIR/report.html, beside the feedback it links to")
-    return report
+    return parser
 
 
 def _collect(arguments: argparse.Namespace) -> int:
     from tam570_grader.lms import submission_import
 
-    _, known, given = _known_and_given(arguments, [arguments.source, arguments.to])
+    _, slugs, slug = _course_and_slug(arguments, [arguments.source, arguments.to])
     tables = {name: getattr(arguments, name) for name in ("roster", "groups", "times")}
-    return submission_import.run(arguments.source, arguments.system, arguments.to, known, given, **tables)
+    return submission_import.run(arguments.source, arguments.system, arguments.to, slugs, slug, **tables)
 
 
 def _export(arguments: argparse.Namespace) -> int:
     from tam570_grader.lms import similarity_export
 
-    course, known, given = _known_and_given(arguments, arguments.paths)
-    return similarity_export.run(course, arguments.paths, arguments.tool, arguments.to, known, given)
+    course, slugs, slug = _course_and_slug(arguments, arguments.paths)
+    return similarity_export.run(course, arguments.paths, arguments.tool, arguments.to, slugs, slug)
 
 
 def _share(text: str) -> float:
@@ -147,8 +147,8 @@ def _share(text: str) -> float:
 def _alike(arguments: argparse.Namespace) -> int:
     from tam570_grader.lms import similarity
 
-    course, known, given = _known_and_given(arguments, arguments.paths)
-    return similarity.run(course, arguments.paths, known, given, arguments.least)
+    course, slugs, slug = _course_and_slug(arguments, arguments.paths)
+    return similarity.run(course, arguments.paths, slugs, slug, arguments.least)
 
 
 def _lms(arguments: argparse.Namespace) -> int:
@@ -166,9 +166,9 @@ def _lms(arguments: argparse.Namespace) -> int:
     lacking = []
     if arguments.pages:
         pages = grades.parent / "feedback"
-        told = (arguments.collected, arguments.to, arguments.pages, arguments.only, arguments.roster)
-        lacking = feedback_export.run(pages, *told)
-    for line in filter(None, [*lacking, _terms(grades.parent, course)]):
+        names = (arguments.collected, arguments.to, arguments.pages, arguments.only, arguments.roster)
+        lacking = feedback_export.run(pages, *names)
+    for line in filter(None, [*lacking, _stale_policy(grades.parent, course)]):
         warn(line)
     fields = ("roster", "identity", "out", "only", "absent", "new", "overwrite")
     columns = course_toml.columns(course, arguments.to)
@@ -184,22 +184,24 @@ def _ungraded(folder: Path, course: Path, only: Sequence[str]) -> list[str]:
 
     if not (folder / "results.jsonl").is_file():  # nbgrader's table, say, which formgrader fills
         return []
-    hand, known, lines = manual_points.read(folder), assignments.slugs(course), []
-    with contextlib.closing(results(folder)) as found:
-        here = [(one["student"], one["assignment"]) for one in found.values() if one["status"] != "missing"]
+    adjustments, slugs, lines = manual_points.read(folder), assignments.slugs(course), []
+    with contextlib.closing(results(folder)) as graded:
+        here = [
+            (record["student"], record["assignment"]) for record in graded.values() if record["status"] != "missing"
+        ]
     for slug in assignments.named(only, sorted({slug for _, slug in here})):
-        for part in assignments.manual_parts(course, slug) if slug in known else ():
-            left = [who for who, which in here if which == slug and hand.points_of(who, slug, part) is None]
-            if left:
-                everybody = "nobody has" if len(left) == sum(which == slug for _, which in here) else "these lack"
-                names = ", ".join(left[:5]) + (", ..." if len(left) > 5 else "")
+        for part in assignments.manual_parts(course, slug) if slug in slugs else ():
+            waiting = [who for who, which in here if which == slug and adjustments.points_of(who, slug, part) is None]
+            if waiting:
+                everybody = "nobody has" if len(waiting) == sum(which == slug for _, which in here) else "these lack"
+                names = ", ".join(waiting[:5]) + (", ..." if len(waiting) > 5 else "")
                 lines.append(
                     f"{everybody} points of part ({part}) of {slug} by hand: {names}; use points, or --ungraded zero"
                 )
     return lines
 
 
-def _terms(folder: Path, course: Path) -> str:
+def _stale_policy(folder: Path, course: Path) -> str:
     """What to say if course.toml has other terms for late work than the results in a folder."""
     from tam570_grader.course import late_policy
     from tam570_grader.results import manual_points
@@ -207,8 +209,8 @@ def _terms(folder: Path, course: Path) -> str:
 
     if not (folder / "results.jsonl").is_file():  # nbgrader's table, say
         return ""
-    with contextlib.closing(results(folder)) as found:
-        return late_policy.stale(folder, manual_points.read(folder), course, {slug for _, slug in found})
+    with contextlib.closing(results(folder)) as graded:
+        return late_policy.stale(folder, manual_points.read(folder), course, {slug for _, slug in graded})
 
 
 def _report(arguments: argparse.Namespace) -> int:
@@ -220,7 +222,7 @@ def _report(arguments: argparse.Namespace) -> int:
 
     feedback.must_write_pages()
     course = course_config.course_of(arguments.root)
-    if line := _terms(arguments.folder, course):
+    if line := _stale_policy(arguments.folder, course):
         warn(line)
     everyone = partial(roster.students, arguments.roster) if arguments.roster else None
     names = roster.names(arguments.roster) if arguments.roster else {}
@@ -229,11 +231,11 @@ def _report(arguments: argparse.Namespace) -> int:
     return report.run(arguments.folder, course, everyone, arguments.out, names, times)
 
 
-def _known_and_given(arguments: argparse.Namespace, graded: Sequence[Path]) -> tuple[Path, list[str], str | None]:
+def _course_and_slug(arguments: argparse.Namespace, graded: Sequence[Path]) -> tuple[Path, list[str], str | None]:
     """The checkout, its assignments, and the one that --assignment names."""
     from tam570_grader.checks import assignments
     from tam570_grader.course import course_config
 
     course = course_config.course_of(arguments.root, graded)
-    known = assignments.slugs(course)
-    return course, known, assignments.one_named(arguments.assignment, known)
+    slugs = assignments.slugs(course)
+    return course, slugs, assignments.one_named(arguments.assignment, slugs)

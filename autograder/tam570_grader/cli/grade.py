@@ -76,8 +76,8 @@ def _grade(arguments: argparse.Namespace) -> int:
 
     gc.set_threshold(100_000)  # a large class is many records without circles, which would be sought again and again
     course = course_config.course_of(arguments.root, arguments.paths)
-    found = _submissions(arguments, assignments.slugs(course))
-    prove(course, sorted({submission.slug for submission in found}))
+    chosen = _submissions(arguments, assignments.slugs(course))
+    prove(course, sorted({submission.slug for submission in chosen}))
     if arguments.vary and arguments.seed is not None:
         raise UsageError("--seed and --vary: a seed is for the whole class, a key varies it; give one of them")
     if arguments.out:
@@ -86,7 +86,7 @@ def _grade(arguments: argparse.Namespace) -> int:
         warn_of_isolation()
     summary = RunSummary()
     try:
-        config = whole_run(arguments, course, partial(_config, arguments, course, found), summary)
+        config = whole_run(arguments, course, partial(_config, arguments, course, chosen), summary)
     except BrokenPipeError:
         raise
     except KeyboardInterrupt:
@@ -117,7 +117,7 @@ def _print_results(arguments: argparse.Namespace, course: Path, config: Any, sum
     return _warn_of_faults(summary)
 
 
-def _config(arguments: argparse.Namespace, course: Path, found: list[Any], earlier: list[Any]) -> Any:
+def _config(arguments: argparse.Namespace, course: Path, chosen: list[Any], earlier: list[Any]) -> Any:
     """What is graded and how; of the results that are there it takes the seed."""
     from tam570_grader.course import course_config
     from tam570_grader.grading import seeds
@@ -131,17 +131,16 @@ def _config(arguments: argparse.Namespace, course: Path, found: list[Any], earli
     ours = [*arguments.paths, *arguments.join, *filter(None, (arguments.out, arguments.against, arguments.vary))]
     hidden = [*_folders(course), *(path.resolve() for path in ours)]
     cluster = _cluster(arguments)
-    return RunConfig(course, found, seed, arguments.jobs, limits, hidden, arguments.speed, key=key, cluster=cluster)
+    return RunConfig(course, chosen, seed, arguments.jobs, limits, hidden, arguments.speed, key=key, cluster=cluster)
 
 
 def _folders(course: Path) -> list[Path]:
     """Where a course lies; one of one's own has a checkout, and the teacher's desk, too."""
     from tam570_grader.course import course_config
 
-    beside = (
-        [(course / "shared").resolve().parent, course.parents[1]] if course.parent.name == course_config.PLACE else []
-    )
-    return [course, *beside]
+    if course.parent.name != course_config.ADAPTED_COURSES:
+        return [course]
+    return [course, (course / "shared").resolve().parent, course.parents[1]]
 
 
 def _cluster(arguments: argparse.Namespace) -> Any:
@@ -169,18 +168,18 @@ def _print_tables(summary: RunSummary, config: Any) -> None:
     say(feedback.table(sorted(summary.rows, key=lambda row: (row[1], row[0]))))
     inputs = "the same key" if config.key else f"seed {config.seed}; the same seed"
     say(f"\n{inputs} gives the same hidden inputs and the same scores")
-    if lacking := _by_hand(summary, config):
+    if lacking := _missing_points(summary, config):
         say(f"the points that you give by hand are not in it yet: {lacking}")
 
 
-def _by_hand(summary: RunSummary, config: Any) -> str:
+def _missing_points(summary: RunSummary, config: Any) -> str:
     """How many points of which assignments were not given by hand yet."""
     from tam570_grader.checks import assignments
 
     parts = {slug: assignments.manual_parts(config.course, slug) for slug in sorted({row[1] for row in summary.rows})}
     lacking = {slug: sum(of for of, _ in manual.values()) for slug, manual in parts.items() if manual}
-    given = {slug for slug in lacking if summary.adjustments and summary.adjustments.counts_parts(slug)}
-    return ", ".join(f"{most:g} of {slug}" for slug, most in lacking.items() if slug not in given)
+    counted = {slug for slug in lacking if summary.adjustments and summary.adjustments.counts_parts(slug)}
+    return ", ".join(f"{most:g} of {slug}" for slug, most in lacking.items() if slug not in counted)
 
 
 def _print_gradescope(course: Path, summary: RunSummary) -> int:
@@ -210,26 +209,26 @@ def _shard(text: str) -> tuple[int, int]:
     return int(k), int(n)
 
 
-def _submissions(arguments: argparse.Namespace, known: list[str]) -> list[Any]:
+def _submissions(arguments: argparse.Namespace, slugs: list[str]) -> list[Any]:
     from tam570_grader.checks import assignments
     from tam570_grader.grading import roster
     from tam570_grader.grading.skipped_files import not_handed_in, skipped_files
     from tam570_grader.grading.submissions import handed_in, submissions
 
-    given = assignments.one_named(arguments.assignment, known)
-    only = assignments.named(arguments.only or (), known)
+    slug = assignments.one_named(arguments.assignment, slugs)
+    only = assignments.named(arguments.only or (), slugs)
     students = roster.folders(arguments.roster) if arguments.roster else ()
-    if given and arguments.format == "gradescope" and len(arguments.paths) == 1 and arguments.paths[0].is_dir():
-        return [handed_in(arguments.paths[0], given)]
-    everything = submissions(arguments.paths, known, given, students)
-    for sentence in skipped_files(arguments.paths, everything, known, students):
+    if slug and arguments.format == "gradescope" and len(arguments.paths) == 1 and arguments.paths[0].is_dir():
+        return [handed_in(arguments.paths[0], slug)]
+    everything = submissions(arguments.paths, slugs, slug, students)
+    for sentence in skipped_files(arguments.paths, everything, slugs, students):
         warn(sentence)
-    found = [one for one in everything if one.slug in only]
-    if not found:
+    chosen = [submission for submission in everything if submission.slug in only]
+    if not chosen:
         raise UsageError(f"there is no submission of {', '.join(only)} at these paths")
-    everyone = found + (not_handed_in(arguments.roster, found) if arguments.roster else [])
+    everyone = chosen + (not_handed_in(arguments.roster, chosen) if arguments.roster else [])
     k, n = arguments.shard or (1, 1)
-    return [one for one in everyone if _shard_of(one.student, n) == k]
+    return [submission for submission in everyone if _shard_of(submission.student, n) == k]
 
 
 def _warn_of_faults(summary: RunSummary) -> int:

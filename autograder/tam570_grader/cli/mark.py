@@ -15,21 +15,21 @@ __all__ = ["add_mark"]
 
 
 def add_mark(commands: Commands) -> argparse.ArgumentParser:
-    mark: argparse.ArgumentParser = commands.add_parser(
+    parser: argparse.ArgumentParser = commands.add_parser(
         "mark",
         help="open a page to grade parts by hand",
         description="Open a page on this machine with each student's work beside the claims of the rubric. It writes "
         "the points and comments into DIR/by_hand.csv, as `points` does.",
         epilog="The address holds a secret: give it to nobody. Keys: n and p change the student, 1 to 9 tick claims.",
     )
-    mark.set_defaults(command=_mark)
-    add = mark.add_argument
+    parser.set_defaults(command=_mark)
+    add = parser.add_argument
     add("folder", type=Path, metavar="DIR", help="what `grade --out` wrote")
     add("--submitted", type=Path, metavar="DIR", help="the tree of submissions, to show the work")
     add("--only", nargs="+", metavar="SLUG", default=[], help="these assignments alone")
     add("--anonymous", action="store_true", help="show numbers for names, in any order")
     add("--port", type=natural, default=0, help="default: any that is free")
-    return mark
+    return parser
 
 
 def _mark(arguments: argparse.Namespace) -> int:
@@ -42,12 +42,14 @@ def _mark(arguments: argparse.Namespace) -> int:
     if not (folder / "results.jsonl").is_file():
         raise UsageError(f"there are no results in {folder}; make them with: tam570-grader grade ... --out {folder}")
     feedback.must_write_pages()
-    known = assignments.slugs(course)
-    with contextlib.closing(results(folder)) as found:
-        keys = sorted((record["assignment"], record["student"]) for record in found.values())
+    slugs = assignments.slugs(course)
+    with contextlib.closing(results(folder)) as graded:
+        keys = sorted((record["assignment"], record["student"]) for record in graded.values())
     chosen = assignments.named(arguments.only, sorted({slug for slug, _ in keys}))
-    rubrics = {slug: assignments.assignment(course, slug).rubric for slug in chosen if slug in known}
-    work = {(one.student, one.slug): one for one in submissions(tree, known)} if tree else {}
+    rubrics = {slug: assignments.assignment(course, slug).rubric for slug in chosen if slug in slugs}
+    work = (
+        {(submission.student, submission.slug): submission for submission in submissions(tree, slugs)} if tree else {}
+    )
     sheets = [Sheet(who, slug, rubrics[slug], work.get((who, slug))) for slug, who in keys if rubrics.get(slug)]
     if not sheets:
         raise UsageError(f"no assignment in {folder} has a part that is graded by hand")

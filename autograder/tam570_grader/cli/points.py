@@ -16,7 +16,7 @@ __all__ = ["add_points"]
 
 
 def add_points(commands: Commands) -> argparse.ArgumentParser:
-    points: argparse.ArgumentParser = commands.add_parser(
+    parser: argparse.ArgumentParser = commands.add_parser(
         "points",
         help="add points by hand, late days and changes to results",
         description="Add what a table says to the results: grades.csv, the pages, the report and lms have it then. "
@@ -28,8 +28,8 @@ def add_points(commands: Commands) -> argparse.ArgumentParser:
         "Nothing is written unless every row is right. DIR/by_hand.csv holds all of it. course.toml may say what late "
         "days cost, when assignments are due, and who has more time: give the command again when it changes.",
     )
-    points.set_defaults(command=_points)
-    add = points.add_argument
+    parser.set_defaults(command=_points)
+    add = parser.add_argument
     add("folder", type=Path, metavar="DIR", help="what `grade --out` wrote")
     add(
         "table", type=Path, nargs="?", metavar="CSV", help=f"the columns are {', '.join(COLUMNS)}; `of` may be left out"
@@ -41,7 +41,7 @@ def add_points(commands: Commands) -> argparse.ArgumentParser:
     )
     times = "collected.csv, which `collect` wrote: who is late by the dates in course.toml"
     add("--collected", type=Path, metavar="CSV", help=times)
-    return points
+    return parser
 
 
 def _points(arguments: argparse.Namespace) -> int:
@@ -52,29 +52,29 @@ def _points(arguments: argparse.Namespace) -> int:
     course, folder = course_config.course_of(arguments.root), arguments.folder
     if not (folder / "results.jsonl").is_file():
         raise UsageError(f"there are no results in {folder}; make them with: tam570-grader grade ... --out {folder}")
-    with contextlib.closing(results(folder)) as found:
-        slugs = sorted({slug for _, slug in found})
+    with contextlib.closing(results(folder)) as graded:
+        slugs = sorted({slug for _, slug in graded})
         known = assignments.slugs(course)
         here = {slug: assignments.assignment(course, slug) for slug in slugs if slug in known}
         manual = {slug: here[slug].manual if slug in here else {} for slug in slugs}
-        checks = {slug: {check.name: check.points for check in one.checks} for slug, one in here.items()}
-        terms = late_policy.policies_of(course)
-        if not arguments.table and (arguments.template or not (terms or arguments.collected)):
+        checks = {slug: {check.name: check.points for check in assignment.checks} for slug, assignment in here.items()}
+        policies = late_policy.policies_of(course)
+        if not arguments.table and (arguments.template or not (policies or arguments.collected)):
             raise UsageError("name the table, too: tam570-grader points DIR CSV")
         if arguments.template:
-            rubrics = {slug: one.rubric for slug, one in here.items()}
-            return write_template(arguments.table, found, rubrics, manual_points.read(folder))
-        new = list(checked_rows(arguments.table, found, manual, checks)) if arguments.table else []
+            rubrics = {slug: assignment.rubric for slug, assignment in here.items()}
+            return write_template(arguments.table, graded, rubrics, manual_points.read(folder))
+        new = list(checked_rows(arguments.table, graded, manual, checks)) if arguments.table else []
     feedback.must_write_pages()
     with contextlib.closing(ResultStore(folder)) as book:  # nobody else adds rows meanwhile
-        hand, open_, notes = late_policy.apply_late_policy(
-            manual_points.read(folder).with_(new), terms, book, arguments.collected
+        adjustments, open_, notes = late_policy.apply_late_policy(
+            manual_points.read(folder).with_(new), policies, book, arguments.collected
         )
-        manual_points.write(folder, hand)
+        manual_points.write(folder, adjustments)
         failed = feedback.write_pages(folder / "feedback", book, course)
     for line in [*open_, *notes]:
         warn(line)
-    count = sum(one.item == LATE for one in hand.entries.values())
-    rows = counted(len({one.key for one in new if one.student != EVERYONE}), "row")
+    count = sum(assignment.item == LATE for assignment in adjustments.entries.values())
+    rows = counted(len({assignment.key for assignment in new if assignment.student != EVERYONE}), "row")
     say(f"{folder}: {rows} added by hand, {count} late")
     return 1 if open_ or failed else 0

@@ -8,14 +8,16 @@ from tam570_grader.cli.options import Commands
 __all__ = ["add_course", "add_gradescope", "add_kit", "add_stubs", "add_trust"]
 
 
-def _told(commands: Commands, name: str, says: str) -> argparse.ArgumentParser:
+def _parser(commands: Commands, name: str, sentence: str) -> argparse.ArgumentParser:
     """The parser of a command of which one sentence tells enough."""
-    parser: argparse.ArgumentParser = commands.add_parser(name, help=says, description=f"{says[0].upper()}{says[1:]}.")
+    parser: argparse.ArgumentParser = commands.add_parser(
+        name, help=sentence, description=f"{sentence[0].upper()}{sentence[1:]}."
+    )
     return parser
 
 
 def add_stubs(commands: Commands) -> argparse.ArgumentParser:
-    stubs = _told(commands, "stubs", "make the students' stubs from the solutions")
+    stubs = _parser(commands, "stubs", "make the students' stubs from the solutions")
     stubs.set_defaults(command=_stubs)
     stubs.add_argument("--check", action="store_true", help="write nothing; exit 1 if a stub is out of date")
     stubs.add_argument("--examples", nargs="*", metavar="SLUG", help="make the examples that `tam570 check` runs, too")
@@ -23,20 +25,20 @@ def add_stubs(commands: Commands) -> argparse.ArgumentParser:
 
 
 def add_kit(commands: Commands) -> argparse.ArgumentParser:
-    kit = _told(commands, "kit", "make what students install and start from")
+    kit = _parser(commands, "kit", "make what students install and start from")
     kit.set_defaults(command=_kit)
     kit.add_argument("folder", type=Path, metavar="DIR", help="where to put it")
     return kit
 
 
 def add_course(commands: Commands) -> argparse.ArgumentParser:
-    course = _told(commands, "course", "make a course that nbgrader runs")
+    course = _parser(commands, "course", "make a course that nbgrader runs")
     course.set_defaults(command=_course)
     return _folder_and_slugs(course)
 
 
 def add_gradescope(commands: Commands) -> argparse.ArgumentParser:
-    gradescope = _told(commands, "gradescope", "make the archives that Gradescope runs")
+    gradescope = _parser(commands, "gradescope", "make the archives that Gradescope runs")
     gradescope.set_defaults(command=_gradescope)
     return _folder_and_slugs(gradescope)
 
@@ -49,7 +51,7 @@ def _folder_and_slugs(parser: argparse.ArgumentParser) -> argparse.ArgumentParse
 
 
 def add_trust(commands: Commands) -> argparse.ArgumentParser:
-    trust = _told(commands, "trust", "use this course from now on, in its folder and below")
+    trust = _parser(commands, "trust", "use this course from now on, in its folder and below")
     trust.set_defaults(command=_trust)
     trust.add_argument("folder", type=Path, nargs="?", default=Path(), metavar="DIR", help="default: this folder")
     return trust

@@ -36,9 +36,9 @@ def _replay(arguments: argparse.Namespace) -> int:
     slug, why = _failure(arguments.results, arguments.student, arguments.check, arguments.assignment)
     say(f"{arguments.student}, {slug}, {arguments.check}: {describe_failure(why)}")
     if why.function:
-        given: dict[str, Any] = why.at
-        named = [f"{name}={_digits(_numbers(value))}" for name, value in given["kwargs"].items()]
-        say(f"\n{why.function}({', '.join([*(_digits(_numbers(one)) for one in given['args']), *named])})")
+        call: dict[str, Any] = why.at
+        keywords = [f"{name}={_digits(_numbers(value))}" for name, value in call["kwargs"].items()]
+        say(f"\n{why.function}({', '.join([*(_digits(_numbers(one)) for one in call['args']), *keywords])})")
     say(f"\nexpected: {_digits(why.expected)}\nactual:   {_digits(why.actual)}")
     if arguments.file:
         say(f"now:      {_again(arguments, slug, why)}")
@@ -54,17 +54,19 @@ def _failure(results: Path, student: str, check: str, given: str | None) -> tupl
     if not lines:
         raise UsageError(f"{results} has no result of {student}")
     slugs = named([given] if given else [], [line["assignment"] for line in lines])
-    check_results = [(one.assignment, check_result) for one in map(records.read, lines) for check_result in one.checks]
+    check_results = [
+        (result.assignment, check_result) for result in map(records.read, lines) for check_result in result.checks
+    ]
     check_results = [(slug, check_result) for slug, check_result in check_results if slug in slugs]
-    found = [
+    failures = [
         (slug, check_result.failure)
         for slug, check_result in check_results
         if check_result.name == check and check_result.failure
     ]
-    if len(found) == 1:
-        return found[0]
-    if found:
-        both = _listed((slug, check) for slug, _ in found)
+    if len(failures) == 1:
+        return failures[0]
+    if failures:
+        both = _listed((slug, check) for slug, _ in failures)
         raise UsageError(f"{student} failed {check} of several assignments: {both}; choose one with --assignment")
     failed = (
         _listed((slug, check_result.name) for slug, check_result in check_results if check_result.failure) or "none"
@@ -122,7 +124,10 @@ def _result(function: Any, at: dict[str, Any]) -> str:
     from tam570_grader.checks.case import Case
     from tam570_grader.checks.returns import Drawing, Formula
 
-    args, kwargs = [_numbers(one) for one in at["args"]], {name: _numbers(one) for name, one in at["kwargs"].items()}
+    args, kwargs = (
+        [_numbers(value) for value in at["args"]],
+        {name: _numbers(value) for name, value in at["kwargs"].items()},
+    )
     if isinstance(function.returns, Formula):
         return _digits(function.at(args[0] if args else [kwargs]))
     if isinstance(function.returns, Drawing):

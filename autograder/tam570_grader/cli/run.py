@@ -39,7 +39,7 @@ def whole_run(
 
     with contextlib.ExitStack() as stack:
         earlier = [*arguments.join, *filter(None, [arguments.against])]
-        old = [stack.enter_context(contextlib.closing(results(place, feedback.row))) for place in earlier]
+        old = [stack.enter_context(contextlib.closing(results(folder, feedback.row))) for folder in earlier]
         store = None
         if arguments.out:
             store = summary.store = stack.enter_context(
@@ -97,8 +97,8 @@ def _gone(old: Any, config: Any, arguments: argparse.Namespace) -> list[Any]:
     from tam570_grader.grading import regrade
 
     names = arguments.only or filter(None, [arguments.assignment])
-    asked = assignments.named(names, assignments.slugs(config.course))
-    return regrade.gone(old, config.submissions, arguments.paths, asked)
+    slugs = assignments.named(names, assignments.slugs(config.course))
+    return regrade.gone(old, config.submissions, arguments.paths, slugs)
 
 
 def _faults(record: Record) -> list[str]:

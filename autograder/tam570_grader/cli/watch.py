@@ -42,9 +42,9 @@ def add_watch(commands: Commands) -> argparse.ArgumentParser:
 
 def _duration(text: str) -> float:
     """15m as seconds."""
-    if not (found := re.fullmatch(r"(\d{1,6})([smhd])", text)):
+    if not (match := re.fullmatch(r"(\d{1,6})([smhd])", text)):
         raise argparse.ArgumentTypeError(f"{text!r} is not a time such as 30s, 15m, 2h or 1d")
-    return float(found[1]) * UNITS[found[2]]
+    return float(match[1]) * UNITS[match[2]]
 
 
 def _watch(arguments: argparse.Namespace) -> int:

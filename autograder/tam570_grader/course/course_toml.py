@@ -24,28 +24,32 @@ def toml(path: Path) -> dict[str, Any]:
         raise UsageError(f"cannot read {path}: {error}") from None
 
 
-def must(path: Path, holds: bool, says: str) -> None:
+def must(path: Path, holds: bool, problem: str) -> None:
     """UsageError, with the file, unless it holds."""
     if not holds:
-        raise UsageError(f"{path}: {says}")
+        raise UsageError(f"{path}: {problem}")
 
 
-def no_other(path: Path, where: str, names: Iterable[str], known: Iterable[str]) -> None:
+def no_other(path: Path, where: str, names: Iterable[str], allowed: Iterable[str]) -> None:
     """UsageError for a name that is not known, with the nearest one that is."""
-    known = [*known]
-    for name in sorted({*names} - {*known}):
-        near = difflib.get_close_matches(name, known, 1) or [", ".join(known) or "none"]
+    allowed = [*allowed]
+    for name in sorted({*names} - {*allowed}):
+        near = difflib.get_close_matches(name, allowed, 1) or [", ".join(allowed) or "none"]
         raise UsageError(f"{path}: {where}{name} is not known; do you mean {near[0]}?")
 
 
-def by_slug(path: Path, given: Mapping[str, Any], known: Sequence[str]) -> dict[str, tuple[str, Any]]:
+def by_slug(path: Path, tables: Mapping[str, Any], slugs: Sequence[str]) -> dict[str, tuple[str, Any]]:
     """The tables of assignments, each with the name that it has in the file; UsageError if one has two."""
-    found: dict[str, tuple[str, Any]] = {}
-    for key, table in given.items():
-        if (slug := slug_of(key, known)) is not None:
-            must(path, slug not in found, f"[{found.get(slug, [''])[0]}] and [{key}] are the same assignment: keep one")
-            found[slug] = key, table
-    return found
+    tables_by_slug: dict[str, tuple[str, Any]] = {}
+    for key, table in tables.items():
+        if (slug := slug_of(key, slugs)) is not None:
+            must(
+                path,
+                slug not in tables_by_slug,
+                f"[{tables_by_slug.get(slug, [''])[0]}] and [{key}] are the same assignment: keep one",
+            )
+            tables_by_slug[slug] = key, table
+    return tables_by_slug
 
 
 def columns(course: Path, system: str) -> dict[str, str]:

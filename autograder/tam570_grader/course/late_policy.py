@@ -70,9 +70,9 @@ def policies(path: Path, given: Mapping[str, Any], slugs: Sequence[str]) -> dict
         must(path, good, f"[late] {name} is {rules.get(name)!r}; write a number from 0 to {largest}")
     off, most, grace = rules.get("off_a_day", 0.0), rules.get("most_off", 1.0), timedelta(minutes=rules.get("grace", 0))
     tables = by_slug(path, given, slugs)
-    own = {slug: _own(path, *tables[slug]) if slug in tables else (None, {}) for slug in slugs}
+    own = {slug: _of_assignment(path, *tables[slug]) if slug in tables else (None, {}) for slug in slugs}
     zone = _zone(path, rules.get("zone"))
-    return {slug: LatePolicy(*one, off, most, grace, zone) for slug, one in own.items()}
+    return {slug: LatePolicy(*policy, off, most, grace, zone) for slug, policy in own.items()}
 
 
 def _zone(path: Path, name: Any) -> tzinfo | None:
@@ -84,9 +84,9 @@ def _zone(path: Path, name: Any) -> tzinfo | None:
         raise
 
 
-def _own(path: Path, key: str, given: Mapping[str, Any]) -> tuple[datetime | None, dict[str, float]]:
+def _of_assignment(path: Path, key: str, table: Mapping[str, Any]) -> tuple[datetime | None, dict[str, float]]:
     """When an assignment is due, and the days that students have beyond."""
-    due, days = given.get("due"), given.get("extension", {})
+    due, days = table.get("due"), table.get("extension", {})
     good = due is None or isinstance(due, date)
     must(path, good, f"[{key}] due is {due!r}; write a date and a time, 2026-09-14T23:59:00 say")
     must(path, isinstance(days, dict), f"[{key}] extension is a table of students: write [{key}.extension]")
@@ -103,7 +103,7 @@ def _is_number(value: Any) -> bool:
 
 
 def apply_late_policy(
-    hand: ManualAdjustments, known: Mapping[str, LatePolicy], found: Results, collected: Path | None
+    adjustments: ManualAdjustments, policies: Mapping[str, LatePolicy], results: Results, collected: Path | None
 ) -> tuple[ManualAdjustments, list[str], list[str]]:
     """What was added by hand with the rows that the terms make, sentences on what they leave open, and notes.
 
@@ -112,89 +112,103 @@ def apply_late_policy(
     """
     from tam570_grader.results.collected import listed
 
-    slugs = {slug for _, slug in found}
-    table = list(_graded(listed(collected, NEEDED), found)) if collected else []
-    days, open_ = _days(known, hand, table, collected)
-    open_ += _strangers(known, found)
+    slugs = {slug for _, slug in results}
+    table = list(_graded(listed(collected, NEEDED), results)) if collected else []
+    days, open_ = _days(policies, adjustments, table, collected)
+    open_ += _unknown_students(policies, results)
     untimed = sum(not (row["when"] or row["late"]) for row in table)
     notes = [f"{counted(untimed, 'file')} in {collected} have no time: nobody is late by them; {REMEDY}"] * bool(
         untimed
     )
     anew = {row["assignment"] for row in table}  # the times of the others stand in no table now
-    own = {key: one for key, one in hand.entries.items() if not _is_made_anew(one, anew)}
-    rows = [one for one in _rows(known) if one.slug in slugs]
-    for one in rows:
-        other = own.get(one.key)
-        if other and other.points != one.points:
+    manual = {key: entry for key, entry in adjustments.entries.items() if not _is_made_anew(entry, anew)}
+    rows = [entry for entry in _rows(policies) if entry.slug in slugs]
+    for entry in rows:
+        other = manual.get(entry.key)
+        if other and other.points != entry.points:
             raise UsageError(
-                f"{one.item} of {one.student} in {one.slug} is {one.points:g} in {FILE}, {other.points:g} by hand: "
-                "change one, or take the row back by one without points"
+                f"{entry.item} of {entry.student} in {entry.slug} is {entry.points:g} in {FILE}, {other.points:g} by "
+                "hand: change one, or take the row back by one without points"
             )
-    late = [one for one in days if one.slug in slugs and one.key not in own]  # a row by hand knows better than a clock
-    return ManualAdjustments(own.values()).with_([*rows, *late]), open_, notes
+    late = [
+        entry for entry in days if entry.slug in slugs and entry.key not in manual
+    ]  # a row by hand knows better than a clock
+    return ManualAdjustments(manual.values()).with_([*rows, *late]), open_, notes
 
 
-def _graded(table: Iterable[Mapping[str, str]], found: Results) -> Iterator[Mapping[str, str]]:
+def _graded(table: Iterable[Mapping[str, str]], results: Results) -> Iterator[Mapping[str, str]]:
     """The rows of the files that count: of a module and a notebook side by side the one that was graded."""
     forms = defaultdict[tuple[str, str], dict[str, Mapping[str, str]]](dict)
     for row in table:
         if form(row["file"]):  # not a drawing beside it
             forms[row["student"], row["assignment"]][Path(row["file"]).suffix] = row
     for key, rows in forms.items():
-        is_notebook = len(rows) > 1 and key in found and found[key].get("notebook")
+        is_notebook = len(rows) > 1 and key in results and results[key].get("notebook")
         yield rows.get(".ipynb" if is_notebook else ".py") or next(iter(rows.values()))
 
 
-def stale(folder: Path, hand: ManualAdjustments, course: Path, slugs: Collection[str]) -> str:
+def stale(folder: Path, adjustments: ManualAdjustments, course: Path, slugs: Collection[str]) -> str:
     """A sentence if the results do not have what course.toml says of late work; else empty."""
-    known = {slug: one for slug, one in policies_of(course).items() if slug in slugs}
-    made = [one for one in hand.entries.values() if one.slug in slugs]
-    same = {one.key: one.points for one in _rows(known)}.items() <= {one.key: one.points for one in made}.items()
-    gone = {one.key for one in made if one.comment == BY_COURSE} - {one.key for one in _rows(known)}
-    moved = [one for one in made if _source(one) == BY_TABLE and one.comment != _by(known.get(one.slug, LatePolicy()))]
+    policies = {slug: policy for slug, policy in policies_of(course).items() if slug in slugs}
+    applied = [entry for entry in adjustments.entries.values() if entry.slug in slugs]
+    wanted = {entry.key: entry.points for entry in _rows(policies)}
+    same = wanted.items() <= {entry.key: entry.points for entry in applied}.items()
+    gone = {entry.key for entry in applied if entry.comment == BY_COURSE} - wanted.keys()
+    moved = [
+        entry
+        for entry in applied
+        if _source(entry) == BY_TABLE and entry.comment != _by(policies.get(entry.slug, LatePolicy()))
+    ]
     if same and not gone and not moved:
         return ""
     times = " --collected collected.csv" if moved else ""
     return f"{FILE} has other terms for late work than {folder}: tam570-grader points {folder}{times}"
 
 
-def _rows(known: Mapping[str, LatePolicy]) -> Iterator[Entry]:
+def _rows(policies: Mapping[str, LatePolicy]) -> Iterator[Entry]:
     """The rows of by_hand.csv that say the terms."""
-    for slug, one in known.items():
-        if one.off:
-            yield Entry(EVERYONE, slug, OFF, float(one.off), None, BY_COURSE)
-        if one.off and one.most < 1:
-            yield Entry(EVERYONE, slug, MOST, float(one.most), None, BY_COURSE)
-        yield from (Entry(who, slug, EXTENSION, float(days), None, BY_COURSE) for who, days in one.extension.items())
+    for slug, policy in policies.items():
+        if policy.off:
+            yield Entry(EVERYONE, slug, OFF, float(policy.off), None, BY_COURSE)
+        if policy.off and policy.most < 1:
+            yield Entry(EVERYONE, slug, MOST, float(policy.most), None, BY_COURSE)
+        yield from (Entry(who, slug, EXTENSION, float(days), None, BY_COURSE) for who, days in policy.extension.items())
 
 
 def _days(
-    known: Mapping[str, LatePolicy], hand: ManualAdjustments, table: Sequence[Mapping[str, str]], collected: Path | None
+    policies: Mapping[str, LatePolicy],
+    adjustments: ManualAdjustments,
+    table: Sequence[Mapping[str, str]],
+    collected: Path | None,
 ) -> tuple[list[Entry], list[str]]:
     """Rows with the days of whom collected.csv shows late, and a sentence for each whose time it does not tell.
 
     Who is not marked late, and has no time, is not late.
     """
-    late, open_, answered = dict[tuple[str, str], float](), [], _by_hand(hand)
+    late, open_, answered = dict[tuple[str, str], float](), [], _late_rows(adjustments)
     for cells in table:
         student, slug, when = cells["student"], cells["assignment"], cells["when"]
-        due = known.get(slug, LatePolicy()).due
+        due = policies.get(slug, LatePolicy()).due
         if when and due is not None:
-            late[student, slug] = days_between(due, moment(when, collected), known[slug])
+            late[student, slug] = days_between(due, moment(when, collected), policies[slug])
         elif cells["late"] and due is not None and (student, slug) not in answered:
             open_.append(f"{student} is late in {slug}, and {collected} does not say when: add a row {LATE} by hand")
-    found = [(*key, LATE, math.ceil(100 * days) / 100, None, _by(known[key[1]])) for key, days in late.items()]
-    return [Entry(*one) for one in found if one[3] > 0], open_
+    rows = [(*key, LATE, math.ceil(100 * days) / 100, None, _by(policies[key[1]])) for key, days in late.items()]
+    return [Entry(*row) for row in rows if row[3] > 0], open_
 
 
-def _by_hand(hand: ManualAdjustments) -> set[tuple[str, str]]:
+def _late_rows(adjustments: ManualAdjustments) -> set[tuple[str, str]]:
     """Whose late days somebody wrote down."""
-    return {(one.student, one.slug) for one in hand.entries.values() if one.item == LATE and _source(one) != BY_TABLE}
+    return {
+        (entry.student, entry.slug)
+        for entry in adjustments.entries.values()
+        if entry.item == LATE and _source(entry) != BY_TABLE
+    }
 
 
-def days_between(due: datetime, when: datetime, one: LatePolicy) -> float:
+def days_between(due: datetime, when: datetime, policy: LatePolicy) -> float:
     """Days by the calendar and the clock on the wall, so that a day with 25 hours is one."""
-    return (on_the_wall(when, one.zone) - on_the_wall(due, one.zone) - one.grace) / DAY
+    return (on_the_wall(when, policy.zone) - on_the_wall(due, policy.zone) - policy.grace) / DAY
 
 
 def on_the_wall(moment: datetime, zone: tzinfo | None) -> datetime:
@@ -210,25 +224,25 @@ def moment(text: str, collected: Path | None) -> datetime:
         raise UsageError(f"{collected} has the time {text!r}; write it as 2026-09-14 23:59:00") from None
 
 
-def _by(one: LatePolicy) -> str:
-    return f"{BY_TABLE}, due {one.due:%Y-%m-%d %H:%M}" if one.due else BY_TABLE
+def _by(policy: LatePolicy) -> str:
+    return f"{BY_TABLE}, due {policy.due:%Y-%m-%d %H:%M}" if policy.due else BY_TABLE
 
 
-def _is_made_anew(one: Entry, anew: Collection[str]) -> bool:
+def _is_made_anew(entry: Entry, anew: Collection[str]) -> bool:
     """Whether a row comes from course.toml, or from the times of one of these assignments."""
-    return _source(one) == BY_COURSE or _source(one) == BY_TABLE and one.slug in anew
+    return _source(entry) == BY_COURSE or _source(entry) == BY_TABLE and entry.slug in anew
 
 
-def _source(one: Entry) -> str:
-    return one.comment.partition(",")[0]
+def _source(entry: Entry) -> str:
+    return entry.comment.partition(",")[0]
 
 
-def _strangers(known: Mapping[str, LatePolicy], found: Collection[tuple[str, str]]) -> list[str]:
+def _unknown_students(policies: Mapping[str, LatePolicy], graded: Collection[tuple[str, str]]) -> list[str]:
     """Students with more time who have no results, a slip in a name perhaps."""
-    students, slugs = {student for student, _ in found}, {slug for _, slug in found}
-    named = {(who, slug) for slug, one in known.items() if slug in slugs for who in one.extension}
+    students, slugs = {student for student, _ in graded}, {slug for _, slug in graded}
+    listed = {(who, slug) for slug, policy in policies.items() if slug in slugs for who in policy.extension}
     return [
         f"{FILE} gives {who} more time in {slug}; no results are theirs"
-        for who, slug in sorted(named)
+        for who, slug in sorted(listed)
         if who not in students
     ]

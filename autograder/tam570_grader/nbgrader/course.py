@@ -22,7 +22,7 @@ def run(course: Path, folder: Path, slugs: Sequence[str]) -> int:
     for slug in slugs:
         _write_assignment(course, slug, folder / "source" / slug)
     checkout = (
-        course.parents[1] if course.parent.name == course_config.PLACE else course
+        course.parents[1] if course.parent.name == course_config.ADAPTED_COURSES else course
     )  # where course.toml is, it is looked at anew
     fields = {"checkout": repr(str(checkout)), "modules": _modules(assignments.slugs(course)), "first": slugs[0]}
     for name, template in (("nbgrader_config.py", "nbgrader_config.txt"), ("README.md", "course.txt")):
