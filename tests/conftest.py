@@ -1,5 +1,6 @@
 """What the tests share: the course, seeds, grading in the real sandbox without a command line around it, nbgrader."""
 
+import contextlib
 import json
 import os
 import re
@@ -16,7 +17,9 @@ from parameters import SLUGS, first
 
 from tam570_grader import cli
 from tam570_grader.checks import assignments
+from tam570_grader.grading import executor
 from tam570_grader.grading.one import CheckOptions, graded
+from tam570_grader.sandbox.pool import sandboxes
 from tam570_grader.sandbox.preload import imported
 from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.zygote import ResourceLimits, Zygote
@@ -26,7 +29,6 @@ BROWSERS = ("chromium", "chromium-browser", "google-chrome", "chrome")
 WHOLE = (
     "test_nbgrader.py",
     "test_nbgrader_odd.py",
-    "test_formgrader.py",
     "test_feedback_browser.py",
     "test_site_browser.py",
 )  # fixtures of up to a minute
@@ -97,10 +99,25 @@ def _numbers_of_its_own(request):
 @pytest.fixture(autouse=True)
 def _handlers():
     """Those of the signals that a command listens to are set back: a command that was interrupted hears no more."""
-    ours = {one: signal.getsignal(one) for one in (signal.SIGINT, signal.SIGTERM)}
+    handlers = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)}
     yield
-    for one, handler in ours.items():
-        signal.signal(one, handler)
+    for number, handler in handlers.items():
+        signal.signal(number, handler)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _warm_workers():
+    """Commands of one process share the workers of the sandbox: to start one takes longer than to grade with it."""
+    with pytest.MonkeyPatch.context() as patch, sandboxes():
+        patch.setattr(executor, "sandboxes", contextlib.nullcontext)
+        yield
+
+
+@pytest.fixture
+def cold():
+    """No worker is warm: the test starts its own."""
+    with sandboxes():
+        pass
 
 
 @pytest.fixture(scope="session")

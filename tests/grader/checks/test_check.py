@@ -95,11 +95,6 @@ def test_a_call_is_cut_to_what_the_reference_takes():
     assert seen == [Case(4.0).labelled("more than it takes")]
 
 
-def test_a_call_may_have_arguments_before_its_own():
-    case = Case(2.0, mass=1.0).labelled("a random x").with_leading(0.5)
-    assert (case.args, case.kwargs, case.label) == ((0.5, 2.0), {"mass": 1.0}, "a random x")
-
-
 def test_an_exact_number_is_within_its_limit_of_zero_or_infinitely_far_over_it():
     over = []
     with check_context(recorder=over.append):

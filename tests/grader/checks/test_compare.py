@@ -45,13 +45,6 @@ def test_each_member_of_a_tuple_has_words_of_its_own():
     assert "place is wrong by 5 m" in said(compare, one, lambda: (np.full(2, 6.0), 3.0), [Case()])
 
 
-def test_a_check_may_use_other_words():
-    message = said(
-        compare, student(HEIGHT, 3.0), lambda: 1.0, [Case()], quantity="a flight", unit="km", scale=lambda *_: 1.0
-    )
-    assert "flight is wrong by 2 km (limit 1e-9)" in message
-
-
 def test_rows_are_judged_by_the_columns_of_results_and_tell_the_time():
     motion = rows(2, columns=(Column("x", "m", [0]), Column("v", "m/s", [1])))
     t, found = np.array([0.0, 1.0, 2.5]), np.array([[1.0, 2.0], [1.0, 2.0], [1.0, 9.0]])

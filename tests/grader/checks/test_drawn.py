@@ -9,8 +9,8 @@ import pytest
 
 from tam570_grader.checks import assignments
 from tam570_grader.checks.expect import Failed, check_context
-from tam570_grader.checks.plots import along, readable
-from tam570_grader.checks.returns import Drawing, Line
+from tam570_grader.checks.plots import along
+from tam570_grader.checks.returns import Line
 from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.zygote import ResourceLimits
 
@@ -126,7 +126,7 @@ def tried(slug, text, course, monkeypatch):
 def pictures(known):
     """Every picture of every assignment; those that are not slow take turns."""
     return [
-        pytest.param(what, slug, marks=[] if row % 3 == 0 and row // 3 % len(DRAWN) == column else [pytest.mark.slow])
+        pytest.param(what, slug, marks=[] if row % 4 == 0 and row // 4 % len(DRAWN) == column else [pytest.mark.slow])
         for row, what in enumerate(known)
         for column, slug in enumerate(DRAWN)
     ]
@@ -149,41 +149,9 @@ def test_a_curve_that_is_missing_or_one_too_many_is_seen(what, slug, course, zyg
             tried(slug, text, course, monkeypatch)
 
 
-SEEN_FROM_BEHIND = """
-right = plot_rim_paths
-
-def plot_rim_paths(ax, *args, **kwargs):
-    right(ax, *args, **kwargs)
-    for line in ax.lines:
-        line.set_data(*line.get_data()[::-1])
-    ax.relim()
-    ax.autoscale_view()
-    {code}
-"""
-
-
-def test_rim_paths_may_be_seen_from_behind_if_the_labels_say_so(course, zygotes, solution_text):
-    slug, labels = "hw10_free_rigid_body", "ax.set(xlabel='z (m)', ylabel='y (m)')"
-    judged(slug, solution_text(slug) + SEEN_FROM_BEHIND.format(code=labels), course, zygotes)
-    with pytest.raises(Failed, match="a path"):
-        judged(slug, solution_text(slug) + SEEN_FROM_BEHIND.format(code="pass"), course, zygotes)
-
-
 def test_a_scatter_is_put_in_the_order_of_the_path_and_a_line_keeps_its_own():
     turn = np.linspace(0, 6, 3001)
     circle = np.column_stack([np.cos(turn), np.sin(turn)])
     mixed = np.random.default_rng(0).permutation(circle)
     np.testing.assert_array_equal(along(Line(mixed, "", scatter=True), circle[::10]), circle)
     np.testing.assert_array_equal(along(Line(mixed, "", scatter=False), circle), mixed)
-
-
-def test_a_scatter_that_has_left_for_infinity_is_in_some_order():
-    path = np.column_stack([np.arange(20.0), np.zeros(20)])
-    swings = 1e160 * np.column_stack([(-1) ** np.arange(20), np.ones(20)])
-    (line,) = readable(Drawing((Line(swings, "", True),))).lines
-    assert along(line, path).shape == path.shape
-
-
-def test_nothing_drawn_is_no_curve():
-    empty = [Line(np.full((size, 2), np.nan), "", scatter=False) for size in (0, 1, 400)]
-    assert readable(Drawing(tuple(empty), "x", "y")).lines == ()

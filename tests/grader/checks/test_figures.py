@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from tam570_grader.checks import assignments
-from tam570_grader.checks.figures import WIDTH, Figure
+from tam570_grader.checks.figures import WIDTH
 
 COURSE = assignments.find()
 SVG = "{http://www.w3.org/2000/svg}"
@@ -124,18 +124,3 @@ def drawn_speed(svg):
     paths = [one for one in ElementTree.fromstring(svg).iter(f"{SVG}path") if one.get("class") == "vector"]
     first, last = (np.array(place.split(), float) for place in paths[0].get("d")[1:].split("L"))
     return (last - first) * [1, -1] / math.dist(first, last)
-
-
-def test_words_of_the_vocabulary():
-    """The head of an angle is at its end, and a surface is hatched on the right of its way."""
-    figure = Figure("t", "d", x=(-1, 1), y=(-1, 1))
-    figure.angle((0, 0), 0.5, 0.0, math.pi / 2, "θ")
-    figure.ground((-1, 0), (1, 0))
-    head, hatch = (
-        next(
-            one.get("d") for one in ElementTree.fromstring(figure.svg()).iter(f"{SVG}path") if one.get("class") == name
-        )
-        for name in ("h angle", "soft")
-    )
-    assert np.array(head[1:].split("L")[0].split(), float) == pytest.approx([WIDTH / 2, WIDTH / 4], abs=0.1)
-    assert float(hatch.split("M")[1].split("L")[1].split()[1]) > WIDTH / 2

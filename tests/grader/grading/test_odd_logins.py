@@ -4,8 +4,9 @@ import shutil
 import unicodedata
 
 import pytest
+from parameters import first
 
-SLUG, OTHER = "hw08_axis_angle", "hw07_double_pendulum"
+SLUG, OTHER = "hw08_axis_angle", "hw03_angular_momentum_rate"
 ODD = ["hw7", "HW08", "homework 3", "juan@pol.una.py", "hw07_double_pendulum", "notes.ipynb", "jos\u0065\u0301"]
 
 
@@ -21,16 +22,15 @@ def hand_in(tmp_path, solution_text):
 
 
 @pytest.mark.parametrize("place", [f"{SLUG}/{SLUG}.py", f"{SLUG}.py", "hw08.PY", "hw08/hw08.py.txt"])
-@pytest.mark.parametrize("login", ODD)
-def test_an_odd_login_among_others(run, hand_in, scores, login, place):
-    for student in ("ann", "ben", login):
+def test_an_odd_login_among_others(run, hand_in, scores, place):
+    for student in ("ann", *ODD):
         tree = hand_in(student, place)
-    code, lines, _ = run(tree, "--seed", 1)
-    assert code == 0 and scores(lines) == dict.fromkeys(("ann", "ben", unicodedata.normalize("NFC", login)), 10.0)
+    code, lines, _ = run(tree, "--seed", 1, "--jobs", 1)
+    assert code == 0 and scores(lines) == {"ann": 10.0, **{unicodedata.normalize("NFC", one): 10.0 for one in ODD}}
     assert {line["assignment"] for line in lines} == {SLUG}
 
 
-@pytest.mark.parametrize("login", ODD)
+@pytest.mark.parametrize("login", first(3, ODD))
 def test_an_odd_login_alone_and_with_a_roster(run, hand_in, tmp_path, login):
     tree = hand_in(login, f"{SLUG}.py")
     (tmp_path / "roster.csv").write_text(f"Username,Name\n{login},A B\nann,Ann Lee\n")
@@ -38,18 +38,6 @@ def test_an_odd_login_alone_and_with_a_roster(run, hand_in, tmp_path, login):
         code, lines, _ = run(path, "--roster", tmp_path / "roster.csv", "--seed", 1)
         rows = {(line["student"], line["assignment"], line["score"]) for line in lines}
         assert code == 0 and rows == {(unicodedata.normalize("NFC", login), SLUG, 10.0), ("ann", SLUG, 0.0)}
-
-
-def test_a_login_named_as_an_assignment_gives_nobody_a_zero_in_it(run, hand_in, tmp_path):
-    hand_in("ann")
-    tree = hand_in("hw7")
-    (tmp_path / "roster.csv").write_text("Username\nann\nhw7\nben\n")
-    _, lines, _ = run(tree, "--roster", tmp_path / "roster.csv", "--seed", 1)
-    assert {(line["student"], line["assignment"], line["status"]) for line in lines} == {
-        ("ann", SLUG, "graded"),
-        ("hw7", SLUG, "graded"),
-        ("ben", SLUG, "missing"),
-    }
 
 
 def test_the_assignments_of_one_student_are_no_students(run, hand_in):

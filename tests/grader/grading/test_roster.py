@@ -40,11 +40,6 @@ def test_a_worksheet_is_joined_by_participant(tmp_path):
     assert "whose name is another" in found.owner([("participant", "18")], "Team 18", must_agree=True)
 
 
-def test_a_student_goes_by_the_id_that_is_known(tmp_path):
-    (tmp_path / "roster.csv").write_text(CANVAS)
-    assert students(tmp_path / "roster.csv", {"17", "A2"}) == ["17", "A2"]
-
-
 def test_what_two_share_tells_neither(tmp_path):
     (tmp_path / "roster.csv").write_text("Username,First name,Surname\nli1,Li,Wu\nli2,Li,Wu\n")
     found = Directory(people(tmp_path / "roster.csv"))

@@ -53,13 +53,6 @@ def test_what_was_handed_out_is_nobodys(alike, course):
     assert said.out.startswith("0 pairs of 2")
 
 
-def test_what_cannot_be_read_is_named_and_a_share_is_from_0_to_1(alike, solution_text):
-    code, said = alike({"ann": ("ipynb", "{"), "ben": ("py", solution_text(SLUG))})
-    assert code == 1 and "ann" in said.err
-    with pytest.raises(SystemExit):
-        cli.main(["alike", ".", "--least", "60"])
-
-
 @pytest.mark.parametrize(
     "text", ["\t\n" * 50_000, "f'{{" * 25_000, "x = 1\n" * 40_000, "(" * 99_999, "x = '" + "\\\\" * 40_000 + "'"]
 )

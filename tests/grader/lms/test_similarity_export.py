@@ -44,11 +44,3 @@ def test_no_name_is_in_what_is_sent_and_the_names_are_the_instructors(exported):
     assert (out / "names.csv").stat().st_mode & 0o077 == 0
     with open(out / SLUG / "info.csv", newline="") as file:
         assert all((out / SLUG / row["filename"]).is_file() for row in csv.DictReader(file))
-
-
-def test_a_folder_that_holds_something_is_left_alone(course, tree, tmp_path, capsys):
-    (tmp_path / "mine").mkdir()
-    (tmp_path / "mine" / "names.csv").write_text("old")
-    command = ["export", str(tree), "--for", "moss", "--to", str(tmp_path / "mine")]
-    assert cli.main(["--root", str(course), *command]) == 2
-    assert "not an empty folder" in capsys.readouterr().err and (tmp_path / "mine" / "names.csv").read_text() == "old"

@@ -93,14 +93,6 @@ def test_checks_wait_for_the_same_checks_and_not_for_one_left_out(desk, course):
     assert waits(course_config.course())["vector_turns_by_every_angle"] == []
 
 
-def test_a_change_of_points_grades_anew(desk):
-    run("grade", "submitted", "--out", "results", "--seed", "1")
-    (desk / "course.toml").write_text(COURSE.replace("= 3", "= 5"))
-    run("grade", "submitted", "--out", "results")
-    rows = list(csv.DictReader((desk / "results" / "grades.csv").read_text().splitlines()))
-    assert rows[0]["max_score"] == "15.0"
-
-
 def test_students_get_the_points_and_these_assignments_alone(desk):
     assert run("kit", "kit") == run("course", "nb") == run("gradescope", "archives") == 0
     page = (desk / "kit" / "README.md").read_text()
@@ -150,13 +142,6 @@ def test_what_disagrees_is_named_and_nothing_is_done(desk, capsys, old, new, say
     assert not (desk / "results").exists() and not [*desk.glob(".course*")]
 
 
-def test_without_the_file_nothing_is_another(desk, course):
-    (desk / "course.toml").unlink()
-    assert run("grade", "submitted", "--out", "results", "--seed", "1") == 0
-    assert not (desk / ".course").exists()
-    assert '"max_score": 10.0' in (desk / "results" / "results.jsonl").read_text()
-
-
 @pytest.fixture
 def checkout(tmp_path, course):
     """A checkout of hw07 and hw08 alone."""
@@ -188,14 +173,6 @@ def test_in_the_root_of_a_checkout_it_is_obeyed_too(desk, checkout, monkeypatch,
     assert run("grade", desk / "submitted", "--out", desk / "results") == 2
 
 
-def test_a_course_that_a_command_may_use_stays_when_another_is_made(desk):
-    old = course_config.course()
-    (desk / "course.toml").write_text(COURSE.replace("= 3", "= 5"))
-    assert course_config.course() != old and (old / "solutions" / f"{SLUG}.py").is_file()
-    (desk / "course.toml").write_text(COURSE)
-    assert course_config.course() == old
-
-
 def test_two_commands_at_once_make_one_course(desk, monkeypatch):
     make, made = course_config._make, []
 
@@ -210,15 +187,6 @@ def test_two_commands_at_once_make_one_course(desk, monkeypatch):
     assert [path.name for path in desk.glob(".course*")] == [".course"]
 
 
-def test_checks_of_ones_own_in_a_folder_are_read_anew(desk):
-    (desk / "course.toml").write_text(COURSE.replace("mine.py", "sub/mine.py"))
-    (desk / "sub").mkdir()
-    for points in (2, 4):
-        (desk / "sub" / "mine.py").write_text(MINE.replace("points=2", f"points={points}"))
-        checks = assignments.assignment(course_config.course(), SLUG).checks
-        assert [one.points for one in checks if one.name == "turning_back_undoes"] == [points]
-
-
 @pytest.mark.parametrize(
     ("change", "says"),
     [(("tolerance=1e-12", "tolerance=-1.0"), "the solution fails it"), (("expect(back", "max(back"), "")],
@@ -229,13 +197,6 @@ def test_a_check_of_ones_own_is_tried_before_anybody_is_graded(desk, capsys, cha
     assert run("grade", "submitted", "--out", "results", "--seed", "1") == 2
     assert "turning_back_undoes" in (err := capsys.readouterr().err) and says in err
     assert not (desk / "results" / "results.jsonl").exists()
-
-
-def test_a_check_that_the_stub_passes_is_refused(desk, capsys):
-    text = MINE[: MINE.index("    r, axis")] + '    student.source  # "nothing is asked"\n'
-    (desk / "mine.py").write_text(text.replace("student.source", "rng"))
-    assert run("grade", "submitted", "--out", "results", "--seed", "1") == 2
-    assert "the stub passes it" in capsys.readouterr().err
 
 
 def test_dates_alone_grade_nobody_anew_and_what_is_left_out_is_gone_from_the_page(desk):

@@ -38,9 +38,3 @@ def test_a_notebook_asks_for_the_prediction_above_the_picture_and_shows_the_clai
         assert cells[f"manual-{letter}"]["metadata"]["nbgrader"]["points"] == part.points
         if part.before:
             assert order.index(f"guess-{letter}") < order.index(f"picture-{letter}") < order.index(f"manual-{letter}")
-
-
-def test_points_of_a_part_are_those_of_its_claims(tmp_path):
-    (tmp_path / "rubric.toml").write_text('[parts.c]\nasks = "why"\nclaims = [[0.5, "one"], [1, "other"]]\n')
-    assert load_rubric(tmp_path)["c"].points == 1.5
-    assert load_rubric(tmp_path / "none") == {}

@@ -3,8 +3,6 @@
 import html
 import re
 
-import pytest
-
 from tam570_grader.checks.failure import Failure
 from tam570_grader.reports import feedback
 from tam570_grader.results.records import CheckResult, Result
@@ -27,26 +25,6 @@ def test_the_hint_is_for_the_function_that_failed_not_for_the_first_in_the_line(
     missing = mark("two", "not_run", unwritten="rotation_matrix")
     page = shown(failed, missing, mark("three"), info=info)
     assert re.findall(r"tam570 hint hw08 (\w+)", page) == ["rotate", "rotation_matrix", "skew"]
-
-
-def test_what_is_said_of_the_whole_file_stands_once_and_with_a_next_step():
-    says = "Your file cannot be imported: NameError at line 1"
-    page = shown(*(mark(name, "not_run", says) for name in "abc"), message=says, status="unreadable")
-    assert page.count(says) == 1 and f"{says}. Run tam570 check hw08 before you hand in." in page
-    assert "before you hand in" not in shown(message="there is no file", status="missing")
-
-
-@pytest.mark.parametrize(
-    ("message", "says"),
-    [
-        ("there is no file", "There is no file."),
-        ("hw08.py is too large", "hw08.py is too large."),
-        ("does it run by itself?", "Does it run by itself?"),
-        ("", "Nothing was found."),
-    ],
-)
-def test_what_is_said_of_the_whole_file_is_a_sentence(message, says):
-    assert feedback.overall("missing", message) == says
 
 
 def test_where_nothing_failed_the_first_thing_to_look_at_is_what_is_not_written():

@@ -16,11 +16,10 @@ from tam570_grader.checks.assignments import checks_folder
 from tam570_grader.checks.failure import Failure
 from tam570_grader.diagnosis.mistakes import mistakes
 from tam570_grader.errors import UsageError
-from tam570_grader.grading.roster import students
 from tam570_grader.reports import report
 from tam570_grader.reports.feedback import AssignmentInfo
 from tam570_grader.reports.scenes import wrong_and_right
-from tam570_grader.results import records, store
+from tam570_grader.results import records
 
 SLUGS = ("hw07_double_pendulum", "hw08_axis_angle")
 SHEETS = {slug: AssignmentInfo(f"Title of {slug[:4]}", {}, {}, {}) for slug in SLUGS}
@@ -124,10 +123,6 @@ def test_the_share_that_passed_a_check_is_of_those_who_handed_in(rows):
     }
 
 
-def test_assignments_have_their_mean_and_median(rows):
-    assert [row[1:5] for row in rows["assignments"]] == [["3", "7.5", "7.5", "1"], ["2", "2.5", "2.5", "0"]]
-
-
 def test_every_student_has_a_row_of_scores(rows):
     assert rows["scores"] == [
         ["ada", "10", "5", "15"],
@@ -176,32 +171,6 @@ def test_what_holds_no_results_is_said_so(tmp_path, text, capsys):
     assert "tam570-grader: error: " in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("field", ["status", "checks", "seed"])
-def test_a_line_that_lacks_a_field_is_told_by_its_number(tmp_path, field):
-    lacking = {name: value for name, value in CLASS[1].items() if name != field}
-    (tmp_path / "results.jsonl").write_text(f"{json.dumps(CLASS[0])}\n{json.dumps(lacking)}\n")
-    with pytest.raises(UsageError, match="not a result .line 2."):
-        report.results(tmp_path)
-
-
-def test_what_a_result_must_have_is_what_results_have(grade):
-    record = grade(SLUGS[1], "").record()
-    assert record.keys() >= store.RESULT_FIELDS and all(mark.keys() >= store.CHECK_FIELDS for mark in record["checks"])
-
-
-def test_a_roster_that_is_no_text_is_refused(tmp_path, capsys):
-    (tmp_path / "results.jsonl").write_text(json.dumps(CLASS[0]) + "\n")
-    (tmp_path / "roster.xlsx").write_bytes(b"PK\xff\xfe")
-    assert cli.main(["report", str(tmp_path), "--roster", str(tmp_path / "roster.xlsx")]) == 2
-    assert "roster.xlsx is not text" in capsys.readouterr().err
-
-
-@pytest.mark.parametrize("text", ["ada\neve\n", 'student,mail\nada,a@b\n"eve",e@b\n', "\ufeffName\nada\neve"])
-def test_a_roster_is_names_or_the_first_column_of_a_table(tmp_path, text):
-    (tmp_path / "roster").write_text(text, encoding="utf-8")
-    assert students(tmp_path / "roster") == ["ada", "eve"]
-
-
 def test_the_command_writes_the_page_beside_the_feedback(tmp_path, capsys, solution_text):
     slug = SLUGS[1]
     (tmp_path / "in" / "ada" / slug).mkdir(parents=True)
@@ -226,16 +195,6 @@ def test_a_large_class_is_one_page_of_a_size_that_opens():
         return len(page((record(name, slug, *marks) for name in names for slug in slugs), infos))
 
     assert size(500) - size(100) < 400 * 14 * 25  # characters
-
-
-def test_of_results_nothing_is_kept_but_what_the_page_shows(tmp_path):
-    """A class of any size is read line by line: of each stays its score, and marks that it shares with others."""
-    failed = {**mark("second", "failed", "degrees for radians"), "failure": {"quantity": "skew", "at": [0.5] * 64}}
-    lines = [record(f"s{k}", SLUGS[0], mark("first"), failed) for k in range(50)]
-    (tmp_path / "results.jsonl").write_text("".join(json.dumps(line) + "\n" for line in lines))
-    found = report.results(tmp_path)
-    assert len({id(one) for result in found.values() for one in result.checks}) == 2
-    assert not any(one.failure for result in found.values() for one in result.checks)
 
 
 def test_names_discrimination_and_failures_without_a_name_are_shown():

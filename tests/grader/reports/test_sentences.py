@@ -73,15 +73,6 @@ def test_no_error_reads_as_its_limit_or_less(error):
         assert float(shown) > float(allowed.rstrip(").")), (error, limit)
 
 
-def test_sentences_begin_as_they_are_written_and_articles_with_a_capital():
-    assert describe_failure(Failure(quantity="the energy", error=2.0, unit="J")) == "The energy is wrong by 2 J."
-    assert describe_failure(Failure(quantity="theta", error=2.0, unit="rad")) == "theta is wrong by 2 rad."
-    assert (
-        describe_failure(Failure(message="simulate raised KeyError", hint="Two rows?"))
-        == "simulate raised KeyError. Two rows?"
-    )
-
-
 def test_beside_a_known_mistake_no_guess_is_shown():
     failure = Failure(quantity="x", error=2.0, unit="m", hint="Is anything kept between calls?")
     assert "kept" in full_message(failure)

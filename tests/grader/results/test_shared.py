@@ -58,10 +58,6 @@ def test_what_anybody_may_come_by_is_not_told(actual, more):
     assert groups(result("ann", actual, **more), result("ben", actual, **more)) == []
 
 
-def test_other_inputs_are_no_ground():
-    assert groups(result("ann", ODD, seed=1), result("ben", ODD, seed=2)) == []
-
-
 def test_the_report_names_them(tmp_path, solution_text, capsys):
     odd = "\n\ndef skew(v):\n    return np.outer(v, v) * 1.2345 + 0.1 * np.eye(3)\n"
     for student, text in {

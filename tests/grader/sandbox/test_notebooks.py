@@ -52,20 +52,3 @@ def test_a_pipe_in_place_of_a_notebook_is_told(tmp_path):
     assert "larger" in bridge._students(tmp_path / "large.ipynb")
     (tmp_path / "notes.txt").touch()
     assert bridge._own_files(str(tmp_path), str(tmp_path)) == [str(tmp_path / "notes.txt")]
-
-
-@pytest.mark.filterwarnings("ignore")  # nbgrader's own
-def test_what_nbgrader_copies_is_as_it_was_after_a_command(tmp_path):
-    bridge = pytest.importorskip("tam570_grader.nbgrader.bridge")
-    from nbgrader.apps import NbGraderApp
-    from nbgrader.converters import Autograde
-
-    earlier = bridge.base.find_all_files
-    app = NbGraderApp()
-    app.config.CourseDirectory.root = str(tmp_path)
-    app.config.CourseDirectory.assignment_id = "none"
-    converter = Autograde(coursedir=bridge.base.CourseDirectory(parent=app), parent=app)
-    exporter = bridge.ForgivingExporter(parent=converter, config=app.config)
-    seen = []
-    exporter._alone(lambda: seen.append(bridge.base.find_all_files))
-    assert seen[0].func is bridge._own_files and bridge.base.find_all_files is earlier

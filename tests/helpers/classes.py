@@ -1,0 +1,53 @@
+"""What a class hands in, and what comes of it: files, notebooks, zip files, tables, results."""
+
+import csv
+import io
+import json
+import zipfile
+
+__all__ = ["HW08", "hand_in", "notebook", "outcome", "packed", "results", "rows"]
+
+HW08 = "hw08_axis_angle"
+
+
+def hand_in(folder, texts, slug=HW08):
+    """Write the texts of a class, by student, each in a folder of the assignment; return the folder."""
+    for student, text in texts.items():
+        path = folder / student / slug / f"{slug}.py"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+    return folder
+
+
+def notebook(*cells):
+    """Return the text of a notebook with these code cells."""
+    code = [{"cell_type": "code", "metadata": {}, "outputs": [], "source": text} for text in cells]
+    title = {"cell_type": "markdown", "metadata": {}, "source": ["# hw08"]}
+    return json.dumps({"cells": [title, *code], "metadata": {}, "nbformat": 4, "nbformat_minor": 5})
+
+
+def packed(files):
+    """Return the bytes of a zip file."""
+    data = io.BytesIO()
+    with zipfile.ZipFile(data, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, text in files.items():
+            archive.writestr(name, text)
+    return data.getvalue()
+
+
+def rows(path):
+    """Return the rows of a table, by the names of its columns."""
+    with open(path, newline="", encoding="utf-8-sig") as file:
+        return list(csv.DictReader(file))
+
+
+def results(folder):
+    """Return the records of a run."""
+    return [json.loads(line) for line in (folder / "results.jsonl").read_text().splitlines()]
+
+
+def outcome(folder):
+    """Return what must be the same in two runs: the results but for their seconds, the grades, the pages."""
+    lines = sorted(json.dumps({**record, "seconds": 0}) for record in results(folder))
+    pages = {path.relative_to(folder): path.read_text() for path in sorted((folder / "feedback").rglob("*.*"))}
+    return lines, (folder / "grades.csv").read_text(), pages

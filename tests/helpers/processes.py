@@ -1,0 +1,37 @@
+"""The processes below another one, by Linux's /proc."""
+
+import contextlib
+import time
+from pathlib import Path
+
+import pytest
+
+__all__ = ["await_end", "children", "descendants", "is_running"]
+
+
+def children(pid):
+    """Return the processes that the threads of a process have started."""
+    found = []
+    for task in Path(f"/proc/{pid}/task").glob("*/children"):
+        with contextlib.suppress(OSError):
+            found += map(int, task.read_text().split())
+    return found
+
+
+def descendants(pid):
+    return [one for child in children(pid) for one in (child, *descendants(child))]
+
+
+def is_running(pid):
+    with contextlib.suppress(OSError):
+        return ") Z" not in Path(f"/proc/{pid}/stat").read_text()
+    return False
+
+
+def await_end(pids, seconds=60):
+    """Fail if one of the processes is still there after so long."""
+    deadline = time.monotonic() + seconds
+    while any(map(is_running, pids)):
+        if time.monotonic() > deadline:
+            pytest.fail("a process outlives the one that started it")
+        time.sleep(0.05)
