@@ -16,6 +16,14 @@ def test_two_forces_act_on_the_mass():
         np.testing.assert_allclose(point, [0.5 * np.sin(0.7), -0.5 * np.cos(0.7)])
 
 
+def test_the_weight_is_down_and_the_force_of_the_rod_along_the_rod():
+    directions = [direction for _, direction in hw.free_body_diagram(0.7, -3.0, **PENDULUM)]
+    assert all(direction is not None for direction in directions)
+    units = [np.asarray(direction, float) / np.linalg.norm(direction) for direction in directions]
+    assert max(unit @ [0, -1] for unit in units) == pytest.approx(1.0)
+    assert max(abs(unit @ [np.sin(0.7), -np.cos(0.7)]) for unit in units) == pytest.approx(1.0)
+
+
 @pytest.mark.parametrize("name", BALANCES)
 def test_held_out_horizontally_it_falls_with_g_over_l(name):
     alpha = getattr(hw, name)(np.pi / 2, 0.0, **PENDULUM)[0]
@@ -66,6 +74,12 @@ def test_the_action_of_uniform_rotation_without_gravity():
     t = np.linspace(0.0, 2.0, 20001)
     found = float(hw.action(3.0 * t, t[1], mass=2.0, length=0.5, gravity=0.0))
     assert found == pytest.approx(2.0 * (0.5 * 3.0) ** 2 / 2 * 2.0)  # m v^2 / 2 for 2 s
+
+
+def test_the_action_of_a_mass_that_is_held_still():
+    potential = 2.0 * 10.0 * 0.5 * (1 - np.cos(1.2))
+    action = float(hw.action(np.full(2001, 1.2), 0.001, mass=2.0, length=0.5, gravity=10.0))
+    assert action == pytest.approx(-2.0 * potential)
 
 
 def test_the_small_angle_solution_starts_as_given_and_swings():

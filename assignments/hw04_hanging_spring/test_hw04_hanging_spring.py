@@ -21,6 +21,10 @@ def test_two_forces_act_on_the_mass():
     assert len(forces) == 2
     for point, _ in forces:
         np.testing.assert_allclose(point, [1.0, 2.0, -3.0])
+    assert all(direction is not None for _, direction in forces)
+    units = [np.asarray(direction, float) / np.linalg.norm(direction) for _, direction in forces]
+    assert max(unit @ [0, 0, -1] for unit in units) == pytest.approx(1.0)
+    assert max(unit @ [-1, -2, 3] for unit in units) == pytest.approx(np.sqrt(14.0))
 
 
 def test_at_the_origin_it_falls_freely():
@@ -70,6 +74,15 @@ def test_the_ellipse_of_a_start_at_its_end():
     assert np.abs(numbers(axes)) == pytest.approx(np.array([[1, 0, 0], [0, 0.5, 0]]))
 
 
+@pytest.mark.parametrize("speed", [2.0, 0.02])
+def test_the_ellipse_may_be_a_circle_or_thin(speed):
+    _, axes = hw.orbit(np.array([1.0, 0, -2.5]), np.array([0, speed, 0]), **SPRING)
+    larger, smaller = numbers(axes)
+    assert np.linalg.norm(larger) == pytest.approx(1)
+    assert np.linalg.norm(smaller) == pytest.approx(speed / 2)
+    assert larger @ smaller == pytest.approx(0, abs=1e-12)
+
+
 def test_let_go_at_rest_it_moves_on_a_line():
     _, axes = hw.orbit(np.array([3.0, 0, 1.5]), np.zeros(3), **SPRING)
     larger, smaller = numbers(axes)
@@ -87,13 +100,14 @@ def test_seen_from_straight_above():
 
 
 def curves(axes):
-    """The number of lines and scatters; those of fewer than ten points are markers, or lines for reference."""
+    """The points of each line or scatter; those of fewer than ten points are markers, or lines for reference."""
     from matplotlib.collections import PathCollection
 
     drawn = [[line.get_xydata()] for line in axes.lines if line.get_visible()]
     drawn += [c.get_segments() for c in axes.collections if hasattr(c, "get_segments")]
     drawn += [[c.get_offsets()] for c in axes.collections if isinstance(c, PathCollection)]
-    return sum(len({tuple(point) for piece in pieces for point in piece}) >= 10 for pieces in drawn)
+    points = [np.array([*{tuple(point) for piece in pieces for point in piece}]) for pieces in drawn]
+    return [one for one in points if len(one) >= 10]
 
 
 def in_metres(label):
@@ -107,6 +121,9 @@ def test_the_picture_has_one_curve_and_names_on_its_axes():
     from matplotlib.figure import Figure
 
     ax = Figure().add_subplot()
-    hw.plot_projection(ax, np.linspace(0, PERIOD, 201), *START, 0.5, 0.3, **SPRING)
-    assert curves(ax) == 1
+    t = np.linspace(0, PERIOD, 201)
+    hw.plot_projection(ax, t, *START, 0.5, 0.3, **SPRING)
+    assert len(curves(ax)) == 1
+    seen = numbers(hw.project(numbers(hw.solution(t, *START, **SPRING))[:, :3], 0.5, 0.3))
+    np.testing.assert_allclose(np.ptp(curves(ax)[0], axis=0), np.ptp(seen, axis=0), rtol=0.01)
     assert in_metres(ax.get_xlabel()) and in_metres(ax.get_ylabel())

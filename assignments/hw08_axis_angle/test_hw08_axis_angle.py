@@ -41,7 +41,9 @@ def test_rotate_agrees_with_the_matrix():
 
 @pytest.mark.parametrize("axis", [np.zeros(3), np.array([np.nan, 0.0, 1.0])])
 def test_what_is_no_axis_is_refused(axis):
-    with pytest.raises(ValueError):
-        hw.rotation_matrix(axis, ANGLE)
-    with pytest.raises(ValueError):
-        hw.rotate(X, axis, ANGLE)
+    for angle in (ANGLE, 0.0):
+        with pytest.raises(ValueError):
+            hw.rotation_matrix(axis, angle)
+    for r in (X, np.zeros(3)):
+        with pytest.raises(ValueError):
+            hw.rotate(r, axis, ANGLE)

@@ -53,12 +53,21 @@ def test_the_book_turns_by_the_same_angle_about_different_axes():
     assert abs(numbers(n_a) @ numbers(n_b)) < 0.9
 
 
-@pytest.mark.parametrize("angle", [1.0, 3.0, 1e-9, np.pi - 1e-9])
+@pytest.mark.parametrize("angle", [1.0, 3.0, 1e-11, np.pi - 1e-9, np.pi])
 def test_axis_and_angle_make_the_matrix_again(angle):
     R = turned(np.array([2.0, -1.0, 2.0]) / 3, angle)
-    n, found = hw.axis_angle(R)
-    np.testing.assert_allclose(turned(numbers(n), float(found)), R, atol=1e-13)
-    assert float(found) == pytest.approx(angle, rel=1e-10)
+    n, measured = hw.axis_angle(R)
+    np.testing.assert_allclose(turned(numbers(n), float(measured)), R, atol=1e-13)
+    assert abs(numbers(n) @ [2.0, -1.0, 2.0]) == pytest.approx(3.0, rel=1e-12)
+    assert float(measured) == pytest.approx(angle, rel=1e-10)
+
+
+@pytest.mark.parametrize("R", [np.eye(3), (1 + 4e-16) * np.eye(3)])
+def test_no_turn_has_a_unit_axis(R):
+    """Rounding can make the trace larger than 3."""
+    n, angle = hw.axis_angle(R)
+    assert float(angle) == pytest.approx(0.0, abs=1e-7)
+    assert np.linalg.norm(numbers(n)) == pytest.approx(1.0)
 
 
 def test_a_half_turn_has_an_axis():
@@ -72,7 +81,9 @@ def test_a_reflection_is_refused():
         hw.axis_angle(np.diag([1.0, 1.0, -1.0]))
 
 
-def test_the_edges_keep_their_lengths():
-    edges = numbers(hw.book_edges(turned(Y, 0.4), size=np.array([1.0, 2.0, 3.0])))
+def test_the_edges_turn_with_the_book():
+    R = turned(Y, 0.4)
+    edges = numbers(hw.book_edges(R, size=np.array([1.0, 2.0, 3.0])))
     lengths = np.linalg.norm(edges[:, 1] - edges[:, 0], axis=1)
     np.testing.assert_allclose(np.sort(lengths), [1] * 4 + [2] * 4 + [3] * 4, atol=1e-12)
+    np.testing.assert_allclose(np.abs(edges @ R), np.broadcast_to([0.5, 1.0, 1.5], (12, 2, 3)), atol=1e-12)

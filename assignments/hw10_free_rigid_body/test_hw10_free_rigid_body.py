@@ -97,20 +97,24 @@ def test_pure_spin_about_the_middle_axis_never_ends():
     assert float(hw.tumble_period(np.array([0.0, 1.0, 0.0]), inertia=np.array([3.0, 4.0, 6.0]))) == math.inf
 
 
-def test_the_box_keeps_the_lengths_of_its_edges():
+def test_the_edges_turn_with_the_box():
     edges = numbers(hw.wireframe(START, size=np.array([1.0, 2.0, 3.0])))
     lengths = np.linalg.norm(edges[:, 1] - edges[:, 0], axis=1)
     np.testing.assert_allclose(np.sort(lengths), [1] * 4 + [2] * 4 + [3] * 4, atol=1e-12)
+    np.testing.assert_allclose(np.abs(edges @ START), np.broadcast_to([0.5, 1.0, 1.5], (12, 2, 3)), atol=1e-12)
+    middles = edges.mean(axis=1)
+    assert len({tuple(middle) for middle in np.round(middles, 9) + 0.0}) == 12
 
 
 def curves(axes):
-    """The number of lines and scatters; those of fewer than ten points are markers, or lines for reference."""
+    """The points of each line or scatter; those of fewer than ten points are markers, or lines for reference."""
     from matplotlib.collections import PathCollection
 
     drawn = [[line.get_xydata()] for line in axes.lines if line.get_visible()]
     drawn += [c.get_segments() for c in axes.collections if hasattr(c, "get_segments")]
     drawn += [[c.get_offsets()] for c in axes.collections if isinstance(c, PathCollection)]
-    return sum(len({tuple(point) for piece in pieces for point in piece}) >= 10 for pieces in drawn)
+    points = [np.array([*{tuple(point) for piece in pieces for point in piece}]) for pieces in drawn]
+    return [one for one in points if len(one) >= 10]
 
 
 def in_metres(label):
@@ -124,6 +128,12 @@ def test_two_paths_are_drawn():
     from matplotlib.figure import Figure
 
     ax = Figure().subplots()
-    hw.plot_rim_paths(ax, np.linspace(1.0, 4.0, 201), START, np.array([0.1, 0.0, 2.0]), inertia=DISK, radius=0.5)
-    assert curves(ax) == 2
+    t, omega = np.linspace(1.0, 4.0, 201), np.array([0.1, 0.0, 2.0])
+    hw.plot_rim_paths(ax, t, START, omega, inertia=DISK, radius=0.5)
+    paths = curves(ax)
+    assert len(paths) == 2
+    _, rotations = hw.simulate(t, START, omega, inertia=DISK)
+    seen = 0.5 * numbers(rotations)[:, 1:]  # the components y and z of the radii along the axes of the body
+    sizes = sorted(np.ptp(path, axis=0).tolist() for path in paths)
+    np.testing.assert_allclose(sizes, sorted(np.ptp(seen[..., k], axis=0).tolist() for k in (0, 1)), rtol=0.01)
     assert in_metres(ax.get_xlabel()) and in_metres(ax.get_ylabel())

@@ -20,6 +20,10 @@ def test_two_forces_act_on_the_bead():
     assert len(forces) == 2
     for point, _ in forces:
         np.testing.assert_allclose(point, [0.5, 0.75])
+    assert all(direction is not None for _, direction in forces)
+    units = [np.asarray(direction, float) / np.linalg.norm(direction) for _, direction in forces]
+    assert max(unit @ [0, -1] for unit in units) == pytest.approx(1.0)
+    assert max(abs(unit @ [-3, 1]) for unit in units) == pytest.approx(np.sqrt(10.0))  # the wire rises by 3 to 1
 
 
 def test_the_lagrangian_at_the_bottom_is_that_of_a_flat_wire():
@@ -73,3 +77,9 @@ def test_the_simulated_bead_keeps_its_energy():
     states = np.asarray(hw.simulate(np.linspace(0.0, 10.0, 50), 1.5, 1.0, **WIRE), float)
     energies = [float(hw.energy(x, v, **BEAD)) for x, v in states]
     np.testing.assert_allclose(energies, energies[0], rtol=1e-5)
+
+
+def test_without_gravity_the_speed_along_the_wire_stays():
+    x, v = np.asarray(hw.simulate(np.linspace(0.0, 2.0, 9), -0.7, 1.5, curvature=0.8, gravity=0.0), float).T
+    speeds = v * np.sqrt(1 + (2 * 0.8 * x) ** 2)
+    np.testing.assert_allclose(speeds, speeds[0], rtol=1e-5)

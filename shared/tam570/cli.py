@@ -13,6 +13,7 @@ from typing import Any
 
 from tam570 import __version__, releases, work
 from tam570.course import Unknown, assignments, contract, folder, title
+from tam570.handin import HOW, hand_in
 from tam570.lectures import commands as lectures
 from tam570.progress import hints_given, recalled, remember_hints
 
@@ -170,6 +171,7 @@ def _start(arguments: argparse.Namespace) -> int:
         print("there is no notebook of it here; the kit of your course has one", file=sys.stderr)
     print(f"Read {copied.work / 'README.md'}, fill in {copied.work / f'{slug}.py'},")
     print(f"and try: tam570 check {slug[:4]}")
+    print(_fitted(HOW.format(name=slug[:4])))
     return 0
 
 
@@ -210,8 +212,6 @@ def _check(arguments: argparse.Namespace) -> int:
 
 
 def _handin(arguments: argparse.Namespace) -> int:
-    from tam570.handin import hand_in
-
     hand_in(*work.one(arguments.what))
     return 0
 

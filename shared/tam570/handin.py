@@ -9,7 +9,10 @@ from pathlib import Path
 from tam570.course import folder, stubs
 from tam570.releases import released_names
 
-__all__ = ["hand_in"]
+__all__ = ["HOW", "hand_in"]
+
+# said wherever a student reads how to hand in
+HOW = "Hand in the archive that `tam570 handin {name}` makes: it packs your code, notebook, plots and written parts."
 
 WRITTEN = (".pdf", ".png", ".jpg", ".jpeg", ".svg", ".gif", ".md", ".txt", ".docx", ".tex")  # drawings, plots, words
 PLACEHOLDER = "*Your answer*"  # in a notebook's cell, where words are asked for
@@ -18,11 +21,10 @@ PLACEHOLDER = "*Your answer*"  # in a notebook's cell, where words are asked for
 def hand_in(file: Path, slug: str) -> Path:
     """Pack the work beside `file` into `<slug>_handin.zip` there, and print what it holds and what is still empty."""
     where, archive = file.parent, file.parent / f"{slug}_handin.zip"
-    given = set(released_names(slug)) - {f"{slug}.py", f"{slug}.ipynb"}
-    beside = [path for path in sorted(where.iterdir()) if path.suffix.lower() in WRITTEN and path.name not in given]
-    work = {
-        f"{slug}{one.suffix}": one for one in (file.with_suffix(".py"), file.with_suffix(".ipynb")) if one.is_file()
-    }
+    released = set(released_names(slug)) - {f"{slug}.py", f"{slug}.ipynb"}
+    beside = [path for path in sorted(where.iterdir()) if path.suffix.lower() in WRITTEN and path.name not in released]
+    both = file, file.with_suffix(".ipynb")  # a module that nothing is written in would count in the notebook's place
+    work = {f"{slug}{path.suffix}": path for path in both if path.is_file()}
     packed = work | {path.name: path for path in beside}
     draft = archive.with_suffix(".part")
     try:
@@ -42,9 +44,11 @@ def _empty(work: dict[str, Path], slug: str) -> Iterator[str]:
     """What is not done yet, a line each."""
     if module := work.get(f"{slug}.py"):
         with contextlib.suppress(SyntaxError, ValueError):
-            asked = stubs((folder(slug) / f"{slug}.py").read_bytes())
-            found = stubs(module.read_bytes())
-            missing = [name for name, stub in asked.items() if not stub.written and not _written(found.get(name))]
+            to_write = stubs((folder(slug) / f"{slug}.py").read_bytes())
+            submitted = stubs(module.read_bytes())
+            missing = [
+                name for name, stub in to_write.items() if not stub.written and not _written(submitted.get(name))
+            ]
             if missing and f"{slug}.ipynb" not in work:
                 yield f"not written yet: {', '.join(missing)}"
     if notebook := work.get(f"{slug}.ipynb"):

@@ -1,12 +1,15 @@
 """The students' command: what it lists, starts, hints and refuses, where it finds work, and what it imports."""
 
+import json
 import subprocess
 import sys
 import zipfile
 
 import pytest
 
-from tam570 import cli, course
+from tam570 import cli
+from tam570 import course as released
+from tam570.handin import HOW
 
 SLUG = "hw08_axis_angle"
 HEAVY = {"numpy", "scipy", "matplotlib", "sympy", "pytest", "numba", "nbgrader", "tqdm", "hatchling", "shtab"}
@@ -28,7 +31,7 @@ def test_python_m_is_the_command(tam570):
 def test_every_assignment_is_listed_within_80_columns(desk, capsys):
     assert cli.main(["list"]) == 0
     lines = capsys.readouterr().out.splitlines()
-    assert [line.split()[0] for line in lines] == course.assignments() and max(map(len, lines)) <= 80
+    assert [line.split()[0] for line in lines] == released.assignments() and max(map(len, lines)) <= 80
 
 
 NAMES = {
@@ -40,13 +43,13 @@ SHORT = [(slug, name) for slug, names in NAMES.items() for name in names]
 
 @pytest.mark.parametrize(("slug", "name"), SHORT)
 def test_an_assignment_goes_by_any_part_that_tells_it(slug, name):
-    assert course.folder(name).name == slug
+    assert released.folder(name).name == slug
 
 
 @pytest.mark.parametrize("name", ["pendulum", "rolling", "x", "hw99", "hw8.txt", "hw080", "", "123"])
 def test_a_name_of_none_or_of_several_is_refused_with_those_that_there_are(name):
-    with pytest.raises(course.Unknown, match="matches hw|`tam570 list` shows all"):
-        course.folder(name)
+    with pytest.raises(released.Unknown, match="matches hw|`tam570 list` shows all"):
+        released.folder(name)
 
 
 def test_start_gives_the_problem_the_stub_and_the_tests_and_overwrites_nothing(hw08):
@@ -204,6 +207,22 @@ def test_handin_packs_the_work_and_names_what_is_empty(hw08, desk, tam570):
     packed = zipfile.ZipFile(file.with_name("hw08_axis_angle_handin.zip")).namelist()
     assert code == 0 and packed == ["hw08_axis_angle.py", "plot.png"]
     assert "not written yet: skew, rotation_matrix, rotate" in said
+
+
+def test_handin_leaves_an_empty_module_out_where_the_notebook_has_the_work(hw08, solution_text, tam570):
+    file = hw08(None)
+    cell = {"cell_type": "code", "source": solution_text("hw08_axis_angle"), "metadata": {}, "outputs": []}
+    file.with_suffix(".ipynb").write_text(json.dumps({"cells": [cell], "nbformat": 4}))
+    assert tam570("handin", "hw08")[0] == 0
+    assert zipfile.ZipFile(file.with_name("hw08_axis_angle_handin.zip")).namelist() == ["hw08_axis_angle.ipynb"]
+
+
+def test_there_is_one_way_to_hand_in(tam570, course, tmp_path):
+    """The same sentence wherever a student reads how."""
+    assert HOW.format(name="hw08") in " ".join(tam570("start", "hw08")[1].split())
+    kit = course / "autograder" / "tam570_grader" / "release" / "templates" / "kit.md"
+    for page in (kit, course / "docs" / "students" / "index.md", course / "docs" / "students" / "questions.md"):
+        assert HOW.format(name="hw08") in " ".join(page.read_text().split())
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from tam570 import handin
 from tam570_grader.checks import assignments
 from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.checks.rubric import ManualPart, rubric_table, without_rubric
@@ -40,7 +41,8 @@ KERNEL = {"kernelspec": {"display_name": "Python 3 (ipykernel)", "language": "py
 HOW = """---
 Fill in the functions of `{slug}.py` beside this notebook, in any editor. The notebook reads the file again whenever
 you save it; run a cell again to see what has become of it. The cells that run tests are locked; add cells where
-you like, and write where it says *your answer*. Hand in the whole folder."""
+you like, and write where it says *your answer*. {hand_in}
+Where your course has a Submit button, it hands in the same files."""
 SETUP = """%load_ext autoreload
 %autoreload 2
 %matplotlib inline
@@ -83,8 +85,9 @@ def notebook(assignment: LoadedAssignment, readme: str, tests: str, pictures: st
     """
     given = problem(without_rubric(readme))
     first = {"cell_type": "markdown", "id": "problem", "metadata": {}}
+    how = HOW.format(slug=assignment.slug, hand_in=handin.HOW.format(name=assignment.slug[:4]))
     cells: list[Cell] = [
-        {**first, "source": f"{given.intro}\n\n{HOW.format(slug=assignment.slug)}"},
+        {**first, "source": f"{given.intro}\n\n{how}"},
         _code("setup", SETUP.format(slug=assignment.slug)),
     ]
     shown, tested = dict(FENCE.findall(pictures)), visible_by_part(assignment, tests)

@@ -5,6 +5,7 @@ import textwrap
 from pathlib import Path
 
 from tam570.course import folder
+from tam570.handin import HOW
 from tam570.progress import rows
 from tam570.releases import differing
 
@@ -23,5 +24,4 @@ def before_handing_in(file: Path, slug: str) -> None:
         print(textwrap.fill(" ".join(accuracy.split()), 80))
     for name in differing(file.parent, slug):
         print(f"{name} is not as this kit has it: tam570 update {slug[:4]}")
-    if file.stem != slug:
-        print(f"Hand it in as {slug}{file.suffix}: the grader looks for this name.")
+    print(textwrap.fill(HOW.format(name=slug[:4]), 80))
