@@ -62,12 +62,17 @@ def value(formula, **numbers):
     return complex(formula.subs(named).evalf())
 
 
-def test_the_formulas_agree_with_the_balances():
-    numbers = {"theta": 0.7, "omega": -3.0, "m": 2.0, "l": 0.5, "g": 10.0}
+NUMBERS = {"theta": 0.7, "omega": -3.0, "m": 2.0, "l": 0.5, "g": 10.0}
+
+
+def test_the_lagrangian_is_kinetic_less_potential_energy():
     _, kinetic, potential = map(float, hw.energy_balance(0.7, -3.0, **PENDULUM))
-    assert value(hw.lagrangian(), **numbers) == pytest.approx(kinetic - potential)
+    assert value(hw.lagrangian(), **NUMBERS) == pytest.approx(kinetic - potential)
+
+
+def test_lagrange_equation_agrees_with_the_balances():
     alpha = float(hw.linear_momentum_balance(0.7, -3.0, **PENDULUM)[0])
-    assert value(hw.lagrange_equation(), **numbers) == pytest.approx(alpha)
+    assert value(hw.lagrange_equation(), **NUMBERS) == pytest.approx(alpha)
 
 
 def test_the_action_of_uniform_rotation_without_gravity():

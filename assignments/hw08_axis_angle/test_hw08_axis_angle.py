@@ -39,11 +39,18 @@ def test_rotate_agrees_with_the_matrix():
     )
 
 
-@pytest.mark.parametrize("axis", [np.zeros(3), np.array([np.nan, 0.0, 1.0])])
-def test_what_is_no_axis_is_refused(axis):
+NO_AXES = [np.zeros(3), np.array([np.nan, 0.0, 1.0]), np.array([-np.inf, 0.0, 1.0])]
+
+
+@pytest.mark.parametrize("axis", NO_AXES)
+def test_the_matrix_refuses_what_is_no_axis(axis):
     for angle in (ANGLE, 0.0):
         with pytest.raises(ValueError):
             hw.rotation_matrix(axis, angle)
+
+
+@pytest.mark.parametrize("axis", NO_AXES)
+def test_rotate_refuses_what_is_no_axis(axis):
     for r in (X, np.zeros(3)):
         with pytest.raises(ValueError):
             hw.rotate(r, axis, ANGLE)

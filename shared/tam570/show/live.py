@@ -50,7 +50,7 @@ class Live:
     handles  : what can be dragged
     measures : by name, f(state, **parameters) -> a number to plot over time
     unit     : of the measures
-    constant : whether the first measure keeps its value
+    rests    : whether friction ends the motion, where the first measure is zero; else that keeps its value
     """
 
     rates: Callable[..., Any]
@@ -61,7 +61,7 @@ class Live:
     handles: Sequence[Handle] = ()
     measures: Mapping[str, Callable[..., Any]] = field(default_factory=dict)
     unit: str = "J"
-    constant: bool = True
+    rests: bool = False
 
 
 def live_if_written(make: Callable[[], Live]) -> Live | None:
@@ -145,6 +145,7 @@ class _Writer:
 
     def _data(self, panels: list[dict[str, Any]], first: int, count: int, measures: list[str]) -> dict[str, Any]:
         dim = count // max(len(self.live.handles), 1)
+        has_first = measures[:1] == list(self.live.measures)[:1] != []
         return {
             "state": list(self.live.state),
             "start": [float(number) for number in self.live.start],
@@ -159,7 +160,8 @@ class _Writer:
             "measures": measures,
             "first": first + count,
             "unit": self.live.unit,
-            "constant": self.live.constant and measures[:1] == list(self.live.measures)[:1] != [],
+            "constant": has_first and not self.live.rests,
+            "rests": has_first and self.live.rests,
         }
 
     def _traced(self, function: Callable[..., Any]) -> Graph:

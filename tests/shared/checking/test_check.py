@@ -51,7 +51,7 @@ CALLS = {
     "return open('data.csv').read()": "FileNotFoundError",
 }
 HW08 = "hw08_axis_angle"
-TESTS = 7 + len(load_examples(folder(HW08)).calls)
+TESTS = 11 + len(load_examples(folder(HW08)).calls)
 
 
 @pytest.mark.parametrize("above", first(3, TOP))

@@ -3,7 +3,7 @@
 
 const grasped = JSON.parse(byId("data").textContent).live, TRAIL = 1500, WINDOW = 10, STEPS = 500; // s; steps at most between two frames
 // alone: its panels have the stage for themselves; not while a hand holds what would move away under it.
-const live = {on: false, alone: false, held: null, s: [], p: [], t: Infinity, trails: [], past: [], zoom: []};
+const live = {on: false, alone: false, held: null, s: [], p: [], t: Infinity, trails: [], past: [], zoom: [], most: 0};
 
 // Dormand and Prince's pair of orders 5 and 4; the step follows from the error.
 const DP = {
@@ -56,7 +56,7 @@ function goLive() {
   drawStill();
   setPlaying(true);
 }
-function forget() { Object.assign(live, {t: 0, trails: [], past: [], zoom: []}); }
+function forget() { Object.assign(live, {t: 0, trails: [], past: [], zoom: [], most: 0}); }
 function backToFilm() {
   Object.assign(live, {on: false, alone: false, held: null, p: grasped.parameters.map(({value}) => value), t: Infinity, zoom: []});
   byId("restart").hidden = true;
@@ -193,9 +193,15 @@ function stand() {
   live.alone = true;
   drawStill();
 }
+// Friction ends a motion in a finite time, towards which an explicit method takes ever smaller steps.
+function atRest() {
+  const now = Math.abs(live.values[grasped.first]);
+  live.most = Math.max(live.most, now);
+  return grasped.rests && now < 1e-8 * live.most;
+}
 function advanceLive(seconds) {
   if (!live.held) {
-    live.s = integrate(live.s, live.p, live.t, live.t + seconds, 1e-9);
+    if (!atRest()) live.s = integrate(live.s, live.p, live.t, live.t + seconds, 1e-9);
     live.t += seconds;
   }
   drawLiveScene();

@@ -87,7 +87,7 @@ def _live(student: Student, parameters: Mapping[str, Any], start: Sequence[float
         return energy(state, "rear", **known)
 
     handles = [Handle(lambda state, **known: [state[0], state[1] + lane], move), Handle(nose, turn)]
-    return Live(rates, parameters, STATE, start, panels, handles, {"kinetic": kinetic}, constant=False)
+    return Live(rates, parameters, STATE, start, panels, handles, {"kinetic": kinetic}, rests=True)
 
 
 def _motion(

@@ -40,7 +40,12 @@ def tops(
     motion : (n, 6) states at times, from a start
     steady : both rates of precession at a tilt and a spin
     laws   : what does not change, of a state
+    ValueError if the top turns too fast to be drawn.
     """
+    if not max(map(abs, start[3:])) < FASTEST:
+        raise ValueError(
+            f"a rate of the start is {max(map(abs, start[3:])):g} rad/s; below {FASTEST:.0f} it can be drawn"
+        )
     times, (_, tilt, _, _, _, rate) = frame_times(seconds), start
     spin = rate + start[3] * np.cos(tilt)  # along the axis
     free = motion(times, start)
