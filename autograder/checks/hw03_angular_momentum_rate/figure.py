@@ -25,7 +25,7 @@ def figure(r_p=(2.4, 1.7, 0.0), v_p=(0.5, -0.7, 0.0), r_c=(1.0, 0.45, 0.0), v_c=
         shown.line(powers @ np.array(reference.path(r, v, a))[:, :2], "dash")
     P, C = np.array(r_p[:2]), np.array(r_c[:2])
     shown.arrow((0, 0), P, "r_P", "thin", by=(-120, -66))
-    shown.arrow((0, 0), C, "r_C", "thin", by=(-30, 6))
+    shown.arrow((0, 0), C, "r_C", "thin", by=(-44, -36))
     shown.arrow(C, P, "r_P/C", "body", by=(-62, -104))
     shown.arrow(P, P + 0.9 * np.array(v_p[:2]), "v_P")
     shown.arrow(C, C + 0.9 * np.array(v_c[:2]), "v_C", by=(24, -6))

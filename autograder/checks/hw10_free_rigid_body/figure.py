@@ -29,8 +29,9 @@ def figure(turn=(0.25, -0.35, 0.5), omega=(0.35, 0.9, 0.4)):
     corner = np.array([-1.05, -0.75, -0.55])
     for axis, name in zip(np.eye(3), "xyz", strict=True):
         shown.arrow(EYE(corner), EYE(corner + 0.5 * axis), name, "thin")
-    for axis, name, far in zip(R.T, ("1, A", "2, B", "3, C"), (1.1, 1.0, 0.85), strict=True):
-        shown.arrow(EYE(0 * axis), EYE(far * axis), name, "angle")
+    beyond = (28, 10), (0, 0), (0, 0)  # the first axis is almost level, and its name would cover its tip
+    for axis, name, far, by in zip(R.T, ("1, A", "2, B", "3, C"), (1.1, 1.0, 0.85), beyond, strict=True):
+        shown.arrow(EYE(0 * axis), EYE(far * axis), name, "angle", by=by)
     shown.arrow(EYE(np.zeros(3)), EYE(R @ np.array(omega)), "ω")
     shown.point("G", EYE(np.zeros(3)), by=(-13, -10))
     return shown
