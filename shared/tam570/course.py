@@ -38,14 +38,14 @@ def folder(name: str, or_lecture: bool = False) -> Path:
     """
     plain = name.lower().replace("-", "_")
     number = re.fullmatch(r"(?:hw)?0*(\d{1,2})", plain)
-    found = [slug for slug in assignments() if plain == slug or number and slug[2:4] == f"{int(number[1]):02}"]
+    matches = [slug for slug in assignments() if plain == slug or number and slug[2:4] == f"{int(number[1]):02}"]
     for part in ("_{}_", "{}"):  # whole words first
-        if not (found or number) and (len(plain) > 2 or part != "{}") and plain:
-            found = [slug for slug in assignments() if part.format(plain) in f"{slug[4:]}_"]
-    if len(found) == 1:
-        return _home() / found[0]
-    if found:
-        raise Unknown(f"{name!r} matches {', '.join(found)}; say which")
+        if not (matches or number) and (len(plain) > 2 or part != "{}") and plain:
+            matches = [slug for slug in assignments() if part.format(plain) in f"{slug[4:]}_"]
+    if len(matches) == 1:
+        return _home() / matches[0]
+    if matches:
+        raise Unknown(f"{name!r} matches {', '.join(matches)}; say which")
     what = "neither an assignment nor a lecture" if or_lecture else "not an assignment"
     raise Unknown(f"{name!r} is {what}{_meant(plain, or_lecture)}")
 
@@ -56,8 +56,8 @@ def _meant(name: str, or_lecture: bool) -> str:
 
     if name in names():
         return f"; it is a lecture: tam570 show {name}"
-    known = [*names()] * or_lecture + [part for slug in assignments() for part in (slug[5:], slug)]
-    close = "".join(f"; did you mean {one}?" for one in get_close_matches(name, known, 1))
+    all_names = [*names()] * or_lecture + [part for slug in assignments() for part in (slug[5:], slug)]
+    close = "".join(f"; did you mean {match}?" for match in get_close_matches(name, all_names, 1))
     lectures = ", `tam570 list --lectures` the lectures" * or_lecture
     return f"{close or ';'} `tam570 list` shows all{lectures}"
 
@@ -68,7 +68,11 @@ def named(file: Path) -> str:
         number = re.match(r"hw\d\d(?!\d)", name, re.IGNORECASE)
         for slug in assignments():
             if number and slug.startswith(f"{number[0].lower()}_"):
-                other = [one for one in assignments() if one[4:] in name.lower() and one[4:] not in slug]
+                other = [
+                    slug_in_name
+                    for slug_in_name in assignments()
+                    if slug_in_name[4:] in name.lower() and slug_in_name[4:] not in slug
+                ]
                 if other:
                     raise Unknown(f"{file.name} may be {slug} or {other[0]}; say which: --assignment {slug[:4]}")
                 return slug
@@ -85,8 +89,8 @@ def title(slug: str) -> str:
 
 def contract(slug: str) -> dict[str, Any]:
     """What the functions of an assignment return, and what is off limits: {"results": ..., "off_limits": ...}."""
-    given: dict[str, Any] = json.loads((folder(slug) / "contract.json").read_text(encoding="utf-8"))
-    return given
+    data: dict[str, Any] = json.loads((folder(slug) / "contract.json").read_text(encoding="utf-8"))
+    return data
 
 
 def stubs(source: str | bytes) -> dict[str, Stub]:
@@ -98,14 +102,14 @@ def stubs(source: str | bytes) -> dict[str, Stub]:
 def _stub(node: ast.FunctionDef) -> Stub:
     body = node.body[1:] if ast.get_docstring(node) else node.body
     empty = len(body) == 1 and isinstance(body[0], ast.Raise) and "NotImplementedError" in ast.dump(body[0])
-    given = node.args
-    positions = tuple(one.arg for one in given.posonlyargs + given.args)
+    signature = node.args
+    positions = tuple(argument.arg for argument in signature.posonlyargs + signature.args)
     return Stub(
         positions,
-        tuple(one.arg for one in given.kwonlyargs),
+        tuple(argument.arg for argument in signature.kwonlyargs),
         ast.get_docstring(node) or "",
         not empty,
-        bool(given.vararg or given.kwarg),
+        bool(signature.vararg or signature.kwarg),
     )
 
 

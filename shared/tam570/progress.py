@@ -54,40 +54,40 @@ def progress(
     judging = {name: [test for test in calling[name] if last[test] == name] or calling[name] for name in worth}
     failed = {name: [test for test in judging[name] if outcomes.get(test) != PASSED] for name in worth if calling[name]}
     missing = [name for name in failed if failed[name]]
-    known = [(causes or {}).get(test) for test in failed[missing[0]]] if missing else []
+    reasons = [(causes or {}).get(test) for test in failed[missing[0]]] if missing else []
     return {
         "points": sum(worth[name] for name in failed if name not in missing),
         "most": sum(worth[name] for name in failed),
         "passed": sum(outcome == PASSED for outcome in outcomes.values()),
         "tests": len(used),
         "missing": missing,
-        "next": next((name for name in [*known[:1], *missing] if name in missing), None),
+        "next": next((name for name in [*reasons[:1], *missing] if name in missing), None),
     }
 
 
-def said(found: Progress) -> str:
+def said(state: Progress) -> str:
     """The progress in a line."""
     return (
-        f"{found['passed']} of {found['tests']} tests pass; "
-        f"{found['points']:g} of {found['most']:g} points by the visible tests"
+        f"{state['passed']} of {state['tests']} tests pass; "
+        f"{state['points']:g} of {state['most']:g} points by the visible tests"
     )
 
 
 def kept(file: Path) -> dict[str, tuple[str, str]]:
     """What was remembered of the tests of a file: for each its key and its outcome."""
-    known = _read(PROGRESS).get(_name(file), {}).get("outcomes", {})
-    return {test: (key, outcome) for test, (key, outcome) in known.items()}
+    outcomes = _read(PROGRESS).get(_name(file), {}).get("outcomes", {})
+    return {test: (key, outcome) for test, (key, outcome) in outcomes.items()}
 
 
-def remember(file: Path, outcomes: Mapping[str, tuple[str, str]], found: Progress) -> None:
+def remember(file: Path, outcomes: Mapping[str, tuple[str, str]], state: Progress) -> None:
     """Keep the outcomes and the progress."""
-    _keep(PROGRESS, _name(file), {"digest": _digest(file), "outcomes": dict(outcomes), "progress": found})
+    _keep(PROGRESS, _name(file), {"digest": _digest(file), "outcomes": dict(outcomes), "progress": state})
 
 
 def recalled(file: Path) -> tuple[Progress, bool] | None:
     """The progress with a file, and whether the file is as it was then; None if it was never checked."""
-    known = _read(PROGRESS).get(_name(file))
-    return (known["progress"], known["digest"] == _digest(file)) if known else None
+    record = _read(PROGRESS).get(_name(file))
+    return (record["progress"], record["digest"] == _digest(file)) if record else None
 
 
 def hints_given(slug: str, function: str) -> int:
@@ -121,19 +121,19 @@ def _digest(file: Path) -> str:
 def _read(name: str) -> dict[str, Any]:
     """What is remembered under this name; nothing where it cannot be read."""
     try:
-        known = json.loads((_home() / name).read_text())
+        data = json.loads((_home() / name).read_text())
     except (OSError, ValueError):
         return {}
-    return known if isinstance(known, dict) else {}
+    return data if isinstance(data, dict) else {}
 
 
 def _keep(name: str, key: str, value: Any) -> bool:
     """Remember this too; whether it can be kept."""
-    known = _read(name) | {key: value}
+    data = _read(name) | {key: value}
     try:
         _home().mkdir(parents=True, exist_ok=True)
         draft = _home() / f"{name}.{os.getpid()}"
-        draft.write_text(json.dumps(known))
+        draft.write_text(json.dumps(data))
         draft.replace(_home() / name)
     except OSError:
         return False

@@ -39,13 +39,13 @@ def start(name: str, where: Path, *, notebook: bool = False) -> Copied:
 
 def update(work: Path, slug: str) -> Copied:
     """Bring the files that the student has not changed to this kit's; the others stay, and are named."""
-    known, refreshed, new = _record(work), [], []
+    record, refreshed, new = _record(work), [], []
     notebook = (work / f"{slug}.ipynb").exists()
     for path in _released(slug, notebook):
         mine = work / path.name
         if not mine.exists():
             new.append(path.name)
-        elif _digest(mine) == _digest(path) or _digest(mine) != known.get(path.name):
+        elif _digest(mine) == _digest(path) or _digest(mine) != record.get(path.name):
             continue
         else:
             refreshed.append(path.name)
@@ -55,8 +55,8 @@ def update(work: Path, slug: str) -> Copied:
 
 def differing(work: Path, slug: str) -> list[str]:
     """The files beside the student's own that are not as this kit has them."""
-    given = [path for path in _released(slug, True) if path.stem != slug and (work / path.name).exists()]
-    return [path.name for path in given if _digest(work / path.name) != _digest(path)]
+    common = [path for path in _released(slug, True) if path.stem != slug and (work / path.name).exists()]
+    return [path.name for path in common if _digest(work / path.name) != _digest(path)]
 
 
 def released_names(slug: str) -> list[str]:
@@ -77,17 +77,17 @@ def _signatures(mine: Path, slug: str) -> list[str]:
         have = stubs(mine.read_bytes())
     except (OSError, SyntaxError, ValueError):
         return []
-    asked = stubs((folder(slug) / f"{slug}.py").read_bytes())
+    expected = stubs((folder(slug) / f"{slug}.py").read_bytes())
     return [
-        f"{name}({', '.join([*one.positions, *(['*', *one.keywords] if one.keywords else [])])})"
-        for name, one in asked.items()
-        if name not in have or _differ(one, have[name])
+        f"{name}({', '.join([*signature.positions, *(['*', *signature.keywords] if signature.keywords else [])])})"
+        for name, signature in expected.items()
+        if name not in have or _differ(signature, have[name])
     ]
 
 
-def _differ(asked: Stub, have: Stub) -> bool:
+def _differ(expected: Stub, have: Stub) -> bool:
     """Whether a function does not have the parameters that are asked for."""
-    same = (asked.positions, set(asked.keywords)) == (have.positions, set(have.keywords))
+    same = (expected.positions, set(expected.keywords)) == (have.positions, set(have.keywords))
     return not (same or have.takes_any)
 
 
@@ -100,10 +100,10 @@ def _copy(path: Path, work: Path) -> None:
 def _record(work: Path) -> dict[str, str]:
     """What was copied, by its digest; nothing where it is not known."""
     try:
-        known = json.loads((work / RECORD).read_text(encoding="utf-8"))
+        record = json.loads((work / RECORD).read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return {}
-    return known if isinstance(known, dict) else {}
+    return record if isinstance(record, dict) else {}
 
 
 def _digest(path: Path) -> str:

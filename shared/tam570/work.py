@@ -25,8 +25,8 @@ def chosen(what: str | None, assignment: str | None = None, or_lecture: bool = F
         return [(path, folder(assignment).name if assignment else named(path))]
     if path.is_dir():
         slugs = [folder(assignment).name] if assignment else assignments()
-        found = [(file, slug) for slug in slugs if (file := _in(path, slug))]
-        return found or _nothing(f"{what} holds no work: nothing is", "hw01")
+        matches = [(file, slug) for slug in slugs if (file := _in(path, slug))]
+        return matches or _nothing(f"{what} holds no work: nothing is", "hw01")
     if path.suffix or len(path.parts) > 1:
         raise Unknown(f"there is no file {what}")
     slug = folder(what, or_lecture).name
@@ -36,30 +36,30 @@ def chosen(what: str | None, assignment: str | None = None, or_lecture: bool = F
 
 def one(what: str | None, assignment: str | None = None) -> Work:
     """The only file that is meant. Unknown if there are several."""
-    found = chosen(what, assignment, or_lecture=True)  # only `show` asks for one by name
-    if len(found) > 1:
-        raise Unknown(f"say which assignment: {', '.join(slug[:4] for _, slug in found)}")
-    return found[0]
+    matches = chosen(what, assignment, or_lecture=True)  # only `show` asks for one by name
+    if len(matches) > 1:
+        raise Unknown(f"say which assignment: {', '.join(slug[:4] for _, slug in matches)}")
+    return matches[0]
 
 
 def here() -> list[Work]:
     """The work in the folder where the command is given, if it is that of an assignment; else all below it."""
-    for place in _places():
-        found = [(file, slug) for slug in assignments() if (file := _beside(place, slug))]
-        if found:
-            return found
+    for directory in _places():
+        matches = [(file, slug) for slug in assignments() if (file := _beside(directory, slug))]
+        if matches:
+            return matches
     return [(file, slug) for slug in assignments() if (file := work_of(slug))]
 
 
 def work_of(slug: str) -> Path | None:
     """The student's file of an assignment: in a folder of its name here or above, or in this folder."""
-    return next((file for place in _places() if (file := _in(place, slug))), None)
+    return next((file for directory in _places() if (file := _in(directory, slug))), None)
 
 
 def beside() -> Path:
     """Where another assignment belongs: this folder, or the one above the assignment's in which we are."""
-    inside = [one for one in (Path.cwd(), *Path.cwd().parents) if one.name in assignments()]
-    return inside[0].parent if inside else Path()
+    assignments_above = [parent for parent in (Path.cwd(), *Path.cwd().parents) if parent.name in assignments()]
+    return assignments_above[0].parent if assignments_above else Path()
 
 
 def _places() -> Iterator[Path]:
@@ -67,16 +67,16 @@ def _places() -> Iterator[Path]:
     yield Path()
     top = beside()
     if top != Path():
-        yield from (one for one in Path.cwd().parents if one.is_relative_to(top))
+        yield from (parent for parent in Path.cwd().parents if parent.is_relative_to(top))
 
 
-def _in(place: Path, slug: str) -> Path | None:
-    return _beside(place / slug, slug) or _beside(place, slug)
+def _in(directory: Path, slug: str) -> Path | None:
+    return _beside(directory / slug, slug) or _beside(directory, slug)
 
 
-def _beside(place: Path, slug: str) -> Path | None:
+def _beside(directory: Path, slug: str) -> Path | None:
     """The module in a folder; the notebook where there is no module, or nothing is written in it."""
-    module, notebook = place / f"{slug}.py", place / f"{slug}.ipynb"
+    module, notebook = directory / f"{slug}.py", directory / f"{slug}.ipynb"
     if module.is_file() and not (notebook.is_file() and _empty(module) and b"def " in notebook.read_bytes()):
         return module
     return notebook if notebook.is_file() else None

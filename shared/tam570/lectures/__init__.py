@@ -79,8 +79,8 @@ def catalogue() -> dict[str, Lecture]:
     >>> catalogue()["top"].date
     '2 Nov'
     """
-    found = [lecture for file in Path(__file__).parent.glob("*.py") if (lecture := heading(file))]
-    return {lecture.name: lecture for lecture in sorted(found, key=lambda lecture: (lecture.day, lecture.name))}
+    lectures = [lecture for file in Path(__file__).parent.glob("*.py") if (lecture := heading(file))]
+    return {lecture.name: lecture for lecture in sorted(lectures, key=lambda lecture: (lecture.day, lecture.name))}
 
 
 def heading(file: Path) -> Lecture | None:
@@ -92,8 +92,8 @@ def heading(file: Path) -> Lecture | None:
     (1, 7)
     """
     with open(file, encoding="utf-8", errors="replace") as text:
-        found = HEADING.match(text.readline().rstrip())
-    if found is None:
+        match = HEADING.match(text.readline().rstrip())
+    if match is None:
         return None
-    date, day, month, title = found.groups()
+    date, day, month, title = match.groups()
     return Lecture(file.stem, (MONTHS.index(month), int(day)), date, title, file)

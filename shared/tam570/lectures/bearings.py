@@ -70,7 +70,7 @@ def film(parameters: Mapping[str, Any]) -> Scene:
     if spin_rate:
         # Across the axis M has the size of sqrt(Ixz^2 + Iyz^2) sqrt(spin_rate^2 + spin^4), whatever the angle.
         across = across / np.hypot(spin_rate, speeds[shown] ** 2)
-    note, alarm = drift_note({"": across}, float(across[0]) or 1.0, "itself")
+    drift, alarm = drift_note({"": across}, float(across[0]) or 1.0, "itself")
     curves = dict(zip(("x", "y", "z"), in_space[shown].T, strict=True))
     arrow = Shape(
         "arrow", moving(np.zeros(3), 1.2 * in_space * [1, 1, 0] / longest), 1, "moment across the axis", width=3
@@ -86,7 +86,9 @@ def film(parameters: Mapping[str, Any]) -> Scene:
         ],
         [
             value_plot("moment on the unbalanced body, in space", times[shown], curves, "N m"),
-            value_plot("spin", times[shown], {"": speeds[shown]}, "rad/s", f"size of the moment for it: {note}", alarm),
+            value_plot(
+                "spin", times[shown], {"": speeds[shown]}, "rad/s", f"size of the moment for it: {drift}", alarm
+            ),
         ],
         view=(0.6, 0.35),
         still_time=0.3,

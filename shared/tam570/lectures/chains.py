@@ -73,8 +73,8 @@ def _landing_speed(fallen: float, length: float, gravity: float, supplied: float
     positive(length=length)
     if fallen >= length:
         raise ValueError(f"fallen: must be less than the length, {length:g} m; got {fallen!r}")
-    power, left = 2 * supplied, 1 - fallen / length
-    return sqrt(2 * gravity * length * (left**-power - left) / (1 + power))
+    power, remaining = 2 * supplied, 1 - fallen / length
+    return sqrt(2 * gravity * length * (remaining**-power - remaining) / (1 + power))
 
 
 def _check_share(supplied: float) -> None:
@@ -95,10 +95,10 @@ def film(parameters: Mapping[str, float]) -> Scene:
     folds = [_falls(times, partial(folded, length=length, gravity=gravity), i, length) for i in (0, 1)]
     pulls, readings, falls = {}, {}, {}
     for name, share in shares.items():
-        known = {"density": density, "gravity": gravity, "supplied": share}
-        pulls[name] = np.array([lifted(y, speed, **known) for y in np.minimum(speed * times, length)])
+        arguments = {"density": density, "gravity": gravity, "supplied": share}
+        pulls[name] = np.array([lifted(y, speed, **arguments) for y in np.minimum(speed * times, length)])
         falls[name] = _falls(times, partial(_pulled_down, share, length=length, gravity=gravity), 0, length)[:, 0]
-        falling = [poured(x, **known, length=length) for x in falls[name][falls[name] < length]]
+        falling = [poured(x, **arguments, length=length) for x in falls[name][falls[name] < length]]
         readings[name] = np.concatenate([falling, np.full(len(times) - len(falling), density * gravity * length)])
     return chains(times, folds, falls, pulls, readings, parameters)
 

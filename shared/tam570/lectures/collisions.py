@@ -77,9 +77,9 @@ def cradle(speeds: ArrayLike, *, restitution: float) -> Array:
     return now
 
 
-def _inverse(**named: ArrayLike) -> Array:
+def _inverse(**values: ArrayLike) -> Array:
     """(2,) one over each, 0 for the infinite."""
-    ((name, value),) = named.items()
+    ((name, value),) = values.items()
     try:
         pair = np.array(value, dtype=float)
     except (TypeError, ValueError):

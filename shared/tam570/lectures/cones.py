@@ -107,14 +107,14 @@ def _film(parameters: Mapping[str, float]) -> Scene:
     across /= np.linalg.norm(across, axis=1, keepdims=True) + 1e-300
     other = np.cross(along, across)
     turned = spin * (1 - axial / transverse) * times[:, None]  # in the body, from the plane of H and the axis
-    one, two = (np.cos(turned) * across + np.sin(turned) * other, np.cos(turned) * other - np.sin(turned) * across)
+    first, second = (np.cos(turned) * across + np.sin(turned) * other, np.cos(turned) * other - np.sin(turned) * across)
     scale = 1.0 / hypot(spin, parameters["wobble"])
     tip, wide = scale * turning, scale * abs(parameters["wobble"])
     space_rim = circle([0.0, 0.0, tip[0, 2]], [tip[0, 0], 0.0, 0.0], [0.0, tip[0, 0], 0.0], 37)
     shown = plot_samples(times)
     H = transverse * turning + (axial - transverse) * np.einsum("ni,ni->n", turning, along)[:, None] * along
     omegas = dict(zip("xyz", turning[shown].T, strict=True))
-    note = drift_note({"": H[shown]}, float(H[0, 2]) or 1.0, "the angular momentum")
+    drift = drift_note({"": H[shown]}, float(H[0, 2]) or 1.0, "the angular momentum")
     return Scene(
         "Free symmetric body",
         "A cone fixed in the body rolls without slip on a cone fixed in space. They touch along the angular velocity. "
@@ -124,16 +124,16 @@ def _film(parameters: Mapping[str, float]) -> Scene:
             Panel(
                 [
                     *cone(space_rim, 2, "space cone"),
-                    *cone(circle(scale * spin * along, wide * one, wide * two, 37), 0, "body cone"),
-                    Shape("path", circle(np.zeros(3), 0.5 * one, 0.5 * two), GREY, "the body", width=3),
-                    Shape("lines", moving(0.5 * one, -0.5 * one), GREY),
+                    *cone(circle(scale * spin * along, wide * first, wide * second, 37), 0, "body cone"),
+                    Shape("path", circle(np.zeros(3), 0.5 * first, 0.5 * second), GREY, "the body", width=3),
+                    Shape("lines", moving(0.5 * first, -0.5 * first), GREY),
                     Shape("arrow", moving(np.zeros(3), 1.2 * tip), 1, "angular velocity", width=3),
                     Shape("arrow", np.array([[0.0, 0.0, 0.0], [0.0, 0.0, 1.3]]), 4, "angular momentum", width=3),
                 ],
                 ruler=False,
             )
         ],
-        [value_plot("angular velocity in space", times[shown], omegas, "rad/s", *note)],
+        [value_plot("angular velocity in space", times[shown], omegas, "rad/s", *drift)],
         view=(0.5, 0.3),
         still_time=0.1,
     )

@@ -95,8 +95,8 @@ def errors(method: str, steps: ArrayLike) -> tuple[Array, Array]:
 def order(method: str, steps: ArrayLike) -> tuple[float, float]:
     """(right, wrong) observed orders of a method: the slope of log(error) over log(step), steps (n,), s, n >= 2."""
     counts = np.rint(DURATION / numbers(steps=steps))
-    right, wrong = errors(method, steps)
-    return observed_order(DURATION / counts, right), observed_order(DURATION / counts, wrong)
+    correct, wrong = errors(method, steps)
+    return observed_order(DURATION / counts, correct), observed_order(DURATION / counts, wrong)
 
 
 def _weights(method: str) -> tuple[tuple[float, ...], ...]:

@@ -94,16 +94,16 @@ def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) 
     def acceleration(t: float, omega: Array) -> list[float]:
         return [-x / m for m, x in zip(moments, _cross(omega, moments * omega), strict=True)]
 
-    turning, kept = solve_rotation(acceleration, times, R0.T @ omega0, R0, rtol=LOOSE)
+    turning, rotations = solve_rotation(acceleration, times, R0.T @ omega0, R0, rtol=LOOSE)
     drifting = states[:, :9].reshape(-1, 3, 3)
     enlarged = 10.0 ** np.floor(np.log10(SEEN / max(float(np.abs(strain).max()), 1e-15)))
     drawn = drifting @ (np.eye(3) + enlarged * strain / 2)
     shown, size = plot_samples(times), np.sqrt(np.maximum(moments.sum() / 2 - moments, 0.05 * moments.max()))
-    defects = {"rotations": rotation_defect(kept[shown]), "nine numbers": np.abs(strain[shown]).max(axis=(1, 2))}
-    H = np.einsum("nij,nj->ni", kept[shown], moments * turning[shown])
+    defects = {"rotations": rotation_defect(rotations[shown]), "nine numbers": np.abs(strain[shown]).max(axis=(1, 2))}
+    H = np.einsum("nij,nj->ni", rotations[shown], moments * turning[shown])
     beside = [angular_momentum(state, **parameters) for state in states[shown]]
     scale = float(np.linalg.norm(H[0])) or 1.0
-    note = f"at the end {defects['nine numbers'][-1]:.1e}, and {defects['rotations'][-1]:.0e} by rotations"
+    text = f"at the end {defects['nine numbers'][-1]:.1e}, and {defects['rotations'][-1]:.0e} by rotations"
     return Scene(
         "Drifting matrix",
         "One body, solved twice at the same tolerance. As nine numbers the matrix ceases to be a rotation, ever more: "
@@ -111,10 +111,10 @@ def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) 
         times,
         [
             Panel(brick(drawn, size, 1, "nine numbers"), f"drift drawn {enlarged:.0e} times", ruler=False),
-            Panel(brick(kept, size, 0, "rotations"), "by rotations", ruler=False),
+            Panel(brick(rotations, size, 0, "rotations"), "by rotations", ruler=False),
         ],
         [
-            value_plot("RᵀR - I, largest element", times[shown], defects, "", note),
+            value_plot("RᵀR - I, largest element", times[shown], defects, "", text),
             drift_plot(
                 "angular momentum, change", times[shown], {"rotations": H}, scale, "itself", beside={"nine": beside}
             ),

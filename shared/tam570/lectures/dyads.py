@@ -53,10 +53,10 @@ def nine(R: ArrayLike, triad: ArrayLike) -> Array:
     return coefficients
 
 
-def _triad(**named: ArrayLike) -> Array:
-    rows = array((3, 3), **named)
+def _triad(**vectors: ArrayLike) -> Array:
+    rows = array((3, 3), **vectors)
     if np.abs(rows @ rows.T - np.eye(3)).max() > LARGEST:
-        raise ValueError(f"{next(iter(named))}: must be three orthonormal rows, got {rows.tolist()}")
+        raise ValueError(f"{next(iter(vectors))}: must be three orthonormal rows, got {rows.tolist()}")
     return rows
 
 
@@ -65,8 +65,8 @@ def film(parameters: Mapping[str, Any]) -> Scene:
     before, vector = array((3, 3), before=parameters["before"]), numbers(3, vector=parameters["vector"])
     times = frame_times(SECONDS)
     share = np.sin(np.pi * times / SECONDS) ** 2  # there and back
-    whole = log(rotation(before, parameters["after"]))
-    triads = before @ np.swapaxes(exp(share[:, None] * whole), 1, 2)
+    rotation_vector = log(rotation(before, parameters["after"]))
+    triads = before @ np.swapaxes(exp(share[:, None] * rotation_vector), 1, 2)
     parts_of_it = (before @ vector)[:, None] * triads  # ei' (ei . r)
     chain = np.concatenate([np.zeros((len(times), 1, 3)), np.cumsum(parts_of_it, axis=1)], axis=1)
     origin = np.zeros(3)

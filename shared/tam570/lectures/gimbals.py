@@ -85,7 +85,7 @@ def film(parameters: Mapping[str, Any]) -> Scene:
     curves = dict(zip(("psi", "theta", "phi"), rates.T, strict=True))
     largest = f"up to {np.abs(rates).max():.3g} rad/s, while the body turns at {SPEED:g} rad/s"
     sums = dict(zip("xyz", rebuilt.T, strict=True))
-    note = drift_note({"": rebuilt}, SPEED, "itself")
+    drift = drift_note({"": rebuilt}, SPEED, "itself")
     return Scene(
         f"Gimbal {sequence}",
         "A disk in two rings turns steadily about a level axis. Its own axis passes close by the axis of the outer "
@@ -94,7 +94,7 @@ def film(parameters: Mapping[str, Any]) -> Scene:
         [Panel(_gimbal(np.array([rings(row, sequence) for row in angles]), sequence), ruler=False)],
         [
             value_plot("rates of the angles", times[shown], curves, "rad/s", largest),
-            value_plot("their sum along the axes of the rings", times[shown], sums, "rad/s", *note),
+            value_plot("their sum along the axes of the rings", times[shown], sums, "rad/s", *drift),
         ],
         view=(0.9, 0.35),
         still_time=0.44,

@@ -91,16 +91,16 @@ def _newton(angles: Array, h: float, length: float, gravity: float, damping: flo
     return step if least > 0 else None
 
 
-def _eliminated(diagonal: Array, beside: float, right: Array) -> tuple[Array, float]:
+def _eliminated(diagonal: Array, beside: float, rhs: Array) -> tuple[Array, float]:
     """The solution of a symmetric system with equal numbers beside its diagonal, and the least pivot."""
     rows = [(1.0, 0.0)]
-    for d, r, near in zip(diagonal.tolist(), right.tolist(), [0.0] + [beside] * len(right), strict=False):
+    for d, r, near in zip(diagonal.tolist(), rhs.tolist(), [0.0] + [beside] * len(rhs), strict=False):
         pivot, before = rows[-1]
         rows.append((d - near * near / pivot, r - near * before / pivot))
-    found = [0.0]
+    solution = [0.0]
     for pivot, r in rows[:0:-1]:
-        found.append((r - beside * found[-1]) / pivot)
-    return np.array(found[:0:-1]), min(pivot for pivot, _ in rows[1:])
+        solution.append((r - beside * solution[-1]) / pivot)
+    return np.array(solution[:0:-1]), min(pivot for pivot, _ in rows[1:])
 
 
 def _descent(angles: Array, *, duration: float, length: float, gravity: float) -> Array:

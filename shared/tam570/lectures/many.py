@@ -111,7 +111,7 @@ def film(parameters: Mapping[str, Any]) -> Scene:
     origin = np.array([angular_momentum(state, np.zeros(3), masses=masses) for state in states[shown]])[..., 2]
     momenta = {"of G": origin[:, 0], "about G": origin[:, 1], "about the origin": origin.sum(axis=1)}
     scale = float(np.abs(momenta["about the origin"]).max()) or 1.0
-    note = drift_note({"": momenta["about the origin"]}, scale, "itself")
+    drift = drift_note({"": momenta["about the origin"]}, scale, "itself")
     return Scene(
         "Particles and their centre of mass",
         f"{n} particles joined by springs are thrown across a table. They turn and swing about their centre of mass, "
@@ -120,7 +120,7 @@ def film(parameters: Mapping[str, Any]) -> Scene:
         [Panel(_drawn(places, m))],
         [
             value_plot("kinetic energy", times[shown], {"of G": of_G, "about G": about_G}, "J"),
-            value_plot("angular momentum", times[shown], momenta, "kg m²/s", *note),
+            value_plot("angular momentum", times[shown], momenta, "kg m²/s", *drift),
         ],
         still_time=0.3,
     )

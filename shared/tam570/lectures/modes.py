@@ -67,9 +67,9 @@ def saddle(*, mass: float, curvature: float, gravity: float) -> tuple[Array, Arr
     return mass * np.eye(2), mass * gravity * curvature * np.diag([1.0, -1.0])
 
 
-def _symmetric(**named: ArrayLike) -> Array:
-    ((name, value),) = named.items()
-    matrix = array((None, None), **named)
+def _symmetric(**matrices: ArrayLike) -> Array:
+    ((name, value),) = matrices.items()
+    matrix = array((None, None), **matrices)
     n, m = matrix.shape
     if n != m or n == 0 or np.abs(matrix - matrix.T).max() > SYMMETRIC * np.abs(matrix).max():
         raise ValueError(f"{name}: must be square and symmetric, got {value!r}")
@@ -90,13 +90,13 @@ def film(parameters: Mapping[str, Any]) -> Scene:
         for j, frequency in enumerate(frequencies)
     }
     rows["all together"] = (waves * amounts) @ shapes.T
-    drawn = [one for j, (name, q) in enumerate(rows.items()) for one in _chain(q, -0.6 * j, min(j, 5), name)]
+    drawn = [shape for j, (name, q) in enumerate(rows.items()) for shape in _chain(q, -0.6 * j, min(j, 5), name)]
     shown = plot_samples(times)
     q, rate = rows["all together"][shown], -np.sin(np.outer(times[shown], frequencies)) * frequencies * amounts
     one_by_one = (rate**2 + squares * (q @ M @ shapes) ** 2) / 2
     curves = {f"mode {j + 1}": one_by_one[:, j] for j in range(n)}
     places = {f"mass {j + 1}": q[:, j] for j in range(n)}
-    note = drift_note(curves, float(one_by_one[0].sum()), "all of it")
+    drift = drift_note(curves, float(one_by_one[0].sum()), "all of it")
     return Scene(
         "Modes of a chain",
         f"{n} masses between springs vibrate in each normal mode, one row for a mode. All masses keep time, from one "
@@ -105,7 +105,7 @@ def film(parameters: Mapping[str, Any]) -> Scene:
         [Panel(drawn)],
         [
             value_plot("last row: displacements", times[shown], places, "m"),
-            value_plot("last row: energy in each mode", times[shown], curves, "J", *note),
+            value_plot("last row: energy in each mode", times[shown], curves, "J", *drift),
         ],
         still_time=0.02,
     )

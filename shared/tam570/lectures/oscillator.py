@@ -72,8 +72,8 @@ def orbit_tensor(state: ArrayLike, *, mass: float, stiffness: float) -> Array:
     """(6,) m v v + k r r, J: the parts xx, yy, zz, yz, zx, xy. It fixes the ellipse; its trace is twice the energy."""
     _check(mass, stiffness)
     r, v = numbers(6, state=state).reshape(2, 3)
-    whole = mass * np.outer(v, v) + stiffness * np.outer(r, r)
-    return whole[[0, 1, 2, 1, 2, 0], [0, 1, 2, 2, 0, 1]]
+    tensor = mass * np.outer(v, v) + stiffness * np.outer(r, r)
+    return tensor[[0, 1, 2, 1, 2, 0], [0, 1, 2, 2, 0, 1]]
 
 
 INVARIANTS = {"energy": energy, "angular_momentum": angular_momentum, "orbit_tensor": orbit_tensor}
@@ -99,7 +99,7 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
     ]
     shown = plot_samples(times)
     tensors = np.array([orbit_tensor(state, **parameters) for state in states[shown]])
-    note = drift_note({"": tensors}, float(np.linalg.norm(tensors[0])) or 1.0, "itself")
+    drift = drift_note({"": tensors}, float(np.linalg.norm(tensors[0])) or 1.0, "itself")
     squares = states[shown].reshape(-1, 2, 3) ** 2 @ np.ones(3) / 2
     potential, kinetic = parameters["stiffness"] * squares[:, 0], parameters["mass"] * squares[:, 1]
     parts = dict(zip(("xx", "yy", "zz", "yz", "zx", "xy"), tensors.T, strict=True))
@@ -112,7 +112,7 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
         [Panel(shapes)],
         [
             value_plot("energy", times[shown], energies, "J"),
-            value_plot("m v v + k r r, a tensor", times[shown], parts, "J", *note),
+            value_plot("m v v + k r r, a tensor", times[shown], parts, "J", *drift),
         ],
         still_time=0.25,
     )

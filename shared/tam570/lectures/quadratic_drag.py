@@ -91,7 +91,7 @@ def _one(parameters: Mapping[str, float], start: Sequence[float], seconds: float
         "there is, the more the second looks like the third.",
         times,
         [
-            Panel([Shape("lines", ground, GREY), *_flights(paths, colors, named=True)], "as far as they go"),
+            Panel([Shape("lines", ground, GREY), *_flights(paths, colors, labelled=True)], "as far as they go"),
             *_shapes(paths, colors),
         ],
         [_speed(times, states, parameters)],
@@ -118,9 +118,9 @@ def _out_then_down(times: Array, start: Sequence[float], real: Array, parameters
     return _landed(np.column_stack([x + vx * out, y + vy * out - down]))
 
 
-def _flights(paths: Mapping[str, Array], colors: Mapping[str, int], *, named: bool) -> list[Shape]:
+def _flights(paths: Mapping[str, Array], colors: Mapping[str, int], *, labelled: bool) -> list[Shape]:
     trails = [
-        Shape("trail", path[:, None], colors[name], name if named else "", width=2.5) for name, path in paths.items()
+        Shape("trail", path[:, None], colors[name], name if labelled else "", width=2.5) for name, path in paths.items()
     ]
     return [*trails, *(Shape("dot", path[:, None], colors[name], width=7) for name, path in paths.items())]
 
@@ -133,10 +133,10 @@ def _shapes(paths: Mapping[str, Array], colors: Mapping[str, int]) -> list[Panel
     shapes = {name: (path - path[0]) / abs(ranges[name]) for name, path in paths.items()}
     along = copysign(1.0, ranges["parabola"])
     ground = Shape("lines", np.array([[0.0, 0.0], [along, 0.0]]), GREY)
-    return [Panel([ground, *_flights(shapes, colors, named=False)], "each as a share of its range", ruler=False)]
+    return [Panel([ground, *_flights(shapes, colors, labelled=False)], "each as a share of its range", ruler=False)]
 
 
 def _speed(times: Array, states: Array, parameters: Mapping[str, float]) -> TimePlot:
     shown = plot_samples(times)
-    note = f"terminal speed {terminal_speed(**parameters):.3g} m/s" if parameters["drag"] else "no drag"
-    return value_plot("speed through air", times[shown], {"": np.hypot(*states[shown, 2:].T)}, "m/s", note)
+    text = f"terminal speed {terminal_speed(**parameters):.3g} m/s" if parameters["drag"] else "no drag"
+    return value_plot("speed through air", times[shown], {"": np.hypot(*states[shown, 2:].T)}, "m/s", text)

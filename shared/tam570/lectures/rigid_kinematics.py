@@ -50,14 +50,14 @@ def five_terms(
     "euler" is alpha x arm, "centripetal" omega x (omega x arm), "coriolis" 2 omega x v_rel, "relative" a_rel.
     """
     w, r = numbers(3, omega=omega), numbers(3, arm=arm)
-    terms = (
+    parts = (
         numbers(3, a_a=a_a),
         np.cross(numbers(3, alpha=alpha), r),
         np.cross(w, np.cross(w, r)),
         2 * np.cross(w, numbers(3, v_rel=v_rel)),
         numbers(3, a_rel=a_rel),
     )
-    return dict(zip(TERMS, terms, strict=True))
+    return dict(zip(TERMS, parts, strict=True))
 
 
 def film(parameters: Mapping[str, float]) -> Scene:
@@ -73,13 +73,13 @@ def film(parameters: Mapping[str, float]) -> Scene:
     e = np.column_stack([np.cos(angle), np.sin(angle), 0 * angle])
     out, speed, quicker = (length * wave[:, None] for wave in _slide(times, slide / length))
     bead = A + out * e
-    known = zip(a_a, omega, out * e, speed * e, quicker * e, strict=True)
-    each = [five_terms(a, w, parameters["spin_rate"] * UP, r, v, b) for a, w, r, v, b in known]
-    terms = {name: np.array([one[name] for one in each]) for name in TERMS}
-    whole = np.sum(list(terms.values()), axis=0)
+    histories = zip(a_a, omega, out * e, speed * e, quicker * e, strict=True)
+    each = [five_terms(a, w, parameters["spin_rate"] * UP, r, v, b) for a, w, r, v, b in histories]
+    parts = {name: np.array([row[name] for row in each]) for name in TERMS}
+    total = np.sum(list(parts.values()), axis=0)
     tip = np.array([velocity(v, w, length * d) for v, w, d in zip(v_a, omega, e, strict=True)])
     shown = plot_samples(times)
-    sizes = {name: np.linalg.norm(term[shown], axis=1) for name, term in terms.items()}
+    sizes = {name: np.linalg.norm(term[shown], axis=1) for name, term in parts.items()}
     return Scene(
         "Points of a rigid body",
         "A bar turns while its end A goes to and fro. On the left, the velocity of its tip is that of A and "
@@ -88,7 +88,7 @@ def film(parameters: Mapping[str, float]) -> Scene:
         times,
         [
             Panel([*_bar(A, A + length * e), *_velocities(A, length * e, v_a, tip)], "velocity of the tip"),
-            Panel([*_bar(A, A + length * e), *_polygon(bead, terms, whole)], "acceleration of the bead"),
+            Panel([*_bar(A, A + length * e), *_polygon(bead, parts, total)], "acceleration of the bead"),
         ],
         [value_plot("size of each term", times[shown], sizes, "m/s²")],
         still_time=0.06,
@@ -119,14 +119,14 @@ def _velocities(A: Array, arm: Array, v_a: Array, tip: Array) -> list[Shape]:
     return _arrows(arrows, unit, (1, 2, 0))
 
 
-def _polygon(bead: Array, terms: Mapping[str, Array], whole: Array) -> list[Shape]:
+def _polygon(bead: Array, parts: Mapping[str, Array], total: Array) -> list[Shape]:
     """Each term begins where the one before it ends."""
-    unit = 1.1 / float(np.linalg.norm(whole, axis=1).max())  # s^2
+    unit = 1.1 / float(np.linalg.norm(total, axis=1).max())  # s^2
     arrows, end = {}, bead
-    for name, term in terms.items():
+    for name, term in parts.items():
         arrows[name], end = (end, term), end + unit * term
     dot = Shape("dot", bead[:, None, :2], INK, "bead", width=7)
-    return [dot, *_arrows({**arrows, "acceleration": (bead, whole)}, unit, (1, 2, 3, 4, 5, 0))]
+    return [dot, *_arrows({**arrows, "acceleration": (bead, total)}, unit, (1, 2, 3, 4, 5, 0))]
 
 
 def _arrows(arrows: Mapping[str, tuple[Array, Array]], unit: float, colors: tuple[int, ...]) -> list[Shape]:

@@ -71,12 +71,12 @@ def exact(
     since = times - times[:1]
     fuel = max(mass - empty_mass, 0.0)
     burnt = np.minimum(burn_rate * since, fuel)
-    left = np.where(burn_rate * since < fuel, mass - burnt, min(mass, empty_mass))
+    remaining = np.where(burn_rate * since < fuel, mass - burnt, min(mass, empty_mass))
     gained = -exhaust_speed * np.log1p(-burnt / mass)  # by the thrust, m/s
-    pushed = exhaust_speed * burnt / burn_rate - left * gained / burn_rate  # its integral while it burns, m
+    pushed = exhaust_speed * burnt / burn_rate - remaining * gained / burn_rate  # its integral while it burns, m
     coasting = since - burnt / burn_rate
     risen = height + speed * since - gravity * since**2 / 2 + pushed + gained * coasting
-    return np.column_stack([risen, speed + gained - gravity * since, left])
+    return np.column_stack([risen, speed + gained - gravity * since, remaining])
 
 
 def coasting_energy(
@@ -84,9 +84,9 @@ def coasting_energy(
 ) -> float:
     """J/kg, v^2/2 + g h as it will be at the end of the burning, and is after it."""
     height, speed, mass = numbers(3, state=state).tolist()
-    known = {"burn_rate": burn_rate, "exhaust_speed": exhaust_speed, "empty_mass": empty_mass, "gravity": gravity}
+    parameters = {"burn_rate": burn_rate, "exhaust_speed": exhaust_speed, "empty_mass": empty_mass, "gravity": gravity}
     burning = max(mass - empty_mass, 0.0) / burn_rate  # s
-    height, speed, _ = exact([0.0, burning], (height, speed, mass), **known)[-1]
+    height, speed, _ = exact([0.0, burning], (height, speed, mass), **parameters)[-1]
     return float(speed**2 / 2 + gravity * height)
 
 
@@ -102,16 +102,16 @@ def _check(burn_rate: float, exhaust_speed: float, empty_mass: float, gravity: f
 def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
     """One start by both equations."""
     times = frame_times(seconds)
-    right, wrong = (solve(equations, times, start, parameters=parameters) for equations in (rates, wrong_rates))
-    shown, apart = plot_samples(times), 0.1 * float(np.ptp(np.concatenate([right[:, 0], wrong[:, 0]])))
-    burning = right[:, 2] > parameters["empty_mass"]
+    correct, wrong = (solve(equations, times, start, parameters=parameters) for equations in (rates, wrong_rates))
+    shown, apart = plot_samples(times), 0.1 * float(np.ptp(np.concatenate([correct[:, 0], wrong[:, 0]])))
+    burning = correct[:, 2] > parameters["empty_mass"]
     shapes = [
         Shape("lines", np.array([[-2 * apart, 0.0], [2 * apart, 0.0]]), GREY, "start", width=2),
-        *_rocket(right, -apart, burning, 0, "momentum of rocket and exhaust"),
+        *_rocket(correct, -apart, burning, 0, "momentum of rocket and exhaust"),
         *_rocket(wrong, apart, burning, 1, "d(mv)/dt = F of the rocket alone"),
     ]
-    energies = [coasting_energy(state, **parameters) for state in right[shown]]
-    note, alarm = drift_note({"": energies}, abs(energies[0]) or 1.0, "itself")
+    energies = [coasting_energy(state, **parameters) for state in correct[shown]]
+    drift, alarm = drift_note({"": energies}, abs(energies[0]) or 1.0, "itself")
     return Scene(
         "Rocket",
         "Two rockets start alike. The right one is pushed by its exhaust until its tank is empty. The other follows "
@@ -119,8 +119,8 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
         times,
         [Panel(shapes)],
         [
-            value_plot("speed", times[shown], {"right": right[shown, 1], "wrong": wrong[shown, 1]}, "m/s"),
-            value_plot("mass", times[shown], {"": right[shown, 2]}, "kg", f"energy at its end: {note}", alarm),
+            value_plot("speed", times[shown], {"right": correct[shown, 1], "wrong": wrong[shown, 1]}, "m/s"),
+            value_plot("mass", times[shown], {"": correct[shown, 2]}, "kg", f"energy at its end: {drift}", alarm),
         ],
         still_time=0.7,
     )
@@ -128,10 +128,10 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
 
 def _rocket(states: Array, x: float, burning: NDArray[np.bool_], color: int, name: str) -> list[Shape]:
     """A dot with its path, and a flame while it burns."""
-    place = np.column_stack([np.full(len(states), x), states[:, 0]])
-    flame = place - np.outer(burning * 0.6 * abs(x), [0.0, 1.0])
+    positions = np.column_stack([np.full(len(states), x), states[:, 0]])
+    flame = positions - np.outer(burning * 0.6 * abs(x), [0.0, 1.0])
     return [
-        Shape("trail", place[:, None], color, width=1.5),
-        Shape("lines", moving(place, flame), 3, width=4),
-        Shape("dot", place[:, None], color, name, width=10),
+        Shape("trail", positions[:, None], color, width=1.5),
+        Shape("lines", moving(positions, flame), 3, width=4),
+        Shape("dot", positions[:, None], color, name, width=10),
     ]

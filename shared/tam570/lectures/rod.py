@@ -83,8 +83,8 @@ def film(parameters: Mapping[str, Any]) -> Scene:
 def _tension(times: Array, parameters: Mapping[str, Any]) -> TimePlot:
     shown = times[plot_samples(times)]
     forces = np.outer(np.cos(2 * np.pi * shown / (SECONDS / 2)), parameters["forces"])
-    found = {
+    tension = {
         name: np.array([way(pair, masses=parameters["masses"])[1] for pair in forces])
         for name, way in {"by constraint": by_constraint, "by elimination": by_elimination}.items()
     }
-    return value_plot("tension", shown, found, "N", "the two curves are one")
+    return value_plot("tension", shown, tension, "N", "the two curves are one")

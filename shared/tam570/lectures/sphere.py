@@ -54,7 +54,7 @@ def film(parameters: Mapping[str, Any]) -> Scene:
     times = frame_times(SECONDS)
     u = np.clip(3 * times / SECONDS - np.arange(3)[:, None], 0.0, 1.0)[..., None]  # of each third
     one_by_one = exp(u[1] * second) @ exp(u[0] * first)
-    at_once = exp(u[2] * both)
+    direct = exp(u[2] * both)
     corners = [_unit(vector) for vector in (first, second, both)]
     shapes = [
         *(
@@ -63,9 +63,9 @@ def film(parameters: Mapping[str, Any]) -> Scene:
         ),
         *(Shape("arrow", np.array([np.zeros(3), 1.25 * corner]), GREY, width=2) for corner in corners),
         *(Shape("text", 1.33 * corner[None], INK, words=name) for name, corner in zip("ABC", corners, strict=True)),
-        *(Shape("path", _arc(one, other), 3, "triangle of half angles", width=3) for one, other in _sides(corners)),
-        *_mark(one_by_one, 0, "about A, then about B"),
-        *_mark(at_once, 1, "once about C"),
+        *(Shape("path", _arc(start, end), 3, "triangle of half angles", width=3) for start, end in _sides(corners)),
+        *_trail(one_by_one, 0, "about A, then about B"),
+        *_trail(direct, 1, "once about C"),
     ]
     return Scene(
         "Two rotations are one",
@@ -97,7 +97,7 @@ def _arc(start: Array, end: Array) -> Array:
     return arc
 
 
-def _mark(rotations: Array, color: int, name: str) -> list[Shape]:
+def _trail(rotations: Array, color: int, name: str) -> list[Shape]:
     """A mark on the sphere, where it has been, and the triangle between it and two more points of the body."""
     points = np.array([[0.85, -0.45, 0.27], [0.65, -0.55, 0.52], [0.92, -0.2, 0.33]])
     points = points / np.linalg.norm(points, axis=1)[:, None]

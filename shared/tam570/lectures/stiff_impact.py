@@ -81,7 +81,7 @@ def rod_states(
     """(n, 6) y, angle, their rates and the impulses so far, from the first touch until both contacts are left."""
     positive(mass=mass, inertia=inertia, speed=speed)
     pair, (a, b) = positives(2, stiffnesses=stiffnesses), numbers(2, arms=arms).tolist()
-    stiff, other = (one / max(pair) * mass for one in pair)  # 1/s^2 is the unit of their ratio to the mass
+    stiff, other = (stiffness / max(pair) * mass for stiffness in pair)  # 1/s^2 is the unit of their ratio to the mass
 
     def falling(t: float, state: Sequence[float]) -> tuple[float, ...]:
         y, angle, up, turning, _, _ = state
@@ -94,9 +94,9 @@ def rod_states(
         seconds *= 2.0
         states = solve(falling, np.linspace(0.0, seconds, 801), [0.0, 0.0, -speed, 0.0, 0.0, 0.0], rtol=1e-11)
         gaps, parting = (states[:, [i]] + states[:, [i + 1]] * [a, b] for i in (0, 2))
-        left = (gaps >= 0.0).all(axis=1) & (parting >= 0.0).all(axis=1)
-        if left.any():
-            return states[: int(left.argmax()) + 1]
+        separated = (gaps >= 0.0).all(axis=1) & (parting >= 0.0).all(axis=1)
+        if separated.any():
+            return states[: int(separated.argmax()) + 1]
         if seconds > 1e3 / sqrt(softest):
             raise ArithmeticError("the rod does not leave both contacts")
 

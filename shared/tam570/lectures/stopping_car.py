@@ -86,8 +86,8 @@ def _checked(
     return mu_f, mu_r
 
 
-def _solved(equations: list[list[float]], right: list[float]) -> tuple[float, float, float]:
-    return _on_the_ground(*np.linalg.solve(equations, right).tolist())
+def _solved(equations: list[list[float]], rhs: list[float]) -> tuple[float, float, float]:
+    return _on_the_ground(*np.linalg.solve(equations, rhs).tolist())
 
 
 def _on_the_ground(deceleration: float, front_load: float, rear_load: float) -> tuple[float, float, float]:

@@ -122,7 +122,7 @@ def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) 
         np.array([energy(row, **parameters) for row in rows]) for rows in (states[shown], states[shown] * [1, 1, 0, 0])
     )
     turning = np.array([angular_momentum(state, **parameters) for state in states[shown]])
-    note, alarm = drift_note({"": turning}, abs(float(turning[0])) or 1.0, "itself")
+    drift, alarm = drift_note({"": turning}, abs(float(turning[0])) or 1.0, "itself")
     return Scene(
         "Two particles on a string",
         "A mass circles on a table. The string through the hole holds a second mass below the table. The circle's "
@@ -131,7 +131,9 @@ def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) 
         [Panel(shapes)],
         [
             energy_plot(times[shown], total, resting),
-            value_plot("distance from the hole", times[shown], {"": r[shown]}, "m", f"angular momentum: {note}", alarm),
+            value_plot(
+                "distance from the hole", times[shown], {"": r[shown]}, "m", f"angular momentum: {drift}", alarm
+            ),
         ],
         view=(0.6, 0.25),
         still_time=0.35,

@@ -90,13 +90,13 @@ def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) 
     names = sorted(SIGNS, key=lambda name: name != parameters["surface"])
     shown, panels, energies, kinetic = plot_samples(times), [], {}, {}
     for name in names:
-        known = {**parameters, "surface": name}
-        states = solve(rates, times, start, parameters=known)
-        panels.append(Panel(_sliding(states, known), name))
-        total = np.array([energy(state, **known) for state in states[shown]])
-        resting = np.array([energy(state, **known) for state in states[shown] * [1, 1, 0, 0]])
+        arguments = {**parameters, "surface": name}
+        states = solve(rates, times, start, parameters=arguments)
+        panels.append(Panel(_sliding(states, arguments), name))
+        total = np.array([energy(state, **arguments) for state in states[shown]])
+        resting = np.array([energy(state, **arguments) for state in states[shown] * [1, 1, 0, 0]])
         energies[name], kinetic[name] = total, total - resting
-    largest = max(float(one.max()) for one in kinetic.values())
+    largest = max(float(values.max()) for values in kinetic.values())
     return Scene(
         "Particle on a surface",
         "A particle slides without friction in a bowl, on a saddle and on a level plane, each time from the same "
@@ -117,11 +117,11 @@ def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) 
     )
 
 
-def _sliding(states: Array, known: Mapping[str, Any]) -> list[Shape]:
+def _sliding(states: Array, arguments: Mapping[str, Any]) -> list[Shape]:
     """A net of the surface as far as the particle goes, the particle, the force on it."""
-    shape = {name: known[name] for name in ("surface", "curvature")}
+    shape = {name: arguments[name] for name in ("surface", "curvature")}
     x, y = states[:, 0], states[:, 1]
-    place = np.column_stack([x, y, height(x, y, **shape)])
+    positions = np.column_stack([x, y, height(x, y, **shape)])
     low, high = states[:, :2].min(axis=0) - 0.2, states[:, :2].max(axis=0) + 0.2
     net = []
     for i in (0, 1):
@@ -129,11 +129,11 @@ def _sliding(states: Array, known: Mapping[str, Any]) -> list[Shape]:
         for across in np.linspace(low[1 - i], high[1 - i], 11):
             pair = (along, np.full(25, across))[:: 1 - 2 * i]
             net.append(Shape("path", np.column_stack([*pair, height(*pair, **shape)]), GREY, width=1, faint=True))
-    forces = np.array([constraint_force(state, **known) for state in states])
+    forces = np.array([constraint_force(state, **arguments) for state in states])
     unit = 0.4 / (float(np.linalg.norm(forces, axis=1).max()) or 1.0)  # m/N
     return [
         *net,
-        Shape("trail", place[:, None], 2, "path", width=2),
-        Shape("arrow", moving(place, place + unit * forces), 3, "force of the surface", width=2.5),
-        Shape("dot", place[:, None], 0, "particle", width=9),
+        Shape("trail", positions[:, None], 2, "path", width=2),
+        Shape("arrow", moving(positions, positions + unit * forces), 3, "force of the surface", width=2.5),
+        Shape("dot", positions[:, None], 0, "particle", width=9),
     ]

@@ -75,9 +75,9 @@ def vertical_momentum(
     state: ArrayLike, *, mass: float, distance: float, axial: float, transverse: float, gravity: float
 ) -> float:
     """Angular momentum about the vertical through the tip, kg m^2/s."""
-    known = {"mass": mass, "distance": distance, "axial": axial, "transverse": transverse, "gravity": gravity}
+    parameters = {"mass": mass, "distance": distance, "axial": axial, "transverse": transverse, "gravity": gravity}
     _, theta, _, W, _, _ = numbers(6, state=state)
-    return float(transverse * W * sin(theta) ** 2 + axial_momentum(state, **known) * cos(theta))
+    return float(transverse * W * sin(theta) ** 2 + axial_momentum(state, **parameters) * cos(theta))
 
 
 INVARIANTS = {"energy": energy, "axial_momentum": axial_momentum, "vertical_momentum": vertical_momentum}

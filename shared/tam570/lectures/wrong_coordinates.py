@@ -86,7 +86,7 @@ def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) 
         name: np.degrees(np.arccos(np.clip(H[shown] @ first / scale**2, -1.0, 1.0))) for name, H in momenta.items()
     }
     energies = {name: [energy(state, **parameters) for state in states[shown]] for name, states in both.items()}
-    note, alarm = drift_note(energies, energies["Euler"][0] or 1.0, "itself")
+    drift, alarm = drift_note(energies, energies["Euler"][0] or 1.0, "itself")
     spins = {name: states[shown, 11] for name, states in both.items()}
     return Scene(
         "Wrong coordinates",
@@ -96,7 +96,7 @@ def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) 
         panels,
         [
             value_plot("angular momentum from where it was", times[shown], across, "°"),
-            value_plot("spin about the body's third axis", times[shown], spins, "rad/s", f"energy: {note}", alarm),
+            value_plot("spin about the body's third axis", times[shown], spins, "rad/s", f"energy: {drift}", alarm),
         ],
         still_time=0.35,
     )
