@@ -3,6 +3,9 @@
 # ruff: noqa: E402  nothing below can be imported on Windows
 
 import os
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 if os.name != "posix":
     raise SystemExit("tam570-grader: error: the grader needs Linux or macOS; on Windows, use WSL")
@@ -30,11 +33,16 @@ from tam570_grader.checks.returns import array, drawing, formula, group, number,
 from tam570_grader.checks.times import KEPT, SOME_TIMES, repeated_calls, uneven
 from tam570_grader.checks.trajectory import Invariant, OwnRates, check_conserved, compare_trajectory
 
+if TYPE_CHECKING:
+    from tam570_grader.grading.batch import RunConfig
+    from tam570_grader.results.records import Result
+
 __all__ = [
     "Assignment",
     "absolute",
     "compare_columns",
     "get_context",
+    "grade",
     "path_drawn",
     "in_symbols",
     "repeated_calls",
@@ -72,3 +80,35 @@ __all__ = [
     "rows",
     "uneven",
 ]
+
+
+def grade(submissions: "Iterable[str | Path]", config: "RunConfig | None" = None) -> "Iterator[Result]":
+    """Grade submissions in the sandbox.
+
+    Parameters
+    ----------
+    submissions : paths
+        Modules, notebooks, their folders, or trees `<student>/<assignment>/`, as `tam570-grader grade` takes them.
+    config : RunConfig, optional
+        Course, seed, supervisors, limits. By default the installed course, a random seed, a supervisor a core.
+
+    Yields
+    ------
+    Result
+        Of each submission, as soon as it is graded: student, assignment, status, score, checks.
+
+    Raises
+    ------
+    UsageError
+        Where there is no submission at these paths, or no submission can be confined on this machine.
+
+    Examples
+    --------
+    >>> from tam570_grader.checks import assignments
+    >>> for result in grade([assignments.find() / "solutions" / "hw08_axis_angle.py"]):
+    ...     print(result.assignment, result.score, [check.outcome for check in result.checks][:2])
+    hw08_axis_angle 10.0 ['passed', 'passed']
+    """
+    from tam570_grader.grading import batch
+
+    return batch.grade(submissions, config or batch.RunConfig())

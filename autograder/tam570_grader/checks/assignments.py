@@ -14,7 +14,6 @@ from types import ModuleType
 from typing import Any
 
 import tam570
-import tam570_grader
 from tam570_grader.checks.assignment import Assignment
 from tam570_grader.checks.check import Check
 from tam570_grader.checks.effort import Finder
@@ -206,7 +205,7 @@ def checks_digest(root: Path, slug: str) -> bytes:
 @functools.cache
 def engine_digest() -> bytes:
     """Of the code of the grader and of the utilities that students call: a result may change if it does."""
-    return _digest(Path(tam570_grader.__file__).parent, Path(tam570.__file__).parent)
+    return _digest(Path(__file__).parents[1], Path(tam570.__file__).parent)
 
 
 def _digest(*folders: Path) -> bytes:

@@ -12,25 +12,27 @@ import tempfile
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import ExitStack
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 from tam570_grader.checks import assignments
 from tam570_grader.grading import supervisor
 from tam570_grader.grading.cluster import Cluster
-from tam570_grader.grading.executor import WorkerLost, finished
+from tam570_grader.grading.executor import WorkerLost, cores, finished
 from tam570_grader.grading.executor import executor as crew_here
-from tam570_grader.grading.seeds import derive
-from tam570_grader.grading.submissions import CannotRead, Submission, read
+from tam570_grader.grading.seeds import derive, new_seed
+from tam570_grader.grading.submissions import CannotRead, Submission, read, submissions
 from tam570_grader.grading.supervisor import GradeTask, WorkerConfig
+from tam570_grader.results import records as result_records
+from tam570_grader.results.records import Result
 from tam570_grader.results.store import Key, Record, Results, ResultStore
 from tam570_grader.sandbox.launch import isolation
 from tam570_grader.sandbox.preload import imported
 from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.zygote import ResourceLimits
 
-__all__ = ["CachedResult", "RunConfig", "digests", "lines", "outcomes", "records"]
+__all__ = ["CachedResult", "RunConfig", "digests", "grade", "lines", "outcomes", "records"]
 
 FEW = 4  # submissions a process, for which to start one repays
 HELD = 2**26  # bytes of submissions that are held until they are handed out; others are read twice
@@ -38,14 +40,14 @@ HELD = 2**26  # bytes of submissions that are held until they are handed out; ot
 
 @dataclass(frozen=True)
 class RunConfig:
-    """What is graded and how."""
+    """What is graded and how; by default nothing yet, by the installed course, with a seed that nobody can guess."""
 
-    course: Path
-    submissions: Sequence[Submission]
-    seed: int
-    jobs: int
-    limits: ResourceLimits
-    hidden: Sequence[Path] = ()
+    course: Path = field(default_factory=assignments.find)
+    submissions: Sequence[Submission] = ()
+    seed: int = field(default_factory=new_seed)
+    jobs: int = field(default_factory=cores)
+    limits: ResourceLimits = ResourceLimits()
+    hidden: Sequence[Path] = ()  # what no submission may see
     speed: bool = False  # measure run time against error too
     key: bytes | None = None  # varies the hidden inputs from student to student; `seed` is then not used
     cluster: Cluster | None = None  # None: this machine
@@ -72,6 +74,15 @@ class CachedResult:
     @property
     def record(self) -> Record:
         return self.place[self.key]
+
+
+def grade(paths: Iterable[str | Path], config: RunConfig) -> Iterator[Result]:
+    """The results of what is at these paths: see `tam570_grader.grade`."""
+    places = [Path(path) for path in paths]
+    everyone = submissions(places, assignments.slugs(config.course))
+    hidden = [config.course, *config.hidden, *(place.resolve() for place in places)]
+    for record in records(replace(config, submissions=everyone, hidden=hidden)):
+        yield result_records.read(record)
 
 
 def records(config: RunConfig, store: ResultStore | None = None, old: Sequence[Results] = ()) -> Iterator[Record]:

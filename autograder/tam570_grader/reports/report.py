@@ -197,7 +197,7 @@ def _scores(class_results: Class, students: Sequence[str], dropped: Container[Ke
         own = {slug: class_results.get((student, slug)) for slug in slugs}
         cells = {slug: _cell(result) for slug, result in own.items()}
         counting = [result.score or 0 for slug, result in own.items() if result and (student, slug) not in dropped]
-        shown = [f"({cell})" if (student, slug) in dropped else cell for slug, cell in cells.items()]
+        shown = [f"({cell})" if cell and (student, slug) in dropped else cell for slug, cell in cells.items()]
         yield {"student": student, "cells": shown, "total": points(sum(counting))}
 
 

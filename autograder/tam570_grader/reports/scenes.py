@@ -111,7 +111,7 @@ def _numbers(failure: Failure | None) -> Pair | None:
     if both[0].shape != both[1].shape or not both[0].size or not np.isfinite(both).all():
         return None
     low, high = min(0.0, np.min(both)), max(0.0, np.max(both))
-    margin = 0.05 * (high - low) or 1.0
+    margin = 0.15 * (high - low) or 1.0
     return Pair(*(_plot(values, (low - margin, high + margin)) for values in both))
 
 
@@ -120,7 +120,7 @@ def _plot(values: Any, span: tuple[float, float]) -> str:
     axes = figure.subplots()
     if len(values := np.atleast_1d(values)) < FEW:
         axes.bar_label(axes.bar(range(values.size), values.ravel()), fmt="%.4g")
-        axes.set_xticks(range(values.size))
+        axes.set_xticks(range(values.size) if values.size > 1 else [])
     else:
         axes.plot(values.reshape(len(values), -1))
         axes.set_xlabel("row")
