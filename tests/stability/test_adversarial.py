@@ -54,10 +54,6 @@ def bouncing(stiffness, damping=0.0):
     return lambda t, y: (y[1], -G + max(0.0, -stiffness * y[0] - damping * y[1]) if y[0] < 0 else -G)
 
 
-def hertz(t, y):
-    return y[1], -G + 1e5 * max(-y[0], 0.0) ** 1.5
-
-
 def two_walls(t, y):
     x = y[0]
     return y[1], (-1e6 * (x - 1) if x > 1 else -1e6 * (x + 1) if x < -1 else 0.0)
@@ -69,22 +65,6 @@ def two_balls(t, y):
     return u, v, -push, push
 
 
-def gap(t, y):
-    return y[1], -y[0] - 100.0 * np.maximum(y[0] - 0.5, 0.0)
-
-
-def by_where(t, y):
-    return np.array([y[1], np.where(y[0] < 0, -1e5 * y[0], 0.0)])
-
-
-def by_clip(t, y):
-    return np.array([y[1], -50.0 * np.clip(y[0], -0.3, 0.3)])
-
-
-def one_sided_by_abs(t, y):
-    return y[1], -500.0 * (abs(y[0]) + y[0]) / 2 - y[0]
-
-
 CONTACT = {
     **{
         f"wall {k:.0e}": against(wall(k), (0, 2), [1.0, -1.0], exact=through_the_wall(k))
@@ -93,58 +73,24 @@ CONTACT = {
     "ball 1e4": against(bouncing(1e4), (0, 1), [1.0, 0.0], longest=1e-3),
     "ball 1e6": against(bouncing(1e6), (0, 0.6), [1.0, 0.0], longest=1e-4),
     "damped ball": against(bouncing(1e6, 200.0), (0, 0.6), [1.0, 0.0], longest=1e-4),
-    "Hertz": against(hertz, (0, 0.6), [0.3, 0.0], longest=2e-4),
+    "Hertz": against(lambda t, y: (y[1], -G + 100000.0 * max(-y[0], 0.0) ** 1.5), (0, 0.6), [0.3, 0.0], longest=2e-4),
     "two walls": against(two_walls, (0, 2.3), [0.0, 2.0], longest=1e-3),
     "two balls": against(two_balls, (0, 1), [0.0, 1.0, 2.0, 0.0], longest=1e-3),
-    "gap": against(gap, (0, 5), [1.0, 0.0]),
-    "where": against(by_where, (0, 1.4), [1.0, -1.0], longest=1e-3),
-    "clip": against(by_clip, (0, 3), [1.0, 0.0]),
-    "abs of a state": against(one_sided_by_abs, (0, 3), [1.0, 0.0]),
+    "gap": against(lambda t, y: (y[1], -y[0] - 100.0 * np.maximum(y[0] - 0.5, 0.0)), (0, 5), [1.0, 0.0]),
+    "where": against(
+        lambda t, y: np.array([y[1], np.where(y[0] < 0, -100000.0 * y[0], 0.0)]), (0, 1.4), [1.0, -1.0], longest=1e-3
+    ),
+    "clip": against(lambda t, y: np.array([y[1], -50.0 * np.clip(y[0], -0.3, 0.3)]), (0, 3), [1.0, 0.0]),
+    "abs of a state": against(lambda t, y: (y[1], -500.0 * (abs(y[0]) + y[0]) / 2 - y[0]), (0, 3), [1.0, 0.0]),
 }
 
 
 # Friction and branches on the state
 
 
-def sliding(t, y):
-    return y[1], -2.0 if y[1] > 0 else 0.0
-
-
-def pushed_with_friction(t, y):
-    return y[1], 1.0 - 0.5 * np.sign(y[1])
-
-
 def coulomb(t, y):
     """Half a turn about 0.5, then one about -0.5, which has no room for another."""
     return y[1], -y[0] - 0.5 * np.sign(y[1])
-
-
-def quadratic_drag(t, y):
-    return y[1], -abs(y[1]) * y[1] - 1.0
-
-
-def belt(t, y):
-    return y[1], -4.0 * y[0] - 0.3 * math.tanh((y[1] - 0.5) / 0.05)
-
-
-def relay_without_memory(t, y):
-    return y[1], -y[0] + (0.5 if y[0] > 0 else -0.5)
-
-
-def magnet(t, y):
-    return (y[1], -y[0] / (0.01 + y[0] ** 2))
-
-
-def saturated(t, y):
-    return (y[1], -max(-1.0, min(1.0, 20.0 * y[0])))
-
-
-def thermostat(t, y):
-    return (1.0 - y[0] if y[0] < 0.3 else 0.5 - y[0],)
-
-
-def by_dictionary(t, y):
-    return ({True: -y[0], False: -2.0 * y[0]}[bool(y[0] > 0.5)],)
 
 
 def by_match(t, y):
@@ -162,34 +108,32 @@ def by_while(t, y):
     return 1.0, math.cos(angle)
 
 
-def by_any(t, y):
-    return -y if np.any(y > 0.5) else -2 * y
-
-
-def by_index(t, y):
-    return (np.array([-1.0, -2.0, -3.0])[int(min(max(y[0] * 2, 0), 2))] * y[0],)
-
-
 def by_sort(t, y):
     low, high = sorted(y)
     return high - low, -low
 
 
 FRICTION = {
-    "it stops": against(sliding, (0, 3), [0.0, 4.0], exact=[4.0, 0.0]),
-    "from rest": against(pushed_with_friction, (0, 2), [0.0, 0.0], exact=[1.0, 1.0]),
+    "it stops": against(lambda t, y: (y[1], -2.0 if y[1] > 0 else 0.0), (0, 3), [0.0, 4.0], exact=[4.0, 0.0]),
+    "from rest": against(lambda t, y: (y[1], 1.0 - 0.5 * np.sign(y[1])), (0, 2), [0.0, 0.0], exact=[1.0, 1.0]),
     "Coulomb": against(coulomb, (0, 5), [2.0, 0.0], exact=[-0.5 + 0.5 * math.cos(5), -0.5 * math.sin(5)]),
-    "quadratic drag": against(quadratic_drag, (0, 3), [0.0, 2.0]),
-    "belt": against(belt, (0, 5), [0.1, 0.0], longest=5e-3),
-    "relay": against(relay_without_memory, (0, 4), [1.0, 0.0], longest=2e-3),
-    "magnet": against(magnet, (0, 3), [0.5, 0.0], longest=2e-3),
-    "saturated": against(saturated, (0, 3), [0.4, 0.0], longest=2e-3),
-    "thermostat": against(thermostat, (0, 2), [0.1], longest=1e-3),
-    "dictionary": against(by_dictionary, (0, 2), [1.0], longest=1e-3),
+    "quadratic drag": against(lambda t, y: (y[1], -abs(y[1]) * y[1] - 1.0), (0, 3), [0.0, 2.0]),
+    "belt": against(
+        lambda t, y: (y[1], -4.0 * y[0] - 0.3 * math.tanh((y[1] - 0.5) / 0.05)), (0, 5), [0.1, 0.0], longest=5e-3
+    ),
+    "relay": against(lambda t, y: (y[1], -y[0] + (0.5 if y[0] > 0 else -0.5)), (0, 4), [1.0, 0.0], longest=2e-3),
+    "magnet": against(lambda t, y: (y[1], -y[0] / (0.01 + y[0] ** 2)), (0, 3), [0.5, 0.0], longest=2e-3),
+    "saturated": against(lambda t, y: (y[1], -max(-1.0, min(1.0, 20.0 * y[0]))), (0, 3), [0.4, 0.0], longest=2e-3),
+    "thermostat": against(lambda t, y: (1.0 - y[0] if y[0] < 0.3 else 0.5 - y[0],), (0, 2), [0.1], longest=1e-3),
+    "dictionary": against(
+        lambda t, y: ({True: -y[0], False: -2.0 * y[0]}[bool(y[0] > 0.5)],), (0, 2), [1.0], longest=1e-3
+    ),
     "match": against(by_match, (0, 2), [1.0], longest=1e-3),
     "while": against(by_while, (0, 5), [0.0, 0.0], exact=[5.0, math.sin(5.0)]),
-    "any": against(by_any, (0, 2), [1.0, -1.0], longest=1e-3),
-    "index": against(by_index, (0, 2), [1.2], longest=1e-3),
+    "any": against(lambda t, y: -y if np.any(y > 0.5) else -2 * y, (0, 2), [1.0, -1.0], longest=1e-3),
+    "index": against(
+        lambda t, y: (np.array([-1.0, -2.0, -3.0])[int(min(max(y[0] * 2, 0), 2))] * y[0],), (0, 2), [1.2], longest=1e-3
+    ),
     "sorted": against(by_sort, (0, 2), [1.0, 0.5], longest=1e-3),
 }
 
@@ -235,26 +179,6 @@ def narrow(t, y, *, centre=5.0, width=0.02):
     return y[1], math.exp(-(((t - centre) / width) ** 2)) / width - y[0]
 
 
-def by_tanh(t, y):
-    return y[1], 5 * (math.tanh((t - 5) / 0.1) - math.tanh((t - 5.5) / 0.1)) - y[0]
-
-
-def expanded(t, y):
-    return y[1], 40 * math.exp(-400 * t * t + 2400 * t - 3600) - y[0]
-
-
-def logistic(t, y):
-    return y[1], 1 / (1 + math.exp(-200 * (t - 2))) - y[0]
-
-
-def train(t, y):
-    return y[1], 8 * math.exp(-((math.sin(2 * t) / 0.05) ** 2)) - y[0]
-
-
-def lorentzian(t, y):
-    return y[1], 1 / (1 + ((t - 3) / 0.001) ** 2) * 100 - y[0]
-
-
 def by_numpy(t, y):
     return np.array([y[1], 50 * np.exp(-(((t - 5) / 0.02) ** 2)) - (y[0] if y[0] < 1e9 else 0.0)])
 
@@ -262,11 +186,24 @@ def by_numpy(t, y):
 PULSES = {
     "narrow": against(narrow, (0, 6), [0.0, 0.0], longest=2e-3),
     "narrower": against(narrow, (0, 3), [0.0, 0.0], longest=1e-3, parameters={"centre": 2.1, "width": 0.004}),
-    "tanh": against(by_tanh, (0, 7), [0.0, 0.0], longest=5e-3),
-    "expanded": against(expanded, (0, 5), [0.0, 0.0], longest=2e-3),
-    "logistic": against(logistic, (0, 4), [0.0, 0.0], longest=2e-3),
-    "train": against(train, (0, 6), [0.0, 0.0], longest=2e-3),
-    "Lorentzian": against(lorentzian, (0, 5), [0.0, 0.0], longest=5e-4),
+    "tanh": against(
+        lambda t, y: (y[1], 5 * (math.tanh((t - 5) / 0.1) - math.tanh((t - 5.5) / 0.1)) - y[0]),
+        (0, 7),
+        [0.0, 0.0],
+        longest=5e-3,
+    ),
+    "expanded": against(
+        lambda t, y: (y[1], 40 * math.exp(-400 * t * t + 2400 * t - 3600) - y[0]), (0, 5), [0.0, 0.0], longest=2e-3
+    ),
+    "logistic": against(
+        lambda t, y: (y[1], 1 / (1 + math.exp(-200 * (t - 2))) - y[0]), (0, 4), [0.0, 0.0], longest=2e-3
+    ),
+    "train": against(
+        lambda t, y: (y[1], 8 * math.exp(-((math.sin(2 * t) / 0.05) ** 2)) - y[0]), (0, 6), [0.0, 0.0], longest=2e-3
+    ),
+    "Lorentzian": against(
+        lambda t, y: (y[1], 1 / (1 + ((t - 3) / 0.001) ** 2) * 100 - y[0]), (0, 5), [0.0, 0.0], longest=5e-4
+    ),
     "not traced": against(by_numpy, (0, 6), [0.0, 0.0], longest=2e-3),
 }
 
@@ -278,18 +215,6 @@ def doubled_later(t, y):
     if t > 1:
         y = 2 * y
     return y[1], -y[0]
-
-
-def negated_later(t, y):
-    return (y[1], -y[0]) if t < 1 else tuple(-y)
-
-
-def summed_later(t, y):
-    return (y[1], -y[0]) if t < 1 else (y[1], -y.sum())
-
-
-def isinstance_later(t, y):
-    return (y[1], -y[0]) if t < 1 or not isinstance(y, np.ndarray) else (y[1], -3 * y[0])
 
 
 def by_text(t, y):
@@ -315,16 +240,8 @@ def counting(t, y, calls=[]):  # noqa: B006
     return y[1], -y[0]
 
 
-def by_import(t, y):
-    return y[1], -__import__("math").sin(y[0])
-
-
 def by_eval(t, y):
     return y[1], eval("-y[0]")
-
-
-def by_getattr(t, y):
-    return y[1], -getattr(math, "sin")(y[0])  # noqa: B009
 
 
 def nan_to_num(t, y):
@@ -406,12 +323,17 @@ BENT = np.frompyfunc(lambda x: -x if x < 0.5 else -0.5, 1, 1)
 SINE = [math.cos(3.0), -math.sin(3.0)]
 TRACES = {
     "doubled": against(doubled_later, (0, 2), [1.0, 0.0], stops=(1,)),
-    "negated": against(negated_later, (0, 2), [1.0, 0.0], stops=(1,)),
-    "sum": against(summed_later, (0, 2), [1.0, 0.0], stops=(1,)),
-    "isinstance": against(isinstance_later, (0, 2), [1.0, 0.0], stops=(1,)),
+    "negated": against(lambda t, y: (y[1], -y[0]) if t < 1 else tuple(-y), (0, 2), [1.0, 0.0], stops=(1,)),
+    "sum": against(lambda t, y: (y[1], -y[0]) if t < 1 else (y[1], -y.sum()), (0, 2), [1.0, 0.0], stops=(1,)),
+    "isinstance": against(
+        lambda t, y: (y[1], -y[0]) if t < 1 or not isinstance(y, np.ndarray) else (y[1], -3 * y[0]),
+        (0, 2),
+        [1.0, 0.0],
+        stops=(1,),
+    ),
     "attribute": against(scaled_by_attribute, (0, 3), [1.0, 0.0], exact=[math.cos(6.0), -2 * math.sin(6.0)]),
-    "import": against(by_import, (0, 3), [1.0, 0.0]),
-    "getattr": against(by_getattr, (0, 3), [1.0, 0.0]),
+    "import": against(lambda t, y: (y[1], -__import__("math").sin(y[0])), (0, 3), [1.0, 0.0]),
+    "getattr": against(lambda t, y: (y[1], -math.sin(y[0])), (0, 3), [1.0, 0.0]),
     "class": against(Oscillator(4.0), (0, 3), [1.0, 0.0], exact=[math.cos(6.0), -2 * math.sin(6.0)]),
     "closure": against(closure(), (0, 3), [1.0, 0.0]),
     "frompyfunc": against(lambda t, y: (y[1], float(BENT(y[0]))), (0, 3), [1.0, 0.0]),
@@ -428,14 +350,6 @@ TRACES = {
 # Edges of a domain
 
 
-def growing_root(t, y):
-    return (math.sqrt(y[0]),)
-
-
-def relativistic(t, y):
-    return y[1], -y[0] * math.sqrt(1 - y[1] ** 2)
-
-
 def rooted(t, y):
     try:
         return (-math.sqrt(y[0]),)
@@ -444,13 +358,13 @@ def rooted(t, y):
 
 
 EDGES = {
-    "sqrt": against(growing_root, (0, 2), [0.1], exact=[(math.sqrt(0.1) + 1) ** 2]),
+    "sqrt": against(lambda t, y: (math.sqrt(y[0]),), (0, 2), [0.1], exact=[(math.sqrt(0.1) + 1) ** 2]),
     "log": against(lambda t, y: (math.log(y[0]),), (0, 1), [1.2]),
     "log with base": against(lambda t, y: (math.log(y[0], 2),), (0, 1), [1.2]),
     "acos": against(lambda t, y: (math.acos(y[0]),), (0, 0.3), [0.5]),
     "power": against(lambda t, y: (-(y[0] ** 1.4),), (0, 2), [0.2]),
     "pow": against(lambda t, y: (-math.pow(y[0], 1.4),), (0, 2), [0.2]),
-    "relativistic": against(relativistic, (0, 2), [0.1, 0.9]),
+    "relativistic": against(lambda t, y: (y[1], -y[0] * math.sqrt(1 - y[1] ** 2)), (0, 2), [0.1, 0.9]),
     "hypot of three": against(lambda t, y: (y[1], -math.hypot(y[0], y[1], 1.0)), (0, 2), [1.0, 0.0]),
     "its own fallback": against(rooted, (0, 3), [1.0], exact=[0.0]),
     "stiff": against(lambda t, y: (-1e4 * (y[0] - math.cos(t)),), (0, 0.3), [1.0], longest=1e-3),
@@ -512,26 +426,26 @@ def own_error(t, y):
     return (-1.0,)
 
 
-def singular(t, y):
-    return np.linalg.solve([[y[0] - 0.5 if y[0] > 0.5 else 0.0]], [-1.0])
-
-
-def wrong_later(t, y):
-    return (-y[0],) if y[0] > 0.5 else (-y[0], 0.0)
-
-
-def complex_later(t, y):
-    return ((y[0] - 0.5 + 0j) ** 0.5 * -1 - 0.1,)
-
-
 REFUSED = {
     "it remembers": (remembers(), (0, 1), [1.0], ValueError, "remember"),
     "hysteresis": (hysteresis(), (0, 5), [0.0, 0.0], ValueError, "remember"),
     "noise": (noise(1), (0, 1), [1.0], ValueError, "random"),
     "an error of its own": (own_error, (0, 2), [1.0], Mine, "below the ground"),
-    "a singular matrix": (singular, (0, 2), [1.0], (np.linalg.LinAlgError, ArithmeticError), "finite|Singular"),
-    "another length later": (wrong_later, (0, 2), [1.0], ValueError, "must return 1"),
-    "complex later": (complex_later, (0, 2), [1.0], ValueError, "real"),
+    "a singular matrix": (
+        lambda t, y: np.linalg.solve([[y[0] - 0.5 if y[0] > 0.5 else 0.0]], [-1.0]),
+        (0, 2),
+        [1.0],
+        (np.linalg.LinAlgError, ArithmeticError),
+        "finite|Singular",
+    ),
+    "another length later": (
+        lambda t, y: (-y[0],) if y[0] > 0.5 else (-y[0], 0.0),
+        (0, 2),
+        [1.0],
+        ValueError,
+        "must return 1",
+    ),
+    "complex later": (lambda t, y: ((y[0] - 0.5 + 0j) ** 0.5 * -1 - 0.1,), (0, 2), [1.0], ValueError, "real"),
     "it ends at zero": (
         lambda t, y: (-math.sqrt(y[0]),),
         (0, 3),

@@ -43,10 +43,6 @@ def braking(locked):
     return lambda t, y: HW06.state_derivative(t, y, locked, **CAR)
 
 
-def noisy(t, y):
-    return y[1], -y[0], (y[0] + 3.0) - 3.0 - y[0]
-
-
 def balanced(t, y):
     """Two bodies on a spring, and their centre: its acceleration is nothing but rounding."""
     pull = y[1] - y[0]
@@ -66,7 +62,7 @@ ROUNDED = {
     "a disk that spins upright": (by_angles, np.array([0, 0, 0.3, math.pi / 2, 0.2, 3.0, 0, 0]), 5.0),
     "a car that brakes straight": (braking("front"), np.array([1.0, 2.0, 0.74, 24.4, 0.0]), 3.0),
     "a car with locked rear wheels": (braking("rear"), np.array([1.0, 2.0, -2.3, 11.0, 0.0]), 1.4),
-    "a rate that is rounding": (noisy, np.array([1.0, 0.0, 0.0]), 20.0),
+    "a rate that is rounding": (lambda t, y: (y[1], -y[0], y[0] + 3.0 - 3.0 - y[0]), np.array([1.0, 0.0, 0.0]), 20.0),
     "a centre of mass": (balanced, np.array([1.0, -1.0, 0.0, 0.0, 0.0, 0.0]), 50.0),
     "a circular orbit": (circular, np.array([1.7, 0.0, 0.0, 1.7**-1.5]), 60.0),
 }

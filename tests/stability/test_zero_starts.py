@@ -74,14 +74,6 @@ def heat(t, y):
     return [u[i - 1] - 2 * u[i] + u[i + 1] for i in range(1, len(y) + 1)]
 
 
-def detest_c1(t, y):
-    return [-y[0], *(y[i - 1] - y[i] for i in range(1, 9)), y[8]]
-
-
-def detest_c2(t, y):
-    return [-y[0], *(i * y[i - 1] - (i + 1) * y[i] for i in range(1, 9)), 9 * y[8]]
-
-
 def cascade(t, y):
     """Each drives the next by its square: at the start no rate changes with any state but the first."""
     return [-y[0], *(a * a - b for a, b in zip(y, y[1:], strict=False))]
@@ -93,8 +85,8 @@ def cascade(t, y):
         (fermi_pasta_ulam, unit(32, 16), 20),
         (heat, unit(50, 25), 5),  # C4 has 51 from the edge
         (heat, unit(50, 0), 5),
-        (detest_c1, unit(10, 0), 20),
-        (detest_c2, unit(10, 0), 20),
+        (lambda t, y: [-y[0], *(y[i - 1] - y[i] for i in range(1, 9)), y[8]], unit(10, 0), 20),
+        (lambda t, y: [-y[0], *(i * y[i - 1] - (i + 1) * y[i] for i in range(1, 9)), 9 * y[8]], unit(10, 0), 20),
         (heat, unit(10, 0), 20),  # C3
         (heat, unit(51, 0), 20),  # C4
         (cascade, unit(6, 0), 10),

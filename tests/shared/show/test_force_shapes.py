@@ -41,7 +41,7 @@ def test_a_diagram_in_axes_of_its_own_is_moved_and_turned():
 def test_every_scene_draws_the_diagram(scenes, slug):
     """The weight is vertical, and acts on what moves."""
     scene = scenes(slug)
-    forces = [one for one in scene.panels[0].shapes if one.kind == "arrow" and one.name.startswith("forces o")]
+    forces = [shape for shape in scene.panels[0].shapes if shape.kind == "arrow" and shape.name.startswith("forces o")]
     assert not scene.notes and forces
     if slug[:4] != "hw06":  # which is seen from above
         weight = np.diff(forces[0].points, axis=1)[:, 0]

@@ -53,14 +53,14 @@ def scene_named(scenes):
 def test_the_page_moves_as_solve_does(tab, scene_named, name):
     scene = scene_named(name)
     opened, live = tab(scene), scene.live
-    found = opened.evaluate(f"integrate(grasped.start, live.p, 0, {SECONDS})")
-    right = solve(live.rates, [0.0, SECONDS], live.start, parameters=live.parameters, rtol=1e-12)[-1]
-    assert np.abs(np.array(found) - right).max() < 1e-6 * (1 + np.abs(right).max())
+    result = opened.evaluate(f"integrate(grasped.start, live.p, 0, {SECONDS})")
+    expected = solve(live.rates, [0.0, SECONDS], live.start, parameters=live.parameters, rtol=1e-12)[-1]
+    assert np.abs(np.array(result) - expected).max() < 1e-6 * (1 + np.abs(expected).max())
     places = opened.evaluate(
         "grasped.handles.map(({at, dim}) => program.drawn(0, grasped.start, live.p).slice(at, at + dim))"
     )
-    for place, handle in zip(places, live.handles, strict=True):
-        assert place == pytest.approx(np.ravel(handle.place(np.array(live.start), **live.parameters)), abs=1e-9)
+    for position, handle in zip(places, live.handles, strict=True):
+        assert position == pytest.approx(np.ravel(handle.place(np.array(live.start), **live.parameters)), abs=1e-9)
 
 
 @pytest.mark.parametrize("name", [*HOMEWORK, *LECTURES])
@@ -69,10 +69,10 @@ def test_what_a_hand_holds_is_where_the_hand_is(scene_named, name):
     live = scene_named(name).live
     state = np.array(live.start)
     for handle in live.handles:
-        place = np.ravel(handle.place(state, **live.parameters)).astype(float)
-        grabbed = np.array(handle.grab([*place, 0.0][:3], state, **live.parameters), dtype=float)
+        position = np.ravel(handle.place(state, **live.parameters)).astype(float)
+        grabbed = np.array(handle.grab([*position, 0.0][:3], state, **live.parameters), dtype=float)
         assert len(grabbed) == len(live.state) == len(live.start)
-        assert np.ravel(handle.place(grabbed, **live.parameters)) == pytest.approx(place, abs=1e-9)
+        assert np.ravel(handle.place(grabbed, **live.parameters)) == pytest.approx(position, abs=1e-9)
 
 
 def dragged(opened, by):
@@ -94,15 +94,15 @@ def test_the_bob_goes_where_it_is_dragged_and_swings_on(tab, scenes, size):
     before, hinge = opened.evaluate(
         "() => { followFilm(); return [handlePlace(grasped.handles[0]), livePoint(stage.frames[0], [0, 0])]; }"
     )
-    on, (theta, omega) = dragged(opened, (-40, 30))
-    assert on and omega == 0.0
+    playing, (theta, omega) = dragged(opened, (-40, 30))
+    assert playing and omega == 0.0
     wanted = np.array(before) + [-40, 30] - hinge
     assert np.arctan2(wanted[0], wanted[1]) == pytest.approx(theta, abs=0.02)
     opened.evaluate("advanceLive(0.5)")
-    known = {"length": 1.0, "gravity": 9.81}
+    parameters = {"length": 1.0, "gravity": 9.81}
     now, state = opened.evaluate("[live.t, live.s]")
-    right = solve(scenes("hw01_simple_pendulum").live.rates, [0.0, now], [theta, 0.0], parameters=known)[-1]
-    assert state == pytest.approx(right.tolist(), abs=1e-6)
+    expected = solve(scenes("hw01_simple_pendulum").live.rates, [0.0, now], [theta, 0.0], parameters=parameters)[-1]
+    assert state == pytest.approx(expected.tolist(), abs=1e-6)
     opened.get_by_role("button", name="Back to the film").click()
     assert not opened.evaluate("live.on")
 
@@ -113,7 +113,7 @@ def test_a_finger_and_a_slider(tab, scenes):
         """() => { followFilm(); const {left, top} = byId("live").getBoundingClientRect();
                    const [x, y] = handlePlace(grasped.handles[1]); return [x + left, y + top]; }"""
     )
-    for kind, dx in (("pointerdown", 0), ("pointermove", -30), ("pointerup", -30)):
+    for event_type, dx in (("pointerdown", 0), ("pointermove", -30), ("pointerup", -30)):
         event = {
             "pointerId": 1,
             "pointerType": "touch",
@@ -125,7 +125,7 @@ def test_a_finger_and_a_slider(tab, scenes):
         opened.evaluate(
             """([kind, options]) => { const canvas = byId("live"); canvas.setPointerCapture = () => {};
                                       canvas.dispatchEvent(new PointerEvent(kind, options)); }""",
-            [kind, event],
+            [event_type, event],
         )
     assert opened.evaluate("live.on")
     sliders = opened.locator("#sliders input")
@@ -138,12 +138,12 @@ def test_what_cannot_be_traced_stays_a_film(tab, tmp_path, solution_text):
     text = solution_text("hw01_simple_pendulum")
     asks = """
 
-_right = angular_momentum_balance
+_correct = angular_momentum_balance
 
 
 def angular_momentum_balance(theta, omega, *, mass, length, gravity):
     mass = 1.0 * mass if {condition} else mass
-    return _right(theta, omega, mass=mass, length=length, gravity=gravity)
+    return _correct(theta, omega, mass=mass, length=length, gravity=gravity)
 """
     file = tmp_path / "hw01_simple_pendulum.py"
     for condition, sliders in (("length > 0", 0), ("theta > 100", None)):

@@ -41,8 +41,8 @@ def jumps(shape, largest):
 
 def test_nothing_jumps(scene, request):
     name = request.node.callspec.params["scene"]
-    for one in scene.slider.scenes if scene.slider else [scene]:
-        for panel in one.panels:
+    for film in scene.slider.scenes if scene.slider else [scene]:
+        for panel in film.panels:
             for shape in panel.shapes:
                 if (name, shape.kind) not in JUMPS:
                     assert not jumps(shape, size(panel)), (panel.title, shape.kind, shape.name)
@@ -51,20 +51,20 @@ def test_nothing_jumps(scene, request):
 def test_no_body_is_where_another_is(scene):
     for panel in scene.panels:
         bodies = [shape for shape in panel.shapes if shape.kind == "fill" and shape.points.shape[-1] == 2]
-        for one, other in combinations(bodies, 2):
+        for body, other in combinations(bodies, 2):
             frames = range(0, len(scene.times), 5)
-            a, b = (np.broadcast_to(s.points, (len(scene.times), *s.points.shape[-2:])) for s in (one, other))
-            assert max(overlap(a[i], b[i]) for i in frames) < DEPTH * size(panel), (panel.title, one.name, other.name)
+            a, b = (np.broadcast_to(s.points, (len(scene.times), *s.points.shape[-2:])) for s in (body, other))
+            assert max(overlap(a[i], b[i]) for i in frames) < DEPTH * size(panel), (panel.title, body.name, other.name)
 
 
-def overlap(one, other):
+def overlap(body, other):
     """How deep a convex polygon is in another, by the axis along which they are farthest apart."""
     deepest = np.inf
-    for polygon in (one, other):
+    for polygon in (body, other):
         sides = np.roll(polygon, -1, axis=0) - polygon
         lengths = np.linalg.norm(sides, axis=1)
         for x, y in [*np.eye(2), *(sides[lengths > 0] / lengths[lengths > 0][:, None])]:
-            along = [points @ [-y, x] for points in (one, other)]
+            along = [points @ [-y, x] for points in (body, other)]
             deepest = min(deepest, min(along[0].max() - along[1].min(), along[1].max() - along[0].min()))
     return deepest
 

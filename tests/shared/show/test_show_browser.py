@@ -143,8 +143,10 @@ def test_a_scene_in_space_is_turned_by_touch(opened):
     tab = opened(SPACE, "phone", has_touch=True)
     before = tab.evaluate("camera.azimuth")
     session = tab.context.new_cdp_session(tab)
-    for kind, points in (("touchStart", [(150, 300)]), ("touchMove", [(220, 300)]), ("touchEnd", [])):
-        session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [{"x": x, "y": y} for x, y in points]})
+    for event_type, points in (("touchStart", [(150, 300)]), ("touchMove", [(220, 300)]), ("touchEnd", [])):
+        session.send(
+            "Input.dispatchTouchEvent", {"type": event_type, "touchPoints": [{"x": x, "y": y} for x, y in points]}
+        )
     assert tab.evaluate("camera.azimuth") != before
 
 
@@ -170,8 +172,8 @@ def test_the_eye_is_that_of_hw04(opened, course):
     solution = load_student(course / "solutions" / "hw04_hanging_spring.py", "hw04_hanging_spring")
     tab, points = opened(SPACE), np.random.default_rng(2).normal(size=(5, 3))
     tab.evaluate("() => { camera.azimuth = 0.7; camera.elevation = -0.4; }")
-    found = [tab.evaluate("p => seen(...p, false)", point) for point in points.tolist()]
-    np.testing.assert_allclose(found, solution.project(points, 0.7, -0.4), atol=1e-12)
+    result = [tab.evaluate("p => seen(...p, false)", point) for point in points.tolist()]
+    np.testing.assert_allclose(result, solution.project(points, 0.7, -0.4), atol=1e-12)
 
 
 def test_dark_is_dark(opened):
