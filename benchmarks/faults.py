@@ -27,7 +27,8 @@ from grading import COURSE
 SLUG = "hw08_axis_angle"
 VARIANTS = ("", "def skew(v): return v\n", "def rotate(r, axis, angle):\n    raise ValueError\n")
 WHO = ("command", "supervisor", "sandbox", "worker", "guard", "submission")  # by depth, with bubblewrap
-HALF = 2  # of the disk that is needed
+ROOM = 2**28  # bytes
+HALF = 2  # of the room that the results take
 
 
 def hand_in(folder, count):
@@ -91,6 +92,8 @@ def with_kills(tree, out, kills, span, draw):
         process, runs = start(tree, out), runs + 1
         while left and process.poll() is None:
             time.sleep(draw.uniform(0.2, 2 * span / kills))
+            if process.poll() is not None:
+                break
             depths = processes(process.pid)
             depth = draw.choice(sorted({*depths.values()}))
             victim = draw.choice([pid for pid, level in depths.items() if level == depth])
@@ -122,7 +125,7 @@ def on_bad_disks(tree, place, calm, size):
         remount("ro")
         code, said = grade(tree, out)
         closed = {"exit code": code, "says": said.splitlines()[-1]}
-        remount(f"rw,size={4 * size}")
+        remount(f"rw,size={ROOM}")
         grade(tree, out)
         return {"full disk": full, "read only": closed, "then": compared(out, calm)}
 
@@ -140,7 +143,7 @@ def main():
         kills = with_kills(tree, place / "killed", asked.kills, span, random.Random(asked.seed))
         told = {"killed": {**kills, **compared(place / "killed", calm)}}
         if os.geteuid() == 0:
-            size = sum(path.stat().st_size for path in (place / "calm").rglob("*"))
+            size = (place / "calm" / "results.jsonl").stat().st_size
             told |= on_bad_disks(tree, place / "disk", calm, size)
     print(json.dumps(told, indent=1))
     record.write(record.RESULTS / "faults.json", submissions=asked.submissions, **told)
