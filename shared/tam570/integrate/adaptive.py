@@ -148,7 +148,9 @@ def start_run(engine: Engine, times: Array, start: Array, control: Control, esti
     """A run whose first row is filled."""
     rows = np.empty((len(times), len(start)))
     rows[0] = start
-    return Run(engine, float(times[0]), times - times[0], rows, control, estimate)
+    run = Run(engine, float(times[0]), times - times[0], rows, control, estimate)
+    run.last = _unscaled_state(run, ())
+    return run
 
 
 def _run_stretch(run: Run, how: str, a: Sequence[float]) -> None:

@@ -35,6 +35,7 @@ SUSPICIOUS = 0.005  # of the third's power 9/4: the error of exp(a t) and of its
 NOT_SMOOTH = 0.01  # fifth over third, squared: with a short step of a smooth motion it is less
 JAGGED = 0.1  # the same, of a step of any length
 AT_A_JUMP = 200.0  # of the rates the estimate is but a part of the error; the ratio of both estimates tells it
+UNSEEN = 256.0  # for the error where the step may have passed what saturates: half the step is tried
 AT_REST = 8  # steps at least: where nothing moves, no error says how far to look for what sets in later
 
 GENERATED = (
@@ -43,6 +44,7 @@ GENERATED = (
     "jump",
     "roundoff",
     "lesser",
+    "reach",
     "dense",
     "at",
 )  # the functions that `advance` is given
@@ -111,14 +113,14 @@ def advance(
     generated : functions, as GENERATED names them; times : since `origin`; state : a `State`, as returned
     longest   : s, of a step
     """
-    (step, error_norms, jump, roundoff, lesser, dense, at), end = generated, times[len(times) - 1]
+    (step, error_norms, jump, roundoff, lesser, reach, dense, at), end = generated, times[len(times) - 1]
     row, t, h, y, r, f, a, b, measured, growth, refused, steps, refusals, halt = state
     suspicious = SUSPICIOUS * rtol**1.25  # of errors in units of the tolerance
     while row < len(times) and budget > 0 and halt == RUNNING:
         budget -= 1
         left = end - t
         shortest = max(2.0**-50 * max(t, abs(origin + t)), 1e-30 * end)  # t + h would hardly differ from t
-        h = max(min(h, longest), shortest)
+        h = max(min(h, longest, reach(origin + t, h, y, f, c)), shortest)
         at_last = h <= shortest
         if h >= left:
             h, new = left, end
@@ -136,6 +138,8 @@ def advance(
             fifth, third = error_norms(h, y, n, a, measured, part, part * rtol, stages)
             error = _error(fifth, third, suspicious)
         jumps = not error <= 1.0 and at_last and fifth < inf and _finite(n) and jump(h, y, n, f, g, a, rtol) <= JUMP
+        if error <= 1.0 and not at_last and h > 2.0 * reach(origin + new, h, n, g, c):
+            error = UNSEEN
         if error <= 1.0 or jumps:
             if jumps and _sets_in(y, n, a):
                 halt = SETS_IN

@@ -24,7 +24,8 @@ __all__ = [
 ]
 
 Rates = Callable[[float, Any], Any]
-BETWEEN_CLOCKS = 13  # calls: a clock is slow; a step has 12, so that every stage gets one in turn
+BETWEEN_CLOCKS = 25  # calls: a clock is slow; a step has 12, so that every stage gets one in turn
+ROUNDED = 4.0  # units in the last place: the time of two calls is rounded in two ways
 PLAIN = (float, int, np.float64)
 TRIAL_ERRORS = (ArithmeticError, ValueError, LookupError)  # a step that is too long may leave the domain
 
@@ -81,8 +82,8 @@ def _misfit(rhs: Callable[..., Any], names: tuple[str, ...]) -> str:
 class CalledRates:
     """Calls of rates(t, y) with arrays, as SciPy makes them: floats come back.
 
-    Time stays within (low, high), between two breaks: a run that ends at a jump never looks beyond it. `seen` are the
-    times that a `Clock` noted, `breaks` all of them so far, `error` is the last one that the function raised.
+    Time stays within (low, high), between two breaks: a run that ends at a jump never looks beyond it. `breaks` are
+    the times that a `Clock` noted so far, `error` is the last one that the function raised.
     """
 
     def __init__(self, rates: Rates, size: int) -> None:
@@ -90,7 +91,6 @@ class CalledRates:
         self.low, self.high = -math.inf, math.inf
         self.calls = 0
         self.timed = False  # whether the function gets a `Clock`
-        self.seen: list[float] = []
         self.breaks: set[float] = set()
         self.error: Exception | None = None
 
@@ -98,39 +98,50 @@ class CalledRates:
         t = self.low if t < self.low else self.high if t > self.high else t
         self.calls += 1
         if self.timed and self.calls % BETWEEN_CLOCKS == 0:
-            t = Clock(t, 1.0, 0.0, self.seen)
+            self._look_inside(t, np.array(y))
         try:
             value = self.rates(t, np.array(y))
         except TRIAL_ERRORS as error:
             self.error = error
             raise
-        if self.seen:
-            self._look_for_breaks()
         return _floats(value, self.size)
 
-    def _look_for_breaks(self) -> None:
-        inside = any(self.low < time < self.high for time in self.seen)
-        self.breaks.update(self.seen)
-        self.seen.clear()
-        if inside:
+    def _look_inside(self, t: float, y: Array) -> None:
+        """Note the times that the function compares t with. Raises NewBreak where one is in this stretch."""
+        times = self._compared(t, y)
+        self.breaks |= times
+        if any(self.low < time < self.high for time in times):
             raise NewBreak
 
     def look_near(self, t: float, y: Array) -> None:
         """Note the times that the function compares t with, is there a state; and whether it takes a `Clock` at all."""
-        self.timed, seen = False, list[float]()
-        try:
-            plain = np.asarray(self.rates(t, y.copy()), dtype=float)
-            clocked = np.asarray(self.rates(Clock(t, 1.0, 0.0, seen), y.copy()), dtype=float)
-        except Exception:  # whatever it says to a clock, it then gets a float
-            return
-        if seen and plain.shape == clocked.shape and np.array_equal(plain, clocked, equal_nan=True):
-            self.timed = True
-            self.breaks.update(seen)
+        times = self._compared(t, y)
+        self.timed = bool(times)
+        self.breaks |= times
+
+    def _compared(self, t: float, y: Array) -> set[float]:
+        """The times that a `Clock` notes, those that change with the state aside; none where t has to be a float."""
+        noted = []
+        for state in (y, y * (1 + 1e-7) + 1e-12):
+            seen: list[float] = []
+            try:
+                plain = np.asarray(self.rates(t, state.copy()), dtype=float)
+                clocked = np.asarray(self.rates(Clock(t, 1.0, 0.0, seen), state.copy()), dtype=float)
+            except Exception:  # whatever it says to a clock, it then gets a float
+                return set()
+            if plain.shape != clocked.shape or not np.array_equal(plain, clocked, equal_nan=True):
+                return set()
+            noted.append(set(seen))
+        return noted[0] & noted[1]
 
     def check_memory(self, t: float, y: Sequence[float], f: Sequence[float]) -> None:
         """RhsError where rates that were f are others now: the function is random, or remembers earlier calls."""
         g = self(t, y)
-        if any(abs(a - b) > 1e-8 * max(abs(a), abs(b)) for a, b in zip(f, g, strict=True)):
+        changes = [abs(a - b) for a, b in zip(f, g, strict=True)]
+        if all(x <= 1e-8 * max(abs(a), abs(b)) for x, a, b in zip(changes, f, g, strict=True)):
+            return
+        near = self(t - ROUNDED * math.ulp(t), y), self(t + ROUNDED * math.ulp(t), y)
+        if any(x > max(abs(b - a) for b in there) for x, a, *there in zip(changes, g, *near, strict=True)):
             raise RhsError(
                 f"rhs: gives {list(f)} and {list(g)} for the same time and state; it must not be random, nor "
                 "remember earlier calls. Put what it remembers into the state, or run it piece by piece"

@@ -13,14 +13,15 @@ from functools import lru_cache
 from types import CodeType
 from typing import Any
 
-from tam570.integrate.error_scale import NO_SCALE
+from tam570.integrate.error_scale import NO_SCALE, PART
 from tam570.integrate.formulas import Formulas, by_call, names, tuple_of, unpacked
 from tam570.integrate.tableau import FIFTH, LESS, NODES, ROWS, Row, interpolant
 
-__all__ = ["ESTIMATE_ROUNDOFF", "compiled", "functions"]
+__all__ = ["ESTIMATE_ROUNDOFF", "REACH", "compiled", "functions"]
 
 KEPT = range(5, 12)  # the stages that the interpolant takes over from the step
 UNIT_ROUNDOFF = 2.0**-53
+REACH = 4.0  # tanh(4) is 1 to 7e-4, exp(-4) is 0.02: from twice that on a pulse is seen
 ESTIMATE_ROUNDOFF = (
     8.0  # the weights of both estimates add up to less: a rate known to N makes an error of 8 h N of them
 )
@@ -42,6 +43,8 @@ def functions(formulas: Formulas, sampled: bool = True, forgiving: bool = True) 
     if forgiving:
         answers = (nothing, "y, r, f, inf, 0.0, ()", "b")[: len(parts)]
         parts = [_forgiving(part, answer) for part, answer in zip(parts, answers, strict=True)]
+    reach = _reach(formulas)
+    parts += [_forgiving(reach, "inf") if forgiving and formulas.exponents else reach]
     parts += [_euler(formulas), _error_norms(formulas), _jump(formulas), _lesser(formulas)]
     parts += [_dense(inner), _at(formulas)] if sampled else []
     return "\n\n".join("\n    ".join(part) for part in parts) + "\n"
@@ -90,12 +93,12 @@ def _roundoff(formulas: Formulas) -> list[str]:
     """What rounding does to the error estimates of a step of h.
 
     A running error bound (Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., 3.3): each operation adds
-    its own rounding to the one that its arguments carry; the state is known to half a unit in the last place. It is
-    taken half way through the step: at its start too many things may be exactly zero.
+    its own rounding to the one that its arguments carry; time and state are known to half a unit in the last place.
+    It is taken half way through the step: at its start too many things may be exactly zero.
     """
     lines = ["def roundoff(start, h, y, f, b, c):", *unpacked(formulas, y="y", f="f", b="b")]
     lines += [f"s{i} = y{i} + 0.5 * h * f{i}" for i in sorted(formulas.reads)]
-    lines += ["t = start + 0.5 * h", "b_t = 0.0", *formulas.values]
+    lines += ["t = start + 0.5 * h", f"b_t = {UNIT_ROUNDOFF!r} * abs(t)", *formulas.values]
     lines += [f"b_s{i} = {UNIT_ROUNDOFF!r} * abs(s{i})" for i in sorted(formulas.reads)]
     lines += [f"x{i} = 0.0" for i in formulas.moving]
     if formulas.moving:
@@ -106,6 +109,25 @@ def _roundoff(formulas: Formulas) -> list[str]:
     for i in formulas.moving:
         lines += [f"x{i} = {ESTIMATE_ROUNDOFF!r} * x{i}", f"b{i} = x{i} if x{i} < inf else 0.0"]
     return [*lines, f"return {tuple_of(names('b', formulas.size))}"]
+
+
+def _reach(formulas: Formulas) -> list[str]:
+    """The longest step in which no argument of exp, tanh and their like changes by more than half of itself, or REACH.
+
+    Far from zero these functions are constant to rounding: an error estimate does not see what comes.
+    """
+    lines = ["def reach(start, h, y, f, c):"]
+    if not formulas.exponents:
+        return [*lines, "return inf"]
+    reads = sorted(formulas.reads)
+    lines += [*unpacked(formulas, y="y", f="f"), *(f"s{i} = y{i}" for i in reads), "t = start", *formulas.values]
+    lines += [f"x{k} = {argument}" for k, argument in enumerate(formulas.exponents)]
+    lines += [f"d = {PART!r} * h", *(f"s{i} = y{i} + d * f{i}" for i in reads), "t = start + d", *formulas.values]
+    lines.append("longest = inf")
+    for k, argument in enumerate(formulas.exponents):
+        lines += [f"w = abs({argument} - x{k})", f"x = d * max(0.5 * abs(x{k}), {REACH!r})"]
+        lines += ["if x < longest * w:", "    longest = x / w"]
+    return [*lines, "return longest"]
 
 
 def _lesser(formulas: Formulas) -> list[str]:

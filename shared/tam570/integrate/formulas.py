@@ -9,6 +9,7 @@ from tam570.integrate.trace import Graph
 __all__ = ["Formulas", "by_call", "call_of", "halves", "names", "tuple_of", "unpacked", "written"]
 
 UNIT_ROUNDOFF = 2.0**-53
+SATURATING = {"exp", "expm1", "tanh", "erf", "erfc", "sinh", "cosh"}  # whose change takes place at arguments near zero
 LONGEST = 200  # characters of one expression: brackets in brackets have a limit
 
 
@@ -24,6 +25,7 @@ class Formulas:
     values: tuple[str, ...] = ()  # lines that set z0, z1, ... to the result of each operation
     bounds: tuple[str, ...] = ()  # lines that set b0, b1, ... to a bound of its rounding, from b_s0, b_s1, ... and b_t
     rate_bounds: tuple[str, ...] = ()  # the bounds of the rates
+    exponents: tuple[str, ...] = ()  # arguments of exp, tanh and their like that depend on the state, by `values`
 
     @property
     def size(self) -> int:
@@ -133,7 +135,27 @@ def _bounded(formulas: Formulas, graph: Graph, constants: dict[float, str]) -> F
         bounds.append(f"{b} = {_bound_of(symbol.name, z, arguments)}")
         texts[symbol.number] = z, b
     rate_bounds = tuple(text(rate)[1] or "0.0" for rate in graph.rates)
-    return replace(formulas, values=tuple(values), bounds=tuple(bounds), rate_bounds=rate_bounds)
+    exponents = [s.arguments[0] for s in graph.operations if uses[s.number] and s.name in SATURATING]
+    exponents = [a for a in exponents if isinstance(a, Symbol) and _moves_with_state(a)]
+    return replace(
+        formulas,
+        values=tuple(values),
+        bounds=tuple(bounds),
+        rate_bounds=rate_bounds,
+        exponents=tuple(dict.fromkeys(text(a)[0] for a in exponents)),
+    )
+
+
+def _moves_with_state(symbol: Symbol) -> bool:
+    """Whether it depends on more than time."""
+    pending, seen = [symbol], set[int]()
+    while pending:
+        part = pending.pop()
+        if not part.arguments and part.name != "t":
+            return True
+        seen.add(part.number)
+        pending += [a for a in part.arguments if isinstance(a, Symbol) and a.number not in seen]
+    return False
 
 
 def _bound_of(name: str, z: str, arguments: list[tuple[str, str]]) -> str:

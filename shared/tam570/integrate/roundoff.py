@@ -1,6 +1,6 @@
 """What rounding does to the rates of a right-hand side that is called as it stands.
 
-The rates are taken at neighbouring floats of the state. Their differences bound what is known of them: an error
+The rates are taken at neighbouring floats of time and state. Their differences bound what is known of them: an error
 estimate below that is the rounding's, not the method's. Where only those on one side are
 large, it is a jump of the rates, and does not count.
 """
@@ -57,7 +57,7 @@ def _changes(
         near = [
             v + side * ulps * PATTERN[i % 6] * EPS * abs(v) + d for i, (v, d) in enumerate(zip(y, moved, strict=True))
         ]
-        changes = [g - rate for g, rate in zip(rates(t, tuple(near)), f, strict=True)]
+        changes = [g - rate for g, rate in zip(rates(t + side * ulps * EPS * abs(t), tuple(near)), f, strict=True)]
         least = [min(size, abs(change)) for size, change in zip(least, changes, strict=True)]
         largest = [max(size, abs(change)) for size, change in zip(largest, changes, strict=True)]
         moved = [PASSED_ON * h * change for change in changes]

@@ -79,6 +79,12 @@ def _symbolic(function: Any) -> Any:
         symbol = next((a for a in arguments if isinstance(a, Symbol)), None)
         if symbol is None:
             return function(*arguments)
+        if name == "log" and len(arguments) == 2:
+            return either(arguments[0]) / either(arguments[1])
+        if name == "hypot" and len(arguments) > 2:
+            return either(either(*arguments[:2]), *arguments[2:])
+        if name == "hypot" and len(arguments) == 1:
+            return abs(symbol)
         return arguments[0] ** arguments[1] if name == "pow" else symbol.tape.record(name, *arguments)
 
     return either

@@ -1,10 +1,12 @@
 """Recurrences as LLVM's representation: the instructions for orders 0 and n, of one double or eight."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
 from tam570.integrate.compiled.ir import Writer, number
 from tam570.integrate.compiled.recurrences import Recurrence, Recurrences
+from tam570.integrate.dop853_source import REACH
 
 __all__ = ["BACK", "FAST", "HIGHEST", "LANES", "Coefficients", "Factor", "Layout", "Row", "sums_of"]
 
@@ -141,7 +143,7 @@ class Coefficients(Writer):
         bounds = dict.fromkeys(range(-self.found.constants, 0), zero)
         for i, r in enumerate(self.found.series):
             own = zero
-            if r.kind not in ("time", "neg"):
+            if r.kind != "neg":
                 own = self.op(
                     "mul", self.constant(2 * UNIT_ROUNDOFF if r.value else UNIT_ROUNDOFF), self.size(self.first[i])
                 )
@@ -272,6 +274,24 @@ class Coefficients(Writer):
                 self.now[i] = self.coefficient(i, r, numbers[1], sums[i])
         for slot, rate in zip(slots, self.found.rates, strict=True):
             self.do(f"store {self.kind} {self.now[rate]}, ptr {slot}")
+
+    def reach(self, slots: list[str], exponents: list[int]) -> str:
+        """As in `dop853_source`: the longest step in which each changes by no more than half of itself, or REACH."""
+        one = self.constant(1.0)
+        self.orders(
+            "1", slots, [[self.constant(0.0)] * len(sums_of(i, r)) for i, r in enumerate(self.found.series)], (one, one)
+        )
+        longest = self.constant(math.inf)
+        for i in exponents:
+            half = self.op("mul", self.constant(0.5), self.size(self.first[i]))
+            allowed = self.extreme_of("maxnum", half, self.constant(REACH))
+            longest = self.extreme_of("minnum", longest, self.op("div", allowed, self.size(self.now[i])))
+        return longest
+
+    def extreme_of(self, name: str, a: str, b: str) -> str:
+        return self.emit(
+            self.kind, f"call {self.kind} @llvm.{name}.{self.suffix}({self.kind} {a}, {self.kind} {b})"
+        ).text
 
     def numbers(self, n: str) -> tuple[str, str]:
         """n and 1 / n as numbers of the kind."""

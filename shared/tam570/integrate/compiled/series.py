@@ -6,8 +6,9 @@ from tam570.integrate.compiled.coefficients import BACK, HIGHEST, LANES, Coeffic
 from tam570.integrate.compiled.recurrences import Recurrences
 from tam570.integrate.compiled.sums_in_memory import InMemory, OfEight
 from tam570.integrate.compiled.sums_in_registers import InRegisters
+from tam570.integrate.formulas import SATURATING
 
-__all__ = ["layout", "series_text"]
+__all__ = ["exponents", "layout", "series_text"]
 
 FEW = 8  # sums, so that all that they take stays in registers: a double pendulum has 15 and is slower so
 
@@ -32,19 +33,34 @@ def series_text(found: Recurrences, place: Layout) -> list[str]:
     """The functions `coefficients`, `rates`, `roundoff` of (work, constants, time, order), order 0 in work."""
     one = InRegisters if _sums(found) <= FEW else InMemory
     made = one if place.lanes == 1 else OfEight
-    return [line for name in ("coefficients", "rates", "roundoff") for line in _written(made(found, place), name)]
+    names = ["coefficients", "rates", "roundoff", *(["reach"] if exponents(found) else [])]
+    return [line for name in names for line in _written(made(found, place), name)]
+
+
+@lru_cache(maxsize=256)
+def exponents(found: Recurrences) -> list[int]:
+    """The arguments of exp, tanh and their like that depend on the state."""
+    moving = set[int]()
+    for i, r in enumerate(found.series):
+        if r.kind == "state" or moving & {*r.of, *r.arguments}:
+            moving.add(i)
+    return sorted({r.of[1] for r in found.series if r.value in SATURATING} & moving)
 
 
 def _written(series: Coefficients, name: str) -> list[str]:
-    """Coefficients up to %order; or of the state up to order 1 only; or in their place what rounding does to them."""
+    """Coefficients up to %order; or of the state up to order 1 only; in their place what rounding does to them; or in
+    the place of the first, the longest step for the arguments of exp and its like."""
     series.values()
-    if name == "coefficients":
+    if name in ("coefficients", "reach"):
         slots = [series.allocated(series.kind).text for _ in series.found.rates]
         for slot, rate in zip(slots, series.found.rates, strict=True):
             series.do(f"store {series.kind} {series.first[rate]}, ptr {slot}")
         series.prepared()
-        series.all_orders(slots)
-        series.states("%order", series.numbers("%order")[1], slots)
+        if name == "coefficients":
+            series.all_orders(slots)
+            series.states("%order", series.numbers("%order")[1], slots)
+        else:
+            series.keep(0, 1, series.reach(slots, exponents(series.found)))
     else:
         values = series.first if name == "rates" else series.bounds()
         for component, rate in enumerate(series.found.rates):

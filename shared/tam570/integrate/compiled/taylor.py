@@ -12,7 +12,7 @@ from tam570.integrate.compiled.coefficients import HIGHEST
 from tam570.integrate.compiled.ir import Array, Value, number
 from tam570.integrate.compiled.llvm import assembled
 from tam570.integrate.compiled.recurrences import Recurrences
-from tam570.integrate.compiled.series import layout, series_text
+from tam570.integrate.compiled.series import exponents, layout, series_text
 from tam570.integrate.compiled.translate import Translator, functions_of
 
 __all__ = ["BUDGET", "CALL", "KINDS", "order_for", "taylor_text"]
@@ -47,9 +47,10 @@ def taylor_text(found: Recurrences, lanes: int = 1) -> str:
     names: dict[str, Any] = {
         **{name: value for module in MODULES for name, value in vars(module).items() if name.isupper()},
         **{name: Value("i64", str(value)) for name, value in whole.items()},
-        **{name: _call_of(name) for name in ("coefficients", "rates", "roundoff")},
+        **{name: _call_of(name) for name in ("coefficients", "rates", "roundoff", "reach")},
         "LANES": lanes if lanes == 1 else Value("i64", str(lanes)),
         "MEMORY": taylor_memory.memory(size),
+        "SATURATES": bool(exponents(found)),
         "TIMED": any(one.kind == "time" for one in found.series),
         "logarithm": _logarithm,
         "behind": lambda writer, array, k: Array(writer.element(array.text, k), array.row, array.length),

@@ -25,6 +25,7 @@ from tam570.integrate.compiled.taylor_memory import (
     REFUSALS,
     REST,
     ROW,
+    SATURATES,
     SIZE,
     SLOPE,
     STATUS,
@@ -38,6 +39,7 @@ from tam570.integrate.compiled.taylor_memory import (
     Y,
     at,
     rates,
+    reach,
     roundoff,
 )
 from tam570.integrate.compiled.taylor_scale import lacking, sized
@@ -57,7 +59,7 @@ behind: Any = None  # behind(array, k): from its k-th number on
 
 def advance(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, origin: Any, rtol: Any, budget: Any) -> Any:
     """Step until the last sample, `budget` steps are tried, or no step is possible: z[STATUS] tells."""
-    reach = log2(rtol) / ORDER
+    share = log2(rtol) / ORDER
     if z[STATUS] == FRESH:
         begun(z, out)
     for i in range(SIZE):
@@ -69,7 +71,7 @@ def advance(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, origin: 
             rates(work, c, time, ORDER)
         else:
             coefficients(work, c, time, ORDER)
-        settle(z, work, time, c, times, out, 0, rtol, reach)
+        settle(z, work, time, c, times, out, 0, rtol, share)
 
 
 def begun(z: Any, out: Any) -> Any:
@@ -92,7 +94,7 @@ def advance_all(
     members : what a motion starts with, a row each: its first step at most, y, m; and as it ends, its status
     Memory behind all z: how many motions were begun, and how many are under way.
     """
-    reach = log2(rtol) / ORDER
+    share = log2(rtol) / ORDER
     begun, going = LANES * MEMORY, LANES * MEMORY + 1
     while z[going] > 0.0 and budget > 0:
         budget -= 1
@@ -101,7 +103,7 @@ def advance_all(
             own = behind(z, lane * MEMORY)
             if own[STATUS] == RUNNING:
                 who = int(own[WHO])
-                settle(own, work, time, c, times, behind(out, who * len(times) * SIZE), lane, rtol, reach)
+                settle(own, work, time, c, times, behind(out, who * len(times) * SIZE), lane, rtol, share)
                 if own[STATUS] != RUNNING:
                     members[who, 0] = own[STATUS]
                     own[STATUS] = IDLE
@@ -130,10 +132,15 @@ def begin(z: Any, work: Any, members: Any, who: Any, lane: Any) -> Any:
     return 0
 
 
-def settle(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, lane: Any, rtol: Any, reach: Any) -> Any:
+def settle(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, lane: Any, rtol: Any, share: Any) -> Any:
     """Judge the step that was tried, and try the next: `work` holds the coefficients at the state in z."""
+    limit = inf
+    if SATURATES:
+        reach(work, c, time, ORDER)
+        limit = work[LANES + lane]
+        rates(work, c, time, ORDER)
     if z[H] > 0.0:
-        if refused(z, work, time, c, lane, rtol):
+        if z[H] > 2.0 * limit or refused(z, work, time, c, lane, rtol):
             z[REFUSALS] += 1.0
             z[TRIES] += 1.0
             if LANES == 1:  # numbers that are not finite would stay, times zero
@@ -143,7 +150,7 @@ def settle(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, lane: Any
             return 0
         taken(z, times, out)
     if z[STATUS] == RUNNING:
-        h = longest(z, work, lane, reach)
+        h = longest(z, work, lane, share)
         if z[STEPS] == 0.0:
             if (
                 z[GIVEN] != 1.0
@@ -155,12 +162,13 @@ def settle(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, lane: Any
                 for i in range(SIZE):  # what is small yet and moves fast
                     if z[GIVEN] == 0.0 or (z[GIVEN] == 2.0 and z[at(M, i)] <= NO_SCALE):
                         z[at(M, i)] = max(z[at(M, i)], h * abs(work[(i * STRIDE + 1) * LANES + lane]))
-                h = longest(z, work, lane, reach)
+                h = longest(z, work, lane, share)
         if not h < inf:
             h = GROWTH * z[LONGEST]
         if z[STEPS] == 0.0:
             h = min(h, z[FIRST])
         h = min(h, z[MAXIMUM])
+        h = min(h, limit)
         if not h > 0.0:
             z[STATUS] = SINGULAR
     if z[STATUS] == RUNNING:
@@ -228,10 +236,10 @@ def inside(z: Any, i: Any, x: Any) -> Any:
     return z[first] + (z[at(REST, i)] + value * x)
 
 
-def longest(z: Any, work: Any, lane: Any, reach: Any) -> Any:
+def longest(z: Any, work: Any, lane: Any, share: Any) -> Any:
     """The step from the last coefficients, the whole state together; infinite where all are zero, 0 if none will do.
 
-    reach : the logarithm, to base 2, of the step over the distance to the singularity
+    share : the logarithm, to base 2, of the step over the distance to the singularity
     """
     a = b = c = d = 0.0
     for i in range(SIZE):
@@ -251,7 +259,7 @@ def longest(z: Any, work: Any, lane: Any, reach: Any) -> Any:
         return inf
     nearest = max(logarithm(a) / ORDER, logarithm(b) / (ORDER - 1))
     nearest = max(nearest, logarithm(c) / (ORDER - 2), logarithm(d) / (ORDER - 3))
-    return exp2(reach - nearest)
+    return exp2(share - nearest)
 
 
 def larger(a: Any, b: Any) -> Any:

@@ -28,6 +28,7 @@ __all__ = [
     "ROW",
     "SIZE",
     "SLOPE",
+    "SATURATES",
     "STATUS",
     "STEPS",
     "STRIDE",
@@ -41,6 +42,7 @@ __all__ = [
     "at",
     "memory",
     "rates",
+    "reach",
     "roundoff",
 ]
 
@@ -52,7 +54,9 @@ Y, REST, M, SLOPE, NEXT, BASE, NOISE, POLYNOMIAL = range(8)
 
 SIZE = ORDER = STRIDE = LANES = DOUBLES = MEMORY = 0
 TIMED = False  # whether the right-hand side depends on time
+SATURATES = False  # whether it has exp, tanh or their like of the state
 rates: Any = None  # rates(work, c, time, ORDER): the coefficients of order 1
+reach: Any = None  # the same: in the place of the first, the longest step for what saturates
 roundoff: Any = None  # the same: in their place, a bound of their rounding
 
 
