@@ -32,18 +32,18 @@ def results(record: Record, lines: Mapping[str, str]) -> dict[str, Any]:
         "output": overall(record["status"], record.get("message", "")),
         "output_format": "text",
         "stdout_visibility": "hidden",
-        "tests": [_test(mark, lines) for mark in record["checks"]],
+        "tests": [_test(check_result, lines) for check_result in record["checks"]],
     }
 
 
-def _test(mark: Mapping[str, Any], lines: Mapping[str, str]) -> dict[str, Any]:
-    passed = mark["outcome"] == "passed"
+def _test(check_result: Mapping[str, Any], lines: Mapping[str, str]) -> dict[str, Any]:
+    passed = check_result["outcome"] == "passed"
     return {
-        "score": mark["points"],
-        "max_score": mark["max_points"],
+        "score": check_result["points"],
+        "max_score": check_result["max_points"],
         "status": "passed" if passed else "failed",
-        "name": f"({mark['part']}) {lines.get(mark['name'], mark['name'])}",
-        "output": "" if passed else f"{mark['outcome'].replace('_', ' ')}: {mark['message']}",
+        "name": f"({check_result['part']}) {lines.get(check_result['name'], check_result['name'])}",
+        "output": "" if passed else f"{check_result['outcome'].replace('_', ' ')}: {check_result['message']}",
         "output_format": "text",
         "visibility": "visible",
     }
@@ -55,16 +55,16 @@ def run(course: Path, folder: Path, slugs: Sequence[str]) -> int:
         folder.mkdir(parents=True, exist_ok=True)
     for slug in slugs:
         _write_archive(course, slug, folder / f"{slug}.zip")
-    says = "upload each to its assignment; they hold solutions and checks, so keep them to yourself"
-    say(f"{folder}: {counted(len(slugs), 'archive')}; {says}", error=True)
+    sentence = "upload each to its assignment; they hold solutions and checks, so keep them to yourself"
+    say(f"{folder}: {counted(len(slugs), 'archive')}; {sentence}", error=True)
     return 0
 
 
 def _write_archive(course: Path, slug: str, path: Path) -> None:
     """setup.sh and run_autograder at the top, as Gradescope wants them, and what they need of the course."""
     fields = {"slug": slug}
-    whole = io.BytesIO()
-    with zipfile.ZipFile(whole, "w", zipfile.ZIP_DEFLATED) as archive:
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
         for name in ("setup.sh", "run_autograder"):
             text = (TEMPLATES / name).read_text(encoding="utf-8")
             entry = zipfile.ZipInfo(name)
@@ -77,14 +77,14 @@ def _write_archive(course: Path, slug: str, path: Path) -> None:
         for file in _files(course, slug):
             archive.write(file, Path("course") / file.relative_to(course))
     with writing(path):
-        written(path, whole.getvalue())
+        written(path, buffer.getvalue())
 
 
 def _files(course: Path, slug: str) -> Iterator[Path]:
     """The engine, and of the assignments this one."""
     places = [*ENGINE, COPY, f"assignments/{slug}", f"solutions/{slug}.py", f"autograder/checks/{slug}"]
-    for place in map(course.joinpath, places):
-        yield from sorted(_kept(place.rglob("*") if place.is_dir() else [place]))
+    for path in map(course.joinpath, places):
+        yield from sorted(_kept(path.rglob("*") if path.is_dir() else [path]))
 
 
 def _kept(paths: Iterable[Path]) -> Iterator[Path]:

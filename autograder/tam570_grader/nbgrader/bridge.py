@@ -64,19 +64,19 @@ class ForgivingExporter(NotebookExporter):
 
     def _alone(self, convert: Callable[[], None]) -> None:
         """Convert while no other command writes these results: nbgrader deletes the folder of whom it fails on."""
-        place, grades = self.parent.coursedir, SandboxGrades(parent=self)  # type: ignore[union-attr]
-        slugs = fnmatch.filter(assignments.slugs(grades.found_checkout()), place.assignment_id)
+        coursedir, grades = self.parent.coursedir, SandboxGrades(parent=self)  # type: ignore[union-attr]
+        slugs = fnmatch.filter(assignments.slugs(grades.found_checkout()), coursedir.assignment_id)
         with contextlib.ExitStack() as still:
             for slug in slugs:
-                book = ResultStore(Path(place.root) / grades.results / slug, self.log.warning)
+                book = ResultStore(Path(coursedir.root) / grades.results / slug, self.log.warning)
                 self.books[slug] = still.enter_context(contextlib.closing(book))
             still.enter_context(_copying(functools.partial(_own_files, self._submitted())))
             convert()
 
     def _submitted(self) -> str:
         """A pattern of the submissions' folders."""
-        place: Any = self.parent.coursedir  # type: ignore[union-attr]
-        return str(place.format_path(place.submitted_directory, "*", "*"))
+        coursedir: Any = self.parent.coursedir  # type: ignore[union-attr]
+        return str(coursedir.format_path(coursedir.submitted_directory, "*", "*"))
 
     def _is_submitted(self, filename: str) -> bool:
         return fnmatch.fnmatch(str(Path(filename).parent), self._submitted())
@@ -89,8 +89,8 @@ class ForgivingExporter(NotebookExporter):
             notebook = node({**FORMAT, "metadata": {}, "cells": cells})
         path = Path(filename)
         resources = {**(resources or {}), "metadata": {"name": path.stem, "path": str(path.parent)}}
-        made: Outcome = self.from_notebook_node(notebook, resources, **kwargs)  # type: ignore[no-untyped-call]
-        return made
+        outcome: Outcome = self.from_notebook_node(notebook, resources, **kwargs)  # type: ignore[no-untyped-call]
+        return outcome
 
 
 def _students(path: Path) -> Notebook | str:
@@ -168,7 +168,7 @@ class KeepPictures(NbGraderPreprocessor):  # type: ignore[misc]
     def preprocess_cell(self, cell: Notebook, resources: Resources, cell_index: int) -> Outcome:
         if cell.cell_type == "code":
             locked = part_of(grade_id(cell)) is not None
-            cell.outputs = [] if locked else [kept for one in cell.outputs if (kept := safe(one))]
+            cell.outputs = [] if locked else [safe_output for output in cell.outputs if (safe_output := safe(output))]
         if not pictures_only(cell.get("attachments")):
             cell.pop("attachments", None)
         return cell, resources
@@ -208,31 +208,31 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
 
     def _graded(self, slug: str, student: str) -> tuple[Submission, Record]:
         """A submission and its result; with the first, all that the command is about are graded, on warm workers."""
-        known: dict[tuple[str, str], tuple[Submission, Record]] = self.parent.results
-        if (slug, student) not in known:
-            place = self.parent.parent.coursedir
-            everyone = _class(place, slug)
+        graded: dict[tuple[str, str], tuple[Submission, Record]] = self.parent.results
+        if (slug, student) not in graded:
+            coursedir = self.parent.parent.coursedir
+            everyone = _class(coursedir, slug)
             book: ResultStore = self.parent.books[slug]
-            found = {one["student"]: one for one in records(self._plan(place, book, everyone), book)}
-            known.update({(slug, one.student): (one, found[one.student]) for one in everyone})
-        return known[slug, student]
+            by_student = {record["student"]: record for record in records(self._plan(coursedir, book, everyone), book)}
+            graded.update({(slug, record.student): (record, by_student[record.student]) for record in everyone})
+        return graded[slug, student]
 
-    def _plan(self, place: Any, book: ResultStore, everyone: Sequence[Submission]) -> RunConfig:
+    def _plan(self, coursedir: Any, book: ResultStore, everyone: Sequence[Submission]) -> RunConfig:
         seed = new_seed() if book.seed is None else book.seed
         mine = {"memory": self.memory, "cpu": self.cpu, "call": self.call}
         most = {name: mine[name] or usual for name, usual in course_config.limits(self.found_checkout()).items()}
         limits = ResourceLimits(most["memory"] * 2**20, most["cpu"], most["call"])
         jobs = self.jobs or cores()
-        hidden = [self.found_checkout(), Path(place.root).resolve()]
+        hidden = [self.found_checkout(), Path(coursedir.root).resolve()]
         return RunConfig(self.found_checkout(), everyone, seed, jobs, limits, hidden)
 
 
-def _class(place: Any, slug: str) -> list[Submission]:
+def _class(coursedir: Any, slug: str) -> list[Submission]:
     """The submissions that the command is about: everybody's, or one student's."""
-    student = re.compile(place.format_path(place.submitted_directory, "(?P<who>.*)", slug, escape=True))
-    folders = sorted(glob.glob(place.format_path(place.submitted_directory, place.student_id, slug)))
-    named = [(match["who"], Path(folder)) for folder in folders if (match := student.fullmatch(folder))]
-    return [_of_folder(folder, slug, who) for who, folder in named]
+    student = re.compile(coursedir.format_path(coursedir.submitted_directory, "(?P<who>.*)", slug, escape=True))
+    folders = sorted(glob.glob(coursedir.format_path(coursedir.submitted_directory, coursedir.student_id, slug)))
+    matches = [(match["who"], Path(folder)) for folder in folders if (match := student.fullmatch(folder))]
+    return [_of_folder(folder, slug, who) for who, folder in matches]
 
 
 def _of_folder(folder: Path, slug: str, student: str) -> Submission:
@@ -245,9 +245,9 @@ def _of_folder(folder: Path, slug: str, student: str) -> Submission:
 
 
 @contextlib.contextmanager
-def _copying(found: Callable[..., list[str]]) -> Iterator[None]:
+def _copying(find: Callable[..., list[str]]) -> Iterator[None]:
     """nbgrader copies what `found` finds while this lasts; a server goes on afterwards, with other commands."""
-    earlier, base.find_all_files = base.find_all_files, found
+    earlier, base.find_all_files = base.find_all_files, find
     try:
         yield
     finally:

@@ -31,56 +31,61 @@ def rebuilt(cells: Iterable[Mapping[str, Any]]) -> Notebook:
 def _cell(number: int, cell: Mapping[str, Any]) -> dict[str, Any]:
     noted = {"nbgrader": {"grade_id": cell["grade_id"]}} if cell["grade_id"] else {}
     name = cell["id"] if CELL_ID.fullmatch(cell["id"]) else f"cell-{number}"
-    made = {"cell_type": cell["kind"], "id": name, "metadata": noted, "source": cell["source"]}
+    fields = {"cell_type": cell["kind"], "id": name, "metadata": noted, "source": cell["source"]}
     if cell["kind"] == "code":
-        return {**made, "execution_count": None, "outputs": [kept for one in cell["outputs"] if (kept := safe(one))]}
-    return {**made, "attachments": cell["attachments"]} if cell["attachments"] else made
+        return {
+            **fields,
+            "execution_count": None,
+            "outputs": [safe_output for output in cell["outputs"] if (safe_output := safe(output))],
+        }
+    return {**fields, "attachments": cell["attachments"]} if cell["attachments"] else fields
 
 
 def note(submission: Submission, record: Record) -> str:
     """What is to say of the submission as a whole."""
     slug, path = submission.slug, submission.path
     elsewhere = path is not None and path.name != f"{slug}.py"
-    found = NO_MODULE.format(slug=slug, found=printable(path.name)) if elsewhere and path else ""
-    return " ".join(filter(None, (found, overall(record["status"], record.get("message", "")))))
+    sentence = NO_MODULE.format(slug=slug, found=printable(path.name)) if elsewhere and path else ""
+    return " ".join(filter(None, (sentence, overall(record["status"], record.get("message", "")))))
 
 
-def marked(marks: Iterable[Mapping[str, Any]], sheet: AssignmentInfo, note: str) -> list[Notebook]:
+def marked(marks: Iterable[Mapping[str, Any]], sheet: AssignmentInfo, sentence: str) -> list[Notebook]:
     """The messages and pictures of a part, and its points as nbgrader reads them: the number that a cell ends with."""
-    shown = [_shown(mark, sheet) for mark in marks]
-    earned = round(sum(mark["points"] for mark in shown), 6)
-    page = template("part.html").render(marks=shown, note=note)
-    plain = "\n".join([*([note] if note else []), *map(_plain, shown)])
+    shown = [_shown(check_result, sheet) for check_result in marks]
+    earned = round(sum(check_result["points"] for check_result in shown), 6)
+    page = template("part.html").render(marks=shown, note=sentence)
+    plain = "\n".join([*([sentence] if sentence else []), *map(_plain, shown)])
     return [
         _output("display_data", data={"text/html": page, "text/plain": plain}, metadata={}),
         _output("execute_result", data={"text/plain": repr(earned)}, metadata={}, execution_count=1),
     ]
 
 
-def _shown(mark: Mapping[str, Any], sheet: AssignmentInfo) -> dict[str, Any]:
+def _shown(check_result: Mapping[str, Any], sheet: AssignmentInfo) -> dict[str, Any]:
     """A mark without its detail, which is the instructor's."""
     return {
-        "name": mark["name"],
-        "outcome": mark["outcome"],
-        "line": sheet.lines.get(mark["name"], mark["name"]),
-        "points": mark["points"],
-        "max_points": mark["max_points"],
-        "message": "" if mark["outcome"] == "passed" else mark["message"],
-        "pictures": pictures((mark.get("failure") or {}).get("curve")),
+        "name": check_result["name"],
+        "outcome": check_result["outcome"],
+        "line": sheet.lines.get(check_result["name"], check_result["name"]),
+        "points": check_result["points"],
+        "max_points": check_result["max_points"],
+        "message": "" if check_result["outcome"] == "passed" else check_result["message"],
+        "pictures": pictures((check_result.get("failure") or {}).get("curve")),
     }
 
 
-def _plain(mark: Mapping[str, Any]) -> str:
-    message = f"\n  {mark['message']}" if mark["message"] else ""
-    return f"{SIGNS[mark['outcome']]} {mark['points']:g}/{mark['max_points']:g} {mark['line']}{message}"
+def _plain(check_result: Mapping[str, Any]) -> str:
+    message = f"\n  {check_result['message']}" if check_result["message"] else ""
+    points = f"{check_result['points']:g}/{check_result['max_points']:g}"
+    return f"{SIGNS[check_result['outcome']]} {points} {check_result['line']}{message}"
 
 
 def safe(output: Notebook) -> Notebook | None:
     """An output without what a browser would run; None if nothing is left."""
-    kind = output.get("output_type")
-    if kind == "stream":
+    output_type = output.get("output_type")
+    if output_type == "stream":
         return _output("stream", name="stdout", text=_text(output.get("text")))
-    if kind == "error":
+    if output_type == "error":
         return _output("stream", name="stdout", text=f"{output.get('ename')}: {output.get('evalue')}")
     bundle = output.get("data")
     data = {mime: text for mime, text in bundle.items() if _picture(mime, text)} if isinstance(bundle, dict) else {}
@@ -92,8 +97,8 @@ def safe(output: Notebook) -> Notebook | None:
 def pictures_only(attachments: Any) -> bool:
     """Whether a text's attachments are pictures, all of them."""
     return isinstance(attachments, dict) and all(
-        isinstance(one, dict) and all(_picture(mime, text) for mime, text in one.items())
-        for one in attachments.values()
+        isinstance(attachment, dict) and all(_picture(mime, text) for mime, text in attachment.items())
+        for attachment in attachments.values()
     )
 
 
@@ -105,8 +110,8 @@ def _text(value: Any) -> str:
     return "".join(map(str, value)) if isinstance(value, list) else str(value)
 
 
-def _output(kind: str, **content: Any) -> Notebook:
-    return node({"output_type": kind, **content})
+def _output(output_type: str, **content: Any) -> Notebook:
+    return node({"output_type": output_type, **content})
 
 
 def node(content: Mapping[str, Any]) -> Notebook:

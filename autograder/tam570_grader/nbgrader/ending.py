@@ -73,11 +73,11 @@ class WholeTable(CsvExportPlugin):  # type: ignore[misc]
     """nbgrader's table of grades, put in the place of an earlier one when it is whole."""
 
     def export(self, gradebook: Any) -> None:
-        whole = getattr(self, "to") or "grades.csv"  # noqa: B009  its type is traitlets'
-        draft = f"{whole}.new"
+        target = getattr(self, "to") or "grades.csv"  # noqa: B009  its type is traitlets'
+        draft = f"{target}.new"
         self.set_trait("to", draft)
         try:
             super().export(gradebook)
-            os.replace(draft, whole)
+            os.replace(draft, target)
         finally:
             Path(draft).unlink(missing_ok=True)

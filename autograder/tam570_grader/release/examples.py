@@ -46,14 +46,16 @@ def write(course: Path, names: Sequence[str]) -> int:
 def examples_of(course: Path, slug: str) -> str:
     """The text of `examples.json`."""
     assignment = assignments.assignment(course, slug)
-    known = [one for one in mistakes(assignments.checks_folder(course, slug)) if one.text]
+    compared = [mistake for mistake in mistakes(assignments.checks_folder(course, slug)) if mistake.text]
     candidates = list(_fair(course, assignment, _candidates(assignment)))
-    answers = [_answers(assignment, one, candidates) for one in known]
+    answers = [_answers(assignment, mistake, candidates) for mistake in compared]
     chosen = _chosen(candidates, answers)
-    named = [_fingerprints(one, given, chosen, candidates) for one, given in zip(known, answers, strict=True)]
+    fingerprints = [
+        _fingerprints(mistake, answer, chosen, candidates) for mistake, answer in zip(compared, answers, strict=True)
+    ]
     lines = [json.dumps(candidates[k], allow_nan=False) for k in chosen]
-    told = [json.dumps(one) for one in named if one]
-    return '{"examples": [\n' + ",\n".join(lines) + '\n], "mistakes": [\n' + ",\n".join(told) + "\n]}\n"
+    encoded = [json.dumps(mistake) for mistake in fingerprints if mistake]
+    return '{"examples": [\n' + ",\n".join(lines) + '\n], "mistakes": [\n' + ",\n".join(encoded) + "\n]}\n"
 
 
 def caught(examples: Examples, module: Any) -> bool:
@@ -65,7 +67,7 @@ def _candidates(assignment: LoadedAssignment) -> list[Example]:
     """What the checks compare along the solution, with the public seed; a few of each kind of input."""
     notes: list[dict[str, Any]] = []
 
-    def judge(zygote: Any, _: Any) -> None:
+    def collect_calls(zygote: Any, _: Any) -> None:
         student = Student(Source(assignment.solution.encode()), assignment, zygote)
         try:
             student.load()
@@ -75,25 +77,28 @@ def _candidates(assignment: LoadedAssignment) -> list[Example]:
         finally:
             student.leave()
 
-    tried(judge, sorted(assignment.needs), ResourceLimits(cpu=600, call=100))
-    found: dict[tuple[str, bytes], Example] = {}
+    tried(collect_calls, sorted(assignment.needs), ResourceLimits(cpu=600, call=100))
+    examples: dict[tuple[str, bytes], Example] = {}
     count: dict[tuple[Any, ...], int] = {}
-    for note in notes:
-        returns, case = assignment.results[note["function"]], note["case"]
+    for collected in notes:
+        returns, case = assignment.results[collected["function"]], collected["case"]
         if isinstance(returns, Formula | Drawing):
             continue
-        key = note["function"], case.packed
-        if key not in found:
-            label = note["function"], case.label, note["compare"]["member"]
+        key = collected["function"], case.packed
+        if key not in examples:
+            label = collected["function"], case.label, collected["compare"]["member"]
             count[label] = count.get(label, 0) + 1
             if count[label] > MOST_OF_A_LABEL or _size(case.args, case.kwargs.values()) > MOST_NUMBERS:
                 continue
-            args, kwargs = [plain(one) for one in case.args], {name: plain(one) for name, one in case.kwargs.items()}
-            found[key] = {"function": key[0], "label": case.label, "args": args, "kwargs": kwargs, "compare": []}
-        compare = {name: plain(_rounded(one)) for name, one in note["compare"].items()}
-        if compare not in found[key]["compare"]:
-            found[key]["compare"].append(compare)
-    return [one for one in found.values() if len(json.dumps(one)) < 40 * MOST_NUMBERS]
+            args, kwargs = (
+                [plain(value) for value in case.args],
+                {name: plain(value) for name, value in case.kwargs.items()},
+            )
+            examples[key] = {"function": key[0], "label": case.label, "args": args, "kwargs": kwargs, "compare": []}
+        compare = {name: plain(_rounded(value)) for name, value in collected["compare"].items()}
+        if compare not in examples[key]["compare"]:
+            examples[key]["compare"].append(compare)
+    return [value for value in examples.values() if len(json.dumps(value)) < 40 * MOST_NUMBERS]
 
 
 def _rounded(value: Any) -> Any:
@@ -101,7 +106,7 @@ def _rounded(value: Any) -> Any:
 
 
 def _size(*groups: Any) -> int:
-    return sum(int(np.size(one)) for group in groups for one in group if not isinstance(one, str))
+    return sum(int(np.size(value)) for group in groups for value in group if not isinstance(value, str))
 
 
 def _fair(course: Path, assignment: LoadedAssignment, candidates: Sequence[Example]) -> Iterator[Example]:
@@ -128,24 +133,26 @@ def _wrong(examples: Examples, number: int, function: Any) -> bool:
 def _answers(assignment: LoadedAssignment, mistake: Mistake, candidates: Sequence[Example]) -> dict[int, Any]:
     """The results of a mistake, by the number of each example that it fails; None where it raises."""
     module, examples = solution_with(assignment.solution, mistake.text), Examples(candidates, ())
-    wrong = [k for k, one in enumerate(candidates) if _wrong(examples, k, getattr(module, one["function"], None))]
+    wrong = [
+        k for k, example in enumerate(candidates) if _wrong(examples, k, getattr(module, example["function"], None))
+    ]
     return {k: examples.results.get(k) for k in wrong}
 
 
 def _chosen(candidates: Sequence[Example], answers: Sequence[Mapping[int, Any]]) -> list[int]:
     """The fewest examples, greedily, of which each mistake fails one; and one of each function."""
-    left = [{*given} for given in answers if given]
-    left += [{k for k, other in enumerate(candidates) if other["function"] == name} for name in _functions(candidates)]
+    unmet = [{*answer} for answer in answers if answer]
+    unmet += [{k for k, other in enumerate(candidates) if other["function"] == name} for name in _functions(candidates)]
     chosen: list[int] = []
-    while left:
-        best = max(range(len(candidates)), key=lambda k: sum(k in one for one in left))
+    while unmet:
+        best = max(range(len(candidates)), key=lambda k: sum(k in unmet_by for unmet_by in unmet))
         chosen.append(best)
-        left = [one for one in left if best not in one]
+        unmet = [unmet_by for unmet_by in unmet if best not in unmet_by]
     return sorted(chosen)
 
 
 def _functions(candidates: Sequence[Example]) -> list[str]:
-    return [*dict.fromkeys(one["function"] for one in candidates)]
+    return [*dict.fromkeys(example["function"] for example in candidates)]
 
 
 def _fingerprints(
@@ -160,10 +167,10 @@ def _fingerprints(
     for number, k in enumerate(chosen):
         if k in answers and candidates[k]["function"] == function and answers[k] is not None:
             compare = candidates[k]["compare"]
-            numbers = [fingerprint(part(answers[k], one)) for one in compare if not one.get("raises")]
+            numbers = [fingerprint(part(answers[k], example)) for example in compare if not example.get("raises")]
             if not np.isfinite(numbers).all():
                 return None
-            results[str(number)] = [float(f"{one:.9g}") for one in numbers]
+            results[str(number)] = [float(f"{example:.9g}") for example in numbers]
     if not results:
         return None
     return {"function": function, "message": closed(mistake.message), "results": results}

@@ -67,9 +67,9 @@ def _staged(course: Path, stage: Path) -> str:
     shutil.copytree(course / "shared" / "tam570", package, ignore=NOT_FOR_STUDENTS)
     shutil.copytree(course / "assignments", package / "assignments", ignore=NOT_FOR_STUDENTS)
     for slug in assignments.slugs(course):
-        place = package / "assignments" / slug / "notebook"
-        place.mkdir()
-        write_notebook(course, slug, place)
+        target = package / "assignments" / slug / "notebook"
+        target.mkdir()
+        write_notebook(course, slug, target)
     for name in ("README.md", "LICENSE"):
         shutil.copyfile(course / name, stage / name)
     start = package / "__init__.py"
@@ -81,10 +81,10 @@ def _staged(course: Path, stage: Path) -> str:
 
 def _digest(folder: Path) -> str:
     """Of all that is in a folder."""
-    found = hashlib.sha256()
+    digest = hashlib.sha256()
     for path in sorted(path for path in folder.rglob("*") if path.is_file()):
-        found.update(f"{path.relative_to(folder).as_posix()}\0{path.stat().st_size}\0".encode() + path.read_bytes())
-    return found.hexdigest()[:10]
+        digest.update(f"{path.relative_to(folder).as_posix()}\0{path.stat().st_size}\0".encode() + path.read_bytes())
+    return digest.hexdigest()[:10]
 
 
 def _project(course: Path, version: str) -> dict[str, Any]:
@@ -94,7 +94,9 @@ def _project(course: Path, version: str) -> dict[str, Any]:
     project |= {
         "version": version,
         "dynamic": [],
-        "dependencies": [one for one in project["dependencies"] if not one.startswith(OF_THE_GRADER)],
+        "dependencies": [
+            dependency for dependency in project["dependencies"] if not dependency.startswith(OF_THE_GRADER)
+        ],
         "optional-dependencies": {"fast": project["optional-dependencies"]["fast"]},
         "scripts": {"tam570": project["scripts"]["tam570"]},
     }

@@ -29,7 +29,7 @@ __all__ = [
 ]
 
 TEMPLATES = Path(__file__).parent / "templates"
-Cell = dict[str, Any]
+CellRecord = dict[str, Any]
 Definitions = Mapping[str, ast.FunctionDef]
 
 PART = re.compile(r"^\*\*\(([a-z])\)\*\*", re.MULTILINE)
@@ -83,17 +83,19 @@ def notebook(assignment: LoadedAssignment, readme: str, tests: str, pictures: st
     readme, tests : of the assignment, as students get them
     pictures      : Markdown with a code block under the letter of each part that has something to show
     """
-    given = problem(without_rubric(readme))
+    problem_cells = problem(without_rubric(readme))
     first = {"cell_type": "markdown", "id": "problem", "metadata": {}}
     how = HOW.format(slug=assignment.slug, hand_in=handin.HOW.format(name=assignment.slug[:4]))
-    cells: list[Cell] = [
-        {**first, "source": f"{given.intro}\n\n{how}"},
+    cells: list[CellRecord] = [
+        {**first, "source": f"{problem_cells.intro}\n\n{how}"},
         _code("setup", SETUP.format(slug=assignment.slug)),
     ]
     shown, tested = dict(FENCE.findall(pictures)), visible_by_part(assignment, tests)
-    for part in sorted({*given.parts, *part_points(assignment), *assignment.manual}):
-        cells += _part(assignment, part, given.parts.get(part, f"**({part})**"), shown.get(part), tested.get(part, []))
-    cells += [text_cell("look", SCENE), _code("scene", "show(hw)"), text_cell("graded", given.rest)]
+    for part in sorted({*problem_cells.parts, *part_points(assignment), *assignment.manual}):
+        cells += _part(
+            assignment, part, problem_cells.parts.get(part, f"**({part})**"), shown.get(part), tested.get(part, [])
+        )
+    cells += [text_cell("look", SCENE), _code("scene", "show(hw)"), text_cell("graded", problem_cells.rest)]
     return {**FORMAT, "metadata": KERNEL, "cells": cells}
 
 
@@ -102,13 +104,13 @@ def write_notebook(course: Path, slug: str, folder: Path) -> None:
     released = course / "assignments" / slug
     shutil.copyfile(TEMPLATES / "lab.py", folder / "lab.py")
     pictures = assignments.checks_folder(course, slug) / "notebook.md"
-    made = notebook(
+    content = notebook(
         assignments.assignment(course, slug),
         (released / "README.md").read_text(encoding="utf-8"),
         (released / f"test_{slug}.py").read_text(encoding="utf-8"),
         pictures.read_text(encoding="utf-8") if pictures.exists() else "",
     )
-    written(folder / f"{slug}.ipynb", json.dumps(made, indent=1, ensure_ascii=False) + "\n")
+    written(folder / f"{slug}.ipynb", json.dumps(content, indent=1, ensure_ascii=False) + "\n")
 
 
 def part_points(assignment: LoadedAssignment) -> dict[str, float]:
@@ -124,23 +126,23 @@ def part_of(grade_id: str) -> str | None:
 
 def functions_by_part(assignment: LoadedAssignment) -> dict[str, str]:
     """The part of each function: that of the first check that is about it, else the first part."""
-    found: dict[str, str] = {}
+    parts: dict[str, str] = {}
     for check in assignment.checks:
-        found.setdefault(check.function, check.part)
+        parts.setdefault(check.function, check.part)
     first = assignment.checks[0].part
-    return {name: found.get(name, first) for name in assignment.results}
+    return {name: parts.get(name, first) for name in assignment.results}
 
 
 def visible_by_part(assignment: LoadedAssignment, tests: str) -> dict[str, list[str]]:
     """The visible tests of each part: a test belongs to the last part of which it uses a function."""
     parts, graded = functions_by_part(assignment), sorted(part_points(assignment))
     definitions = {node.name: node for node in ast.parse(tests).body if isinstance(node, ast.FunctionDef)}
-    found: dict[str, list[str]] = {part: [] for part in graded}
+    functions: dict[str, list[str]] = {part: [] for part in graded}
     for name, node in definitions.items():
         if name.startswith("test_"):
             used = [parts[f] for f in _mentioned(node, definitions) if f in parts]
-            found[max(used, default=graded[0])].append(name)
-    return found
+            functions[max(used, default=graded[0])].append(name)
+    return functions
 
 
 def _mentioned(node: ast.FunctionDef, definitions: Definitions) -> set[str]:
@@ -156,7 +158,9 @@ def _mentioned(node: ast.FunctionDef, definitions: Definitions) -> set[str]:
     return names
 
 
-def _part(assignment: LoadedAssignment, part: str, text: str, shown: str | None, tests: Iterable[str]) -> list[Cell]:
+def _part(
+    assignment: LoadedAssignment, part: str, text: str, shown: str | None, tests: Iterable[str]
+) -> list[CellRecord]:
     """The cells of one part."""
     cells = [text_cell(f"text-{part}", text)]
     manual = assignment.rubric.get(part)
@@ -178,7 +182,7 @@ def _used_in(assignment: LoadedAssignment, part: str) -> list[str]:
     return sorted(used & {*assignment.results})
 
 
-def _by_hand(part: str, manual: ManualPart) -> list[Cell]:
+def _by_hand(part: str, manual: ManualPart) -> list[CellRecord]:
     """The task, a cell to compute in, and the answer's cell, which carries the points."""
     answer = text_cell(f"manual-{part}", manual.prompt)
     answer["metadata"] = _nbgrader(f"manual-{part}", manual.points, locked=False, solution=True)
@@ -187,7 +191,7 @@ def _by_hand(part: str, manual: ManualPart) -> list[Cell]:
     return [text_cell(f"task-{part}", task), _code(f"work-{part}", "# your plots and numbers\n"), answer]
 
 
-def _locked(assignment: LoadedAssignment, part: str, tests: Iterable[str]) -> Cell:
+def _locked(assignment: LoadedAssignment, part: str, tests: Iterable[str]) -> CellRecord:
     """The cell that runs the visible tests of a part for the student, and carries the points of its checks."""
     points = part_points(assignment)[part]
     names = "".join(f"    {json.dumps(name)},\n" for name in tests)
@@ -212,10 +216,10 @@ def _nbgrader(grade_id: str, points: float, *, locked: bool, solution: bool) -> 
     }
 
 
-def text_cell(name: str, source: str) -> Cell:
+def text_cell(name: str, source: str) -> CellRecord:
     """A plain Markdown cell."""
     return {"cell_type": "markdown", "id": name, "metadata": {}, "source": source}
 
 
-def _code(name: str, source: str) -> Cell:
+def _code(name: str, source: str) -> CellRecord:
     return {"cell_type": "code", "id": name, "metadata": {}, "source": source, "outputs": [], "execution_count": None}

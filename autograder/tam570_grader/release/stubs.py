@@ -19,8 +19,10 @@ BODY = "raise NotImplementedError"
 
 def run(course: Path, *, check: bool) -> int:
     """Write every stub and contract that is out of date, or with `check` name it; the exit code."""
-    made = {path: text for slug in assignments.slugs(course) for path, text in _made(course, slug).items()}
-    stale = {path: text for path, text in made.items() if not path.exists() or path.read_text(encoding="utf-8") != text}
+    generated = {path: text for slug in assignments.slugs(course) for path, text in _generated(course, slug).items()}
+    stale = {
+        path: text for path, text in generated.items() if not path.exists() or path.read_text(encoding="utf-8") != text
+    }
     for path, text in stale.items():
         if not check:
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -29,7 +31,7 @@ def run(course: Path, *, check: bool) -> int:
     return 1 if check and stale else 0
 
 
-def _made(course: Path, slug: str) -> dict[Path, str]:
+def _generated(course: Path, slug: str) -> dict[Path, str]:
     """What is derived of an assignment: the README's rubric, the stub, and the contract for the students' `check`."""
     released, solution = course / "assignments" / slug, course / "solutions" / f"{slug}.py"
     readme, rubric = released / "README.md", load_rubric(released)
@@ -55,11 +57,11 @@ def stub(source: str) -> str:
     """
     tree = ast.parse(source)
     names = exported(tree)
-    kept = [node for node in tree.body if not _private(node)]
-    texts = {node: _text(source, node, names) for node in kept}
-    while unused := [node for node in kept if _unused(node, kept, texts)]:
-        kept = [node for node in kept if node not in unused]
-    return _joined([(node, texts[node]) for node in kept])
+    public = [node for node in tree.body if not _private(node)]
+    texts = {node: _text(source, node, names) for node in public}
+    while unused := [node for node in public if _unused(node, public, texts)]:
+        public = [node for node in public if node not in unused]
+    return _joined([(node, texts[node]) for node in public])
 
 
 def exported(tree: ast.Module) -> set[str]:
@@ -94,11 +96,11 @@ def _text(source: str, node: ast.stmt, exported: set[str]) -> str:
     return "\n".join([*lines, f"    {BODY}"])
 
 
-def _unused(node: ast.stmt, kept: list[ast.stmt], texts: dict[ast.stmt, str]) -> bool:
+def _unused(node: ast.stmt, others_too: list[ast.stmt], texts: dict[ast.stmt, str]) -> bool:
     """Whether an import or a constant is used by nothing that is left; `np` stays, for students expect it."""
     if not isinstance(node, ast.Import | ast.ImportFrom | ast.Assign) or {"__all__", "np"} & set(_names(node)):
         return False
-    others = " ".join(_code(texts[other]) for other in kept if other is not node)
+    others = " ".join(_code(texts[other]) for other in others_too if other is not node)
     return not any(re.search(rf"\b{re.escape(name)}\b", others) for name in _names(node))
 
 
@@ -120,5 +122,5 @@ def _gap(before: ast.stmt | None, node: ast.stmt) -> str:
         return ""
     if isinstance(before, ast.FunctionDef | ast.ClassDef) or isinstance(node, ast.FunctionDef | ast.ClassDef):
         return "\n\n\n"
-    alike = isinstance(before, ast.Import | ast.ImportFrom) and isinstance(node, ast.Import | ast.ImportFrom)
-    return "\n" if alike else "\n\n"
+    both_imports = isinstance(before, ast.Import | ast.ImportFrom) and isinstance(node, ast.Import | ast.ImportFrom)
+    return "\n" if both_imports else "\n\n"
