@@ -189,12 +189,12 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
         submission, record = self._graded(slug, student)
         if record["score"] is None:
             raise NbGraderException(f"the grader failed on {student} {slug}: see {self.results}/{slug}/results.jsonl")
-        says, graded = self._sheet(slug), part_points(assignments.assignment(self.found_checkout(), slug))
+        sheet, graded = self._sheet(slug), part_points(assignments.assignment(self.found_checkout(), slug))
         for cell in nb.cells:
             part = part_of(grade_id(cell))
             if part in graded:
-                marks = [mark for mark in record["checks"] if mark["part"] == part]
-                cell.outputs = marked(marks, says, note(submission, record))
+                marks = [result for result in record["checks"] if result["part"] == part]
+                cell.outputs = marked(marks, sheet, note(submission, record))
         return nb, resources
 
     def found_checkout(self) -> Path:
