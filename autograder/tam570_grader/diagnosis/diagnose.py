@@ -32,8 +32,15 @@ def diagnose(solution: str, folder: Path, calls: Sequence[Called], earlier: Sequ
     suspects = candidates(solution, folder, {call.name for call in calls})
     found = known(solution, suspects, calls) or general(solution, calls)
     if found and earlier:
-        return _in_common(solution, [found, *wrong_arguments(solution, calls)], earlier) or found
+        common = _in_common(solution, [found, *wrong_arguments(solution, calls)], earlier)
+        alike = [one.function for one in earlier if _of(found, "it") == _of(one, "it")]
+        return common or (replace(found, message=f"{found.message}, as in {alike[0]}") if alike else found)
     return found
+
+
+def _of(cause: Cause, name: str) -> str:
+    """What is said of a cause, of a function of another name."""
+    return cause.message.replace(cause.function, name) if cause.kind != "known mistake" else cause.function
 
 
 def follows(solution: str, calls: Sequence[Called], earlier: Iterable[Cause]) -> Cause | None:

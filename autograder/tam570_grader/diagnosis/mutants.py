@@ -87,16 +87,27 @@ def _products(function: ast.FunctionDef) -> dict[int, ast.expr]:
 
 
 def _everywhere(function: ast.FunctionDef) -> Iterator[Slip]:
-    """Every sine becomes a cosine, or every cosine a sine."""
-    for name in ("sin", "cos"):
-        whole, calls = copy.deepcopy(function), list[ast.expr]()
-        for node in ast.walk(whole):
-            if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == name:
-                node.func.attr = COUNTERPARTS[name]
-                calls.append(node)
-        if len(calls) > 1:
-            whole_calls = ast.Tuple(calls)
-            yield Slip("another function", whole_calls, whole_calls, ast.unparse(whole), whole_calls)
+    """One slip in every place: each sine a cosine, each square a product."""
+    for name, operator in EVERYWHERE:
+        changer = _InEveryPlace(operator)
+        whole = changer.visit(copy.deepcopy(function))
+        if len(changer.places) > 1:
+            places = ast.Tuple(changer.places)
+            yield Slip(name, places, places, ast.unparse(ast.fix_missing_locations(whole)), places)
+
+
+class _InEveryPlace(ast.NodeTransformer):
+    """Makes the slips of an operator in all expressions at once."""
+
+    def __init__(self, operator: "Operator") -> None:
+        self.operator, self.places = operator, list[ast.expr]()
+
+    def visit(self, node: ast.AST) -> ast.AST:
+        node = self.generic_visit(node)
+        if isinstance(node, ast.expr) and (slip := next(self.operator(node), None)):
+            self.places.append(node)
+            return slip
+        return node
 
 
 @functools.lru_cache(maxsize=256)
@@ -193,6 +204,11 @@ def _counterparts(node: ast.expr) -> Iterator[ast.expr]:
         yield _with(node, func=_with(node.func, attr=COUNTERPARTS[node.func.attr]))
 
 
+def _counterpart_of(name: str, node: ast.expr) -> Iterator[ast.expr]:
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == name:
+        yield from _counterparts(node)
+
+
 def _copies(node: ast.expr, inputs: set[str]) -> Iterator[ast.expr]:
     """A copy of an input becomes the input."""
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
@@ -273,8 +289,50 @@ def _numbers(node: ast.expr) -> Iterator[ast.expr]:
         yield from (ast.Constant(node.value * ratio) for ratio in RATIOS if node.value)
 
 
+def _linearised(node: ast.expr) -> Iterator[ast.expr]:
+    """sin x becomes x, and cos x 1."""
+    if isinstance(node, ast.Call) and len(node.args) == 1 and _name_of(node.func) in ("sin", "cos", "tan"):
+        yield ast.Constant(1.0) if _name_of(node.func) == "cos" else node.args[0]
+
+
+def _products_for_squares(node: ast.expr) -> Iterator[ast.expr]:
+    """om1**2 and om1 * om1 become om1 * om2."""
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow) and _equal(node.right, ast.Constant(2)):
+        yield from (ast.BinOp(node.left, ast.Mult(), other) for other in _other(node.left))
+    elif isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult):
+        last = node.left.right if isinstance(node.left, ast.BinOp) else node.left
+        if ast.dump(last) == ast.dump(node.right):
+            yield from (_with(node, right=other) for other in _other(node.right))
+
+
+def _other(node: ast.expr) -> Iterator[ast.expr]:
+    """The second of two quantities for the first, as their names have it, and the first for the second."""
+    if isinstance(node, ast.Name) and node.id[-1:] in "12":
+        yield ast.Name(node.id[:-1] + "21"[int(node.id[-1]) - 1], ast.Load())
+
+
+def _missing_squares(node: ast.expr) -> Iterator[ast.expr]:
+    """hypot(a, b) loses the square of b."""
+    if isinstance(node, ast.Call) and _name_of(node.func) == "hypot" and len(node.args) == 2:
+        first, second = node.args
+        total = ast.BinOp(ast.BinOp(first, ast.Mult(), first), ast.Add(), second)
+        yield ast.BinOp(total, ast.Pow(), ast.Constant(0.5))
+
+
 RATIOS = 2 / 3, 3 / 2, 1 / 3, 3, 1 / 4, 4, 1 / 6, 6
-MORE: dict[str, Operator] = {"a missing factor": _missing_factors, "a first sign": _first_signs, "a number": _numbers}
+MORE: dict[str, Operator] = {
+    "a missing factor": _missing_factors,
+    "a first sign": _first_signs,
+    "a number": _numbers,
+    "linearised": _linearised,
+    "a product for a square": _products_for_squares,
+    "a missing square": _missing_squares,
+}
+EVERYWHERE: tuple[tuple[str, Operator], ...] = (
+    *(("another function", partial(_counterpart_of, name)) for name in ("sin", "cos")),
+    ("linearised", _linearised),
+    ("a product for a square", _products_for_squares),
+)
 
 
 def _with(node: Node, **fields: object) -> Node:

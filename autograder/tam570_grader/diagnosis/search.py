@@ -6,10 +6,12 @@ variant is named if it alone explains every call of the check, of which at least
 """
 
 import ast
+import copy
 import functools
 import inspect
+import re
 import warnings
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
@@ -24,7 +26,13 @@ from tam570_grader.diagnosis.cause import Answer, Called, Cause
 from tam570_grader.diagnosis.compared_call import Judged, judged, telling
 from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, parts, right_answer, solution_with
 from tam570_grader.diagnosis.mutants import Slip, reached, slips
-from tam570_grader.diagnosis.transforms import WrongArgument, other_arguments, other_products, other_results
+from tam570_grader.diagnosis.transforms import (
+    WrongArgument,
+    other_arguments,
+    other_forms,
+    other_products,
+    other_results,
+)
 
 __all__ = ["general", "wrong_arguments"]
 
@@ -67,7 +75,7 @@ def _general(solution: str, calls: Sequence[Called]) -> Cause | None:
     right = getattr(module, name)
     known_for = {str(call.case.kwargs) for call in wrong}
     results = other_results(name, wrong[0], vary=len(known_for) >= FEWEST or not wrong[0].case.kwargs)
-    if first := next(((says, variant) for says, variant in results if _explains(variant, own)), None):
+    if first := _first(results, own):
         return Cause(name, first[0], "transform", _with_variant(solution, name, first[1]), tuple(calls))
     for family in (other_arguments(name, right, own[0]), other_products(name, right, own[0])):
         told = [(says, variant) for says, variant in family if _explains(variant, own)]
@@ -79,8 +87,14 @@ def _general(solution: str, calls: Sequence[Called]) -> Cause | None:
     if slip := _slip(solution, module, name, known):
         says, texts = slip
         return Cause(name, says, "mutant", tuple(partial(answer, solution, text) for text in texts), tuple(calls))
+    if first := _first(other_forms(name, right, own[0]), own):
+        return Cause(name, first[0], "transform", _with_variant(solution, name, first[1]), tuple(calls))
     place = _single_entry(name, own)
     return Cause(name, place, "place") if place else None
+
+
+def _first(family: Iterator[tuple[str, Variant]], calls: Sequence[Judged]) -> tuple[str, Variant] | None:
+    return next(((says, variant) for says, variant in family if _explains(variant, calls)), None)
 
 
 def _for_one_word(
@@ -190,8 +204,9 @@ def _slip(solution: str, module: ModuleType, name: str, calls: Sequence[Judged])
     """What to say of the slips that explain all calls, if they are of one kind, and the functions with them."""
     public = set(inspect.signature(getattr(module, name)).parameters)
     found: dict[str, dict[str, str]] = {}
+    factors = set[str]()
     numbers_last = sorted(_slips(solution), key=lambda slip: slip[1] == KINDS["a number"])
-    for helper, kind, terms, text in numbers_last:
+    for helper, kind, terms, factor, text in numbers_last:
         if found and kind == KINDS["a number"]:
             break
         term = ", ".join(sorted(terms & public))
@@ -199,11 +214,14 @@ def _slip(solution: str, module: ModuleType, name: str, calls: Sequence[Judged])
             with _slipped(module, helper, _code(text)):
                 if _explains(partial(_called, module), calls):
                     found.setdefault(kind, {})[term] = text
+                    factors.add(factor)
     if len(found) > 1:
         found.pop(KINDS["a factor"], None)  # a number is in the term that counts twice
     if len(found) != 1:
         return None
     ((kind, told),) = found.items()
+    if len(factors) == 1 and (factor := factors.pop()):
+        return f"In {name}, the factor {factor}", list(told.values())
     (term,) = told if len(told) == 1 else ("",)
     return f"In {name}, {kind.format(f' with {term}' if term else '')}", list(told.values())
 
@@ -236,14 +254,15 @@ def _slipped(module: ModuleType, helper: str, code: CodeType) -> Iterator[None]:
 
 
 @functools.cache
-def _slips(solution: str) -> list[tuple[str, str, set[str], str]]:
-    """Of each slip that has words: the function, the words, the names in the term, and the function's text with it."""
-    parameters = _unpacked(solution)
+def _slips(solution: str) -> list[tuple[str, str, set[str], str, str]]:
+    """Of each slip that has words: the function, the words, the names in the term, a missing factor, its text."""
+    parameters, locals_of = _unpacked(solution), _locals(solution)
     return [
         (
             function,
             words,
             {parameters.get(name, name) for name in _names(slip.product if isinstance(term, ast.Constant) else term)},
+            _missing(term, slip.product, locals_of[function]) if slip.operator == "a missing factor" else "",
             slip.text,
         )
         for function, known in slips(solution).items()
@@ -263,6 +282,49 @@ def _unpacked(solution: str) -> dict[str, str]:
     }
 
 
+def _locals(solution: str) -> dict[str, dict[str, ast.expr]]:
+    """For each function the quantities that it computes, each from an expression, beside its parameters."""
+    found: dict[str, dict[str, ast.expr]] = {}
+    for function in (node for node in ast.parse(solution).body if isinstance(node, ast.FunctionDef)):
+        arguments = function.args
+        own = found[function.name] = {
+            one.arg: ast.Name(one.arg) for one in (*arguments.args, *arguments.kwonlyargs)
+        }  # those stand for themselves
+        for node in ast.walk(function):
+            if isinstance(node, ast.Assign) and len(node.targets) == 1:
+                targets, values = (getattr(one, "elts", [one]) for one in (node.targets[0], node.value))
+                whole = [ast.Name(target.id) for target in targets if isinstance(target, ast.Name)]
+                pairs = zip(targets, values if len(values) == len(targets) else whole, strict=False)
+                own |= {target.id: value for target, value in pairs if isinstance(target, ast.Name)}
+    return found
+
+
+def _missing(factor: ast.expr, product: ast.expr, known: Mapping[str, ast.expr]) -> str:
+    """What is missing, and beside which parameters; "" if it has no short name."""
+    words, names = _in_parameters(factor, known), _names(product) - _names(factor)
+    beside = ", ".join(sorted(name for name in names if ast.unparse(known.get(name, product)) == name))
+    return words and f"{words} is missing{beside and f' beside {beside}'}"
+
+
+def _in_parameters(term: ast.expr, known: Mapping[str, ast.expr]) -> str:
+    """A factor as a student may have written it; "" if that is long, or not of parameters alone."""
+
+    class InParameters(ast.NodeTransformer):
+        def visit_Name(self, node: ast.Name) -> ast.expr:
+            value = known.get(node.id, node)
+            return value if isinstance(value, ast.Name) or isinstance(node.ctx, ast.Store) else self.visit(value)
+
+    try:
+        text = ast.unparse(InParameters().visit(copy.deepcopy(term)))
+    except RecursionError:  # it is computed from itself
+        return ""
+    words = re.sub(r"\b(math|np|numpy)\.", "", text)
+    return words if len(words) <= LONGEST and set(re.findall(r"[A-Za-z_]\w*", words)) <= known.keys() | WORDS else ""
+
+
+LONGEST, WORDS = 24, {"sin", "cos", "tan", "sqrt", "exp", "pi"}
+
+
 def _names(term: ast.expr) -> set[str]:
     return {node.id for node in ast.walk(term) if isinstance(node, ast.Name)}
 
@@ -275,7 +337,9 @@ def _code(text: str) -> CodeType:
 def _words(slip: Slip) -> Iterator[tuple[str, ast.expr]]:
     """What a student reads of a slip, and the term that it is about."""
     was, now = slip.was, slip.now
-    if slip.operator == "a missing factor" and isinstance(was, ast.BinOp):
+    if slip.operator in ("linearised", "a product for a square", "a missing square"):
+        yield KINDS[slip.operator], was
+    elif slip.operator == "a missing factor" and isinstance(was, ast.BinOp):
         dropped = was.right if now is was.left else was.left
         yield KINDS["a factor"] if _is_two(dropped) else "a factor{} is missing", dropped
     elif slip.operator == "a first sign" and isinstance(was, ast.BinOp):
@@ -315,5 +379,8 @@ KINDS = {
     "another function": "the wrong function is used{}, such as sine for cosine",
     "swapped arguments": "two quantities{} are exchanged",
     "an index": "the wrong component is used{}",
+    "linearised": "a sine or cosine{} is linearised, as for small angles",
+    "a product for a square": "a square{} is a product of two quantities",
+    "a missing square": "a quantity{} is not squared",
     "a transpose": "matrices{} are multiplied in the wrong order, or one is transposed",
 }

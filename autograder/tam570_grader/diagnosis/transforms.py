@@ -15,12 +15,13 @@ from tam570_grader.checks.case import Case
 from tam570_grader.diagnosis.compared_call import Judged
 from tam570_grader.diagnosis.mistakes import parts
 
-__all__ = ["WrongArgument", "other_arguments", "other_products", "other_results"]
+__all__ = ["WrongArgument", "other_arguments", "other_forms", "other_products", "other_results"]
 
 SPACE = 3  # components of a vector
 ORDINALS = ("first ", "second ", "third ", "fourth ", "fifth ", "sixth ")  # results of a function
 AXES = {1: ("component",), 2: ("row", "column"), 3: ("segment", "end", "component")}  # of an array, by their number
-MOST = 6  # along an axis, of which one, or two, may be wrong
+SHARE = 1e-4  # of what a motion starts from: its result is linear in it to 1e-8
+MOST = 8  # along an axis, of which one, or two, may be wrong
 Variant = tuple[str, Callable[[Judged], Any]]  # what to say, and the wrong answer
 FACTORS = {
     "has the opposite sign": -1.0,
@@ -51,6 +52,10 @@ POWERS: dict[str, Callable[[Any], Any]] = {
     "is wrapped to less than half a turn either way": partial(_into_turn, 2 * math.pi),
 }
 GRAVITY = 9.81  # m/s^2
+THIN: dict[str, Callable[[Any], Any]] = {
+    "{} is that of a thin disk, A = C/2, whatever A is": lambda inertia: (inertia[1] / 2, inertia[1]),
+    "{} is that of a thin disk, C = 2 A, whatever C is": lambda inertia: (inertia[0], 2 * inertia[0]),
+}
 LENGTHS = ("radius", "length", "offset")  # from one point to the other, of a moment of inertia
 INERTIA = re.compile("inertia$")
 
@@ -96,7 +101,8 @@ def other_arguments(name: str, right: Callable[..., Any], example: Judged) -> It
     taken = list(inspect.signature(right).parameters)
     values = _named(taken, example.case)
     for key, value in values.items():
-        for says, change in _other_values(np.asarray(value)):
+        thin = THIN.items() if INERTIA.search(key) and np.shape(value) == (2,) else ()
+        for says, change in (*_other_values(np.asarray(value)), *thin):
             yield f"In {name}, {says.format(key)}", WrongArgument(right, key, change)
     if "gravity" in values:
         says = f"In {name}, gravity is ignored, as if it were {GRAVITY}"
@@ -105,6 +111,40 @@ def other_arguments(name: str, right: Callable[..., Any], example: Judged) -> It
     for one, other in combinations(values, 2):
         if np.shape(values[one]) == np.shape(values[other]):
             yield f"In {name}, {one} and {other} are exchanged", partial(_exchanged, right, taken, one, other)
+
+
+def other_forms(name: str, right: Callable[..., Any], example: Judged) -> Iterator[Variant]:
+    """A result that is linear in what it starts from, or one of several results; components of both exchanged."""
+    taken = list(inspect.signature(right).parameters)
+    values = _named(taken, example.case)
+    starts = [key for key in taken[: len(example.case.args)] if np.asarray(values[key]).dtype.kind in "fi"]
+    starts = [key for key in starts if key != "t"]
+    single = [[key] for key in starts if np.size(values[key]) <= SPACE]
+    shape = () if isinstance(example.right, tuple) else np.shape(example.right)
+    for key in (key for key in starts if len(shape) == 1 and np.shape(values[key]) == shape):
+        for j, k in combinations(range(*shape), 2):
+            says = f"In {name}, {key} and the result have components {j + 1} and {k + 1} exchanged"
+            yield says, partial(_relabelled, right, taken, key, [j, k])
+    count = len(parts(example.right))
+    for keys in [*single, *([starts] if len(starts) > 1 or not single else [])]:
+        for which in (None, *range(count if count > 1 else 0)):
+            place = "" if which is None else ORDINALS[which]
+            says = f"The {place}result of {name} is linear in {', '.join(keys)}, as for small motions"
+            yield says, partial(_linearised, right, taken, keys, which)
+
+
+def _linearised(
+    right: Callable[..., Any], taken: Sequence[str], keys: Sequence[str], which: int | None, call: Judged
+) -> Any:
+    values = _named(taken, call.case)
+
+    def at(share: float) -> list[Any]:
+        changed = {key: np.multiply(values[key], share) for key in keys}
+        return [np.asarray(part, float) for part in parts(right(**{**values, **changed}))]
+
+    linear = [zero + (up - down) / (2 * SHARE) for zero, up, down in zip(at(0.0), at(SHARE), at(-SHARE), strict=True)]
+    results = [linear[k] if which in (None, k) else part for k, part in enumerate(parts(call.right))]
+    return tuple(results) if isinstance(call.right, tuple) else results[0]
 
 
 def _other_points(name: str, right: Any, taken: Sequence[str], values: Mapping[str, Any]) -> Iterator[Variant]:
@@ -236,6 +276,13 @@ def _about_another_point(
     inertia = np.array(values[key], float)
     inertia.flat[k] += power * float(values["mass"]) * float(values[length]) ** 2
     return right(**{**values, key: inertia if inertia.ndim else float(inertia)})
+
+
+def _relabelled(right: Callable[..., Any], taken: Sequence[str], key: str, pair: list[int], call: Judged) -> Any:
+    values = _named(taken, call.case)
+    order = np.arange(len(values[key]))
+    order[pair] = pair[::-1]
+    return np.take(right(**{**values, key: np.take(values[key], order)}), order)
 
 
 def _exchanged(right: Callable[..., Any], taken: Sequence[str], one: str, other: str, call: Judged) -> Any:

@@ -47,6 +47,19 @@ def fall(t, height, speed, *, gravity, drag):
 def tumble(rate, *, mass, radius, inertia):
     return inertia[0] * rate ** 2 + inertia[1] * rate + mass * radius
 
+def squares(om1, om2, *, mass):
+    return mass * om1 ** 2, -mass * om2 ** 2
+
+def stretch(side, slope):
+    return np.hypot(1.0, 2 * slope * side)
+
+def rates(angles, omega):
+    return np.array([omega * angles[1], angles[1] + 2 * angles[2], angles[2] ** 2])
+
+def balance(angle, *, mass):
+    moment = mass * np.sin(angle)
+    return moment / 2, moment
+
 def stairs(n, m):
     total = 0.0
     while n > 0:
@@ -81,6 +94,10 @@ def cases():
         "forces": [(Case(x, y), {"F": np.array([[x, y], [y**2, x + y]])}) for x, y in pairs],
         "fall": [(Case(t, 1.5, 0.8, **known), {"t": t - t[0], "h": 1.5, "v": 0.8})],
         "tumble": [(Case(rate, **body), {"w": rate, **body}) for rate, body in bodies],
+        "squares": [(Case(p, q, mass=2.0), {"p": p, "q": q}) for p, q in pairs],
+        "stretch": [(Case(x, y), {"x": x, "y": y}) for x, y in pairs],
+        "rates": [(Case(a, 0.7), {"a": a}) for a in DRAW.normal(size=(4, 3))],
+        "balance": [(Case(a, mass=2.0), {"a": a}) for a in DRAW.uniform(0.3, 1.2, 4)],
     }
 
 
@@ -101,7 +118,11 @@ def calls(function, wrong):
         ("weight", "m*g*h + m*(l*m)**2/2", "length has a factor mass too many"),
         ("weight", "(m*g*h + m*l**2/2)**0.5", "The result of weight is the square root of the right one"),
         ("weight", "m*(g*h + l**2/2)/g**2", "The result of weight should be multiplied by gravity squared"),
-        ("weight", "g*h + m*l**2/2", "a factor with mass is missing"),  # gravity lacks it, or height
+        (
+            "weight",
+            "g*h + m*l**2/2",
+            "the factor mass is missing beside gravity, height",
+        ),  # gravity lacks it, or height
         ("weight", "m*g*h + m*l**2", "a term with length, mass counts twice"),
         ("weight", "0.0", "The result of weight is zero"),
         ("fall", "np.column_stack([h + v*t + t**2, v + 2*t])", "gravity has the opposite sign"),
@@ -132,6 +153,17 @@ def calls(function, wrong):
         ("turned", "rotated(v, math.radians(a))", "angle is read as degrees"),
         ("turned", "rotated(v, a)[::-1]", "has components 1 and 2 exchanged"),
         ("turned", "rotated(v, a)*[-1, 1]", "has the opposite sign in component 1"),
+        ("squares", "(2*p*q, -2*q**2)", "a square with om1 is a product of two quantities"),
+        ("squares", "(2*p*q, -2*p*q)", "a square with om1, om2 is a product of two quantities"),
+        ("stretch", "math.sqrt(1 + 2*y*x)", "a quantity with side, slope is not squared"),
+        (
+            "rates",
+            "np.array([a[0]**2, a[1] + 2*a[0], 0.7*a[1]])",
+            "angles and the result have components 1 and 3 exchanged",
+        ),
+        ("turned", "np.array([[1, -a], [a, 1]]) @ v", "a sine or cosine with angle is linearised"),
+        ("balance", "(a, 2*math.sin(a))", "The first result of balance is linear in angle"),
+        ("tumble", "w**2 + 2*w + mass*radius", "inertia is that of a thin disk, A = C/2"),
         ("rod", "np.array([[[x, y], [0.0, 1.0]]])", "has ends 1 and 2 exchanged"),
         ("cross", "np.cross(b, a)", "The result of cross has the opposite sign"),
         ("cross", "4*np.cross(a, b)", "The result of cross is 4 times the right one for any"),
