@@ -3,7 +3,6 @@
 import itertools
 import json
 import shutil
-import signal
 import subprocess
 import sys
 
@@ -81,13 +80,6 @@ def test_what_cannot_be_written_is_named(graded, capsys, command, place):
     assert grader.main([*command.split(), place]) == 2
     err = capsys.readouterr().err
     assert f"tam570-grader: error: cannot write to {place}" in err and len(err.splitlines()) == 2
-
-
-@pytest.mark.parametrize("first", [signal.SIGINT, signal.SIGTERM])
-def test_a_second_interrupt_ends_what_the_first_puts_away(monkeypatch, first):
-    monkeypatch.setattr("tam570_grader.cli.release._kit", lambda arguments: signal.raise_signal(first))
-    assert grader.main(["kit", "x"]) == 130
-    assert signal.getsignal(signal.SIGINT) == signal.SIG_DFL
 
 
 def test_stubs_are_written_and_compared(tmp_path, capsys, course):

@@ -33,55 +33,40 @@ def {name}(ax, *args, **kwargs):
 RIGHT = {
     "a dark page": "ax.figure.set_facecolor('k'); ax.set_facecolor('0.1'); ax.lines[-1].set_color('w');"
     " ax.xaxis.label.set_color('w'); ax.yaxis.label.set_color('w')",
-    "no paper": "ax.figure.patch.set_alpha(0); ax.patch.set_alpha(0)",
-    "thin light grey": "ax.lines[-1].set(color='lightgrey', linewidth=0.5)",
-    "half transparent dots": "ax.lines[-1].set(linestyle='', marker='.', markersize=1, alpha=0.5)",
     "dots far apart": "ax.lines[-1].set_linestyle((0, (1, 10)))",
     "a grid in front, a legend": "ax.grid(zorder=9); ax.legend(['path'], framealpha=1)",
     "a frame around it": "ax.figure.set_layout_engine('constrained'); ax.set_title(r'$\\undefined{$')",
     "words set by TeX": "ax.xaxis.label.set_usetex(True)",
-    "a wide page": "ax.figure.set_size_inches(30, 12)",
     "limits of its own": "ax.margins(0.3); ax.set_aspect('equal', adjustable='datalim')",
     "another axis beside": "ax.secondary_xaxis('top'); ax.inset_axes([0.4, 0.4, 0.2, 0.2]).plot(y, x)",
     "hidden helpers": "ax.plot(x + y, y, visible=False); ax.figure.add_axes([0, 0, 1, 1], visible=False)",
     "a start marker and an origin": "ax.plot(x[0], y[0], 'o'); ax.plot(0, 0, '+'); ax.scatter(x[:1], y[:1])",
     "lines for reference": "ax.axhline(0); ax.axvline(0); ax.plot(x[:9], y[:9])",
     "a hinge drawn at every time": "ax.plot(0 * x, 0 * y, 'o')",
-    "entries of a legend": "ax.plot([], [], label='path'); ax.scatter([], [], label='path')",
     "colours behind": "ax.contourf(*np.meshgrid(x[:12], y[:12]), np.eye(12)); ax.fill_between(x, y, alpha=0.1)",
-    "arrows": "ax.quiver(x[::5], y[::5], np.gradient(x)[::5], np.gradient(y)[::5])",
     "fewer points": "k = np.linspace(0, len(x) - 1, len(x) // 5).astype(int); ax.lines[-1].set_data(x[k], y[k])",
     "a scatter": "ax.lines[-1].remove(); ax.scatter(x, y)",
     "a scatter from its end": "ax.lines[-1].remove(); ax.scatter(x[::-1], y[::-1])",
     "a shuffled scatter": "ax.lines[-1].remove(); ax.scatter(*mixed)",
     "a lift of the pen": "ax.lines[-1].set_data(*(np.concatenate([c[:30], [np.nan], c[29:]]) for c in (x, y)))",
     "text in TeX": r"ax.set(xlabel=rf'${right_is}$ $(\text{{m}})$', ylabel=rf'${up_is}\ \left[\mathbf{{m}}\right]$')",
-    "spaces in TeX": r"ax.set(xlabel=rf'${right_is}\,(\mathrm{{m}})$', ylabel=rf'${up_is}\ [\mathrm{{m}}]$')",
 }
 WRONG = {
     "a hidden curve": "ax.lines[-1].set_visible(False)",
-    "hidden axes": "ax.set_visible(False)",
-    "a hidden figure": "ax.figure.set_visible(False)",
     "a clear curve": "ax.lines[-1].set_alpha(0.01)",
     "a curve without width": "ax.lines[-1].set_linewidth(0)",
     "white on white": "ax.lines[-1].set_color('w')",
-    "nearly white on white": "ax.lines[-1].set_color('#fdfdfd')",
     "black on black": "ax.lines[-1].set_color('k'); ax.set_facecolor('k')",
-    "a scatter in white": "ax.lines[-1].remove(); ax.scatter(x, y, color='w')",
-    "a covered curve": "ax.axvspan(-1e6, 1e6, zorder=9)",
     "a curve cut off": "ax.lines[-1].set_clip_box(__import__('matplotlib').transforms.Bbox.unit())",
     "a curve elsewhere": "ax.lines[-1].set_transform(ax.transAxes)",
     "half a curve": "ax.set_xlim((x.min() + x.max()) / 2, x.max() + 1)",
     "limits elsewhere": "ax.set(xlim=(1e7, 2e7), ylim=(1e7, 2e7))",
-    "limits so wide": "ax.set(xlim=(-1e7, 1e7), ylim=(-1e7, 1e7))",
     "axes like a dot": "ax.set_position([0.5, 0.5, 0.01, 0.01])",
     "turned round": "ax.invert_xaxis(); ax.invert_yaxis()",
     "logarithmic": "ax.set_xscale('symlog', linthresh=1e-3); ax.set_yscale('symlog', linthresh=1e-3)",
-    "a logarithmic scale": "ax.set_yscale('symlog', linthresh=1e-3)",
     "no axis": "ax.axis('off')",
     "a white label": "ax.xaxis.label.set_color('w')",
     "a label like a dot": "ax.yaxis.label.set_fontsize(0.1)",
-    "a hidden label": "ax.yaxis.label.set_visible(False)",
     "one label twice": "ax.set_ylabel(ax.get_xlabel())",
     "no curve": "ax.lines[-1].remove()",
     "another curve": "ax.plot(x + y, y)",
@@ -126,7 +111,7 @@ def tried(slug, text, course, monkeypatch):
 def pictures(known):
     """Every picture of every assignment; those that are not slow take turns."""
     return [
-        pytest.param(what, slug, marks=[] if row % 4 == 0 and row // 4 % len(DRAWN) == column else [pytest.mark.slow])
+        pytest.param(what, slug, marks=[] if row % 3 == 0 and row // 3 % len(DRAWN) == column else [pytest.mark.slow])
         for row, what in enumerate(known)
         for column, slug in enumerate(DRAWN)
     ]

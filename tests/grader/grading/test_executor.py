@@ -1,10 +1,8 @@
 """Supervisors as processes: one that dies costs a try and nothing else, and none outlives the run."""
 
-import contextlib
 import functools
 import json
 import os
-import random
 import signal
 import subprocess
 import sys
@@ -25,7 +23,6 @@ from tam570_grader.grading import batch
 from tam570_grader.grading.cluster import Cluster
 from tam570_grader.grading.executor import WorkerLost, executor, finished, in_order
 from tam570_grader.grading.submissions import submissions
-from tam570_grader.results.store import ResultStore
 from tam570_grader.sandbox.pool import TRIES
 from tam570_grader.sandbox.zygote import ResourceLimits
 
@@ -137,9 +134,6 @@ def same(records):
     return sorted(json.dumps({**record, "seconds": 0}) for record in records)
 
 
-KILLS = 50
-
-
 @pytest.fixture(scope="module")
 def everything(tmp_path_factory, course, solution_text):
     """All that the tree holds of right and wrong work."""
@@ -161,41 +155,3 @@ def by_one_job(course, everything):
 def test_two_jobs_and_a_cluster_give_what_one_job_gives_and_nothing_twice(course, everything, by_one_job, cluster):
     config = replace(config_of(course, everything, 2), cluster=Cluster("local") if cluster else None)
     assert same(batch.records(config)) == by_one_job and len(by_one_job) == len(everything)
-
-
-@linux
-@pytest.mark.slow
-def test_fifty_kills_change_nothing(tmp_path, course, everything, by_one_job):
-    """After results that a seed chooses a supervisor is killed, or the sandbox below it: each time another's.
-
-    A submission that sees three of them die has no score, and gets it from the same command run again.
-    """
-    chance, config, hit = random.Random(570), config_of(course, everything, 2), [0]
-    moments = set(chance.sample(range(len(everything) - 2), KILLS))
-    with contextlib.closing(ResultStore(tmp_path)) as book:
-        for number, _ in enumerate(batch.records(config, book)):
-            if number in moments:
-                time.sleep(chance.uniform(0, 0.1))
-                hit.append(kill_another(hit[-1], is_sandbox=chance.random() < 0.5))
-        scored = [record for record in book.values() if record["score"] is not None]
-    assert len(hit) == 1 + KILLS and set(same(scored)) <= set(by_one_job) and number + 1 == len(everything)
-    with contextlib.closing(ResultStore(tmp_path)) as book:
-        assert same(batch.records(config, book)) == by_one_job
-
-
-def kill_another(last, is_sandbox):
-    """Kill a supervisor that was not hit last, or its sandbox, as soon as there is one; the supervisor's number."""
-    while True:
-        supervisors = sorted(child for child in children(os.getpid()) if b"import serve" in command_of(child))
-        for supervisor in supervisors:
-            victim = next(iter(children(supervisor) if is_sandbox else [supervisor]), None)
-            if victim and supervisor != last:
-                os.kill(victim, signal.SIGKILL)
-                return supervisor
-        time.sleep(0.02)
-
-
-def command_of(process):
-    with contextlib.suppress(OSError):
-        return Path(f"/proc/{process}/cmdline").read_bytes()
-    return b""

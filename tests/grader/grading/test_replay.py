@@ -1,6 +1,5 @@
 """`tam570-grader replay`: the very call that failed, and the same call made again."""
 
-import json
 import re
 
 import pytest
@@ -99,13 +98,3 @@ def test_what_cannot_be_run_says_why(course, replayed, tmp_path, text):
     (tmp_path / "new.py").write_text(text)
     said = replayed("ada", subtracted(course).first_fails, tmp_path / "new.py")
     assert SPOKEN[text] in said.rpartition("now:")[2]
-
-
-def test_a_check_that_two_assignments_have_is_asked_for(graded, course, capsys, tmp_path):
-    record = next(record for record in results(graded / "out") if record["student"] == "ada")
-    both = [record, {**record, "assignment": "hw13_rolling_cylinder"}]
-    (tmp_path / "results.jsonl").write_text("".join(json.dumps(one) + "\n" for one in both))
-    replay = ["--root", str(course), "replay", str(tmp_path), "ada", subtracted(course).first_fails]
-    assert cli.main(replay) == 2 and "choose one with --assignment" in capsys.readouterr().err
-    assert cli.main([*replay, "--assignment", "hw13"]) == 0
-    assert "ada, hw13_rolling_cylinder, " in capsys.readouterr().out

@@ -59,13 +59,6 @@ def test_each_attempt_has_its_own_inputs_and_the_best_counts(watch, hand_in, tmp
     assert "ben" in (tmp_path / "results" / "status.html").read_text()
 
 
-def test_who_has_to_wait_is_graded_later_and_the_newest_counts(watch, hand_in):
-    for n in range(3):
-        hand_in("ann", f"\n# {n}\n")
-        assert len(watch("--every", "1h")) == 1
-    assert len(watch()) == 2  # the second is replaced by the third
-
-
 def arrival(student, at):
     return Arrival(student, SLUG, f"{student}{at}", at, "", "", "")
 

@@ -4,7 +4,6 @@ import csv
 import html
 import json
 import re
-import shutil
 import warnings
 
 import pytest
@@ -19,7 +18,6 @@ IN_CI = {  # assignment: the slip in what the second student hands in
     "hw08_axis_angle": "transposed_skew",
     "hw12_bead_on_wire": "motion_kept_for_other_wires",
 }
-ONE = "hw08_axis_angle"
 TELLS = 8  # characters: a detail as short as "0.0" may be on a page by chance
 BY_HAND = 0.75  # of the points of a part that is graded by hand
 
@@ -172,28 +170,3 @@ def test_three_assignments_by_nbgraders_commands(a_whole_term, nbgrader_grades, 
     term = a_whole_term(IN_CI)
     assert_the_same_scores(term, nbgrader_grades, tmp_path / "out")
     assert_the_feedback_says_what_was_lost(term)
-
-
-def in_order(readme):
-    """The commands of a page's blocks, without the remarks beside them."""
-    lines = [line.split("#")[0].split() for line in readme.splitlines() if line.startswith(("    ", "nbgrader", "jup"))]
-    return [line for line in lines if line[:1] == ["nbgrader"] or line == ["jupyter", "lab"]]
-
-
-@pytest.mark.slow
-def test_the_commands_of_the_courses_readme_in_their_order(course, tmp_path, nbgrader, made_course):
-    made, config = made_course(tmp_path, [ONE])
-    term = course / "docs" / "instructors" / "term.md"
-    written, ours = in_order((made / "README.md").read_text()), in_order(term.read_text())
-    assert len(written) == 7 and [line[:2] for line in ours] == [line[:2] for line in written]
-    for command in written:
-        if command == ["jupyter", "lab"]:
-            continue
-        if command[1] == "collect":
-            (tmp_path / "nbgrader_config.py").write_text(config)
-            nbgrader(tmp_path, "fetch_assignment", ONE)
-            shutil.copy(course / "solutions" / f"{ONE}.py", tmp_path / ONE)
-            nbgrader(tmp_path, "submit", ONE, "--student", "ann")
-        nbgrader(made, *command[1:])
-    nbgrader(tmp_path, "fetch_feedback", ONE, "--student", "ann")
-    assert "skew(v) r = v x r" in next((tmp_path / ONE / "feedback").rglob("*.html")).read_text()

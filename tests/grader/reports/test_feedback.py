@@ -6,7 +6,6 @@ import json
 import math
 import re
 from dataclasses import replace
-from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -19,7 +18,7 @@ from tam570_grader.checks.curves import BITS, CEILING, FLOOR, SLOTS, curve
 from tam570_grader.checks.failure import WHOLE
 from tam570_grader.diagnosis.mistakes import overlays
 from tam570_grader.reports import feedback
-from tam570_grader.reports.pictures import BOTTOM, LEFT, RIGHT, TOP, picture
+from tam570_grader.reports.pictures import picture
 from tam570_grader.reports.sentences import describe_failure, typeset
 from tam570_grader.results.records import numbers, read
 from tam570_grader.results.store import ResultStore, key_of
@@ -135,14 +134,6 @@ def test_the_curve_of_an_error_tells_when_it_grows_and_passes_the_limit():
     assert "passes the limit in the second quarter" in picture(found).alt_text  # at ln(1e4)/2 = 4.6 s of 10
 
 
-@pytest.mark.parametrize(("rate", "word"), [(1e-3, "above"), (-1e-3, "below")])
-def test_the_curve_of_an_invariant_keeps_its_sign(rate, word):
-    t = np.linspace(0, 10, 101)
-    found = curve(t, 1 + rate * t, np.ones(101), 1.0, tolerance=1e-5, quantity="the energy", unit="of its start")
-    assert found["scale"] == "linear"
-    assert np.sign(found["values"][-1]) == np.sign(rate) and word in picture(found).alt_text
-
-
 def test_a_curve_says_too_little_to_carry_an_input_out():
     """All the values that a slot can have, over all slots, are no more bits than the page on trust says."""
     rng = np.random.default_rng(3)
@@ -175,37 +166,6 @@ def test_whatever_numbers_come_back_they_can_be_drawn(rows, stays, steps):
         drawn = picture(json.loads(json.dumps(found)))
         places = np.array(re.findall(r"([-\w.+]+) ([-\w.+]+)", drawn.path[1:].replace("L", "")), float)
         assert len(places) and np.isfinite(places).all() and (places >= 0).all() and "nan" not in drawn.alt_text
-
-
-@pytest.mark.parametrize("scale", ["log", "linear"])
-@pytest.mark.parametrize("largest", [1e-4, 1.0, 1e9])
-def test_every_place_of_a_picture_is_in_its_frame(scale, largest):
-    rng = np.random.default_rng(1)
-    values = rng.uniform(-3, 12, 30) if scale == "log" else rng.uniform(-1, 1, 30) * largest
-    drawn = picture(
-        {
-            "quantity": "x",
-            "unit": "m",
-            "tolerance": 1e-5,
-            "span": [0, 3],
-            "scale": scale,
-            "values": [None, *values.tolist(), None],
-        }
-    )
-    places = np.array(re.findall(r"([-\d.]+) ([-\d.]+)", drawn.path), float)
-    assert len(places) == 30
-    assert places[:, 0].min() >= LEFT and places[:, 0].max() <= RIGHT
-    assert places[:, 1].min() >= TOP and places[:, 1].max() <= BOTTOM
-    heights = sorted(y for y, _ in drawn.y)
-    assert heights[0] >= TOP and heights[-1] <= BOTTOM and min(np.diff(heights)) > 10
-
-
-def test_every_picture_has_a_text_alternative(page, grade, solution_text):
-    pages = [page(result) for result in failing("hw05_constrained_pendulum", grade, solution_text, count=20)]
-    drawn = [ElementTree.fromstring(svg) for text in pages for svg in re.findall(r"<svg.*?</svg>", text, re.DOTALL)]
-    pictures = [svg for svg in drawn if svg.get("role") == "img"]
-    assert len(pictures) >= 3 and all(len(svg.find("title").text) > 60 for svg in pictures)
-    assert all(svg.get("aria-hidden") == "true" for svg in drawn if svg not in pictures)
 
 
 @pytest.fixture

@@ -116,20 +116,6 @@ def names(page, section):
     return page.locator(f"#{section} tbody tr:visible th[scope=row]").all_inner_texts()
 
 
-def test_the_report_sorts_by_mouse_numbers_from_the_largest(opened):
-    page = opened("report.html")
-    heading = page.locator("#scores").get_by_role("button", name="sum")
-    column = page.locator("#scores thead th").last
-    assert column.get_attribute("aria-sort") == "none"
-    heading.click()
-    assert column.get_attribute("aria-sort") == "descending" and names(page, "scores")[0] == "ada"
-    sums = [float(text) for text in page.locator("#scores tbody td:last-child").all_inner_texts()]
-    assert sums == sorted(sums, reverse=True) and sums[0] > sums[-1]
-    heading.click()
-    assert column.get_attribute("aria-sort") == "ascending" and names(page, "scores")[-1] == "ada"
-    assert "sorted by sum, ascending" in page.get_by_role("status").inner_text()
-
-
 def test_the_report_is_sorted_and_filtered_by_keyboard_alone(opened):
     page = opened("report.html")
     for _ in range(60):
