@@ -1,12 +1,12 @@
 """Parameters of tests: the assignments, and which cases `make test` runs."""
 
-import pytest
+from pathlib import Path
 
-from tam570_grader.checks import assignments
+import pytest
 
 __all__ = ["SLUGS", "first"]
 
-SLUGS = assignments.slugs(assignments.find())
+SLUGS = sorted(path.stem for path in (Path(__file__).parents[2] / "solutions").glob("hw*.py"))
 
 
 def first(n, cases):
