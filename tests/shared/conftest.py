@@ -1,8 +1,5 @@
 """A student's desk: a folder to work in, and the command as a student gives it."""
 
-import subprocess
-import sys
-
 import pytest
 
 from tam570 import cli
@@ -17,19 +14,25 @@ def desk(tmp_path, monkeypatch):
     desk.mkdir()
     monkeypatch.chdir(desk)
     monkeypatch.setenv("TAM570_HOME", str(tmp_path / "home"))
-    monkeypatch.setenv("PYTHONUNBUFFERED", "1")
     monkeypatch.setenv("TAM570_CALL_LIMIT", "2")  # s: tests do not wait for longer
     return desk
 
 
 @pytest.fixture
-def tam570(desk):
-    """`tam570(*arguments)` -> the exit code, and what is printed."""
+def tam570(desk, capfd):
+    """`tam570(*arguments)` -> the exit code, and what is printed; in a folder, with variables of the environment."""
 
-    def tam570(*arguments, **options):
-        command = [sys.executable, "-m", "tam570", *map(str, arguments)]
-        process = subprocess.run(command, capture_output=True, text=True, check=False, **options)
-        return process.returncode, process.stdout + process.stderr
+    def tam570(*arguments, cwd=".", **variables):
+        capfd.readouterr()
+        with pytest.MonkeyPatch.context() as patch:
+            patch.chdir(cwd)
+            for name, value in variables.items():
+                patch.setenv(name, value)
+            try:
+                code = cli.main(list(map(str, arguments)))
+            except SystemExit as end:
+                code = end.code
+        return code, "".join(capfd.readouterr())
 
     return tam570
 

@@ -105,6 +105,6 @@ def test_a_change_of_the_tests_concerns_those_that_it_changes(old, new, which):
 
 
 def test_a_parameter_that_names_a_function_tells_which_one_is_meant():
-    found = {"test_all": {"first", "second", ANY}, "test_one": {"first"}}
-    used = by_parameters(found, ["test_all[first]", "test_all[x-second]", "test_all[3]", "test_one[second]"])
+    called_by = {"test_all": {"first", "second", ANY}, "test_one": {"first"}}
+    used = by_parameters(called_by, ["test_all[first]", "test_all[x-second]", "test_all[3]", "test_one[second]"])
     assert list(used.values()) == [{"first"}, {"second"}, {"first", "second"}, {"first"}]

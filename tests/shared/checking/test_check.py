@@ -2,44 +2,42 @@
 
 import json
 import os
-import time
+import subprocess
+import sys
 
 import pytest
 from parameters import first
 
-from tam570.checking import deadline
 from tam570.checking.examples import load_examples
 from tam570.course import folder
 from tam570_grader.sandbox.zygote import ResourceLimits
 
-TOP = {
-    "import scipy.spatial.transform": "Line 1: import scipy.spatial.transform\n",
-    "from tam570.rotations import exp": "tam570.rotations is off limits",
-    "from scipy.spatial import transform": "scipy.spatial.transform is off limits",
-    "import scipy.spatial; scipy.spatial.transform.Rotation.identity()": "scipy.spatial.transform is off limits",
-    "import pandas as pd": "the grader does not have pandas",
-    "import my_helpers": "the grader does not have my_helpers",
+TOP = {  # and the words of `check` that tell them apart
+    "import scipy.spatial.transform": "scipy.spatial.transform",
+    "import pandas as pd": "pandas",
+    "1 / 0": "ZeroDivisionError",
+    "x = 1\ndef skew(v:\n": "Line 2: SyntaxError",
+    "from tam570.rotations import exp": "tam570.rotations",
+    "from scipy.spatial import transform": "scipy.spatial.transform",
+    "import scipy.spatial; scipy.spatial.transform.Rotation.identity()": "scipy.spatial.transform",
+    "import my_helpers": "my_helpers",
     "x = input('angle? ')": "EOFError",
     "x = open('data.csv').read()": "FileNotFoundError",
-    "import numpy as np; np.loadtxt('data.csv')": "FileNotFoundError",
-    "1 / 0": "ZeroDivisionError",
     "import sys; sys.exit(0)": "SystemExit",
-    "x = 1\ndef skew(v:\n": "Line 2: SyntaxError",
-    "while True: pass": "takes longer than 2 s to import",
-    "import time; time.sleep(60)": "takes longer than 2 s to import",
+    "while True: pass": "longer than 2 s",
+    "import time; time.sleep(60)": "longer than 2 s",
 }
 CALLS = {
     "while True: pass": "rotate did not return within 2 s",
-    "import time; time.sleep(100)": "rotate did not return within 2 s",
-    "return None": "rotate gives None. Is a `return` missing?",
-    "return [1.0, 2.0]": "rotate gives an array of shape (2,); an array of shape (3,) is asked for.",
-    "return 1.0": "rotate gives a single number; an array of shape (3,) is asked for.",
-    "return r * float('nan')": "rotate gives NaN or infinity.",
-    "return 'a vector'": "rotate gives no numbers but 'a vector'.",
-    "return r + nothing": "NameError: name 'nothing' is not defined",
-    "import pandas": "the grader does not have pandas",
-    "r[:] = r + np.cross(axis, r); return r": "rotate changes the arrays that it is given.",
+    "return [1.0, 2.0]": "rotate gives an array of shape (2,)",
+    "r[:] = r + np.cross(axis, r); return r": "rotate changes the arrays",
     "return rotation_matrix(axis, angle) @ r": "rotation_matrix is off limits in rotate",
+    "return None": "rotate gives None",
+    "return r * float('nan')": "NaN",
+    "return 'a vector'": "rotate gives no numbers",
+    "return r + nothing": "NameError",
+    "import pandas": "pandas",
+    "import time; time.sleep(100)": "rotate did not return within 2 s",
     "return same(axis, angle) @ r\n\nsame = rotation_matrix": "rotation_matrix is off limits in rotate",
     "return same(axis, angle) @ r\n\nimport functools\nsame = rotation_matrix = functools.partial(rotation_matrix)": (
         "rotation_matrix is off limits in rotate"
@@ -59,12 +57,12 @@ def test_what_stops_the_import_where_work_is_graded_stops_it_here(hw08, desk, ta
     file = hw08(above=above + "\n")
     (file.parent / "data.csv").write_text("1\n")
     (desk / "data.csv").write_text("1\n")
-    code, said = tam570("check", input="0.5\n")
+    code, said = tam570("check")
     assert code == 1 and " ".join(TOP[above].split()) in " ".join(said.split())
     assert "The grader would give this file 0 points." in said and "Traceback" not in said
 
 
-@pytest.mark.parametrize("above", TOP)
+@pytest.mark.parametrize("above", first(6, TOP))
 def test_the_grader_gives_what_is_said(grade, solution_text, above):
     """No points for a file that check says has none; a library that is not promised may be there."""
     result = grade(HW08, f"{above}\n{solution_text(HW08)}", limits=ResourceLimits(call=2))
@@ -84,15 +82,6 @@ def test_what_is_off_limits_may_be_named(hw08, tam570, grade):
     """As long as nothing of it is called: here, and where work is graded."""
     text = hw08(above="import scipy.spatial\nTurn = scipy.spatial.transform.Rotation\n").read_text()
     assert tam570("check")[0] == 0 and grade(HW08, text).score == 10
-
-
-def test_what_is_off_limits_is_said_once_in_words_of_ours(hw08, tam570):
-    hw08().write_text(
-        hw08().read_text() + "\n\ndef rotate(r, axis, angle):\n    return rotation_matrix(axis, angle) @ r\n"
-    )
-    said = " ".join(tam570("check")[1].split())
-    assert "in rotate: return rotation_matrix(axis, angle) @ r rotation_matrix is off limits in rotate." in said
-    assert "Forbidden" not in said and said.count("off limits") == 1
 
 
 def test_a_missing_library_may_be_done_without(hw08, tam570):
@@ -117,14 +106,6 @@ def test_what_a_call_does_wrong_is_said_at_once(hw08, tam570, body):
     code, said = tam570("check")
     assert code == 1 and CALLS[body] in " ".join(said.split()) and "next: rotate" in said
     assert f"of {TESTS} tests pass; 6 of 10 points" in said, "the other tests are run, hang or not"
-
-
-def test_a_loop_that_swallows_what_ends_it_is_ended(hw08, tam570):
-    hw08(
-        "def rotate(r, axis, angle):\n    while True:\n        try:\n            while True: pass\n        except: pass"
-    )
-    code, said = tam570("check")
-    assert code == 1 and "did not return within 2 s" in said
 
 
 @pytest.mark.parametrize(
@@ -176,21 +157,13 @@ def test_prints_do_not_bury_the_failure(hw08, tam570):
     assert len(said.splitlines()) < 30 and max(map(len, said.splitlines())) <= 80
 
 
-def test_what_is_unseen_is_said_at_the_end(hw08, tam570):
-    file = hw08()
-    assert "--final" in tam570("check")[1]
-    said = tam570("check", "--final")[1]
-    assert "The hidden tests have other inputs" in said and "angles from 1e-12 to 1e6" in " ".join(said.split())
-    assert "not as this kit has it" not in said and max(map(len, said.splitlines())) <= 80
-    tests = file.parent / f"test_{file.name}"
-    tests.write_text(tests.read_text() + "\n# old\n")
-    assert f"{tests.name} is not as this kit has it: tam570 update hw08" in tam570("check", "--final")[1]
-
-
-def test_a_terminal_without_greek_letters_is_enough(desk, tam570, solution_text):
+def test_a_terminal_without_greek_letters_is_enough(desk, solution_text):
     (desk / "hw06.py").write_text(solution_text("hw06_braking") + "\n\ndef axle_load(*a, **k):\n    return 'Ω²'\n")
-    code, said = tam570("check", "hw06.py", "--final", env={**os.environ, "PYTHONIOENCODING": "ascii"})
-    assert code == 1 and "Traceback" not in said and "axle_load gives no numbers but" in said and "10??" in said
+    command = [sys.executable, "-m", "tam570", "check", "hw06.py", "--final"]
+    environment = {**os.environ, "PYTHONIOENCODING": "ascii"}
+    run = subprocess.run(command, capture_output=True, text=True, env=environment)
+    assert run.returncode == 1 and not run.stderr
+    assert "Traceback" not in run.stdout and "axle_load gives no numbers but" in run.stdout and "10??" in run.stdout
 
 
 @pytest.mark.parametrize("tests", ["", "x = 1\ndef test(:\n", "import nothing_at_all\n\ndef test_mine(): pass\n"])
@@ -200,21 +173,14 @@ def test_nothing_beside_the_work_has_a_say(hw08, tam570, tests):
     (file.parent / f"test_{file.name}").write_text(tests)
     (file.parent / "conftest.py").write_text("raise SystemExit")
     (file.parent / "random.py").write_text("raise SystemExit")
-    code, said = tam570("check", env={**os.environ, "PYTEST_ADDOPTS": "-k nothing"}, cwd=file.parent)
+    code, said = tam570("check", PYTEST_ADDOPTS="-k nothing", cwd=file.parent)
     assert code == 1 and f"of {TESTS} tests pass" in said and "next: rotate" in said
-
-
-def test_brackets_in_the_name_of_a_folder_are_no_matter(hw08, tam570):
-    file = hw08("def rotate(r, axis, angle):\n    return 2 * np.asarray(r)\n")
-    odd = file.parent.rename(file.parent.with_name("TAM 570 [2026]"))
-    code, said = tam570("check", odd / file.name)
-    assert code == 1 and f"of {TESTS} tests pass" in said
 
 
 def test_a_test_of_ones_own_is_run_beside_the_released_ones(hw08, tam570):
     file = hw08()
-    own = "import hw08_axis_angle as hw\n\ndef test_mine():\n    assert hw.skew([1.0, 0.0, 0.0])[2][1] == 3\n"
-    (file.parent / f"test_{file.name}").write_text(own)
+    mine = "import hw08_axis_angle as hw\n\ndef test_mine():\n    assert hw.skew([1.0, 0.0, 0.0])[2][1] == 3\n"
+    (file.parent / f"test_{file.name}").write_text(mine)
     code, said = tam570("check")
     assert code == 1 and "Your code gives 1; 3 is right." in said and f"of {TESTS + 1} tests pass" in said
 
@@ -230,21 +196,10 @@ def test_one_function_is_tested_alone(hw08, tam570):
 
 def test_a_home_that_is_read_only_brings_no_warnings(desk, tam570, solution_text, tmp_path):
     (desk / "hw02.py").write_text(solution_text("hw02_ballistics"))
-    environment = {**os.environ, "HOME": "/proc", "TAM570_HOME": "/proc/nothing"}
-    code, said = tam570("check", "hw02.py", env=environment)
+    code, said = tam570("check", "hw02.py", HOME="/proc", TAM570_HOME="/proc/nothing")
     assert code == 0 and "atplotlib" not in said
 
 
-def test_a_limit_counts_processor_time():
-    deadline.start()
-    with pytest.raises(deadline.TooLong), deadline.limited(0.2):
-        begun = time.process_time()
-        while time.process_time() < begun + 20:
-            pass
-    with deadline.limited(0.2):
-        time.sleep(0.1)
-
-
 def test_the_contract_is_data(slug, course):
-    found = json.loads((course / "assignments" / slug / "contract.json").read_text())
-    assert set(found) == {"results", "off_limits"} and found["results"]
+    contract = json.loads((course / "assignments" / slug / "contract.json").read_text())
+    assert set(contract) == {"results", "off_limits"} and contract["results"]

@@ -12,7 +12,7 @@ HW08 = {
     },
     "skew": {"kept(v).T": "the transpose of what skew gives"},
 }
-CASES = [(name, body, says) for name, bodies in HW08.items() for body, says in bodies.items()]
+CASES = [(name, body, remedy) for name, bodies in HW08.items() for body, remedy in bodies.items()]
 
 
 def changed(hw08, name, body):
@@ -20,17 +20,11 @@ def changed(hw08, name, body):
     return hw08(f"kept = {name}\n\n\ndef {name}({arguments}):\n    return {body}\n")
 
 
-@pytest.mark.parametrize(("name", "body", "says"), CASES)
-def test_a_known_mistake_is_named(hw08, tam570, name, body, says):
+@pytest.mark.parametrize(("name", "body", "remedy"), CASES)
+def test_a_known_mistake_is_named(hw08, tam570, name, body, remedy):
     changed(hw08, name, body)
     code, said = tam570("check")
-    assert code == 1 and f"It would pass with {says}." in " ".join(said.split())
-
-
-def test_an_unknown_one_is_not(hw08, tam570):
-    changed(hw08, "rotation_matrix", "kept(axis, angle) + 0.1 * np.ones((3, 3))")
-    said = tam570("check")[1]
-    assert "would pass with" not in said
+    assert code == 1 and f"It would pass with {remedy}." in " ".join(said.split())
 
 
 OTHERS = {
@@ -46,10 +40,10 @@ OTHERS = {
 
 @pytest.mark.parametrize("slug", first(3, OTHERS))
 def test_factors_signs_and_orders_are_named(desk, tam570, solution_text, slug):
-    name, body, says = OTHERS[slug]
+    name, body, remedy = OTHERS[slug]
     text = f"{solution_text(slug)}\n\nkept = {name}\n\n\ndef {name}(*args, **how):\n    return {body}\n"
     (desk / f"{slug}.py").write_text(text)
-    assert f"It would pass with {says}." in " ".join(tam570("check", f"{slug}.py")[1].split())
+    assert f"It would pass with {remedy}." in " ".join(tam570("check", f"{slug}.py")[1].split())
 
 
 LOOSE = """

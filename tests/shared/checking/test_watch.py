@@ -28,9 +28,9 @@ def watching(hw08):
             draft.write_text(text)
             draft.replace(file)  # as editors do
         said = ""
-        for one in process.stdout:
-            said += one
-            if any(one_of in one for one_of in ((until,) if isinstance(until, str) else until)):
+        for printed in process.stdout:
+            said += printed
+            if any(words in printed for words in ((until,) if isinstance(until, str) else until)):
                 return said
         raise AssertionError(f"ended with {process.wait()}: {said}")
 
@@ -47,16 +47,16 @@ def count(said):
 
 def test_a_save_runs_the_tests_that_it_concerns_and_no_other(watching, desk, solution_text):
     everything = int(re.search(r"(\d+) of \d+ tests pass", watching())[1])
-    right = solution_text(SLUG)
+    solution = solution_text(SLUG)
     last = "\n\ndef {}(*args):\n    return None\n"
-    assert "Nothing has changed that a test sees" in watching(right + "\n# a remark\n")
-    wrong = watching(right + last.format("rotate"))
+    assert "Nothing has changed that a test sees" in watching(solution + "\n# a remark\n")
+    wrong = watching(solution + last.format("rotate"))
     assert 0 < count(wrong) < everything and "next: rotate" in wrong
     text = (desk / SLUG / f"test_{SLUG}.py").read_text() + load_examples(folder(SLUG)).module(SLUG)
     apart = everything - sum(1 + 2 * (test == REFUSED) for test, used in calls(text, SLUG).items() if "rotate" in used)
     assert f"{apart} of {everything} tests pass" in wrong
-    again = watching(right + last.format("unused"))
-    assert "all done" in again and count(again) == count(wrong)
+    repeated = watching(solution + last.format("unused"))
+    assert "all done" in repeated and count(repeated) == count(wrong)
 
 
 def test_a_file_that_is_half_written_is_said_so_and_the_next_save_is_tested(watching, solution_text):
