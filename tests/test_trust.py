@@ -86,6 +86,7 @@ def test_a_page_tells_no_more_bits_than_the_table_says():
     told = errors_told(1e-6)
     assert all(len(re.sub(r"e.*|[^1-9]", "", text.split(" by ")[1])) <= 2 for text in told) and len(told) < two_digits
     assert all(len(re.sub(r"e.*|[^1-9]", "", text)) <= 2 for text in times_told())
-    assert error == time == math.ceil(math.log2(two_digits)) and outcome == math.log2(4) and along == invariant == BITS
+    assert error == time == math.ceil(math.log2(two_digits)) and outcome == math.ceil(math.log2(4 * 1001))
+    assert along == invariant == BITS
     assert max(map(sentences_told, assignments.slugs(COURSE))) < 2**sentence
     assert everything == outcome + error + time + along + invariant + sentence
