@@ -57,7 +57,7 @@ def write_table(path: Path | None, rows: Iterable[Iterable[Any]], *, exact: bool
 def table_text(rows: Iterable[Iterable[Any]], *, exact: bool = False) -> str:
     """The text of a table of cells."""
     text = io.StringIO()
-    csv.writer(text).writerows(rows if exact else ([cell(one) for one in row] for row in rows))
+    csv.writer(text).writerows(rows if exact else ([cell(one) for one in row] for row in rows))  # noqa: TID251
     return text.getvalue()
 
 
