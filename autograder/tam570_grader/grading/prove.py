@@ -30,15 +30,18 @@ def prove(root: Path, slugs: Sequence[str]) -> None:
             continue
         most = limits(root)
         config = WorkerConfig(ResourceLimits(most["memory"] * 2**20, most["cpu"], most["call"]), (root,))
-        one = assignments.assignment(root, slug)
-        mine = {check.name for check in one.checks if check.run.__module__.endswith(f".{OWN}")}
-        texts = {"solution": one.solution, "stub": (root / "assignments" / slug / f"{slug}.py").read_text("utf-8")}
+        assignment = assignments.assignment(root, slug)
+        added_names = {check.name for check in assignment.checks if check.run.__module__.endswith(f".{OWN}")}
+        texts = {
+            "solution": assignment.solution,
+            "stub": (root / "assignments" / slug / f"{slug}.py").read_text("utf-8"),
+        }
         for what, text in texts.items():
             for seed in range(SEEDS):
                 task = GradeTask(root, what, slug, seed, Source(text.encode(), notebook=False), conditions=config)
-                for found in supervisor.result(task).checks:
-                    if found.name in mine and (found.outcome == "passed") != (what == "solution"):
-                        told_why = found.message or found.error or found.outcome
-                        why = f"the solution fails it: {told_why}" if what == "solution" else "the stub passes it"
-                        raise UsageError(f"{added.name} of {slug}, check {found.name}: {why}; mend the check")
+                for result in supervisor.result(task).checks:
+                    if result.name in added_names and (result.outcome == "passed") != (what == "solution"):
+                        reason = result.message or result.error or result.outcome
+                        why = f"the solution fails it: {reason}" if what == "solution" else "the stub passes it"
+                        raise UsageError(f"your check {result.name} of {slug}: {why.rstrip('.')}; mend the check")
         proved.touch()

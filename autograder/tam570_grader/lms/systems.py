@@ -125,8 +125,9 @@ SYSTEMS = {
     "brightspace": System(
         "Brightspace",
         "In the assignment, Download all submissions; in Grades, Export with Org Defined ID and Username",
-        "Public tools that read its files, for `OrgDefinedId`, `Points Grade` and `End-of-Line Indicator`. It is "
-        "closed, and its folders tell no id: students are joined by name.",
+        "Its help, [Importing grades](https://community.d2l.com/brightspace/kb/articles/3538-importing-grades), for "
+        "`OrgDefinedId`, `Username` and `Points Grade`; public tools that read its files, for `#` and "
+        "`End-of-Line Indicator`. It is closed, and its folders tell no id: students are joined by name.",
         re.compile(
             rf"{NUMBER}-{NUMBER} - (?P<name>.{{1,400}}?) ?- "
             r"(?P<when>[A-Z][a-z]+ \d{1,2}, \d{4} \d{1,2}:?\d\d [AP]M)(?: ?- (?P<file>.+))?",
@@ -145,7 +146,10 @@ SYSTEMS = {
     "github": System(
         "GitHub Classroom",
         "`gh classroom clone student-repos`; on the classroom's page, Download roster",
-        "The folders that this command makes, and the roster's headings. Git's times are students', so none is read.",
+        "Its help, [Using GitHub Classroom with GitHub CLI](https://docs.github.com/en/education/"
+        "manage-coursework-with-github-classroom/teach-with-github-classroom/using-github-classroom-with-github-cli), "
+        "for the folders; `identifier` and `github_username` as public tools read `classroom_roster.csv`. Git's times "
+        "are students', so none is read.",
         None,
         ids={"user": ("github", "login")},
     ),
