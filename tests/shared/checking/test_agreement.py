@@ -1,0 +1,72 @@
+"""`check` and the grader agree on what is wrong: in honest files of every sort, and in all known mistakes."""
+
+import json
+
+import pytest
+from parameters import SLUGS, first
+
+from tam570.checking import session
+from tam570.checking.trail import Trail
+from tam570.progress import recalled
+from tam570_grader.checks import assignments
+from tam570_grader.diagnosis.mistakes import mistakes
+from tam570_grader.sandbox.zygote import ResourceLimits
+
+HW08 = "hw08_axis_angle"
+ROTATE = "\n\n_right = rotate\n\n\ndef rotate(r, axis, angle):\n    "
+OUTPUT = {"output_type": "display_data", "data": {"image/png": "A" * 11 * 2**20}, "metadata": {}}
+
+
+def as_notebook(text):
+    cells = [{"cell_type": "code", "source": "%matplotlib inline\n!pip install numpy\n" + text, "outputs": [OUTPUT]}]
+    return json.dumps({"cells": cells, "nbformat": 4})
+
+
+HONEST = {  # what is made of the solution, and the functions that are wrong then
+    "ends its process": (lambda text: text + ROTATE + "import os; os._exit(0)", ["rotate"]),
+    "is a notebook with pictures": (as_notebook, []),
+    "is in degrees": (lambda text: text + ROTATE + "return _right(r, axis, np.degrees(angle))", ["rotate"]),
+    "is right": (lambda text: text, []),
+    "is in Latin-1": (lambda text: text.encode() + b"\n# caf\xe9\n", []),
+    "prints and plots": (lambda text: text + "\nimport matplotlib.pyplot as plt\nplt.plot([1])\nplt.show()", []),
+    "has no return": (lambda text: text + ROTATE + "_right(r, axis, angle)", ["rotate"]),
+    "gives NaN": (lambda text: text + ROTATE + "return np.nan * np.asarray(r)", ["rotate"]),
+    "is not written": (lambda text: text + ROTATE + "raise NotImplementedError", ["rotate"]),
+    "is missing": (lambda text: text + "\n\ndel rotate", ["rotate"]),
+    "never ends": (lambda text: text + ROTATE + "while True: pass", ["rotate"]),
+    "changes its arguments": (lambda text: text + ROTATE + "r *= 2.0; return _right(r / 2.0, axis, angle)", ["rotate"]),
+    "calls what is off limits": (lambda text: text + ROTATE + "return rotation_matrix(axis, angle) @ r", ["rotate"]),
+    "is slow": (lambda text: text + ROTATE + "sum(range(10**6)); return _right(r, axis, angle)", []),
+}
+
+
+@pytest.mark.parametrize("name", first(3, HONEST))
+def test_an_honest_file_is_judged_alike(desk, tam570, grade, solution_text, name):
+    make, wrong = HONEST[name]
+    text = make(solution_text(HW08))
+    file = desk / f"{HW08}{'.ipynb' if make is as_notebook else '.py'}"
+    file.write_bytes(text if isinstance(text, bytes) else text.encode())
+    code, said = tam570("check", file)
+    assert (code, recalled(file)[0]["missing"]) == (int(bool(wrong)), wrong), said
+    result = grade(HW08, text, notebook=make is as_notebook, limits=ResourceLimits(call=2))
+    assert sorted(faulted(result)) == wrong
+
+
+def faulted(result):
+    """The functions that the grader finds wrong."""
+    return {check.unwritten or check.failure.function for check in result.checks if check.unwritten or check.failure}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("slug", SLUGS)
+def test_known_mistakes_fail_at_home_and_at_the_same_function(desk, course, solution_text, grade, slug):
+    """Nine in ten of them; `check` leads to a function that the grader finds wrong, too."""
+    passing, known = [], mistakes(assignments.checks_folder(course, slug))
+    for mistake in known:
+        file, text = desk / f"{slug}.py", f"{solution_text(slug)}\n\n{mistake.text}"
+        file.write_text(text)
+        if session.check(file, slug, Trail(), lost={}):
+            passing.append(mistake.message)
+        else:
+            assert recalled(file)[0]["next"] in faulted(grade(slug, text, naming=False)), mistake.message
+    assert len(passing) <= 0.1 * len(known), passing
