@@ -62,6 +62,12 @@ def test_simulation_and_solution_agree():
     np.testing.assert_allclose(numbers(hw.simulate(t, *START, **SPRING)), expected, atol=1e-4)
 
 
+def test_the_simulation_keeps_its_energy_for_ten_periods():
+    states = numbers(hw.simulate(np.linspace(0.0, 10 * PERIOD, 11), *START, **SPRING))
+    energies = [float(hw.energy(state, **SPRING)) for state in states]
+    np.testing.assert_allclose(energies, energies[0], atol=1e-4 * SPRING["stiffness"])
+
+
 def test_the_simulation_begins_with_the_given_state():
     states = numbers(hw.simulate(np.array([5.0, 5.1, 5.2]), *START, **SPRING))
     assert states[0] == pytest.approx(np.concatenate(START))
@@ -87,6 +93,13 @@ def test_let_go_at_rest_it_moves_on_a_line():
     _, axes = hw.orbit(np.array([3.0, 0, 1.5]), np.zeros(3), **SPRING)
     larger, smaller = numbers(axes)
     assert np.linalg.norm(larger) == pytest.approx(5)
+    assert smaller == pytest.approx(np.zeros(3), abs=1e-6)
+
+
+def test_up_and_down_it_moves_on_a_line_too():
+    _, axes = hw.orbit(np.array([0, 0, -1.5]), np.array([0, 0, 2.0]), **SPRING)
+    larger, smaller = numbers(axes)
+    assert np.linalg.norm(larger) == pytest.approx(np.sqrt(2.0))
     assert smaller == pytest.approx(np.zeros(3), abs=1e-6)
 
 

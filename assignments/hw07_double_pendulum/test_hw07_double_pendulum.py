@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 BARS = {"masses": np.array([2.0, 1.5]), "lengths": np.array([1.0, 0.8])}  # kg, m
 PENDULUM = {**BARS, "gravity": 9.81}  # m/s^2
 THETA, OMEGA = np.array([0.7, -0.4]), np.array([1.5, -2.0])  # rad, rad/s
+LEVEL = {"masses": np.array([1.0, 2.0]), "lengths": np.array([1.0, 2.0]), "gravity": 10.0}
 DOWN, STILL = np.zeros(2), np.zeros(2)
 
 
@@ -20,13 +21,17 @@ def numbers(result):
     return np.asarray(result, float)
 
 
-def test_the_diagrams_of_the_bars():
-    bars = {"masses": np.array([1.0, 2.0]), "lengths": np.array([1.0, 2.0]), "gravity": 10.0}
-    for bar, points in ((1, [(0.0, 0.0), (0.5, 0.0), (1.0, 0.0)]), (2, [(1.0, -1.0), (1.0, 0.0)])):
-        forces = hw.free_body_diagram(bar, np.array([np.pi / 2, 0.0]), **bars)
-        np.testing.assert_allclose(sorted({tuple(np.round(point, 9)) for point, _ in forces}), points, atol=1e-8)
+@pytest.mark.parametrize(("bar", "places"), [(1, [(0.0, 0.0), (0.5, 0.0), (1.0, 0.0)]), (2, [(1.0, -1.0), (1.0, 0.0)])])
+def test_the_forces_on_a_bar_act_at_so_many_points(bar, places):
+    forces = hw.free_body_diagram(bar, np.array([np.pi / 2, 0.0]), **LEVEL)
+    points = sorted({tuple(np.round(point, 9)) for point, _ in forces})
+    assert len(points) == len(places)
+    np.testing.assert_allclose(points, places, atol=1e-8)
+
+
+def test_there_is_no_third_bar():
     with pytest.raises(ValueError):
-        hw.free_body_diagram(3, np.array([np.pi / 2, 0.0]), **bars)
+        hw.free_body_diagram(3, np.array([np.pi / 2, 0.0]), **LEVEL)
 
 
 def test_the_mass_matrix_is_that_of_two_independent_equations():

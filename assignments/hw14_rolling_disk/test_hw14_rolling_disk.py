@@ -18,8 +18,12 @@ def numbers(result):
 
 def test_forces_act_on_the_disk_at_two_points():
     state = np.array([1.0, 2.0, 0.0, np.pi / 2, 0.0, 0.0, 0.0, 3.0])
-    points = {tuple(np.round(point, 9)) for point, _ in hw.free_body_diagram(state, mass=2.0, radius=0.5, gravity=10.0)}
+    forces = hw.free_body_diagram(state, mass=2.0, radius=0.5, gravity=10.0)
+    points = {tuple(np.round(point, 9)) for point, _ in forces}
     np.testing.assert_allclose(sorted(points), [(1.0, 2.0, 0.0), (1.0, 2.0, 0.5)], atol=1e-8)
+    ground = [direction for point, direction in forces if point[2] < 0.25]
+    assert len(forces) - len(ground) == 1  # the weight
+    assert len(ground) == 3 or len(ground) == 1 and ground[0] is None  # nothing is known of it
 
 
 def test_straight_rolling_goes_on():
@@ -97,3 +101,13 @@ def test_the_drawing_is_on_the_rim():
     centre = numbers(hw.matrix_state(STATE, radius=0.5))[:3]
     assert lines.shape == (14, 2, 3)
     np.testing.assert_allclose(np.linalg.norm(lines - centre, axis=2), 0.5, atol=1e-12)
+    np.testing.assert_allclose(lines[:12, 1], np.roll(lines[:12, 0], -1, axis=0), atol=1e-12)  # it is closed
+
+
+def test_the_diameters_roll_with_the_disk():
+    diameters = []
+    for state in (STATE, STATE + [0, 0, 0, 0, 0.6, 0, 0, 0]):
+        start, end = numbers(hw.wireframe(state, radius=0.5, sides=12))[-1]
+        R = numbers(hw.matrix_state(state, radius=0.5))[3:12].reshape(3, 3)
+        diameters.append((end - start) @ R)
+    assert abs(diameters[0] @ diameters[1]) == pytest.approx(1.0)  # m^2

@@ -5,7 +5,7 @@ from typing import Any
 
 from tam570.formulas import REMEDIES, form_of
 from tam570.loading import Trouble
-from tam570.show.student import numbers
+from tam570.show.student import numbers, rows_missing
 
 __all__ = ["Promise", "complaint"]
 
@@ -30,7 +30,7 @@ def complaint(promise: Promise, result: Any, name: str, arguments: Sequence[Any]
         elif "formula" in promise:
             _formula(promise["formula"], result, name)
     except Trouble as trouble:
-        return f"{trouble}{'?' if result is None else '.'}"
+        return str(trouble) if str(trouble).endswith(("?", ".")) else f"{trouble}."
     return None
 
 
@@ -38,7 +38,7 @@ def _members(promises: Sequence[Promise], result: Any, name: str, arguments: Seq
     import numpy as np
 
     if result is None:
-        raise Trouble(f"{name} gives None. Is a `return` missing")
+        raise Trouble(f"{name} gives None. Is a `return` missing?")
     several = isinstance(result, list | tuple) or isinstance(result, np.ndarray) and result.ndim > 0
     if not several or len(result) != len(promises):
         came = f"{len(result)} results" if several else _short(result)
@@ -51,14 +51,14 @@ def _array(promise: Promise, result: Any, name: str, arguments: Sequence[Any]) -
     import numpy as np
 
     if result is None:
-        raise Trouble(f"{name} gives None. Is a `return` missing")
+        raise Trouble(f"{name} gives None. Is a `return` missing?")
     values = numbers(name, result, None)
     asked = [len(arguments[0]) if size == "n" else size for size in promise["array"]]
     fits = len(asked) == values.ndim and all(a in (None, b) for a, b in zip(asked, values.shape, strict=False))
     if not fits:
         wanted = f"an array of shape {_shape(asked)}" if asked else "a single number"
         came = f"an array of shape {_shape(values.shape)}" if values.ndim else "a single number"
-        raise Trouble(f"{name} gives {came}; {wanted} is asked for")
+        raise Trouble(f"{name} gives {came}; {wanted} is asked for{rows_missing(values, asked)}")
     if np.isnan(values).any() or not promise.get("infinite") and np.isinf(values).any():
         raise Trouble(f"{name} {FINITE}")
 
@@ -81,7 +81,7 @@ def _formula(symbols: Sequence[str], result: Any, name: str) -> None:
     if form := form_of(result):
         instead = f". {REMEDIES[form]}" if form in REMEDIES else ""
         wanted = f"a SymPy expression in {', '.join(symbols)} is asked for{instead}"
-        raise Trouble(f"{name} gives {form}; {wanted}".rstrip(".?"))
+        raise Trouble(f"{name} gives {form}; {wanted}")
     strangers = {one for one in sympy.sympify(result).free_symbols if one.name not in symbols}
     values = {_value(result, strangers, number) for number in STAND_INS} if strangers else set()
     if len(values) > 1:  # it does not cancel

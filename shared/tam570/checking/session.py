@@ -123,11 +123,13 @@ def _report(
     told = _told(outcomes, calling, reached, released)
     told |= _known_mistakes(outcomes, examples, calling) if examples else {}
     report.failures(outcomes, told)
-    report.before([test for test, outcome in results.items() if outcome != PASSED and test not in outcomes.failures])
     report.slow(outcomes.functions.longest, outcomes.functions.total)
     if functions:
         print(f"{slug[:4]}: {sum(one == PASSED for one in outcomes.passed.values())} of {len(outcomes.passed)} pass")
     else:
+        report.before(
+            [name for name, outcome in results.items() if outcome != PASSED and name not in outcomes.failures]
+        )
         report.progressed(slug, reached, since)
     return bool(results) and not outcomes.failures and (bool(functions) or all(r == PASSED for r in results.values()))
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from tam570.loading import Trouble, said
 from tam570.loading import loaded as load_file
 
-__all__ = ["Student", "Trouble", "load_student", "numbers", "make_each"]
+__all__ = ["Student", "Trouble", "load_student", "make_each", "numbers", "rows_missing"]
 
 Array = NDArray[np.float64]
 Made = TypeVar("Made")
@@ -114,8 +114,15 @@ def numbers(name: str, result: Any, shape: Sequence[int] | None) -> Array:
     except (TypeError, ValueError):
         raise Trouble(f"{name} gives no numbers but {_short(result)}") from None
     if shape is not None and values.shape != tuple(shape):
-        raise Trouble(f"{name} gives an array of shape {values.shape}; {tuple(shape)} is asked for")
+        missing = rows_missing(values, shape)
+        raise Trouble(f"{name} gives an array of shape {values.shape}; {tuple(shape)} is asked for{missing}")
     return values
+
+
+def rows_missing(values: Array, shape: Sequence[int | None]) -> str:
+    """Ask where the rows are, if there are some and too few; else ""."""
+    is_short = len(shape) == values.ndim > 1 and 0 < len(values) < (shape[0] or 0)
+    return ". Rows are missing: did the integration stop early?" if is_short else ""
 
 
 def _short(result: Any) -> str:

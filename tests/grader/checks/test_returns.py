@@ -107,7 +107,7 @@ def test_what_is_no_formula_is_told_alike_here_and_at_home(expression, form, sym
     assert f"lagrange_equation returns {form} in" in str(failed.value) and failed.value.failure.hint == REMEDIES[form]
     names = {"sympy": sympy, **{name: sympy.Symbol(name) for name in ("theta", "l", "g")}}
     told = complaint({"formula": ["theta", "l", "g"]}, eval(expression, names), "lagrange_equation", ())
-    assert f"gives {form}; " in told and REMEDIES[form].rstrip(".?") in told
+    assert f"gives {form}; " in told and told.endswith(REMEDIES[form])
 
 
 def test_symbols_with_assumptions_are_symbols(symbolic):
