@@ -13,7 +13,7 @@ from typing import Any
 from tam570.course import Unknown
 from tam570.given import finite, positive
 from tam570.lectures import catalogue, load
-from tam570.show.scene import Scene
+from tam570.show.scene import FASTEST, Scene
 from tam570.show.student import Trouble, load_student
 
 __all__ = ["filmed", "lecture_module", "scene_of_lecture", "settings"]
@@ -78,10 +78,20 @@ def filmed(source: Any, film: Callable[..., Scene], numbers: Mapping[str, Any] |
             raise Unknown(f"there is no number {name!r} to set; there are: {', '.join(values)}")
     values |= numbers or {}
     try:
-        scene = film(*_arguments(dict(values)) if moves else (values,))
+        arguments = _arguments(dict(values)) if moves else (values,)
+        if moves:
+            _must_be_slow(source.STATE, values)
+        scene = film(*arguments)
     except (TypeError, ValueError, ArithmeticError) as error:
         raise Trouble(str(error)) from error
     return replace(scene, settings=values)
+
+
+def _must_be_slow(units: Mapping[str, str], values: Mapping[str, Any]) -> None:
+    """ValueError for a start that turns too fast to be drawn."""
+    for name, unit in units.items():
+        if unit == "rad/s" and abs(values[f"start.{name}"]) >= FASTEST:
+            raise ValueError(f"start.{name}: below {FASTEST:.0f} rad/s, to be drawn, got {values[f'start.{name}']:g}")
 
 
 def _arguments(given: dict[str, Any]) -> tuple[dict[str, Any], tuple[float, ...], float]:

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from tam570.show.live import Live
 
 __all__ = [
+    "FASTEST",
     "GREY",
     "INK",
     "RATE",
@@ -36,6 +37,7 @@ __all__ = [
 Array = NDArray[np.float64]
 
 RATE = 60  # samples a second, as screens show
+FASTEST = math.pi * RATE  # rad/s; beyond half a turn from frame to frame the picture turns backward
 PLOT_SAMPLES = 400  # of a time plot, which is about as many pixels wide
 
 INK, GREY = -1, -2  # colours beside the numbered ones of the palette

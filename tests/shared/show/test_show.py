@@ -17,6 +17,7 @@ from parameters import SLUGS, first
 from PIL import Image
 
 from tam570 import cli
+from tam570.lectures import load
 from tam570.show import Trouble, load_student, pictures, save, show
 from tam570.show.compact import PIXELS, STEPS, kept_samples, packed
 from tam570.show.page import page
@@ -315,3 +316,8 @@ def test_an_assignment_is_shown_with_other_numbers(slug, course, tmp_path):
     assert cli.main(["show", slug, str(file), "--set", f"{name}={text}", "--save", str(where)]) == 0
     assert re.search(rf"{name} = \(?{str(value).strip('[]').split(',')[0]}", where.read_text())
     assert cli.main(["show", slug, str(file), "--set", "nonsense=3", "--save", str(where)]) == 2
+
+
+def test_what_turns_too_fast_for_the_frames_is_said_at_once():
+    shown = show(load("top"), numbers={"start.phi_rate": 1e6})
+    assert shown.scene is None and "start.phi_rate" in shown.trouble

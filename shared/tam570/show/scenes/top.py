@@ -6,9 +6,9 @@ import numpy as np
 
 from tam570.show.drawing import circle
 from tam570.show.scene import (
+    FASTEST,
     GREY,
     INK,
-    RATE,
     Array,
     Panel,
     Scene,
@@ -24,7 +24,6 @@ __all__ = ["tops"]
 
 LENGTH, HEIGHT, RADIUS = 1.0, 0.6, 0.45  # m, of the picture: the axis, its disk
 NUDGED = 0.02  # rad, the tilt of a top that may sleep
-FASTEST = np.pi * RATE  # rad/s; beyond half a turn from frame to frame the picture turns backward
 
 
 def tops(
@@ -40,12 +39,7 @@ def tops(
     motion : (n, 6) states at times, from a start
     steady : both rates of precession at a tilt and a spin
     laws   : what does not change, of a state
-    ValueError if the top turns too fast to be drawn.
     """
-    if not max(map(abs, start[3:])) < FASTEST:
-        raise ValueError(
-            f"a rate of the start is {max(map(abs, start[3:])):g} rad/s; below {FASTEST:.0f} it can be drawn"
-        )
     times, (_, tilt, _, _, _, rate) = frame_times(seconds), start
     spin = rate + start[3] * np.cos(tilt)  # along the axis
     free = motion(times, start)
