@@ -142,8 +142,8 @@ def present(scene: Scene, where: Path | None, name: str) -> int:
         save(scene, file)
     except Trouble as trouble:
         return report_trouble(trouble)
-    for note in scene.notes:
-        print(note, file=sys.stderr)
+    for caption in scene.notes:
+        print(caption, file=sys.stderr)
     print(file)
     if where is None and not _opened(file):
         print("There is no browser to open it in; the page plays in any, on a phone too.", file=sys.stderr)

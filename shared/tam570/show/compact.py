@@ -30,7 +30,7 @@ def packed(scene: Scene) -> dict[str, Any]:
     slider = scene.slider
     if slider is None:
         return _packed(scene, [_frame([panel]) for panel in scene.panels])
-    frames = [_frame(panels) for panels in zip(*(one.panels for one in slider.scenes), strict=True)]
+    frames = [_frame(panels) for panels in zip(*(film.panels for film in slider.scenes), strict=True)]
     return {
         **_packed(scene, frames),
         "slider": {
@@ -38,7 +38,7 @@ def packed(scene: Scene) -> dict[str, Any]:
             "unit": slider.unit,
             "values": [_figures(value, 6) for value in slider.values],
             "chosen": slider.chosen,
-            "scenes": [None if i == slider.chosen else _packed(one, frames) for i, one in enumerate(slider.scenes)],
+            "scenes": [None if i == slider.chosen else _packed(film, frames) for i, film in enumerate(slider.scenes)],
         },
     }
 
@@ -46,8 +46,8 @@ def packed(scene: Scene) -> dict[str, Any]:
 def _packed(scene: Scene, frames: Sequence["_Frame"]) -> dict[str, Any]:
     points, space = _Points(), scene.in_space
     panels = [_packed_panel(panel, frame, points, space) for panel, frame in zip(scene.panels, frames, strict=True)]
-    kept = kept_samples(np.concatenate(points.tracks, axis=1)) if points.tracks else np.array([0])
-    kept = np.union1d(kept, [0, len(scene.times) - 1])
+    samples = kept_samples(np.concatenate(points.tracks, axis=1)) if points.tracks else np.array([0])
+    samples = np.union1d(samples, [0, len(scene.times) - 1])
     return {
         "title": scene.title,
         "alt_text": scene.alt_text,
@@ -55,8 +55,8 @@ def _packed(scene: Scene, frames: Sequence["_Frame"]) -> dict[str, Any]:
         "still_time": scene.still_time,
         "start": _figures(scene.times[0]),
         "step": _figures(scene.times[1] - scene.times[0], 12),
-        "keys": _differences(kept),
-        "tracks": [[_differences(axis) for axis in track[kept].T] for track in points.tracks],
+        "keys": _differences(samples),
+        "tracks": [[_differences(axis) for axis in track[samples].T] for track in points.tracks],
         "fixed": points.fixed,
         "mixed": points.mixed,
         "panels": panels,
@@ -75,8 +75,8 @@ class _Points:
 
     def still(self, point: Array) -> int:
         """The number of a point (dim,) that stands still."""
-        place = np.rint(point).astype(int)
-        return self._number(place.tobytes(), self.fixed, FIXED, place.tolist)
+        position = np.rint(point).astype(int)
+        return self._number(position.tobytes(), self.fixed, FIXED, position.tolist)
 
     def moving(self, track: Array) -> int:
         """The number of a point with this track (n, dim)."""
@@ -100,10 +100,10 @@ class _Points:
         return [numbers[i] for i in range(tracks.shape[1])]
 
     def _combination(self, base: list[int], weights: Array) -> int:
-        terms = [[number, _figures(w, 4)] for number, w in zip(base, weights, strict=True) if abs(w) > 1e-4]
-        if len(terms) == 1:
-            return int(terms[0][0])
-        return self._number(repr(terms).encode(), self.mixed, MIXED, lambda: terms)
+        weighted = [[number, _figures(w, 4)] for number, w in zip(base, weights, strict=True) if abs(w) > 1e-4]
+        if len(weighted) == 1:
+            return int(weighted[0][0])
+        return self._number(repr(weighted).encode(), self.mixed, MIXED, lambda: weighted)
 
 
 def _affine_base(tracks: Array) -> tuple[list[int], Array]:
@@ -127,10 +127,10 @@ def _affine_base(tracks: Array) -> tuple[list[int], Array]:
     return base, np.vstack([1.0 - weights.sum(axis=0), weights])
 
 
-def kept_samples(tracks: Array, within: float = STEPS / 2) -> NDArray[np.int64]:
+def kept_samples(tracks: Array, tolerance: float = STEPS / 2) -> NDArray[np.int64]:
     """The samples (n, k) between which linear interpolation gives all others to `within` (Douglas and Peucker)."""
     n = len(tracks)
-    kept, intervals = {0, n - 1}, [(0, n - 1)]
+    chosen, intervals = {0, n - 1}, [(0, n - 1)]
     while intervals:
         first, last = intervals.pop()
         if last - first < 2:
@@ -139,11 +139,11 @@ def kept_samples(tracks: Array, within: float = STEPS / 2) -> NDArray[np.int64]:
         line = tracks[first] + share * (tracks[last] - tracks[first])
         off = np.abs(tracks[first + 1 : last] - line).max(axis=1)
         worst = int(off.argmax())
-        if off[worst] > within:
+        if off[worst] > tolerance:
             middle = first + 1 + worst
-            kept.add(middle)
+            chosen.add(middle)
             intervals += [(first, middle), (middle, last)]
-    return np.array(sorted(kept))
+    return np.array(sorted(chosen))
 
 
 @dataclass(frozen=True)
@@ -211,21 +211,21 @@ def _in_space(points: Array, in_space: bool) -> Array:
 def _packed_shape(shape: Shape, points: Array, store: _Points) -> dict[str, Any]:
     still = points.ndim == 2
     numbers = [store.still(point) for point in points] if still else store.body(points)
-    found = {"kind": shape.kind, "at": numbers, "color": shape.color, "width": shape.width}
+    result = {"kind": shape.kind, "at": numbers, "color": shape.color, "width": shape.width}
     optional = {"name": shape.name, "words": shape.words, "faint": shape.faint}
-    return found | {name: value for name, value in optional.items() if value}
+    return result | {name: value for name, value in optional.items() if value}
 
 
 def _packed_time_plot(time_plot: TimePlot) -> dict[str, Any]:
     low, high = time_plot.span
     unit = (high - low) / PLOT_PIXELS
     curves = np.array(list(time_plot.curves.values())).T / unit
-    kept = kept_samples(curves, within=0.5)
+    samples = kept_samples(curves, tolerance=0.5)
     return {
         "title": time_plot.title,
         "names": list(time_plot.curves),
-        "times": [_figures(t, 6) for t in time_plot.times[kept]],
-        "curves": [_differences(curve) for curve in curves[kept].T],
+        "times": [_figures(t, 6) for t in time_plot.times[samples]],
+        "curves": [_differences(curve) for curve in curves[samples].T],
         "scale": unit,
         "span": time_plot.span,
         "unit": time_plot.unit,
@@ -236,8 +236,8 @@ def _packed_time_plot(time_plot: TimePlot) -> dict[str, Any]:
 
 def _differences(values: NDArray[Any]) -> list[int]:
     """Rounded, and each but the first less the one before: short numbers."""
-    whole: list[int] = np.diff(np.rint(values).astype(np.int64), prepend=0).tolist()
-    return whole
+    total: list[int] = np.diff(np.rint(values).astype(np.int64), prepend=0).tolist()
+    return total
 
 
 def _figures(value: float, figures: int = 9) -> float:

@@ -25,7 +25,7 @@ def force_shapes(
     axes: ArrayLike | None = None,
     color: int = COLOR,
     label: str = "forces of your diagram",
-    **known: Any,
+    **parameters: Any,
 ) -> list[Shape]:
     """Make arrows of the forces that the student draws at each row, and dots of those of unknown direction.
 
@@ -37,7 +37,7 @@ def force_shapes(
     dim = np.shape(origin)[-1]
     turn = np.eye(dim) if axes is None else np.asarray(axes)
     try:
-        diagrams = [_read(one, dim) for one in student.returned(NAME, *rows, **known)]
+        diagrams = [_read(diagram, dim) for diagram in student.returned(NAME, *rows, **parameters)]
     except Trouble as trouble:
         notes.append(str(trouble))
         return []
@@ -56,7 +56,11 @@ def _read(diagram: Iterable[Any], dim: int) -> Forces:
         pairs = [(np.array(point, float), None if way is None else np.array(way, float)) for point, way in diagram]
     except (TypeError, ValueError):
         raise Trouble(f"{NAME} gives no list of pairs (point, direction)") from None
-    if any(one is not None and (one.shape != (dim,) or not np.isfinite(one).all()) for pair in pairs for one in pair):
+    if any(
+        arrow is not None and (arrow.shape != (dim,) or not np.isfinite(arrow).all())
+        for pair in pairs
+        for arrow in pair
+    ):
         raise Trouble(f"{NAME} gives a point or a direction that is not {dim} finite numbers")
     return [(at, way if way is None else way / np.linalg.norm(way)) for at, way in pairs if way is None or way.any()]
 
@@ -65,5 +69,7 @@ def _steady(frames: Sequence[Sequence[Array]]) -> list[Array]:
     """Each place over all frames, (n, m, dim); where a frame has fewer, the place shrinks to a point."""
     count = max(map(len, frames), default=0)
     full = next((frame for frame in frames if len(frame) == count), [])
-    padded = [[*frame, *(np.repeat(one[:1], len(one), axis=0) for one in full[len(frame) :])] for frame in frames]
+    padded = [
+        [*frame, *(np.repeat(values[:1], len(values), axis=0) for values in full[len(frame) :])] for frame in frames
+    ]
     return [moving(*np.swapaxes([frame[k] for frame in padded], 0, 1)) for k in range(count)]

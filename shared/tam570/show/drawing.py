@@ -19,11 +19,11 @@ def unit_circle(count: int) -> Array:
     return np.column_stack([np.cos(angles), np.sin(angles)])
 
 
-def circle(centre: ArrayLike, one: ArrayLike, other: ArrayLike, count: int = 61) -> Array:
+def circle(centre: ArrayLike, first: ArrayLike, other: ArrayLike, count: int = 61) -> Array:
     """Closed path of points about a centre, of the semi-axes given: (..., count, dim) of (..., dim) each."""
     c, s = unit_circle(count).T[..., None]
-    centre, one, other = (np.asarray(vector)[..., None, :] for vector in (centre, one, other))
-    path: Array = centre + c * one + s * other
+    centre, first, other = (np.asarray(vector)[..., None, :] for vector in (centre, first, other))
+    path: Array = centre + c * first + s * other
     return path
 
 

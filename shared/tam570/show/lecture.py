@@ -34,13 +34,13 @@ def lecture_module(what: str) -> Any:
 
 def settings(texts: Sequence[str]) -> dict[str, Any]:
     """The numbers in "mass=2", "start.speed=3", "masses=1,2", by name. Unknown says which text is none."""
-    found = {}
+    result = {}
     for text in texts:
         name, equals, value = text.partition("=")
         if not (name.strip() and equals and value.strip()):
             raise Unknown(f"--set takes NAME=VALUE, as in mass=2, and not {text!r}")
-        found[name.strip()] = _value(value.strip())
-    return found
+        result[name.strip()] = _value(value.strip())
+    return result
 
 
 def _value(text: str) -> Any:
@@ -94,11 +94,11 @@ def _must_be_slow(units: Mapping[str, str], values: Mapping[str, Any]) -> None:
             raise ValueError(f"start.{name}: below {FASTEST:.0f} rad/s, to be drawn, got {values[f'start.{name}']:g}")
 
 
-def _arguments(given: dict[str, Any]) -> tuple[dict[str, Any], tuple[float, ...], float]:
+def _arguments(settings: dict[str, Any]) -> tuple[dict[str, Any], tuple[float, ...], float]:
     """Parameters, start and seconds. ValueError if the last two cannot be shown."""
-    start = {name: given.pop(name) for name in list(given) if name.startswith("start.")}
+    start = {name: settings.pop(name) for name in list(settings) if name.startswith("start.")}
     finite(**start)
-    positive(seconds=given["seconds"])
-    if given["seconds"] > LONGEST:
-        raise ValueError(f"seconds: at most {LONGEST:g}, got {given['seconds']:g}")
-    return given, tuple(start.values()), given.pop("seconds")
+    positive(seconds=settings["seconds"])
+    if settings["seconds"] > LONGEST:
+        raise ValueError(f"seconds: at most {LONGEST:g}, got {settings['seconds']:g}")
+    return settings, tuple(start.values()), settings.pop("seconds")

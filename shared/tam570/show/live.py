@@ -96,13 +96,13 @@ def program(live: Live) -> Program | None:
 
 def _sliders(parameters: Mapping[str, Any]) -> list[tuple[str, int | None, float]]:
     """Name, index in a tuple, value of each number that a slider can change."""
-    found: list[tuple[str, int | None, float]] = []
+    result: list[tuple[str, int | None, float]] = []
     for name, value in parameters.items():
         if isinstance(value, float):
-            found.append((name, None, value))
+            result.append((name, None, value))
         elif np.ndim(value) == 1 and np.asarray(value).dtype.kind == "f":
-            found += [(name, i, float(one)) for i, one in enumerate(value)]
-    return found
+            result += [(name, i, float(element)) for i, element in enumerate(value)]
+    return result
 
 
 class _Writer:
@@ -113,22 +113,22 @@ class _Writer:
 
     def program(self) -> Program:
         rates, film = self.live.rates, self.live.panels  # a trace goes into the functions of a closure
-        of_rates = self._traced(lambda t, state, known, hand: rates(t, state, **known))
+        of_rates = self._traced(lambda t, state, arguments, pointer: rates(t, state, **arguments))
         self._compare(of_rates)
         panels: list[dict[str, Any]] = []
         measures = {name: one for name, one in self.live.measures.items() if self._is_traceable(one)}
-        more = _in_turn([*(handle.place for handle in self.live.handles), *measures.values()])
-        grabs = _in_turn([handle.grab for handle in self.live.handles])
+        more = _composed([*(handle.place for handle in self.live.handles), *measures.values()])
+        grabs = _composed([handle.grab for handle in self.live.handles])
 
-        def drawn(t: Any, state: Any, known: Mapping[str, Any], hand: Any) -> list[Any]:
+        def drawn(t: Any, state: Any, parameters: Mapping[str, Any], target: Any) -> list[Any]:
             panels.clear()
             points: list[Value] = []
-            for panel in film(np.reshape(state, (1, -1)), known):
+            for panel in film(np.reshape(state, (1, -1)), parameters):
                 panels.append({"title": panel.title, "shapes": [_shape(shape, points) for shape in panel.shapes]})
-            return points + more([], (state,), known)
+            return points + more([], (state,), parameters)
 
-        def grabbed(t: Any, state: Any, known: Mapping[str, Any], hand: Any) -> list[Any]:
-            return grabs([], (hand, state), known)
+        def grabbed(t: Any, state: Any, parameters: Mapping[str, Any], target: Any) -> list[Any]:
+            return grabs([], (target, state), parameters)
 
         graphs = {"rates": of_rates, "drawn": self._traced(drawn), "grab": self._traced(grabbed)}
         code = "".join(f"{name}(t,s,p,q){{{_body(graph, self.k, self.m)}}}," for name, graph in graphs.items())
@@ -138,7 +138,7 @@ class _Writer:
 
     def _is_traceable(self, measure: Callable[..., Any]) -> bool:
         try:
-            self._traced(lambda t, state, known, hand: [measure(state, **known)])
+            self._traced(lambda t, state, parameters, target: [measure(state, **parameters)])
         except Untraceable:
             return False
         return True
@@ -166,41 +166,44 @@ class _Writer:
 
     def _traced(self, function: Callable[..., Any]) -> Graph:
         def flat(t: Any, symbols: Any) -> Any:
-            known = self._known(symbols[self.k : self.k + self.m])
-            return function(t, symbols[: self.k], known, symbols[self.k + self.m :])
+            parameters = self._known(symbols[self.k : self.k + self.m])
+            return function(t, symbols[: self.k], parameters, symbols[self.k + self.m :])
 
         return traced(flat, self.k + self.m + 3, {"float": _Float})
 
     def _known(self, numbers: Sequence[Any]) -> dict[str, Any]:
         """The parameters, those with sliders replaced."""
-        known = dict(self.live.parameters)
+        parameters = dict(self.live.parameters)
         for (name, i, _), number in zip(self.sliders, numbers, strict=True):
             if i is None:
-                known[name] = number
+                parameters[name] = number
             else:
-                known[name] = (*known[name][:i], number, *known[name][i + 1 :])
-        return known
+                parameters[name] = (*parameters[name][:i], number, *parameters[name][i + 1 :])
+        return parameters
 
     def _compare(self, graph: Graph) -> None:
         """Untraceable if the graph gives other numbers than the function that it is a trace of."""
         for share in (1.0, 1.05):
             state = [share * number + (share - 1.0) for number in self.live.start]
             values = [value for _, _, value in self.sliders]
-            wanted = np.array([float(one) for one in self.live.rates(0.0, np.array(state), **self.live.parameters)])
-            found = np.array(_evaluated(graph, [*state, *values, 0.0, 0.0, 0.0]))
-            if not np.abs(found - wanted).max() <= CLOSE * (1.0 + np.abs(wanted).max()):
+            wanted = np.array([float(rate) for rate in self.live.rates(0.0, np.array(state), **self.live.parameters)])
+            result = np.array(_evaluated(graph, [*state, *values, 0.0, 0.0, 0.0]))
+            if not np.abs(result - wanted).max() <= CLOSE * (1.0 + np.abs(wanted).max()):
                 raise Untraceable("its formulas as traced give other numbers than it does")
 
 
-def _in_turn(functions: Sequence[Callable[..., Any]]) -> Callable[..., list[Any]]:
+def _composed(functions: Sequence[Callable[..., Any]]) -> Callable[..., list[Any]]:
     """One function that appends the numbers of each, called with the same arguments; a closure of closures."""
 
-    def none(found: list[Any], arguments: tuple[Any, ...], known: Mapping[str, Any]) -> list[Any]:
-        return found
+    def none(result: list[Any], arguments: tuple[Any, ...], parameters: Mapping[str, Any]) -> list[Any]:
+        return result
 
     def then(before: Callable[..., list[Any]], function: Callable[..., Any]) -> Callable[..., list[Any]]:
-        def both(found: list[Any], arguments: tuple[Any, ...], known: Mapping[str, Any]) -> list[Any]:
-            return [*before(found, arguments, known), *np.ravel(np.array(function(*arguments, **known))).tolist()]
+        def both(result: list[Any], arguments: tuple[Any, ...], parameters: Mapping[str, Any]) -> list[Any]:
+            return [
+                *before(result, arguments, parameters),
+                *np.ravel(np.array(function(*arguments, **parameters))).tolist(),
+            ]
 
         return both
 
@@ -236,9 +239,9 @@ def _shape(shape: Any, points: list[Value]) -> dict[str, Any]:
     for row in rows:
         at.append(len(points))
         points.extend(row.tolist())
-    found = {"kind": shape.kind, "at": at, "dim": rows.shape[-1], "color": shape.color, "width": shape.width}
+    result = {"kind": shape.kind, "at": at, "dim": rows.shape[-1], "color": shape.color, "width": shape.width}
     optional = {"name": shape.name, "words": shape.words, "faint": shape.faint}
-    return found | {name: value for name, value in optional.items() if value}
+    return result | {name: value for name, value in optional.items() if value}
 
 
 def _body(graph: Graph, k: int, m: int) -> str:

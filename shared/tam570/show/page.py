@@ -23,7 +23,7 @@ def page(scene: Scene) -> str:
     return Template(_read("page.html")).substitute(
         title=html.escape(scene.title),
         alt_text=html.escape(scene.alt_text),
-        notes="".join(f'<p class="note">{html.escape(note)}</p>' for note in scene.notes),
+        notes="".join(f'<p class="note">{html.escape(caption)}</p>' for caption in scene.notes),
         settings=html.escape(_listed(scene.settings)),
         style=_read("page.css"),
         view=_read("space.js" if scene.in_space else "plane.js"),

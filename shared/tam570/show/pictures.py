@@ -59,8 +59,8 @@ def _writer(suffix: str) -> AbstractMovieWriter:
 @cache
 def _palette() -> tuple[str, ...]:
     """The colours of the page in light, INK and GREY last, as their numbers have it."""
-    known = dict(reversed(CSS_COLOUR.findall((HERE / "page.css").read_text(encoding="utf-8"))))
-    return tuple(known[name] for name in ("c0", "c1", "c2", "c3", "c4", "c5", "soft", "ink"))
+    parameters = dict(reversed(CSS_COLOUR.findall((HERE / "page.css").read_text(encoding="utf-8"))))
+    return tuple(parameters[name] for name in ("c0", "c1", "c2", "c3", "c4", "c5", "soft", "ink"))
 
 
 def _drawn(scene: Scene, figure: Figure) -> Update:
@@ -71,19 +71,21 @@ def _drawn(scene: Scene, figure: Figure) -> Update:
     figure.set_layout_engine(ConstrainedLayoutEngine(rect=(0.0, 0.0, 0.985, 1.0)))
     columns = 1 if _is_wide(scene.panels[0]) else min(len(scene.panels), 3)
     axes = wide.subplots(-(-len(scene.panels) // columns), columns, squeeze=False).ravel()
-    updates = [one for ax, panel in zip(axes, scene.panels, strict=False) for one in _panel(ax, panel, scene)]
+    updates = [
+        panel_update for ax, panel in zip(axes, scene.panels, strict=False) for panel_update in _panel(ax, panel, scene)
+    ]
     for ax in axes:
         ax.set_axis_off()
-    named = {name: line for ax in axes for line, name in zip(*ax.get_legend_handles_labels(), strict=True)}
-    if named:
-        wide.legend(named.values(), named, loc="outside lower left", ncols=4, fontsize=8, frameon=False)
+    lines_by_name = {name: line for ax in axes for line, name in zip(*ax.get_legend_handles_labels(), strict=True)}
+    if lines_by_name:
+        wide.legend(lines_by_name.values(), lines_by_name, loc="outside lower left", ncols=4, fontsize=8, frameon=False)
     if scene.time_plots:
         tall = narrow.subplots(len(scene.time_plots), 1, squeeze=False).ravel()
         updates += [_time_plot(ax, time_plot, scene) for ax, time_plot in zip(tall, scene.time_plots, strict=True)]
 
     def update(sample: int) -> None:
-        for one in updates:
-            one(sample)
+        for update_shape in updates:
+            update_shape(sample)
 
     update(0)
     figure.draw_without_rendering()  # lays it out, once for all frames
@@ -117,7 +119,7 @@ def _seen(points: Array, view: tuple[float, float]) -> Array:
     return flat
 
 
-def _shape(ax: Axes, shape: Shape, points: Array, head: float) -> Update:
+def _shape(ax: Axes, shape: Shape, points: Array, head_size: float) -> Update:
     """Draw one part; what takes it to another sample."""
     look: dict[str, Any] = {"color": _palette()[shape.color], "alpha": 0.25 if shape.faint else 1.0}
     still = points.ndim == 2
@@ -133,7 +135,7 @@ def _shape(ax: Axes, shape: Shape, points: Array, head: float) -> Update:
     if shape.kind == "text":
         text = ax.text(at(0)[0, 0], at(0)[0, 1], shape.words, **look)
         return lambda sample: text.set_position(at(sample)[0])
-    joined: Any = {"lines": _apart, "arrow": partial(_arrows, longest=head)}.get(shape.kind, lambda rows: rows)
+    joined: Any = {"lines": _apart, "arrow": partial(_arrows, longest=head_size)}.get(shape.kind, lambda rows: rows)
     style: dict[str, Any] = (
         {"marker": "o", "markersize": 1.5 * shape.width, "linestyle": ""} if shape.kind == "dot" else {}
     )

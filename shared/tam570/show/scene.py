@@ -196,8 +196,8 @@ def drift_plot(
     )
     shown = {**moved, **others}
     half = 1.1 * max(100.0 * LEAST_SPAN / 1.1, *(float(np.abs(curve).max()) for curve in shown.values()))
-    note, alarm = drift_note(curves, scale, of)
-    return _drawable(TimePlot(title, times, shown, (-half, half), "%", note, alarm))
+    caption, alarm = drift_note(curves, scale, of)
+    return _drawable(TimePlot(title, times, shown, (-half, half), "%", caption, alarm))
 
 
 def drift_note(constants: Mapping[str, ArrayLike], scale: float, of: str) -> tuple[str, bool]:
@@ -235,7 +235,7 @@ def value_plot(
     times: Array,
     curves: Mapping[str, ArrayLike],
     unit: str,
-    note: str = "",
+    caption: str = "",
     alarm: bool = False,
     *,
     least: float = 0.0,
@@ -245,7 +245,7 @@ def value_plot(
     low = min(0.0, *(float(curve.min()) for curve in values.values()))
     high = max(least, *(float(curve.max()) for curve in values.values()))
     margin = 0.05 * (high - low) or 1.0
-    return _drawable(TimePlot(title, times, values, (low - margin, high + margin), unit, note, alarm))
+    return _drawable(TimePlot(title, times, values, (low - margin, high + margin), unit, caption, alarm))
 
 
 def _drawable(time_plot: TimePlot) -> TimePlot:

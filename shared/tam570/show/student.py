@@ -29,13 +29,13 @@ def load_student(file: Path, slug: str) -> ModuleType:
 
 def make_each(notes: list[str], *makers: Callable[[], Made]) -> list[Made]:
     """What can be made of what a scene shows beside the motion; why the rest cannot is added to the notes."""
-    made = []
+    shapes = []
     for maker in makers:
         try:
-            made.append(maker())
+            shapes.append(maker())
         except Trouble as trouble:
             notes.append(str(trouble))
-    return made
+    return shapes
 
 
 class Student:
@@ -52,24 +52,24 @@ class Student:
             raise Trouble(f"there is no function {name}{f' in {self._file}' if self._file else ''}")
         return function  # type: ignore[no-any-return]
 
-    def __call__(self, name: str, *arguments: Any, shape: Sequence[int] | None = None, **known: Any) -> Array:
+    def __call__(self, name: str, *arguments: Any, shape: Sequence[int] | None = None, **parameters: Any) -> Array:
         """What the function returns, as an array of this shape. Trouble if it does not, or is not finite."""
-        return self._finite(name, numbers(name, self._raw(name, *arguments, **known), shape))
+        return self._finite(name, numbers(name, self._raw(name, *arguments, **parameters), shape))
 
-    def group(self, name: str, *arguments: Any, shapes: Sequence[Sequence[int]], **known: Any) -> list[Array]:
+    def group(self, name: str, *arguments: Any, shapes: Sequence[Sequence[int]], **parameters: Any) -> list[Array]:
         """The arrays that the function returns together, each of its shape."""
-        result = self._raw(name, *arguments, **known)
+        result = self._raw(name, *arguments, **parameters)
         if not isinstance(result, Sequence | np.ndarray) or len(result) != len(shapes):
             raise Trouble(f"{name} gives {_short(result)}; {len(shapes)} results are asked for")
-        return [self._finite(name, numbers(name, one, shape)) for one, shape in zip(result, shapes, strict=True)]
+        return [self._finite(name, numbers(name, part, shape)) for part, shape in zip(result, shapes, strict=True)]
 
-    def _raw(self, name: str, *arguments: Any, **known: Any) -> Any:
+    def _raw(self, name: str, *arguments: Any, **parameters: Any) -> Any:
         """What the function returns, whatever it is."""
-        return self._guarded(name, lambda function: function(*arguments, **known))
+        return self._guarded(name, lambda function: function(*arguments, **parameters))
 
-    def each(self, name: str, *rows: Any, shape: Sequence[int] = (), **known: Any) -> Array:
+    def each(self, name: str, *rows: Any, shape: Sequence[int] = (), **parameters: Any) -> Array:
         """(n, *shape) of the function called with row i of every argument in turn."""
-        results = self.returned(name, *rows, **known)
+        results = self.returned(name, *rows, **parameters)
         try:  # all at once: one by one takes longer than the student's function
             values = np.array(results)
         except ValueError:  # of different shapes
@@ -78,10 +78,10 @@ class Student:
             numbers(name, results[0], shape)
         return self._finite(name, numbers(name, values, (len(results), *shape)))
 
-    def returned(self, name: str, *rows: Any, **known: Any) -> list[Any]:
+    def returned(self, name: str, *rows: Any, **parameters: Any) -> list[Any]:
         """What the function returns for row i of every argument in turn, whatever it is."""
-        called = [*zip(*rows, strict=True)]
-        return [*self._guarded(name, lambda function: [function(*row, **known) for row in called])]
+        calls = [*zip(*rows, strict=True)]
+        return [*self._guarded(name, lambda function: [function(*row, **parameters) for row in calls])]
 
     def _guarded(self, name: str, use: Callable[[Callable[..., Any]], Any]) -> Any:
         function = self.function(name)

@@ -48,12 +48,12 @@ def chains(
     ground = Shape("lines", DISTANCE * length * np.array([[-2.0, 0.0], [6.0, 0.0]]), GREY, width=3)
     lifting, pouring = [ground], [ground]
     for name, color in LIMITS.items():
-        left = 4 * DISTANCE * length * color
-        lifting += _upright(left, risen, 1 - risen / length, length, color, name)
-        lifting.append(_arrow(left, risen, 0.3 * length / float(pulls["textbook"].max()) * pulls[name], "force"))
-        pouring += _upright(left, length - falls[name], falls[name] / length, length, color, "")
+        shift = 4 * DISTANCE * length * color
+        lifting += _upright(shift, risen, 1 - risen / length, length, color, name)
+        lifting.append(_arrow(shift, risen, 0.3 * length / float(pulls["textbook"].max()) * pulls[name], "force"))
+        pouring += _upright(shift, length - falls[name], falls[name] / length, length, color, "")
         pressed = 0.3 * length / most * np.minimum(readings[name], most)
-        pouring.append(_arrow(left, -pressed, pressed, ""))
+        pouring.append(_arrow(shift, -pressed, pressed, ""))
     on_scale = {**readings, "weight on it": weight * falls["textbook"]}
     return Scene(
         "Chains",
@@ -97,12 +97,12 @@ def _upright(x: float, height: Array, share: Array, length: float, color: int, n
     return [Shape("fill", heap, color, faint=True), Shape("lines", moving(foot, end), color, name, width=4)]
 
 
-def _fold(fallen: Array, color: int, left: float, length: float) -> list[Shape]:
+def _fold(fallen: Array, color: int, shift: float, length: float) -> list[Shape]:
     """A chain hung at one end, its other end fallen by (n,) m."""
     still, side = np.zeros(len(fallen)), DISTANCE * length
     bottom = -(length + fallen) / 2
     corners = [(still, still), (still, bottom), (still + side, bottom), (still + side, -fallen)]
-    path = np.stack([np.column_stack([x + left, y]) for x, y in corners], axis=1)
+    path = np.stack([np.column_stack([x + shift, y]) for x, y in corners], axis=1)
     return [
         Shape("path", path, color, ("by energy", "inelastic")[color], width=3.5),
         Shape("dot", path[:, 3:], color, width=8),
@@ -110,10 +110,10 @@ def _fold(fallen: Array, color: int, left: float, length: float) -> list[Shape]:
     ]
 
 
-def _energy(times: Array, kept: Array, lost: Array, parameters: Mapping[str, float]) -> TimePlot:
+def _energy(times: Array, remaining: Array, lost: Array, parameters: Mapping[str, float]) -> TimePlot:
     """Of the folded chain, as long as both fall."""
     length, density, gravity = (parameters[name] for name in ("length", "density", "gravity"))
-    falling = np.flatnonzero((kept[:, 0] < length) & (lost[:, 0] < length))
+    falling = np.flatnonzero((remaining[:, 0] < length) & (lost[:, 0] < length))
     shown = falling[plot_samples(times[falling])]
 
     def energy(x: Array, v: Array) -> Array:
@@ -123,7 +123,7 @@ def _energy(times: Array, kept: Array, lost: Array, parameters: Mapping[str, flo
     return drift_plot(
         "folded: energy, change",
         times[shown],
-        {"by energy": energy(*kept[shown].T)},
+        {"by energy": energy(*remaining[shown].T)},
         scale,
         "the potential energy",
         beside={"inelastic": energy(*lost[shown].T)},

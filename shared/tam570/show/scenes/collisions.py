@@ -37,9 +37,9 @@ def cradle_and_rod(cradle: Callable[[Array], Array], collide: Callable[..., Any]
     shown = plot_samples(times)
     angles, speeds = _swings(times, cradle)
     places, about_peg, energies = _rod(times, collide)
-    whole = about_peg[shown].sum(axis=1)
-    momenta = {"of G": about_peg[shown, 0], "about G": about_peg[shown, 1], "sum": whole}
-    note = drift_note({"": whole}, float(np.abs(about_peg).max()), "its largest part")
+    total = about_peg[shown].sum(axis=1)
+    momenta = {"of G": about_peg[shown, 0], "about G": about_peg[shown, 1], "sum": total}
+    caption = drift_note({"": total}, float(np.abs(about_peg).max()), "its largest part")
     of_cradle = (speeds[shown] ** 2 + GRAVITY * LENGTH * angles[shown] ** 2).sum(axis=1) / 2
     loss = {"cradle": 100 * of_cradle / of_cradle[0], "rod": 100 * energies[shown] / energies[0]}
     return Scene(
@@ -49,7 +49,7 @@ def cradle_and_rod(cradle: Callable[[Array], Array], collide: Callable[..., Any]
         times,
         [Panel(_balls(angles), "cradle"), Panel(places, "rod on a peg")],
         [
-            value_plot("rod: angular momentum about the peg", times[shown], momenta, "kg m²/s", *note),
+            value_plot("rod: angular momentum about the peg", times[shown], momenta, "kg m²/s", *caption),
             value_plot("energy, of that at the start", times[shown], loss, "%"),
         ],
         still_time=0.13,

@@ -38,7 +38,7 @@ def film(
 ) -> Scene:
     """The right equations and the wrong ones from one start."""
     times = frame_times(seconds)
-    right, wrong = (solve(rates, times, start, parameters=parameters, rtol=1e-9) for rates in equations)
+    correct, wrong = (solve(rates, times, start, parameters=parameters, rtol=1e-9) for rates in equations)
     lengths = parameters["lengths"]
     return Scene(
         "Convergence is not rightness",
@@ -47,10 +47,12 @@ def film(
         "the wrong one wanders.",
         times,
         [
-            Panel([*_pendulum(right, lengths, 0, "right equations"), *_pendulum(wrong, lengths, 1, "wrong equations")]),
+            Panel(
+                [*_pendulum(correct, lengths, 0, "right equations"), *_pendulum(wrong, lengths, 1, "wrong equations")]
+            ),
             Panel(_orders(errors), "error over step: both converge", ruler=False),
         ],
-        [_energies(times, right, wrong, lambda state: energy(state, **parameters))],
+        [_energies(times, correct, wrong, lambda state: energy(state, **parameters))],
         still_time=0.22,
     )
 
@@ -85,11 +87,11 @@ def _orders(errors: Callable[..., Any]) -> list[Shape]:
     return [*axes, *lines, *labels]
 
 
-def _energies(times: Array, right: Array, wrong: Array, energy: Callable[[Array], float]) -> TimePlot:
+def _energies(times: Array, correct: Array, wrong: Array, energy: Callable[[Array], float]) -> TimePlot:
     shown = plot_samples(times)
     curves = {
         f"{name} equations": np.array([energy(state) for state in states[shown]])
-        for name, states in (("right", right), ("wrong", wrong))
+        for name, states in (("right", correct), ("wrong", wrong))
     }
     scale = float(np.abs(curves["right equations"]).max()) or 1.0
     return value_plot(

@@ -107,9 +107,9 @@ def _energies(frames: Any, times: Array, seen: Array, parameters: Mapping[str, f
         "centrifugal": -mass * spin**2 * squares,
         "Jacobi's integral": np.array([frames.jacobi_integral(state, **parameters) for state in seen[shown]]),
     }
-    kept = {"": curves["Jacobi's integral"]}
-    note = drift_note(kept, float(curves["kinetic"].max()) or 1.0, "the largest kinetic energy")
-    return value_plot("energies on the turntable", times[shown], curves, "J", *note)
+    conserved = {"": curves["Jacobi's integral"]}
+    caption = drift_note(conserved, float(curves["kinetic"].max()) or 1.0, "the largest kinetic energy")
+    return value_plot("energies on the turntable", times[shown], curves, "J", *caption)
 
 
 def _plane(frames: Any, times: Array) -> TimePlot:

@@ -67,24 +67,24 @@ def _live(student: Student, rod: Mapping[str, Any], start: Sequence[float]) -> L
     """By the student's balance of angular momentum; kinetic and potential energy by that of energy."""
     balance, energies = student.function("angular_momentum_balance"), student.function("energy_balance")
 
-    def rates(t: float, state: Any, **known: Any) -> list[Any]:
-        return [state[1], balance(*state, mass=MASS, **known)[0]]
+    def rates(t: float, state: Any, **parameters: Any) -> list[Any]:
+        return [state[1], balance(*state, mass=MASS, **parameters)[0]]
 
-    def panels(states: Any, known: Mapping[str, Any]) -> list[Panel]:
+    def panels(states: Any, parameters: Mapping[str, Any]) -> list[Panel]:
         hook = Shape("dot", np.zeros((1, 2)), INK, width=4)
-        return [Panel([*_pendulum(known["length"], states[:, 0], 0, "full equation"), hook])]
+        return [Panel([*_pendulum(parameters["length"], states[:, 0], 0, "full equation"), hook])]
 
-    def bob(state: Any, **known: Any) -> list[Any]:
-        return [known["length"] * np.sin(state[0]), -known["length"] * np.cos(state[0])]
+    def bob(state: Any, **parameters: Any) -> list[Any]:
+        return [parameters["length"] * np.sin(state[0]), -parameters["length"] * np.cos(state[0])]
 
-    def grab(place: Any, state: Any, **known: Any) -> list[Any]:
-        return [np.arctan2(place[0], -place[1]), 0.0]
+    def grab(point: Any, state: Any, **parameters: Any) -> list[Any]:
+        return [np.arctan2(point[0], -point[1]), 0.0]
 
     def measure(i: int) -> Callable[..., Any]:
-        return lambda state, **known: energies(*state, mass=MASS, **known)[i]
+        return lambda state, **parameters: energies(*state, mass=MASS, **parameters)[i]
 
-    def total(state: Any, **known: Any) -> Any:
-        _, kinetic, potential = energies(*state, mass=MASS, **known)
+    def total(state: Any, **parameters: Any) -> Any:
+        _, kinetic, potential = energies(*state, mass=MASS, **parameters)
         return kinetic + potential
 
     measures = {"total E": total, "kinetic T": measure(1), "potential V": measure(2)}

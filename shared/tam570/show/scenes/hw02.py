@@ -52,9 +52,9 @@ def _both(
     flown = np.append(times[times < flight], flight)
     landed = np.minimum(np.arange(len(times)), len(flown) - 1)
     shape = (len(flown), 4)
-    known: dict[str, Any] = {**ball, "shape": shape}
-    numerical = student("simulate", flown, speed, angle, **known)
-    closed = student("trajectory", flown, speed, angle, **known)
+    parameters: dict[str, Any] = {**ball, "shape": shape}
+    numerical = student("simulate", flown, speed, angle, **parameters)
+    closed = student("trajectory", flown, speed, angle, **parameters)
     return numerical[landed], closed[landed]
 
 
@@ -70,8 +70,8 @@ def _throw(numerical: Array, closed: Array, best: bool) -> list[Shape]:
 
 def _heights(times: Array, angles: list[float], pairs: list[tuple[Array, Array]], farthest: float) -> TimePlot:
     shown = plot_samples(times)
-    gaps = np.max([np.linalg.norm(one - other, axis=1) for one, other in pairs], axis=0)[shown]
+    gaps = np.max([np.linalg.norm(path - other, axis=1) for path, other in pairs], axis=0)[shown]
     largest = float(gaps.max()) / farthest
-    note = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.2g} of the range"
+    caption = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.2g} of the range"
     heights = {f"{math.degrees(a):.0f}°": numerical[shown, 1] for a, (numerical, _) in zip(angles, pairs, strict=True)}
-    return value_plot("height", times[shown], heights, "m", f"from the closed form: {note}", largest > LARGE)
+    return value_plot("height", times[shown], heights, "m", f"from the closed form: {caption}", largest > LARGE)

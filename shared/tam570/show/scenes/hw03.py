@@ -45,9 +45,9 @@ def film(student: Student, parameters: Mapping[str, Any]) -> Scene:
     rates = {d: student.each("rate", [d] * len(times), *motion, mass=mass, shape=(3,)) for d in DEFINITIONS}
     moment = student.each("moment", r_p, a_p, r_c, mass=mass, shape=(3,))
     names = {"b": "(a) and (b): r_P/C × m v_P", "c": "(c): r_P/C × m v_P/C"}
-    left = [_arrow(r_c, momenta[d], momenta, COLORS[d], names[d]) for d in "bc"]
-    right = [_arrow(r_c, moment, rates, INK, "moment about C", width=6)]
-    right += [_arrow(r_c, rates[d], rates, COLORS[d], f"rate of ({d})") for d in DEFINITIONS]
+    momentum_arrows = [_arrow(r_c, momenta[d], momenta, COLORS[d], names[d]) for d in "bc"]
+    moment_arrows = [_arrow(r_c, moment, rates, INK, "moment about C", width=6)]
+    moment_arrows += [_arrow(r_c, rates[d], rates, COLORS[d], f"rate of ({d})") for d in DEFINITIONS]
     return Scene(
         "Rate of change of angular momentum",
         "Two points, P and C, go round in space. Arrows at C show the angular momentum of P about C by the three "
@@ -55,8 +55,8 @@ def film(student: Student, parameters: Mapping[str, Any]) -> Scene:
         "the rates of (b) and (c) are not.",
         times,
         [
-            Panel([*_points(r_p, r_c), *left], "angular momentum"),
-            Panel([*_points(r_p, r_c), *right], "its rate, and the moment"),
+            Panel([*_points(r_p, r_c), *momentum_arrows], "angular momentum"),
+            Panel([*_points(r_p, r_c), *moment_arrows], "its rate, and the moment"),
         ],
         make_each(
             notes, lambda: _discrepancies(student, times, motion, mass), lambda: _checked(student, times, rates, mass)
@@ -93,7 +93,7 @@ def _points(r_p: Array, r_c: Array) -> list[Shape]:
 
 def _arrow(tail: Array, vector: Array, all_of_them: dict[str, Array], color: int, name: str, width: float = 3) -> Shape:
     """An arrow; the longest of all of them has 3 m."""
-    longest = max(float(np.linalg.norm(one, axis=1).max()) for one in all_of_them.values()) or 1.0
+    longest = max(float(np.linalg.norm(vectors, axis=1).max()) for vectors in all_of_them.values()) or 1.0
     return Shape("arrow", moving(tail, tail + 3.0 * vector / longest), color, name, width=width)
 
 
@@ -111,16 +111,16 @@ def _discrepancies(student: Student, times: Array, motion: list[Array], mass: fl
 def _checked(student: Student, times: Array, rates: dict[str, Array], mass: float) -> TimePlot:
     """The rates beside differences of the student's own angular momentum."""
     shown = plot_samples(times)
-    scale = max(float(np.linalg.norm(one, axis=1).max()) for one in rates.values()) or 1.0
+    scale = max(float(np.linalg.norm(rate, axis=1).max()) for rate in rates.values()) or 1.0
     off = {
         f"({d})": 100 * np.linalg.norm(rates[d][shown] - _differences(student, d, times[shown], mass), axis=1) / scale
         for d in DEFINITIONS
     }
-    largest = max(float(one.max()) for one in off.values()) / 100
-    note = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.2g} of the largest rate"
+    largest = max(float(rate.max()) for rate in off.values()) / 100
+    caption = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.2g} of the largest rate"
     sizes = {f"({d})": np.linalg.norm(rates[d][shown], axis=1) for d in DEFINITIONS}
-    note = f"dH/dt by differences: {note}"
-    return value_plot("rate(), size", times[shown], sizes, "N m", note, alarm=largest > LARGE)
+    caption = f"dH/dt by differences: {caption}"
+    return value_plot("rate(), size", times[shown], sizes, "N m", caption, alarm=largest > LARGE)
 
 
 def _differences(student: Student, definition: str, times: Array, mass: float) -> Array:

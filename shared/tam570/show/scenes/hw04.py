@@ -64,7 +64,7 @@ def film(student: Student, spring: Mapping[str, Any], start: Sequence[float], se
 
 
 def _live(student: Student, spring: Mapping[str, Any], start: Sequence[float]) -> Live:
-    def panels(states: Any, known: Mapping[str, Any]) -> list[Panel]:
+    def panels(states: Any, parameters: Mapping[str, Any]) -> list[Panel]:
         mass = states[:, :3]
         return [
             Panel(
@@ -78,7 +78,7 @@ def _live(student: Student, spring: Mapping[str, Any], start: Sequence[float]) -
             )
         ]
 
-    mass = Handle(lambda state, **known: state[:3], lambda place, state, **known: [*place, *state[3:]])
+    mass = Handle(lambda state, **arguments: state[:3], lambda point, state, **arguments: [*point, *state[3:]])
     measures = {"energy": student.function("energy")}
     return Live(student.function("state_derivative"), spring, STATE, start, panels, [mass], measures)
 

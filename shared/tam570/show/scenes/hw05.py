@@ -44,7 +44,7 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
         Shape("path", length * unit_circle(121), GREY, "the circle", width=1.5),
         Shape("lines", rod, GREY, "rod", width=2),
         *force_shapes(notes, student, states, **parameters, size=0.3 * length),
-        *(one for pair in make_each(notes, lambda: _forces(student, states, parameters)) for one in pair),
+        *(shape for pair in make_each(notes, lambda: _forces(student, states, parameters)) for shape in pair),
         Shape("dot", np.zeros((1, 2)), INK, width=5),
         Shape("dot", rod[:, 1:], 1, "particle", width=10),
     ]
@@ -66,27 +66,27 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
 def _live(student: Student, parameters: Mapping[str, Any], start: Sequence[float]) -> Live:
     acceleration, energy = student.function("acceleration"), student.function("energy")
 
-    def rates(t: float, state: Any, **known: Any) -> list[Any]:
-        return [*state[2:], *acceleration(state, **known)]
+    def rates(t: float, state: Any, **parameters: Any) -> list[Any]:
+        return [*state[2:], *acceleration(state, **parameters)]
 
-    def panels(states: Any, known: Mapping[str, Any]) -> list[Panel]:
+    def panels(states: Any, parameters: Mapping[str, Any]) -> list[Panel]:
         particle = states[:, :2]
         shapes = [
-            Shape("path", known["length"] * unit_circle(121), GREY, "the circle", width=1.5),
+            Shape("path", parameters["length"] * unit_circle(121), GREY, "the circle", width=1.5),
             Shape("lines", moving(np.zeros(2), particle), GREY, "rod", width=2),
             Shape("dot", np.zeros((1, 2)), INK, width=5),
             Shape("dot", particle[:, None], 1, "particle", width=10),
         ]
         return [Panel(shapes)]
 
-    def grab(place: Any, state: Any, **known: Any) -> list[Any]:
-        angle = np.arctan2(place[0], place[1])
-        return [known["length"] * np.sin(angle), known["length"] * np.cos(angle), 0.0, 0.0]
+    def grab(point: Any, state: Any, **parameters: Any) -> list[Any]:
+        angle = np.arctan2(point[0], point[1])
+        return [parameters["length"] * np.sin(angle), parameters["length"] * np.cos(angle), 0.0, 0.0]
 
     def total(state: Any, *, mass: Any, length: Any, gravity: Any) -> Any:
         return energy(state, mass=mass, gravity=gravity)
 
-    handle = Handle(lambda state, **known: state[:2], grab)
+    handle = Handle(lambda state, **arguments: state[:2], grab)
     return Live(rates, parameters, STATE, start, panels, [handle], {"energy": total})
 
 
@@ -94,18 +94,18 @@ def _forces(student: Student, states: Array, parameters: Mapping[str, Any]) -> l
     """The force of the rod, and the weight beside it."""
     weight = parameters["mass"] * parameters["gravity"] * np.array([0.0, -1.0])
     force = student.each("constraint_force", states, **parameters, shape=(2,))
-    unit, place = ARROW * parameters["length"] / (np.linalg.norm(weight) or 1.0), states[:, :2]  # m/N
+    unit, point = ARROW * parameters["length"] / (np.linalg.norm(weight) or 1.0), states[:, :2]  # m/N
     return [
-        Shape("arrow", moving(place, place + unit * weight), 2, "weight", width=3),
-        Shape("arrow", moving(place, place + unit * force), 3, "force of the rod", width=4),
+        Shape("arrow", moving(point, point + unit * weight), 2, "weight", width=3),
+        Shape("arrow", moving(point, point + unit * force), 3, "force of the rod", width=4),
     ]
 
 
 def _energy(student: Student, times: Array, states: Array, parameters: Mapping[str, Any]) -> TimePlot:
     shown = plot_samples(times)
     at_rest = states[shown] * [1, 1, 0, 0]
-    known = {"mass": parameters["mass"], "gravity": parameters["gravity"]}
-    total, potential = (student.each("energy", rows, **known) for rows in (states[shown], at_rest))
+    arguments = {"mass": parameters["mass"], "gravity": parameters["gravity"]}
+    total, potential = (student.each("energy", rows, **arguments) for rows in (states[shown], at_rest))
     return energy_plot(times[shown], total, potential)
 
 
@@ -115,5 +115,5 @@ def _rod(student: Student, times: Array, states: Array, parameters: Mapping[str,
     force = student.each("constraint_force", states[shown], **parameters, shape=(2,))
     distance = np.hypot(*states[shown, :2].T)
     pull = -np.einsum("ni,ni->n", force, states[shown, :2]) / distance
-    note, alarm = drift_note({"": distance}, parameters["length"], "the length")
-    return value_plot("pull of the rod", times[shown], {"": pull}, "N", f"distance from the hinge: {note}", alarm)
+    caption, alarm = drift_note({"": distance}, parameters["length"], "the length")
+    return value_plot("pull of the rod", times[shown], {"": pull}, "N", f"distance from the hinge: {caption}", alarm)

@@ -67,26 +67,26 @@ def _live(student: Student, parameters: Mapping[str, Any], start: Sequence[float
     derivative, energy = student.function("state_derivative"), student.function("kinetic_energy")
     lane = LANES["rear"]
 
-    def rates(t: float, state: Any, **known: Any) -> Any:
-        return derivative(t, state, "rear", **known)
+    def rates(t: float, state: Any, **parameters: Any) -> Any:
+        return derivative(t, state, "rear", **parameters)
 
-    def panels(states: Any, known: Mapping[str, Any]) -> list[Panel]:
-        return [Panel([*roads, *_car(states, "rear", lane, known)])]
+    def panels(states: Any, parameters: Mapping[str, Any]) -> list[Panel]:
+        return [Panel([*roads, *_car(states, "rear", lane, parameters)])]
 
-    def nose(state: Any, *, front: Any, **known: Any) -> list[Any]:
+    def nose(state: Any, *, front: Any, **parameters: Any) -> list[Any]:
         reach = front + OVERHANG
         return [state[0] + reach * np.cos(state[2]), state[1] + lane + reach * np.sin(state[2])]
 
-    def turn(place: Any, state: Any, **known: Any) -> list[Any]:
-        return [*state[:2], np.arctan2(place[1] - lane - state[1], place[0] - state[0]), *start[3:]]
+    def turn(point: Any, state: Any, **parameters: Any) -> list[Any]:
+        return [*state[:2], np.arctan2(point[1] - lane - state[1], point[0] - state[0]), *start[3:]]
 
-    def move(place: Any, state: Any, **known: Any) -> list[Any]:
-        return [place[0], place[1] - lane, state[2], *start[3:]]
+    def move(point: Any, state: Any, **parameters: Any) -> list[Any]:
+        return [point[0], point[1] - lane, state[2], *start[3:]]
 
-    def kinetic(state: Any, *, friction: Any, gravity: Any, **known: Any) -> Any:
-        return energy(state, "rear", **known)
+    def kinetic(state: Any, *, friction: Any, gravity: Any, **parameters: Any) -> Any:
+        return energy(state, "rear", **parameters)
 
-    handles = [Handle(lambda state, **known: [state[0], state[1] + lane], move), Handle(nose, turn)]
+    handles = [Handle(lambda state, **arguments: [state[0], state[1] + lane], move), Handle(nose, turn)]
     return Live(rates, parameters, STATE, start, panels, handles, {"kinetic": kinetic}, rests=True)
 
 
@@ -103,9 +103,9 @@ def _road(y: float, end: float) -> Shape:
 def _placed(states: Array, outline: Array, y: float) -> Array:
     """(n, m, 2) points given forward and left of G, where the car has them."""
     c, s = np.cos(states[:, 2]), np.sin(states[:, 2])
-    forward, left = np.stack([c, s], axis=-1), np.stack([-s, c], axis=-1)
+    forward, sideways = np.stack([c, s], axis=-1), np.stack([-s, c], axis=-1)
     centre = states[:, :2] + [0.0, y]
-    placed: Array = centre[:, None] + outline[:, :1] * forward[:, None] + outline[:, 1:] * left[:, None]
+    placed: Array = centre[:, None] + outline[:, :1] * forward[:, None] + outline[:, 1:] * sideways[:, None]
     return placed
 
 
@@ -129,9 +129,9 @@ def _car(states: Array, locked: str, y: float, parameters: Mapping[str, Any]) ->
 def _forces(
     notes: list[str], student: Student, states: Array, locked: str, parameters: Mapping[str, Any]
 ) -> list[Shape]:
-    known = {name: value for name, value in parameters.items() if name != "yaw_inertia"}
+    arguments = {name: value for name, value in parameters.items() if name != "yaw_inertia"}
     lane = [0.0, LANES[locked]]
-    return force_shapes(notes, student, states, [locked] * len(states), size=ARROW, origin=lane, **known)
+    return force_shapes(notes, student, states, [locked] * len(states), size=ARROW, origin=lane, **arguments)
 
 
 def _wheels(at: float) -> Array:
@@ -141,24 +141,24 @@ def _wheels(at: float) -> Array:
 
 def _energy(student: Student, times: Array, motions: dict[str, Array], parameters: Mapping[str, Any]) -> TimePlot:
     """Kinetic energy, and whether with what friction has taken along the way of the locked axle it stays."""
-    known = {name: value for name, value in parameters.items() if name in (*CAR, "yaw_inertia")}
+    arguments = {name: value for name, value in parameters.items() if name in (*CAR, "yaw_inertia")}
     shown = plot_samples(times)
     energies, sums = {}, {}
     for locked, states in motions.items():
-        energy = student.each("kinetic_energy", states[shown], [locked] * len(shown), **known)
+        energy = student.each("kinetic_energy", states[shown], [locked] * len(shown), **arguments)
         energies[f"{locked} locked"] = energy / 1000
         sums[locked] = energy - _work(student, states, locked, parameters)[shown]
-    scale = max(abs(float(one[0])) for one in sums.values())
+    scale = max(abs(float(values[0])) for values in sums.values())
     if not scale:
         raise Trouble("kinetic_energy gives 0 for a car that moves")
-    note, alarm = drift_note(sums, scale, "the energy at the start")
-    return value_plot("kinetic energy", times[shown], energies, "kJ", f"less work of friction: {note}", alarm)
+    caption, alarm = drift_note(sums, scale, "the energy at the start")
+    return value_plot("kinetic energy", times[shown], energies, "kJ", f"less work of friction: {caption}", alarm)
 
 
 def _work(student: Student, states: Array, locked: str, parameters: Mapping[str, Any]) -> Array:
     """(n,) J, of friction up to each time, by the trapezoidal rule along the path of the axle."""
-    known = {name: value for name, value in parameters.items() if name != "yaw_inertia"}
-    force = student.each("friction_force", states, [locked] * len(states), **known, shape=(2,))
+    arguments = {name: value for name, value in parameters.items() if name != "yaw_inertia"}
+    force = student.each("friction_force", states, [locked] * len(states), **arguments, shape=(2,))
     c, s = np.cos(states[:, 2]), np.sin(states[:, 2])
     in_space = np.column_stack([c * force[:, 0] - s * force[:, 1], s * force[:, 0] + c * force[:, 1]])
     at = parameters["front"] if locked == "front" else -parameters["rear"]

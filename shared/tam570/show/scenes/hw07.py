@@ -35,11 +35,11 @@ SECONDS = 20.0
 def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
     """The motion of part (d)."""
     times, notes = frame_times(seconds), list[str]()
-    known = {name: np.array(value) for name, value in parameters.items() if name != "gravity"}
-    known["gravity"] = parameters["gravity"]
+    arguments = {name: np.array(value) for name, value in parameters.items() if name != "gravity"}
+    arguments["gravity"] = parameters["gravity"]
     theta, omega = np.array(start[:2]), np.array(start[2:])
-    states = student("simulate", times, theta, omega, **known, shape=(len(times), 4))
-    bars = student.each("wireframe", states[:, :2], lengths=known["lengths"], shape=(2, 2, 2))
+    states = student("simulate", times, theta, omega, **arguments, shape=(len(times), 4))
+    bars = student.each("wireframe", states[:, :2], lengths=arguments["lengths"], shape=(2, 2, 2))
     hinge, elbow, tip = bars[:, 0, 0], bars[:, 1, 0], bars[:, 1, 1]
     shapes = [
         Shape("lines", np.array([[-0.4, 0.0], [0.4, 0.0]]), GREY, width=3),
@@ -48,7 +48,7 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
         Shape("lines", bars[:, 1], 1, "bar 2", width=6),
         Shape("dot", moving(hinge, elbow), INK, width=5),
         Shape("dot", tip[:, None], 2, width=5),
-        *_forces(notes, student, states, known),
+        *_forces(notes, student, states, arguments),
     ]
     return Scene(
         "Double pendulum",
@@ -56,15 +56,15 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
         "shows the path of the tip.",
         times,
         [Panel(shapes)],
-        [*make_each(notes, lambda: _energy(student, times, states, known)), _angles(times, states)],
+        [*make_each(notes, lambda: _energy(student, times, states, arguments)), _angles(times, states)],
         notes=notes,
         live=live_if_written(lambda: _live(student, parameters, start)),
     )
 
 
-def _forces(notes: list[str], student: Student, states: Array, known: Mapping[str, Any]) -> list[Shape]:
+def _forces(notes: list[str], student: Student, states: Array, parameters: Mapping[str, Any]) -> list[Shape]:
     """The forces that the student draws on either bar."""
-    size, shapes = 0.3 * float(np.mean(known["lengths"])), list[Shape]()
+    size, shapes = 0.3 * float(np.mean(parameters["lengths"])), list[Shape]()
     for bar in (1, 2):
         shapes += force_shapes(
             notes,
@@ -73,7 +73,7 @@ def _forces(notes: list[str], student: Student, states: Array, known: Mapping[st
             size=size,
             color=bar + 2,
             label=f"forces on bar {bar}",
-            **known,
+            **parameters,
         )
     return shapes
 
@@ -82,8 +82,8 @@ def _live(student: Student, parameters: Mapping[str, Any], start: Sequence[float
     acceleration, energy = student.function("angular_acceleration"), student.function("energy")
 
     def rates(t: float, state: Any, *, masses: Any, lengths: Any, gravity: Any) -> list[Any]:
-        known = {"masses": np.array(masses), "lengths": np.array(lengths), "gravity": gravity}
-        return [*state[2:], *acceleration(np.array(state[:2]), np.array(state[2:]), **known)]
+        parameters = {"masses": np.array(masses), "lengths": np.array(lengths), "gravity": gravity}
+        return [*state[2:], *acceleration(np.array(state[:2]), np.array(state[2:]), **parameters)]
 
     def joints(theta: Any, lengths: Any) -> tuple[Any, Any]:
         first, second = (
@@ -91,8 +91,8 @@ def _live(student: Student, parameters: Mapping[str, Any], start: Sequence[float
         )
         return first, first + second
 
-    def panels(states: Any, known: Mapping[str, Any]) -> list[Panel]:
-        elbow, tip = (end[None] for end in joints(states[0, :2], known["lengths"]))
+    def panels(states: Any, parameters: Mapping[str, Any]) -> list[Panel]:
+        elbow, tip = (end[None] for end in joints(states[0, :2], parameters["lengths"]))
         shapes = [
             Shape("lines", np.array([[-0.4, 0.0], [0.4, 0.0]]), GREY, width=3),
             Shape("trail", tip[:, None], 2, "path of the tip", width=1.5),
@@ -103,33 +103,33 @@ def _live(student: Student, parameters: Mapping[str, Any], start: Sequence[float
         ]
         return [Panel(shapes)]
 
-    def grab_elbow(place: Any, state: Any, **known: Any) -> list[Any]:
-        return [np.arctan2(place[0], -place[1]), state[1], 0.0, 0.0]
+    def grab_elbow(point: Any, state: Any, **parameters: Any) -> list[Any]:
+        return [np.arctan2(point[0], -point[1]), state[1], 0.0, 0.0]
 
-    def grab_tip(place: Any, state: Any, **known: Any) -> list[Any]:
-        elbow, _ = joints(state[:2], known["lengths"])
-        return [state[0], np.arctan2(place[0] - elbow[0], elbow[1] - place[1]), 0.0, 0.0]
+    def grab_tip(point: Any, state: Any, **parameters: Any) -> list[Any]:
+        elbow, _ = joints(state[:2], parameters["lengths"])
+        return [state[0], np.arctan2(point[0] - elbow[0], elbow[1] - point[1]), 0.0, 0.0]
 
     handles = [
-        Handle(lambda state, **known: joints(state[:2], known["lengths"])[0], grab_elbow),
-        Handle(lambda state, **known: joints(state[:2], known["lengths"])[1], grab_tip),
+        Handle(lambda state, **arguments: joints(state[:2], arguments["lengths"])[0], grab_elbow),
+        Handle(lambda state, **arguments: joints(state[:2], arguments["lengths"])[1], grab_tip),
     ]
 
     def total(state: Any, *, masses: Any, lengths: Any, gravity: Any) -> Any:
-        known = {"masses": np.array(masses), "lengths": np.array(lengths), "gravity": gravity}
-        return energy(np.array(state[:2]), np.array(state[2:]), **known)
+        parameters = {"masses": np.array(masses), "lengths": np.array(lengths), "gravity": gravity}
+        return energy(np.array(state[:2]), np.array(state[2:]), **parameters)
 
-    def at_rest(state: Any, **known: Any) -> Any:
-        return total([*state[:2], 0.0, 0.0], **known)
+    def at_rest(state: Any, **parameters: Any) -> Any:
+        return total([*state[:2], 0.0, 0.0], **parameters)
 
     return Live(rates, parameters, STATE, start, panels, handles, {"total E": total, "potential V": at_rest})
 
 
-def _energy(student: Student, times: Array, states: Array, known: Mapping[str, Any]) -> TimePlot:
+def _energy(student: Student, times: Array, states: Array, parameters: Mapping[str, Any]) -> TimePlot:
     shown = plot_samples(times)
     theta, omega = states[shown, :2], states[shown, 2:]
-    total = student.each("energy", theta, omega, **known)
-    return energy_plot(times[shown], total, student.each("energy", theta, 0 * omega, **known))
+    total = student.each("energy", theta, omega, **parameters)
+    return energy_plot(times[shown], total, student.each("energy", theta, 0 * omega, **parameters))
 
 
 def _angles(times: Array, states: Array) -> TimePlot:

@@ -59,9 +59,9 @@ def _defect(times: Array, rotations: Array) -> TimePlot:
     R = rotations[shown]
     off = np.abs(np.swapaxes(R, 1, 2) @ R - np.eye(3)).max(axis=(1, 2))
     largest = float(off.max())
-    note = f"RᵀR - I is {'not zero: ' if largest > LARGE else ''}at most {largest:.2g}"
+    caption = f"RᵀR - I is {'not zero: ' if largest > LARGE else ''}at most {largest:.2g}"
     entries = {f"R{i + 1}{i + 1}": R[:, i, i] for i in range(3)}
-    return value_plot("on the diagonal of R", times[shown], entries, "", note, largest > LARGE)
+    return value_plot("on the diagonal of R", times[shown], entries, "", caption, largest > LARGE)
 
 
 def _apart(student: Student, times: Array, axis: Array, by_matrix: Array, corner: Array) -> TimePlot:
@@ -69,6 +69,6 @@ def _apart(student: Student, times: Array, axis: Array, by_matrix: Array, corner
     count = len(shown)
     path = student.each("rotate", [corner] * count, [axis] * count, RATE * times[shown], shape=(3,))
     largest = float(np.linalg.norm(path - by_matrix[shown], axis=1).max())
-    note = f"{'not' if largest > LARGE else 'as'} by rotation_matrix(): {largest:.2g} m apart"
+    caption = f"{'not' if largest > LARGE else 'as'} by rotation_matrix(): {largest:.2g} m apart"
     curves = dict(zip("xyz", path.T, strict=True))
-    return value_plot("the corner by rotate()", times[shown], curves, "m", note, largest > LARGE)
+    return value_plot("the corner by rotate()", times[shown], curves, "m", caption, largest > LARGE)

@@ -75,6 +75,6 @@ def _angles(times: Array, turned: dict[str, Array]) -> TimePlot:
         R = rotations[shown]
         off[title[:3]] = np.abs(np.swapaxes(R, 1, 2) @ R - np.eye(3)).max(axis=(1, 2))
         angles[title[:3]] = np.degrees(np.arccos(np.clip((np.trace(R, axis1=1, axis2=2) - 1) / 2, -1.0, 1.0)))
-    largest = max(float(one.max()) for one in off.values())
-    note = f"{'no rotation: ' if largest > LARGE else ''}RᵀR - I is at most {largest:.2g}"
-    return value_plot("angle of the one turn that does the same", times[shown], angles, "°", note, largest > LARGE)
+    largest = max(float(defect.max()) for defect in off.values())
+    caption = f"{'no rotation: ' if largest > LARGE else ''}RᵀR - I is at most {largest:.2g}"
+    return value_plot("angle of the one turn that does the same", times[shown], angles, "°", caption, largest > LARGE)

@@ -76,12 +76,12 @@ def _live(student: Student, inertia: Array, size: Array, spin: Array) -> Live:
         R, omega = np.reshape(state[:9], (3, 3)), np.array(state[9:])
         return [*np.ravel(attitude(R, omega)), *euler(omega, inertia=np.array(inertia))]
 
-    def tip(state: Any, **known: Any) -> Any:
+    def tip(state: Any, **parameters: Any) -> Any:
         return reach * (np.reshape(state[:9], (3, 3)) @ np.array(state[9:]))
 
-    def panels(states: Any, known: Mapping[str, Any]) -> list[Panel]:
+    def panels(states: Any, parameters: Mapping[str, Any]) -> list[Panel]:
         R, omega = np.reshape(states[:, :9], (1, 3, 3)), states[0, 9:]
-        H = 0.7 * reach * (R[0] @ (np.array(known["inertia"]) / inertia.mean() * omega))
+        H = 0.7 * reach * (R[0] @ (np.array(parameters["inertia"]) / inertia.mean() * omega))
         shapes = [
             *brick(R, size, 0, "box"),
             Shape("arrow", moving(np.zeros(3), H[None]), 2, "angular momentum", width=3),
@@ -90,16 +90,16 @@ def _live(student: Student, inertia: Array, size: Array, spin: Array) -> Live:
         ]
         return [Panel(shapes, "box in space")]
 
-    def grab(place: Any, state: Any, **known: Any) -> list[Any]:
+    def grab(point: Any, state: Any, **parameters: Any) -> list[Any]:
         R = np.reshape(state[:9], (3, 3))
-        return [*state[:9], *(R.T @ np.array(place) / reach)]
+        return [*state[:9], *(R.T @ np.array(point) / reach)]
 
     def kinetic(state: Any, *, inertia: Any) -> Any:
         return energy(np.array(state[9:]), inertia=np.array(inertia))
 
-    known = {"inertia": tuple(inertia.tolist())}
+    arguments = {"inertia": tuple(inertia.tolist())}
     state = {**dict.fromkeys(names, "1"), **STATE}
-    return Live(rates, known, state, start, panels, [Handle(tip, grab)], {"energy": kinetic})
+    return Live(rates, arguments, state, start, panels, [Handle(tip, grab)], {"energy": kinetic})
 
 
 def _inertia(mass: float, size: Sequence[float]) -> Array:
@@ -182,13 +182,13 @@ def _meeting(energy: float, momentum: float, inertia: Array) -> list[Array]:
     def across(moment: float) -> float:
         return float(np.sqrt(max((2.0 * energy * outer - momentum**2) / (moment * (outer - moment)), 0.0)))
 
-    one, other = across(inner) * np.cos(u), across(b) * np.sin(u)
-    along = np.sqrt(np.maximum((2.0 * energy - inner * one**2 - b * other**2) / outer, 0.0) if largest else 0.0 * u)
+    first, other = across(inner) * np.cos(u), across(b) * np.sin(u)
+    along = np.sqrt(np.maximum((2.0 * energy - inner * first**2 - b * other**2) / outer, 0.0) if largest else 0.0 * u)
     curves = []
     for sign in (1.0, -1.0):
         curve = np.zeros((len(u), 3))
         curve[:, order[2 if outer == c else 0]] = sign * along
-        curve[:, order[0 if outer == c else 2]], curve[:, order[1]] = one, other
+        curve[:, order[0 if outer == c else 2]], curve[:, order[1]] = first, other
         curves.append(curve)
     return curves
 
@@ -210,8 +210,8 @@ def _disk(student: Student, times: Array) -> Panel:
     omegas, rotations = _motion(student, times, _attitude(WOBBLE, DISK), WOBBLE, DISK)
     length = 1.6 / np.linalg.norm(WOBBLE)
     in_body, in_space = length * omegas, length * _in_space(rotations, omegas)
-    one, other = RADIUS * rotations[:, :, 0], RADIUS * rotations[:, :, 1]
-    rim = circle(np.zeros(3), one, other, 37)
+    first, other = RADIUS * rotations[:, :, 0], RADIUS * rotations[:, :, 1]
+    rim = circle(np.zeros(3), first, other, 37)
     shapes = [
         Shape("fill", rim, GREY, faint=True),
         Shape("path", rim, GREY, "disk", width=2),
@@ -219,7 +219,7 @@ def _disk(student: Student, times: Array) -> Panel:
         *cone(_once_round(in_body) @ np.swapaxes(rotations, 1, 2), 3, "body cone"),
         Shape("arrow", moving(np.zeros(3), in_space), 1, width=2.5),
     ]
-    for point, color in ((one, 4), (other, 5)):
+    for point, color in ((first, 4), (other, 5)):
         shapes += [
             Shape("trail", point[:, None], color, "points of the rim", width=1.5),
             Shape("dot", point[:, None], color, width=6),
@@ -240,13 +240,13 @@ def _energy(student: Student, times: Array, omegas: Array, inertia: Array) -> Ti
     shown = plot_samples(times)
     energy = student.each("energy", omegas[shown], inertia=inertia)
     curves = {f"omega {name}": part for name, part in zip("ABC", omegas[shown].T, strict=True)}
-    note, alarm = drift_note({"": energy}, abs(energy[0]) or 1.0, "itself")
-    return value_plot("angular velocity in the body", times[shown], curves, "rad/s", f"energy: {note}", alarm)
+    caption, alarm = drift_note({"": energy}, abs(energy[0]) or 1.0, "itself")
+    return value_plot("angular velocity in the body", times[shown], curves, "rad/s", f"energy: {caption}", alarm)
 
 
 def _momentum(student: Student, times: Array, omegas: Array, rotations: Array, inertia: Array) -> TimePlot:
     shown = plot_samples(times)
     H = student.each("angular_momentum", rotations[shown], omegas[shown], inertia=inertia, shape=(3,))
     curves = {f"H {name}": part for name, part in zip("ABC", (inertia * omegas[shown]).T, strict=True)}
-    note, alarm = drift_note({"": H}, float(np.linalg.norm(H[0])) or 1.0, "itself")
-    return value_plot("angular momentum in the body", times[shown], curves, "kg m²/s", f"in space: {note}", alarm)
+    caption, alarm = drift_note({"": H}, float(np.linalg.norm(H[0])) or 1.0, "itself")
+    return value_plot("angular momentum in the body", times[shown], curves, "kg m²/s", f"in space: {caption}", alarm)

@@ -41,10 +41,10 @@ class Circling:
 def film(student: Student, parameters: Mapping[str, Any]) -> Scene:
     """Three coins on one floor about one centre."""
     times, notes = frame_times(SECONDS), list[str]()
-    known, radius = {name: parameters[name] for name in ALL}, parameters["radius"]
+    arguments, radius = {name: parameters[name] for name in ALL}, parameters["radius"]
     tracks = zip(parameters["leans"], parameters["track_radii"], strict=True)
-    coins = [_rolling(student, lean, track_radius, known) for lean, track_radius in tracks]
-    coins += make_each(notes, lambda: _settling(student, parameters["settling_lean"], known))
+    coins = [_rolling(student, lean, track_radius, arguments) for lean, track_radius in tracks]
+    coins += make_each(notes, lambda: _settling(student, parameters["settling_lean"], arguments))
     reach = max(abs(coin.track_radius) for coin in coins) + radius
     shapes = [floor((-reach, -reach), (reach, reach), 0.1)]
     for color, coin in enumerate(coins):
@@ -55,23 +55,23 @@ def film(student: Student, parameters: Mapping[str, Any]) -> Scene:
         "the middle turns about a diameter, its centre at rest, like a coin that settles.",
         times,
         [Panel(shapes)],
-        make_each(notes, lambda: _residuals(student, times, coins, known)),
+        make_each(notes, lambda: _residuals(student, times, coins, arguments)),
         view=(0.5, 0.6),
         notes=notes,
         still_time=0.1,
     )
 
 
-def _rolling(student: Student, lean: float, track_radius: float, known: Mapping[str, Any]) -> Circling:
-    precession = float(student("rolling_precession", lean, track_radius, **known, shape=()))
-    spin = float(student("rolling_spin", lean, precession, **known, shape=()))
+def _rolling(student: Student, lean: float, track_radius: float, parameters: Mapping[str, Any]) -> Circling:
+    precession = float(student("rolling_precession", lean, track_radius, **parameters, shape=()))
+    spin = float(student("rolling_spin", lean, precession, **parameters, shape=()))
     return Circling(lean, track_radius, precession, spin, f"rolling, lean {lean:g}")
 
 
-def _settling(student: Student, lean: float, known: Mapping[str, Any]) -> Circling:
-    precession = float(student("common_precession", lean, **known, shape=()))
-    spin = float(student("sliding_spin", lean, precession, **known, shape=()))
-    track_radius = float(student("sliding_track_radius", lean, radius=known["radius"], shape=()))
+def _settling(student: Student, lean: float, parameters: Mapping[str, Any]) -> Circling:
+    precession = float(student("common_precession", lean, **parameters, shape=()))
+    spin = float(student("sliding_spin", lean, precession, **parameters, shape=()))
+    track_radius = float(student("sliding_track_radius", lean, radius=parameters["radius"], shape=()))
     return Circling(lean, track_radius, precession, spin, f"rolling and sliding, lean {lean:g}")
 
 
@@ -85,29 +85,29 @@ def _coin(times: Array, coin: Circling, radius: float, color: int) -> list[Shape
     contact = coin.track_radius * outward
     centre = contact + radius * up_the_disk
     rolled = (coin.spin + coin.precession * np.sin(lean)) * times
-    mark = np.cos(rolled)[:, None] * up_the_disk + np.sin(rolled)[:, None] * ahead
+    spoke = np.cos(rolled)[:, None] * up_the_disk + np.sin(rolled)[:, None] * ahead
     rim = circle(centre, radius * up_the_disk, radius * ahead, 37)
     track = circle(np.zeros(3), abs(coin.track_radius) * np.eye(3)[0], abs(coin.track_radius) * np.eye(3)[1])
     return [
         Shape("path", track, GREY, width=1.5),
         Shape("fill", rim, color, faint=True),
         Shape("path", rim, color, coin.name, width=2.5),
-        Shape("lines", moving(centre, centre + radius * mark), color, width=2.5),
+        Shape("lines", moving(centre, centre + radius * spoke), color, width=2.5),
         Shape("dot", contact[:, None], color, width=4),
     ]
 
 
-def _residuals(student: Student, times: Array, coins: list[Circling], known: Mapping[str, Any]) -> TimePlot:
+def _residuals(student: Student, times: Array, coins: list[Circling], parameters: Mapping[str, Any]) -> TimePlot:
     shown = plot_samples(times)[[0, -1]]  # steady: the same at any time
-    weight = known["mass"] * known["gravity"] * known["radius"]
-    off = {f"lean {c.lean:g}": np.full(2, 100.0 * _residual(student, c, known) / weight) for c in coins}
-    largest = max(float(np.abs(one).max()) for one in off.values()) / 100.0
-    note = f"{'not steady: ' if largest > LARGE else ''}at most {largest:.2g} of m g a"
-    return value_plot("moment_residual()", times[shown], off, "%", note, alarm=largest > LARGE, least=1.0)
+    weight = parameters["mass"] * parameters["gravity"] * parameters["radius"]
+    off = {f"lean {c.lean:g}": np.full(2, 100.0 * _residual(student, c, parameters) / weight) for c in coins}
+    largest = max(float(np.abs(residual).max()) for residual in off.values()) / 100.0
+    caption = f"{'not steady: ' if largest > LARGE else ''}at most {largest:.2g} of m g a"
+    return value_plot("moment_residual()", times[shown], off, "%", caption, alarm=largest > LARGE, least=1.0)
 
 
-def _residual(student: Student, coin: Circling, known: Mapping[str, Any]) -> float:
-    disk = {name: known[name] for name in COIN}
+def _residual(student: Student, coin: Circling, parameters: Mapping[str, Any]) -> float:
+    disk = {name: parameters[name] for name in COIN}
     motion = coin.lean, coin.precession, coin.spin
-    inward, normal = student("contact_force", *motion, **disk, gravity=known["gravity"], shape=(2,))
-    return float(student("moment_residual", *motion, inward, normal, **disk, inertia=known["inertia"], shape=()))
+    inward, normal = student("contact_force", *motion, **disk, gravity=parameters["gravity"], shape=(2,))
+    return float(student("moment_residual", *motion, inward, normal, **disk, inertia=parameters["inertia"], shape=()))

@@ -40,7 +40,7 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
     reach = max(1.15 * abs(start[0]), 1.02 * float(np.abs(states[:, 0]).max()))
     shapes = [
         Shape("path", _on_wire(np.linspace(-reach, reach, 161), parameters["curvature"]), GREY, "wire", width=3),
-        *(one for three in make_each(notes, lambda: _forces(student, states, parameters)) for one in three),
+        *(shape for three in make_each(notes, lambda: _forces(student, states, parameters)) for shape in three),
         *force_shapes(notes, student, states[:, 0], size=ARROW, **parameters),
         Shape("dot", bead[:, None], 0, "bead", width=8),
     ]
@@ -64,18 +64,18 @@ def _live(student: Student, parameters: Mapping[str, Any], start: Sequence[float
     def rates(t: float, state: Any, *, mass: Any, curvature: Any, gravity: Any) -> list[Any]:
         return [state[1], acceleration(*state, curvature=curvature, gravity=gravity)]
 
-    def panels(states: Any, known: Mapping[str, Any]) -> list[Panel]:
-        bead = _on_wire(states[:, 0], known["curvature"])
-        wire = Shape("path", _on_wire(xs, known["curvature"]), GREY, "wire", width=3)
+    def panels(states: Any, parameters: Mapping[str, Any]) -> list[Panel]:
+        bead = _on_wire(states[:, 0], parameters["curvature"])
+        wire = Shape("path", _on_wire(xs, parameters["curvature"]), GREY, "wire", width=3)
         return [Panel([wire, Shape("dot", bead[:, None], 0, "bead", width=8)])]
 
     handle = Handle(
-        lambda state, **known: [state[0], known["curvature"] * state[0] ** 2],
-        lambda place, state, **known: [place[0], 0.0],
+        lambda state, **arguments: [state[0], arguments["curvature"] * state[0] ** 2],
+        lambda point, state, **arguments: [point[0], 0.0],
     )
     measures = {
-        "total E": lambda state, **known: energy(*state, **known),
-        "potential V": lambda state, **known: energy(state[0], 0.0, **known),
+        "total E": lambda state, **arguments: energy(*state, **arguments),
+        "potential V": lambda state, **arguments: energy(state[0], 0.0, **arguments),
     }
     return Live(rates, parameters, STATE, start, panels, [handle], measures)
 

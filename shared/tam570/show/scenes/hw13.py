@@ -44,10 +44,10 @@ SECONDS = 2.5
 def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
     """Pushed off with the centre of mass lowest."""
     times, notes = frame_times(seconds), list[str]()
-    right = student("simulate", times, *start, **parameters, shape=(len(times), 2))
+    correct = student("simulate", times, *start, **parameters, shape=(len(times), 2))
     wrong = make_each(notes, lambda: _naive(student, times, start, parameters))
-    farthest = max(float(np.abs(states[:, 0]).max()) for states in (right, *wrong))
-    shapes = _rolling(right[:, 0], 0, farthest, parameters) + _forces(notes, student, right[:, 0], parameters)
+    farthest = max(float(np.abs(states[:, 0]).max()) for states in (correct, *wrong))
+    shapes = _rolling(correct[:, 0], 0, farthest, parameters) + _forces(notes, student, correct[:, 0], parameters)
     panels = [Panel(shapes, "by the balance about G")]
     panels += [
         Panel(_rolling(states[:, 0], 1, farthest, parameters), "as M_C = I^C φ'' would have it") for states in wrong
@@ -58,7 +58,7 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
         "cylinder as the naive equation has it rolls otherwise.",
         times,
         panels,
-        make_each(notes, lambda: _energy(student, times, right, wrong, parameters)),
+        make_each(notes, lambda: _energy(student, times, correct, wrong, parameters)),
         notes=notes,
         still_time=0.7,
         live=live_if_written(lambda: _live(student, parameters, start, farthest)),
@@ -68,22 +68,22 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
 def _live(student: Student, parameters: Mapping[str, Any], start: Sequence[float], farthest: float) -> Live:
     acceleration, energy = student.function("acceleration"), student.function("energy")
 
-    def rates(t: float, state: Any, **known: Any) -> list[Any]:
-        return [state[1], acceleration(*state, **known)]
+    def rates(t: float, state: Any, **parameters: Any) -> list[Any]:
+        return [state[1], acceleration(*state, **parameters)]
 
-    def panels(states: Any, known: Mapping[str, Any]) -> list[Panel]:
-        return [Panel(_rolling(states[:, 0], 0, farthest, known), "by the balance about G")]
+    def panels(states: Any, parameters: Mapping[str, Any]) -> list[Panel]:
+        return [Panel(_rolling(states[:, 0], 0, farthest, parameters), "by the balance about G")]
 
-    def centre(state: Any, *, radius: Any, slope: Any, **known: Any) -> list[Any]:
+    def centre(state: Any, *, radius: Any, slope: Any, **parameters: Any) -> list[Any]:
         ahead = radius * state[0]
         return [ahead * np.cos(slope) + radius * np.sin(slope), radius * np.cos(slope) - ahead * np.sin(slope)]
 
-    def grab(place: Any, state: Any, *, radius: Any, slope: Any, **known: Any) -> list[Any]:
-        return [(place[0] * np.cos(slope) - place[1] * np.sin(slope)) / radius, state[1]]
+    def grab(point: Any, state: Any, *, radius: Any, slope: Any, **parameters: Any) -> list[Any]:
+        return [(point[0] * np.cos(slope) - point[1] * np.sin(slope)) / radius, state[1]]
 
     measures = {
-        "total E": lambda state, **known: energy(*state, **known),
-        "potential V": lambda state, **known: energy(state[0], 0.0, **known),
+        "total E": lambda state, **arguments: energy(*state, **arguments),
+        "potential V": lambda state, **arguments: energy(state[0], 0.0, **arguments),
     }
     return Live(rates, parameters, STATE, start, panels, [Handle(centre, grab)], measures)
 
@@ -104,9 +104,9 @@ def _forces(notes: list[str], student: Student, phi: Array, parameters: Mapping[
     """The forces that the student draws, in axes down the ramp and off it from the centre of the cylinder."""
     slope, radius = parameters["slope"], parameters["radius"]
     axes = np.array([[np.cos(slope), -np.sin(slope)], [np.sin(slope), np.cos(slope)]])
-    known = {name: parameters[name] for name in ("mass", "radius", "offset", "slope", "gravity")}
+    arguments = {name: parameters[name] for name in ("mass", "radius", "offset", "slope", "gravity")}
     origin = np.column_stack([radius * phi, np.full_like(phi, radius)]) @ axes
-    return force_shapes(notes, student, phi, size=1.2 * radius, origin=origin, axes=axes, **known)
+    return force_shapes(notes, student, phi, size=1.2 * radius, origin=origin, axes=axes, **arguments)
 
 
 def _rolling(phi: Array, color: int, farthest: float, parameters: Mapping[str, Any]) -> list[Shape]:
@@ -136,12 +136,12 @@ def _turned(vector: Array, phi: Array) -> Array:
 
 
 def _energy(
-    student: Student, times: Array, right: Array, wrong: list[Array], parameters: Mapping[str, Any]
+    student: Student, times: Array, correct: Array, wrong: list[Array], parameters: Mapping[str, Any]
 ) -> TimePlot:
     shown = plot_samples(times)
-    motions = dict(zip(("by G", "naive"), [right, *wrong], strict=False))
+    motions = dict(zip(("by G", "naive"), [correct, *wrong], strict=False))
     total = {name: student.each("energy", *states[shown].T, **parameters) for name, states in motions.items()}
-    at_rest = student.each("energy", right[shown, 0], 0 * shown, **parameters)
+    at_rest = student.each("energy", correct[shown, 0], 0 * shown, **parameters)
     scale = float(np.abs(total["by G"] - at_rest).max()) or 1.0
-    note, alarm = drift_note({"": total["by G"]}, scale, "the largest kinetic energy")
-    return value_plot("energy", times[shown], total, "J", f"by G: {note}", alarm)
+    caption, alarm = drift_note({"": total["by G"]}, scale, "the largest kinetic energy")
+    return value_plot("energy", times[shown], total, "J", f"by G: {caption}", alarm)

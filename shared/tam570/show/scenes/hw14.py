@@ -49,7 +49,7 @@ def film(student: Student, disk: Mapping[str, Any], start: Sequence[float], seco
     frame = student.each("wireframe", states, radius=disk["radius"], sides=SIDES, shape=(SIDES + 2, 2, 3))
     rim, diameters = frame[:, :SIDES, 0], frame[:, SIDES:].reshape(-1, 4, 3)
     contact = np.column_stack([states[:, :2], 0.0 * times])
-    known = {name: disk[name] for name in ("mass", "radius", "gravity")}
+    parameters = {name: disk[name] for name in ("mass", "radius", "gravity")}
     shapes = [
         floor(contact.min(axis=0)[:2] - 0.5, contact.max(axis=0)[:2] + 0.5, 0.5),
         Shape("trail", contact[:, None], 1, "path of the contact", width=2),
@@ -57,7 +57,7 @@ def film(student: Student, disk: Mapping[str, Any], start: Sequence[float], seco
         Shape("path", np.concatenate([rim, rim[:, :1]], axis=1), 0, "disk", width=3),
         Shape("lines", diameters, 0, width=1.5),
         Shape("dot", contact[:, None], 1, width=4),
-        *force_shapes(notes, student, states, size=disk["radius"], origin=(0.0, 0.0, 0.0), **known),
+        *force_shapes(notes, student, states, size=disk["radius"], origin=(0.0, 0.0, 0.0), **parameters),
     ]
     return Scene(
         "Rolling disk",
@@ -77,16 +77,16 @@ def film(student: Student, disk: Mapping[str, Any], start: Sequence[float], seco
 def _live(student: Student, disk: Mapping[str, Any], start: Sequence[float], still: list[Shape]) -> Live:
     energy = student.function("energy")
 
-    def panels(states: Any, known: Mapping[str, Any]) -> list[Panel]:
+    def panels(states: Any, parameters: Mapping[str, Any]) -> list[Panel]:
         x, y, yaw, tilt, roll = states[:, :5].T
         contact = np.column_stack([x, y, 0 * x])
         ahead = np.column_stack([np.cos(yaw), np.sin(yaw), 0 * yaw])
         up = np.column_stack([-np.sin(yaw) * np.cos(tilt), np.cos(yaw) * np.cos(tilt), np.sin(tilt)])
-        centre = contact + known["radius"] * up
-        one, other = known["radius"] * ahead, known["radius"] * up
+        centre = contact + parameters["radius"] * up
+        first, other = parameters["radius"] * ahead, parameters["radius"] * up
         c, s = np.cos(roll)[:, None], np.sin(roll)[:, None]
-        spokes = [c * one + s * other, c * other - s * one]
-        rim = circle(centre, one, other, SIDES + 1)
+        spokes = [c * first + s * other, c * other - s * first]
+        rim = circle(centre, first, other, SIDES + 1)
         ends = [centre + sign * spoke for spoke in spokes for sign in (1.0, -1.0)]
         shapes = [
             *still,
@@ -98,15 +98,15 @@ def _live(student: Student, disk: Mapping[str, Any], start: Sequence[float], sti
         ]
         return [Panel(shapes)]
 
-    def top(state: Any, *, radius: Any, **known: Any) -> list[Any]:
+    def top(state: Any, *, radius: Any, **parameters: Any) -> list[Any]:
         x, y, yaw, tilt = state[:4]
         across = 2 * radius * np.cos(tilt)
         return [x - across * np.sin(yaw), y + across * np.cos(yaw), 2 * radius * np.sin(tilt)]
 
-    def grab(place: Any, state: Any, **known: Any) -> list[Any]:
+    def grab(point: Any, state: Any, **parameters: Any) -> list[Any]:
         x, y, yaw = state[:3]
-        aside = (y - place[1]) * -np.cos(yaw) + (x - place[0]) * np.sin(yaw)
-        return [x, y, yaw, np.arctan2(place[2], aside), *state[4:]]
+        aside = (y - point[1]) * -np.cos(yaw) + (x - point[0]) * np.sin(yaw)
+        return [x, y, yaw, np.arctan2(point[2], aside), *state[4:]]
 
     return Live(
         student.function("euler_state_derivative"), disk, STATE, start, panels, [Handle(top, grab)], {"energy": energy}
@@ -127,6 +127,6 @@ def _tilt(student: Student, times: Array, states_by_angles: Array, frame: Array,
     shown = plot_samples(times)
     off = np.linalg.norm(states[:, :3] - frame[:, -1].mean(axis=1), axis=1)[shown]
     largest = float(off.max()) / disk["radius"]
-    note = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.2g} of the radius"
+    caption = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.2g} of the radius"
     tilt = {"": np.degrees(states_by_angles[shown, 3])}
-    return value_plot("tilt", times[shown], tilt, "°", f"by matrices and by Euler angles: {note}", largest > LARGE)
+    return value_plot("tilt", times[shown], tilt, "°", f"by matrices and by Euler angles: {caption}", largest > LARGE)

@@ -101,9 +101,9 @@ def _areas(times: Array, orbit: Array, newton: Array, states: Array) -> Any:
     shown = plot_samples(times)
     swept = {name: _swept(path)[shown] for name, path in {"attracted": orbit, "polygon": newton}.items()}
     rate = float(states[0, 0] * states[0, 3] - states[0, 1] * states[0, 2]) / 2
-    whole = abs(rate) * times[-1] or 1.0
+    total = abs(rate) * times[-1] or 1.0
     off = {name: area - rate * times[shown] for name, area in swept.items()}
-    return drift_plot("area swept, less equal areas", times[shown], off, whole, "all of it")
+    return drift_plot("area swept, less equal areas", times[shown], off, total, "all of it")
 
 
 def _swept(path: Array) -> Array:

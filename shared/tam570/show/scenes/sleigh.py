@@ -32,21 +32,21 @@ def film(rates: Any, energy: Any, parameters: Mapping[str, float], start: Sequen
     """Speed and yaw rate grow together: the same motion faster."""
     times = frame_times(seconds)
 
-    def one(speed: float) -> Scene:
+    def scene_at(speed: float) -> Scene:
         share = speed / start[3] if start[3] else 1.0
         begin = (*start[:3], speed, share * start[4])
         states = solve(rates, times, begin, parameters=parameters, rtol=1e-8)
         return _one(times, states, energy, parameters)
 
     speeds = [share * start[3] for share in SHARES] if start[3] else []
-    return with_slider(one, "push", "m/s", speeds, start[3])
+    return with_slider(scene_at, "push", "m/s", speeds, start[3])
 
 
 def _one(times: Array, states: Array, energy: Any, parameters: Mapping[str, float]) -> Scene:
     blade, (c, s) = states[:, :2], (np.cos(states[:, 2]), np.sin(states[:, 2]))
-    ahead, left = np.column_stack([c, s]), np.column_stack([-s, c])
+    ahead, sideways = np.column_stack([c, s]), np.column_stack([-s, c])
     size = parameters["offset"] or sqrt(parameters["inertia"] / parameters["mass"])
-    outline = blade[:, None] + size * (OUTLINE[:, :1] * ahead[:, None] + OUTLINE[:, 1:] * left[:, None])
+    outline = blade[:, None] + size * (OUTLINE[:, :1] * ahead[:, None] + OUTLINE[:, 1:] * sideways[:, None])
     edge = blade[:, None] + np.array([[-0.3], [0.3]]) * size * ahead[:, None]
     shapes = [
         Shape("trail", blade[:, None], 2, "path of the blade", width=2),
@@ -104,6 +104,6 @@ def _phase_plane(states: Array, parameters: Mapping[str, float]) -> list[Shape]:
 def _turn(times: Array, states: Array, parameters: Mapping[str, float]) -> TimePlot:
     offset = parameters["offset"]
     turned = np.degrees(states[:, 2] - states[0, 2])
-    whole = 180.0 * _gyration(parameters) / abs(offset) if offset else float("inf")
-    note = f"at most pi k/offset = {whole:.4g} degrees" if offset else "G at the blade: it turns for ever"
-    return value_plot("turned", times, {"": turned}, "degrees", note)
+    total = 180.0 * _gyration(parameters) / abs(offset) if offset else float("inf")
+    caption = f"at most pi k/offset = {total:.4g} degrees" if offset else "G at the blade: it turns for ever"
+    return value_plot("turned", times, {"": turned}, "degrees", caption)

@@ -16,20 +16,20 @@ WHEEL = 0.3  # m
 
 def film(by_one_point: Any, parameters: Mapping[str, Any]) -> Scene:
     """What cannot brake without lifting an axle is a note."""
-    found: dict[str, tuple[float, float, float]] = {}
+    result: dict[str, tuple[float, float, float]] = {}
     notes = []
     for locked in LOCKED:
         try:
-            found[locked] = by_one_point(**{**parameters, "locked": locked})
+            result[locked] = by_one_point(**{**parameters, "locked": locked})
         except ValueError as error:
             if locked == parameters["locked"]:
                 raise
             notes.append(f"{locked} locked: {error}")
-    slowest = min(d for d, _, _ in found.values())
+    slowest = min(d for d, _, _ in result.values())
     times = frame_times(min(1.2 * SPEED / slowest, 10.0) if slowest else 5.0)
-    panels = [Panel(_car(times, motion, parameters, locked), f"locked: {locked}") for locked, motion in found.items()]
+    panels = [Panel(_car(times, motion, parameters, locked), f"locked: {locked}") for locked, motion in result.items()]
     shown = plot_samples(times)
-    speeds = {f"locked: {locked}": np.maximum(SPEED - d * times[shown], 0.0) for locked, (d, _, _) in found.items()}
+    speeds = {f"locked: {locked}": np.maximum(SPEED - d * times[shown], 0.0) for locked, (d, _, _) in result.items()}
     return Scene(
         "Stopping car",
         "Cars brake side by side from one speed, with the front wheels, the rear wheels, or both locked. Arrows show "

@@ -50,10 +50,12 @@ def tops(
     except ValueError:  # too slow a spin
         rates, title = [], "too slow for steady precession"
     steadily = [motion(times, (0.0, tilt, 0.0, W, 0.0, spin - W * np.cos(tilt))) for W in rates]
-    precessing = [part for color, one in enumerate(steadily) for part in _top(one, color, ("slow", "fast")[color])]
+    precessing = [
+        part for color, states in enumerate(steadily) for part in _top(states, color, ("slow", "fast")[color])
+    ]
     shown = plot_samples(times)
     changes = {name.replace("_", " "): _shares(law, free[shown]) for name, law in laws.items()}
-    note, alarm = drift_note(changes, 1.0, "energy and both momenta")
+    caption, alarm = drift_note(changes, 1.0, "energy and both momenta")
     return Scene(
         "Heavy top",
         "One top three times. Let go at rest it nods, and the end of its axis draws cusps. Started as it should be it "
@@ -66,7 +68,7 @@ def tops(
         ],
         [
             value_plot("let go: tilt", times[shown], {"": np.degrees(free[shown, 1])}, "°", least=90.0),
-            value_plot("let go: precession", times[shown], {"": free[shown, 3]}, "rad/s", note, alarm),
+            value_plot("let go: precession", times[shown], {"": free[shown, 3]}, "rad/s", caption, alarm),
         ],
         view=(0.5, 0.3),
         still_time=0.5,

@@ -30,16 +30,16 @@ def film(rates: Any, rigid: Any, parameters: Mapping[str, Any], start: Sequence[
     body = rigid(times, start, **parameters)
     stiffness = parameters["stiffness"]
 
-    def one(value: float) -> Scene:
+    def scene_with(value: float) -> Scene:
         states = solve(rates, times, start, parameters={**parameters, "stiffness": value}, rtol=1e-6)
         return _one(times, states, body, parameters["bars"])
 
-    return with_slider(one, "stiffness", "N/m", [share * stiffness for share in SHARES], stiffness)
+    return with_slider(scene_with, "stiffness", "N/m", [share * stiffness for share in SHARES], stiffness)
 
 
 def _one(times: Array, states: Array, body: Array, bars: Sequence[Sequence[int]]) -> Scene:
     half = states.shape[1] // 2
-    particles, rigid = (one[:, :half].reshape(len(times), -1, 2) for one in (states, body))
+    particles, rigid = (history[:, :half].reshape(len(times), -1, 2) for history in (states, body))
     ends = np.ravel(bars)
     shapes = [
         Shape("lines", rigid[:, ends], GREY, "rigid body", width=7, faint=True),
