@@ -1,47 +1,52 @@
 """How fast submissions are graded, and what of the time is the students' own; beside nbgrader where it is asked for.
 
-    python benchmarks/grading.py                    200 submissions of each assignment named, on all cores
+    python benchmarks/grading.py                    60 submissions of each assignment, on all cores
     python benchmarks/grading.py --quick            20 of each
     python benchmarks/grading.py --peers nbgrader   the same functions and tests as a notebook, graded by nbgrader
+    python benchmarks/grading.py --cost             what one submission costs, and whom, one job, without a class
 
-Prints a table and, with --peers, writes results/grading.json. Times of one run on one machine; compare them with each
-other.
+Prints a table; --peers writes results/grading.json, --cost results/grading_cost.json. Times of one run on one machine;
+compare them with each other.
 """
 
 import argparse
-import contextlib
+import collections
 import os
 import resource
+import statistics
 import subprocess
 import sys
 import tempfile
-import threading
 import time
 from pathlib import Path
 
+import numpy as np
 import record
 from tqdm import tqdm
 
 from tam570_grader.checks import assignments
 from tam570_grader.grading.batch import RunConfig, records
 from tam570_grader.grading.submissions import submissions
+from tam570_grader.grading.supervisor import GradeTask, WorkerConfig, result
 from tam570_grader.sandbox.launch import isolation
+from tam570_grader.sandbox.pool import sandboxes
 from tam570_grader.sandbox.process import SandboxProcess
-from tam570_grader.sandbox.replies import imported
+from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.zygote import ResourceLimits
 
 RESULTS = record.RESULTS / "grading.json"
 COURSE = assignments.find(Path(__file__).parents[1])
-CLASSES = {  # what everybody in the class hands in
-    "hw08_axis_angle": "solutions/hw08_axis_angle.py",
-    "hw07_double_pendulum": "autograder/checks/hw07_double_pendulum/alternatives/rk45_and_lists.py",
-    "hw14_rolling_disk": "solutions/hw14_rolling_disk.py",
-}
+SLUGS = assignments.slugs(COURSE)
+WORKS = {"stub": "assignments/{0}/{0}.py", "solution": "solutions/{0}.py"}  # what everybody in a class hands in
+
+
+def work(slug, kind="solution"):
+    return COURSE / WORKS[kind].format(slug)
 
 
 def class_of(slug, count, folder):
     """A class that hands in the same work, with a number in it so that no two are alike."""
-    text = (COURSE / CLASSES[slug]).read_text()
+    text = work(slug).read_text()
     for n in range(count):
         path = folder / f"s{n:03}" / slug / f"{slug}.py"
         path.parent.mkdir(parents=True)
@@ -49,70 +54,92 @@ def class_of(slug, count, folder):
     return folder
 
 
-class Stopwatch:
-    """Time that the grader waits for the replies to calls, the students' own; and the most memory at any look."""
+class Counter:
+    """What crosses the boundary of the sandbox: round trips, replies, calls, simulations, time that we wait for it."""
 
     def __init__(self):
-        self.waited, self.memory = 0.0, 0.0
-        self._over = threading.Event()
-        self._receive = SandboxProcess.receive
+        self.waited, self.count = 0.0, collections.Counter()
 
     def __enter__(self):
-        def receive(process, form):
-            started = time.perf_counter()
-            reply = self._receive(process, form)
-            if form is not imported:  # the import, which we count as ours
-                self.waited += time.perf_counter() - started
-            return reply
-
-        SandboxProcess.receive = receive
-        threading.Thread(target=self._look).start()
+        self._before = {name: (owner, getattr(owner, name)) for owner, name in WATCHED}
+        for name, (owner, method) in self._before.items():
+            setattr(owner, name, _passing(getattr(self, f"_{name}"), method))
         return self
 
     def __exit__(self, *exception):
-        SandboxProcess.receive = self._receive
-        self._over.set()
+        for name, (owner, method) in self._before.items():
+            setattr(owner, name, method)
 
-    def _look(self):
-        while not self._over.wait(0.5):
-            self.memory = max(self.memory, memory())
+    def _send(self, process, method, request):
+        self.count["round trips"] += 1
+        return method(process, request)
+
+    def _receive(self, process, method, form):
+        started = time.perf_counter()
+        try:
+            return method(process, form)
+        finally:
+            self.waited += time.perf_counter() - started
+
+    def _replies(self, student, method, name, calls, *args, **more):
+        self.count["calls"] += len(calls)
+        if student.takes(name).startswith("t, "):
+            self.count["simulations"] += sum(np.ndim(call.args[0]) == 1 for call in calls)
+        return method(student, name, calls, *args, **more)
+
+    def _leave(self, student, method):
+        self.student = student.seconds()
+        return method(student)
+
+
+def _passing(look, method):
+    return lambda *args, **named: look(args[0], method, *args[1:], **named)
+
+
+WATCHED = (SandboxProcess, "send"), (SandboxProcess, "receive"), (Student, "replies"), (Student, "leave")
+
+
+def cost(slug, kind, count):
+    """What a submission costs, the references at hand: medians of so many, in ms, and counts of one."""
+    source = Source(work(slug, kind).read_bytes())
+    task = GradeTask(COURSE, kind, slug, 570, source, conditions=WorkerConfig(ResourceLimits(), (COURSE,)))
+    with sandboxes():
+        with Counter() as counter:
+            done = result(task)
+        counts = {name: counter.count[name] for name in ("round trips", "calls", "simulations")}
+        times = [_timed(task) for _ in range(count)]
+    assert done.score == (done.max_score if kind == "solution" else 0)
+    wall, ours, waited = (1000 * statistics.median(column) for column in zip(*times, strict=True))
+    student = 1000 * counter.student  # its import too
+    times = {"wall": wall, "ours": ours, "waited": waited, "student": student}
+    return {"assignment": slug, "work": kind, **times, **counts}
+
+
+def _timed(task):
+    """Seconds on the wall, of our processor, and of waiting for the sandbox, of one submission."""
+    with Counter() as counter:
+        wall, ours = time.perf_counter(), time.thread_time()
+        result(task)
+        return time.perf_counter() - wall, time.thread_time() - ours, counter.waited
 
 
 def graded(slug, count, jobs):
-    """Seconds, students' share and peak memory of grading a class."""
-    watch = Stopwatch() if jobs == 1 else contextlib.nullcontext()  # its looks would be the head's own time
-    with tempfile.TemporaryDirectory() as folder, watch:
+    """Seconds of grading a class, and of the process that hands out."""
+    with tempfile.TemporaryDirectory() as folder:
         found = submissions([class_of(slug, count, Path(folder))], [slug])
         config = RunConfig(COURSE, found, 570, jobs, ResourceLimits(), [COURSE])
         started, head = time.perf_counter(), head_seconds()
         done = list(tqdm(records(config), total=count, desc=slug, leave=False, disable=None))
         seconds, head = time.perf_counter() - started, head_seconds() - head
     assert all(record["score"] == record["max_score"] for record in done)
-    if jobs == 1:  # all in this process
-        spent = sum(record["seconds"] for record in done)
-        more = {"ours": 1 - watch.waited / spent, "mib_a_job": watch.memory}
-    else:
-        more = {"head_seconds_each": head / count}
     return {
         "grader": f"tam570-grader, {isolation()}, {jobs} jobs",
         "assignment": slug,
         "submissions": count,
         "seconds": seconds,
         "seconds_each": seconds / count,
-        **more,
+        **({"head_seconds_each": head / count} if jobs > 1 else {}),  # of one job it is all but the sandbox
     }
-
-
-def memory():
-    """Return the MiB of this process and its descendants, what they share counted once (Linux)."""
-    family, total = {os.getpid()}, 0
-    for pid in sorted(int(path.name) for path in Path("/proc").glob("[0-9]*")):  # parents first
-        with contextlib.suppress(OSError):
-            parent = int(Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[1])
-            if pid in family or parent in family:
-                family.add(pid)
-                total += int(Path(f"/proc/{pid}/smaps_rollup").read_text().split("Pss:")[1].split()[0])
-    return total / 1024
 
 
 def head_seconds():
@@ -131,10 +158,17 @@ def told_of_jobs(slug, runs):
             print(f"{slug:22} {jobs} jobs: {faster:.2f} times as fast as 1 job; no number of jobs: {bound:.0f} times")
 
 
+def told_of_peers(slug, runs, rows):
+    """How many times as fast as nbgrader the run with the most jobs is."""
+    ours = runs[max(runs)]["seconds_each"]
+    for row in rows:
+        if (row["assignment"], row["grader"]) == (slug, "nbgrader"):
+            print(f"{slug:26} {row['seconds_each'] / ours:.1f} times as fast as nbgrader")
+
+
 def one_file(slug):
     """Seconds from the command to the result of one file, the best of five."""
-    work = str(COURSE / CLASSES[slug])
-    command = [sys.executable, "-m", "tam570_grader.cli", "grade", work, "--assignment", slug]
+    command = [sys.executable, "-m", "tam570_grader.cli", "grade", str(work(slug)), "--assignment", slug]
     times = []
     for _ in range(5):
         started = time.perf_counter()
@@ -182,7 +216,7 @@ def _notebook(path, slug):
     import nbformat
     from nbformat.v4 import new_code_cell, new_notebook
 
-    solution = (COURSE / CLASSES[slug]).read_text()
+    solution = work(slug).read_text()
     tests = (COURSE / "assignments" / slug / f"test_{slug}.py").read_text()
     plain = tests.replace(f"import {slug} as hw", "import types\nhw = types.SimpleNamespace(**globals())")
     calls = "\n".join(
@@ -199,15 +233,30 @@ def _notebook(path, slug):
     nbformat.write(new_notebook(cells=cells, metadata=kernel), path)
 
 
+def costs(slugs, count):
+    """Print and write what submissions cost."""
+    rows = [cost(slug, kind, count) for slug in tqdm(slugs, leave=False, disable=None) for kind in WORKS]
+    print("ms a submission: on the wall, ours (processor), waited; student (processor, import too); then counts")
+    for row in rows:
+        times = "".join(f"{row[name]:9.1f}" for name in ("wall", "ours", "waited", "student"))
+        counts = "".join(f"{row[name]:6}" for name in ("round trips", "calls", "simulations"))
+        print(f"{row['assignment']:26} {row['work']:9}{times}{counts}")
+    record.write(RESULTS.with_name("grading_cost.json"), rows=rows)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--assignments", nargs="+", choices=list(CLASSES), default=list(CLASSES))
-    parser.add_argument("--submissions", type=int, default=200)
+    parser.add_argument("--assignments", nargs="+", choices=SLUGS, default=SLUGS)
+    parser.add_argument("--submissions", type=int, default=60)
     parser.add_argument("--jobs", type=int, nargs="+", default=[os.cpu_count()], help="one run for each, in turn")
     parser.add_argument("--quick", action="store_true", help="20 submissions")
     parser.add_argument("--peers", nargs="*", choices=["nbgrader"], default=[])
+    parser.add_argument("--cost", action="store_true", help="what one submission costs")
     options = parser.parse_args()
     count = 20 if options.quick else options.submissions
+    if options.cost:
+        costs(options.assignments, min(count, 5))
+        return
     rows, runs = [], {}
     for slug in options.assignments:
         runs[slug] = {jobs: graded(slug, count, jobs) for jobs in options.jobs}
@@ -215,13 +264,13 @@ def main():
         rows += [nbgrader(slug, 10) for _ in options.peers]
     for row in rows:
         head = f"{row['head_seconds_each'] * 1000:.2f} ms of the head each" if "head_seconds_each" in row else ""
-        ours = f"{row['ours']:6.0%} outside student code, {row['mib_a_job']:.0f} MiB a job" if "ours" in row else ""
         print(
-            f"{row['assignment']:22} {row['grader']:46} {row['submissions']:4} in {row['seconds']:7.2f} s"
-            f" {row['seconds_each'] * 1000:8.1f} ms each {head} {ours}"
+            f"{row['assignment']:26} {row['grader']:46} {row['submissions']:4} in {row['seconds']:7.2f} s"
+            f" {row['seconds_each'] * 1000:8.1f} ms each {head}"
         )
     for slug, its_runs in runs.items():
         told_of_jobs(slug, its_runs)
+        told_of_peers(slug, its_runs, rows)
     if options.peers and not options.quick:
         record.write(RESULTS, rows=rows)
 
