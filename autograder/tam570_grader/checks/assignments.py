@@ -15,7 +15,7 @@ from typing import Any
 
 import tam570
 from tam570_grader.checks.assignment import Assignment
-from tam570_grader.checks.check import Check
+from tam570_grader.checks.check import Check, draw_once
 from tam570_grader.checks.effort import Finder
 from tam570_grader.checks.figures import Figure
 from tam570_grader.checks.returns import ReturnSpec
@@ -225,6 +225,8 @@ def _checks(folder: Path) -> ModuleType:
     for loaded in [key for key in sys.modules if key == name or key.startswith(f"{name}.")]:
         del sys.modules[loaded]
     sys.modules[name] = package
+    if (folder / "cases.py").exists():
+        draw_once(importlib.import_module(f"{name}.cases"))
     return importlib.import_module(f"{name}.checks")
 
 

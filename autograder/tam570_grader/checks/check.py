@@ -11,14 +11,16 @@ is a random generator that belongs to the check and is the same for every studen
 """
 
 import functools
+import inspect
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from types import ModuleType
 from typing import Any, TypeVar
 
 import numpy as np
 
-__all__ = ["Check", "Memory", "check", "needed", "once"]
+__all__ = ["Check", "Memory", "check", "draw_once", "needed", "once"]
 
 T = TypeVar("T")
 MOST_KNOWN = 64  # values that `once` keeps; with inputs of its own for each student a run makes thousands
@@ -37,7 +39,9 @@ class Memory:
     def value(self, key: Any, compute: Callable[[], Any]) -> Any:
         """The value of this key; what is returned is shared, and not to be changed."""
         with self._lock:
-            if key not in self._known:
+            if key in self._known:
+                self._known[key] = self._known.pop(key)  # behind those that nobody has asked for since
+            else:
                 value = self._known[key] = compute()
                 self._held += self._size(value)
                 while self._held > self._most and len(self._known) > 1:
@@ -94,7 +98,7 @@ def needed(after: Check | Sequence[Check]) -> tuple[Check, ...]:
 
 
 def once(compute: Callable[..., T], most: int = MOST_KNOWN) -> Callable[..., T]:
-    """Compute `compute(rng, ...)` a single time a run, however many students are graded.
+    """Compute `compute(rng, ...)` a single time a run, however many students are graded; a list of what it yields.
 
     The generator is left as the computation left it, so a check draws the same numbers with and without it.
     What is returned is shared between students: do not change it. `most` is how many values are kept.
@@ -103,9 +107,28 @@ def once(compute: Callable[..., T], most: int = MOST_KNOWN) -> Callable[..., T]:
 
     @functools.wraps(compute)
     def remembered(rng: np.random.Generator, *args: Any, **named: Any) -> T:
-        computed = functools.partial(compute, rng, *args, **named)
+        def computed() -> tuple[Any, Any]:
+            value = compute(rng, *args, **named)
+            return list(value) if isinstance(value, Iterator) else value, rng.bit_generator.state
+
         key = (repr(rng.bit_generator.state), *args, *named.items())
-        value, rng.bit_generator.state = known.value(key, lambda: (computed(), rng.bit_generator.state))
+        value, rng.bit_generator.state = known.value(key, computed) if _is_hashable(key) else computed()
         return value  # type: ignore[no-any-return]
 
     return remembered
+
+
+def _is_hashable(key: Any) -> bool:
+    try:
+        hash(key)
+    except TypeError:
+        return False
+    return True
+
+
+def draw_once(module: ModuleType) -> None:
+    """Make every function of a module whose first argument is `rng` draw its cases a single time a run."""
+    for name, value in list(vars(module).items()):
+        is_its_own = inspect.isfunction(value) and value.__module__ == module.__name__
+        if is_its_own and inspect.getfullargspec(value).args[:1] == ["rng"]:
+            setattr(module, name, once(value))

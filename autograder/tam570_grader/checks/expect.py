@@ -31,6 +31,7 @@ __all__ = [
     "expect_that",
     "fail",
     "check_context",
+    "distance",
 ]
 
 NEAR_MISS = 10  # limits: wrong physics lies further off, a loose tolerance is often nearer
@@ -65,6 +66,11 @@ class CheckContext:
     aside: Callable[[], AbstractContextManager[None]] = nullcontext  # in which calls are made that choose the words
     examples: list[dict[str, Any]] | None = None  # what is compared is noted here, call by call, if it is a list
 
+    @property
+    def listens(self) -> bool:
+        """Whether each comparison is to be told of."""
+        return self.recorder is not None or self.examples is not None
+
     def note(self, function: Any, case: Case, member: int | None, columns: Any, expected: Any, **limits: Any) -> None:
         """Note what a result of a student's function is compared with, for the examples that students have."""
         if self.examples is not None:
@@ -98,7 +104,7 @@ _current: ContextVar[CheckContext] = ContextVar("trial")
 
 def get_context() -> CheckContext:
     """The trial that is running; one of its own for a check that is called by hand."""
-    return _current.get(CheckContext())
+    return _current.get(None) or CheckContext()
 
 
 @contextmanager
@@ -141,7 +147,7 @@ def expect(
     keeps    : `kept(...)`, asked for on failure: what becomes of an invariant along the student's motion
     """
     actual, expected = np.asarray(actual, float), np.asarray(expected, float)
-    errors = _off(actual, expected) / scale
+    errors = distance(actual, expected) / scale
     worst = int(np.argmax(errors)) if errors.size else 0  # the first NaN, if there is one
     error = float(errors.flat[worst]) if errors.size else np.nan
     if recorder := get_context().recorder:
@@ -197,8 +203,8 @@ def _in_limits(error: float, tolerance: float) -> float:
     return error / tolerance if tolerance else np.inf if error else 0.0
 
 
-def _off(actual: Any, expected: Any) -> Any:
-    """Zero where both are infinite: infinity may be right."""
+def distance(actual: Any, expected: Any) -> Any:
+    """The size of the difference; zero where both are infinite: infinity may be right."""
     with np.errstate(invalid="ignore"):
         return np.where(actual == expected, 0.0, np.abs(actual - expected))
 

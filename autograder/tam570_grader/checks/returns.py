@@ -38,6 +38,7 @@ __all__ = [
     "group",
     "number",
     "result",
+    "results_alike",
     "rows",
 ]
 
@@ -176,6 +177,26 @@ def result(returns: Array | Group | FreeBodyDiagram, value: Any, name: str, call
     if not np.isfinite(found).all() and (not returns.infinite or np.isnan(found).any()):
         raise Failed(f"{name} returned NaN or infinity", actual=found)
     return found if found.ndim else float(found)
+
+
+def results_alike(returns: ReturnSpec, values: Sequence[Any]) -> list[Any] | None:
+    """The results of several calls, as `result` makes each, where all are as promised; None where one may not be."""
+    if isinstance(returns, Group):
+        if not all(_is_sequence(value) and len(value) == len(returns.members) for value in values):
+            return None
+        members = [results_alike(*pair) for pair in zip(returns.members, zip(*values, strict=True), strict=False)]
+        return None if not values or any(one is None for one in members) else list(zip(*members, strict=True))
+    if not values or not isinstance(returns, Array) or "n" in returns.shape:
+        return None
+    try:
+        found = np.array(values)
+    except ValueError:  # they differ in shape
+        return None
+    if found.dtype.kind not in "fiub" or not _fits(found.shape[1:], returns.shape):
+        return None
+    if np.isnan(found).any() if returns.infinite else not np.isfinite(found).all():
+        return None
+    return list(found.astype(np.float64)) if returns.shape else found.astype(np.float64).tolist()
 
 
 def _members(returns: Group, value: Any, name: str, call: Case) -> tuple[Any, ...]:

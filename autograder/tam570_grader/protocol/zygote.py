@@ -25,7 +25,7 @@ from .answer import answer, error_report, seed_generators
 from .cells import plain_cells, python, statements
 from .load import compiled, load
 from .refusals import program
-from .wire import packed, unpacked
+from .wire import packed, stacked, unpacked
 
 __all__ = ["main"]
 
@@ -152,18 +152,26 @@ def _loaded(request: dict[str, Any]) -> Any:
 def _answer_all(module: Any, request: dict[str, Any]) -> None:
     """One reply for each call; after an error the rest is not computed, unless every one is asked for.
 
-    Replies to quick calls travel together.
+    Replies to quick calls travel in one message, results alike as one array.
     """
-    unsent, sent = bytearray(), time.monotonic()
+    unsent, sent = list[dict[str, Any]](), time.monotonic()
     for args, kwargs in request["calls"]:
         reply = answer(module, request, [_own(arg) for arg in args], {key: _own(arg) for key, arg in kwargs.items()})
-        unsent += _framed(reply)
+        unsent.append(reply)
         if "error" in reply and not request.get("every"):
             break
         if time.monotonic() - sent > HOLD:
-            _write(unsent)
-            unsent, sent = bytearray(), time.monotonic()
-    _write(unsent)
+            _send(_together(unsent))
+            unsent, sent = [], time.monotonic()
+    if unsent:
+        _send(_together(unsent))
+
+
+def _together(replies: list[dict[str, Any]]) -> dict[str, Any]:
+    """A message of several replies."""
+    good = all(reply.get("changed") is False for reply in replies)
+    values = stacked([reply["value"] for reply in replies]) if good else None
+    return {"replies": replies} if values is None else {"values": values}
 
 
 def _own(argument: Any) -> Any:
@@ -190,16 +198,8 @@ def _exactly(size: int) -> bytes:
 
 
 def _send(reply: dict[str, Any]) -> None:
-    _write(_framed(reply))
-
-
-def _framed(reply: dict[str, Any]) -> bytes:
     data = packed(reply)
-    return LENGTH.pack(len(data)) + data
-
-
-def _write(data: bytes | bytearray) -> None:
-    unsent = memoryview(data)
+    unsent = memoryview(LENGTH.pack(len(data)) + data)
     while unsent:
         unsent = unsent[os.write(jail.CHANNEL, unsent) :]
 

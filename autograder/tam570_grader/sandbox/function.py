@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass, replace
+from itertools import repeat
 from typing import Any, Protocol
 
 import numpy as np
@@ -12,7 +13,7 @@ from tam570.formulas import REMEDIES
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed, NotWritten, get_context
 from tam570_grader.checks.plots import readable
-from tam570_grader.checks.returns import Drawing, Formula, FreeBodyDiagram, result
+from tam570_grader.checks.returns import Drawing, Formula, FreeBodyDiagram, result, results_alike
 from tam570_grader.sandbox.imports import misdeed, misused, python_class
 from tam570_grader.sandbox.replies import error_of, strings
 
@@ -63,21 +64,28 @@ class Function:
         return self.many([Case(*args, **kwargs)])[0]
 
     def each(self, calls: Iterable[Case]) -> Iterator[tuple[Case, Any]]:
-        """Every call with its result; the one at hand is the trial's case, for what `expect` says of it.
-
-        Of a formula the value, where the call's keywords are the symbols.
-        """
+        """Every call with its result; the one at hand is the trial's case, for what `expect` says of it."""
         calls = list(calls)
-        symbolic = isinstance(self.returns, Formula)
-        results = self.at([call.kwargs for call in calls]).tolist() if symbolic else self.many(calls)
-        for call, found in zip(calls, results, strict=True):
+        for call, found in zip(calls, self.many(calls), strict=True):
             get_context().judge(self.name, call)
             yield call, found
 
     def many(self, calls: Sequence[Case]) -> list[Any]:
-        """The results of many calls, made in one round trip."""
+        """The results of many calls, made in one round trip.
+
+        Of a formula the values, where the calls' keywords are the symbols.
+        """
+        if isinstance(self.returns, Formula):
+            return list(self.at([call.kwargs for call in calls]).tolist())
+        replies = self.student.replies(self.name, calls)
+        results = results_alike(self.returns, [reply["value"] for reply in replies if reply.get("changed") is False])
+        if results is not None and len(results) == len(calls):
+            get_context().judge(self.name, calls[-1])
+            self.student.calls += map(Call, repeat(self.name), calls, results)
+            self.student.worked.add(self.name)
+            return results
         results = []
-        for call, reply in zip(calls, self.student.replies(self.name, calls), strict=False):
+        for call, reply in zip(calls, replies, strict=False):
             self.student.calls.append(Call(self.name, call, None))
             with self._judging(call):
                 self._must_be_fair(reply)

@@ -1,6 +1,7 @@
 """What comes back from a submission: replies, of which nothing is trusted.
 
     reply    {"value": ..., "changed": bool} or {"error": {"kinds": [...], "text": ..., "line": ...}}
+    message  {"replies": [reply, ...]}, or {"values": array} of calls that went well, with results alike
 
 A student's process can write any reply it likes. Each is checked by type, depth, size and number against what its mode
 promises before anything else sees it: numbers for a call, values for a formula, lines and labels for a drawing.
@@ -14,7 +15,7 @@ import numpy as np
 from tam570.formulas import REMEDIES
 from tam570_grader.checks.returns import Drawing, Line
 from tam570_grader.errors import printable
-from tam570_grader.protocol.wire import DEEPEST, Foreign
+from tam570_grader.protocol.wire import DEEPEST, MOST_DIMENSIONS, Foreign
 from tam570_grader.sandbox.process import ProcessLost
 
 __all__ = ["checked", "error_of", "imported", "strings"]
@@ -25,15 +26,27 @@ MOST_KINDS = 20  # classes of an exception
 MOST_LINES = 2000  # of a drawing: three times what is read of one
 MOST_POINTS = 2**20  # of all lines of a drawing
 MOST_SCATTERED = 10_000  # points of a scatter; of a larger one every kth: each is looked for along a path
-MOST_DIMENSIONS = 8  # of an array
 MOST_EMPTY = 10_000  # lists that an array without a number may stand for: sizes cost nothing there
 MOST_WORDS = 100  # strange symbols of a formula, functions of a module, cells of a notebook
 LONGEST_TEXT = 300  # characters of a label, of the text of an exception
 NO_ERROR: Reply = {"kinds": [], "text": "", "line": 0}
 
 
-def checked(reply: Any, mode: str) -> Reply:
-    """The reply, made of nothing but what this mode promises; else CellLost: it is not from our part of the process."""
+def checked(message: Any, mode: str, most: int = 1) -> list[Reply]:
+    """The replies of a message, `most` of them, made of nothing but what this mode promises.
+
+    Else ProcessLost: it is not from our part of the process.
+    """
+    replies = message.get("replies") if isinstance(message, dict) else None
+    if isinstance(replies, list) and 0 < len(replies) <= most:
+        return [_reply(reply, mode) for reply in replies]
+    values = message.get("values") if isinstance(message, dict) else None
+    if not isinstance(values, np.ndarray) or not values.ndim or not 0 < len(values) <= most:
+        raise ProcessLost
+    return [{"value": FORMS[mode](row), "changed": False} for row in (values.tolist() if values.ndim == 1 else values)]
+
+
+def _reply(reply: Any, mode: str) -> Reply:
     if not isinstance(reply, dict) or not isinstance(reply.get("changed", False), bool):
         raise ProcessLost
     if "error" in reply:

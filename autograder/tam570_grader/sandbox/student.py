@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 from tam570_grader.checks.assignments import LoadedAssignment
@@ -116,7 +117,7 @@ class Student:
         try:
             process.send(request([case.packed for case in calls], function=name, mode=mode, refused=refused, **more))
             while len(replies) < len(calls) and (more.get("every") or not (replies and "error" in replies[-1])):
-                replies.append(process.receive(lambda reply: checked(reply, mode)))
+                replies += process.receive(partial(checked, mode=mode, most=len(calls) - len(replies)))
                 self._must_end()
         except ProcessTimeout:
             slow = f"{name} did not return within {self._zygote.limits.call:g} s"

@@ -17,6 +17,7 @@ from typing import Any
 from tam570_grader.errors import Over
 from tam570_grader.sandbox.launch import environment, isolation, jailed_command, plain_command
 from tam570_grader.sandbox.process import ProcessLost, ProcessTimeout, SandboxProcess
+from tam570_grader.sandbox.replies import checked, imported
 
 __all__ = ["ResourceLimits", "NotConfined", "Zygote", "ZygoteLost"]
 
@@ -121,11 +122,12 @@ class Zygote:
             names = ["right", "endless"]
             load = {"source": CANARY, "notebook": False, "name": "canary", "functions": names}
             process.send({**load, "uncallable": [], "forbidden": []})
-            told = [process.receive(lambda reply: reply) for _ in range(2)]
+            for _ in range(2):
+                process.receive(imported)
             process.send({**ASKED, "function": "right", "calls": [[[1.5], {}]]})
-            told.append(process.receive(lambda reply: [*reply["value"]]))
-            as_it_must = told[2] == [1.5, 3.0]
-        except (ProcessLost, ProcessTimeout, LookupError, TypeError):
+            (reply,) = process.receive(lambda message: checked(message, "value"))
+            as_it_must = reply["value"].tolist() == [1.5, 3.0]
+        except (ProcessLost, ProcessTimeout, LookupError, AttributeError):
             as_it_must = False
         stopped = as_it_must and _is_stopped(process)
         process.end()
