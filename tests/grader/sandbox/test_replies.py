@@ -26,7 +26,8 @@ DRAWN = {
 
 
 def value(sent, mode="value"):
-    return replies.checked({"value": sent, "changed": False}, mode)["value"]
+    (reply,) = replies.checked({"replies": [{"value": sent, "changed": False}]}, mode)
+    return reply["value"]
 
 
 def nested(depth):
@@ -87,6 +88,20 @@ def test_a_drawing_has_short_labels_and_a_scatter_few_points():
     made = drawing(lines=[scatter], xlabel=r"\hspace{" * 10**6, ylabel=7)
     assert len(made.xlabel) == len(made.lines[0].label) == replies.LONGEST_TEXT and made.ylabel == ""
     assert len(made.lines[0].points) <= replies.MOST_SCATTERED
+
+
+@pytest.mark.parametrize(
+    "message", [{"replies": []}, {"replies": [{"value": 1.0}] * 3}, {"values": np.empty((2**40, 0))}]
+)
+def test_a_message_has_as_many_replies_as_calls_at_most(message):
+    with pytest.raises(ProcessLost):
+        replies.checked(message, "value", most=2)
+
+
+def test_results_alike_come_as_one_array():
+    numbers, rows = (replies.checked({"values": sent}, "value", most=2) for sent in (np.arange(2.0), np.eye(2)))
+    assert [reply["value"] for reply in numbers] == [0.0, 1.0]
+    np.testing.assert_equal([reply["value"] for reply in rows], np.eye(2))
 
 
 FORGED = """
