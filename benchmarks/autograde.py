@@ -18,7 +18,7 @@ import time
 from pathlib import Path
 
 import record
-from grading import CLASSES, COURSE, _nbgrader, _notebook, class_of
+from grading import COURSE, SLUGS, _nbgrader, _notebook, class_of
 
 from tam570_grader.nbgrader.course import run as make_course
 
@@ -148,7 +148,12 @@ def kept(rows):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--assignments", nargs="+", choices=list(CLASSES), default=list(CLASSES))
+    parser.add_argument(
+        "--assignments",
+        nargs="+",
+        choices=SLUGS,
+        default=["hw08_axis_angle", "hw07_double_pendulum", "hw14_rolling_disk"],
+    )
     parser.add_argument("--classes", nargs="+", choices=["right", "loop"], default=["right", "loop"])
     parser.add_argument("--submissions", type=int, default=20, metavar="N")
     parser.add_argument("--repeats", type=int, default=1, metavar="N")
