@@ -127,8 +127,31 @@ def _is_hashable(key: Any) -> bool:
 
 
 def draw_once(module: ModuleType) -> None:
-    """Make every function of a module whose first argument is `rng` draw its cases a single time a run."""
+    """Make a module's functions of `rng`, and those that its other functions return, draw a single time a run."""
     for name, value in list(vars(module).items()):
         is_its_own = inspect.isfunction(value) and value.__module__ == module.__name__
-        if is_its_own and inspect.getfullargspec(value).args[:1] == ["rng"]:
-            setattr(module, name, once(value))
+        if is_its_own or isinstance(value, functools.partial):
+            setattr(module, name, once(value) if _takes_rng(value) else _drawing_once(value))
+
+
+def _takes_rng(value: Any) -> bool:
+    return inspect.isfunction(value) and inspect.getfullargspec(value).args[:1] == ["rng"]
+
+
+def _drawing_once(make: Callable[..., Any]) -> Callable[..., Any]:
+    """A function whose results, where they are functions of `rng`, draw a single time a run."""
+    known = dict[Any, Any]()
+
+    @functools.wraps(make)
+    def remembered(*args: Any, **named: Any) -> Any:
+        key = (args, *named.items())
+        if not _is_hashable(key):
+            return make(*args, **named)
+        if key in known:
+            return known[key]
+        made = make(*args, **named)
+        if _takes_rng(made):
+            made = known[key] = once(made)
+        return made
+
+    return remembered

@@ -144,7 +144,7 @@ class Batch:
 
     @functools.cached_property
     def cases(self) -> list[Case]:
-        return trim_to_signature(self.reference, self.given)
+        return [_trimmed(self.reference, case) for case in self.given]
 
     @functools.cached_property
     def expected(self) -> list[Any]:
@@ -231,17 +231,17 @@ def trim_to_signature(reference: Callable[..., Any], cases: Iterable[Case]) -> l
 
     So the same cases serve functions that are given more or less of the same thing.
     """
+    return Batch.of(reference, cases).cases
+
+
+def _trimmed(reference: Callable[..., Any], case: Case) -> Case:
     known = _signature(reference).parameters
     kinds = [one.kind for one in known.values()]
-
-    def cut(case: Case) -> Case:
-        named = {name: case.kwargs[name] for name in case.kwargs if name in known or KEYWORDS in kinds}
-        places = sum(name not in named and kind is PLACED for name, kind in zip(known, kinds, strict=True))
-        args = case.args if ARGUMENTS in kinds else case.args[:places]
-        whole = len(args) == len(case.args) and len(named) == len(case.kwargs)
-        return case if whole else Case(*args, **named).labelled(case.label, case.hint)
-
-    return [cut(case) for case in cases]
+    named = {name: case.kwargs[name] for name in case.kwargs if name in known or KEYWORDS in kinds}
+    places = sum(name not in named and kind is PLACED for name, kind in zip(known, kinds, strict=True))
+    args = case.args if ARGUMENTS in kinds else case.args[:places]
+    whole = len(args) == len(case.args) and len(named) == len(case.kwargs)
+    return case if whole else Case(*args, **named).labelled(case.label, case.hint)
 
 
 _signature = functools.lru_cache(maxsize=256)(inspect.signature)
