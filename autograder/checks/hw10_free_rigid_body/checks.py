@@ -6,6 +6,7 @@ import numpy as np
 
 from tam570_grader import (
     Assignment,
+    Case,
     Column,
     Invariant,
     OwnRates,
@@ -17,6 +18,7 @@ from tam570_grader import (
     compare_trajectory,
     first_wrong,
 )
+from tam570_grader.checks.expected import expected_result
 from tam570_grader.checks.plots import along, curves_seen, exchanged, judge_axes_of_lengths, judge_boxes, path_drawn
 from tam570_grader.checks.returns import array, drawing, group, number, rows
 
@@ -389,7 +391,8 @@ def mistaken(rotations):
 def rim_paths_are_drawn(student, rng):
     for case in cases.pictures(rng):
         picture, (t, R, omega), radius = student.plot_rim_paths.drawn(case), case.args, case.kwargs["radius"]
-        _, rotations = reference.motion(np.linspace(t[0], t[-1], 801), R, omega, inertia=case.kwargs["inertia"])
+        densely = Case(np.linspace(t[0], t[-1], 801), R, omega, inertia=case.kwargs["inertia"])
+        _, rotations = expected_result(reference.motion, densely)
         paths = [radius * path for path in seen_along_x(rotations)]
         wrong_source = first_wrong(reference.motion, case, student.simulate)
         others = {message: [radius * path for path in both] for message, both in mistaken(rotations).items()}

@@ -59,6 +59,7 @@ MOST_BATCHES = 1000  # that are remembered; the fourteen assignments have some 6
 
 Array = NDArray[np.float64]
 Only = int | Sequence[int] | None
+Members = Callable[[Case, Any], Iterable[tuple[Any, ...]]]
 Reference = Callable[..., Any] | ModuleType
 
 
@@ -89,7 +90,12 @@ def compare(
     words = [describe(function, name) if one is None else one for name, one in zip(DESCRIPTIONS, said, strict=True)]
     batch = Batch.of(find_reference(reference, function), cases)
     results: list[Any] = function.many(batch.cases)
-    if not get_context().listens and batch.includes(results, words[2], tolerance, only):
+
+    def members(case: Case, right: Any) -> Iterator[tuple[Any, ...]]:
+        return ((one[0], one[2], one[5]) for one in _members(right, right, words, case, only))
+
+    scales = words[2] if isinstance(words[2], list | tuple) else [words[2]]
+    if not get_context().listens and batch.includes(results, tolerance, (str(only), *scales), members):
         return results
     for case, found, whole in batch.judged(function, results):
         for member, one, expected, what, its_unit, size in _members(found, whole, words, case, only):
@@ -133,7 +139,7 @@ class Batch:
 
     reference: Callable[..., Any]
     given: Sequence[Case]  # before they were cut; while they are held, no other case has their identity
-    _stacks: dict[Any, Any] = field(default_factory=dict)
+    _scaled: dict[Any, Any] = field(default_factory=dict)
 
     @staticmethod
     def of(reference: Callable[..., Any], cases: Iterable[Case]) -> "Batch":
@@ -156,35 +162,43 @@ class Batch:
             get_context().judge(function.name, case)
             yield case, found, expected
 
-    def includes(self, results: list[Any], scale: Any, tolerance: float, only: Only) -> bool:
-        """Whether all results, or these members of them, are within the tolerance; False where that takes a look."""
-        key = str(only), *(scale if isinstance(scale, list | tuple) else [scale])
-        if key not in self._stacks:
-            self._stacks[key] = self._stacked(scale, only)
-        return bool(self._stacks[key]) and all(
-            _is_near(results if member is None else [result[member] for result in results], right, tolerance * size)
-            for member, right, size in self._stacks[key]
+    def includes(self, results: list[Any], tolerance: float, key: Any, members: Members) -> bool:
+        """Whether all results are within the tolerance; False where that takes a look at each.
+
+        members : members(case, right result) -> (member or None, right, scale) of all that is judged
+        key     : tells it from other such functions
+        """
+        if key not in self._scaled:
+            self._scaled[key] = members, self._scales(members)  # both: what the key identifies must not end before it
+        _, scaled = self._scaled[key]
+        return scaled is not None and all(
+            _is_near(results if member is None else [one[member] for one in results], shapes, right, tolerance * sizes)
+            for member, shapes, right, sizes in scaled
         )
 
-    def _stacked(self, scale: Any, only: Only) -> list[tuple[int | None, Array, Array]]:
-        """The right results and their scales, member by member; empty where shapes differ, or a scale is infinite."""
-        pairs = zip(self.cases, self.expected, strict=True)
-        members = [[*_members(right, right, ("", "", scale), case, only)] for case, right in pairs]
-        stacks = []
-        for column in zip(*members, strict=True):
-            if len({np.shape(member[2]) for member in column}) > 1:
-                return []
-            right = np.array([member[2] for member in column], float)
-            sizes = [np.broadcast_to(member[5], right.shape[1:]) for member in column]
-            if not np.isfinite(sizes).all():
-                return []
-            stacks.append((column[0][0], right, np.array(sizes)))
-        return stacks
+    def _scales(self, members: Members) -> list[tuple[Any, ...]] | None:
+        """(member, shapes of the right results, their numbers, the scale of each); None where one is infinite."""
+        per_case = [[*members(case, right)] for case, right in zip(self.cases, self.expected, strict=True)]
+        scaled = []
+        for column in zip(*per_case, strict=True):
+            right = [np.asarray(one, float) for _, one, _ in column]
+            shapes = [one.shape for one in right]
+            numbers = _flat(right, shapes)
+            if not np.isfinite(numbers).all():
+                return None
+            sizes = [np.broadcast_to(size, shape) for (_, _, size), shape in zip(column, shapes, strict=True)]
+            scaled.append((column[0][0], shapes, numbers, _flat(sizes, shapes)))
+        return scaled
 
 
-def _is_near(found: Any, expected: Array, limits: Array) -> bool:
-    found = np.array(found)
-    return found.shape == expected.shape and bool((distance(found, expected) <= limits).all())
+def _is_near(results: Sequence[Any], shapes: Any, right: Array, limits: Array) -> bool:
+    alike = [getattr(one, "shape", ()) for one in results] == shapes
+    return alike and bool((distance(_flat(results, shapes), right) <= limits).all())
+
+
+def _flat(values: Sequence[Any], shapes: Sequence[Any]) -> Array:
+    """All numbers of the values."""
+    return np.array(values).ravel() if len(set(shapes)) == 1 else np.concatenate([np.ravel(one) for one in values])
 
 
 _batches = Memory(MOST_BATCHES)
@@ -284,11 +298,23 @@ def compare_columns(
 
     columns : left out, as `Assignment.returns` has them
     """
-    for case, found, true in call_cases(function, reference, cases):
+    columns, batch = columns or function.returns.columns, Batch.of(find_reference(reference, function), cases)
+    results = function.many(batch.cases)
+
+    def members(case: Case, right: Any) -> Iterator[tuple[Any, ...]]:
+        expected = np.asarray(right, float)
+        sizes = np.full(expected.shape, np.inf)  # of what is not compared
+        for column in columns:
+            sizes[..., column.where] = _size(column, case, expected)
+        yield None, expected, sizes
+
+    if not get_context().listens and batch.includes(results, tolerance, tuple(map(id, columns)), members):
+        return
+    for case, found, true in batch.judged(function, results):
         expected, t = np.asarray(true, float), case.args[0] if found.ndim == 2 else None
-        for column in columns or function.returns.columns:
+        for column in columns:
             one, other = found[..., column.where], expected[..., column.where]
-            size = (column.scale(case, expected) if column.scale else np.max(np.abs(other))) or 1.0
+            size = _size(column, case, expected)
             where = np.arange(expected.shape[-1])[column.where].tolist()
             limits = {"quantity": column.quantity, "scale": size, "tolerance": tolerance}
             get_context().note(function, case, None, where, other, **limits)
@@ -301,6 +327,10 @@ def compare_columns(
                 "near_miss_credit": near_miss_credit,
             }
             expect(one, other, tolerance=tolerance * size, **known)
+
+
+def _size(column: Column, case: Case, expected: Array) -> Any:
+    return (column.scale(case, expected) if column.scale else np.max(np.abs(expected[..., column.where]))) or 1.0
 
 
 def _members(found: Any, expected: Any, words: Any, case: Case, only: Only) -> Iterable[tuple[Any, ...]]:
