@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from tam570_grader import Failed, expect, get_context
 from tam570_grader.checks.case import Case
-from tam570_grader.checks.compare import trim_to_signature
+from tam570_grader.checks.compare import Batch, trim_to_signature
 from tam570_grader.checks.expect import NotWritten
 from tam570_grader.checks.expected import expected_result
 
@@ -55,14 +55,16 @@ class Equations:
 
     def asked(self, name: str) -> Array:
         """(n, 2, k) a term of the student's; Failed or NotWritten if the function gives none."""
-        results = getattr(self._student, name).many(trim_to_signature(getattr(reference, name), self._cases))
+        results = getattr(self._student, name).many(self._batch(name).cases)
         self._asked[name] = _columns(results)
         return _columns(results)
 
     def lagranges(self, name: str) -> Array:
         """(n, 2) or (n, 2, 2)"""
-        true = getattr(reference, name)
-        return np.array([expected_result(true, case) for case in trim_to_signature(true, self._cases)])
+        return np.array(self._batch(name).expected)
+
+    def _batch(self, name: str) -> Batch:
+        return Batch.of(getattr(reference, name), self._cases)
 
     def back(self, name: str, hint: str) -> tuple[Array, str]:
         """(n, 2, 2) W^-1 of the equations that a term is judged in, NaN where it is not known; and where to look."""
@@ -110,10 +112,10 @@ class Equations:
         if mine is None:
             return False
         size = getattr(self._student, name).returns.description.scale
-        scale = [size(case) for case in trim_to_signature(getattr(reference, name), self._cases)]
+        scale = self._batch(name).remembered(size, lambda: np.array([size(case) for case in self._batch(name).cases]))
         error = np.abs(back @ mine - _columns(self.lagranges(name))).max((1, 2))
         known = np.isfinite(back).all((1, 2))
-        return bool((error[known] <= self._within * np.array(scale)[known]).all())
+        return bool((error[known] <= self._within * scale[known]).all())
 
     def _term(self, name: str) -> Array | None:
         """A term of the student's; None if the function gives none."""

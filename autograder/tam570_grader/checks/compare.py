@@ -17,6 +17,7 @@ from tam570_grader.checks.expected import expected_result
 from tam570_grader.checks.returns import Description, Scale
 
 __all__ = [
+    "Batch",
     "Column",
     "Reference",
     "absolute",
@@ -139,7 +140,7 @@ class Batch:
 
     reference: Callable[..., Any]
     given: Sequence[Case]  # before they were cut; while they are held, no other case has their identity
-    _scaled: dict[Any, Any] = field(default_factory=dict)
+    _known: dict[Any, Any] = field(default_factory=dict)
 
     @staticmethod
     def of(reference: Callable[..., Any], cases: Iterable[Case]) -> "Batch":
@@ -156,6 +157,12 @@ class Batch:
     def expected(self) -> list[Any]:
         return [expected_result(self.reference, case) for case in self.cases]
 
+    def remembered(self, key: Any, compute: Callable[[], Any]) -> Any:
+        """What follows from the cases and the right results alone, computed a single time."""
+        if key not in self._known:
+            self._known[key] = compute()
+        return self._known[key]
+
     def judged(self, function: Any, results: Iterable[Any]) -> Iterator[tuple[Case, Any, Any]]:
         """Each case, while its result is judged, with the student's result and the right one."""
         for case, found, expected in zip(self.cases, results, self.expected, strict=True):
@@ -168,9 +175,8 @@ class Batch:
         members : members(case, right result) -> (member or None, right, scale) of all that is judged
         key     : tells it from other such functions
         """
-        if key not in self._scaled:
-            self._scaled[key] = members, self._scales(members)  # both: what the key identifies must not end before it
-        _, scaled = self._scaled[key]
+        # with the members, which hold what the key identifies
+        _, scaled = self.remembered(key, lambda: (members, self._scales(members)))
         return scaled is not None and all(
             _is_near(results if member is None else [one[member] for one in results], shapes, right, tolerance * sizes)
             for member, shapes, right, sizes in scaled
@@ -308,7 +314,7 @@ def compare_columns(
             sizes[..., column.where] = _size(column, case, expected)
         yield None, expected, sizes
 
-    if not get_context().listens and batch.includes(results, tolerance, tuple(map(id, columns)), members):
+    if not get_context().listens and batch.includes(results, tolerance, ("columns", *map(id, columns)), members):
         return
     for case, found, true in batch.judged(function, results):
         expected, t = np.asarray(true, float), case.args[0] if found.ndim == 2 else None

@@ -139,8 +139,7 @@ def _arrow_of(force: Force) -> Arrow:
 def complaint(body: FreeBody, arrows: Sequence[Arrow]) -> str:
     """What is wrong with a diagram; empty if it is right."""
     near = SAME * max(float(np.linalg.norm(np.asarray(force.point, float))) for force in body.forces)
-    match = _best_match(body, arrows, near)
-    if not any(match):
+    if _is_drawn(body.forces, arrows, near) or not any(match := _best_match(body, arrows, near)):
         return ""
     named = _misplaced(*match, near), _not_a_force(body, arrows, match, near), *_general(body, *match, near)
     return next(filter(None, named))
@@ -175,6 +174,16 @@ def _sketch(body: FreeBody, arrows: Sequence[Arrow]) -> dict[str, Any]:
 
 def _angle(direction: Vector) -> int:
     return round(math.degrees(math.atan2(direction[1], direction[0])) / COARSE) * COARSE
+
+
+def _is_drawn(forces: Sequence[Force], arrows: Sequence[Arrow], near: float) -> bool:
+    """Whether each force has an arrow of its own, the first that draws it, and no arrow is left."""
+    left = list(arrows)
+    for force in forces:
+        if not (drawn := next((arrow for arrow in left if force.drawn_by([arrow], near)), None)):
+            return False
+        left = [arrow for arrow in left if arrow is not drawn]
+    return not left
 
 
 Match = tuple[list[Force], list[Arrow]]  # what is missing, and the arrows that draw no force
