@@ -31,7 +31,7 @@ from tam570_grader.checks.formulas import from_own_lagrangian, in_symbols
 from tam570_grader.checks.plots import curves_seen, distances, exchanged, judge_axes_of_lengths, judge_boxes, path_drawn
 from tam570_grader.checks.returns import array, drawing, formula, group, number, rows
 from tam570_grader.checks.times import KEPT, SOME_TIMES, repeated_calls, uneven
-from tam570_grader.checks.trajectory import Invariant, OwnRates, check_conserved, compare_trajectory
+from tam570_grader.checks.trajectory import Invariant, OwnRates, check_conserved, compare_invariants, compare_trajectory
 
 if TYPE_CHECKING:
     from tam570_grader.grading.batch import RunConfig
@@ -41,6 +41,7 @@ __all__ = [
     "Assignment",
     "absolute",
     "compare_columns",
+    "compare_invariants",
     "get_context",
     "grade",
     "path_drawn",

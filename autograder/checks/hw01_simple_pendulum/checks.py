@@ -24,7 +24,6 @@ from . import cases, reference
 
 FORMULA = 1e-8  # a few roundings make 1e-15, a derivative by central differences 1e-10
 TRAJECTORY = 2e-5  # LSODA at rtol 1e-9, atol 1e-9 is off by 1.4e-6 after three periods, RK45 and DOP853 by less
-FAR = 1e-4  # the same solvers are off by 6e-6 after sixteen periods, a hundred Runge-Kutta steps for them by 0.6
 ENERGY = 1e-5  # the same solvers lose 3e-7 of it in thirty periods
 COARSELY = 0.1  # rad after thirty periods; rows from anywhere on the motion are off by one or two
 PERIOD = 1e-6  # a quadrature with a singular end, or an event of a simulation, is good to 1e-8
@@ -338,7 +337,7 @@ def period_grows_towards_the_top(student, rng):
     )
 
 
-SWING = cases.motions(cases.swing, 15, 1000, "a large swing, t[0] not 0")
+SWING = cases.motions(cases.swing, 15, 200, "a large swing, t[0] not 0")
 
 
 @check("simulate", points=0.5, part="a", line="large swings, row i at t[i], row 0 the given state.")
@@ -353,7 +352,6 @@ def simulate_swings(student, rng):
     )
 
 
-TWO_TIMES = cases.motions(cases.swing, 100, 2, "two times, many periods apart")
 SMALL_SWING = cases.motions(cases.small, 40, 2, "a small swing, two times many periods apart")
 STEPS = "A fixed number of steps, or a fixed step, does not do for every pendulum."
 LINEAR = "No swing is so small that sin theta is theta: the difference adds up."
@@ -364,7 +362,6 @@ LINEAR = "No swing is so small that sin theta is theta: the difference adds up."
 )
 def simulate_needs_no_dense_times(student, rng):
     compare_trajectory(student.simulate, reference.simulate, cases.few_times(rng), tolerance=TRAJECTORY, hint=STEPS)
-    compare_trajectory(student.simulate, reference.simulate, TWO_TIMES(rng), tolerance=FAR, hint=STEPS)
     compare_trajectory(
         student.simulate,
         reference.simulate,
@@ -403,7 +400,7 @@ def simulate_without_gravity(student, rng):
     )
 
 
-MANY = cases.motions(cases.swing, 180, 300, "many periods")
+MANY = cases.motions(cases.swing, 60, 40, "many periods")
 LOSSES = {1e-4: 0.6, 1e-2: 0.3}
 FIXED = "Tighten rtol and atol; a step of fixed length does not do for every duration."
 

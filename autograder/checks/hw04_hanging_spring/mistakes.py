@@ -185,7 +185,7 @@ def simulate(reference, t, position, velocity, **parameters):
 
 
 @mistake(
-    "Your integrator loses a little energy at every step; over ten periods it must stay.",
+    "Your integrator loses a little energy at every step; over many periods it must stay.",
     first_fails=energy_stays,
     compared=False,
     numerics=True,

@@ -14,46 +14,44 @@ UNIT = {"mass": 1.0, "length": 1.0, "gravity": 1.0}
 
 def parameters(rng, **fixed):
     """A random mass, length and gravity."""
-    known = {"mass": 10 ** rng.uniform(-1, 1), "length": 10 ** rng.uniform(-0.5, 0.8), "gravity": rng.uniform(2, 25)}
-    return {**known, **fixed}
+    random = {"mass": 10 ** rng.uniform(-1, 1), "length": 10 ** rng.uniform(-0.5, 0.8), "gravity": rng.uniform(2, 25)}
+    return {**random, **fixed}
 
 
 def states(rng):
     """Consistent states, moving and at rest, with gravity and without; of exact zeros at plain places."""
-    for label in ["a random state"] * 10 + ["a particle at rest"] * 3 + ["no gravity"] * 4:
-        known = parameters(rng, **({"gravity": 0.0} if label == "no gravity" else {}))
+    for label in ["a random state"] * 3 + ["a particle at rest"] * 2 + ["no gravity"] * 2:
+        pendulum = parameters(rng, **({"gravity": 0.0} if label == "no gravity" else {}))
         omega = rng.uniform(1, 5) * rng.choice([-1, 1]) * (label != "a particle at rest")
-        yield Case(on_circle(rng.uniform(-3, 3), omega, known["length"]), **known).labelled(label)
-    for place, (x, y) in PLACES.items():
-        pendulums = {"": parameters(rng), ", no gravity": parameters(rng, gravity=0.0), ", all parameters 1": UNIT}
-        for rest, known in pendulums.items():
-            speed = 1.0 if known is UNIT else rng.uniform(1, 5)
-            for v, how in ((speed, "moving"), (-speed, "moving"), (0.0, "at rest")):
-                state = np.array([x * known["length"], y * known["length"], -y * v, x * v])
-                yield Case(state, **known).labelled(f"a particle at {place}, {how}{rest}")
+        yield Case(on_circle(rng.uniform(-3, 3), omega, pendulum["length"]), **pendulum).labelled(label)
+    for (place, (x, y)), sign in zip(PLACES.items(), (1, -1, 1, -1), strict=True):
+        for speed, label in ((sign * rng.uniform(1, 5), "moving"), (0.0, "at rest")):
+            pendulum = parameters(rng)
+            state = np.array([x * pendulum["length"], y * pendulum["length"], -y * speed, x * speed])
+            yield Case(state, **pendulum).labelled(f"a particle at {place}, {label}")
+    at_the_right = Case(np.array([1.0, 0.0, 0.0, 1.0]), **UNIT).labelled("a particle at the right, all parameters 1")
+    yield from (at_the_right, at_the_right.replace(gravity=0.0).labelled("a particle at the right, no gravity"))
 
 
 def off_circle(rng):
     """States that are not consistent, random and on an axis, on the circle and just off it; at 1e-8 of the origin."""
-    some = [(rng.normal(size=4) * rng.uniform(0.5, 4), 10 ** rng.uniform(-0.5, 0.8)) for _ in range(12)]
-    state, length = some[0]
-    speed = math.hypot(*state[2:])
-    some += [
-        ((x * far, y * far, vx * speed, vy * speed), length)
-        for x, y in (*PLACES.values(), (0.6, -0.8))
-        for far in (length, length * (1 + 1e-7), length / 2, length * 20)
-        for vx, vy in (*PLACES.values(), (0.0, 0.0), (0.6, 0.8))
-    ]
-    some += [((*place, *state[2:]), 0.5) for place in ((3e-9, -4e-9), (0.0, 5e-9))]  # np.allclose takes them for zero
-    whole = (1.0, 0.0, 0.0, 1.0), (0.0, -2.0, 1.0, 1.0), (3.0, 4.0, 0.0, 0.0), (-3.0, 4.0, -3.0, 4.0)
-    some += [(numbers, 1.0) for numbers in whole]
-    return [Case(np.array(state), length=length).labelled(_where(state, length)) for state, length in some]
+    states = [(rng.normal(size=4) * rng.uniform(0.5, 4), 10 ** rng.uniform(-0.5, 0.8)) for _ in range(3)]
+    state, length = states[0]
+    places = *PLACES.values(), (0.6, -0.8)
+    velocities = *PLACES.values(), (0.0, 0.0), (0.6, 0.8)
+    distances = length, length * (1 + 1e-7), length / 2, length * 20
+    for i in range(12):
+        place, velocity = np.array(places[i % 5]), np.array(velocities[i % 6])
+        states.append((np.append(place * distances[i % 4], velocity * math.hypot(*state[2:])), length))
+    states += [((*place, *state[2:]), 0.5) for place in ((3e-9, -4e-9), (0.0, 5e-9))]  # np.allclose takes them for zero
+    states += [(numbers, 1.0) for numbers in ((1.0, 0.0, 0.0, 1.0), (3.0, 4.0, 0.0, 0.0), (-3.0, 4.0, -3.0, 4.0))]
+    return [Case(np.array(state), length=length).labelled(_where(state, length)) for state, length in states]
 
 
 def _where(state, length):
-    far = math.hypot(*state[:2]) / length
+    distance = math.hypot(*state[:2]) / length
     near = (0, 1e-5, "close to the origin"), (1, 1e-12, "on the circle already"), (1, 1e-6, "just off the circle")
-    return "a particle " + next((where for place, limit, where in near if abs(far - place) < limit), "off the circle")
+    return "a particle " + next((label for at, limit, label in near if abs(distance - at) < limit), "off the circle")
 
 
 def origin(rng):
@@ -62,78 +60,58 @@ def origin(rng):
     return [allowed, Case(state, length=rng.uniform(0.5, 2)).labelled("a particle at the origin")]
 
 
-# Motions: kind, angle, its rate in sqrt(g/l) or 1/s, what is not random
-STARTS: tuple[tuple[str, float, float, dict[str, float]], ...] = (
-    ("at rest, no gravity", 1.0, 0.0, {"gravity": 0.0}),
-    ("moving at the bottom, no gravity", 0.0, 1.0, {"gravity": 0.0}),
-    ("let go at rest", 1.3, 0.0, {}),
-    ("let go at rest, the rod horizontal", math.pi / 2, 0.0, {}),
-    ("let go at rest, close to the bottom", 1e-3, 0.0, {}),
-    ("let go at rest, close to the top", math.pi - 1e-3, 0.0, {}),  # it falls by e^5 times that, as an error does
-    ("at rest at the bottom", 0.0, 0.0, {}),
-    ("moving at the bottom", 0.0, 1.2, {}),
-    ("moving at the top, a rod of 2 cm", math.pi, 2.5, {"length": 0.02}),  # once round in 0.06 s or more
-    ("moving, the rod horizontal, all parameters 1", -math.pi / 2, 1.0, UNIT),
-)
+# Motions
 
 
-def pace(known):
-    return math.sqrt(known["gravity"] / known["length"]) or 1.0  # 1/s
+def pace(pendulum):
+    return math.sqrt(pendulum["gravity"] / pendulum["length"]) or 1.0  # 1/s
 
 
-def moved(rng, label, turns, count, start, known, signs=(1,)):
-    """A motion of so many turns at uneven times, which begin after t = 0, or before as well."""
-    span = turns * 2 * math.pi / pace(known)
-    t = uneven(rng, span, count, span * rng.uniform(0.2, 0.8) * rng.choice(signs))
-    theta, omega = start
-    state = on_circle(theta, omega * pace(known), known["length"])
+def motion(rng, label, turns, count, angle, rate, **fixed):
+    """A motion of so many turns at uneven times, from an angle and a rate in sqrt(g/l) or 1/s."""
+    pendulum = parameters(rng, **fixed)
+    span = turns * 2 * math.pi / pace(pendulum)
+    t = uneven(rng, span, count, span * rng.uniform(0.2, 0.8))
+    state = on_circle(angle, rate * pace(pendulum), pendulum["length"])
     state[np.abs(state) < 1e-15 * np.abs(state).max()] = 0.0  # sin pi and cos pi/2
-    return Case(t, state, **known).labelled(f"{label}, t[0] {'<' if t[0] < 0 else '>'} 0")
-
-
-def plain(rng, weight):
-    """Two or three times, from exact places, at rest or moving either way; with gravity or without."""
-    for label, theta, omega, fixed in [start for start in STARTS if (start[3].get("gravity") != 0.0) == weight]:
-        side = rng.choice([-1, 1])
-        for count, sign in ((2, side), (3, -side)):
-            known, turns = parameters(rng, **fixed), rng.uniform(0.3, 0.8)
-            start = theta * sign, omega * sign
-            yield moved(rng, f"a particle {label}, at {count} times", turns, count, start, known, (-1, 1))
-
-
-def swinging(rng, turns, count):
-    start = rng.uniform((0.8, 0.2), (2.2, 0.6)) * rng.choice([-1, 1], 2)
-    return moved(rng, "a particle that swings", turns, count, start, parameters(rng))
+    return Case(t, state, **pendulum).labelled(label)
 
 
 def with_gravity(rng):
-    round_the_top = rng.uniform((0, 2.3), 3) * rng.choice([-1, 1], 2)
-    again, far = swinging(rng, 1.8, 5), swinging(rng, 1.8, 9)
+    """A swing, with one thing changed at a time; from exact places and next to the top, before t = 0, too."""
+    angle, rate = rng.uniform((0.8, 0.2), (2.2, 0.6)) * rng.choice([-1, 1], 2)
+    swings = motion(rng, "a particle that swings", 1.8, 6, angle, rate)
+    level = swings.kwargs["length"] * np.array([math.copysign(1.0, -angle), 0.0, 0.0, 0.0])
+    top = motion(rng, "a particle moving at the top, a rod of 2 cm, t[0] < 0", 0.7, 4, math.pi, -2.5, length=0.02)
     return [
-        swinging(rng, 1.8, 9),
-        moved(rng, "a particle that goes over the top", 1.8, 9, round_the_top, parameters(rng), (-1, 1)),
-        *repeated_calls(rng, again, start=(again.args[1] * [-1, 1, -1, 1],), length=None),
-        far.replace(far.args[0][[0, -1]]).labelled("two times far apart"),
-        *plain(rng, True),
+        swings,
+        *repeated_calls(rng, swings, start=(level,), length=None),
+        top.replace(top.args[0] - 2 * top.args[0][-1]),  # once round in 0.06 s or more
+        # it falls by e^5 times that, as an error does
+        motion(rng, "a particle let go at rest, close to the top, at two times", 0.7, 2, math.pi - 1e-3, 0.0),
     ]
 
 
 def without_gravity(rng):
-    known, omega = parameters(rng, gravity=0.0), rng.uniform(1, 4) * rng.choice([-1, 1])
-    return [moved(rng, "no gravity", 2.3 / abs(omega), 12, (rng.uniform(-3, 3), omega), known), *plain(rng, False)]
+    rate = -rng.uniform(1, 4)  # clockwise: a speed without a sign is another
+    turns = motion(rng, "no gravity", -0.37 / rate, 12, rng.uniform(-3, 3), rate, gravity=0.0)
+    still = motion(rng, "a particle at rest, no gravity, at two times", 0.5, 2, 1.0, 0.0, gravity=0.0)
+    return [turns, still]
 
 
 def long(rng):
-    """About ten to twenty swings in 100 s, below the hinge.
+    """About six swings in 100 s, below the hinge.
 
     Where g y > v^2, beside and above it, errors of the steps grow if the force is m (v^2 - g y)/l^2 by the given l.
     """
-    start = rng.uniform((0.8, 0.2), (1.2, 0.4)) * rng.choice([-1, 1], 2)
-    known = parameters(rng, gravity=rng.uniform(3, 6), length=rng.uniform(3, 6))
-    return [moved(rng, "100 s", 1, 2, start, known).replace(np.linspace(0.0, 100.0, 60)).labelled("a motion of 100 s")]
+    angle, rate = rng.uniform((0.8, 0.2), (1.2, 0.4)) * rng.choice([-1, 1], 2)
+    case = motion(rng, "a motion of 100 s", 1, 2, angle, rate, gravity=rng.uniform(1, 1.5), length=rng.uniform(6, 8))
+    return [case.replace(np.linspace(0.0, 100.0, 60))]
 
 
 def at_the_top(rng):
-    known = parameters(rng)
-    t = np.linspace(0.0, 20 / pace(known), 9)
-    return [Case(t, np.array([0.0, known["length"], 0.0, 0.0]), **known).labelled("a start at rest at the very top")]
+    pendulum = parameters(rng)
+    t = np.linspace(0.0, 20 / pace(pendulum), 9)
+    return [
+        Case(t, np.array([0.0, pendulum["length"], 0.0, 0.0]), **pendulum).labelled("a start at rest at the very top")
+    ]

@@ -275,7 +275,7 @@ def small_oscillations_have_two_frequencies(student, rng):
     compare(
         student.small_oscillation_frequencies,
         reference.small_oscillation_frequencies,
-        cases.thrown(10)(rng),
+        cases.thrown(rng, 3),
         tolerance=FREQUENCY,
         hint=in_order,
     )

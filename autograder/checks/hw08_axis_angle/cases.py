@@ -1,5 +1,6 @@
 """Hidden inputs of hw08: axes of any length, angles of any size, and what has no direction."""
 
+import itertools
 import math
 
 import numpy as np
@@ -27,45 +28,44 @@ SERIES = 3e-5, 9e-5, 1e-4, 9e-4, 1e-3, 9e-3, 3e-2  # where series of one term or
 
 def vectors(rng):
     """Arguments of skew."""
-    random = [Case(rng.normal(size=3) * 10 ** rng.uniform(-3, 3)).labelled("a v of random numbers") for _ in range(8)]
+    random = [Case(rng.normal(size=3) * 10 ** rng.uniform(-3, 3)).labelled("a v of random numbers") for _ in range(3)]
     along = [Case(-v).labelled("a v along a coordinate axis") for v in np.eye(3)]
     return [*random, *along, Case(np.zeros(3)).labelled("a v of zeros")]
 
 
 def axes(rng, count):
     """Axes of lengths from .1 to 10, some in coordinate planes and one on an axis."""
-    found = rng.normal(size=(count, 3)) * 10 ** rng.uniform(-1, 1, (count, 1))
-    found[::3, rng.integers(3)] = 0.0
-    found[0] = np.roll([found[0, 0] + found[0, 1], 0.0, 0.0], rng.integers(3))
-    return found
+    axes = rng.normal(size=(count, 3)) * 10 ** rng.uniform(-1, 1, (count, 1))
+    axes[::3, rng.integers(3)] = 0.0
+    axes[0] = np.roll([axes[0, 0] + axes[0, 1], 0.0, 0.0], rng.integers(3))
+    return axes
 
 
 def turns(rng):
     """Random turns; about axes next to coordinate axes, for which an arccos of what is 1 but for 1e-16 takes them."""
-    angles = rng.uniform(-4 * np.pi, 4 * np.pi, 15)
-    about = [("a random axis and angle", axis) for axis in axes(rng, 13)]
+    angles = rng.uniform(-4 * np.pi, 4 * np.pi, 7)
+    about = [("a random axis and angle", axis) for axis in axes(rng, 5)]
     about += [("an axis 1e-8 from a coordinate axis", np.array(axis)) for axis in ((1e-8, 0.0, 1.0), (1.0, -1e-8, 0.0))]
     return [Case(axis, angle).labelled(label) for (label, axis), angle in zip(about, angles, strict=True)]
 
 
 def plain_turns(rng):
-    """No turn, quarter, half and whole turns about axes of whole numbers."""
+    """No turn, quarter, half and whole turns, each about two axes of whole numbers."""
+    directions = itertools.cycle([(axis, way) for way, axes in WAYS.items() for axis in axes])
     return [
         Case(rng.integers(1, 4) * axis, angle).labelled(f"{turn} about {way}")
-        for way, known in WAYS.items()
-        for axis in known
-        for turn, angle in TURNS.items()
+        for (turn, angle), (axis, way) in zip([*TURNS.items()] * 2, directions, strict=False)
     ]
 
 
 def angles_by_size(rng):
     """Kind of angle: angles."""
-    signs = rng.choice([-1, 1], 4)
+    signs = np.resize([-1, 1], len(SERIES)) * rng.choice([-1, 1])
     return {
-        "an angle of 1e-12, 1e-9 or 3e-6": (-1e-12, 1e-12, -1e-9, 1e-9, -3e-6, 3e-6),
-        "an angle from 1e-8 to 1": (*10 ** rng.uniform(-8, 0, 4) * signs, *SERIES, *(-angle for angle in SERIES)),
+        "an angle of 1e-12, 1e-9 or 3e-6": (-1e-12, 1e-9, -3e-6),
+        "an angle from 1e-8 to 1": (*10 ** rng.uniform((-8, -4), (-4, 0)) * [1, -1], *signs * SERIES),
         "an angle next to a half turn, or a whole turn": (np.pi - 1e-9, 1e-9 - np.pi, 2 * np.pi),
-        "an angle from 100 to 1e6": tuple(10 ** rng.uniform(2, 6, 4) * signs),
+        "an angle from 100 to 1e6": (*10 ** rng.uniform((2, 4), (4, 6)) * signs[:2],),
     }
 
 
@@ -103,7 +103,7 @@ def vectors_by_size(rng):
 def turned_vectors(rng):
     """Random vectors, vectors along the axis, and none."""
     random, plain = of_vectors(rng, turns(rng) + plain_turns(rng)), plain_turns(rng)
-    along = [turn.with_leading(-2.0 * turn.args[0]).labelled("a vector along the axis") for turn in plain[::5]]
+    along = [turn.with_leading(-2.0 * turn.args[0]).labelled("a vector along the axis") for turn in plain[::4]]
     return [*random, *along, plain[1].with_leading(np.zeros(3)).labelled("the zero vector")]
 
 

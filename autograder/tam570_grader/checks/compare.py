@@ -89,7 +89,7 @@ def compare(
     """
     said = (quantity, unit, scale)
     words = [describe(function, name) if one is None else one for name, one in zip(DESCRIPTIONS, said, strict=True)]
-    batch = Batch.of(find_reference(reference, function), cases)
+    batch = Batch.of(find_reference(reference, function), cases).distinct
     results: list[Any] = function.many(batch.cases)
 
     def members(case: Case, right: Any) -> Iterator[tuple[Any, ...]]:
@@ -154,6 +154,16 @@ class Batch:
         return [_trimmed(self.reference, case) for case in self.given]
 
     @functools.cached_property
+    def distinct(self) -> "Batch":
+        """Of cases that the cut makes equal, the first alone."""
+        first: dict[bytes, Case] = {}
+        for cut, case in zip(self.cases, self.given, strict=True):
+            first.setdefault(cut.packed, case)
+        pairs = zip(self.cases, self.given, strict=True)
+        cases = [case for cut, case in pairs if cut is case or first[cut.packed] is case]
+        return self if len(cases) == len(self.given) else Batch(self.reference, cases)
+
+    @functools.cached_property
     def expected(self) -> list[Any]:
         return [expected_result(self.reference, case) for case in self.cases]
 
@@ -212,7 +222,7 @@ _batches = Memory(MOST_BATCHES)
 
 def call_cases(function: Any, reference: Reference, cases: Iterable[Case]) -> Iterator[tuple[Case, Any, Any]]:
     """Each case, cut to what the right function takes, with the student's result and the right one."""
-    batch = Batch.of(find_reference(reference, function), cases)
+    batch = Batch.of(find_reference(reference, function), cases).distinct
     yield from batch.judged(function, function.many(batch.cases))
 
 
@@ -304,7 +314,7 @@ def compare_columns(
 
     columns : left out, as `Assignment.returns` has them
     """
-    columns, batch = columns or function.returns.columns, Batch.of(find_reference(reference, function), cases)
+    columns, batch = columns or function.returns.columns, Batch.of(find_reference(reference, function), cases).distinct
     results = function.many(batch.cases)
 
     def members(case: Case, right: Any) -> Iterator[tuple[Any, ...]]:

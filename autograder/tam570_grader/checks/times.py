@@ -24,26 +24,23 @@ def uneven(rng: np.random.Generator, span: float, count: int, start: float | Non
     return np.asarray(start + span * steps / steps[-1])
 
 
-def repeated_calls(rng: np.random.Generator, case: Case, **others: Any) -> list[Case]:
-    """A simulation again, and with one argument changed at a time: what is kept from a call is wrong then.
+def repeated_calls(rng: np.random.Generator, case: Case, *, start: Any = None, **parameters: Any) -> list[Case]:
+    """The simulation of a case at other times, from another start, and with other parameters: nothing may be kept.
 
-    others : other values of parameters, None for no other, or start=(...) the arguments behind t, where a random
-             change is not allowed
+    The times have the same first and last. The case itself must be asked before.
+
+    start : the other arguments behind t, where a random change is not allowed
+    parameters : other values, None for no other
     """
-    t = case.args[0]
-    again = case.labelled("a motion that is asked for again", KEPT)
-    span = t[-1] - t[0]
-    changed = [case.replace(uneven(rng, span, len(t), t[0] + rng.uniform(1, 3)))]
-    if len(t) > 2:
-        changed.append(case.replace(t[0] + (t - t[0]) ** 2 / span))  # of the same first and last
-    starts = others.pop("start", None) or [_other(rng, one) for one in case.args[1:]]
-    for place, start in enumerate(starts, start=1):
-        if start is not None:
-            changed.append(case.replace(*case.args[:place], start))
-    for name, value in case.kwargs.items():
-        if (other := others.get(name, _other(rng, value))) is not None:
-            changed.append(case.replace(**{name: other}))
-    return [again, *(one.labelled("the call before with one argument changed", KEPT) for one in changed)]
+    t, *arguments = case.args
+    times = t[0] + (t - t[0]) ** 2 / (t[-1] - t[0])
+    others = {name: parameters.get(name, _other(rng, value)) for name, value in case.kwargs.items()}
+    changed = [
+        case.replace(times if len(t) > 2 else 2 * times),
+        case.replace(t, *(start or [_other(rng, argument) for argument in arguments])),
+        case.replace(**{name: other for name, other in others.items() if other is not None}),
+    ]
+    return [other.labelled("a call like the one before", KEPT) for other in changed]
 
 
 def _other(rng: np.random.Generator, value: Any) -> Any:

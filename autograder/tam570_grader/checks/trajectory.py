@@ -15,12 +15,13 @@ from tam570_grader.checks.curves import kept
 from tam570_grader.checks.expect import NEAR_MISS, NEAR_MISS_SHARE, UNLOCKING_SHARE, expect, get_context
 from tam570_grader.checks.motions import ROUGHLY, Motion, diagnosed, flat, obeys
 
-__all__ = ["Invariant", "compare_trajectory", "check_conserved", "OwnRates"]
+__all__ = ["Invariant", "OwnRates", "check_conserved", "compare_invariants", "compare_trajectory"]
 
 Array = NDArray[np.float64]
 # Right physics at a loose tolerance keeps these shares of the points at these errors (of the scale), and in proportion
 # to the logarithm of the error between them and ten limits, so that no grade leaps with the seed.
 ASKED = 4  # rows of a motion, at which the rates are asked
+TIGHTEN = "Use a tighter tolerance, or a smaller step"
 LOOSE_SHARES = {1e-3: UNLOCKING_SHARE, ROUGHLY: 0.25}
 
 
@@ -131,7 +132,7 @@ def check_conserved(
     columns: Sequence[Column] = (),
     coarsely: float = 1e-2,
     partial: dict[float, float] | None = None,
-    hint: str = "Use a tighter tolerance, or a smaller step",
+    hint: str = TIGHTEN,
     own_rates: OwnRates | None = None,
 ) -> None:
     """Fail unless invariants keep their values at the start along motions that are followed coarsely.
@@ -149,6 +150,17 @@ def check_conserved(
         near_miss_credit=False,
         chaotic=True,
     )
+    compare_invariants(function, motions, *invariants, partial=partial, hint=hint)
+
+
+def compare_invariants(
+    function: Any,
+    motions: Iterable[Motion],
+    *invariants: Invariant,
+    partial: dict[float, float] | None = None,
+    hint: str = TIGHTEN,
+) -> None:
+    """Fail unless invariants keep their values at the start along a student's motions."""
     for invariant, motion in product(invariants, motions):
         case = motion.case
         start = invariant.value(motion.expected[:1], **case.kwargs)

@@ -33,6 +33,7 @@ def add_audit(commands: Commands) -> argparse.ArgumentParser:
     add("--json", action="store_true", help="print a JSON object for each assignment, one a line")
     _add_questions(audit.add_mutually_exclusive_group().add_argument)
     add("--keep", type=Path, metavar="FILE", help="add the lines of --fairness there; what is there is not run again")
+    add("--seeds", type=positive, metavar="N", help="of --cases (default: 20)")
     add("--function", nargs="+", metavar="NAME", default=[], help="mutants of these functions alone")
     add("--jobs", type=positive, metavar="N", default=cores(), help="processes (default: %(default)s)")
     add_cluster(add)
@@ -50,6 +51,7 @@ def _add_questions(add: Callable[..., Any]) -> None:
         help="do right submissions ever lose points? with N seeds (default: %(const)s)",
     )
     add("--diagnosis", action="store_true", default=None, help="does feedback name the mistakes of wrong ones?")
+    add("--cases", action="store_true", default=None, help="which hidden cases catch what, and how few are needed?")
     add(
         "--margins",
         action="store_true",
@@ -130,4 +132,12 @@ def _margins(course: Path, slug: str, executor: Any, arguments: argparse.Namespa
     return margins.as_json(slug, by_check), margins.report(slug, by_check), margins.faults(by_check)
 
 
-QUESTIONS: dict[str, Question] = {"fairness": _fairness, "diagnosis": _diagnosis, "margins": _margins}
+def _cases(course: Path, slug: str, executor: Any, arguments: argparse.Namespace) -> Answer:
+    from tam570_grader.audit import cases
+
+    seeds = arguments.seeds or (QUICK_SEEDS if arguments.quick else cases.SEEDS)
+    report = cases.report_cases(course, slug, executor, seeds)
+    return cases.as_json(report), cases.report(report), 0
+
+
+QUESTIONS: dict[str, Question] = {"fairness": _fairness, "diagnosis": _diagnosis, "cases": _cases, "margins": _margins}

@@ -186,7 +186,7 @@ def known(solution: str, suspects: Iterable[Mistake], calls: Sequence[Called]) -
     found = next((one for one in suspects if _agrees(solution, one, groups)), None)
     if found is None:
         return None
-    wrong = [call.name for call in calls if _changed(solution, found.text, call, _within(call))]
+    wrong = [call.name for call in calls if _changed(solution, found.text, call, tolerance_of(call))]
     answers = (functools.partial(answer, solution, found.text),)
     return Cause((wrong or [calls[0].name])[0], found.message, "known mistake", answers, tuple(calls))
 
@@ -200,10 +200,10 @@ def explains(solution: str, given: Answer, calls: Sequence[Called]) -> bool:
         return False
     wrong = told = False
     for call in sorted(calls, key=lambda call: len(call.case.packed)):
-        found, within = given(call), _within(call)
-        if found is None or not _same(call.result, found, within):
+        found, within = given(call), tolerance_of(call)
+        if found is None or not same(call.result, found, within):
             return False
-        wrong = wrong or not _same(found, answer(solution, "", call), within)
+        wrong = wrong or not same(found, answer(solution, "", call), within)
         told = told or any(np.any(part) for part in parts(call.result))
     return wrong and told
 
@@ -212,16 +212,16 @@ def _agrees(solution: str, one: Mistake, groups: dict[str, list[Called]]) -> boo
     told = False
     alike = ([call for call in group if one.label in call.case.label] for group in groups.values())
     for group in filter(None, alike):
-        within = one.tolerance or _within(group[0])
+        within = one.tolerance or tolerance_of(group[0])
         changed = (_changed(solution, one.text, call, within) for call in group)
-        if all(_same(call.result, answer(solution, one.text, call), within) for call in group):
+        if all(same(call.result, answer(solution, one.text, call), within) for call in group):
             told = told or (any(changed) and any(call.result is not None for call in group))
         elif any(changed):
             return False
     return told
 
 
-def _within(call: Called) -> float:
+def tolerance_of(call: Called) -> float:
     return OF_MOTIONS if is_motion(call) else WITHIN
 
 
@@ -233,7 +233,7 @@ def is_motion(call: Called) -> bool:
 
 def agrees(found: Any, wrong: Any) -> bool:
     """Whether a result has a variant's numbers; None has none."""
-    return found is not None and wrong is not None and _same(found, wrong, WITHIN)
+    return found is not None and wrong is not None and same(found, wrong, WITHIN)
 
 
 def right_answer(solution: str, call: Called) -> Any:
@@ -271,7 +271,7 @@ def _changed(solution: str, text: str, call: Called, within: float) -> bool:
     key = _named(solution, text), call.name, call.case.packed, within
 
     def compute() -> bool:
-        return not _same(answer(solution, "", call), answer(solution, text, call), within)
+        return not same(answer(solution, "", call), answer(solution, text, call), within)
 
     return bool(_changes.value(key, compute))
 
@@ -315,7 +315,7 @@ def _code(text: str) -> CodeType:
     return compile_counted(text, "<mistake>")
 
 
-def _same(found: Any, wrong: Any, within: float) -> bool:
+def same(found: Any, wrong: Any, within: float) -> bool:
     if any(np.iscomplexobj(part) for part in parts(wrong)):
         return False  # a root of something negative; results are real
     if found is None or found is NoValue or wrong is NoValue:

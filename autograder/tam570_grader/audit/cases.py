@@ -1,0 +1,230 @@
+"""Which hidden cases catch which wrong submission, and the fewest that still catch them all.
+
+What must be caught, with every seed: every mutant that any case catches, every known mistake at its first check, and
+what tells a mistake from those that feedback looks for before it.
+"""
+
+import ast
+from collections import Counter, defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from tam570_grader.audit.gradings import progress
+from tam570_grader.audit.local import Key, LocalStudent, Replies, failed_cases
+from tam570_grader.audit.mutate import mutants
+from tam570_grader.audit.mutation import alone
+from tam570_grader.checks import assignments
+from tam570_grader.checks.assignments import LoadedAssignment
+from tam570_grader.checks.check import Check
+from tam570_grader.checks.returns import Array, Group
+from tam570_grader.diagnosis.mistakes import answer, candidates, mistakes, same, solution_with, tolerance_of
+from tam570_grader.diagnosis.mutants import reached
+from tam570_grader.grading.executor import TaskExecutor, in_order
+
+__all__ = ["CaseReport", "SEEDS", "as_json", "fewest", "report", "report_cases"]
+
+SEED, SEEDS = 570, 20
+EXPENSIVE = 2e-3  # s; cases of longer calls are chosen for what the others do not catch
+CHUNKS = 4  # of the wrong submissions of a seed
+Subject = tuple[int, str]  # a seed, and what must be caught with it
+
+
+@dataclass(frozen=True)
+class Wrong:
+    """A wrong submission: the function that is wrong, those that are with it, and the checks that may catch it."""
+
+    name: str
+    text: str
+    reach: frozenset[str]
+    checks: frozenset[str]
+
+
+@dataclass(frozen=True)
+class Trial:
+    """Wrong submissions to judge with one seed."""
+
+    course: Path
+    slug: str
+    seed: int
+    wrong: Sequence[Wrong]
+    first: bool  # of its seed: it judges the solution, too
+
+
+@dataclass(frozen=True)
+class CaseReport:
+    """The hidden cases of an assignment: what each costs, what catches each subject, and the fewest that do."""
+
+    slug: str
+    seeds: int
+    seconds: Mapping[Key, float]
+    caught: Mapping[Subject, frozenset[Key]]
+    needed: Sequence[Key]
+
+
+def report_cases(course: Path, slug: str, executor: TaskExecutor, seeds: int) -> CaseReport:
+    """Judge mutants and mistakes with so many seeds, and choose the fewest cases that catch them all."""
+    assignment = assignments.assignment(course, slug)
+    wrong = [*_mutants(assignment), *_mistakes(assignment)]
+    trials = [
+        Trial(course, slug, SEED + seed, wrong[start::CHUNKS], start == 0)
+        for seed in range(seeds)
+        for start in range(CHUNKS)
+    ]
+    seconds, caught = dict[Key, float](), dict[Subject, frozenset[Key]]()
+    for costs, keys in progress(in_order(executor, judged_cases, trials), len(trials), "chunk"):
+        caught |= keys
+        for key, spent in costs.items():
+            seconds[key] = max(spent, seconds.get(key, 0.0))
+    return CaseReport(slug, seeds, seconds, caught, fewest(caught, seconds))
+
+
+def judged_cases(trial: Trial) -> tuple[dict[Key, float], dict[Subject, frozenset[Key]]]:
+    """The seconds of each case, and the cases that catch each subject."""
+    assignment, solution = (
+        assignments.assignment(trial.course, trial.slug),
+        _solution(trial.course, trial.slug, trial.seed),
+    )
+    seconds, caught = dict[Key, float](), dict[str, frozenset[Key]]()
+    for check in assignment.checks if trial.first else ():
+        student = LocalStudent(assignment, check, solution, solution)
+        failed = failed_cases(student, check, trial.seed, trial.slug)
+        assert not failed, failed
+        seconds |= {key: solution.seconds.get((key.function, case.packed), 0.0) for key, case in student.cases.items()}
+        caught.update(_told_apart(assignment, check, student))
+    for wrong in trial.wrong:
+        replies = Replies(_module(wrong.text), solution, wrong.reach)
+        checks = [check for check in assignment.checks if check.name in wrong.checks]
+        students = [(LocalStudent(assignment, check, solution, replies), check) for check in checks]
+        failures = (failed_cases(student, check, trial.seed, trial.slug) for student, check in students)
+        caught[wrong.name] = frozenset(key for keys in failures for key in keys)
+    return seconds, {(trial.seed, name): keys for name, keys in caught.items() if keys}
+
+
+@cache
+def _solution(course: Path, slug: str, seed: int) -> Replies:
+    """The solution's replies, for all that one seed asks."""
+    return Replies(solution_with(assignments.assignment(course, slug).solution, ""))
+
+
+def _module(text: str) -> ModuleType:
+    """A module that may raise at import: then none of its functions is there."""
+    try:
+        return solution_with(text, "")
+    except Exception:
+        return ModuleType("_raises")
+
+
+def _mutants(assignment: LoadedAssignment) -> Iterator[Wrong]:
+    """The mutants, and each in its function alone where others call that."""
+    solution = assignment.solution
+    calls, within = _calls(assignment), reached(solution)
+    for mutant in mutants(assignment.slug, solution):
+        reach = frozenset(name for name, names in within.items() if mutant.function in names)
+        yield Wrong(f"mutant {mutant.name}", mutant.text, reach, _calling(calls, reach))
+        if mutant.function in assignment.results and len(reach) > 1:
+            itself = frozenset({mutant.function})
+            yield Wrong(f"mutant {mutant.name} alone", alone(solution, mutant, calls), itself, _calling(calls, itself))
+
+
+def _mistakes(assignment: LoadedAssignment) -> Iterator[Wrong]:
+    """Each mistake at the check that it must fail first."""
+    within = reached(assignment.solution)
+    for mistake in mistakes(assignments.checks_folder(assignment.root, assignment.slug)):
+        function = ast.parse(mistake.text).body[-1]
+        assert isinstance(function, ast.FunctionDef)
+        reach = frozenset(name for name, names in within.items() if function.name in names)
+        text = f"{assignment.solution}\n\n{mistake.text}"
+        yield Wrong(f"mistake {mistake.name}", text, reach, frozenset({mistake.first_fails}))
+
+
+def _calls(assignment: LoadedAssignment) -> dict[str, set[str]]:
+    """The functions that each check calls."""
+    solution, calls = _solution(assignment.root, assignment.slug, SEED), dict[str, set[str]]()
+    for check in assignment.checks:
+        student = LocalStudent(assignment, check, solution, solution)
+        failed_cases(student, check, SEED, assignment.slug)
+        calls[check.name] = {key.function for key in student.cases}
+    return calls
+
+
+def _calling(calls: Mapping[str, set[str]], functions: frozenset[str]) -> frozenset[str]:
+    return frozenset(check for check, names in calls.items() if names & functions)
+
+
+def _told_apart(assignment: LoadedAssignment, check: Check, student: LocalStudent) -> Iterator[Any]:
+    """For each mistake of a check, and each that is looked for before it, the cases in which their numbers differ."""
+    folder, solution = assignments.checks_folder(assignment.root, assignment.slug), assignment.solution
+    compared = {name for name, returns in assignment.results.items() if isinstance(returns, Array | Group)}
+    calls = [call for call in student.calls if call.name in compared]
+    suspects = candidates(solution, folder, {call.name for call in calls})
+    for index, mistake in enumerate(suspects):
+        for other in suspects[:index] if mistake.first_fails == check.name else ():
+            keys = [
+                student.key(call.name, call.case)
+                for call in calls
+                if other.label in call.case.label
+                and not same(
+                    answer(solution, mistake.text, call),
+                    answer(solution, other.text, call),
+                    other.tolerance or tolerance_of(call),
+                )
+            ]
+            yield f"mistake {mistake.name}, not {other.name}", frozenset(keys)
+
+
+def fewest(caught: Mapping[Subject, frozenset[Key]], seconds: Mapping[Key, float]) -> list[Key]:
+    """A small set of cases that catches every subject: greedy, the cheap ones first, less what is then not needed."""
+    catches = defaultdict[Key, set[Subject]](set)
+    for subject, keys in caught.items():
+        for key in keys:
+            catches[key].add(subject)
+    needed, missing = list[Key](), set(caught)
+    cheap = [key for key in catches if seconds.get(key, 0.0) < EXPENSIVE]
+    for some in (cheap, list(catches)):
+        while some and catches[best := max(some, key=lambda key: (len(catches[key] & missing), -key.nth))] & missing:
+            needed.append(best)
+            missing -= catches[best]
+    for key in sorted(needed, key=lambda key: (-seconds.get(key, 0.0), len(catches[key]))):
+        others = set(needed) - {key}
+        if all(caught[subject] & others for subject in catches[key]):
+            needed.remove(key)
+    return needed
+
+
+def _rows(cases: CaseReport) -> dict[tuple[str, str, str], tuple[int, int, Counter[str]]]:
+    """For each check, function and label: the cases, those needed, and what these alone catch, by kind."""
+    count, needed = (Counter(key[:3] for key in keys) for keys in (cases.seconds, cases.needed))
+    catches = defaultdict[Any, set[str]](set)
+    for (_, subject), keys in cases.caught.items():
+        if len(labels := {key[:3] for key in keys}) == 1:
+            catches[labels.pop()].add(subject)
+    return {row: (count[row], needed[row], Counter(name.split()[0] for name in catches[row])) for row in count}
+
+
+def as_json(cases: CaseReport) -> dict[str, Any]:
+    """The report as plain data."""
+    labels = [
+        {"check": key[0], "function": key[1], "label": key[2], "cases": count, "needed": needed, "alone": dict(alone)}
+        for key, (count, needed, alone) in _rows(cases).items()
+    ]
+    return {"assignment": cases.slug, "seeds": cases.seeds, "labels": labels}
+
+
+def report(cases: CaseReport) -> list[str]:
+    """The lines to print, a table in Markdown."""
+    lines = [
+        f"## {cases.slug}: {len(cases.seconds)} cases, {len(cases.needed)} needed by {cases.seeds} seeds",
+        "",
+        "| check | label | cases | needed | catches alone |",
+        "|---|---|---|---|---|",
+    ]
+    check = ""
+    for (name, _, label), (count, needed, catches) in _rows(cases).items():
+        told = ", ".join(f"{number} {kind}{'s' * (number > 1)}" for kind, number in sorted(catches.items()))
+        lines.append(f"| {name if name != check else ''} | {label} | {count} | {needed or ''} | {told} |")
+        check = name
+    return [*lines, ""]

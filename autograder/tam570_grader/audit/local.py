@@ -1,0 +1,194 @@
+"""A submission that runs in this process, whose cases are judged one by one.
+
+A comparison that fails is noted, and the check goes on. A reply that cannot be compared is noted and replaced by the
+solution's. Nothing here is a sandbox: it is for mutants and mistakes of ours.
+"""
+
+import contextlib
+import signal
+import time
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
+from types import ModuleType
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from tam570_grader.checks.assignments import LoadedAssignment
+from tam570_grader.checks.case import Case
+from tam570_grader.checks.check import Check
+from tam570_grader.checks.effort import Exhausted, limited
+from tam570_grader.checks.expect import CheckContext, Failed, NotWritten, check_context
+from tam570_grader.checks.returns import Array, FreeBodyDiagram, Group, result
+from tam570_grader.grading.one import generator
+from tam570_grader.protocol.answer import answer
+from tam570_grader.protocol.wire import packed, unpacked
+from tam570_grader.sandbox.function import Call, Function
+from tam570_grader.sandbox.replies import checked
+
+__all__ = ["Key", "LocalStudent", "Replies", "failed_cases"]
+
+SLOWEST = 2.0  # s of processor time of a call
+STEPS = 2_000_000  # of a call, in functions that count them
+TOO_SLOW = {"error": {"kinds": ["SlowCall"], "text": "", "line": 0}}
+
+Reply = dict[str, Any]
+
+
+class Key(NamedTuple):
+    """A hidden case, the same for every seed: the nth of its label that a check gives to a function."""
+
+    check: str
+    function: str
+    label: str
+    nth: int
+
+
+class SlowCall(Exception):
+    """A call takes longer than any right one."""
+
+
+class Replies:
+    """What a module answers, each call computed once; functions out of reach of its slip answer as the solution."""
+
+    def __init__(self, module: ModuleType, solution: "Replies | None" = None, reach: frozenset[str] = frozenset()):
+        self._module, self._solution, self._reach = module, solution, reach
+        self._replies: dict[Any, Reply] = {}
+        self.seconds: dict[tuple[str, bytes], float] = {}
+
+    def reply(self, name: str, case: Case, mode: str, fields: Mapping[str, Any]) -> Reply:
+        if self._solution and name not in self._reach:
+            return self._solution.reply(name, case, mode, fields)
+        key = name, case.packed, mode, repr(fields)
+        if key not in self._replies:
+            began = time.perf_counter()
+            self._replies[key] = _answered(self._module, name, case, mode, fields)
+            self.seconds[name, case.packed] = time.perf_counter() - began
+        return self._replies[key]
+
+
+def _answered(module: ModuleType, name: str, case: Case, mode: str, fields: Mapping[str, Any]) -> Reply:
+    args, kwargs = unpacked(case.packed)
+    request = {"function": name, "mode": mode, "refused": (), **fields}
+    try:
+        with limited(STEPS), _clock(), np.errstate(all="ignore"):
+            reply = answer(module, request, [*map(_copied, args)], {key: _copied(arg) for key, arg in kwargs.items()})
+    except SlowCall:
+        return TOO_SLOW
+    return checked(unpacked(packed({"replies": [reply]})), mode)[0]
+
+
+def _copied(argument: Any) -> Any:
+    """As the sandbox gives it: a writable array, a list of tuples."""
+    if isinstance(argument, list):
+        return [tuple(item) if isinstance(item, list) else item for item in argument]
+    return argument.copy() if isinstance(argument, np.ndarray) else argument
+
+
+@contextlib.contextmanager
+def _clock() -> Iterator[None]:
+    """Raise SlowCall in a block that takes long."""
+
+    def end(*_: Any) -> None:
+        raise SlowCall
+
+    before = signal.signal(signal.SIGPROF, end)
+    signal.setitimer(signal.ITIMER_PROF, SLOWEST)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0)
+        signal.signal(signal.SIGPROF, before)
+
+
+class LocalStudent:
+    """A submission as a check sees it."""
+
+    def __init__(self, assignment: LoadedAssignment, check: Check, solution: Replies, replies: Replies) -> None:
+        self._assignment, self._check, self._solution, self._replies = assignment, check, solution, replies
+        self.text = ""
+        self.failed: set[Key] = set()
+        self.replaced: set[Key] = set()  # cases whose replies are the solution's
+        self.start()
+
+    def __getattr__(self, name: str) -> Function:
+        if name not in self._assignment.results:
+            raise AttributeError(name)
+        return Function(self, name, self._assignment.results[name])
+
+    def start(self) -> None:
+        """Begin the check, or begin it again."""
+        self.calls: list[Call] = []
+        self.worked: set[str] = set()
+        self.cases: dict[Key, Case] = {}
+        self._keys: dict[tuple[str, int], Key] = {}
+        self._count: Counter[tuple[str, str]] = Counter()
+
+    def key(self, function: str, case: Case | None) -> Key:
+        """The key of a case that this check asks for; of no case, the check's own."""
+        if case is None:
+            return Key(self._check.name, "", "", 1)
+        if (function, id(case)) not in self._keys:
+            self._count[function, case.label] += 1
+            key = Key(self._check.name, function, case.label, self._count[function, case.label])
+            self._keys[function, id(case)], self.cases[key] = key, case
+        return self._keys[function, id(case)]
+
+    def takes(self, name: str) -> str:
+        return ""
+
+    def aside(self) -> contextlib.AbstractContextManager[None]:
+        return contextlib.nullcontext()
+
+    def replies(self, name: str, calls: Sequence[Case], mode: str = "value", **more: Any) -> list[Reply]:
+        return [self._reply(name, case, mode, more) for case in calls]
+
+    def _reply(self, name: str, case: Case, mode: str, fields: Mapping[str, Any]) -> Reply:
+        expected = partial(self._solution.reply, name, case, mode, fields)
+        if mode == "formula":  # one call for all points
+            key = Key(self._check.name, name, "", 1)
+        elif (key := self.key(name, case)) in self.replaced:
+            return expected()
+        reply = self._replies.reply(name, case, mode, fields)
+        if self._is_faulty(name, case, mode, reply, expected if fields.get("every") else None):
+            self.failed.add(key)
+            return expected()
+        return reply
+
+    def _is_faulty(self, name: str, case: Case, mode: str, reply: Reply, expected: Callable[[], Reply] | None) -> bool:
+        """Whether a reply fails the check whatever its numbers are."""
+        if expected:  # where ValueError may be right
+            return ("error" in reply) != ("error" in expected())
+        returns = self._assignment.results[name]
+        if "error" in reply or mode != "value" or not isinstance(returns, Array | Group | FreeBodyDiagram):
+            return "error" in reply
+        try:
+            result(returns, reply["value"], name, case)
+        except Failed:
+            return True
+        return bool(reply["changed"])
+
+
+def failed_cases(student: LocalStudent, check: Check, seed: int, slug: str) -> set[Key]:
+    """The cases of a check that a submission fails; the check is run again without those that end it."""
+    while True:
+        student.start()
+        context = CheckContext()
+        try:
+            with check_context() as context, np.errstate(all="ignore"):
+                context.recorder = partial(_record, student, context)
+                check.run(student, generator(seed, slug, check))
+        except (Failed, NotWritten, Exhausted):
+            key = student.key(context.function, context.case)
+            student.failed.add(key)
+            if key not in student.replaced:
+                student.replaced.add(key)
+                continue
+        return student.failed
+
+
+def _record(student: LocalStudent, context: CheckContext, error: float) -> None:
+    key = student.key(context.function, context.case)
+    if not error <= 1:
+        student.failed.add(key)
