@@ -52,11 +52,6 @@ def test_update_never_changes_work_and_tells_new_signatures(new_kit, capsys):
     assert stub.read_text() == "def skew(v):\n    return 1\n" and "this kit asks for unskew(matrix, *, scale)" in said
 
 
-def test_any_parameters_are_the_right_ones(hw08, capsys):
-    hw08("def rotate(*args):\n    return None")
-    assert cli.main(["update", "hw08"]) == 0 and "asks for" not in capsys.readouterr().out
-
-
 def test_update_of_a_folder_without_a_record_changes_nothing(new_kit, capsys):
     readme = new_kit("README.md", "\nmore\n")
     (readme.parent / releases.RECORD).unlink()
@@ -64,16 +59,10 @@ def test_update_of_a_folder_without_a_record_changes_nothing(new_kit, capsys):
     assert not readme.read_text().endswith("\nmore\n") and "README.md is not as" in capsys.readouterr().out
 
 
-def test_start_says_what_is_old(new_kit, capsys):
-    new_kit("README.md", "\nmore\n")
-    assert cli.main(["start", "hw08"]) == 0
-    assert "README.md is not as this kit has it" in capsys.readouterr().out
-
-
 def test_each_readme_says_how_closely_motions_are_compared(slug):
     """And which tolerance is safe; in words that `check --final` finds."""
     text = (course.folder(slug) / "README.md").read_text()
     simulates = any(name.startswith("simulate") for name in contract(slug)["results"])
-    found = [" ".join(one.split()) for one in ACCURACY.findall(text)]
-    assert len(found) == simulates
-    assert all(re.search(r"to \d?·?10⁻. of .*`rtol=1e-9, atol=1e-9`.* is safe\.", one) for one in found)
+    sentences = [" ".join(sentence.split()) for sentence in ACCURACY.findall(text)]
+    assert len(sentences) == simulates
+    assert all(re.search(r"to \d?·?10⁻. of .*`rtol=1e-9, atol=1e-9`.* is safe\.", sentence) for sentence in sentences)
