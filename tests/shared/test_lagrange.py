@@ -1,13 +1,12 @@
 """Lagrange's equations against motions known from elsewhere, as numbers at states drawn at random."""
 
-import math
 import subprocess
 import sys
 
 import numpy as np
 import pytest
 import sympy
-from sympy import Rational, cos, sin, symbols
+from sympy import cos, sin, symbols
 
 from tam570 import lagrange
 
@@ -61,34 +60,6 @@ def chaplygin_sleigh():
     T = m * (vx**2 + vy**2) / 2 + I * w**2 / 2
     edge = [v * cos(theta) - u * sin(theta)]
     return built(T, [x, y, theta], [u, v, w], constraints=edge)
-
-
-def test_spherical_pendulum_by_multiplier_is_the_one_by_angles():
-    """The rod's pull is m (v^2 + g cos) / l; with the constraint r^2/2 the multiplier is minus the pull over l."""
-    cartesian, polar = spherical_pendulum(angles=False), spherical_pendulum(angles=True)
-    length = NUMBERS["l"]
-    for th, ph, th_dot, ph_dot in states(4):
-        _, _, th_2, ph_2 = polar.rhs(0.0, (th, ph, th_dot, ph_dot), **NUMBERS)
-        r, along, across = _polar_axes(th, ph)
-        speed = length * (th_dot * along + math.sin(th) * ph_dot * across)
-        state = (*(length * r), *speed)
-        acceleration = length * (
-            (th_2 - math.sin(th) * math.cos(th) * ph_dot**2) * along
-            + (math.sin(th) * ph_2 + 2 * math.cos(th) * th_dot * ph_dot) * across
-            - (th_dot**2 + (math.sin(th) * ph_dot) ** 2) * r
-        )
-        assert cartesian.rhs(0.0, state, **NUMBERS) == pytest.approx((*speed, *acceleration), abs=SAME * 100)
-        pull = NUMBERS["m"] * (speed @ speed / length + NUMBERS["g"] * math.cos(th))
-        assert cartesian.multipliers(0.0, state, **NUMBERS)[0] == pytest.approx(-pull / length, rel=SAME)
-        assert cartesian.constraint_errors(0.0, state, **NUMBERS) == pytest.approx((0, 0), abs=SAME)
-        difference = cartesian.energy(0.0, state, **NUMBERS) - polar.energy(0.0, (th, ph, th_dot, ph_dot), **NUMBERS)
-        assert difference == pytest.approx(0, abs=SAME * 10)
-
-
-def _polar_axes(th, ph):
-    """Unit vectors away from the hinge, of growing theta, of growing phi."""
-    s, k, sp, cp = math.sin(th), math.cos(th), math.sin(ph), math.cos(ph)
-    return np.array([s * cp, s * sp, -k]), np.array([k * cp, k * sp, s]), np.array([-sp, cp, 0.0])
 
 
 def test_time_in_the_lagrangian():
@@ -178,12 +149,6 @@ def test_powers_roots_and_constants_are_printed_as_they_are():
 def test_what_cannot_be_written_is_refused(call, message):
     with pytest.raises(ValueError, match=message):
         call()
-
-
-def test_fractions_are_exact():
-    """A third of a Rational is divided once, in double precision, not carried as 0.333."""
-    system = built(Rational(1, 3) * m * v**2 - g * x, [x], [v])
-    assert system.rhs(0.0, (0.0, 0.0), m=1.5, g=1.0)[1] == -1.0
 
 
 def test_an_indefinite_mass_matrix_is_eliminated_or_refused():

@@ -23,8 +23,8 @@ def site(course, tmp_path_factory):
         return Path(built).absolute()
     folder = tmp_path_factory.mktemp("site")
     command = [sys.executable, "-m", "sphinx", "-q", "-W", "-j", "auto", "-b", "html", "-d", str(folder / "read")]
-    made = subprocess.run([*command, str(course / "docs"), str(folder / "site")], capture_output=True, text=True)
-    assert made.returncode == 0, made.stderr
+    run = subprocess.run([*command, str(course / "docs"), str(folder / "site")], capture_output=True, text=True)
+    assert run.returncode == 0, run.stderr
     return folder / "site"
 
 

@@ -48,7 +48,7 @@ def opened(browser, address):
         tab = context.new_page()
         tab.on("console", lambda said: complaints.append(said.text) if said.type in ("error", "warning") else None)
         tab.on("pageerror", lambda error: complaints.append(str(error)))
-        tab.on("request", lambda one: None if one.url.startswith((start, "data:")) else complaints.append(one.url))
+        tab.on("request", lambda request: request.url.startswith((start, "data:")) or complaints.append(request.url))
         tab.goto(start + name)
         return tab
 
@@ -79,16 +79,16 @@ def test_axe_finds_no_fault_on_any_page(opened, site, address, viewport, scheme)
     scenes = [name for name in pages if name.startswith("scenes/")]
     for name in [*(name for name in pages if not name.startswith(("scenes/", "_static/"))), *scenes[::10]]:
         tab.goto(address + name)
-        found = Axe().run(tab, options=AXE).response["violations"]
-        if found:
-            faults[name] = [(one["id"], one["nodes"][0]["html"]) for one in found]
+        violations = Axe().run(tab, options=AXE).response["violations"]
+        if violations:
+            faults[name] = [(rule["id"], rule["nodes"][0]["html"]) for rule in violations]
     assert not faults
 
 
 def test_the_first_page_is_small_and_so_is_the_site(opened, site, address):
     sizes = {}
     tab = opened("about:blank", DESK, start="")
-    tab.on("response", lambda one: sizes.update({one.url: len(one.body())}))
+    tab.on("response", lambda response: sizes.update({response.url: len(response.body())}))
     tab.goto(f"{address}index.html", wait_until="networkidle")
     before = {url: size for url, size in sizes.items() if "/scenes/" not in url}
     assert len(before) > 5 and sum(before.values()) < FIRST_PAGE
@@ -157,5 +157,5 @@ def test_all_links_lead_somewhere_and_a_broken_one_is_told(course, site, tmp_pat
     check = [sys.executable, str(course / "docs" / "links.py")]
     assert subprocess.run([*check, str(site)]).returncode == 0
     (tmp_path / "a.html").write_text('<a href="b.html">b</a><img src="https://elsewhere/x.png"><a href="#none">c</a>')
-    found = subprocess.run([*check, str(tmp_path)], capture_output=True, text=True)
-    assert found.returncode == 1 and len(found.stdout.splitlines()) == 3
+    run = subprocess.run([*check, str(tmp_path)], capture_output=True, text=True)
+    assert run.returncode == 1 and len(run.stdout.splitlines()) == 3

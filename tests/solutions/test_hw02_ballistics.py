@@ -65,27 +65,6 @@ def test_the_best_flight_lands_at_right_angles_to_its_launch(swiftness):
         assert low * high < 0
 
 
-@pytest.mark.parametrize("angle", [0.1, 0.9, 1.5])
-def test_fast_paths_approach_the_limit_shape(angle):
-    """The largest distance falls as log(n)/n, n the speed in terminal speeds: fivefold or more in a decade."""
-    gaps = [gap(angle, swiftness) for swiftness in (1e3, 1e4, 1e5, 1e6)]
-    assert gaps[-1] < 1e-4
-    assert all(wide > 5 * narrow for wide, narrow in zip(gaps, gaps[1:], strict=False))
-
-
-def gap(angle, swiftness):
-    """Largest distance of the path from the lines between the corners, and of a corner from the path, in m v/c."""
-    end = ballistics.flight_time(swiftness, angle, **UNIT)
-    t = np.concatenate([np.linspace(0, 40, 2000), np.linspace(40, end, 100)[1:]])
-    path = ballistics.trajectory(t, swiftness, angle, **UNIT)[:, :2] / swiftness
-    corners = ballistics.limit_shape(angle)
-    sides = []
-    for a, b in zip(corners, corners[1:], strict=False):
-        along = np.clip((path - a) @ (b - a) / ((b - a) @ (b - a)), 0, 1)
-        sides.append(np.linalg.norm(path - a - along[:, None] * (b - a), axis=1))
-    return max(np.min(sides, axis=0).max(), np.linalg.norm(path[:, None] - corners, axis=-1).min(axis=0).max())
-
-
 def test_the_size_of_a_flight_back_at_launch_height_is_that_of_its_path():
     """At the ends alone it has none: no simulation would be right to a part of that."""
     columns = assignments.assignment(assignments.find(), "hw02_ballistics").results["simulate"].columns

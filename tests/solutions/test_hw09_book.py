@@ -57,16 +57,6 @@ def test_axis_and_angle_at_50_digits(near, distance):
         assert math.hypot(*result) == pytest.approx(1.0, rel=DIGITS)
 
 
-def test_half_turns_and_no_turn():
-    for axis in axes(40):
-        n = np.array(axis) / math.hypot(*axis)
-        result, angle = hw.axis_angle(2 * np.outer(n, n) - np.eye(3))
-        assert angle == pytest.approx(math.pi, abs=DIGITS)
-        np.testing.assert_allclose(np.outer(result, result), np.outer(n, n), rtol=0, atol=DIGITS)
-    result, angle = hw.axis_angle(np.eye(3))
-    assert (math.hypot(*result), angle) == (1.0, 0.0)
-
-
 def random_steps():
     return [(str(axis), angle) for axis, angle in zip(DRAW.choice(list("xyz"), 6), DRAW.normal(size=6), strict=True)]
 

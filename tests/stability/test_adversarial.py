@@ -21,9 +21,9 @@ RTOL = 1e-9
 G = 9.81
 
 
-def against(rhs, span, start, *, stops=(), longest=0.02, exact=None, **given):
+def against(rhs, span, start, *, stops=(), longest=0.02, exact=None, **options):
     """A case: right-hand side, times, start, times at which the rates jump, the longest step of the peer."""
-    return rhs, span, start, stops, longest, exact, given
+    return rhs, span, start, stops, longest, exact, options
 
 
 def by_scipy(rhs, span, start, stops, longest):
@@ -415,15 +415,15 @@ CASES = {**CONTACT, **FRICTION, **JUMPS, **PULSES, **PASSED, **TRACES, **EDGES}
 
 @pytest.mark.parametrize("name", CASES)
 def test_it_is_right_and_the_same_whatever_ran_before(name):
-    rhs, span, start, stops, longest, exact, given = CASES[name]
+    rhs, span, start, stops, longest, exact, options = CASES[name]
     if exact is None:
-        exact = by_scipy(functools.partial(rhs, **given.get("parameters", {})), span, start, stops, longest)
-    first, *repeats = (solve(rhs, span, start, rtol=RTOL, **given)[-1] for _ in range(3))
+        exact = by_scipy(functools.partial(rhs, **options.get("parameters", {})), span, start, stops, longest)
+    first, *repeats = (solve(rhs, span, start, rtol=RTOL, **options)[-1] for _ in range(3))
     assert all((state == first).all() for state in repeats)
     assert first == pytest.approx(exact, rel=100 * RTOL, abs=100 * RTOL)
-    if solve(rhs, span, start, report=True, **given).report.untraced_reason:
+    if solve(rhs, span, start, report=True, **options).report.untraced_reason:
         return
-    compiled = solve(rhs, span, start, rtol=RTOL, method="compiled", **given)[-1]
+    compiled = solve(rhs, span, start, rtol=RTOL, method="compiled", **options)[-1]
     assert compiled == pytest.approx(exact, rel=100 * RTOL, abs=100 * RTOL)
 
 
@@ -451,8 +451,8 @@ def hysteresis():
 
 
 def noise(seed):
-    draw = np.random.default_rng(seed)
-    return lambda t, y: (-y[0] + draw.normal(),)
+    rng = np.random.default_rng(seed)
+    return lambda t, y: (-y[0] + rng.normal(),)
 
 
 class Mine(ValueError):
@@ -502,8 +502,8 @@ REFUSED = {
 
 @pytest.mark.parametrize("name", REFUSED)
 def test_what_has_no_answer_is_said(name):
-    rhs, span, start, kind, words = REFUSED[name]
-    with pytest.raises(kind, match=words):
+    rhs, span, start, error, words = REFUSED[name]
+    with pytest.raises(error, match=words):
         solve(rhs, span, start, rtol=RTOL)
 
 
@@ -515,12 +515,12 @@ def test_no_step_is_longer_than_asked_for():
     for method in ("auto", "python"):
         end = solve(blind, [0, 5], [1.0], max_step=0.01, method=method)[-1, 0]
         assert end == pytest.approx(1 + 20 * width, abs=1e-7)
-    told = solve(lambda t, y: (y[1], -y[0]), [0, 5], [1.0, 0.0], max_step=0.01, report=True).report
-    assert told.steps >= 500
+    report = solve(lambda t, y: (y[1], -y[0]), [0, 5], [1.0, 0.0], max_step=0.01, report=True).report
+    assert report.steps >= 500
     assert solve(lambda t, y: (1.0,), [0, 5], [0.0], first_step=1e-3, report=True, method="python").report.steps > 3
 
 
 def test_a_report_tells_the_absolute_tolerance():
-    told = solve(lambda t, y: (y[1], -y[0]), [0, 5], [2.0, 0.0], report=True, method="python").report
-    assert told.atol.shape == (2,)
-    assert 0 < told.atol[0] <= 2e-10
+    report = solve(lambda t, y: (y[1], -y[0]), [0, 5], [2.0, 0.0], report=True, method="python").report
+    assert report.atol.shape == (2,)
+    assert 0 < report.atol[0] <= 2e-10

@@ -89,8 +89,8 @@ def counted(rates, allowed=math.inf):
 
 
 def by_scipy(rates, start, end, rtol):
-    found = solve_ivp(rates, (0, end), start, method="DOP853", rtol=rtol, atol=rtol * np.abs(start).max())
-    return found.y[:, -1], found.nfev
+    result = solve_ivp(rates, (0, end), start, method="DOP853", rtol=rtol, atol=rtol * np.abs(start).max())
+    return result.y[:, -1], result.nfev
 
 
 @pytest.mark.parametrize("name", [*ROUNDED, *CHAINS])
@@ -100,9 +100,9 @@ def test_what_is_only_rounding_or_far_away_costs_no_steps(name, rtol):
     rates, start, end = {**ROUNDED, **CHAINS}[name]
     _, evaluations = by_scipy(rates, start, end, rtol)
     exact, _ = by_scipy(rates, start, end, 3e-14)  # at rtol itself SciPy is off by ten rtol on some processors
-    found = solve(counted(rates, 4 * evaluations + 600)[0], [0, end], start, rtol=rtol, method="python")[-1]
+    result = solve(counted(rates, 4 * evaluations + 600)[0], [0, end], start, rtol=rtol, method="python")[-1]
     if name != "a car with locked rear wheels":  # there rounding grows until it is seen
-        assert np.abs(found - exact).max() < 300 * rtol * np.abs(exact).max() + 1e-13
+        assert np.abs(result - exact).max() < 300 * rtol * np.abs(exact).max() + 1e-13
 
 
 @pytest.mark.parametrize("unit", [2.0**-40, 2.0**40])
@@ -126,8 +126,8 @@ def test_a_seed_that_nothing_large_drives_keeps_its_own_scale(small):
         return y[1], -y[0], y[2] * (1 - y[1])
 
     for method in ("python", "compiled"):
-        found = solve(rates, [0, 20.0], [1.0, 0.0, small], rtol=1e-10, method=method)[-1, 2]
-        assert found == pytest.approx(small * math.exp(20 - math.cos(20) + 1), rel=1e-8)
+        result = solve(rates, [0, 20.0], [1.0, 0.0, small], rtol=1e-10, method=method)[-1, 2]
+        assert result == pytest.approx(small * math.exp(20 - math.cos(20) + 1), rel=1e-8)
 
 
 @pytest.mark.parametrize("size", [1e-3, 1e-9, 1e-12])
@@ -137,9 +137,9 @@ def test_an_unstable_start_grows_as_it_should_beside_what_is_large(size):
     def rates(t, y):
         return y[2], y[3], 0.0, math.sin(y[1])
 
-    found = solve(rates, [0, 5.0], [100.0, size, 3.0, 0.0], rtol=1e-10, method="python")[-1]
+    result = solve(rates, [0, 5.0], [100.0, size, 3.0, 0.0], rtol=1e-10, method="python")[-1]
     reference = solve_ivp(rates, (0, 5), [0.0, size, 0.0, 0.0], method="DOP853", rtol=1e-12, atol=1e-14 * size).y[:, -1]
-    assert found[[1, 3]] == pytest.approx(reference[[1, 3]], rel=1e-8)
+    assert result[[1, 3]] == pytest.approx(reference[[1, 3]], rel=1e-8)
 
 
 def test_a_jump_is_nothing_for_steps_of_one_length():

@@ -35,8 +35,8 @@ HIRES = [1.0, 0, 0, 0, 0, 0, 0, 0.0057]
 
 
 def by_radau(rhs, end, start, **parameters):
-    found = solve_ivp(lambda t, y: rhs(t, y, **parameters), (0, end), start, method="Radau", rtol=1e-10, atol=1e-14)
-    return found.y[:, -1]
+    result = solve_ivp(lambda t, y: rhs(t, y, **parameters), (0, end), start, method="Radau", rtol=1e-10, atol=1e-14)
+    return result.y[:, -1]
 
 
 @pytest.mark.parametrize("method", ["python", "auto"])

@@ -27,13 +27,13 @@ print(*map(float.hex, end.tolist()), "numba" in sys.modules)
 
 def first_and_second(cache, between=lambda files: None):
     """What two processes say, one after the other, with the same folder; `between` has the files of the first."""
-    given = {**os.environ, "XDG_CACHE_HOME": str(cache)}
-    told = []
+    options = {**os.environ, "XDG_CACHE_HOME": str(cache)}
+    runs = []
     for _ in range(2):
-        told.append(subprocess.run([sys.executable, "-c", RUN], env=given, capture_output=True, text=True))
+        runs.append(subprocess.run([sys.executable, "-c", RUN], env=options, capture_output=True, text=True))
         between(sorted(Path(cache).rglob("*.o")))
-    assert [one.stderr for one in told] == ["", ""]
-    return [one.stdout for one in told]
+    assert [run.stderr for run in runs] == ["", ""]
+    return [run.stdout for run in runs]
 
 
 @pytest.mark.parametrize("rtol", [1e-6, 1e-9, 1e-12])
@@ -58,10 +58,10 @@ def test_a_function_without_derivatives_takes_the_steps_of_python():
 
 @pytest.mark.parametrize("method", ["gauss", "composition"])
 def test_long_runs_compiled_take_the_steps_of_python(method, monkeypatch):
-    t, given = np.linspace(0, 50, 6), {"method": method, "step": 0.01}
-    compiled = solve(lambda t, y: (y[1], -y[0] * y[0] * y[0]), t, [1.0, 0.0], **given)
+    t, options = np.linspace(0, 50, 6), {"method": method, "step": 0.01}
+    compiled = solve(lambda t, y: (y[1], -y[0] * y[0] * y[0]), t, [1.0, 0.0], **options)
     monkeypatch.setenv("TAM570_COMPILED", "0")
-    assert (solve(lambda t, y: (y[1], -y[0] * y[0] * y[0]), t, [1.0, 0.0], **given) == compiled).all()
+    assert (solve(lambda t, y: (y[1], -y[0] * y[0] * y[0]), t, [1.0, 0.0], **options) == compiled).all()
 
 
 def test_a_second_process_takes_what_the_first_compiled(tmp_path):
@@ -69,29 +69,29 @@ def test_a_second_process_takes_what_the_first_compiled(tmp_path):
         stamps.append([file.stat().st_mtime_ns for file in files])
 
     stamps = []
-    one, two = first_and_second(tmp_path, unchanged)
-    assert one == two and one.endswith("False\n")  # numba is not imported
+    run, two = first_and_second(tmp_path, unchanged)
+    assert run == two and run.endswith("False\n")  # numba is not imported
     assert len(stamps[0]) == 1 and stamps[0] == stamps[1]
 
 
 @pytest.mark.parametrize("spoiled", [b"", b"nonsense", None])
 def test_a_file_that_was_spoiled_is_made_again(tmp_path, spoiled):
-    whole = []
+    contents = []
 
     def spoil(files):
         code = files[0].read_bytes()
-        whole.append(code)
+        contents.append(code)
         files[0].write_bytes(code[:-1] + bytes([code[-1] ^ 1]) if spoiled is None else spoiled)
 
-    one, two = first_and_second(tmp_path, spoil)
-    assert one == two
-    assert whole[0] == whole[1]  # the second process did not take it, and wrote its own
+    run, two = first_and_second(tmp_path, spoil)
+    assert run == two
+    assert contents[0] == contents[1]  # the second process did not take it, and wrote its own
 
 
 def test_a_folder_that_takes_nothing_is_no_hindrance(tmp_path):
     (tmp_path / "file").touch()
-    one, two = first_and_second(tmp_path / "file")
-    assert one == two and one
+    run, two = first_and_second(tmp_path / "file")
+    assert run == two and run
 
 
 def test_without_the_compiler_auto_runs_in_python(monkeypatch):

@@ -40,9 +40,9 @@ EPS = 2.0**-52
     ],
 )
 def test_bad_input_is_named_with_its_remedy(change, message):
-    given = {"rhs": oscillator, "t": [0, 1], "y0": [1.0, 0.0], **change}
+    arguments = {"rhs": oscillator, "t": [0, 1], "y0": [1.0, 0.0], **change}
     with pytest.raises(ValueError, match=message):
-        solve(given.pop("rhs"), given.pop("t"), given.pop("y0"), **given)
+        solve(arguments.pop("rhs"), arguments.pop("t"), arguments.pop("y0"), **arguments)
 
 
 @pytest.mark.parametrize(
@@ -57,9 +57,11 @@ def test_bad_input_is_named_with_its_remedy(change, message):
     ],
 )
 def test_bad_input_of_a_rotation_is_named_too(change, message):
-    given = {"t": [0, 1], "omega": (0.0, 0.0, 1.0), "R": np.eye(3), "rtol": 1e-10, **change}
+    arguments = {"t": [0, 1], "omega": (0.0, 0.0, 1.0), "R": np.eye(3), "rtol": 1e-10, **change}
     with pytest.raises(ValueError, match=message):
-        solve_rotation(lambda t, w: (0.0, 0.0, 0.0), given["t"], given["omega"], given["R"], rtol=given["rtol"])
+        solve_rotation(
+            lambda t, w: (0.0, 0.0, 0.0), arguments["t"], arguments["omega"], arguments["R"], rtol=arguments["rtol"]
+        )
 
 
 def test_a_rotation_that_becomes_infinitely_fast_is_told_with_its_time():

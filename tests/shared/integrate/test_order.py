@@ -60,10 +60,10 @@ def test_a_step_is_of_order_eight_and_its_estimates_of_five_and_three():
 
 def test_inside_a_step_the_error_is_that_of_the_step():
     for h in (0.5, 0.3, 0.2):
-        inside = max(abs(one_step(h, x) - exact_clock(x * h)) for x in np.linspace(0.02, 0.98, 25))
+        worst = max(abs(one_step(h, x) - exact_clock(x * h)) for x in np.linspace(0.02, 0.98, 25))
         n, fifth, third = one_step(h)
         estimate = fifth / math.sqrt(fifth + 0.01 * third)
-        assert inside < 5 * max(estimate, abs(n - exact_clock(h)))  # DOP853's own interpolant: 20 to 60
+        assert worst < 5 * max(estimate, abs(n - exact_clock(h)))  # DOP853's own interpolant: 20 to 60
 
 
 @pytest.mark.parametrize(("method", "order"), [("gauss", 12), ("composition", 8)])

@@ -49,9 +49,9 @@ def test_the_states_are_those_of_solve(alone, times, rhs, parameters):
 def test_what_was_given_back_is_not_written_over():
     run = prepared(pendulum, [0, 1, 2], STARTS[0], parameters=GIVEN)
     first = run(STARTS[0])
-    kept = first.copy()
+    copy = first.copy()
     run(STARTS[1])
-    np.testing.assert_array_equal(first, kept)
+    np.testing.assert_array_equal(first, copy)
 
 
 def test_threads_do_not_share_their_memory():
@@ -69,10 +69,10 @@ def test_threads_do_not_share_their_memory():
 )
 def test_a_wrong_start_is_refused_and_the_next_one_runs(start):
     run = prepared(pendulum, [0, 1], STARTS[0], parameters=GIVEN)
-    right = run(STARTS[0])
+    expected = run(STARTS[0])
     with pytest.raises(ValueError, match="y0|rhs"):
         run(start)
-    np.testing.assert_array_equal(run(STARTS[0]), right)
+    np.testing.assert_array_equal(run(STARTS[0]), expected)
 
 
 def test_what_cannot_be_compiled_runs_as_it_stands(monkeypatch):
@@ -89,10 +89,10 @@ def thrown(t, y, *, length):
 
 @pytest.mark.parametrize("rhs", [pendulum, thrown])
 def test_parameters_are_those_of_the_preparation(rhs):
-    given = {"length": 1.0}
-    run = prepared(rhs, [0, 1], STARTS[0], parameters=given)
+    arguments = {"length": 1.0}
+    run = prepared(rhs, [0, 1], STARTS[0], parameters=arguments)
     before = run(STARTS[0])
-    given["length"] = 5.0
+    arguments["length"] = 5.0
     np.testing.assert_array_equal(run(STARTS[0]), before)
 
 
@@ -100,11 +100,11 @@ def test_parameters_are_those_of_the_preparation(rhs):
 
 
 @pytest.fixture
-def again(monkeypatch):
+def prepared_call(monkeypatch):
     """again(rhs, times, **given) -> start -> states: a call of solve that has the run at hand."""
 
-    def repeated(rhs, times, **given):
-        call = partial(solver.solve, rhs, times, method="compiled", **given)
+    def repeated(rhs, times, **arguments):
+        call = partial(solver.solve, rhs, times, method="compiled", **arguments)
         for start in STARTS[:3]:
             call(start)
 
@@ -120,22 +120,22 @@ def again(monkeypatch):
 
 @pytest.mark.parametrize("times", [[0, 3], np.linspace(-1, 20, 57), (5.0, 2.0, 1.5)])
 @pytest.mark.parametrize(("rhs", "parameters"), [(pendulum, GIVEN), (driven, {})])
-def test_a_call_like_ones_before_gives_what_they_gave(again, monkeypatch, times, rhs, parameters):
-    given = {"parameters": parameters, "rtol": 1e-9, "atol": 1e-12}
-    run = again(rhs, times, **given)
-    found = [run(start) for start in STARTS]
+def test_a_call_like_ones_before_gives_what_they_gave(prepared_call, monkeypatch, times, rhs, parameters):
+    arguments = {"parameters": parameters, "rtol": 1e-9, "atol": 1e-12}
+    run = prepared_call(rhs, times, **arguments)
+    results = [run(start) for start in STARTS]
     monkeypatch.setattr("tam570.integrate.compiled_cache.slot_of", lambda *_: None)
-    for start, states in zip(STARTS, found, strict=True):
-        np.testing.assert_array_equal(states, solve(rhs, times, start, method="compiled", **given))
+    for start, states in zip(STARTS, results, strict=True):
+        np.testing.assert_array_equal(states, solve(rhs, times, start, method="compiled", **arguments))
 
 
-def test_a_call_of_which_anything_differs_is_another(again):
-    times, given = np.array([0.0, 1.0, 3.0]), {"length": 0.7}
-    run = again(pendulum, times, parameters=given)
+def test_a_call_of_which_anything_differs_is_another(prepared_call):
+    times, arguments = np.array([0.0, 1.0, 3.0]), {"length": 0.7}
+    run = prepared_call(pendulum, times, parameters=arguments)
     first = run(STARTS[0])
     first[:] = 0.0  # a result is the caller's own
     assert run(STARTS[0])[0].tolist() == STARTS[0]
-    for change in (partial(times.__setitem__, 2, 2.0), partial(given.update, length=1.7)):
+    for change in (partial(times.__setitem__, 2, 2.0), partial(arguments.update, length=1.7)):
         change()
         with pytest.raises(TypeError):  # an engine is asked for
             run(STARTS[0])
@@ -143,7 +143,7 @@ def test_a_call_of_which_anything_differs_is_another(again):
 
 @pytest.mark.parametrize("start", [[1.0], [math.nan, 0.0], "no", [[1.0], [2.0]], np.ones((2, 1))])
 def test_a_wrong_start_of_a_call_like_ones_before_is_refused(start):
-    for right in STARTS[:3]:
-        solve(pendulum, [0, 1], right, parameters=GIVEN, method="compiled")
+    for expected in STARTS[:3]:
+        solve(pendulum, [0, 1], expected, parameters=GIVEN, method="compiled")
     with pytest.raises((ValueError, IndexError)):  # or what rhs itself raises
         solve(pendulum, [0, 1], start, parameters=GIVEN, method="compiled")

@@ -48,8 +48,8 @@ COUNT = CALLS.count("lambda: ")
 
 def answers(order, cache):
     """{call: digests of its answers} of one new process."""
-    given = {**os.environ, "XDG_CACHE_HOME": str(cache)}
-    run = subprocess.run([sys.executable, "-c", CALLS, *map(str, order)], env=given, capture_output=True, text=True)
+    options = {**os.environ, "XDG_CACHE_HOME": str(cache)}
+    run = subprocess.run([sys.executable, "-c", CALLS, *map(str, order)], env=options, capture_output=True, text=True)
     assert not run.stderr, run.stderr
     digests = {}
     for line in run.stdout.splitlines():
@@ -62,6 +62,6 @@ def test_identical_calls_return_identical_arrays_cold_or_warm_in_any_order(tmp_p
     pytest.importorskip("llvmlite")
     forwards, backwards = list(range(COUNT)), list(range(COUNT))[::-1]
     cold = answers([*forwards, *forwards, *forwards], tmp_path)
-    warm = answers([*backwards, *backwards], tmp_path)
+    repeated = answers([*backwards, *backwards], tmp_path)
     assert {which: len(digests) for which, digests in cold.items()} == dict.fromkeys(forwards, 1)
-    assert cold == warm
+    assert cold == repeated

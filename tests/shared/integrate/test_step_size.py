@@ -28,8 +28,8 @@ def primitive_of_sin8(t):
 )
 def test_zero_derivatives_at_the_start(rhs, start, exact):
     t = np.array([0.0, 3.0, 30.0])
-    found = solve(rhs, t, start, rtol=1e-12)[:, 0]
-    assert found == pytest.approx([exact(x) for x in t], rel=1e-10, abs=1e-12)
+    result = solve(rhs, t, start, rtol=1e-12)[:, 0]
+    assert result == pytest.approx([exact(x) for x in t], rel=1e-10, abs=1e-12)
 
 
 def braked_car(t, y, mass, inertia, free, locked, drag):
@@ -37,15 +37,21 @@ def braked_car(t, y, mass, inertia, free, locked, drag):
     heading, speed, yaw_rate = y[2:]
     c, s = math.cos(heading), math.sin(heading)
     sideways = (locked - free) * yaw_rate
-    slip = math.hypot(speed, sideways)
-    along, aside = -drag * speed / slip, -drag * sideways / slip
+    sliding = math.hypot(speed, sideways)
+    along, aside = -drag * speed / sliding, -drag * sideways / sliding
     fx, fy, moment = along * c - aside * s, along * s + aside * c, locked * aside
     lacking = yaw_rate * speed - (c * fy - s * fx) / mass - free * moment / inertia
     multiplier = lacking / (1 / mass + free**2 / inertia)
     ax, ay = (fx - s * multiplier) / mass, (fy + c * multiplier) / mass
-    left = -free * yaw_rate
+    leftwards = -free * yaw_rate
     turning = (moment + free * multiplier) / inertia
-    return speed * c - left * s, speed * s + left * c, yaw_rate, ax * c + ay * s + yaw_rate * left, turning
+    return (
+        speed * c - leftwards * s,
+        speed * s + leftwards * c,
+        yaw_rate,
+        ax * c + ay * s + yaw_rate * leftwards,
+        turning,
+    )
 
 
 def test_noise_that_is_seldom_there_stops_nothing():
@@ -83,8 +89,8 @@ def test_atol_spares_steps_where_nobody_looks():
     def rates(t, y):
         return y[1], -y[0], y[3], -400 * y[2]
 
-    def steps(**given):
-        return solve(rates, [0, 20.0], [1.0, 0.0, 1e-12, 0.0], report=True, method="python", **given).report.steps
+    def steps(**arguments):
+        return solve(rates, [0, 20.0], [1.0, 0.0, 1e-12, 0.0], report=True, method="python", **arguments).report.steps
 
     assert steps(atol=1e-10) < steps() / 5
     assert steps(atol=[0.0, 0.0, 1e-10, 1e-10]) < steps() / 5

@@ -32,13 +32,13 @@ def drag_and_wind(t, state, *, mass, drag, gravity, wind):
 
 
 def test_what_a_scene_lacks_is_not_computed():
-    given = {"mass": 2.0, "drag": 0.1, "gravity": 9.81, "wind": 3.0}
-    full = operations(drag_and_wind, 6, **given)
+    parameters = {"mass": 2.0, "drag": 0.1, "gravity": 9.81, "wind": 3.0}
+    full = operations(drag_and_wind, 6, **parameters)
     for absent in ("wind", "gravity", "drag"):
-        fewer = operations(drag_and_wind, 6, **{**given, absent: 0.0})
+        fewer = operations(drag_and_wind, 6, **{**parameters, absent: 0.0})
         assert fewer["rhs"] < full["rhs"]
         assert fewer["step"] < full["step"]
-    nothing = operations(drag_and_wind, 6, **{**given, "drag": 0.0})
+    nothing = operations(drag_and_wind, 6, **{**parameters, "drag": 0.0})
     assert nothing["rhs"] == 0  # constant rates
     assert nothing["step"] < full["step"] / 2
 

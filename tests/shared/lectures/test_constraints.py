@@ -98,13 +98,6 @@ def test_the_axle_that_lifts_is_named(way):
     )
 
 
-def test_a_car_without_friction_rolls_on():
-    for locked in ("front", "rear", "both"):
-        car = {**stopping_car.EXAMPLE, "friction": 0.0, "locked": locked}
-        for way in WAYS:
-            assert way(**car) == pytest.approx((0.0, 9.81 * 1.5 / 2.7, 9.81 * 1.2 / 2.7), abs=1e-12)
-
-
 # swinging_bar
 
 BAR = {"mass": 0.7, "length": 1.3, "gravity": 9.81}

@@ -22,26 +22,17 @@ def grown(size):
 
 
 @pytest.fixture
-def tab(browser, tmp_path):
-    """The page of the film at 2, with a slider to 1 and 4; it must not complain."""
-    document = page(with_slider(grown, "size", "m", [4.0, 1.0, 2.0], 2.0))
-    (tmp_path / "slider.html").write_text(document, encoding="utf-8")
-    complaints = []
-    context = browser.new_context(viewport={"width": 390, "height": 844}, reduced_motion="reduce")
-    tab = context.new_page()
-    tab.on("pageerror", lambda error: complaints.append(str(error)))
-    tab.goto((tmp_path / "slider.html").as_uri())
-    yield tab
-    context.close()
-    assert not complaints
+def tab(open_page):
+    """The page of the film at 2, with a slider to 1 and 4."""
+    return open_page(page(with_slider(grown, "size", "m", [4.0, 1.0, 2.0], 2.0)), (390, 844))
 
 
 def test_all_films_of_a_slider_share_one_scale():
     document = packed(with_slider(grown, "size", "m", [4.0, 1.0], 2.0))
     assert document["slider"]["values"] == [1.0, 2.0, 4.0] and document["slider"]["chosen"] == 1
-    one, chosen, four = document["slider"]["scenes"]
-    assert chosen is None and {scene["panels"][0]["unit"] for scene in (one, document, four)} == {4.0 / 2000}
-    assert one["panels"][0]["size"] == four["panels"][0]["size"]
+    small, chosen, large = document["slider"]["scenes"]
+    assert chosen is None and {scene["panels"][0]["unit"] for scene in (small, document, large)} == {4.0 / 2000}
+    assert small["panels"][0]["size"] == large["panels"][0]["size"]
 
 
 def test_a_film_without_a_slider_has_none():

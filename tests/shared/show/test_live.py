@@ -19,29 +19,14 @@ SIZES = [(1280, 720), (390, 844)]
 
 
 @pytest.fixture
-def tab(browser, tmp_path):
-    """`tab(scene, size)` -> its page, which must not complain."""
-    contexts, complaints = [], []
+def tab(open_page):
+    """`tab(scene, size)` -> its small page."""
 
     def tab(scene, size=SIZES[0], **options):
-        file = tmp_path / "live.html"
-        file.write_text(page(scene), encoding="utf-8")
-        assert file.stat().st_size < LARGEST
-        context = browser.new_context(
-            viewport=dict(zip(("width", "height"), size, strict=True)), reduced_motion="reduce", **options
-        )
-        contexts.append(context)
-        opened = context.new_page()
-        opened.on("pageerror", lambda error: complaints.append(str(error)))
-        opened.on("console", lambda message: complaints.append(message.text))
-        opened.goto(file.as_uri())
-        opened.evaluate("() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
-        return opened
+        assert len(page(scene).encode()) < LARGEST
+        return open_page(page(scene), size, **options)
 
-    yield tab
-    for context in contexts:
-        context.close()
-    assert not complaints
+    return tab
 
 
 @pytest.fixture

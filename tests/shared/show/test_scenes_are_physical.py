@@ -67,21 +67,3 @@ def overlap(body, other):
             along = [points @ [-y, x] for points in (body, other)]
             deepest = min(deepest, min(along[0].max() - along[1].min(), along[1].max() - along[0].min()))
     return deepest
-
-
-@pytest.mark.parametrize("restitution", [0.0, 0.3, 1.0])
-def test_the_rod_and_the_balls_collide_at_their_rims(restitution):
-    scene = load("collisions").film({"restitution": restitution})
-    cradle, rod = scene.panels
-    rims = [shape.points for shape in cradle.shapes if shape.kind == "fill"]
-    balls = np.stack([(rim.min(axis=1) + rim.max(axis=1)) / 2 for rim in rims], axis=1)
-    radius = np.ptp(rims[0][0, :, 1]) / 2
-    gaps = np.linalg.norm(np.diff(balls, axis=1), axis=2) - 2 * radius
-    assert -1e-2 * radius < gaps.min() < 1e-2 * radius
-    (bar,) = (shape.points for shape in rod.shapes if shape.kind == "lines")
-    (peg,) = (shape.points for shape in rod.shapes if shape.kind == "fill")
-    along = bar[:, 1] - bar[:, 0]
-    middle, reach = (peg.min(axis=0) + peg.max(axis=0)) / 2, np.ptp(peg[:, 1]) / 2
-    share = np.clip(((middle - bar[:, 0]) * along).sum(axis=1) / (along**2).sum(axis=1), 0, 1)
-    distance = np.linalg.norm(bar[:, 0] + share[:, None] * along - middle, axis=1)
-    assert distance.min() == pytest.approx(reach, abs=1e-9)

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 from parameters import SLUGS, first
 
-from tam570.show import load_student
 from tam570.show.page import framed, page
 from tam570.show.scene import Panel, Scene, Shape, frame_times
 
@@ -12,38 +11,16 @@ PLANE, SPACE = "hw07_double_pendulum", "hw14_rolling_disk"
 SIZES = {"desktop": (1280, 720), "phone": (390, 844)}
 PIXELS = "id => document.getElementById(id).toDataURL()"
 TIME = "() => Number(document.getElementById('scrub').value)"
-# an observer of sizes is first called at the end of a page's first frame
-LAID_OUT = "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 
 
 @pytest.fixture
-def opened(browser, scenes, tmp_path):
-    """`opened(slug or document)` -> the page, paused unless motion is wanted; it must not complain."""
-    contexts, complaints = [], []
+def opened(open_page, scenes):
+    """`opened(slug or document)` -> the page, paused unless motion is wanted."""
 
-    def opened(what, size="desktop", scheme="light", motion="reduce", **options):
-        document = what if what.startswith("<") else page(scenes(what))
-        (tmp_path / "scene.html").write_text(document, encoding="utf-8")
-        width, height = SIZES[size]
-        context = browser.new_context(
-            viewport={"width": width, "height": height}, color_scheme=scheme, reduced_motion=motion, **options
-        )
-        contexts.append(context)
-        tab = context.new_page()
-        tab.on("console", lambda message: complaints.append(message.text))
-        tab.on("pageerror", lambda error: complaints.append(str(error)))
-        tab.on(
-            "request",
-            lambda request: None if request.url.startswith(("file:", "data:")) else complaints.append(request.url),
-        )
-        tab.goto((tmp_path / "scene.html").as_uri())
-        tab.evaluate(LAID_OUT)
-        return tab
+    def opened(what, size="desktop", **options):
+        return open_page(what if what.startswith("<") else page(scenes(what)), SIZES[size], **options)
 
-    yield opened
-    for context in contexts:
-        context.close()
-    assert not complaints
+    return opened
 
 
 def until(tab, condition):
@@ -88,7 +65,7 @@ def test_every_scene_is_drawn_fits_and_has_names(opened, slug, scenes):
 
 
 def test_it_plays_by_itself_and_stops_and_goes_on(opened):
-    tab = opened(PLANE, motion="no-preference")
+    tab = opened(PLANE, reduced_motion="no-preference")
     until(tab, "state.time > 0.1")
     tab.get_by_role("button", name="Pause").click()
     stopped, picture = tab.evaluate(TIME), tab.evaluate(PIXELS, "live")
@@ -168,18 +145,10 @@ def test_the_tip_is_where_the_student_has_it(opened, scenes):
         assert off < 2.5 * unit  # a pixel, which is two units, and rounding
 
 
-def test_the_eye_is_that_of_hw04(opened, course):
-    solution = load_student(course / "solutions" / "hw04_hanging_spring.py", "hw04_hanging_spring")
-    tab, points = opened(SPACE), np.random.default_rng(2).normal(size=(5, 3))
-    tab.evaluate("() => { camera.azimuth = 0.7; camera.elevation = -0.4; }")
-    result = [tab.evaluate("p => seen(...p, false)", point) for point in points.tolist()]
-    np.testing.assert_allclose(result, solution.project(points, 0.7, -0.4), atol=1e-12)
-
-
 def test_dark_is_dark(opened):
     colors = {}
     for scheme in ("light", "dark"):
-        tab = opened(PLANE, scheme=scheme)
+        tab = opened(PLANE, color_scheme=scheme)
         colors[scheme] = (tab.evaluate("getComputedStyle(document.body).backgroundColor"), tab.evaluate("colors.ink"))
     assert colors["light"][0] != colors["dark"][0] and colors["light"][1] != colors["dark"][1]
     tab.emulate_media(color_scheme="light")
