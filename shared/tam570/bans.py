@@ -34,15 +34,15 @@ class Forbidden(ImportError):
 def must_be_allowed(name: str, parts: Iterable[str] | None, banned: Iterable[str]) -> None:
     """Forbidden where `import name`, or `from name import parts`, takes something of a banned module."""
     wanted = {name, *(f"{name}.{part}" for part in parts or ())}
-    for one in banned:
-        if any(item == one or item.startswith(f"{one}.") for item in wanted):
-            raise Forbidden(f"{one} is off limits {HERE}, even where nothing uses it")
+    for module in banned:
+        if any(item == module or item.startswith(f"{module}.") for item in wanted):
+            raise Forbidden(f"{module} is off limits {HERE}, even where nothing uses it")
 
 
-def must_be_there(name: str, own: str) -> None:
-    """ModuleNotFoundError unless a file called `own` may import this module: what else is installed does not count."""
+def must_be_there(name: str, slug: str) -> None:
+    """ModuleNotFoundError unless a file called `slug` may import this module: what else is installed does not count."""
     top = name.partition(".")[0]
-    if top not in {own, *LIBRARIES} and top not in sys.stdlib_module_names:
+    if top not in {slug, *LIBRARIES} and top not in sys.stdlib_module_names:
         message = f"No module named {name!r}"
         raise ModuleNotFoundError(message, name=name)
 
@@ -84,4 +84,4 @@ def _refusing(*args: Any, _unusable: Unusable, **kwargs: Any) -> Any:
 
 def everywhere(module: ModuleType, function: Any, stand_in: Any) -> list[Change]:
     """The function replaced by every name that it has in the module."""
-    return [(module, name, stand_in) for name, one in vars(module).items() if one is function]
+    return [(module, name, stand_in) for name, value in vars(module).items() if value is function]

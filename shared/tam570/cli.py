@@ -49,7 +49,7 @@ def main(argv: list[str] | None = None) -> int:
 def _fitted(text: str) -> str:
     """A message in lines of 80 characters at most; paths and names stay whole."""
     lines = text.splitlines()
-    return "\n".join(textwrap.fill(one, 80, break_long_words=False, break_on_hyphens=False) for one in lines)
+    return "\n".join(textwrap.fill(line, 80, break_long_words=False, break_on_hyphens=False) for line in lines)
 
 
 def _printable() -> None:
@@ -75,9 +75,9 @@ def _parser() -> argparse.ArgumentParser:
 
 def _must_be_a_command(parser: argparse.ArgumentParser, words: Sequence[str]) -> None:
     """Unknown, with the command that was meant, where the first word is none."""
-    (action,) = (one for one in parser._actions if isinstance(one, argparse._SubParsersAction))
+    (action,) = (action for action in parser._actions if isinstance(action, argparse._SubParsersAction))
     if words and not words[0].startswith("-") and words[0] not in action.choices:
-        close = "".join(f"; did you mean {one}?" for one in get_close_matches(words[0], action.choices, 1))
+        close = "".join(f"; did you mean {word}?" for word in get_close_matches(words[0], action.choices, 1))
         raise Unknown(f"there is no command {words[0]!r}{close or '; there are ' + ', '.join(action.choices)}")
 
 
@@ -138,22 +138,22 @@ def _list(arguments: argparse.Namespace) -> int:
     points = most = 0.0
     for slug in assignments():
         file = work.work_of(slug)
-        known = recalled(file) if file else None
-        print(f"{slug:<26} {_state(file, known) or title(slug)}")
-        if known:
-            points, most = points + known[0]["points"], most + known[0]["most"]
+        recalled_progress = recalled(file) if file else None
+        print(f"{slug:<26} {_state(file, recalled_progress) or title(slug)}")
+        if recalled_progress:
+            points, most = points + recalled_progress[0]["points"], most + recalled_progress[0]["most"]
     if most:
         print(f"\n{points:g} of {most:g} points by the visible tests of what you have checked here")
     return 0
 
 
-def _state(file: Path | None, known: tuple[dict[str, Any], bool] | None) -> str:
+def _state(file: Path | None, recalled_progress: tuple[dict[str, Any], bool] | None) -> str:
     """How far the work on one assignment is, by the tests as they were run last; nothing is run for it."""
-    if known is None:
+    if recalled_progress is None:
         return "started" if file else ""
-    found, current = known
-    ahead = f"next: {found['next']}" if found["next"] else "done"
-    return f"{found['points']:g} of {found['most']:g}, {ahead}" if current else "changed since you checked it"
+    progress, is_current = recalled_progress
+    ahead = f"next: {progress['next']}" if progress["next"] else "done"
+    return f"{progress['points']:g} of {progress['most']:g}, {ahead}" if is_current else "changed since you checked it"
 
 
 def _start(arguments: argparse.Namespace) -> int:
@@ -235,9 +235,9 @@ def _ask_before(slug: str) -> None:
     """Ask for the predictions that come before the picture, and on a terminal wait for them."""
     rubric = folder(slug) / "rubric.toml"
     parts = tomllib.loads(rubric.read_text(encoding="utf-8"))["parts"] if rubric.exists() else {}
-    asked = [f"Before you look ({letter}): {part['before']}" for letter, part in parts.items() if "before" in part]
-    if asked:
-        print(*(textwrap.fill(one, 80) for one in asked), sep="\n")
+    questions = [f"Before you look ({letter}): {part['before']}" for letter, part in parts.items() if "before" in part]
+    if questions:
+        print(*(textwrap.fill(question, 80) for question in questions), sep="\n")
         if sys.stdin.isatty() and sys.stdout.isatty():
             input("Press Enter when you have. ")
 
@@ -252,8 +252,8 @@ def _hint(arguments: argparse.Namespace) -> int:
     if function not in hints:
         raise Unknown(f"no hints for {function!r}; there are hints for {', '.join(hints)}")
     steps = hints[function]
-    given = 0 if arguments.again else hints_given(released.name, function)
-    step = len(steps) - 1 if arguments.all else min(given, len(steps) - 1)
+    seen = 0 if arguments.again else hints_given(released.name, function)
+    step = len(steps) - 1 if arguments.all else min(seen, len(steps) - 1)
     for number in range(0 if arguments.all else step, step + 1):
         print(textwrap.fill(steps[number], 80))
         print(f"({number + 1} of {len(steps)}{'' if number + 1 < len(steps) else '; this is the last'})")

@@ -46,18 +46,18 @@ def not_utf8(file: Path) -> str:
     return f"{file.name}, line {line}: a character is not UTF-8, so Python cannot read the file; save it as UTF-8."
 
 
-def loaded(file: Path, slug: str, own: Builtins | None = None) -> tuple[ModuleType, list[str]]:
+def loaded(file: Path, slug: str, replacements: Builtins | None = None) -> tuple[ModuleType, list[str]]:
     """The module in a file, under the assignment's name, and the notebook cells that were skipped because they raised.
 
-    own : what replaces the built-in functions
+    replacements : of the built-in functions
     Trouble if the file cannot be run.
     """
-    source, inside = source_of(file), _loading.get()
-    if file.resolve() in inside:
+    source, running = source_of(file), _loading.get()
+    if file.resolve() in running:
         raise Trouble(f"{file.name} loads itself; move the line that shows it out of the file.")
-    token = _loading.set(inside | {file.resolve()})
+    token = _loading.set(running | {file.resolve()})
     module = ModuleType(slug)
-    module.__dict__["__builtins__"] = {**vars(builtins), **KERNEL, **(own or {})}
+    module.__dict__["__builtins__"] = {**vars(builtins), **KERNEL, **(replacements or {})}
     module.__dict__["__file__"] = f"{slug}.py"
     before, sys.modules[slug] = sys.modules.get(slug), module  # a dataclass looks for its module there
     try:
@@ -100,8 +100,8 @@ def guarded_import(slug: str, banned: Sequence[str]) -> Callable[..., ModuleType
             if not level:
                 must_be_there(name, slug)
         except ModuleNotFoundError as error:
-            told = f"the grader does not have {error.name}; it has Python itself, {', '.join(LIBRARIES)}"
-            raise ModuleNotFoundError(told, name=error.name) from None
+            explanation = f"the grader does not have {error.name}; it has Python itself, {', '.join(LIBRARIES)}"
+            raise ModuleNotFoundError(explanation, name=error.name) from None
         module = import_module(name, globals, locals, fromlist, level)
         if name.partition(".")[0] == "matplotlib":
             sys.modules["matplotlib"].use = _no_window  # type: ignore[attr-defined]
@@ -120,14 +120,14 @@ def replaced(names: Sequence[str], what: str) -> Iterator[None]:
     before = {name: sys.modules.get(name) for name in names}
     try:
         for name in names:
-            _put(name, Unusable(name, what))
+            _place_module(name, Unusable(name, what))
         yield
     finally:
         for name, module in before.items():
-            _put(name, module)
+            _place_module(name, module)
 
 
-def _put(name: str, module: ModuleType | None) -> None:
+def _place_module(name: str, module: ModuleType | None) -> None:
     """Make this module the one that every import finds; None takes it away."""
     parent, _, last = name.rpartition(".")
     members = vars(sys.modules[parent]) if parent in sys.modules else {}
@@ -141,14 +141,16 @@ def _put(name: str, module: ModuleType | None) -> None:
 def said(error: BaseException, file: str) -> str:
     """The exception, and the line of the student's file that led to it."""
     if isinstance(error, SyntaxError):
-        place = f"Line {error.lineno}: " if error.lineno else ""
-        return f"{place}{type(error).__name__}: {error.msg}\n    {(error.text or '').strip()}".rstrip()
-    frames = [one for one in traceback.extract_tb(error.__traceback__) if one.filename in (file, _cell(one.filename))]
-    inside = f", in {frames[-1].name}" if frames and not frames[-1].name.startswith("<") else ""
-    place = f"Line {frames[-1].lineno}{inside}: {frames[-1].line}\n" if frames else ""
+        line = f"Line {error.lineno}: " if error.lineno else ""
+        return f"{line}{type(error).__name__}: {error.msg}\n    {(error.text or '').strip()}".rstrip()
+    frames = [
+        frame for frame in traceback.extract_tb(error.__traceback__) if frame.filename in (file, _cell(frame.filename))
+    ]
+    where = f", in {frames[-1].name}" if frames and not frames[-1].name.startswith("<") else ""
+    line = f"Line {frames[-1].lineno}{where}: {frames[-1].line}\n" if frames else ""
     if isinstance(error, Forbidden):
-        return f"{place}{error}."
-    return place + traceback.format_exception_only(error)[-1].strip()
+        return f"{line}{error}."
+    return line + traceback.format_exception_only(error)[-1].strip()
 
 
 def _cell(name: str) -> str | None:

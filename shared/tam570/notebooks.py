@@ -94,7 +94,7 @@ def _cleaned(text: str) -> str:
     indent = first[: len(first) - len(first.lstrip())]
     lines = [line.removeprefix(indent) for line in lines]
     if PROMPT.match(first.removeprefix(indent)):
-        lines = [line[found.end() :] if (found := PROMPT.match(line)) else line for line in lines]
+        lines = [line[prompt.end() :] if (prompt := PROMPT.match(line)) else line for line in lines]
     return "\n".join(lines)
 
 

@@ -47,6 +47,7 @@ def progress(
 
     A test is a function's own if it calls none that stands below it in the README. A function has its points when all
     of its own tests pass, or, if it has none, all that call it: to mend one function never takes points from another.
+    Next is a function that a test finds wrong by itself, if there is one.
     """
     worth = {name: float(points) for name, points in ROW.findall(_readme(slug))}
     calling = {name: [test for test in used if name in used[test]] for name in worth}
@@ -54,14 +55,17 @@ def progress(
     judging = {name: [test for test in calling[name] if last[test] == name] or calling[name] for name in worth}
     failed = {name: [test for test in judging[name] if outcomes.get(test) != PASSED] for name in worth if calling[name]}
     missing = [name for name in failed if failed[name]]
-    reasons = [(causes or {}).get(test) for test in failed[missing[0]]] if missing else []
+    causes = causes or {}
+    alone = {test: name for name in missing for test in failed[name] if used[test] == {name}}
+    certain = [name for test, name in alone.items() if causes.get(test) in (None, name)]
+    reasons = [causes.get(test) for test in failed[missing[0]]] if missing else []
     return {
         "points": sum(worth[name] for name in failed if name not in missing),
         "most": sum(worth[name] for name in failed),
         "passed": sum(outcome == PASSED for outcome in outcomes.values()),
         "tests": len(used),
         "missing": missing,
-        "next": next((name for name in [*reasons[:1], *missing] if name in missing), None),
+        "next": next((name for name in [*certain, *reasons[:1], *missing] if name in missing), None),
     }
 
 

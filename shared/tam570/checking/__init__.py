@@ -152,19 +152,19 @@ class Runner:
 
 def _environment() -> dict[str, str]:
     """No windows, one thread, and a place for Matplotlib where the home folder is read only."""
-    given = {"MPLBACKEND": "agg", "OPENBLAS_NUM_THREADS": "1", "PYTHONDONTWRITEBYTECODE": "1", **os.environ}
-    given["PYTHONIOENCODING"] = f"{sys.stdout.encoding}:replace"
+    settings = {"MPLBACKEND": "agg", "OPENBLAS_NUM_THREADS": "1", "PYTHONDONTWRITEBYTECODE": "1", **os.environ}
+    settings["PYTHONIOENCODING"] = f"{sys.stdout.encoding}:replace"
     if not os.access(os.path.expanduser("~"), os.W_OK):
-        given.setdefault("MPLCONFIGDIR", os.path.join(tempfile.gettempdir(), "tam570-matplotlib"))
-    return given
+        settings.setdefault("MPLCONFIGDIR", os.path.join(tempfile.gettempdir(), "tam570-matplotlib"))
+    return settings
 
 
 def _stamp(file: Path, slug: str) -> tuple[float, ...] | None:
     """What changes when the file or its tests are saved; None while an editor is replacing the file."""
     try:
-        found = [file.stat()]
+        stats = [file.stat()]
         tests = file.parent / f"test_{slug}.py"
-        found += [tests.stat()] if tests.exists() else []
+        stats += [tests.stat()] if tests.exists() else []
     except OSError:
         return None
-    return tuple(number for stat in found for number in (stat.st_mtime_ns, stat.st_size))
+    return tuple(number for stat in stats for number in (stat.st_mtime_ns, stat.st_size))

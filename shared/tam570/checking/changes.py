@@ -20,11 +20,11 @@ def keys(tests: str, code: str, module: str) -> dict[str, str]:
     SyntaxError if one of the sources is none.
     """
     here, there = _statements(tests), _statements(code)
-    found = {}
+    names = {}
     for name, used in calls(tests, module).items():
-        own = _digest(here, [name])
-        found[name] = _hash([own, _digest(there, sorted(there if ANY in used else used))])
-    return found
+        digest = _digest(here, [name])
+        names[name] = _hash([digest, _digest(there, sorted(there if ANY in used else used))])
+    return names
 
 
 def calls(tests: str, module: str) -> dict[str, set[str]]:
@@ -34,15 +34,15 @@ def calls(tests: str, module: str) -> dict[str, set[str]]:
     """
     here = _statements(tests)
     aliases, members = _imported(here, module)
-    found: dict[str, set[str]] = {}
+    names: dict[str, set[str]] = {}
     for name in here:
         if name.startswith(("test_", "Test")):
-            nodes = [node for one in _reached(here, [name]) for node in here[one]]
-            found[name] = _named(nodes, aliases, members)
-    return found
+            nodes = [node for reached in _reached(here, [name]) for node in here[reached]]
+            names[name] = _named(nodes, aliases, members)
+    return names
 
 
-def by_parameters(found: Mapping[str, set[str]], tests: Iterable[str]) -> dict[str, set[str]]:
+def by_parameters(names: Mapping[str, set[str]], tests: Iterable[str]) -> dict[str, set[str]]:
     """The functions that each of these tests, named with its parameters, calls.
 
     A parameter that is the name of a function tells which of all that the test may call is meant.
@@ -50,26 +50,26 @@ def by_parameters(found: Mapping[str, set[str]], tests: Iterable[str]) -> dict[s
     used = {}
     for test in tests:
         name, _, parameters = test.partition("[")
-        functions = found.get(name, set())
+        functions = names.get(name, set())
         meant = functions & set(parameters.rstrip("]").split("-")) if ANY in functions else set()
         used[test] = meant or functions - {ANY}
     return used
 
 
 def _named(nodes: Iterable[ast.stmt], aliases: set[str], members: Mapping[str, str]) -> set[str]:
-    found: set[str] = set()
+    names: set[str] = set()
     strings: set[str] = set()
     through_alias = alone = 0
     for node in (inner for statement in nodes for inner in ast.walk(statement)):
         if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id in aliases:
-            found.add(node.attr)
+            names.add(node.attr)
             through_alias += 1
         elif isinstance(node, ast.Name):
             alone += node.id in aliases
-            found |= {members[node.id]} if node.id in members else set()
+            names |= {members[node.id]} if node.id in members else set()
         elif isinstance(node, ast.Constant) and isinstance(node.value, str):
             strings.add(node.value)
-    return found if alone == through_alias else found | strings | {ANY}
+    return names if alone == through_alias else names | strings | {ANY}
 
 
 def _imported(statements: Statements, module: str) -> tuple[set[str], dict[str, str]]:
@@ -85,11 +85,11 @@ def _imported(statements: Statements, module: str) -> tuple[set[str], dict[str, 
 
 
 def _statements(source: str) -> Statements:
-    found: dict[str, list[ast.stmt]] = {"": []}
+    names: dict[str, list[ast.stmt]] = {"": []}
     for node in map(_undocumented, ast.parse(source).body):
         for name in _bound(node) or [""]:
-            found.setdefault(name, []).append(node)
-    return found
+            names.setdefault(name, []).append(node)
+    return names
 
 
 def _bound(node: ast.stmt) -> list[str]:
@@ -101,9 +101,9 @@ def _bound(node: ast.stmt) -> list[str]:
         return [] if "*" in names else names
     if isinstance(node, ast.Assign | ast.AnnAssign):
         targets = node.targets if isinstance(node, ast.Assign) else [node.target]
-        inner = [one for target in targets for one in ast.walk(target)]
-        plain = all(isinstance(one, ast.Name | ast.Tuple | ast.expr_context) for one in inner)
-        return [one.id for one in inner if isinstance(one, ast.Name)] if plain else []
+        inner = [node for target in targets for node in ast.walk(target)]
+        plain = all(isinstance(node, ast.Name | ast.Tuple | ast.expr_context) for node in inner)
+        return [node.id for node in inner if isinstance(node, ast.Name)] if plain else []
     return []
 
 

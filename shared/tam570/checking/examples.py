@@ -39,7 +39,7 @@ class Examples:
             ]
         return "\n".join(lines) + "\n"
 
-    def judge(self, function: Callable[..., Any], number: int) -> None:
+    def run(self, function: Callable[..., Any], number: int) -> None:
         """Call the function as the example does; AssertionError where a result is not right."""
         call = self.calls[number]
         refused = any(comparison.get("raises") for comparison in call["compare"])
@@ -53,24 +53,24 @@ class Examples:
             raise AssertionError(f"It raises no ValueError for {call['label']}, and it should.")
         self.results[number] = result
         for comparison in call["compare"]:
-            found, right = part(result, comparison), array_of(comparison["expected"])
+            actual, expected = part(result, comparison), array_of(comparison["expected"])
             scale = array_of(comparison["scale"])
-            if found.shape != right.shape and right.ndim:
-                raise AssertionError(f"Your code gives an array of shape {found.shape}; {right.shape} is right.")
-            error = float(np.max(np.where(found == right, 0.0, np.abs(found - right)) / scale, initial=0.0))
+            if actual.shape != expected.shape and expected.ndim:
+                raise AssertionError(f"Your code gives an array of shape {actual.shape}; {expected.shape} is right.")
+            error = float(np.max(np.where(actual == expected, 0.0, np.abs(actual - expected)) / scale, initial=0.0))
             if not error <= comparison["tolerance"]:
-                raise AssertionError(self._message(call, comparison, found, right))
+                raise AssertionError(self._message(call, comparison, actual, expected))
 
-    def _message(self, call: Mapping[str, Any], comparison: Mapping[str, Any], found: Any, right: Any) -> str:
+    def _message(self, call: Mapping[str, Any], comparison: Mapping[str, Any], actual: Any, expected: Any) -> str:
         from tam570.checking.visible import difference
 
         label = f" for {call['label']}" if call["label"] else ""
         quantity = comparison["quantity"] or "the result"
-        return f"{quantity[:1].upper()}{quantity[1:]} is wrong{label}. {difference(found, right)}"
+        return f"{quantity[:1].upper()}{quantity[1:]} is wrong{label}. {difference(actual, expected)}"
 
     def mistake(self, function: str) -> str | None:
         """The known mistake of a function that gives the student's results."""
-        results = {n: one for n, one in self.results.items() if self.calls[n]["function"] == function}
+        results = {n: result for n, result in self.results.items() if self.calls[n]["function"] == function}
         for mistake in self.mistakes:
             if mistake["function"] == function and results and self._agrees(mistake["results"], results):
                 return opened(mistake["message"])
@@ -82,10 +82,10 @@ class Examples:
             return False
         for number, result in results.items():
             comparisons = self.calls[number]["compare"]
-            right = [fingerprint(array_of(one["expected"])) for one in comparisons]
-            for one, expected in zip(comparisons, wrong.get(str(number), right), strict=True):
-                size = 1e-12 + abs(expected) + float(np.max(np.abs(array_of(one["expected"])), initial=0.0))
-                if not abs(fingerprint(part(result, one)) - expected) <= SAME * size:
+            fingerprints = [fingerprint(array_of(comparison["expected"])) for comparison in comparisons]
+            for comparison, expected in zip(comparisons, wrong.get(str(number), fingerprints), strict=True):
+                size = 1e-12 + abs(expected) + float(np.max(np.abs(array_of(comparison["expected"])), initial=0.0))
+                if not abs(fingerprint(part(result, comparison)) - expected) <= SAME * size:
                     return False
         return True
 
@@ -118,11 +118,11 @@ def opened(message: str) -> str:
 def plain(value: Any) -> Any:
     """An argument or a result as JSON has it; an array is {"array": nested lists}, a tuple {"tuple": [...]}."""
     if isinstance(value, np.ndarray):
-        return {"array": [plain(one) for one in value.tolist()]} if value.ndim else plain(value.item())
+        return {"array": [plain(member) for member in value.tolist()]} if value.ndim else plain(value.item())
     if isinstance(value, tuple):
-        return {"tuple": [plain(one) for one in value]}
+        return {"tuple": [plain(member) for member in value]}
     if isinstance(value, list):
-        return [plain(one) for one in value]
+        return [plain(member) for member in value]
     if isinstance(value, np.generic):
         return plain(value.item())
     if isinstance(value, float) and not np.isfinite(value):
@@ -137,18 +137,18 @@ def array_of(value: Any) -> Any:
 
 def _argument(value: Any) -> Any:
     if isinstance(value, Mapping):
-        ((kind, inner),) = value.items()
-        if kind == "float":
+        ((form, inner),) = value.items()
+        if form == "float":
             return float(inner)
-        items = [_argument(one) for one in inner]
-        return np.array(items, float) if kind == "array" else tuple(items)
-    return [_argument(one) for one in value] if isinstance(value, list) else value
+        items = [_argument(member) for member in inner]
+        return np.array(items, float) if form == "array" else tuple(items)
+    return [_argument(member) for member in value] if isinstance(value, list) else value
 
 
 def part(result: Any, comparison: Mapping[str, Any]) -> Any:
     """The part of a result that is compared: a member of a tuple, some of its columns."""
     member, columns = comparison["member"], comparison["columns"]
     if columns is not None and isinstance(result, tuple | list) and np.ndim(result[0]) > 1:  # arrays along a motion
-        result = np.hstack([np.reshape(np.asarray(one, float), (len(one), -1)) for one in result])
+        result = np.hstack([np.reshape(np.asarray(array, float), (len(array), -1)) for array in result])
     values = np.asarray(result if member is None else result[member], float)
     return values if columns is None else values[..., columns]

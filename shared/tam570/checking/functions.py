@@ -16,9 +16,9 @@ from tam570.checking.promises import Promise, complaint
 from tam570.checking.trail import Trail
 from tam570.loading import replaced, said
 
-__all__ = ["Fault", "Functions", "Given"]
+__all__ = ["Arguments", "Fault", "Functions"]
 
-Given = tuple[tuple[Any, ...], dict[str, Any]]  # the arguments of a call
+Arguments = tuple[tuple[Any, ...], dict[str, Any]]  # the arguments of a call
 
 
 class Fault(BaseException):
@@ -37,9 +37,9 @@ class Functions:
     file: Path
     results: Mapping[str, Promise]
     off_limits: Mapping[str, Sequence[str]]
-    called: list[str] = field(default_factory=list)  # in the test that runs, in order
+    calls: list[str] = field(default_factory=list)  # in the test that runs, in order
     mistake: Mistake | None = None  # what is tried on the results
-    known: dict[tuple[str, bool, bytes], Any] = field(default_factory=dict)  # results, by function and arguments
+    cache: dict[tuple[str, bool, bytes], Any] = field(default_factory=dict)  # results, by function and arguments
     hanging: dict[str, str] = field(default_factory=dict)  # functions that are not called again, and why
     trail: Trail = field(default_factory=Trail)
     total: float = 0.0  # s of processor time of all calls
@@ -65,8 +65,8 @@ class Functions:
 
     def _watched(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
         @functools.wraps(function)
-        def watched(*args: Any, **kwargs: Any) -> Any:
-            self.called.append(name)
+        def wrapper(*args: Any, **kwargs: Any) -> Any:
+            self.calls.append(name)
             if self.depth:  # a student's function was handed to another, by way of the tests
                 return function(*args, **kwargs)
             if self.mistake is None or self.mistake.function != name:
@@ -76,31 +76,31 @@ class Functions:
                     return self._result(name, function, (args, kwargs))
             return self.mistake.applied(lambda *a, **k: self._result(name, function, (a, k)), args, kwargs)
 
-        return watched
+        return wrapper
 
-    def _result(self, name: str, function: Callable[..., Any], given: Given) -> Any:
+    def _result(self, name: str, function: Callable[..., Any], arguments: Arguments) -> Any:
         """What the function returns, remembered while mistakes are tried. Fault if it is not what is promised."""
         tight = self.mistake is not None and self.mistake.tight and self.mistake.function == name
-        key = (name, tight, _contents(given))
-        if self.mistake is None or key not in self.known:
-            self.known[key] = self._called(name, function, given)
-        if said := complaint(self.results[name], self.known[key], name, given[0]):
+        key = (name, tight, _contents(arguments))
+        if self.mistake is None or key not in self.cache:
+            self.cache[key] = self._called(name, function, arguments)
+        if said := complaint(self.results[name], self.cache[key], name, arguments[0]):
             raise Fault(name, said)
-        return self.known[key]
+        return self.cache[key]
 
-    def _called(self, name: str, function: Callable[..., Any], given: Given) -> Any:
+    def _called(self, name: str, function: Callable[..., Any], arguments: Arguments) -> Any:
         if name in self.hanging:
             raise Fault(name, self.hanging[name])
         self.trail.enter(function=name)
-        before, started = _contents(given), time.process_time()
+        before, started = _contents(arguments), time.process_time()
         try:
             with self._fair(name):
-                result = function(*given[0], **given[1])
+                result = function(*arguments[0], **arguments[1])
         finally:
             seconds = time.process_time() - started
             self.total += seconds
         self.longest[name] = max(seconds, self.longest.get(name, 0.0))
-        if _contents(given) != before:
+        if _contents(arguments) != before:
             raise Fault(name, f"{name} changes the arrays that it is given. Work on copies: the grader refuses this.")
         return result
 
@@ -139,16 +139,16 @@ class Functions:
             for key, value in vars(self.module).items()
             if (origin := _origin(value)).startswith(banned)
         ]
-        for one in (one for one in banned if hasattr(self.module, one)):
-            changes += refused(self.module, one, Unusable(one, where))
-        own = [(owner, attribute, getattr(owner, attribute)) for owner, attribute, _ in changes]
+        for member in (member for member in banned if hasattr(self.module, member)):
+            changes += refused(self.module, member, Unusable(member, where))
+        before = [(owner, attribute, getattr(owner, attribute)) for owner, attribute, _ in changes]
         with replaced(banned, where):
             for owner, attribute, value in changes:
                 setattr(owner, attribute, value)
             try:
                 yield
             finally:
-                for owner, attribute, value in own:
+                for owner, attribute, value in before:
                     setattr(owner, attribute, value)
 
 
@@ -165,10 +165,10 @@ def _last(error: BaseException, name: str) -> str:
     return name
 
 
-def _contents(given: Given) -> bytes:
+def _contents(arguments: Arguments) -> bytes:
     """What the arguments hold now; what is not data, Matplotlib's Axes, is meant to change."""
-    values = [*given[0], *(one for pair in given[1].items() for one in pair)]
-    return b"\0".join(_bytes(one) for one in values)
+    values = [*arguments[0], *(value for pair in arguments[1].items() for value in pair)]
+    return b"\0".join(_bytes(value) for value in values)
 
 
 def _bytes(value: Any) -> bytes:

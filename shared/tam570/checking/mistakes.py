@@ -28,20 +28,22 @@ Change = Callable[[Any], Any]
 def tightened(names: dict[str, Any]) -> Iterator[None]:
     """Let SciPy's integrators, under whatever name a module has them, keep to TIGHT."""
     integrate = sys.modules.get("scipy.integrate")
-    known = {getattr(integrate, one): one for one in INTEGRATORS} if integrate else {}
+    integrators = {getattr(integrate, name): name for name in INTEGRATORS} if integrate else {}
     places = [vars(integrate), names] if integrate else []
-    found = [(place, key, value) for place in places for key, value in place.items() if _in(known, value)]
-    for place, key, value in found:
-        place[key] = partial(_tight, value, known[value])
+    replaced = [
+        (namespace, key, value) for namespace in places for key, value in namespace.items() if _in(integrators, value)
+    ]
+    for namespace, key, value in replaced:
+        namespace[key] = partial(_tight, value, integrators[value])
     try:
         yield
     finally:
-        for place, key, value in found:
-            place[key] = value
+        for namespace, key, value in replaced:
+            namespace[key] = value
 
 
-def _in(known: Mapping[Any, str], value: Any) -> bool:
-    return callable(value) and isinstance(value, Hashable) and value in known
+def _in(integrators: Mapping[Any, str], value: Any) -> bool:
+    return callable(value) and isinstance(value, Hashable) and value in integrators
 
 
 def _tight(integrator: Callable[..., Any], name: str, *args: Any, **how: Any) -> Any:
@@ -55,7 +57,7 @@ class Mistake:
     """A change of one function's results, or of its arguments, that may make tests pass."""
 
     function: str
-    says: str  # "the transpose of what rotation_matrix gives"
+    message: str  # "the transpose of what rotation_matrix gives"
     result: Callable[[Any, Mapping[str, Any]], Any] | None = None
     argument: tuple[str, Change] | None = None
     tight: bool = False  # the function's integrators at TIGHT
@@ -64,31 +66,31 @@ class Mistake:
         """The function's result with the change."""
         if self.argument is not None:
             args, kwargs = _changed(self.argument, args, dict(kwargs))
-        given = function(*args, **kwargs)
-        return given if self.result is None else self.result(given, kwargs)
+        result = function(*args, **kwargs)
+        return result if self.result is None else self.result(result, kwargs)
 
 
-def candidates(name: str, stub: Stub, promise: Promise) -> Iterator[Mistake]:
+def candidates(name: str, stub: Stub, returns: Promise) -> Iterator[Mistake]:
     """The mistakes that a function of this form can have, the most telling first."""
-    angles = {one for match in UNIT.finditer(stub.docstring) for one in match[1].split(", ")}
-    if ["n"] in [one.get("array", [])[:1] for one in promise.get("group", [promise])]:
+    angles = {name for match in UNIT.finditer(stub.docstring) for name in match[1].split(", ")}
+    if ["n"] in [member.get("array", [])[:1] for member in returns.get("group", [returns])]:
         yield Mistake(name, f"the tolerances rtol=1e-9, atol=1e-9 in {name}", tight=True)
-    yield from _of_results(name, promise)
+    yield from _of_results(name, returns)
     for index, argument in enumerate(stub.positions):
         yield from _of_argument(name, index, argument, argument in angles)
     for argument in stub.keywords:
         yield from _of_factor(name, argument)
-    if "array" in promise:
-        for factor, says in ((2.0, "twice"), (0.5, "half of")):
-            yield Mistake(name, f"{says} what {name} gives", _whole(partial(np.multiply, factor)))
+    if "array" in returns:
+        for factor, message in ((2.0, "twice"), (0.5, "half of")):
+            yield Mistake(name, f"{message} what {name} gives", _whole(partial(np.multiply, factor)))
 
 
-def _of_results(name: str, promise: Promise) -> Iterator[Mistake]:
-    if "group" in promise:
-        yield from _of_members(name, promise["group"])
-    if "array" not in promise:
+def _of_results(name: str, returns: Promise) -> Iterator[Mistake]:
+    if "group" in returns:
+        yield from _of_members(name, returns["group"])
+    if "array" not in returns:
         return
-    shape = promise["array"]
+    shape = returns["array"]
     if len(shape) == 2 and shape[0] == shape[1]:
         yield Mistake(name, f"the transpose of what {name} gives", _whole(np.transpose))
     yield Mistake(name, f"the opposite sign of what {name} gives", _whole(np.negative))
@@ -102,8 +104,8 @@ def _of_results(name: str, promise: Promise) -> Iterator[Mistake]:
 def _of_components(name: str, size: int, word: str) -> Iterator[Mistake]:
     for index in range(size):
         flip = np.where(np.arange(size) == index, -1.0, 1.0)
-        says = f"the opposite sign of {word} {index + 1} of what {name} gives"
-        yield Mistake(name, says, _whole(partial(np.multiply, flip)))
+        message = f"the opposite sign of {word} {index + 1} of what {name} gives"
+        yield Mistake(name, message, _whole(partial(np.multiply, flip)))
     if size in (2, 3):
         yield Mistake(
             name, f"the {word}s of {name} in the opposite order", _whole(lambda a: np.flip(np.asarray(a), axis=-1))
@@ -111,20 +113,20 @@ def _of_components(name: str, size: int, word: str) -> Iterator[Mistake]:
 
 
 def _of_members(name: str, promises: Sequence[Promise]) -> Iterator[Mistake]:
-    for index, promise in enumerate(promises):
-        for one in _of_results(f"{name} (result {index + 1})", promise):
-            yield Mistake(name, one.says, _member(index, one.result))
+    for index, returns in enumerate(promises):
+        for mistake in _of_results(f"{name} (result {index + 1})", returns):
+            yield Mistake(name, mistake.message, _member(index, mistake.result))
     if len(promises) == 2 and promises[0] == promises[1]:
         yield Mistake(name, f"the two results of {name} in the opposite order", lambda r, k: list(r)[::-1])
 
 
 def _member(index: int, change: Any) -> Callable[[Any, Mapping[str, Any]], Any]:
-    return lambda given, kwargs: [*given[:index], change(given[index], kwargs), *given[index + 1 :]]
+    return lambda result, kwargs: [*result[:index], change(result[index], kwargs), *result[index + 1 :]]
 
 
 def _of_argument(name: str, index: int, argument: str, angle: bool) -> Iterator[Mistake]:
-    def mistake(says: str, change: Change) -> Mistake:
-        return Mistake(name, says, argument=(f"{index}:{argument}", change))
+    def mistake(message: str, change: Change) -> Mistake:
+        return Mistake(name, message, argument=(f"{index}:{argument}", change))
 
     if angle:
         yield mistake(f"`{argument}` given to {name} in degrees: it is in radians", np.degrees)
@@ -140,14 +142,14 @@ def _of_argument(name: str, index: int, argument: str, angle: bool) -> Iterator[
 def _of_factor(name: str, parameter: str) -> Iterator[Mistake]:
     for word, power in (("times", 1), ("divided by", -1)):
 
-        def change(given: Any, kwargs: Mapping[str, Any], power: int = power) -> Any:
-            return np.asarray(given, float) * np.asarray(kwargs[parameter], float) ** power
+        def change(result: Any, kwargs: Mapping[str, Any], power: int = power) -> Any:
+            return np.asarray(result, float) * np.asarray(kwargs[parameter], float) ** power
 
         yield Mistake(name, f"what {name} gives {word} `{parameter}`", change)
 
 
 def _whole(change: Change) -> Callable[[Any, Mapping[str, Any]], Any]:
-    return lambda given, kwargs: change(np.asarray(given, float))
+    return lambda result, kwargs: change(np.asarray(result, float))
 
 
 def _unit(axis: Any) -> Any:
@@ -156,8 +158,8 @@ def _unit(axis: Any) -> Any:
 
 def _changed(argument: tuple[str, Change], args: Sequence[Any], kwargs: dict[str, Any]) -> tuple[Any, dict[str, Any]]:
     """The arguments with one of them changed, given by its place or by its name."""
-    place, _, name = argument[0].partition(":")
+    position, _, name = argument[0].partition(":")
     if name in kwargs:
         return args, {**kwargs, name: argument[1](kwargs[name])}
-    index = int(place)
+    index = int(position)
     return [*args[:index], argument[1](args[index]), *args[index + 1 :]], kwargs

@@ -15,20 +15,20 @@ FINITE = "gives NaN or infinity"
 STAND_INS = 1.25, 3.75  # for symbols that may cancel
 
 
-def complaint(promise: Promise, result: Any, name: str, arguments: Sequence[Any]) -> str | None:
+def complaint(returns: Promise, result: Any, name: str, arguments: Sequence[Any]) -> str | None:
     """What is wrong with the form of a result; None if nothing is.
 
     arguments : of the call; as many rows as the first has elements are promised by "n"
     """
     try:
-        if "group" in promise:
-            _members(promise["group"], result, name, arguments)
-        elif "array" in promise:
-            _array(promise, result, name, arguments)
-        elif "diagram" in promise:
-            _diagram(promise["diagram"], result, name)
-        elif "formula" in promise:
-            _formula(promise["formula"], result, name)
+        if "group" in returns:
+            _members(returns["group"], result, name, arguments)
+        elif "array" in returns:
+            _array(returns, result, name, arguments)
+        elif "diagram" in returns:
+            _diagram(returns["diagram"], result, name)
+        elif "formula" in returns:
+            _formula(returns["formula"], result, name)
     except Trouble as trouble:
         return str(trouble) if str(trouble).endswith(("?", ".")) else f"{trouble}."
     return None
@@ -43,23 +43,23 @@ def _members(promises: Sequence[Promise], result: Any, name: str, arguments: Seq
     if not several or len(result) != len(promises):
         came = f"{len(result)} results" if several else _short(result)
         raise Trouble(f"{name} gives {came}; {len(promises)} results are asked for, as in `return a, b`")
-    for index, (promise, one) in enumerate(zip(promises, result, strict=True), start=1):
-        _array(promise, one, f"{name} (result {index})", arguments)
+    for index, (returns, member) in enumerate(zip(promises, result, strict=True), start=1):
+        _array(returns, member, f"{name} (result {index})", arguments)
 
 
-def _array(promise: Promise, result: Any, name: str, arguments: Sequence[Any]) -> None:
+def _array(returns: Promise, result: Any, name: str, arguments: Sequence[Any]) -> None:
     import numpy as np
 
     if result is None:
         raise Trouble(f"{name} gives None. Is a `return` missing?")
     values = numbers(name, result, None)
-    asked = [len(arguments[0]) if size == "n" else size for size in promise["array"]]
-    fits = len(asked) == values.ndim and all(a in (None, b) for a, b in zip(asked, values.shape, strict=False))
+    shape = [len(arguments[0]) if size == "n" else size for size in returns["array"]]
+    fits = len(shape) == values.ndim and all(a in (None, b) for a, b in zip(shape, values.shape, strict=False))
     if not fits:
-        wanted = f"an array of shape {_shape(asked)}" if asked else "a single number"
+        wanted = f"an array of shape {_shape(shape)}" if shape else "a single number"
         came = f"an array of shape {_shape(values.shape)}" if values.ndim else "a single number"
-        raise Trouble(f"{name} gives {came}; {wanted} is asked for{rows_missing(values, asked)}")
-    if np.isnan(values).any() or not promise.get("infinite") and np.isinf(values).any():
+        raise Trouble(f"{name} gives {came}; {wanted} is asked for{rows_missing(values, shape)}")
+    if np.isnan(values).any() or not returns.get("infinite") and np.isinf(values).any():
         raise Trouble(f"{name} {FINITE}")
 
 
@@ -82,17 +82,17 @@ def _formula(symbols: Sequence[str], result: Any, name: str) -> None:
         instead = f". {REMEDIES[form]}" if form in REMEDIES else ""
         wanted = f"a SymPy expression in {', '.join(symbols)} is asked for{instead}"
         raise Trouble(f"{name} gives {form}; {wanted}")
-    strangers = {one for one in sympy.sympify(result).free_symbols if one.name not in symbols}
-    values = {_value(result, strangers, number) for number in STAND_INS} if strangers else set()
+    unknown = {symbol for symbol in sympy.sympify(result).free_symbols if symbol.name not in symbols}
+    values = {_value(result, unknown, number) for number in STAND_INS} if unknown else set()
     if len(values) > 1:  # it does not cancel
-        names = ", ".join(sorted(one.name for one in strangers))
+        names = ", ".join(sorted(symbol.name for symbol in unknown))
         raise Trouble(f"{name} depends on {names}; an expression in {', '.join(symbols)} alone is asked for")
 
 
-def _value(expression: Any, strangers: set[Any], number: float) -> str:
+def _value(expression: Any, unknown: set[Any], number: float) -> str:
     """The value to ten digits where the strangers have this number, and the others 0.7."""
-    named = {one: number if one in strangers else 0.7 for one in expression.free_symbols}
-    return f"{complex(expression.evalf(20, subs=named)):.10g}"
+    values = {symbol: number if symbol in unknown else 0.7 for symbol in expression.free_symbols}
+    return f"{complex(expression.evalf(20, subs=values)):.10g}"
 
 
 def _shape(sizes: Sequence[int | None]) -> str:

@@ -30,17 +30,17 @@ def trouble(slug: str, message: str) -> None:
     print("The grader would give this file 0 points.", file=sys.stderr, flush=True)
 
 
-def imported(skipped: Iterable[str], printed: str, note: str) -> None:
+def imported(skipped: Iterable[str], printed: str, remark: str) -> None:
     """What happened while the file was imported, and a note on the file itself."""
-    if note:
-        print(_wrapped(note))
+    if remark:
+        print(_wrapped(remark))
     for cell in skipped:
         print(_wrapped(f"left out, as where it is graded: {cell}", "", "    "))
     if printed:
         print(_printed(printed, "your file prints when it is imported", ""))
 
 
-def failures(outcomes: Outcomes, told: Mapping[str, str]) -> None:
+def failures(outcomes: Outcomes, explanation: Mapping[str, str]) -> None:
     """Every failure once, with the tests that it ends; then, on one line, what is not written yet."""
     tests: dict[str, list[str]] = {}
     for test, failure in outcomes.failures.items():
@@ -48,20 +48,20 @@ def failures(outcomes: Outcomes, told: Mapping[str, str]) -> None:
             tests.setdefault(failure.message, []).append(test)
     for names in tests.values():
         print(f"\n{_coloured(_names(names), RED)}")
-        _failure(outcomes.failures[names[0]], told.get(names[0]))
+        _failure(outcomes.failures[names[0]], explanation.get(names[0]))
     if tests:
         print()
-    missing = dict.fromkeys(one.function for one in outcomes.failures.values() if one.unwritten)
+    missing = dict.fromkeys(failure.function for failure in outcomes.failures.values() if failure.unwritten)
     if missing:
-        print(_wrapped(f"not written yet: {', '.join(str(one) for one in missing)}", "", "    "))
+        print(_wrapped(f"not written yet: {', '.join(str(name) for name in missing)}", "", "    "))
 
 
-def _failure(failure: Failure, told: str | None) -> None:
+def _failure(failure: Failure, explanation: str | None) -> None:
     if failure.where and not failure.function:
         print(_wrapped(failure.where, "    "))
     print(_short(failure.message))
-    if told:
-        print(_wrapped(told, "    "))
+    if explanation:
+        print(_wrapped(explanation, "    "))
     if failure.printed:
         print(_printed(failure.printed, "your code prints", "    "))
 
@@ -127,8 +127,8 @@ def _short(message: str) -> str:
 
 def _printed(text: str, what: str, indent: str) -> str:
     lines = text.rstrip().splitlines()
-    head = f"{indent}{what}" + (f" ({len(lines)} lines, the last are)" if len(lines) > MOST_PRINTED else "")
-    return "\n".join([f"{head}:", *(f"{indent}    {line[: WIDTH - 8]}" for line in lines[-MOST_PRINTED:])])
+    title = f"{indent}{what}" + (f" ({len(lines)} lines, the last are)" if len(lines) > MOST_PRINTED else "")
+    return "\n".join([f"{title}:", *(f"{indent}    {line[: WIDTH - 8]}" for line in lines[-MOST_PRINTED:])])
 
 
 def _wrapped(text: str, indent: str = "", more: str | None = None) -> str:

@@ -17,7 +17,7 @@ from tam570.checking.examples import Examples, load_examples
 from tam570.checking.functions import Functions
 from tam570.checking.mistakes import Mistake, candidates
 from tam570.checking.trail import Trail
-from tam570.checking.visible import Outcomes, Test, collect
+from tam570.checking.visible import Outcomes, Test, collect_tests
 from tam570.course import Stub, contract, folder, stubs
 from tam570.loading import Trouble, guarded_import, loaded, not_utf8, replaced, source_of
 from tam570.notebooks import text_of
@@ -32,7 +32,7 @@ SLOW_IMPORT = (
 )
 ENDED = "{name} ended the process that tests it: it exits, crashes or uses too much memory."
 OUT_OF_TIME = f"{{name}} did not return within {CALL:g} s, and cannot be interrupted. Is there an endless loop?"
-Known = Mapping[str, tuple[str, str]]  # of each test what its outcome depends on, and the outcome
+Remembered = Mapping[str, tuple[str, str]]  # of each test what its outcome depends on, and the outcome
 
 
 @dataclass(frozen=True)
@@ -76,37 +76,37 @@ def check(
         report.trouble(slug, str(trouble))
         return False
     report.imported(skipped, printed, not_utf8(file))
-    known = kept(file) if changed or functions else {}
-    known = {test: was for test, was in known.items() if was[0] == now.get(_function(test))}
-    tests = _chosen(tests, used, known if changed else {}, functions)
+    remembered = kept(file) if changed or functions else {}
+    remembered = {test: was for test, was in remembered.items() if was[0] == now.get(_function(test))}
+    tests = _chosen(tests, used, remembered if changed else {}, functions)
     student.trail = trail
     student.hanging |= {name: (OUT_OF_TIME if slow else ENDED).format(name=name) for name, slow in lost.items()}
     outcomes = Outcomes(student, report.terminal())
     outcomes.run(tests)
     report.cleared(outcomes.terminal)
-    known |= {test: (now.get(_function(test), ""), outcome) for test, outcome in outcomes.passed.items()}
+    remembered |= {test: (now.get(_function(test), ""), outcome) for test, outcome in outcomes.passed.items()}
     lasted = time.time() - file.stat().st_mtime
     since = f"      {len(tests)} tests run, {lasted:.2f} s after saving\n" if changed else ""
     examples = next((module.examples for module in modules if module.examples), None)
-    return _report(file, slug, known, outcomes, used, released, since, functions, examples)
+    return _report(file, slug, remembered, outcomes, used, released, since, functions, examples)
 
 
 def _chosen(
-    tests: Sequence[Test], used: Mapping[str, set[str]], known: Known, functions: Collection[str]
+    tests: Sequence[Test], used: Mapping[str, set[str]], remembered: Remembered, functions: Collection[str]
 ) -> list[Test]:
     """The tests to run: of these functions, and none whose outcome is known."""
     wanted = by_parameters(used, [test.name for test in tests])
     chosen = [test for test in tests if not functions or wanted[test.name] & set(functions)]
-    chosen = [test for test in chosen if test.name not in known]
+    chosen = [test for test in chosen if test.name not in remembered]
     if not chosen:
-        print("Nothing has changed that a test sees." if known else "No visible test calls it.")
+        print("Nothing has changed that a test sees." if remembered else "No visible test calls it.")
     return chosen
 
 
 def _report(
     file: Path,
     slug: str,
-    known: Known,
+    remembered: Remembered,
     outcomes: Outcomes,
     used: Mapping[str, set[str]],
     released: Mapping[str, Stub],
@@ -115,17 +115,18 @@ def _report(
     examples: Examples | None,
 ) -> bool:
     """Print and remember what became of the tests; whether all pass."""
-    results = {test: outcome for test, (_, outcome) in known.items()}
+    results = {test: outcome for test, (_, outcome) in remembered.items()}
     calling = by_parameters(used, results)
     causes = {test: _cause(test, outcomes, calling, results) for test in outcomes.failures}
     reached = progress(slug, results, calling, causes)
-    remember(file, known, reached)
-    told = _told(outcomes, calling, reached, released)
-    told |= _known_mistakes(outcomes, examples, calling) if examples else {}
-    report.failures(outcomes, told)
+    remember(file, remembered, reached)
+    explanations = _explained(outcomes, calling, reached, released)
+    explanations |= _known_mistakes(outcomes, examples, calling) if examples else {}
+    report.failures(outcomes, explanations)
     report.slow(outcomes.functions.longest, outcomes.functions.total)
     if functions:
-        print(f"{slug[:4]}: {sum(one == PASSED for one in outcomes.passed.values())} of {len(outcomes.passed)} pass")
+        passed = [*outcomes.passed.values()].count(PASSED)
+        print(f"{slug[:4]}: {passed} of {len(outcomes.passed)} pass")
     else:
         report.before(
             [name for name, outcome in results.items() if outcome != PASSED and name not in outcomes.failures]
@@ -138,8 +139,8 @@ def _cause(test: str, outcomes: Outcomes, used: Mapping[str, set[str]], results:
     """The function that is at fault: the one that raised, or the only one whose own tests do not all pass."""
     if function := outcomes.failures[test].function:
         return function
-    own = {name: [one for one, names in used.items() if names == {name}] for name in used.get(test, ())}
-    doubtful = [name for name, tests in own.items() if not tests or any(results[one] != PASSED for one in tests)]
+    alone = {name: [test for test, names in used.items() if names == {name}] for name in used.get(test, ())}
+    doubtful = [name for name, tests in alone.items() if not tests or any(results[test] != PASSED for test in tests)]
     return doubtful[0] if len(doubtful) == 1 else None
 
 
@@ -170,8 +171,8 @@ def _collected(modules: Sequence[Module]) -> list[Test]:
     for number, module in enumerate(modules):
         try:
             with contextlib.redirect_stderr(io.StringIO()):
-                names = {"_example": module.examples.judge} if module.examples else {}
-                for test in collect(module.path, module.text, names):
+                names = {"_example": module.examples.run} if module.examples else {}
+                for test in collect_tests(module.path, module.text, names):
                     tests.setdefault(test.name, test)
         except Exception as error:
             if number == 0:
@@ -184,18 +185,18 @@ def _collected(modules: Sequence[Module]) -> list[Test]:
 
 def _functions(file: Path, slug: str) -> tuple[Functions, list[str], str]:
     """The student's functions, the notebook's cells that were skipped, and what was printed. Trouble if none."""
-    given = contract(slug)
-    banned = given["off_limits"].get("*", ())
-    guard = guarded_import(slug, banned)
+    agreed = contract(slug)
+    banned = agreed["off_limits"].get("*", ())
+    importing = guarded_import(slug, banned)
     quiet = contextlib.redirect_stderr(io.StringIO())
     with contextlib.redirect_stdout(io.StringIO()) as printed, quiet, replaced(banned, HERE):
         try:
             with limited():
-                module, skipped = loaded(file, slug, {"__import__": guard})
+                module, skipped = loaded(file, slug, {"__import__": importing})
         except TooLong:
             raise Trouble(SLOW_IMPORT.format(file=file.name)) from None
-    functions = Functions(module, file, given["results"], given["off_limits"])
-    if file.suffix == ".ipynb" and not any(hasattr(module, name) for name in given["results"]):
+    functions = Functions(module, file, agreed["results"], agreed["off_limits"])
+    if file.suffix == ".ipynb" and not any(hasattr(module, name) for name in agreed["results"]):
         raise Trouble(f"{file.name} defines none of the functions. Are they in {slug}.py?")
     sys.modules[slug] = functions.stand_in()
     return functions, skipped, printed.getvalue()
@@ -210,9 +211,11 @@ def _keys(file: Path, modules: Sequence[Module], slug: str) -> dict[str, str]:
 def _untouched(file: Path, released: Mapping[str, Stub]) -> list[str]:
     """The functions to be written, if all of them are and nothing is added; else nothing."""
     with contextlib.suppress(SyntaxError, ValueError):
-        found = stubs(file.read_bytes())
-        if {name: one.written for name, one in found.items()} == {name: one.written for name, one in released.items()}:
-            return [name for name, one in released.items() if not one.written]
+        written = stubs(file.read_bytes())
+        if {name: stub.written for name, stub in written.items()} == {
+            name: stub.written for name, stub in released.items()
+        }:
+            return [name for name, stub in released.items() if not stub.written]
     return []
 
 
@@ -227,35 +230,37 @@ def warm_up() -> None:
     import pytest  # noqa: F401
 
 
-def _told(
+def _explained(
     outcomes: Outcomes, used: Mapping[str, set[str]], reached: Progress, released: Mapping[str, Stub]
 ) -> dict[str, str]:
     """For each failed test that a known mistake explains, which it is."""
-    left, told = MOST_VARIANTS, dict[str, str]()
+    budget, explanations = MOST_VARIANTS, dict[str, str]()
     for name in reached["missing"]:
-        failed = [test for test, one in outcomes.failures.items() if not one.function and name in used.get(test, ())]
+        failed = [
+            test for test, failure in outcomes.failures.items() if not failure.function and name in used.get(test, ())
+        ]
         alone = [
             test for test, functions in used.items() if functions == {name} and outcomes.passed.get(test) == PASSED
         ]
         best: list[str] = []
         for mistake in candidates(name, released[name], outcomes.functions.results[name]) if failed else ():
-            left -= len(failed)
-            if left < 0:
+            budget -= len(failed)
+            if budget < 0:
                 break
             mended = [test for test in failed if _passes(outcomes, mistake, test)]
             if len(mended) > len(best) and all(_passes(outcomes, mistake, test) for test in alone):
                 best = mended
-                told |= dict.fromkeys(mended, f"It would pass with {mistake.says}.")
-    return told
+                explanations |= dict.fromkeys(mended, f"It would pass with {mistake.message}.")
+    return explanations
 
 
 def _known_mistakes(outcomes: Outcomes, examples: Examples, used: Mapping[str, set[str]]) -> dict[str, str]:
     """For each failed test of a single function that the function's known mistake explains, which it is."""
-    told = dict[str, str]()
+    explanations = dict[str, str]()
     for test in outcomes.failures:
         if len(names := used.get(test, set())) == 1 and (mistake := examples.mistake(*names)):
-            told[test] = f"Your numbers match this mistake: {mistake}"
-    return told
+            explanations[test] = f"Your numbers match this mistake: {mistake}"
+    return explanations
 
 
 def _passes(outcomes: Outcomes, mistake: Mistake, test: str) -> bool:

@@ -25,7 +25,7 @@ from tam570.checking.functions import Fault, Functions
 from tam570.loading import said
 from tam570.progress import FAILED, PASSED
 
-__all__ = ["Failure", "Outcomes", "Test", "collect", "difference"]
+__all__ = ["Failure", "Outcomes", "Test", "collect_tests", "difference"]
 
 COMPARISONS: dict[type[ast.cmpop], tuple[Callable[[Any, Any], Any], str]] = {
     ast.Eq: (operator.eq, "is right"),
@@ -82,7 +82,7 @@ class Outcomes:
     def _failure(self, test: Test) -> Failure | None:
         import numpy as np
 
-        self.functions.called.clear()
+        self.functions.calls.clear()
         with redirect_stdout(StringIO()) as printed, redirect_stderr(StringIO()):
             try:
                 with np.errstate(all="ignore"), warnings.catch_warnings():
@@ -104,10 +104,10 @@ class Outcomes:
         if isinstance(error, AssertionError):
             return text or "This is false."
         where = said(error, str(self.functions.file))
-        return f"{self.functions.called[-1]} raises an exception.\n{where}" if where.startswith("Line") else where
+        return f"{self.functions.calls[-1]} raises an exception.\n{where}" if where.startswith("Line") else where
 
 
-def collect(path: Path, text: str, names: Mapping[str, Any] | None = None) -> list[Test]:
+def collect_tests(path: Path, text: str, names: Mapping[str, Any] | None = None) -> list[Test]:
     """The tests in a module, in order, with their parameters. Whatever its import raises is passed on.
 
     names : what the module finds besides Python's own
@@ -118,30 +118,32 @@ def collect(path: Path, text: str, names: Mapping[str, Any] | None = None) -> li
     tree = ast.fix_missing_locations(_Telling(text).visit(ast.parse(text)))
     vars(module).update({COMPARE: _compare, HOLDS: _holds, ALLCLOSE: _allclose, **(names or {})})
     exec(compile(tree, str(path), "exec", dont_inherit=True), vars(module))
-    functions = [one for name, one in vars(module).items() if name.startswith("test_") and inspect.isfunction(one)]
+    functions = [
+        value for name, value in vars(module).items() if name.startswith("test_") and inspect.isfunction(value)
+    ]
     return [test for function in functions for test in _with_parameters(function.__name__, function)]
 
 
 def _with_parameters(name: str, function: Callable[..., object]) -> Iterator[Test]:
     """A test for each combination of its parameters."""
-    marks = [one for one in getattr(function, "pytestmark", ()) if one.name == "parametrize"]
+    marks = [mark for mark in getattr(function, "pytestmark", ()) if mark.name == "parametrize"]
     cases = [list(_cases(*mark.args[:2])) for mark in marks]
     for combination in itertools.product(*cases):
-        known = {key: value for one, _ in combination for key, value in one.items()}
+        values = {key: value for case, _ in combination for key, value in case.items()}
         suffix = "-".join(label for _, label in combination)
-        missing = [one for one in inspect.signature(function).parameters if one not in known]
-        run = functools.partial(_needs_pytest, missing[0]) if missing else functools.partial(function, **known)
+        missing = [parameter for parameter in inspect.signature(function).parameters if parameter not in values]
+        run = functools.partial(_needs_pytest, missing[0]) if missing else functools.partial(function, **values)
         yield Test(f"{name}[{suffix}]" if suffix else name, run)
 
 
 def _cases(names: str | Sequence[str], values: Sequence[Any]) -> Iterator[tuple[dict[str, Any], str]]:
     """The values of parameters, and how they are called."""
-    keys = [one.strip() for one in names.split(",")] if isinstance(names, str) else list(names)
+    keys = [name.strip() for name in names.split(",")] if isinstance(names, str) else list(names)
     for index, value in enumerate(values):
-        members = getattr(value, "values", value if len(keys) > 1 else [value])
-        plain = [isinstance(one, str | int | float) for one in members]
+        members = value.values if hasattr(value, "marks") else value if len(keys) > 1 else [value]  # of pytest.param
+        plain = [isinstance(member, str | int | float) for member in members]
         labels = [
-            str(one) if simple else f"{key}{index}" for key, one, simple in zip(keys, members, plain, strict=True)
+            str(member) if simple else f"{key}{index}" for key, member, simple in zip(keys, members, plain, strict=True)
         ]
         yield dict(zip(keys, members, strict=True)), "-".join(labels)
 
@@ -158,7 +160,7 @@ class _Telling(ast.NodeTransformer):
 
     def visit_Assert(self, node: ast.Assert) -> ast.AST | list[ast.AST]:  # noqa: N802
         if isinstance(node.test, ast.BoolOp) and isinstance(node.test.op, ast.And) and node.msg is None:
-            return [self._told(node, one) for one in node.test.values]
+            return [self._told(node, part) for part in node.test.values]
         return self._told(node, node.test) if node.msg is None else node
 
     def _told(self, node: ast.Assert, test: ast.expr) -> ast.AST:
@@ -182,11 +184,11 @@ def _call(name: str, *arguments: ast.expr) -> ast.Call:
 
 
 def _compare(actual: Any, name: str, expected: Any, source: str) -> None:
-    compare, words = next(one for kind, one in COMPARISONS.items() if kind.__name__ == name)
+    compare, words = next(words for operation, words in COMPARISONS.items() if operation.__name__ == name)
     holds = compare(actual, expected)
     if not (holds if isinstance(holds, bool) else bool(holds)):
-        right = getattr(expected, "expected", expected)  # of pytest's approx
-        raise AssertionError(difference(actual, right) if words == "is right" else _limit(actual, right, words))
+        expected = getattr(expected, "expected", expected)  # of pytest's approx
+        raise AssertionError(difference(actual, expected) if words == "is right" else _limit(actual, expected, words))
 
 
 def _holds(value: Any, source: str) -> None:
@@ -208,17 +210,17 @@ def difference(actual: Any, expected: Any) -> str:
     import numpy as np
 
     try:
-        found, right = np.asarray(actual, float), np.asarray(expected, float)
+        actual, expected = np.asarray(actual, float), np.asarray(expected, float)
     except (TypeError, ValueError):
         return f"Your code gives {actual!r}; {expected!r} is right."
-    if found.shape != right.shape and right.ndim:
-        return f"Your code gives an array of shape {found.shape}; {right.shape} is right."
-    if found.size <= MOST_NUMBERS:
-        return f"Your code gives {_numbers(found)}; {_numbers(np.broadcast_to(right, found.shape))} is right."
-    off = np.abs(found - right)
+    if actual.shape != expected.shape and expected.ndim:
+        return f"Your code gives an array of shape {actual.shape}; {expected.shape} is right."
+    if actual.size <= MOST_NUMBERS:
+        return f"Your code gives {_numbers(actual)}; {_numbers(np.broadcast_to(expected, actual.shape))} is right."
+    off = np.abs(actual - expected)
     worst = np.unravel_index(int(np.argmax(np.where(np.isnan(off), np.inf, off))), off.shape)
-    wrong = float(np.broadcast_to(right, found.shape)[worst])
-    return f"Your code gives {found[worst]:.6g} in {_place(worst)}; {wrong:.6g} is right."
+    wrong = float(np.broadcast_to(expected, actual.shape)[worst])
+    return f"Your code gives {actual[worst]:.6g} in {_place(worst)}; {wrong:.6g} is right."
 
 
 def _limit(actual: Any, limit: Any, words: str) -> str:
@@ -229,10 +231,10 @@ def _numbers(value: Any) -> str:
     import numpy as np
 
     try:
-        found = np.asarray(value, float)
+        actual = np.asarray(value, float)
     except (TypeError, ValueError):
         return repr(value)
-    text = np.array2string(found, separator=", ", formatter={"float_kind": lambda x: f"{x:.6g}"})
+    text = np.array2string(actual, separator=", ", formatter={"float_kind": lambda x: f"{x:.6g}"})
     return " ".join(text.split())
 
 
@@ -245,7 +247,9 @@ def _place(index: Sequence[Any]) -> str:
 
 def _line(error: BaseException) -> str:
     """The last statement of a test that led to an error, on one line."""
-    frames = [one for one in traceback.extract_tb(error.__traceback__) if Path(one.filename).name.startswith("test_")]
+    frames = [
+        frame for frame in traceback.extract_tb(error.__traceback__) if Path(frame.filename).name.startswith("test_")
+    ]
     if not frames or (frames[-1].line or "").startswith("_example("):
         return ""
     first, last = frames[-1].lineno or 0, frames[-1].end_lineno or 0
