@@ -158,12 +158,11 @@ def told_of_jobs(slug, runs):
             print(f"{slug:22} {jobs} jobs: {faster:.2f} times as fast as 1 job; no number of jobs: {bound:.0f} times")
 
 
-def told_of_peers(slug, runs, rows):
+def told_of_peers(slug, runs, peers):
     """How many times as fast as nbgrader the run with the most jobs is."""
     ours = runs[max(runs)]["seconds_each"]
-    for row in rows:
-        if (row["assignment"], row["grader"]) == (slug, "nbgrader"):
-            print(f"{slug:26} {row['seconds_each'] / ours:.1f} times as fast as nbgrader")
+    for peer in peers:
+        print(f"{slug:26} {peer['seconds_each'] / ours:.1f} times as fast as {peer['grader']}", flush=True)
 
 
 def one_file(slug):
@@ -257,22 +256,27 @@ def main():
     if options.cost:
         costs(options.assignments, min(count, 5))
         return
-    rows, runs = [], {}
+    rows = []
     for slug in options.assignments:
-        runs[slug] = {jobs: graded(slug, count, jobs) for jobs in options.jobs}
-        rows += [one_file(slug), *runs[slug].values()]
-        rows += [nbgrader(slug, 10) for _ in options.peers]
-    for row in rows:
-        head = f"{row['head_seconds_each'] * 1000:.2f} ms of the head each" if "head_seconds_each" in row else ""
-        print(
-            f"{row['assignment']:26} {row['grader']:46} {row['submissions']:4} in {row['seconds']:7.2f} s"
-            f" {row['seconds_each'] * 1000:8.1f} ms each {head}"
-        )
-    for slug, its_runs in runs.items():
-        told_of_jobs(slug, its_runs)
-        told_of_peers(slug, its_runs, rows)
-    if options.peers and not options.quick:
-        record.write(RESULTS, rows=rows)
+        runs = {jobs: graded(slug, count, jobs) for jobs in options.jobs}
+        peers = [nbgrader(slug, 10) for _ in options.peers]
+        rows += (new := [one_file(slug), *runs.values(), *peers])
+        for row in new:
+            told(row)
+        told_of_jobs(slug, runs)
+        told_of_peers(slug, runs, peers)
+        if options.peers and not options.quick:
+            record.write(RESULTS, rows=rows)  # a run takes an hour
+
+
+def told(row):
+    """Print a row of the table."""
+    head = f"{row['head_seconds_each'] * 1000:.2f} ms of the head each" if "head_seconds_each" in row else ""
+    print(
+        f"{row['assignment']:26} {row['grader']:46} {row['submissions']:4} in {row['seconds']:7.2f} s"
+        f" {row['seconds_each'] * 1000:8.1f} ms each {head}",
+        flush=True,
+    )
 
 
 if __name__ == "__main__":
