@@ -1,5 +1,7 @@
 """Hidden checks of hw06."""
 
+from functools import partial
+
 import numpy as np
 
 from tam570_grader import (
@@ -17,7 +19,7 @@ from tam570_grader import (
     number,
     rows,
 )
-from tam570_grader.checks.compare import trim_to_signature
+from tam570_grader.checks.compare import Batch
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.returns import free_body_diagram
 
@@ -359,12 +361,17 @@ def small_yaw_rate_is_the_linear_solution(student, rng):
 def judge_refusals(student, calls):
     """ValueError for another `locked`, from functions that take "front" and "rear"."""
     for name, call in calls:
-        function, (*first, _) = getattr(student, name), call.args
-        (call,) = trim_to_signature(getattr(reference, name), [call])
-        for allowed, refused in function.refusals([call]):
+        function, batch = getattr(student, name), Batch.of(getattr(reference, name), [call])
+        for allowed, refused in function.refusals(batch.cases):
             expect_that(not refused, f"{name} raises ValueError for a {allowed.args[-1]} axle")
-        bad = [call.replace(*first, locked).labelled(f"locked={locked!r}, {call.label}") for locked in cases.OTHERS]
+        bad = batch.remembered(cases.OTHERS, partial(with_other_axles, *batch.cases))
         check_raises(function, bad, hint='Only "front" and "rear" are axles.')
+
+
+def with_other_axles(case):
+    """The same case with what is no axle."""
+    others = [(locked, case.replace(*case.args[:-1], locked)) for locked in cases.OTHERS]
+    return [other.labelled(f"locked={locked!r}, {case.label}") for locked, other in others]
 
 
 @check(

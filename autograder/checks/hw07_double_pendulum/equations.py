@@ -33,7 +33,7 @@ def agree_in_equations(function: Any, cases: Sequence[Case], *, tolerance: float
     own = Equations(student, cases, tolerance)
     found, calls = own.asked(function.name), len(student.calls)
     back, hint = own.back(function.name, hint)
-    true = own.lagranges(function.name)
+    true, sizes = own.lagranges(function.name), own.sizes(function.name)
     known = np.flatnonzero(np.isfinite(back).all((1, 2)))
     brought = {index: (back[index] @ found[index]).reshape(true[index].shape) for index in known}
     for index, result in brought.items():  # what known mistakes are compared with
@@ -42,8 +42,9 @@ def agree_in_equations(function: Any, cases: Sequence[Case], *, tolerance: float
     for index, result in brought.items():
         case = student.calls[calls - len(cases) + index].case
         get_context().judge(function.name, case)
-        size = words.scale(case)
-        expect(result, true[index], tolerance=tolerance * size, quantity=words.quantity, unit=words.unit, hint=hint)
+        expect(
+            result, true[index], tolerance=tolerance * sizes[index], quantity=words.quantity, unit=words.unit, hint=hint
+        )
 
 
 class Equations:
@@ -62,6 +63,11 @@ class Equations:
     def lagranges(self, name: str) -> Array:
         """(n, 2) or (n, 2, 2)"""
         return np.array(self._batch(name).expected)
+
+    def sizes(self, name: str) -> Array:
+        """(n,) the scale of a term in each case."""
+        size, batch = getattr(self._student, name).returns.description.scale, self._batch(name)
+        return np.array(batch.remembered(size, lambda: [size(case) for case in batch.cases]))
 
     def _batch(self, name: str) -> Batch:
         return Batch.of(getattr(reference, name), self._cases)
@@ -111,11 +117,9 @@ class Equations:
         mine = self._term(name)
         if mine is None:
             return False
-        size = getattr(self._student, name).returns.description.scale
-        scale = self._batch(name).remembered(size, lambda: np.array([size(case) for case in self._batch(name).cases]))
         error = np.abs(back @ mine - _columns(self.lagranges(name))).max((1, 2))
         known = np.isfinite(back).all((1, 2))
-        return bool((error[known] <= self._within * scale[known]).all())
+        return bool((error[known] <= self._within * self.sizes(name)[known]).all())
 
     def _term(self, name: str) -> Array | None:
         """A term of the student's; None if the function gives none."""
