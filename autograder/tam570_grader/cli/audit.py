@@ -18,6 +18,7 @@ Question = Callable[[Path, str, Any, argparse.Namespace], Answer]
 
 
 def add_audit(commands: Commands) -> argparse.ArgumentParser:
+    """Add the command `audit`."""
     audit: argparse.ArgumentParser = commands.add_parser(
         "audit",
         help="grade the grader: does it catch what it must?",

@@ -26,6 +26,7 @@ Then grade here:
 
 
 def add_certificates(commands: Commands) -> argparse.ArgumentParser:
+    """Add the command `certificates`."""
     certificates: argparse.ArgumentParser = commands.add_parser(
         "certificates",
         help="make the certificates of a cluster",

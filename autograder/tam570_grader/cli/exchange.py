@@ -20,6 +20,7 @@ def _titles(names: Iterable[str]) -> str:
 
 
 def add_collect(commands: Commands) -> argparse.ArgumentParser:
+    """Add the command `collect`."""
     parser: argparse.ArgumentParser = commands.add_parser(
         "collect",
         help="collect what was downloaded from a learning management system",
@@ -42,6 +43,7 @@ def add_collect(commands: Commands) -> argparse.ArgumentParser:
 
 
 def add_export(commands: Commands) -> argparse.ArgumentParser:
+    """Add the command `export`."""
     parser: argparse.ArgumentParser = commands.add_parser(
         "export",
         help="lay submissions out for Dolos, JPlag or Moss, with names hidden",
@@ -59,6 +61,7 @@ def add_export(commands: Commands) -> argparse.ArgumentParser:
 
 
 def add_alike(commands: Commands) -> argparse.ArgumentParser:
+    """Add the command `alike`."""
     parser: argparse.ArgumentParser = commands.add_parser(
         "alike",
         help="list pairs of submissions that share code",
@@ -76,6 +79,7 @@ def add_alike(commands: Commands) -> argparse.ArgumentParser:
 
 
 def add_lms(commands: Commands) -> argparse.ArgumentParser:
+    """Add the command `lms`."""
     importing = [name for name, system in SYSTEMS.items() if system.table]
     parser: argparse.ArgumentParser = commands.add_parser(
         "lms",
@@ -104,6 +108,7 @@ def add_lms(commands: Commands) -> argparse.ArgumentParser:
 
 
 def add_report(commands: Commands) -> argparse.ArgumentParser:
+    """Add the command `report`."""
     parser: argparse.ArgumentParser = commands.add_parser(
         "report",
         help="make one page on the class",

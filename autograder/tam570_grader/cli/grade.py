@@ -18,6 +18,7 @@ __all__ = ["add_grade", "executor_of", "warn_of_isolation"]
 
 
 def add_grade(commands: Commands) -> argparse.ArgumentParser:
+    """Add the command `grade`."""
     grade: argparse.ArgumentParser = commands.add_parser(
         "grade",
         help="grade submissions",

@@ -15,6 +15,7 @@ __all__ = ["add_mark"]
 
 
 def add_mark(commands: Commands) -> argparse.ArgumentParser:
+    """Add the command `mark`."""
     parser: argparse.ArgumentParser = commands.add_parser(
         "mark",
         help="open a page to grade parts by hand",

@@ -16,6 +16,7 @@ __all__ = ["add_points"]
 
 
 def add_points(commands: Commands) -> argparse.ArgumentParser:
+    """Add the command `points`."""
     parser: argparse.ArgumentParser = commands.add_parser(
         "points",
         help="add points by hand, late days and changes to results",

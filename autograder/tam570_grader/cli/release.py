@@ -17,6 +17,7 @@ def _parser(commands: Commands, name: str, sentence: str) -> argparse.ArgumentPa
 
 
 def add_stubs(commands: Commands) -> argparse.ArgumentParser:
+    """Add the command `stubs`."""
     stubs = _parser(commands, "stubs", "make the students' stubs from the solutions")
     stubs.set_defaults(command=_stubs)
     stubs.add_argument("--check", action="store_true", help="write nothing; exit 1 if a stub is out of date")
@@ -25,6 +26,7 @@ def add_stubs(commands: Commands) -> argparse.ArgumentParser:
 
 
 def add_kit(commands: Commands) -> argparse.ArgumentParser:
+    """Add the command `kit`."""
     kit = _parser(commands, "kit", "make what students install and start from")
     kit.set_defaults(command=_kit)
     kit.add_argument("folder", type=Path, metavar="DIR", help="where to put it")
@@ -32,12 +34,14 @@ def add_kit(commands: Commands) -> argparse.ArgumentParser:
 
 
 def add_course(commands: Commands) -> argparse.ArgumentParser:
+    """Add the command `course`."""
     course = _parser(commands, "course", "make a course that nbgrader runs")
     course.set_defaults(command=_course)
     return _folder_and_slugs(course)
 
 
 def add_gradescope(commands: Commands) -> argparse.ArgumentParser:
+    """Add the command `gradescope`."""
     gradescope = _parser(commands, "gradescope", "make the archives that Gradescope runs")
     gradescope.set_defaults(command=_gradescope)
     return _folder_and_slugs(gradescope)
@@ -51,6 +55,7 @@ def _folder_and_slugs(parser: argparse.ArgumentParser) -> argparse.ArgumentParse
 
 
 def add_trust(commands: Commands) -> argparse.ArgumentParser:
+    """Add the command `trust`."""
     trust = _parser(commands, "trust", "use this course from now on, in its folder and below")
     trust.set_defaults(command=_trust)
     trust.add_argument("folder", type=Path, nargs="?", default=Path(), metavar="DIR", help="default: this folder")

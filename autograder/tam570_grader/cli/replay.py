@@ -15,6 +15,7 @@ __all__ = ["add_replay"]
 
 
 def add_replay(commands: Commands) -> argparse.ArgumentParser:
+    """Add the command `replay`."""
     replay: argparse.ArgumentParser = commands.add_parser(
         "replay",
         help="show the input, the expected and the actual value of a failed check",

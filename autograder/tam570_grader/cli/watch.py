@@ -18,6 +18,7 @@ UNITS = {"s": 1, "m": 60, "h": 3600, "d": 86400}
 
 
 def add_watch(commands: Commands) -> argparse.ArgumentParser:
+    """Add the command `watch`."""
     watch: argparse.ArgumentParser = commands.add_parser(
         "watch",
         help="grade submissions when they arrive",
