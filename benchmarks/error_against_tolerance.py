@@ -1,4 +1,4 @@
-"""Error against tolerance on the public problems: how many times rtol, for the compiled and the Python engine.
+"""Error against tolerance on problems of the literature: how many times rtol, for the compiled and the Python engine.
 
 The error is the largest over twenty times of a run, relative to the largest magnitude of its component, beyond what the
 problem itself makes of a change of its start by rtol. Prints the table; --write keeps it in results/.
@@ -15,6 +15,7 @@ import numpy as np
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE / "run_time"))
 
+import literature  # noqa: E402
 import public  # noqa: E402
 import record  # noqa: E402
 
@@ -25,14 +26,14 @@ FINEST = 1e-15
 
 
 def errors(rhs, start, end, method):
-    """Largest error over rtol, and over rtol times the sensitivity of the problem, for each tolerance."""
+    """Largest error over rtol times the sensitivity of the problem, for each tolerance."""
     t = np.linspace(0, end, 21)
     exact = solve(rhs, t, start, rtol=FINEST)
     size = np.abs(exact).max(axis=0) + 1e-300
     near = solve(rhs, t, np.array(start, dtype=float) * (1 + 1e-8), rtol=FINEST)
     sensitivity = max(1.0, float((np.abs(near - exact) / size).max() / 1e-8))
-    found = [float((np.abs(solve(rhs, t, start, rtol=r, method=method) - exact) / size).max() / r) for r in TOLERANCES]
-    return found, [error / sensitivity for error in found]
+    runs = [(r, solve(rhs, t, start, rtol=r, method=method)) for r in TOLERANCES]
+    return [float((np.abs(states - exact) / size).max() / r / sensitivity) for r, states in runs]
 
 
 def main():
@@ -43,8 +44,8 @@ def main():
         "error / rtol / sensitivity: {command}, {machine}, {date}".format(**record.facts()),
         f"{'':24}" + "".join(f"{f'{r:g}':>16}" for r in TOLERANCES),
     ]
-    for name, (rhs, start, end) in public.PROBLEMS.items():
-        both = [errors(rhs, start, end, method)[1] for method in ("compiled", "python")]
+    for name, (rhs, start, end) in {**public.PROBLEMS, **literature.PROBLEMS}.items():
+        both = [errors(rhs, start, end, method) for method in ("compiled", "python")]
         lines.append(f"{name:24}" + "".join(f"{f'{a:.2g} / {b:.2g}':>16}" for a, b in zip(*both, strict=True)))
         print(lines[-1], flush=True)
     if options.write:

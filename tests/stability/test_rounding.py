@@ -105,6 +105,22 @@ def test_what_is_only_rounding_or_far_away_costs_no_steps(name, rtol):
         assert np.abs(result - exact).max() < 300 * rtol * np.abs(exact).max() + 1e-13
 
 
+@pytest.mark.parametrize("rate", [0.0, 1e-9])
+def test_a_disk_upright_to_the_last_digits_rolls_on(rate):
+    """Its tilt is pi/2 rounded: what that does to other rates, one after another, is not to be resolved."""
+
+    def rolled(tilt_rate):
+        rates, calls = counted(by_angles)
+        end = solve(rates, [0, 10], [0, 0, 0, math.pi / 2, 0, 0, tilt_rate, 8.0], rtol=1e-12)[-1]
+        return end, len(calls)
+
+    (end, cost), (wobble, ordinary) = rolled(rate), rolled(1e-3)
+    assert cost < 2 * ordinary  # sixty times as many if each rounding is taken for motion
+    assert end[[0, 4, 7]] == pytest.approx([-40, 80, 8], rel=1e-10)  # straight on
+    if rate == 1e-9:  # small motions are proportional to their start, but for the rounding of the tilt
+        assert end[[2, 5]] * 1e6 == pytest.approx(wobble[[2, 5]], abs=1e-5 * abs(wobble[5]))
+
+
 @pytest.mark.parametrize("unit", [2.0**-40, 2.0**40])
 def test_no_unit_changes_a_step(unit):
     """Springs are linear: in any unit of length the motion is the same, its rounding too."""

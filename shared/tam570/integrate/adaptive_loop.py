@@ -135,7 +135,7 @@ def advance(
         if may_be_rounding:
             before, measured = measured, roundoff(origin + t, h, y, f, b, c)
             b = lesser(before, measured)
-            fifth, third = error_norms(h, y, n, a, measured, part, part * rtol, stages)
+            fifth, third = error_norms(h, y, n, f, g, a, measured, part, part * rtol, stages)
             error = _error(fifth, third, suspicious)
         jumps = not error <= 1.0 and at_last and fifth < inf and _finite(n) and jump(h, y, n, f, g, a, rtol) <= JUMP
         if error <= 1.0 and not at_last and h > 2.0 * reach(origin + new, h, n, g, c):

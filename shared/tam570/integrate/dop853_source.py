@@ -21,6 +21,7 @@ __all__ = ["ESTIMATE_ROUNDOFF", "REACH", "compiled", "functions"]
 
 KEPT = range(5, 12)  # the stages that the interpolant takes over from the step
 UNIT_ROUNDOFF = 2.0**-53
+AMPLIFIED = 0.5  # at the end of a smooth step both derivatives are one to a tenth; 2 at h = -6 over the rate of decay
 REACH = 4.0  # tanh(4) is 1 to 7e-4, exp(-4) is 0.02: from twice that on a pulse is seen
 ESTIMATE_ROUNDOFF = (
     8.0  # the weights of both estimates add up to less: a rate known to N makes an error of 8 h N of them
@@ -154,8 +155,8 @@ def _step(formulas: Formulas) -> list[str]:
 
 def _error_norms(formulas: Formulas) -> list[str]:
     """Both error estimates of a step that was tried, squared, by a part of the tolerance and another rounding."""
-    lines = ["def error_norms(h, y, n, a, b, part, rtol, stages):"]
-    lines += unpacked(replace(formulas, constants=0), y="y", n="n", a="a", b="b")
+    lines = ["def error_norms(h, y, n, f, g, a, b, part, rtol, stages):"]
+    lines += unpacked(replace(formulas, constants=0), y="y", n="n", f="k0_", g="k12_", a="a", b="b")
     lines += [f"{tuple_of(_kept(formulas))} = stages", "fifth = third = 0.0"]
     for i in formulas.moving:
         lines += [f"a{i} = part * a{i}", f"u{i} = {_combination(ROWS[12], i)}", *_estimate(i)]
@@ -186,14 +187,23 @@ def _update(formulas: Formulas, i: int) -> list[str]:
 
 
 def _estimate(i: int) -> list[str]:
+    """Add component i to both estimates of the error.
+
+    Stage 11 is at the end of the step, as the new state is. If their derivatives differ, the step is beyond the region
+    of stability: the errors of what decays may be small enough at its end, and large inside.
+    """
     return [
-        f"w = abs(y{i})",
+        f"m = abs(y{i})",
         f"x = abs(n{i})",
-        f"w = h / (a{i} + b{i} + rtol * (x if x > w else w))",
+        "m = x if x > m else m",
+        f"w = h / (a{i} + b{i} + rtol * m)",
         f"x = w * ({_combination(FIFTH, i)})",
         "fifth += x * x",
         f"x = w * (u{i} + {_combination(LESS, i)})",
         "third += x * x",
+        f"d = abs(e11_{i} + k0_{i} - k12_{i})",
+        f"if w * d > 1.0 and a{i} > {NO_SCALE!r} and d > {AMPLIFIED!r} * (abs(k0_{i}) + abs(k12_{i}) + abs(e8_{i})):",
+        "    fifth += 36.0 + 6.0 * sqrt(third)",  # an error of 6 to 60: half the step is tried
     ]
 
 
