@@ -100,9 +100,6 @@ MOTIONS = {
 }
 
 
-# Laws: each gives two things that are equal
-
-
 def run(s, slug, t=TIMES, start=None, u=SI, **off):
     it = MOTIONS[slug]
     return np.asarray(it.run(s, t, it.start.copy() if start is None else start, u, **off))

@@ -39,9 +39,6 @@ def by_scipy(rhs, span, start, stops, longest):
     return state
 
 
-# Contact
-
-
 def wall(stiffness):
     return lambda t, y: (y[1], -stiffness * y[0] if y[0] < 0 else 0.0)
 
@@ -83,9 +80,6 @@ CONTACT = {
     "clip": against(lambda t, y: np.array([y[1], -50.0 * np.clip(y[0], -0.3, 0.3)]), (0, 3), [1.0, 0.0]),
     "abs of a state": against(lambda t, y: (y[1], -500.0 * (abs(y[0]) + y[0]) / 2 - y[0]), (0, 3), [1.0, 0.0]),
 }
-
-
-# Friction and branches on the state
 
 
 def coulomb(t, y):
@@ -136,9 +130,6 @@ FRICTION = {
     ),
     "sorted": against(by_sort, (0, 2), [1.0, 0.5], longest=1e-3),
 }
-
-
-# Jumps and pulses in time
 
 
 def forced(force):
@@ -217,9 +208,6 @@ PULSES = {
 }
 
 
-# Pulses of the state
-
-
 def passing(force):
     """A particle at unit speed, pushed where it is."""
     return against(lambda t, y: (y[1], force(y[0])), (0, 8), [0.0, 1.0], longest=2e-3)
@@ -245,17 +233,10 @@ PASSED = {
 }
 
 
-# What a trace does not show
-
-
 def doubled_later(t, y):
     if t > 1:
         y = 2 * y
     return y[1], -y[0]
-
-
-def by_text(t, y):
-    return y[1], -y[0] if "Symbol" not in str(y[0]) and str(y[0])[0] in "-0123456789" else 7.0
 
 
 def by_float(t, y):
@@ -277,35 +258,9 @@ def counting(t, y, calls=[]):  # noqa: B006
     return y[1], -y[0]
 
 
-def by_eval(t, y):
-    return y[1], eval("-y[0]")
-
-
-def nan_to_num(t, y):
-    return np.nan_to_num(np.array([y[1], -y[0]]))
-
-
-def deep(t, y):
-    y = copy.deepcopy(y)
-    return y[1], -y[0]
-
-
-def pickled(t, y):
-    y = pickle.loads(pickle.dumps(y))
-    return y[1], -y[0]
-
-
 def packed(t, y):
     a, b = struct.unpack("2d", struct.pack("2d", *y))
     return b, -a
-
-
-def array_then_list(t, y):
-    return np.array([y[1], -y[0]]) if t < 0.7 else [y[1], -y[0]]
-
-
-def typed(t, y):
-    return (y[1], -y[0]) if type(y[0]) in (float, np.float64) else (0.0, 0.0)
 
 
 def in_place(t, y):
@@ -324,10 +279,6 @@ def by_exception(t, y):
         return y[1], -1.0 / (1 if y[0] > 0.5 else 0)
     except ZeroDivisionError:
         return y[1], -2.0
-
-
-def generated(t, y):
-    return [y[1], -sum(v for v in y[:1])]
 
 
 class Oscillator:
@@ -358,6 +309,21 @@ def empty_cell():
 
 BENT = np.frompyfunc(lambda x: -x if x < 0.5 else -0.5, 1, 1)
 SINE = [math.cos(3.0), -math.sin(3.0)]
+OSCILLATORS = {
+    "text": lambda t, y: (y[1], -y[0] if "Symbol" not in str(y[0]) and str(y[0])[0] in "-0123456789" else 7.0),
+    "float": by_float,
+    "counting": counting,
+    "eval": lambda t, y: (y[1], eval("-y[0]")),
+    "nan_to_num": lambda t, y: np.nan_to_num(np.array([y[1], -y[0]])),
+    "deep copy": lambda t, y: (copy.deepcopy(y)[1], -copy.deepcopy(y)[0]),
+    "pickle": lambda t, y: (pickle.loads(pickle.dumps(y))[1], -y[0]),
+    "struct": packed,
+    "array, then list": lambda t, y: np.array([y[1], -y[0]]) if t < 0.7 else [y[1], -y[0]],
+    "type": lambda t, y: (y[1], -y[0]) if type(y[0]) in (float, np.float64) else (0.0, 0.0),
+    "in place": in_place,
+    "filled": filled,
+    "generator": lambda t, y: [y[1], -sum(v for v in y[:1])],
+}
 TRACES = {
     "doubled": against(doubled_later, (0, 2), [1.0, 0.0], stops=(1,)),
     "negated": against(lambda t, y: (y[1], -y[0]) if t < 1 else tuple(-y), (0, 2), [1.0, 0.0], stops=(1,)),
@@ -375,16 +341,9 @@ TRACES = {
     "closure": against(closure(), (0, 3), [1.0, 0.0]),
     "frompyfunc": against(lambda t, y: (y[1], float(BENT(y[0]))), (0, 3), [1.0, 0.0]),
     "by exception": against(by_exception, (0, 1.5), [1.0, 0.0], longest=1e-3),
-    **{
-        rhs.__name__: against(rhs, (0, 3), [1.0, 0.0], exact=SINE)
-        for rhs in (by_text, by_float, counting, by_eval, nan_to_num, deep, pickled, packed, array_then_list, typed)
-    },
-    **{rhs.__name__: against(rhs, (0, 3), [1.0, 0.0], exact=SINE) for rhs in (in_place, filled, generated)},
+    **{name: against(rhs, (0, 3), [1.0, 0.0], exact=SINE) for name, rhs in OSCILLATORS.items()},
     "empty cell": against(empty_cell(), (0, 3), [1.0, 0.0], exact=SINE),
 }
-
-
-# Edges of a domain
 
 
 def rooted(t, y):
@@ -425,9 +384,6 @@ def test_it_is_right_and_the_same_whatever_ran_before(name):
         return
     compiled = solve(rhs, span, start, rtol=RTOL, method="compiled", **options)[-1]
     assert compiled == pytest.approx(exact, rel=100 * RTOL, abs=100 * RTOL)
-
-
-# What cannot be solved, and is said
 
 
 def remembers():

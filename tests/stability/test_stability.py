@@ -46,9 +46,6 @@ def oscillator(t, y, *, rate):
 SCENES = _loaded(ROOT / "benchmarks" / "run_time" / "scenes.py")
 
 
-# At rest, at symmetric angles, at zeros of the right-hand side
-
-
 @pytest.mark.parametrize("name", SCENES.SCENES)
 def test_the_start_of_every_scene_is_left_by_small_steps(name):
     """Two methods that share nothing but the right-hand side agree."""
@@ -67,9 +64,6 @@ def test_a_force_that_is_not_there_yet_is_noticed():
     assert states[:, 0] == pytest.approx(exact, rel=1e-9)
 
 
-# Separatrices
-
-
 def test_along_the_separatrix():
     """sin(theta/2) = tanh(t sqrt(g/l)) from the bottom at the speed that just reaches the top."""
     t = np.linspace(0, 4, 41)  # beyond, exp(3 t) has eaten what rounding left
@@ -85,9 +79,6 @@ def test_started_just_below_the_top_it_takes_the_exact_period(below):
     states = solve(pendulum, [0, T / 4, T], [amplitude, 0.0], parameters={"length": 1.0}, rtol=1e-14)
     assert abs(states[1, 0]) < 1e-12 / below  # the sensitivity of the motion is 1 / below
     assert drift(pendulum_energy, states).max() < 1e-12
-
-
-# Extremes
 
 
 @pytest.mark.parametrize("amplitude", [2.0**k for k in (-500, -40, 0, 40, 500)])
@@ -113,16 +104,10 @@ def test_a_stiff_decay_costs_steps_but_no_digits():
     assert states[:, 0] == pytest.approx(np.cos(t) + np.exp(-rate * t), rel=1e-8)
 
 
-# Samples and end points
-
-
 def test_two_times_as_close_as_doubles_allow():
     for t0 in (0.0, 1.0, -1e9):
         states = solve(oscillator, [t0, np.nextafter(t0, math.inf)], [1.0, 0.0], parameters={"rate": 1.0})
         assert np.isfinite(states).all()
-
-
-# Long runs
 
 
 @pytest.mark.parametrize("method", ["gauss", "composition"])

@@ -103,9 +103,6 @@ def test_events_and_reports_are_for_single_motions_of_variable_steps(change):
         solve(**{"rhs": oscillator, "t": [0, 1], "y0": [1.0, 0.0], "dense": True, **change})
 
 
-# A function of time
-
-
 def test_a_motion_as_a_function_of_time_is_the_motion():
     t = np.linspace(0, 20, 77)
     motion = solve(oscillator, t, [1.0, 0.0], dense=True, rtol=1e-12)
@@ -123,9 +120,6 @@ def test_events_and_dense_change_no_step():
     plain = solve(oscillator, t, [1.0, 0.0], method="python")
     with_events = solve(oscillator, t, [1.0, 0.0], dense=True, events=lambda t, y: y[0])
     assert (with_events.states == plain).all()
-
-
-# Times that decrease
 
 
 def test_times_may_decrease():
@@ -151,9 +145,6 @@ def test_events_of_a_run_that_goes_back_have_their_times():
 def test_times_that_turn_are_named():
     with pytest.raises(ValueError, match=r"^t: must decrease, but t\[2\] = 1 does not come before t\[1\]"):
         solve(oscillator, [2.0, 0.0, 1.0], [1.0, 0.0])
-
-
-# A report
 
 
 def test_a_report_tells_how_the_run_went():

@@ -96,9 +96,6 @@ def test_parameters_are_those_of_the_preparation(rhs):
     np.testing.assert_array_equal(run(STARTS[0]), before)
 
 
-# `solve` itself keeps a run that is asked for again and again
-
-
 @pytest.fixture
 def prepared_call(monkeypatch):
     """again(rhs, times, **given) -> start -> states: a call of solve that has the run at hand."""

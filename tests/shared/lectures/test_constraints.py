@@ -13,9 +13,6 @@ from tam570.lectures import rod, sleigh, stopping_car, swinging_bar, truss
 DRAW = np.random.default_rng(914)
 
 
-# rod
-
-
 def test_both_ways_to_a_rod_agree():
     for _ in range(20):
         forces, masses = DRAW.normal(size=2), DRAW.uniform(0.1, 3.0, 2)
@@ -33,9 +30,6 @@ def test_massless_ends_hand_the_force_on(way):
             way((3.0, -1.0), masses=masses)
     with pytest.raises(ValueError, match="forces"):
         way((3.0,), masses=(1.0, 1.0))
-
-
-# truss
 
 
 def test_ten_times_as_stiff_is_ten_times_as_rigid():
@@ -65,8 +59,6 @@ def test_the_rigid_body_keeps_lengths_and_momenta():
     between = truss.rigid([2.0, 5.0], start, **truss.EXAMPLE)[1, 8:]
     assert between == pytest.approx(((after - before) / (2 * h))[:8], abs=1e-8)
 
-
-# stopping_car
 
 WAYS = [stopping_car.by_centre_of_mass, stopping_car.by_three_points, stopping_car.by_one_point]
 
@@ -98,8 +90,6 @@ def test_the_axle_that_lifts_is_named(way):
     )
 
 
-# swinging_bar
-
 BAR = {"mass": 0.7, "length": 1.3, "gravity": 9.81}
 
 
@@ -129,8 +119,6 @@ def test_the_bar_comes_back_after_four_complete_integrals(th):
     assert quarter[1] == pytest.approx(-2 * w * math.sin(turned / 2), abs=1e-11)
     assert period == pytest.approx([th, 0.0], abs=1e2 * sensitive)
 
-
-# sleigh
 
 BODY = {"mass": 0.7, "inertia": 0.2, "offset": 0.4}
 

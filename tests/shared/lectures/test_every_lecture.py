@@ -56,9 +56,6 @@ def wandered(invariant, states):
     return np.linalg.norm(values - values[0], axis=1).max() / size
 
 
-# Where they are
-
-
 def test_they_are_listed_by_date(capsys):
     assert cli.main(["list", "--lectures"]) == 0
     days = [lecture.day for lecture in catalogue().values()]
@@ -90,9 +87,6 @@ show(load("least_action"))
 assert "scipy" not in sys.modules
 """
     subprocess.run([sys.executable, "-c", code], check=True)
-
-
-# What they have
 
 
 @pytest.mark.parametrize("name", MOVING)
@@ -127,9 +121,6 @@ def test_rates_are_plain_floats(name):
         for trial in trials:
             rates = function(0.0, trial.tolist(), **module.EXAMPLE)
             assert len(rates) == len(start) and all(type(rate) is float for rate in rates)
-
-
-# What they keep
 
 
 @pytest.mark.parametrize("count", [30, pytest.param(1000, marks=pytest.mark.slow)])
@@ -171,9 +162,6 @@ def test_the_exact_motion_is_the_solved_one(name, begin):
     exact, solved = module.exact(times, start, **module.EXAMPLE), solve(rates, times, start, rtol=1e-12)
     assert exact.shape == solved.shape and exact[0] == pytest.approx(start, rel=1e-14, abs=1e-14)
     assert np.abs(exact - solved).max() < 1e-8 * np.abs(solved).max()  # what the solution loses in these seconds
-
-
-# What is seen of them
 
 
 @pytest.mark.parametrize("name", names())

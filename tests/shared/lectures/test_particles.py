@@ -13,9 +13,6 @@ DRAW = np.random.default_rng(829)
 BALL = {"mass": 0.6, "drag": 0.05, "gravity": 9.81}
 
 
-# quadratic_drag
-
-
 @pytest.mark.parametrize("vx", [12.0, -12.0])
 def test_the_hodograph_is_that_of_its_mirror_image(vx):
     t = np.linspace(0, 3, 30)
@@ -29,18 +26,12 @@ def test_it_falls_at_the_terminal_speed_at_last():
     assert end[3] == pytest.approx(-quadratic_drag.terminal_speed(**BALL), rel=1e-9)
 
 
-# oscillator
-
-
 def test_the_tensor_of_an_orbit_knows_its_plane_and_energy():
     start, parameters = DRAW.normal(size=6), {"mass": 0.7, "stiffness": 3.0}
     xx, yy, zz, yz, zx, xy = oscillator.orbit_tensor(start, **parameters)
     tensor = np.array([[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]])
     assert tensor @ oscillator.angular_momentum(start, **parameters) == pytest.approx(np.zeros(3), abs=1e-12)
     assert (xx + yy + zz) / 2 == pytest.approx(oscillator.energy(start, **parameters), rel=1e-14)
-
-
-# planet
 
 
 def at_pericentre(eccentricity, gm):
@@ -80,9 +71,6 @@ def test_an_unbound_orbit_has_no_period():
     assert orbit["eccentricity"] == pytest.approx(3.0)
 
 
-# bodies
-
-
 def test_the_figure_of_eight_comes_back():
     end = solve(bodies.rates, [0, 6.32591398], bodies.START, parameters=bodies.EXAMPLE, rtol=1e-13)[-1]
     assert end == pytest.approx(bodies.START, abs=1e-7)  # of the digits that its start is known to
@@ -103,9 +91,6 @@ def test_bodies_at_one_place_have_no_accelerations(n):
     state[:3] = state[3:6]
     result = bodies.rates(0.0, tuple(state.tolist()), masses=(1.0,) * n, newton=1.0)
     assert result[: 3 * n] == pytest.approx(state[3 * n :]) and np.isnan(result[3 * n :]).all()
-
-
-# two_masses
 
 
 def test_the_springs_energy_is_the_work_of_its_tension():

@@ -15,9 +15,6 @@ def triad():
     return exp(DRAW.normal(size=3))
 
 
-# dyads
-
-
 def test_a_dyad_turns_what_it_is_dotted_with():
     a, b, r = DRAW.normal(size=(3, 3))
     assert dyads.dyad(a, b) @ r == pytest.approx(a * (b @ r))
@@ -39,9 +36,6 @@ def test_nine_dyads_rebuild_the_rotation():
     rebuilt = sum(result[i, j] * dyads.dyad(base[i], base[j]) for i in range(3) for j in range(3))
     assert rebuilt == pytest.approx(R, abs=1e-14)
     assert dyads.nine(R, np.eye(3)) == pytest.approx(R)
-
-
-# sphere
 
 
 def composed(first, second):

@@ -214,9 +214,6 @@ def test_a_notebook_shows_the_page_in_a_frame_that_cannot_reach_out(course):
     assert show(dict(functions), assignment="hw07").scene is not None
 
 
-# Pictures
-
-
 @pytest.fixture
 def short(scenes):
     """A fifth of a second of the double pendulum."""

@@ -145,16 +145,6 @@ def test_the_tip_is_where_the_student_has_it(opened, scenes):
         assert off < 2.5 * unit  # a pixel, which is two units, and rounding
 
 
-def test_dark_is_dark(opened):
-    colors = {}
-    for scheme in ("light", "dark"):
-        tab = opened(PLANE, color_scheme=scheme)
-        colors[scheme] = (tab.evaluate("getComputedStyle(document.body).backgroundColor"), tab.evaluate("colors.ink"))
-    assert colors["light"][0] != colors["dark"][0] and colors["light"][1] != colors["dark"][1]
-    tab.emulate_media(color_scheme="light")
-    until(tab, f"colors.ink === '{colors['light'][1]}'")
-
-
 def test_a_hostile_string_stays_text(opened):
     bad = "</script><script>document.title='taken'</script><img src=x onerror=\"document.title='taken'\">"
     dot = np.zeros((1, 2))
