@@ -25,6 +25,7 @@ CHECKS = [(slug, check) for slug in SLUGS for check in assignments.assignment(CO
 
 FOLDERS = {slug: assignments.checks_folder(COURSE, slug) for slug in SLUGS}
 ALTERNATIVES = [(slug, path) for slug, folder in FOLDERS.items() for path in sorted(folder.glob("alternatives/*.py"))]
+FUNCTIONS = {(slug, check.name): check.function for slug, check in CHECKS}
 MISTAKES = [(slug, one) for slug, folder in FOLDERS.items() for one in mistakes(folder)]
 
 
@@ -125,7 +126,9 @@ def test_right_answers_in_other_styles_have_full_marks(slug, path, seed, grade):
 # Wrong answers lose points where they must
 
 
-@pytest.mark.parametrize(("slug", "mistake"), **first_of_each(MISTAKES, lambda slug, one: (slug, one.first_fails)))
+@pytest.mark.parametrize(
+    ("slug", "mistake"), **first_of_each(MISTAKES, lambda slug, one: (slug, FUNCTIONS[slug, one.first_fails]))
+)
 def test_a_wrong_submission_loses_points_at_its_check_whatever_the_inputs(
     slug, mistake, input_seed, grade, solution_text
 ):
