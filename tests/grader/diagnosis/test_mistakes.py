@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 
 from tam570_grader.checks.case import Case
-from tam570_grader.diagnosis.mistakes import Mistake, candidates, known, mistakes, solution_with
+from tam570_grader.diagnosis.mistakes import Mistake, known, solution_with
 from tam570_grader.sandbox.function import Call
 
 SOLUTION = "import math\n\nimport numpy as np\n\n\ndef f(x):\n    return 2.0 * x\n\n\ndef g(x):\n    return 3.0 * x\n"
@@ -72,45 +72,3 @@ def test_one_mistake_of_several_is_told_by_the_inputs_that_show_it_alone():
     assert known(SOLUTION, [untold, told], calls).message == told.message
     assert known(SOLUTION, [untold], calls) is None
     assert known(SOLUTION, [wrong("x", label="thick")], calls) is None
-
-
-FILE = '''
-"""Mistakes of an assignment."""
-
-from tam570_grader.diagnosis.mistakes import mistake
-
-from .checks import a_check
-
-HALF = 0.5
-
-
-@mistake("You halve x.", first_fails=a_check)
-def f(reference, x):
-    return HALF * x
-
-
-@mistake("You add 1; a hint says so.", first_fails=a_check, compared=False)
-def f(reference, x):
-    return reference(x) + 1.0
-
-
-@mistake("You forget g.", first_fails=a_check, name="nothing", tolerance=1e-2, label="thin")
-def g(reference, x):
-    return 0.0
-'''
-
-
-def test_a_file_of_mistakes_is_read_whole(tmp_path):
-    (tmp_path / "mistakes.py").write_text(FILE)
-    halved, added, forgotten = mistakes(tmp_path)
-    assert [one.name for one in (halved, added, forgotten)] == ["f", "f_2", "nothing"]
-    assert {one.first_fails for one in (halved, added, forgotten)} == {"a_check"}
-    assert (forgotten.tolerance, forgotten.label, halved.tolerance) == (1e-2, "thin", None)
-    assert [solution_with(SOLUTION, one.text).f(4.0) for one in (halved, added, forgotten)] == [2.0, 9.0, 8.0]
-    assert mistakes(tmp_path / "none") == ()
-
-
-def test_a_mistake_is_a_suspect_of_the_functions_that_it_changes(tmp_path):
-    (tmp_path / "mistakes.py").write_text(FILE)
-    names = [[one.name for one in candidates(SOLUTION, tmp_path, {asked})] for asked in "fg"]
-    assert names == [["f"], ["nothing"]], "f_2 is not compared"

@@ -93,7 +93,7 @@ def net(certificates, tmp_path):
     return Net(certificates, tmp_path)
 
 
-def wait_for(happens, seconds=60):
+def wait_for(happens, seconds=600):
     deadline = time.monotonic() + seconds
     while not happens():
         assert time.monotonic() < deadline, "waited in vain"

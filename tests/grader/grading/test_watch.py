@@ -116,7 +116,7 @@ def test_a_watch_that_is_killed_loses_nothing(course, tmp_path, hand_in):
         time.sleep(0.3 + 0.4 * kill)
         process.send_signal(signal.SIGKILL)
         process.wait()
-    assert subprocess.run([*command, "--once"], timeout=120).returncode == 0
+    assert subprocess.run([*command, "--once"]).returncode == 0
     lines = [json.loads(line) for line in (out / "watch.jsonl").read_text().splitlines()]
     graded = [line["student"] for line in lines if line["event"] == "graded"]
     everybody = {f"s{kill}{n}" for kill in range(6) for n in range(5)}
