@@ -129,6 +129,7 @@ def test_every_notebook_runs_with_the_stub_and_with_the_solution(assert_the_note
     assert_the_notebook_runs(slug)
 
 
+@pytest.mark.slow
 def test_a_module_that_is_saved_is_read_again(course, work):
     import nbformat
     from nbclient import NotebookClient
