@@ -15,6 +15,7 @@ from tam570 import __version__, releases, work
 from tam570.course import Unknown, assignments, contract, folder, title
 from tam570.handin import HOW, hand_in
 from tam570.lectures import commands as lectures
+from tam570.predictions import ask_for_predictions
 from tam570.progress import hints_given, recalled, remember_hints
 
 __all__ = ["main"]
@@ -227,19 +228,7 @@ def _show(arguments: argparse.Namespace) -> int:
             raise Unknown(f"there is no file {file}")
     else:
         file, slug = work.one(arguments.what, arguments.assignment)
-    _ask_before(slug)
-    return command(file, slug, arguments.set, arguments.save)
-
-
-def _ask_before(slug: str) -> None:
-    """Ask for the predictions that come before the picture, and on a terminal wait for them."""
-    rubric = folder(slug) / "rubric.toml"
-    parts = tomllib.loads(rubric.read_text(encoding="utf-8"))["parts"] if rubric.exists() else {}
-    questions = [f"Before you look ({letter}): {part['before']}" for letter, part in parts.items() if "before" in part]
-    if questions:
-        print(*(textwrap.fill(question, 80) for question in questions), sep="\n")
-        if sys.stdin.isatty() and sys.stdout.isatty():
-            input("Press Enter when you have. ")
+    return command(file, slug, arguments.set, arguments.save, ask_for_predictions(file.parent, slug))
 
 
 def _hint(arguments: argparse.Namespace) -> int:

@@ -8,7 +8,7 @@ import zipfile
 import pytest
 from parameters import first
 
-from tam570 import cli, course
+from tam570 import cli, course, predictions
 from tam570.handin import HOW
 
 SLUG = "hw08_axis_angle"
@@ -186,6 +186,17 @@ def test_handin_leaves_an_empty_module_out_where_the_notebook_has_the_work(hw08,
     file.with_suffix(".ipynb").write_text(json.dumps({"cells": [cell], "nbformat": 4}))
     assert tam570("handin", "hw08")[0] == 0
     assert zipfile.ZipFile(file.with_name("hw08_axis_angle_handin.zip")).namelist() == ["hw08_axis_angle.ipynb"]
+
+
+def test_a_prediction_is_asked_for_once_and_kept(desk, monkeypatch):
+    answers = iter(["", "it flips"])
+    monkeypatch.setattr(predictions, "_is_attended", lambda: True)
+    monkeypatch.setattr("builtins.input", lambda question: next(answers))
+    assert "no prediction" in predictions.ask_for_predictions(desk, "hw10_free_rigid_body")[0]
+    told = predictions.ask_for_predictions(desk, "hw10_free_rigid_body")
+    assert told[0].endswith(": it flips") and (desk / "prediction_b.txt").is_file()
+    assert predictions.ask_for_predictions(desk, "hw10_free_rigid_body") == told
+    assert predictions.ask_for_predictions(desk, "hw08_axis_angle") == []
 
 
 def test_there_is_one_way_to_hand_in(tam570, course, tmp_path):

@@ -1,7 +1,7 @@
 """Scenes that move: `show` runs the student's own functions and shows what they do."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from importlib import import_module
 from pathlib import Path
@@ -118,16 +118,17 @@ def scene_of(module: Any, slug: str, numbers: Mapping[str, Any] | None = None) -
     return filmed(scene, partial(scene.film, Student(module)), numbers)
 
 
-def command(file: Path, slug: str, texts: Sequence[str], where: Path | None) -> int:
+def command(file: Path, slug: str, texts: Sequence[str], where: Path | None, notes: Sequence[str] = ()) -> int:
     """Save the scene of a file, or open it in a browser; 0, or 1 if it cannot be.
 
     texts : numbers to set, "mass=2"
+    notes : shown with the scene
     """
     try:
         scene = scene_of(load_student(file, slug), slug, settings(texts))
     except Trouble as trouble:
         return report_trouble(trouble)
-    return present(scene, where, slug)
+    return present(replace(scene, notes=[*notes, *scene.notes]), where, slug)
 
 
 def present(scene: Scene, where: Path | None, name: str) -> int:

@@ -1,0 +1,46 @@
+"""Predictions that a problem asks for before the picture: asked once, kept beside the work, shown with the picture."""
+
+import contextlib
+import sys
+import textwrap
+import time
+import tomllib
+from pathlib import Path
+
+from tam570.course import folder
+
+__all__ = ["ask_for_predictions"]
+
+
+def ask_for_predictions(work: Path, slug: str) -> list[str]:
+    """Ask on a terminal for what is not predicted yet; a sentence for each prediction that is kept in `work`."""
+    return [_prediction(work, letter, question) for letter, question in _questions(slug).items()]
+
+
+def _questions(slug: str) -> dict[str, str]:
+    """The question of each part that asks for a prediction."""
+    rubric = folder(slug) / "rubric.toml"
+    parts = tomllib.loads(rubric.read_text(encoding="utf-8"))["parts"] if rubric.exists() else {}
+    return {letter: part["before"] for letter, part in parts.items() if "before" in part}
+
+
+def _prediction(work: Path, letter: str, question: str) -> str:
+    path = work / f"prediction_{letter}.txt"
+    if not path.is_file():
+        print(textwrap.fill(f"Before you look ({letter}): {question}", 80))
+        answer = _answer() if _is_attended() else ""
+        if not answer:
+            return f"({letter}) You have written no prediction into {path.name} yet."
+        path.write_text(f"{time.strftime('%Y-%m-%d %H:%M')}: {answer}\n", encoding="utf-8")
+    return f"({letter}) You predicted, {' '.join(path.read_text(encoding='utf-8', errors='replace').split())}"
+
+
+def _is_attended() -> bool:
+    """Whether somebody can answer."""
+    return sys.stdin.isatty() and sys.stdout.isatty()
+
+
+def _answer() -> str:
+    with contextlib.suppress(EOFError):
+        return input("Your prediction: ").strip()
+    return ""
