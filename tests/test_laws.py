@@ -14,7 +14,7 @@ from tam570_grader.checks import assignments
 from tam570_grader.checks.expect import check_context
 from tam570_grader.checks.returns import Array, Drawing, Formula, FreeBodyDiagram, Group
 from tam570_grader.course.contract import with_points
-from tam570_grader.diagnosis.mistakes import candidates, known, mistakes
+from tam570_grader.diagnosis.mistakes import candidates, mistakes, named_mistake
 from tam570_grader.release.stubs import stub
 from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.zygote import ResourceLimits
@@ -145,7 +145,7 @@ def test_a_wrong_submission_loses_points_at_its_check_whatever_the_inputs(
 @pytest.mark.parametrize(("slug", "check"), **first_of_each(CHECKS, lambda slug, check: (slug, check.name)))
 def test_every_check_has_a_mistake_that_it_catches(slug, check, grade, solution_text):
     """First of all checks, or beside others: what is wrong in one function may be wrong in those that call it."""
-    known = mistakes(FOLDERS[slug])
+    named_mistake = mistakes(FOLDERS[slug])
 
     def caught(one):
         result = grade(slug, f"{solution_text(slug)}\n\n{one.text}", naming=False)
@@ -154,7 +154,7 @@ def test_every_check_has_a_mistake_that_it_catches(slug, check, grade, solution_
             for mark in result.checks
         )
 
-    assert any(check.name == one.first_fails for one in known) or any(map(caught, known))
+    assert any(check.name == one.first_fails for one in named_mistake) or any(map(caught, named_mistake))
 
 
 @pytest.mark.parametrize(("slug", "check"), **first_of_each(CHECKS, slug_alone))
@@ -167,7 +167,7 @@ def test_the_inputs_of_a_check_tell_its_mistakes_from_the_truth(slug, check, zyg
     called = {call.name for call in student.calls}
     compared = [call for call in student.calls if not isinstance(assignment.results[call.name], FreeBodyDiagram)]
     suspects = candidates(solution_text(slug), FOLDERS[slug], {call.name for call in compared})
-    assert known(solution_text(slug), suspects, compared) is None
+    assert named_mistake(solution_text(slug), suspects, compared) is None
     assert not called or called & set(re.findall(r"\w+", check.title)), "its title names none that it calls"
 
 

@@ -39,8 +39,8 @@ def power_of_rate(n, mass, length):
     """The scale m^mass l^length (omega + sqrt(g/l))^n of a case, or of values for symbols."""
 
     def scale(case, _=None):
-        known = {**dict(zip(cases.SYMBOLS, case.args, strict=False)), **case.kwargs}
-        value = {name[0]: one for name, one in known.items()}
+        parameters = {**dict(zip(cases.SYMBOLS, case.args, strict=False)), **case.kwargs}
+        value = {name[0]: quantity for name, quantity in parameters.items()}
         rate = abs(value.get("o", 0.0)) + math.sqrt(value["g"] / value["l"])
         return value.get("m", 1.0) ** mass * value["l"] ** length * rate**n
 
@@ -217,12 +217,12 @@ def lagrange_gives_the_acceleration(student, rng):
 def action_is_stationary_on_motions(student, rng):
     paths = cases.varied_paths(rng, SMALL)
     hint = "Is it the integral of T - V, by a quadrature of second order that counts both ends as it must?"
-    known = {"quantity": "the first variation", "unit": "J s/rad", "hint": hint, "near_miss_credit": False}
-    found = student.action.each([case for both, _ in paths for case in both])
+    words = {"quantity": "the first variation", "unit": "J s/rad", "hint": hint, "near_miss_credit": False}
+    results = student.action.each([case for both, _ in paths for case in both])
     for _, expected in paths:
-        (case, high), (_, low) = next(found), next(found)
+        (case, high), (_, low) = next(results), next(results)
         size = math.prod(case.kwargs.values()) * case.args[1] * (len(case.args[0]) - 1)  # m g l times the duration
-        expect((high - low) / (2 * SMALL), expected, tolerance=VARIATION * size, **known)
+        expect((high - low) / (2 * SMALL), expected, tolerance=VARIATION * size, **words)
 
 
 @check(
@@ -251,8 +251,8 @@ def of_harmonic(case, result, expected):
         return "Every row is the same: use the times in t."
     turned = math.sqrt(case.kwargs["gravity"] / case.kwargs["length"]) * case.args[0]
     waves = np.column_stack([np.cos(turned), np.sin(turned)])
-    left = result[:, 0] - waves @ np.linalg.lstsq(waves, result[:, 0])[0]
-    if len(result) > 2 and np.abs(left).max() <= TRAJECTORY * np.abs(result).max():
+    residual = result[:, 0] - waves @ np.linalg.lstsq(waves, result[:, 0])[0]
+    if len(result) > 2 and np.abs(residual).max() <= TRAJECTORY * np.abs(result).max():
         return "It oscillates at the right rate: which state does it give at t = 0?"
     return "theta does not oscillate at the rate sqrt(g/l)."
 

@@ -40,8 +40,8 @@ FEWER = 200  # times that; chords of a line of ten points leave a parabola by (2
 
 def of_rates(case, _):
     """v, c v/m and g."""
-    speed, known = np.linalg.norm(case.args[1][2:]), case.kwargs
-    return speed * (1 + known["drag"] / known["mass"]) + known["gravity"]
+    speed, parameters = np.linalg.norm(case.args[1][2:]), case.kwargs
+    return speed * (1 + parameters["drag"] / parameters["mass"]) + parameters["gravity"]
 
 
 def largest_of(columns, case, states):
@@ -59,7 +59,7 @@ def of_range(case, distance):
 
 PLACE, VELOCITY = partial(largest_of, [0, 1]), partial(largest_of, [2, 3])
 COLUMNS = ("x", "m", PLACE), ("y", "m", PLACE), ("vx", "m/s", VELOCITY), ("vy", "m/s", VELOCITY)
-MOTION = [Column(quantity, unit, [place], scale=scale) for place, (quantity, unit, scale) in enumerate(COLUMNS)]
+MOTION = [Column(quantity, unit, [index], scale=scale) for index, (quantity, unit, scale) in enumerate(COLUMNS)]
 
 
 @check("free_body_diagram", points=0.5, part="a", line="every force on the particle, where it acts and along what.")
@@ -198,10 +198,10 @@ def trajectory_with_any_drag(student, rng):
     )
 
 
-def of_landing(case, found, expected):
-    if found <= ROOT * expected:
+def of_landing(case, time, expected):
+    if time <= ROOT * expected:
         return "y is zero at the launch, too; the landing is the later zero."
-    ((_, y, _, _),) = reference.trajectory(np.array([found]), *case.args, **case.kwargs)
+    ((_, y, _, _),) = reference.trajectory(np.array([time]), *case.args, **case.kwargs)
     return f"At your time y is {y:.2g} m, not 0: put it into your closed form."
 
 
@@ -288,7 +288,7 @@ def range_with_hardly_any_drag(student, rng):
 def of_maximum(case, angle, expected):
     if abs(angle - expected) <= max(SEARCHED):
         return "Near its largest the range is flat, and a search stops early: set its derivative to zero."
-    best, yours = (reference.horizontal_range(case.args[0], one, **case.kwargs) for one in (expected, angle))
+    best, yours = (reference.horizontal_range(case.args[0], at, **case.kwargs) for at in (expected, angle))
     return f"At your angle the range is {1 - yours / best:.1%} below the largest."
 
 
@@ -400,24 +400,24 @@ def judge_twins(student, case, curves):
     """
     hint = "Does one curve show simulate, and the other trajectory?"
     try:
-        one, same = moves(student, case, curves, "simulate"), np.array_equal(*(line.points for line in curves))
-        twice = one != 1 and {one, moves(student, case, curves, "trajectory")} == {0, 2}
-        alike = same and np.array_equal(student.simulate.aside(case), student.trajectory.aside(case))
+        moved, same = moves(student, case, curves, "simulate"), np.array_equal(*(line.points for line in curves))
+        twice = moved != 1 and {moved, moves(student, case, curves, "trajectory")} == {0, 2}
+        identical = same and np.array_equal(student.simulate.aside(case), student.trajectory.aside(case))
     except Failed:  # of which their own checks tell
         return
     expect_that(not twice, "Both curves are of one function", hint=hint)
-    expect_that(alike or not same, "Both curves are the same numbers, to the last bit", hint=hint)
+    expect_that(identical or not same, "Both curves are the same numbers, to the last bit", hint=hint)
 
 
 def moves(student, case, curves, name):
     """How many of the two curves, which are one path, move by a metre where the results of this function do."""
     after = student.plot_comparison.drawn(case, moved=name).lines
-    return 2 - sum(any(near(line.points, one.points) for line in curves) for one in after)
+    return 2 - sum(any(near(line.points, other.points) for line in curves) for other in after)
 
 
-def near(one, other):
+def near(points, other):
     """Whether two curves have as many points, half a metre apart at most."""
-    return one.shape == other.shape and np.abs(one - other).max() < 0.5
+    return points.shape == other.shape and np.abs(points - other).max() < 0.5
 
 
 ASSIGNMENT = Assignment(

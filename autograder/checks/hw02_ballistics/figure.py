@@ -11,12 +11,12 @@ from . import reference
 
 def figure(angle=0.9, speed=1.0, drag=1.6):
     """The path for m = g = 1 and this drag."""
-    known = {"mass": 1.0, "drag": drag, "gravity": 1.0}
-    end = reference.flight_time(speed, angle, **known)
-    path = reference.trajectory(np.linspace(0.0, 1.12 * end, 60), speed, angle, **known)[:, :2]
+    parameters = {"mass": 1.0, "drag": drag, "gravity": 1.0}
+    end = reference.flight_time(speed, angle, **parameters)
+    path = reference.trajectory(np.linspace(0.0, 1.12 * end, 60), speed, angle, **parameters)[:, :2]
     now, reach = (
-        reference.trajectory(np.array([0.62 * end]), speed, angle, **known)[0],
-        reference.horizontal_range(speed, angle, **known),
+        reference.trajectory(np.array([0.62 * end]), speed, angle, **parameters)[0],
+        reference.horizontal_range(speed, angle, **parameters),
     )
     shown = Figure(
         "A projectile with drag",

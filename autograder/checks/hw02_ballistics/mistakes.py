@@ -35,8 +35,8 @@ from .checks import (
     first_fails=forces_on_the_particle,
     compared=False,
 )
-def free_body_diagram(reference, state, **known):
-    weight, (r, drag) = reference(state, **known)
+def free_body_diagram(reference, state, **parameters):
+    weight, (r, drag) = reference(state, **parameters)
     return [weight, (r, np.negative(drag))]
 
 
@@ -45,13 +45,13 @@ def free_body_diagram(reference, state, **known):
     first_fails=forces_on_the_particle,
     compared=False,
 )
-def free_body_diagram(reference, state, **known):
-    return [*reference(state, **known), (state[:2], state[2:])]
+def free_body_diagram(reference, state, **parameters):
+    return [*reference(state, **parameters), (state[:2], state[2:])]
 
 
 @mistake("You use quadratic drag, -c v^2; the drag is linear, -c v.", first_fails=rates_are_newtons)
-def state_derivative(reference, t, state, *, drag, **known):
-    return reference(t, state, drag=drag * np.hypot(*state[2:]), **known)
+def state_derivative(reference, t, state, *, drag, **parameters):
+    return reference(t, state, drag=drag * np.hypot(*state[2:]), **parameters)
 
 
 @mistake(
@@ -68,8 +68,8 @@ def state_derivative(reference, t, state, *, mass, drag, gravity):
     first_fails=rates_are_newtons,
     compared=False,
 )
-def state_derivative(reference, t, state, **known):
-    return reference(t, state, **known) / (1.0 if any(state[2:]) else math.nan)
+def state_derivative(reference, t, state, **parameters):
+    return reference(t, state, **parameters) / (1.0 if any(state[2:]) else math.nan)
 
 
 @mistake(
@@ -86,8 +86,8 @@ def state_derivative(reference, t, state, *, mass, drag, gravity):
 
 
 @mistake("You launch the particle at t = 0; launch it at t[0].", first_fails=simulation_follows_the_motion)
-def simulate(reference, t, speed, angle, **known):
-    return trajectory(t, speed, angle, **known)
+def simulate(reference, t, speed, angle, **parameters):
+    return trajectory(t, speed, angle, **parameters)
 
 
 @mistake(
@@ -95,8 +95,8 @@ def simulate(reference, t, speed, angle, **known):
     first_fails=simulation_follows_the_motion,
     compared=False,
 )
-def simulate(reference, t, speed, angle, **known):
-    rows = reference(t, speed, angle, **known)
+def simulate(reference, t, speed, angle, **parameters):
+    rows = reference(t, speed, angle, **parameters)
     return np.column_stack([rows[:, 0], np.maximum(rows[:, 1], 0.0), rows[:, 2:]])
 
 
@@ -106,12 +106,12 @@ def simulate(reference, t, speed, angle, **known):
     compared=False,
     numerics=True,
 )
-def simulate(reference, t, speed, angle, **known):
+def simulate(reference, t, speed, angle, **parameters):
     rows = [np.array([0, 0, speed * np.cos(angle), speed * np.sin(angle)])]
     for step in np.diff(t):
         y = rows[-1]
         for _ in range(10):
-            y = y + step / 10 * state_derivative(0, y, **known)
+            y = y + step / 10 * state_derivative(0, y, **parameters)
         rows.append(y)
     return np.array(rows)
 
@@ -141,8 +141,8 @@ def trajectory(reference, t, speed, angle, *, mass, drag, gravity):
     "You count the times from the first one; the launch is at t = 0.",
     first_fails=trajectory_counts_time_from_the_launch,
 )
-def trajectory(reference, t, speed, angle, **known):
-    return reference(t - t[0], speed, angle, **known)
+def trajectory(reference, t, speed, angle, **parameters):
+    return reference(t - t[0], speed, angle, **parameters)
 
 
 @mistake(
@@ -196,8 +196,8 @@ def flight_time(reference, speed, angle, *, mass, drag, gravity):
 
 
 @mistake("You omit drag from the horizontal motion; it acts on both components.", first_fails=range_is_where_it_lands)
-def horizontal_range(reference, speed, angle, **known):
-    return speed * math.cos(angle) * flight_time(speed, angle, **known)
+def horizontal_range(reference, speed, angle, **parameters):
+    return speed * math.cos(angle) * flight_time(speed, angle, **parameters)
 
 
 @mistake(
@@ -212,7 +212,7 @@ def horizontal_range(reference, speed, angle, *, mass, drag, gravity):
 @mistake(
     "You always return 45 degrees; with drag the best angle is smaller.", first_fails=best_angle_has_the_largest_range
 )
-def best_angle(reference, speed, **known):
+def best_angle(reference, speed, **parameters):
     return math.pi / 4
 
 
@@ -241,11 +241,11 @@ def best_angle(reference, speed, *, mass, drag, gravity):
     first_fails=best_angle_at_a_huge_speed,
     compared=False,
 )
-def best_angle(reference, speed, **known):
+def best_angle(reference, speed, **parameters):
     from scipy.optimize import minimize_scalar
 
     def shortness(angle):
-        return -horizontal_range(speed, angle, **known) / speed
+        return -horizontal_range(speed, angle, **parameters) / speed
 
     return minimize_scalar(shortness, bounds=(1e-4, 1.5), method="bounded", options={"xatol": 1e-9}).x
 
@@ -272,15 +272,15 @@ def limit_shape(reference, angle):
 @mistake(
     "You drew the numerical path twice; draw trajectory's path too.", first_fails=both_paths_are_drawn, compared=False
 )
-def plot_comparison(reference, ax, t, speed, angle, **known):
-    x, y, _, _ = simulate(t, speed, angle, **known).T
+def plot_comparison(reference, ax, t, speed, angle, **parameters):
+    x, y, _, _ = simulate(t, speed, angle, **parameters).T
     ax.plot(x, y, label="numerical")
     ax.plot(x, y, "--", label="closed form")
     ax.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
 
 
 @mistake("You drew y over the time; draw y over x.", first_fails=both_paths_are_drawn, compared=False)
-def plot_comparison(reference, ax, t, speed, angle, **known):
+def plot_comparison(reference, ax, t, speed, angle, **parameters):
     for motion in (simulate, trajectory):
-        ax.plot(t, motion(t, speed, angle, **known)[:, 1])
+        ax.plot(t, motion(t, speed, angle, **parameters)[:, 1])
     ax.set(xlabel="t (s)", ylabel="y (m)")

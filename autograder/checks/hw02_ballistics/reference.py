@@ -36,14 +36,14 @@ def moved(since, state, mass, drag, gravity):
     return np.column_stack([x + vx * since * mean, y + vy * since * mean - fallen, vx * decay, vy * decay - fall_speed])
 
 
-def trajectory(t, speed, angle, **known):
+def trajectory(t, speed, angle, **parameters):
     """Launched at t = 0."""
-    return moved(t, (0.0, 0.0, speed * math.cos(angle), speed * math.sin(angle)), **known)
+    return moved(t, (0.0, 0.0, speed * math.cos(angle), speed * math.sin(angle)), **parameters)
 
 
-def simulate(t, speed, angle, **known):
+def simulate(t, speed, angle, **parameters):
     """Launched at t[0]; without an angle, on from a state in the place of the speed."""
-    return moved(t - t[0], speed, **known) if angle is None else trajectory(t - t[0], speed, angle, **known)
+    return moved(t - t[0], speed, **parameters) if angle is None else trajectory(t - t[0], speed, angle, **parameters)
 
 
 def flight_time(speed, angle, mass, drag, gravity):
@@ -57,13 +57,13 @@ def flight_time(speed, angle, mass, drag, gravity):
     return brentq(height, 0.9, 2.1, xtol=1e-15, rtol=1e-15) * vy / gravity
 
 
-def landing(speed, angle, **known):
+def landing(speed, angle, **parameters):
     """The state back at launch height."""
-    return trajectory(np.array([flight_time(speed, angle, **known)]), speed, angle, **known)[0]
+    return trajectory(np.array([flight_time(speed, angle, **parameters)]), speed, angle, **parameters)[0]
 
 
-def horizontal_range(speed, angle, **known):
-    return landing(speed, angle, **known)[0]
+def horizontal_range(speed, angle, **parameters):
+    return landing(speed, angle, **parameters)[0]
 
 
 def best_angle(speed, mass, drag, gravity):

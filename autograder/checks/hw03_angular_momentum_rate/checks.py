@@ -32,8 +32,8 @@ SAME = "From where does the lever arm run, and whose velocity is it, seen from w
 
 def by_difference(hint):
     """The hint, but for a rate that is nearly right, as a difference quotient is."""
-    return lambda case, found, expected: (
-        QUOTIENT if np.abs(found - expected).max() <= NEAR_MISS * moment_size(case) else hint
+    return lambda case, result, expected: (
+        QUOTIENT if np.abs(result - expected).max() <= NEAR_MISS * moment_size(case) else hint
     )
 
 
@@ -42,11 +42,11 @@ FIXED = "C' stays where C is at this instant: what is its velocity?"
 PRODUCT = by_difference("Differentiate the product: which vectors change with time?")
 
 
-def left_over(case, found, expected):
+def left_over(case, result, expected):
     near = POINTWISE * moment_size(case)
-    if np.abs(found).max() <= near:
+    if np.abs(result).max() <= near:
         return "It vanishes; for a moving C the rate is not the moment."
-    if np.abs(found + expected).max() <= near:
+    if np.abs(result + expected).max() <= near:
         return "It has the right size and the wrong sign; it is rate less moment."
     return "It is rate less moment: subtract them on paper; which terms are left?"
 

@@ -39,9 +39,9 @@ def moment(reference, *vectors, mass):
     compared=False,
 )
 def moment(reference, *vectors, mass):
-    right = reference(*vectors, mass=mass)
+    result = reference(*vectors, mass=mass)
     with np.errstate(all="ignore"):
-        return np.linalg.norm(right) * (right / np.linalg.norm(right))
+        return np.linalg.norm(result) * (result / np.linalg.norm(result))
 
 
 # Angular momentum
@@ -85,9 +85,9 @@ def angular_momentum(reference, definition, *vectors, mass):
     compared=False,
 )
 def angular_momentum(reference, definition, r_p, v_p, r_c, v_c, *, mass):
-    right = reference(definition, r_p, v_p, r_c, v_c, mass=mass)
+    result = reference(definition, r_p, v_p, r_c, v_c, mass=mass)
     r_p -= r_c
-    return right
+    return result
 
 
 @mistake(
@@ -95,8 +95,8 @@ def angular_momentum(reference, definition, r_p, v_p, r_c, v_c, *, mass):
     first_fails=momentum_refuses_other_definitions,
     compared=False,
 )
-def _check(reference, definition, known="abc"):
-    reference(definition.lower(), known)
+def _check(reference, definition, letters="abc"):
+    reference(definition.lower(), letters)
 
 
 @mistake(
@@ -104,9 +104,9 @@ def _check(reference, definition, known="abc"):
     first_fails=momentum_refuses_other_definitions,
     compared=False,
 )
-def _check(reference, definition, known="abc"):
-    if definition not in known:
-        reference(definition, known)
+def _check(reference, definition, letters="abc"):
+    if definition not in letters:
+        reference(definition, letters)
 
 
 # Rate and discrepancy: what is wrong in one is wrong in both
@@ -144,8 +144,8 @@ def discrepancy(reference, definition, *vectors, mass):
 
 @mistake("In definition c you add the term of b, -v_C x m v_P.", first_fails=rate_with_the_velocity_relative_to_C)
 def discrepancy(reference, definition, *vectors, mass):
-    right = reference(definition, *vectors, mass=mass)
-    return right + reference("b", *vectors, mass=mass) if definition == "c" else right
+    result = reference(definition, *vectors, mass=mass)
+    return result + reference("b", *vectors, mass=mass) if definition == "c" else result
 
 
 @mistake(

@@ -18,13 +18,13 @@ def smallest(p):
     def magnitude(t):
         return np.linalg.norm(np.polynomial.polynomial.polyval(t, p), axis=0)
 
-    known = np.pad(magnitude(GRID), 1, constant_values=np.inf)
-    dips = np.flatnonzero((known[1:-1] < known[2:]) & (known[1:-1] <= known[:-2]))
+    padded = np.pad(magnitude(GRID), 1, constant_values=np.inf)
+    dips = np.flatnonzero((padded[1:-1] < padded[2:]) & (padded[1:-1] <= padded[:-2]))
     low, high = GRID[np.maximum(dips - 1, 0)], GRID[np.minimum(dips + 1, len(GRID) - 1)]
     for _ in range(80):  # 1e-17
         a, b = low + (high - low) / 3, high - (high - low) / 3
-        left = magnitude(a) < magnitude(b)
-        low, high = np.where(left, low, a), np.where(left, b, high)
+        lower = magnitude(a) < magnitude(b)
+        low, high = np.where(lower, low, a), np.where(lower, b, high)
     times = np.append([0.0, 1.0], (low + high) / 2)
     where = np.argmin(magnitude(times))
     return magnitude(times)[where], times[where]
@@ -38,14 +38,14 @@ def extent(p):
 def violation(definition, p, c):
     """Of the product that vanishes if rate = moment: its size, whether it is zero but for rounding, or surely not."""
     if definition == "b":  # -v_C x m v_P
-        one, other = derivative(c), derivative(p)
-        rounded = extent(one) * extent(other)
+        first, other = derivative(c), derivative(p)
+        rounded = extent(first) * extent(other)
     else:  # -r_{P/C} x m a_C
-        one, other = difference(p, c), derivative(derivative(c))
+        first, other = difference(p, c), derivative(derivative(c))
         rounded = (extent(p) + extent(c)) * extent(other)
-    worst, whole = np.abs(cross(one, other)).max(), extent(one) * extent(other)
-    holds, fails = worst <= min(IDENTITY * rounded, FAR_OFF * whole), worst > max(CERTAIN * whole, IDENTITY * rounded)
-    return worst / (whole or 1.0), holds, fails
+    worst, scale = np.abs(cross(first, other)).max(), extent(first) * extent(other)
+    holds, fails = worst <= min(IDENTITY * rounded, FAR_OFF * scale), worst > max(CERTAIN * scale, IDENTITY * rounded)
+    return worst / (scale or 1.0), holds, fails
 
 
 def flaws(definition, p, c):
@@ -65,7 +65,7 @@ def flaws(definition, p, c):
     if not extent(apart[1:]) > max(CERTAIN * extent(speed), rounded):
         yield "P moves along with C: the vector between them does not change", ""
     other = {"b": "c", "c": "b"}[definition]
-    (size, holds, _), (_, other_holds, other_fails) = (violation(one, p, c) for one in (definition, other))
+    (size, holds, _), (_, other_holds, other_fails) = (violation(first, p, c) for first in (definition, other))
     if not holds:
         swapped = f"By definition {other} they are equal" if other_holds else ""
         hint = swapped or "Which product must vanish, and at every t? Multiply the polynomials out"

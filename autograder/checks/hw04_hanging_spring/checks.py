@@ -106,7 +106,7 @@ def solution_is_the_motion(student, rng):
 ON_IT = "Do r and v/sqrt(k/m) lie on your ellipse, as seen from its centre?"
 
 
-def at_zero(case, found, expected):
+def at_zero(case, result, expected):
     if case.kwargs["gravity"] == 0:
         return "Do you divide by gravity?"
     return "Row i is the state at t[i], the given one that at t = 0."
@@ -179,8 +179,8 @@ def energy_stays(student, rng):
 # The ellipse
 
 
-def where_it_rests(case, found, expected):
-    above = np.allclose(found[0], -expected[0], rtol=0, atol=POINTWISE * length(case))
+def where_it_rests(case, result, expected):
+    above = np.allclose(result[0], -expected[0], rtol=0, atol=POINTWISE * length(case))
     return "It is above the origin." if above else "Where do spring and weight balance?"
 
 
@@ -192,21 +192,23 @@ def orbit_has_its_centre_at_the_equilibrium(student, rng):
 def judge_axes(orbit, calls):
     """Semi-axes a, b are perpendicular, a the larger, and a a^T + b b^T is Fradkin's tensor."""
     for case, (_, (a, b)) in orbit.each(calls):
-        (_, whole), found = reference.orbit(*case.args, **case.kwargs), np.outer(a, a) + np.outer(b, b)
-        square = np.trace(whole) + (NOUGHT * length(case)) ** 2
-        known = {"scale": square, "unit": "of the square of its size"}
-        known_ones = {
-            "The smaller axis is not zero.": whole if b.any() or np.linalg.matrix_rank(whole) < 2 else found,
-            "It is twice as large: these are its axes, not semi-axes.": 4 * whole,
-            "The semi-axes have the squares of their lengths.": whole @ whole,
-            "The semi-axes are unit vectors: give them their lengths.": found @ found if found.any() else whole,
+        (_, tensor), product = reference.orbit(*case.args, **case.kwargs), np.outer(a, a) + np.outer(b, b)
+        square = np.trace(tensor) + (NOUGHT * length(case)) ** 2
+        words = {"scale": square, "unit": "of the square of its size"}
+        candidates = {
+            "The smaller axis is not zero.": tensor if b.any() or np.linalg.matrix_rank(tensor) < 2 else product,
+            "It is twice as large: these are its axes, not semi-axes.": 4 * tensor,
+            "The semi-axes have the squares of their lengths.": tensor @ tensor,
+            "The semi-axes are unit vectors: give them their lengths.": product @ product if product.any() else tensor,
         }
         near = [
-            message for message, one in known_ones.items() if np.allclose(found, one, rtol=1e-6, atol=TENSOR * square)
+            message
+            for message, candidate in candidates.items()
+            if np.allclose(product, candidate, rtol=1e-6, atol=TENSOR * square)
         ]
-        expect(found, whole, tolerance=TENSOR, quantity="the ellipse", hint=[*near, case.hint or ON_IT][0], **known)
+        expect(product, tensor, tolerance=TENSOR, quantity="the ellipse", hint=[*near, case.hint or ON_IT][0], **words)
         hint = "Two radii that give the ellipse need not be its axes."
-        expect(a @ b, 0.0, tolerance=RIGHT_ANGLE, quantity="the product of the axes", hint=hint, **known)
+        expect(a @ b, 0.0, tolerance=RIGHT_ANGLE, quantity="the product of the axes", hint=hint, **words)
         expect_that(a @ a >= b @ b - RIGHT_ANGLE * square, "the larger axis is not the first")
 
 

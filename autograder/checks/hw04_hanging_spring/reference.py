@@ -23,8 +23,8 @@ def generator(mass, stiffness, gravity):
     return matrix
 
 
-def state_derivative(t, state, **known):
-    return (generator(**known) @ [*state, 1.0])[:6]
+def state_derivative(t, state, **parameters):
+    return (generator(**parameters) @ [*state, 1.0])[:6]
 
 
 def energy(state, mass, stiffness, gravity):
@@ -32,15 +32,15 @@ def energy(state, mass, stiffness, gravity):
     return state @ matrix @ state / 2 + mass * gravity * state[2]
 
 
-def solution(t, position, velocity, **known):
+def solution(t, position, velocity, **parameters):
     """(n, 6) states, position and velocity being those at t = 0."""
     start = [*position, *velocity, 1.0]
-    return (expm(generator(**known) * np.reshape(t, (-1, 1, 1))) @ start)[:, :6]
+    return (expm(generator(**parameters) * np.reshape(t, (-1, 1, 1))) @ start)[:, :6]
 
 
-def simulate(t, position, velocity, **known):
+def simulate(t, position, velocity, **parameters):
     """(n, 6) states, position and velocity being those at t[0]."""
-    return solution(t - t[0], position, velocity, **known)
+    return solution(t - t[0], position, velocity, **parameters)
 
 
 def centre(mass, stiffness, gravity):
@@ -53,10 +53,10 @@ def energies(states, mass, stiffness, gravity):
     return (stiffness * np.sum(places**2, axis=1) + mass * np.sum(states[:, 3:] ** 2, axis=1)) / 2
 
 
-def orbit(position, velocity, **known):
+def orbit(position, velocity, **parameters):
     """The centre, and Fradkin's tensor over stiffness/2: its eigenvalues are the squares of the axes, which give it."""
-    place = position - centre(**known)
-    return centre(**known), np.outer(place, place) + np.outer(velocity, velocity) / rate_of(**known) ** 2
+    radius = position - centre(**parameters)
+    return centre(**parameters), np.outer(radius, radius) + np.outer(velocity, velocity) / rate_of(**parameters) ** 2
 
 
 def project(points, azimuth, elevation):

@@ -36,14 +36,14 @@ ROUNDED = 1e-12  # what a step back onto the circle leaves
 
 def pull(case, _=None):
     """The size of an acceleration, m/s^2."""
-    v, known = case.args[-1][2:], case.kwargs
-    return v @ v / known["length"] + known["gravity"] or 1.0
+    v, parameters = case.args[-1][2:], case.kwargs
+    return v @ v / parameters["length"] + parameters["gravity"] or 1.0
 
 
 def heat(case, _):
     """The size of an energy, J."""
-    (x, y, vx, vy), known = case.args[0], case.kwargs
-    return known["mass"] * ((vx**2 + vy**2) + known["gravity"] * np.hypot(x, y)) or 1.0
+    (x, y, vx, vy), parameters = case.args[0], case.kwargs
+    return parameters["mass"] * ((vx**2 + vy**2) + parameters["gravity"] * np.hypot(x, y)) or 1.0
 
 
 def state_size(case, _):
@@ -51,8 +51,8 @@ def state_size(case, _):
 
 
 def speed(case, expected):
-    known = case.kwargs
-    return max(np.abs(expected[:, 2:]).max(), np.sqrt(known["gravity"] * known["length"]))
+    parameters = case.kwargs
+    return max(np.abs(expected[:, 2:]).max(), np.sqrt(parameters["gravity"] * parameters["length"]))
 
 
 MOTION = (
@@ -67,8 +67,8 @@ def forces_on_the_particle(student, rng):
     compare_diagrams(student.free_body_diagram, reference, cases.states(rng))
 
 
-def of_mending(case, found, expected):
-    on_circle = np.allclose(found[:2], expected[:2], rtol=0, atol=FORMULA * case.kwargs["length"])
+def of_mending(case, result, expected):
+    on_circle = np.allclose(result[:2], expected[:2], rtol=0, atol=FORMULA * case.kwargs["length"])
     return "Which part of v is along the radius?" if on_circle else "Which point of the circle is on the same radius?"
 
 
@@ -175,8 +175,8 @@ def it_stays_on_the_circle(student, rng):
     (x, y, vx, vy), length = motion.found.T, motion.case.kwargs["length"]
     off = (x**2 + y**2) / length**2 - 1
     out = (x * vx + y * vy) / (length * speed(motion.case, motion.expected))
-    known = {**drift(off, out), "unit": "of its size", "t": motion.t, "partial": {1e-7: 0.5, 1e-5: 0.25}}
-    expect(np.column_stack([off, out]), 0.0, tolerance=CONSTRAINT, **known)
+    words = {**drift(off, out), "unit": "of its size", "t": motion.t, "partial": {1e-7: 0.5, 1e-5: 0.25}}
+    expect(np.column_stack([off, out]), 0.0, tolerance=CONSTRAINT, **words)
 
 
 def drift(off, out):

@@ -8,7 +8,7 @@ from . import reference
 def figure(theta=0.8, omega=0.6, length=1.0):
     """A consistent state of this angle and rate."""
     state = reference.on_circle(theta, omega, length)
-    place, velocity = state[:2], state[2:]
+    position, velocity = state[:2], state[2:]
     shown = Figure(
         "The pendulum as a constrained particle",
         "A particle m is at x to the right and y up from the hinge at the origin, on the circle of radius l: x "
@@ -19,12 +19,12 @@ def figure(theta=0.8, omega=0.6, length=1.0):
     shown.line(circle((0, 0), length), "dash", closed=True)
     shown.axes((0, 0), 0.5)
     shown.segments(reference.wireframe(state, length=length))
-    shown.line([(place[0], 0), place], "dash")
-    shown.label((place[0], place[1] / 2), "y", by=(12, 0))
-    shown.dimension((0, 0), (place[0], 0), "x", aside=16)
-    shown.label(place / 2, "ℓ", by=(-12, -8))
-    shown.arrow(place, place + velocity, "v")
+    shown.line([(position[0], 0), position], "dash")
+    shown.label((position[0], position[1] / 2), "y", by=(12, 0))
+    shown.dimension((0, 0), (position[0], 0), "x", aside=16)
+    shown.label(position / 2, "ℓ", by=(-12, -8))
+    shown.arrow(position, position + velocity, "v")
     shown.point("hinge", (0, 0), by=(-32, 0))
-    shown.point("m", place, by=(6, -21), size=9)
+    shown.point("m", position, by=(6, -21), size=9)
     shown.arrow((1.55, 0.9), (1.55, 0.45), "g", "thin")
     return shown

@@ -22,12 +22,12 @@ def together(state, mass, length, gravity):
     return np.array(a), pull * r
 
 
-def acceleration(state, **known):
-    return together(state, **known)[0]
+def acceleration(state, **parameters):
+    return together(state, **parameters)[0]
 
 
-def constraint_force(state, **known):
-    return together(state, **known)[1]
+def constraint_force(state, **parameters):
+    return together(state, **parameters)[1]
 
 
 def angle_and_rate(state, length):

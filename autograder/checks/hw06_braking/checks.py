@@ -42,14 +42,14 @@ def pace(case, _=None):
 
 def turning(case, _):
     """The size of yaw accelerations."""
-    known = case.kwargs
-    return reference.ease_of_turning(case.args[-1], **known) * (pace(case) / wheelbase(known)) ** 2
+    car = case.kwargs
+    return reference.ease_of_turning(case.args[-1], **car) * (pace(case) / wheelbase(car)) ** 2
 
 
 def of_growth(case, _):
-    known, (speed, locked) = case.kwargs, case.args
-    rates = speed / wheelbase(known) + known["friction"] * known["gravity"] / speed
-    return reference.ease_of_turning(locked, **known) * rates
+    car, (speed, locked) = case.kwargs, case.args
+    rates = speed / wheelbase(car) + car["friction"] * car["gravity"] / speed
+    return reference.ease_of_turning(locked, **car) * rates
 
 
 RATES = (
@@ -102,7 +102,7 @@ WHICH_WAY = "Which way does the locked axle move, seen from the car?"
 AS_AT_REST = "Your friction is zero although the car moves: it rests only where speed and yaw rate are both exactly 0"
 
 
-def where_zero(case, found, expected):
+def where_zero(case, result, expected):
     return "Can your growth rate be positive there?" if case.args[-1] == "front" else "Where is your growth rate zero?"
 
 
@@ -116,12 +116,12 @@ def of_rate(case, rate, expected):
     return "It has two terms: of speed times yaw rate, and of friction's sideways part."
 
 
-def of_friction(case, found, expected):
-    if not np.any(found) and np.any(expected):
+def of_friction(case, result, expected):
+    if not np.any(result) and np.any(expected):
         return AS_AT_REST
     if not np.any(expected):
         return "A car at rest has no friction: 0/0 is not 0."
-    if np.allclose(np.multiply(found, np.linalg.norm(expected)), np.multiply(expected, np.linalg.norm(found))):
+    if np.allclose(np.multiply(result, np.linalg.norm(expected)), np.multiply(expected, np.linalg.norm(result))):
         return "Its direction is right, its size is not: it is as large at any speed."
     return WHICH_WAY
 
@@ -129,16 +129,16 @@ def of_friction(case, found, expected):
 TURNING_AXES = "In axes that turn, does the rate of speed have a term with the yaw rate squared?"
 
 
-def of_rates(case, found, expected):
+def of_rates(case, result, expected):
     unbraked = reference.state_derivative(*case.args, **{**case.kwargs, "friction": 0.0})
-    if np.allclose(found, unbraked, rtol=1e-4, atol=0) and not np.allclose(expected, unbraked, rtol=1e-4, atol=0):
+    if np.allclose(result, unbraked, rtol=1e-4, atol=0) and not np.allclose(expected, unbraked, rtol=1e-4, atol=0):
         return AS_AT_REST
     if cases.speed_of(case) <= 2e-3:  # m/s
         return "Friction is as large at any speed, however low: is yours smoothed there?"
-    if np.allclose(found[:3], expected[:3]) and not np.allclose(found[3], expected[3]):
+    if np.allclose(result[:3], expected[:3]) and not np.allclose(result[3], expected[3]):
         without = expected[3] - unbraked[3] * np.array([1, 2])  # the term is missing, or has the other sign
-        return TURNING_AXES if np.isclose(found[3], without, rtol=1e-6, atol=0).any() else ""
-    if np.allclose(found[:4], expected[:4]):
+        return TURNING_AXES if np.isclose(result[3], without, rtol=1e-6, atol=0).any() else ""
+    if np.allclose(result[:4], expected[:4]):
         return "Do the moments about the free axle balance, speed times yaw rate included?"
     return "Turn (forward, left) by the heading; G slips sideways, for no axle is there."
 
@@ -149,15 +149,15 @@ def by_rates(student):
 
 def of_run(motion):
     """What to say of a motion that ends early, goes straight on, or does not stay where it stops."""
-    found, expected = motion.found, motion.expected
+    result, expected = motion.found, motion.expected
     rests = ~expected[:, 3:].any(axis=1)
-    after = found[rests]
-    if not found[~rests, 3:].any(axis=1).all():
-        runs = found[:, 3:].any(axis=1)
+    after = result[rests]
+    if not result[~rests, 3:].any(axis=1).all():
+        runs = result[:, 3:].any(axis=1)
         if motion.errors[runs].max(initial=0.0) <= SLOW:
             return f"Until then it is right; you stop the car at t = {motion.t[runs][-1]:.3g} s, too early."
         return "You stop the car too early, and before that the motion is wrong."
-    if not found[1:, 4].any() and expected[1:, 4].any():
+    if not result[1:, 4].any() and expected[1:, 4].any():
         return "It goes straight on: a small yaw rate is not zero, and may grow."
     if not rests.any():
         return ""
@@ -170,8 +170,10 @@ def of_run(motion):
 
 DERIVATIVE = {"tolerance": FORMULA, "hint": of_rates}
 HARDLY = {"tolerance": SOME, "hint": of_friction, "near_miss_credit": False, "scale": largest}
-OWN = [Column(one.quantity, one.unit, one.where) for one in RATES[2:]]  # of the scale of its own number
-HARDLY_RATES = {"columns": OWN, "tolerance": SOME, "hint": of_rates, "near_miss_credit": False}
+EACH_BY_ITSELF = [
+    Column(column.quantity, column.unit, column.where) for column in RATES[2:]
+]  # of the scale of its own number
+HARDLY_RATES = {"columns": EACH_BY_ITSELF, "tolerance": SOME, "hint": of_rates, "near_miss_credit": False}
 A_SLOW_RUN = {"columns": SLOWLY, "tolerance": SLOW}
 
 

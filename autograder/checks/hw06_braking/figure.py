@@ -16,9 +16,9 @@ def figure(heading=0.55, front=1.5, rear=1.1):
     """The car with G at (2.6, 1.5)."""
     G = 2.6 + 1.5j
 
-    def at(ahead, left=0.0):
-        place = G + (ahead + 1j * left) * cmath.exp(1j * heading)
-        return np.array([place.real, place.imag])
+    def at(ahead, leftwards=0.0):
+        z = G + (ahead + 1j * leftwards) * cmath.exp(1j * heading)
+        return np.array([z.real, z.imag])
 
     shown = Figure(
         "The car from above",

@@ -51,8 +51,8 @@ def free_body_diagram(reference, state, locked, **car):
     compared=False,
 )
 def free_body_diagram(reference, state, locked, **car):
-    (locked_axle, drag), (free, left) = reference(state, locked, **car)
-    return [(free, drag), (locked_axle, left)]
+    (locked_axle, drag), (free, side) = reference(state, locked, **car)
+    return [(free, drag), (locked_axle, side)]
 
 
 @mistake("You put half of the weight on each axle; the load depends on G.", first_fails=axle_load_balances_the_weight)
@@ -99,9 +99,9 @@ def friction_force(reference, state, locked, *, mass, front, rear, friction, gra
     first_fails=forces_on_the_car,
 )
 def friction_force(reference, state, locked, **car):
-    forward, left = reference(state, locked, **car)
+    forward, side = reference(state, locked, **car)
     c, s = math.cos(state[2]), math.sin(state[2])
-    return np.array([forward * c - left * s, forward * s + left * c])
+    return np.array([forward * c - side * s, forward * s + side * c])
 
 
 @mistake(
@@ -257,9 +257,9 @@ def simulate(reference, t, state, locked, **car):
     first_fails=growth_rate_is_the_slope,
 )
 def yaw_growth_rate(reference, speed, locked, **car):
-    one = _car(locked, **car)
-    more = one["drag"] * (one["arm"] ** 2 - (one["free"] + one["arm"]) ** 2) / speed
-    return reference(speed, locked, **car) + more / one["inertia"]
+    constants = _car(locked, **car)
+    more = constants["drag"] * (constants["arm"] ** 2 - (constants["free"] + constants["arm"]) ** 2) / speed
+    return reference(speed, locked, **car) + more / constants["inertia"]
 
 
 @mistake("You cut a negative growth rate off to 0; return the negative rate.", first_fails=growth_rate_is_the_slope)

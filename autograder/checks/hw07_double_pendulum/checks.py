@@ -63,19 +63,19 @@ def forces_on_each_bar(student, rng):
     )
 
 
-def in_equations(case, found, _):
-    if not np.any(found) and case.kwargs["gravity"] == 0:
+def in_equations(case, result, _):
+    if not np.any(result) and case.kwargs["gravity"] == 0:
         return "Without gravity the bars still act on each other: why does neither accelerate?"
     return "Put alpha back into [M]{alpha} + {f} + {g}: is it zero?"
 
 
-def out_of_order(case, found, expected):
-    swapped = np.allclose(np.sort(found), expected, rtol=FREQUENCY, atol=0)
+def out_of_order(case, result, expected):
+    swapped = np.allclose(np.sort(result), expected, rtol=FREQUENCY, atol=0)
     return "They are right, but not in ascending order." if swapped else ""
 
 
-def in_order(case, found, expected):
-    return out_of_order(case, found, expected) or "Put each one into det([K] - omega^2 [M]): is it zero?"
+def in_order(case, result, expected):
+    return out_of_order(case, result, expected) or "Put each one into det([K] - omega^2 [M]): is it zero?"
 
 
 def of_energy(case, energy, expected):

@@ -30,12 +30,12 @@ CONTRADICTED = "It contradicts your third term: are all three from the same two 
 def agree_in_equations(function: Any, cases: Sequence[Case], *, tolerance: float, hint: str) -> None:
     """Fail unless a term is Lagrange's, or belongs to the student's own two others."""
     student, words = function.student, function.returns.description
-    own = Equations(student, cases, tolerance)
-    found, calls = own.asked(function.name), len(student.calls)
-    back, hint = own.back(function.name, hint)
-    true, sizes = own.lagranges(function.name), own.sizes(function.name)
-    known = np.flatnonzero(np.isfinite(back).all((1, 2)))
-    brought = {index: (back[index] @ found[index]).reshape(true[index].shape) for index in known}
+    equations = Equations(student, cases, tolerance)
+    results, calls = equations.term(function.name), len(student.calls)
+    back, hint = equations.back(function.name, hint)
+    true, sizes = equations.lagranges(function.name), equations.sizes(function.name)
+    definite = np.flatnonzero(np.isfinite(back).all((1, 2)))
+    brought = {index: (back[index] @ results[index]).reshape(true[index].shape) for index in definite}
     for index, result in brought.items():  # what known mistakes are compared with
         call = calls - len(cases) + index
         student.calls[call] = replace(student.calls[call], result=result)
@@ -52,12 +52,12 @@ class Equations:
 
     def __init__(self, student: Any, cases: Sequence[Case], tolerance: float) -> None:
         self._student, self._cases, self._within = student, cases, tolerance
-        self._asked = dict[str, Array | None]()
+        self._terms = dict[str, Array | None]()
 
-    def asked(self, name: str) -> Array:
+    def term(self, name: str) -> Array:
         """(n, 2, k) a term of the student's; Failed or NotWritten if the function gives none."""
         results = getattr(self._student, name).many(self._batch(name).cases)
-        self._asked[name] = _columns(results)
+        self._terms[name] = _columns(results)
         return _columns(results)
 
     def lagranges(self, name: str) -> Array:
@@ -118,14 +118,14 @@ class Equations:
         if mine is None:
             return False
         error = np.abs(back @ mine - _columns(self.lagranges(name))).max((1, 2))
-        known = np.isfinite(back).all((1, 2))
-        return bool((error[known] <= self._within * self.sizes(name)[known]).all())
+        definite = np.isfinite(back).all((1, 2))
+        return bool((error[definite] <= self._within * self.sizes(name)[definite]).all())
 
     def _term(self, name: str) -> Array | None:
         """A term of the student's; None if the function gives none."""
-        if name not in self._asked:
-            self._asked[name] = self._tried(name, self._cases)
-        return self._asked[name]
+        if name not in self._terms:
+            self._terms[name] = self._tried(name, self._cases)
+        return self._terms[name]
 
     def _tried(self, name: str, cases: Sequence[Case]) -> Array | None:
         """Results of calls that are not judged here."""

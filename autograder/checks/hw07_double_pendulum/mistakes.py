@@ -33,8 +33,8 @@ from .checks import (
 @mistake(
     "You drew the weight at the end of the bar; it acts at its middle.", first_fails=forces_on_each_bar, compared=False
 )
-def free_body_diagram(reference, bar, theta, *, lengths, **known):
-    (_, down), *hinges = reference(bar, theta, lengths=lengths, **known)
+def free_body_diagram(reference, bar, theta, *, lengths, **parameters):
+    (_, down), *hinges = reference(bar, theta, lengths=lengths, **parameters)
     return [(wireframe(theta, lengths=lengths)[bar - 1, 1], down), *hinges]
 
 
@@ -43,8 +43,8 @@ def free_body_diagram(reference, bar, theta, *, lengths, **known):
     first_fails=forces_on_each_bar,
     compared=False,
 )
-def free_body_diagram(reference, bar, theta, *, lengths, **known):
-    weight, *hinges = reference(bar, theta, lengths=lengths, **known)
+def free_body_diagram(reference, bar, theta, *, lengths, **parameters):
+    weight, *hinges = reference(bar, theta, lengths=lengths, **parameters)
     along = np.diff(wireframe(theta, lengths=lengths)[bar - 1], axis=0)[0]
     return [weight, *((point, along) for point, _ in hinges)]
 
@@ -54,8 +54,8 @@ def free_body_diagram(reference, bar, theta, *, lengths, **known):
     first_fails=forces_on_each_bar,
     compared=False,
 )
-def free_body_diagram(reference, bar, theta, **known):
-    return reference(1 if bar == 1 else 2, theta, **known)
+def free_body_diagram(reference, bar, theta, **parameters):
+    return reference(1 if bar == 1 else 2, theta, **parameters)
 
 
 @mistake("You draw bar 2 at th1 + th2; th2 is measured from straight down.", first_fails=forces_on_each_bar)
@@ -71,8 +71,8 @@ def wireframe(reference, theta, *, lengths):
 
 
 @mistake("You drew the path of the elbow; draw the path of the tip.", first_fails=tip_path_is_drawn, compared=False)
-def plot_tip_path(reference, ax, t, theta, omega, *, lengths, **known):
-    motion = simulate(t, theta, omega, lengths=lengths, **known)
+def plot_tip_path(reference, ax, t, theta, omega, *, lengths, **parameters):
+    motion = simulate(t, theta, omega, lengths=lengths, **parameters)
     ax.plot(*np.array([wireframe(state[:2], lengths=lengths)[0, 1] for state in motion]).T)
     ax.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
 
@@ -109,17 +109,17 @@ def gravity_terms(reference, theta, *, masses, lengths, gravity):
     first_fails=accelerations_obey_the_equations,
     name="sign_of_the_sine_term",
 )
-def _rates(reference, t, state, **known):
+def _rates(reference, t, state, **parameters):
     th1, th2, om1, om2 = state
     (*_, alpha1, alpha2), (*_, at_rest1, at_rest2) = (
-        reference(t, (th1, th2, *om), **known) for om in ((om1, om2), (0.0, 0.0))
+        reference(t, (th1, th2, *om), **parameters) for om in ((om1, om2), (0.0, 0.0))
     )
     return om1, om2, 2 * at_rest1 - alpha1, 2 * at_rest2 - alpha2
 
 
 @mistake("You use the mass of bar 2 for both bars; the masses differ.", first_fails=accelerations_obey_the_equations)
-def angular_acceleration(reference, theta, omega, *, masses, **known):
-    return reference(theta, omega, masses=masses[[1, 1]], **known)
+def angular_acceleration(reference, theta, omega, *, masses, **parameters):
+    return reference(theta, omega, masses=masses[[1, 1]], **parameters)
 
 
 @mistake(
@@ -145,14 +145,14 @@ def _balances_and_constraints(reference, along, across, masses):
     first_fails=free_bars_accelerate_as_lagranges,
 )
 def _weights_and_centripetal(reference, *args):
-    known = reference(*args)
-    known[CEILING] = 0.0
-    return known
+    parameters = reference(*args)
+    parameters[CEILING] = 0.0
+    return parameters
 
 
 @mistake("You omit the weights from the hinge forces; at rest the hinges carry them.", first_fails=hinge_forces_balance)
-def on_the_fly(reference, theta, omega, *, masses, gravity, **known):
-    alpha, forces = reference(theta, omega, masses=masses, gravity=gravity, **known)
+def on_the_fly(reference, theta, omega, *, masses, gravity, **parameters):
+    alpha, forces = reference(theta, omega, masses=masses, gravity=gravity, **parameters)
     return alpha, forces - np.array([[0, sum(masses) * gravity], [0, masses[1] * gravity]])
 
 
@@ -160,8 +160,8 @@ def on_the_fly(reference, theta, omega, *, masses, gravity, **known):
     "You omit the weight of bar 1 from the ceiling's force; the ceiling carries both bars.",
     first_fails=hinge_forces_balance,
 )
-def on_the_fly(reference, theta, omega, *, masses, gravity, **known):
-    alpha, forces = reference(theta, omega, masses=masses, gravity=gravity, **known)
+def on_the_fly(reference, theta, omega, *, masses, gravity, **parameters):
+    alpha, forces = reference(theta, omega, masses=masses, gravity=gravity, **parameters)
     return alpha, forces - np.array([[0, masses[0] * gravity], [0, 0]])
 
 
@@ -170,8 +170,8 @@ def on_the_fly(reference, theta, omega, *, masses, gravity, **known):
     first_fails=free_bars_with_a_nearly_massless_one,
     compared=False,
 )
-def on_the_fly(reference, theta, omega, *, masses, **known):
-    return reference(theta, omega, masses=np.maximum(masses, 1e-3 * np.sum(masses)), **known)
+def on_the_fly(reference, theta, omega, *, masses, **parameters):
+    return reference(theta, omega, masses=np.maximum(masses, 1e-3 * np.sum(masses)), **parameters)
 
 
 # Energy and angular momentum
@@ -199,17 +199,17 @@ def energy(reference, theta, omega, *, masses, lengths, gravity):
     "You set the potential energy to zero at the lowest position; it is zero at the height of the ceiling.",
     first_fails=energy_is_kinetic_and_potential,
 )
-def energy(reference, theta, omega, **known):
+def energy(reference, theta, omega, **parameters):
     rest = np.zeros(2)
-    return reference(theta, omega, **known) - reference(rest, rest, **known)
+    return reference(theta, omega, **parameters) - reference(rest, rest, **parameters)
 
 
 @mistake(
     "You return only the momentum conjugate to th1; add the momentum conjugate to th2.",
     first_fails=angular_momentum_is_about_the_ceiling,
 )
-def angular_momentum(reference, theta, omega, **known):
-    return (mass_matrix(theta, **known) @ omega)[0]
+def angular_momentum(reference, theta, omega, **parameters):
+    return (mass_matrix(theta, **parameters) @ omega)[0]
 
 
 @mistake(
@@ -229,15 +229,19 @@ def angular_momentum(reference, theta, omega, *, masses, lengths):
     first_fails=simulation_follows_the_equations,
     name="uniform_times_assumed",
 )
-def simulate(reference, t, theta, omega, **known):
-    return reference(np.linspace(t[0], t[-1], len(t)), theta, omega, **known)
+def simulate(reference, t, theta, omega, **parameters):
+    return reference(np.linspace(t[0], t[-1], len(t)), theta, omega, **parameters)
 
 
 @mistake("You start the motion at t = 0; it starts at t[0].", first_fails=simulation_follows_the_equations)
-def simulate(reference, t, theta, omega, **known):
+def simulate(reference, t, theta, omega, **parameters):
     if t[0] < 0:
         raise ValueError("Values in `t_eval` are not within `t_span`.")
-    return reference(np.append(0.0, t), theta, omega, **known)[1:] if t[0] > 0 else reference(t, theta, omega, **known)
+    return (
+        reference(np.append(0.0, t), theta, omega, **parameters)[1:]
+        if t[0] > 0
+        else reference(t, theta, omega, **parameters)
+    )
 
 
 @mistake(
@@ -248,10 +252,10 @@ def simulate(reference, t, theta, omega, **known):
     name="too_few_steps",
 )
 def simulate(reference, t, theta, omega, *, masses, lengths, gravity):
-    known = _parameters(masses, lengths, gravity)
+    parameters = _parameters(masses, lengths, gravity)
 
     def rates(y):
-        return np.array(_rates(0.0, tuple(y), **known))
+        return np.array(_rates(0.0, tuple(y), **parameters))
 
     rows = [np.array([*theta, *omega], float)]
     for span in np.diff(t):
@@ -270,10 +274,10 @@ def simulate(reference, t, theta, omega, *, masses, lengths, gravity):
     "You keep the angular velocities constant without gravity; the bars still act on each other.",
     first_fails=momentum_is_conserved_without_gravity,
 )
-def simulate(reference, t, theta, omega, *, gravity, **known):
+def simulate(reference, t, theta, omega, *, gravity, **parameters):
     if gravity == 0:
         return np.hstack([theta + np.outer(t - t[0], omega), np.tile(omega, (len(t), 1))])
-    return reference(t, theta, omega, gravity=gravity, **known)
+    return reference(t, theta, omega, gravity=gravity, **parameters)
 
 
 @mistake(

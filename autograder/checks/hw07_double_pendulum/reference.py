@@ -18,7 +18,7 @@ def kinematics(theta, omega, lengths):
     return REACH @ bars, REACH * 1j * bars, -REACH @ (np.square(omega) * bars)
 
 
-def terms(theta, omega, masses, lengths, gravity):
+def all_terms(theta, omega, masses, lengths, gravity):
     """M, f, g: inertia forces and weights dotted with the velocities per unit of om1 and om2."""
     _, levers, rest = kinematics(theta, omega, lengths)
     weighted = masses * levers.conj().T
@@ -27,20 +27,20 @@ def terms(theta, omega, masses, lengths, gravity):
 
 
 def angular_acceleration(theta, omega, masses, lengths, gravity):
-    M, f, g = terms(theta, omega, masses, lengths, gravity)
+    M, f, g = all_terms(theta, omega, masses, lengths, gravity)
     return np.linalg.solve(M, -f - g)
 
 
 def mass_matrix(theta, masses, lengths):
-    return terms(theta, (0.0, 0.0), masses, lengths, 0.0)[0]
+    return all_terms(theta, (0.0, 0.0), masses, lengths, 0.0)[0]
 
 
 def velocity_terms(theta, omega, masses, lengths):
-    return terms(theta, omega, masses, lengths, 0.0)[1]
+    return all_terms(theta, omega, masses, lengths, 0.0)[1]
 
 
 def gravity_terms(theta, masses, lengths, gravity):
-    return terms(theta, (0.0, 0.0), masses, lengths, gravity)[2]
+    return all_terms(theta, (0.0, 0.0), masses, lengths, gravity)[2]
 
 
 def on_the_fly(theta, omega, masses, lengths, gravity):
@@ -75,9 +75,9 @@ def rates(_, state, masses, lengths, gravity):
     return om1, om2, (lower * pull1 - between * pull2) / determinant, (both * pull2 - between * pull1) / determinant
 
 
-def simulate(t, theta, omega, **known):
+def simulate(t, theta, omega, **bars):
     """(n, 4) states at the times t; tests hold it to angular_acceleration, and to solve_ivp."""
-    return solve(rates, t, np.concatenate([theta, omega]), parameters=known, rtol=1e-12, method="python")
+    return solve(rates, t, np.concatenate([theta, omega]), parameters=bars, rtol=1e-12, method="python")
 
 
 def small_oscillation_frequencies(masses, lengths, gravity):
@@ -92,8 +92,8 @@ def wireframe(theta, lengths):
     return np.array([[[0, 0], [elbow.real, elbow.imag]], [[elbow.real, elbow.imag], [tip.real, tip.imag]]])
 
 
-def energies(rows, **known):
-    return np.array([energy(row[:2], row[2:], **known) for row in rows])
+def energies(rows, **bars):
+    return np.array([energy(row[:2], row[2:], **bars) for row in rows])
 
 
 def momenta(rows, gravity, **bars):

@@ -19,15 +19,15 @@ def length(case, _):
     return np.linalg.norm(case.args[0])
 
 
-def of_few_digits(case, found, expected):
-    if np.max(np.abs(found - expected)) <= NEAR_MISS * np.max(np.abs(expected)):
+def of_few_digits(case, result, expected):
+    if np.max(np.abs(result - expected)) <= NEAR_MISS * np.max(np.abs(expected)):
         return "It is nearly right: does a number have too few digits, or does an arccos lose them?"
     return "Try a quarter turn about z and a third of a turn about (1, 1, 1): both take x to y."
 
 
-def of_which_term(case, found, expected):
+def of_which_term(case, result, expected):
     """The cosine makes the symmetric part of the matrix, the sine the rest."""
-    off = found - expected
+    off = result - expected
     cosine, sine = np.abs(off + off.T).max(), np.abs(off - off.T).max()
     if cosine > 100 * sine:
         return "The sine is right in it, the cosine is not."

@@ -38,12 +38,12 @@ def in_limits(case, _):
     return 1.0 if len(case.args[0]) < 5 else MANY_TURNS / WITHIN
 
 
-def near(found, expected, tolerance=SAME):
-    return np.abs(np.subtract(found, expected)).max() <= tolerance
+def near(result, expected, tolerance=SAME):
+    return np.abs(np.subtract(result, expected)).max() <= tolerance
 
 
-def of_few_digits(case, found, expected, otherwise):
-    return "It is nearly right: which number has too few digits?" if near(found, expected, NEAR_MISS) else otherwise
+def of_few_digits(case, result, expected, otherwise):
+    return "It is nearly right: which number has too few digits?" if near(result, expected, NEAR_MISS) else otherwise
 
 
 QUARTER_TURN = partial(of_few_digits, otherwise="Where does a quarter turn take each of the other two axes?")
@@ -122,13 +122,13 @@ SMALL_ONES = "Only its small components are off: is that a square root of a smal
 SIGNS = "The sizes of its components are right, their signs are not: R + R^T has the products n_x n_y."
 
 
-def of_pairs(case, found, expected, otherwise, near_miss=""):
+def of_pairs(case, result, expected, otherwise, near_miss=""):
     """What is wrong with an axis and its angle, if the numbers tell, else where to look."""
-    (axis, angle), (n, right_angle) = found, expected
+    (axis, angle), (n, right_angle) = result, expected
     small, same_axis = np.abs(n) < 1e-4, near(axis, n)
     only_small = small.any() and near(axis[~small], n[~small], WITHIN) and not near(axis, n, WITHIN)
     small_angle = right_angle < 0.1 and near(angle, right_angle, RELATIVE * right_angle)
-    tells = {
+    holds_of = {
         NEGATIVE: angle < 0 and near(-angle, right_angle) and near(-axis, n),
         TOO_LARGE: angle > math.pi + SAME and near(angle, 2 * math.pi - right_angle),
         "Small angles are given as 0.": angle == 0 and right_angle < 0.1,
@@ -141,7 +141,7 @@ def of_pairs(case, found, expected, otherwise, near_miss=""):
         SIGNS: near(np.abs(axis), np.abs(n)) and not same_axis,
         near_miss: near(axis, n, NEAR_MISS) and near(angle, right_angle, NEAR_MISS),
     }
-    return next((message for message, holds in tells.items() if holds and message), otherwise)
+    return next((message for message, holds in holds_of.items() if holds and message), otherwise)
 
 
 LOST = "It is nearly right: where are digits lost?"
@@ -151,8 +151,8 @@ HALF = 1e-6  # rad: half of the digits; where the angle itself is small, of an a
 WHICH_PART = "Which part of R is large there: R - R^T or R + R^T?"
 
 
-def where_flat(case, found, expected):
-    return of_pairs(case, found, expected, of_angle(found[1], expected[1]) or WHICH_PART)
+def where_flat(case, result, expected):
+    return of_pairs(case, result, expected, of_angle(result[1], expected[1]) or WHICH_PART)
 
 
 def of_angle(angle, expected):

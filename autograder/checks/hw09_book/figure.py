@@ -20,10 +20,10 @@ def figure(size=(1.1, 1.5, 0.3), angle=1.3):
         y=(-1.35, 1.5),
     )
     signs = 2 * np.array(list(np.ndindex(2, 2, 2))) - 1
-    for i, one in enumerate(signs):
+    for i, sign in enumerate(signs):
         for other in signs[:i]:
-            if np.count_nonzero(one != other) == 1:
-                shown.line(EYE([one * half, other * half]), "body")
+            if np.count_nonzero(sign != other) == 1:
+                shown.line(EYE([sign * half, other * half]), "body")
     top = np.array([[1, 1, 1], [-1, 1, 1], [-1, -1, 1], [1, -1, 1]]) * half
     shown.line(EYE(top), "solid", closed=True)
     for axis, name in zip(np.eye(3), "xyz", strict=True):

@@ -87,7 +87,7 @@ def angular_momentum_is_in_space_axes(student, rng):
 THREE_TURNS = "omega is psi' along space z, theta' along the line of nodes, and phi' along body z."
 
 
-def wrong_rates(case, found, expected):
+def wrong_rates(case, result, expected):
     negative = np.sin(case.args[0][1]) < 0
     return "It is right where the sine of theta is positive." if negative else THREE_TURNS
 
@@ -165,13 +165,13 @@ def of_rotations(motion):
     """What is wrong with the rotations, if they tell."""
     rotations, expected = rotations_of(motion.found), rotations_of(motion.expected)
     transposes = rotations.transpose(0, 2, 1)
-    told = {
+    flaws = {
         SHORT: motion.case.label == cases.FAST_AND_FAR,
         "The three axes are left-handed: the determinant is -1.": np.linalg.det(rotations).min() < 0,
         "These are the transposes, from space to body.": np.abs(transposes - expected).max() < 1e-3,
         "R is not kept orthogonal: R^T R is no longer I.": np.abs(transposes @ rotations - np.eye(3)).max() > 1e-4,
     }
-    return next((message for message, holds in told.items() if holds), "")
+    return next((message for message, holds in flaws.items() if holds), "")
 
 
 def squares(states, inertia):
@@ -397,12 +397,20 @@ def rim_paths_are_drawn(student, rng):
         wrong_source = first_wrong(reference.motion, case, student.simulate)
         others = {message: [radius * path for path in both] for message, both in mistaken(rotations).items()}
         others["These are the paths for a radius of 1 m"] = seen_along_x(rotations)
-        behind = all(exchanged(picture, *AXES))  # seen from there: z to the right and y up
-        found = [replace(line, points=line.points[:, ::-1]) if behind else line for line in curves_seen(picture, 2)]
-        for line, path in zip(in_order(found, paths[0]), paths, strict=True):
-            known = {"tolerance": DRAWN * radius / np.ptp(path, axis=0).max(), "fewer": COARSELY / DRAWN}
+        from_behind = all(exchanged(picture, *AXES))  # seen from there: z to the right and y up
+        curves = [
+            replace(line, points=line.points[:, ::-1]) if from_behind else line for line in curves_seen(picture, 2)
+        ]
+        for line, path in zip(in_order(curves, paths[0]), paths, strict=True):
+            limits = {"tolerance": DRAWN * radius / np.ptp(path, axis=0).max(), "fewer": COARSELY / DRAWN}
             path_drawn(
-                line, path, **known, quantity="a path", others=others, wrong_source=wrong_source, near_miss_credit=False
+                line,
+                path,
+                **limits,
+                quantity="a path",
+                others=others,
+                wrong_source=wrong_source,
+                near_miss_credit=False,
             )
         judge_axes_of_lengths(picture, *AXES, from_below=True)
 

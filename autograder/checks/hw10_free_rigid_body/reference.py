@@ -60,8 +60,8 @@ def tumble(t, R, omega, *, inertia):
     (A, B, C), (p, q, r) = inertia[order], omega[order]
     first, last = B * (C - B) / (A * (C - A)), B * (B - A) / (C * (C - A))  # p^2 + first q^2 and r^2 + last q^2 stay
     a, c = math.sqrt(p**2 + first * q**2), math.copysign(math.sqrt(r**2 + last * q**2), r)
-    b, hand = a / math.sqrt(first), np.linalg.det(np.eye(3)[order])
-    rate, m = hand * (C - A) / B * a * c / b, last * (b / c) ** 2
+    b, handedness = a / math.sqrt(first), np.linalg.det(np.eye(3)[order])
+    rate, m = handedness * (C - A) / B * a * c / b, last * (b / c) ** 2
     sn, cn, dn, _ = ellipj(ellipkinc(math.atan2(q / b, p / a), m) + rate * (t - t[0]), m)
     omegas = np.column_stack([a * cn, b * sn, c * dn])[:, np.argsort(order)]
     return omegas, motion(t, R, omega, inertia=inertia)[1]

@@ -25,8 +25,10 @@ def track_size(case, _):
 
 def force_size(case, _):
     _, precession, spin = case.args
-    known = case.kwargs
-    return known["mass"] * (known["gravity"] + known["radius"] * (abs(precession * spin) + precession**2))
+    parameters = case.kwargs
+    return parameters["mass"] * (
+        parameters["gravity"] + parameters["radius"] * (abs(precession * spin) + precession**2)
+    )
 
 
 def residual_size(case, _):
@@ -48,9 +50,9 @@ BOTH_CONDITIONS = "Put the rolling condition into the balance of moments about G
 SAME_CIRCLE = "Both tracks must be the same circle: what is the spin then?"
 
 
-def wrong_force(case, found, expected):
+def wrong_force(case, result, expected):
     """Which part of the force is wrong, and where it comes from."""
-    inward, normal = np.isclose(found, expected)
+    inward, normal = np.isclose(result, expected)
     if normal and not inward:
         return "Only the inward force is wrong: G moves on a circle; what is its radius, and G's speed?"
     if inward and not normal:

@@ -61,8 +61,8 @@ def balanced_spin(lean, precession, force, **disk):
 def spin_size(lean, precession, force, **disk):
     """Size of the two terms that add up to the spin."""
     at_rest, turning = (unbalanced(lean, precession, spin, force, **disk) for spin in (0.0, 1.0))
-    terms = disk["mass"] * disk["gravity"] * disk["radius"] + disk["inertia"][0] * precession**2
-    return terms / abs(turning - at_rest)
+    factor = disk["mass"] * disk["gravity"] * disk["radius"] + disk["inertia"][0] * precession**2
+    return factor / abs(turning - at_rest)
 
 
 def balanced_precession(lean, spin, force, **disk):

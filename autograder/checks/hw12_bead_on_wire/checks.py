@@ -32,10 +32,10 @@ PERIOD = 1e-6  # a quadrature with a singular end, or an event of a simulation, 
 TINY = 5e-4  # at micrometres an event of a simulation with an absolute tolerance of 1e-9 m is good to 5e-5
 
 
-def largest_term(case, found):
+def largest_term(case, acceleration):
     """x'', or what cancels in it."""
     values = dict(zip(("x", "v"), case.args, strict=False)) | {k[0]: value for k, value in case.kwargs.items()}
-    return abs(found) or values["g"] + values["c"] * values["v"] ** 2
+    return abs(acceleration) or values["g"] + values["c"] * values["v"] ** 2
 
 
 def size(case, states):
@@ -63,10 +63,10 @@ def forces_on_the_bead(student, rng):
 def lagrangian_is_kinetic_less_potential(student, rng):
     calls = in_symbols(cases.usual(rng), *SYMBOLS)
     levels = student.lagrangian.at([{**case.kwargs, "x": 0.0, "v": 0.0} for case in calls])
-    known = {"quantity": "the Lagrangian", "unit": "J", "hint": "How fast is the bead along the wire, and how high?"}
+    words = {"quantity": "the Lagrangian", "unit": "J", "hint": "How fast is the bead along the wire, and how high?"}
     for level, (case, value) in zip(levels, student.lagrangian.each(calls), strict=True):
         tolerance = FORMULA * (reference.energy(*case.kwargs.values()) or 1.0)
-        expect(value - level, reference.lagrangian(**case.kwargs), tolerance=tolerance, **known)
+        expect(value - level, reference.lagrangian(**case.kwargs), tolerance=tolerance, **words)
 
 
 @check("lagrange_equation", points=1.5, part="a", line="x'' in x, v, c, g alone.")

@@ -11,7 +11,7 @@ def figure(x=0.75, curvature=1.0, v=-0.45):
     """The bottom of the wire is the origin."""
     places = np.linspace(-1.15, 1.15, 41)
     # the height by the potential energy of 1 kg at g = 1
-    height = [reference.energy(place, 0.0, 1.0, curvature, 1.0) for place in places]
+    height = [reference.energy(position, 0.0, 1.0, curvature, 1.0) for position in places]
     bead = np.array([x, reference.energy(x, 0.0, 1.0, curvature, 1.0)])
     shown = Figure(
         "A bead on a wire",

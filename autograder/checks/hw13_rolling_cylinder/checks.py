@@ -67,15 +67,15 @@ def forces_on_the_cylinder(student, rng):
     compare_diagrams(student.free_body_diagram, reference, cases.diagrams(rng))
 
 
-def without_weight(case, found, expected):
+def without_weight(case, result, expected):
     if case.kwargs["gravity"]:
         return "On level ground only the offset of G makes it turn faster or slower."
     return "Without gravity it turns uniformly only if G is at the centre."
 
 
-def part_of_force(student, case, found, expected):
+def part_of_force(student, case, result, expected):
     """Which of along and normal is off."""
-    along, normal = np.abs(np.subtract(found, expected)) > FORMULA * force(case)
+    along, normal = np.abs(np.subtract(result, expected)) > FORMULA * force(case)
     if along and normal:
         if not is_right(student.acceleration, reference, [case]):
             return "Both parts are wrong, and acceleration is wrong there, too: look there first."
@@ -85,13 +85,13 @@ def part_of_force(student, case, found, expected):
     return "Along is right, normal is not: G is accelerated off the ramp too, by phi'' and by phi_dot squared."
 
 
-def of_pull(student, case, found, expected):
-    if found[1] >= 0 > expected[1]:
+def of_pull(student, case, result, expected):
+    if result[1] >= 0 > expected[1]:
         return "Assume that the cylinder never lifts off: which force does that need?"
-    return part_of_force(student, case, found, expected)
+    return part_of_force(student, case, result, expected)
 
 
-def rest_or_rates(case, found, expected):
+def rest_or_rates(case, result, expected):
     """Those at rest are judged first."""
     if case.args[1] == 0:
         return "At rest it is wrong, too: look at the moment of the weight and at the inertia."

@@ -13,11 +13,11 @@ def figure(phi=0.9, radius=1.0, offset=0.5, slope=0.4):
     """The contact is at the origin of the paper; the ramp goes down to the right."""
     down_the_ramp, off_it = np.array([math.cos(slope), -math.sin(slope)]), np.array([math.sin(slope), math.cos(slope)])
 
-    def place(x, y):
+    def at(x, y):
         """Of the ramp's coordinates from the contact."""
         return x * down_the_ramp + y * off_it
 
-    C, centre, G = place(0, 0), place(0, radius), place(*reference.arms(phi, radius, offset)[0])
+    C, centre, G = at(0, 0), at(0, radius), at(*reference.arms(phi, radius, offset)[0])
     shown = Figure(
         "A cylinder on a ramp",
         "The ramp goes down to the right at the angle slope from the horizontal. The cylinder of radius r touches it"
@@ -26,9 +26,9 @@ def figure(phi=0.9, radius=1.0, offset=0.5, slope=0.4):
         x=(-2.3, 2.6),
         y=(-1.35, 2.25),
     )
-    shown.ground(place(-2.1, 0), place(2.3, 0))
-    shown.line([place(2.3, 0), place(2.3, 0) - [1.6, 0]], "dash")
-    shown.angle(place(2.3, 0), 1.1, math.pi, math.pi - slope, "slope", by=(-42, 2))
+    shown.ground(at(-2.1, 0), at(2.3, 0))
+    shown.line([at(2.3, 0), at(2.3, 0) - [1.6, 0]], "dash")
+    shown.angle(at(2.3, 0), 1.1, math.pi, math.pi - slope, "slope", by=(-42, 2))
     shown.line(circle(centre, radius), "solid", closed=True)
     shown.line([centre, C], "dash")
     shown.line([centre, centre + 1.35 * radius * (G - centre) / offset], "dash")
@@ -38,7 +38,7 @@ def figure(phi=0.9, radius=1.0, offset=0.5, slope=0.4):
     rim = centre + radius * np.array([math.cos(0.5), math.sin(0.5)])
     shown.line([centre, rim], "soft")
     shown.label((centre + rim) / 2, "r", by=(-4, 13))
-    shown.axes(place(-1.9, 0.55), 0.7, turned=-slope)
+    shown.axes(at(-1.9, 0.55), 0.7, turned=-slope)
     shown.point("O", centre, by=(15, -6))
     shown.point("G", G, by=(-6, -17), size=6)
     shown.point("C", C, by=(-4, -22))

@@ -100,9 +100,9 @@ def acceleration(reference, phi, phi_dot, **cylinder):
 )
 def acceleration(reference, phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
     s, c = math.sin(phi), math.cos(phi)
-    whole = inertia + mass * (offset * s) ** 2 + mass * radius * (radius - offset * c)
+    total = inertia + mass * (offset * s) ** 2 + mass * radius * (radius - offset * c)
     moment = -mass * offset * s * (offset * c * phi_dot**2 + gravity * math.cos(slope))
-    return (moment - mass * radius * (offset * s * phi_dot**2 - gravity * math.sin(slope))) / whole
+    return (moment - mass * radius * (offset * s * phi_dot**2 - gravity * math.sin(slope))) / total
 
 
 @mistake(

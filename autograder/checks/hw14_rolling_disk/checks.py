@@ -138,9 +138,9 @@ def along(quantity, off, state, limit):
     return f"{quantity} is wrong along {' and '.join(names)} only." if 0 < len(names) < 3 else ""
 
 
-def wrong_turning(otherwise, case, found, expected):
+def wrong_turning(otherwise, case, result, expected):
     """Where omega' is off, to which the second derivatives of the angles contribute."""
-    state, off = euler_of(case), found - expected
+    state, off = euler_of(case), result - expected
     e1, _, e3 = reference.frame(state)
     turning = off[reference.OMEGA] if len(off) == 15 else off[5] * reference.Z + off[6] * e1 + off[7] * e3
     return along("omega'", turning, state, POINTWISE * second(case)) or otherwise
@@ -349,7 +349,7 @@ def judge_wireframe(case, lines):
 # (f) Energy and force
 
 
-def rest_or_rates(case, found, expected):
+def rest_or_rates(case, result, expected):
     """Those at rest are judged first."""
     if not np.any(case.args[0][5:]):
         return "At rest it is wrong, too: what is the height of the centre?"
@@ -377,14 +377,14 @@ def energy_is_conserved(student, rng):
     )
 
 
-def wrong_force(case, found, expected):
+def wrong_force(case, result, expected):
     """What is wrong with the force, if it can be told."""
     weight = case.kwargs["mass"] * case.kwargs["gravity"] * reference.Z
     limit = POINTWISE * force(case)
-    if abs(np.linalg.norm(found - weight) - np.linalg.norm(expected - weight)) <= limit:
+    if abs(np.linalg.norm(result - weight) - np.linalg.norm(expected - weight)) <= limit:
         return "m a of G has the right size: are its sign and its components those along space x, y, z?"
     otherwise = "F - m g = m a of G; the axes along which its velocity is known turn."
-    return along("The force", found - expected, case.args[0], limit) or otherwise
+    return along("The force", result - expected, case.args[0], limit) or otherwise
 
 
 @check(

@@ -26,9 +26,9 @@ def figure(yaw=0.6, tilt=1.95, roll=0.6, radius=1.0):
         y=(-0.75, 1.95),
     )
 
-    def arc(middle, size, one, other, end, label, by=(0, 0)):
+    def arc(middle, size, start, other, end, label, by=(0, 0)):
         turns = np.linspace(0.0, end, 25)[:, None]
-        shown.curve(EYE(middle + size * (np.cos(turns) * one + np.sin(turns) * other)), label, by=by)
+        shown.curve(EYE(middle + size * (np.cos(turns) * start + np.sin(turns) * other)), label, by=by)
 
     corners = np.array([[-0.3, -0.5, 0], [2.3, -0.5, 0], [2.3, 2.0, 0], [-0.3, 2.0, 0]])
     shown.line(EYE(corners), "plane", closed=True)

@@ -73,14 +73,14 @@ def free_body_diagram(reference, state, **disk):
 
 @mistake("You return R column by column; return it row by row.", first_fails=matrix_state_places_the_disk)
 def matrix_state(reference, state, *, radius):
-    found = reference(state, radius=radius)
-    return np.concatenate([found[:3], found[3:12].reshape(3, 3).T.ravel(), found[12:]])
+    result = reference(state, radius=radius)
+    return np.concatenate([result[:3], result[3:12].reshape(3, 3).T.ravel(), result[12:]])
 
 
 @mistake("You return body components of omega; return space components.", first_fails=matrix_state_places_the_disk)
 def matrix_state(reference, state, *, radius):
-    found = reference(state, radius=radius)
-    return np.concatenate([found[:12], found[12:] @ found[3:12].reshape(3, 3)])
+    result = reference(state, radius=radius)
+    return np.concatenate([result[:12], result[12:] @ result[3:12].reshape(3, 3)])
 
 
 @mistake("You turn the disk at roll' about z; it rolls about its axle.", first_fails=matrix_state_places_the_disk)
@@ -178,8 +178,8 @@ def multiplier_state_derivative(reference, t, state, **disk):
 @mistake("You start at t = 0; the given state is that at t[0].", first_fails=euler_simulation_follows_the_motion)
 def simulate_euler(reference, t, state, **disk):
     sense = np.array([1.0] * 5 + [math.copysign(1.0, t[0])] * 3)  # with its rates reversed the disk rolls back
-    found = reference(np.array([0.0, abs(t[0])]), sense * state, **disk)[1]
-    return reference(t, sense * found, **disk)
+    result = reference(np.array([0.0, abs(t[0])]), sense * state, **disk)[1]
+    return reference(t, sense * result, **disk)
 
 
 @mistake(

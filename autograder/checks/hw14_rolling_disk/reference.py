@@ -117,8 +117,8 @@ def two_integrals(rows, *, mass, radius, inertia, gravity):
     def rates(tilt, w):
         return C / A * w[1] - w[0] / math.tan(tilt), m / (C + m) * w[0]
 
-    known = {"method": "DOP853", "rtol": 1e-11, "atol": 1e-12}
-    return np.array([solve_ivp(rates, (row[3], RIGHT), components(row)[1:], **known).y[:, -1] for row in rows])
+    options = {"method": "DOP853", "rtol": 1e-11, "atol": 1e-12}
+    return np.array([solve_ivp(rates, (row[3], RIGHT), components(row)[1:], **options).y[:, -1] for row in rows])
 
 
 def not_a_rotation(rows, **_):

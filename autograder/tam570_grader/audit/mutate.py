@@ -5,7 +5,7 @@ import collections
 import hashlib
 from dataclasses import dataclass
 
-from tam570_grader.diagnosis.mutants import made, replaced
+from tam570_grader.diagnosis.mutants import changed_expressions, replaced
 
 __all__ = ["Mutant", "mutants"]
 
@@ -41,7 +41,7 @@ def mutants(slug: str, source: str) -> list[Mutant]:
     found: dict[str, Mutant] = {}
     for function in (node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)):
         count: collections.Counter[tuple[str, str]] = collections.Counter()
-        for node, operator, slip in made(function):
+        for node, operator, slip in changed_expressions(function):
             was, now = ast.unparse(node), ast.unparse(slip)
             if was == now or (text := replaced(source, node, now)) in found:
                 continue

@@ -29,7 +29,7 @@ class Cause:
 
     function     : whose results are wrong
     message      : what the student reads; empty where it follows from an earlier cause
-    kind         : "known mistake", "transform", "mutant", "place"
+    source       : "known mistake", "transform", "mutant", "place"
     answers      : what the solution gives with this mistake in it, one for each way to make it; nothing follows of none
     calls        : those that it explains
     follows_from : the function with the mistake that explains these results
@@ -37,7 +37,7 @@ class Cause:
 
     function: str
     message: str
-    kind: str
+    source: str
     answers: tuple[Answer, ...] = ()
     calls: tuple[Called, ...] = ()
     follows_from: str = ""

@@ -9,11 +9,11 @@ import numpy as np
 
 from tam570_grader.checks.case import Case
 from tam570_grader.diagnosis.cause import Called
-from tam570_grader.diagnosis.mistakes import OF_MOTIONS, agrees, is_motion, parts
+from tam570_grader.diagnosis.mistakes import OF_MOTIONS, has_numbers, is_motion, parts
 
-__all__ = ["Judged", "judged", "telling"]
+__all__ = ["ComparedCall", "compared_call", "count_informative"]
 
-TELLING = 1e-3  # of the right answer: what is smaller may be what cancels
+INFORMATIVE = 1e-3  # of the right answer: what is smaller may be what cancels
 CLEARLY = 0.03  # of the size of a column: where a motion is off by so much, its later rows need not be compared
 FEW = 3  # rows of a motion that is right
 # Of the error of a column: two accurate integrations of one wrong equation differ by less, and another equation that
@@ -22,38 +22,38 @@ EXPLAINED, HARDLY = 3e-4, 0.1
 
 
 @dataclass(frozen=True)
-class Judged:
+class ComparedCall:
     """A call, what came back, and the right answer."""
 
     name: str
     case: Case
     result: Any
-    right: Any
+    expected: Any
 
     def fits(self, answer: Any) -> bool:
         """Whether an answer has the student's numbers."""
-        return agrees(self.result, answer)
+        return has_numbers(self.result, answer)
 
     def numbers(self) -> set[bytes]:
         """What is to be explained, where it is more than rounding beside the right answer: zeros tell nothing."""
-        found, expected = (np.concatenate([np.ravel(one) for one in parts(each)]) for each in (self.result, self.right))
-        tells = np.abs(found).max(initial=0.0) > TELLING * np.abs(expected).max(initial=0.0)
-        return {found.tobytes()} if tells else set()
+        result, expected = (np.concatenate([*map(np.ravel, parts(each))]) for each in (self.result, self.expected))
+        informative = np.abs(result).max(initial=0.0) > INFORMATIVE * np.abs(expected).max(initial=0.0)
+        return {result.tobytes()} if informative else set()
 
 
-class Rows(Judged):
+class Rows(ComparedCall):
     """The first rows of a motion, to where it is clearly wrong: what comes later tells no more, and takes longer."""
 
     def fits(self, answer: Any) -> bool:
         """Whether it explains what is wrong in every column; a motion that is nearly right, it must leave so."""
-        if answer is None or _shapes(answer) != _shapes(self.right):
+        if answer is None or _shapes(answer) != _shapes(self.expected):
             return False
         return bool((_off(self.result, answer) <= self._left).all())
 
     @functools.cached_property
     def _left(self) -> Any:
         """(columns,) what may be left of the error."""
-        off = _off(self.result, self.right).max(axis=0)
+        off = _off(self.result, self.expected).max(axis=0)
         if off.max() <= OF_MOTIONS:
             return OF_MOTIONS
         return np.minimum(OF_MOTIONS, EXPLAINED * np.maximum(off, HARDLY * off.max()))
@@ -62,36 +62,36 @@ class Rows(Judged):
         return {row.tobytes() for row in _table(self.result)}
 
 
-def judged(call: Called, right: Any) -> Judged:
+def compared_call(call: Called, expected: Any) -> ComparedCall:
     """A call beside the right answer; of a motion the rows that tell."""
-    if not is_motion(call) or _shapes(call.result) != _shapes(right):
-        return Judged(call.name, call.case, call.result, right)
-    t, off = call.case.args[0], _off(call.result, right).max(axis=1)
+    if not is_motion(call) or _shapes(call.result) != _shapes(expected):
+        return ComparedCall(call.name, call.case, call.result, expected)
+    t, off = call.case.args[0], _off(call.result, expected).max(axis=1)
     clear = np.flatnonzero(off > CLEARLY)
     count = clear[0] + 2 if len(clear) else FEW if off.max() <= OF_MOTIONS else len(t)
-    first = [[part[:count] for part in parts(one)] for one in (call.result, right)]
-    found, expected = (tuple(one) if len(one) > 1 else one[0] for one in first)
-    return Rows(call.name, call.case.replace(t[:count]), found, expected)
+    firsts = [[part[:count] for part in parts(answer)] for answer in (call.result, expected)]
+    result, expected = (tuple(first) if len(first) > 1 else first[0] for first in firsts)
+    return Rows(call.name, call.case.replace(t[:count]), result, expected)
 
 
-def telling(calls: Sequence[Judged]) -> int:
+def count_informative(calls: Sequence[ComparedCall]) -> int:
     """How many different things they give to be explained."""
     return len(set().union(*(call.numbers() for call in calls)))
 
 
 def _shapes(answer: Any) -> list[tuple[int, ...]]:
-    return [np.shape(one) for one in parts(answer)]
+    return [np.shape(part) for part in parts(answer)]
 
 
 def _table(motion: Any) -> Any:
     """(rows, columns)"""
-    return np.hstack([np.reshape(one, (len(one), -1)) for one in parts(motion)])
+    return np.hstack([np.reshape(part, (len(part), -1)) for part in parts(motion)])
 
 
-def _off(found: Any, expected: Any) -> Any:
+def _off(result: Any, expected: Any) -> Any:
     """(rows, columns) how far a motion is off, of the size of each column; infinite where it is no number."""
-    found, expected = _table(found), _table(expected)
+    result, expected = _table(result), _table(expected)
     size = np.abs(expected).max(axis=0)
     with np.errstate(all="ignore"):
-        off = np.abs(found - expected) / np.where(size > 0, size, 1.0)
+        off = np.abs(result - expected) / np.where(size > 0, size, 1.0)
     return np.where(np.isfinite(off), off, np.inf)

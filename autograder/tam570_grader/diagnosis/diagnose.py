@@ -6,7 +6,7 @@ from itertools import product
 from pathlib import Path
 
 from tam570_grader.diagnosis.cause import Called, Cause
-from tam570_grader.diagnosis.mistakes import candidates, explains, known
+from tam570_grader.diagnosis.mistakes import candidates, explains, named_mistake
 from tam570_grader.diagnosis.search import general, wrong_arguments
 
 __all__ = ["diagnose", "follows"]
@@ -27,20 +27,25 @@ def diagnose(solution: str, folder: Path, calls: Sequence[Called], earlier: Sequ
     What follows from an earlier cause; else a known mistake, a transform of arguments or results, or a mutant of the
     solution, of which one alone explains all calls; None if nothing does.
     """
-    if found := follows(solution, calls, earlier):
-        return found
+    if cause := follows(solution, calls, earlier):
+        return cause
     suspects = candidates(solution, folder, {call.name for call in calls})
-    found = known(solution, suspects, calls) or general(solution, calls)
-    if found and earlier:
-        common = _in_common(solution, [found, *wrong_arguments(solution, calls)], earlier)
-        alike = [one.function for one in earlier if _of(found, "it") == _of(one, "it")]
-        return common or (replace(found, message=f"{found.message}, as in {alike[0]}") if alike else found)
-    return found
+    cause = named_mistake(solution, suspects, calls) or general(solution, calls)
+    if cause is None or not earlier:
+        return cause
+    common = _in_common(solution, [cause, *wrong_arguments(solution, calls)], earlier)
+    return common or _as_in(cause, earlier)
 
 
-def _of(cause: Cause, name: str) -> str:
-    """What is said of a cause, of a function of another name."""
-    return cause.message.replace(cause.function, name) if cause.kind != "known mistake" else cause.function
+def _as_in(cause: Cause, earlier: Sequence[Cause]) -> Cause:
+    """The cause, beside the function that was told the same before."""
+    told_before = (other.function for other in earlier if other.source == cause.source != "known mistake")
+    same = [name for name in told_before if name != cause.function and _says(cause, name, earlier)]
+    return replace(cause, message=f"{cause.message}, as in {same[0]}") if same else cause
+
+
+def _says(cause: Cause, name: str, earlier: Sequence[Cause]) -> bool:
+    return cause.message.replace(cause.function, name) in {other.message for other in earlier}
 
 
 def follows(solution: str, calls: Sequence[Called], earlier: Iterable[Cause]) -> Cause | None:
@@ -48,16 +53,16 @@ def follows(solution: str, calls: Sequence[Called], earlier: Iterable[Cause]) ->
     for cause in earlier:
         if any(explains(solution, answer, calls) for answer in cause.answers):
             (wrong, *_) = *_others(cause.function, calls), cause.function
-            return Cause(wrong, "", cause.kind, follows_from=cause.function)  # nothing new follows from it
+            return Cause(wrong, "", cause.source, follows_from=cause.function)  # nothing new follows from it
     return None
 
 
 def _in_common(solution: str, causes: Iterable[Cause], earlier: Sequence[Cause]) -> Cause | None:
     """The cause that was made in an earlier function, too: these results follow from it."""
-    for found, before in product(causes, earlier):
-        same = tuple(answer for answer in found.answers if explains(solution, answer, before.calls))
-        if same and _others(before.function, found.calls):
-            return replace(found, message="", answers=same, follows_from=before.function)
+    for cause, before in product(causes, earlier):
+        same = tuple(answer for answer in cause.answers if explains(solution, answer, before.calls))
+        if same and _others(before.function, cause.calls):
+            return replace(cause, message="", answers=same, follows_from=before.function)
     return None
 
 

@@ -36,13 +36,13 @@ __all__ = [
     "OF_MOTIONS",
     "WITHIN",
     "Mistake",
-    "agrees",
+    "has_numbers",
     "answer",
     "candidates",
     "computed",
     "explains",
     "is_motion",
-    "known",
+    "named_mistake",
     "mistake",
     "mistakes",
     "overlays",
@@ -135,7 +135,7 @@ def mistakes(folder: Path) -> tuple[Mistake, ...]:
 
 def overlays(folder: Path) -> dict[str, str]:
     """The text of each mistake, by name: a wrong submission if it is appended to the solution."""
-    return {known.name: known.text for known in mistakes(folder)}
+    return {known_mistake.name: known_mistake.text for known_mistake in mistakes(folder)}
 
 
 def _decorated(text: str) -> Iterator[Mistake]:
@@ -146,7 +146,7 @@ def _decorated(text: str) -> Iterator[Mistake]:
             assert isinstance(node, ast.FunctionDef)
             count[function := node.name] += 1
             wrong = ast.unparse(ast.FunctionDef(**{**vars(node), "name": "_mistaken", "decorator_list": []}))
-            fields: dict[str, Any] = {str(one.arg): _value(one.value) for one in decorator.keywords}
+            fields: dict[str, Any] = {str(field.arg): _value(field.value) for field in decorator.keywords}
             fields["name"] = fields.get("name") or function + (f"_{count[function]}" if count[function] > 1 else "")
             overlay = OVERLAY.format(besides=besides, function=function, wrong=wrong)
             yield Mistake(message=ast.literal_eval(decorator.args[0]), text=overlay, **fields)
@@ -155,8 +155,8 @@ def _decorated(text: str) -> Iterator[Mistake]:
 def _decorator(node: ast.stmt) -> ast.Call | None:
     """The call of `mistake` that decorates a function."""
     decorators = node.decorator_list if isinstance(node, ast.FunctionDef) else []
-    calls = [one for one in decorators if isinstance(one, ast.Call)]
-    return next((one for one in calls if getattr(one.func, "id", "") == "mistake"), None)
+    calls = [decorator for decorator in decorators if isinstance(decorator, ast.Call)]
+    return next((call for call in calls if getattr(call.func, "id", "") == "mistake"), None)
 
 
 def _is_of_the_grader(node: ast.stmt) -> bool:
@@ -172,53 +172,57 @@ def _value(node: ast.expr) -> Any:
 
 def candidates(solution: str, folder: Path, functions: Container[str]) -> list[Mistake]:
     """The mistakes that are compared with numbers, of those that change one of these functions."""
-    within = frozenset().union(*(reach for name, reach in reached(solution).items() if name in functions))
-    return [known for known in mistakes(folder) if known.compared and known.defined & within]
+    reach_of = frozenset().union(*(reach for name, reach in reached(solution).items() if name in functions))
+    return [
+        known_mistake
+        for known_mistake in mistakes(folder)
+        if known_mistake.compared and known_mistake.defined & reach_of
+    ]
 
 
-def known(solution: str, suspects: Iterable[Mistake], calls: Sequence[Called]) -> Cause | None:
+def named_mistake(solution: str, suspects: Iterable[Mistake], calls: Sequence[Called]) -> Cause | None:
     """The first mistake that the calls agree with; None if there is none.
 
     Of each function that the mistake changes, every result must be the mistake's, and one must be numbers.
     """
     short_first = sorted(calls, key=lambda call: len(call.case.packed))  # most are told by a motion of a few rows
-    groups = {call.name: [one for one in short_first if one.name == call.name] for call in calls}
-    found = next((one for one in suspects if _agrees(solution, one, groups)), None)
-    if found is None:
+    groups = {name: [call for call in short_first if call.name == name] for name in {call.name for call in calls}}
+    mistake = next((suspect for suspect in suspects if _explains_all(solution, suspect, groups)), None)
+    if mistake is None:
         return None
-    wrong = [call.name for call in calls if _changed(solution, found.text, call, tolerance_of(call))]
-    answers = (functools.partial(answer, solution, found.text),)
-    return Cause((wrong or [calls[0].name])[0], found.message, "known mistake", answers, tuple(calls))
+    wrong = [call.name for call in calls if _changed(solution, mistake.text, call, tolerance_of(call))]
+    answers = (functools.partial(answer, solution, mistake.text),)
+    return Cause((wrong or [calls[0].name])[0], mistake.message, "known mistake", answers, tuple(calls))
 
 
-def explains(solution: str, given: Answer, calls: Sequence[Called]) -> bool:
+def explains(solution: str, answer_to: Answer, calls: Sequence[Called]) -> bool:
     """Whether what the solution answers with a mistake in it is what the student's functions returned in every call.
 
     Some result must be wrong by it, and some number of it not zero: of nothing all kinds of nothing follow.
     """
     if not calls or any(call.result is None for call in calls):
         return False
-    wrong = told = False
+    wrong = informative = False
     for call in sorted(calls, key=lambda call: len(call.case.packed)):
-        found, within = given(call), tolerance_of(call)
-        if found is None or not same(call.result, found, within):
+        expected, tolerance = answer_to(call), tolerance_of(call)
+        if expected is None or not same(call.result, expected, tolerance):
             return False
-        wrong = wrong or not same(found, answer(solution, "", call), within)
-        told = told or any(np.any(part) for part in parts(call.result))
-    return wrong and told
+        wrong = wrong or not same(expected, answer(solution, "", call), tolerance)
+        informative = informative or any(np.any(part) for part in parts(call.result))
+    return wrong and informative
 
 
-def _agrees(solution: str, one: Mistake, groups: dict[str, list[Called]]) -> bool:
-    told = False
-    alike = ([call for call in group if one.label in call.case.label] for group in groups.values())
-    for group in filter(None, alike):
-        within = one.tolerance or tolerance_of(group[0])
-        changed = (_changed(solution, one.text, call, within) for call in group)
-        if all(same(call.result, answer(solution, one.text, call), within) for call in group):
-            told = told or (any(changed) and any(call.result is not None for call in group))
+def _explains_all(solution: str, mistake: Mistake, groups: dict[str, list[Called]]) -> bool:
+    informative = False
+    compared = ([call for call in group if mistake.label in call.case.label] for group in groups.values())
+    for group in filter(None, compared):
+        tolerance = mistake.tolerance or tolerance_of(group[0])
+        changed = (_changed(solution, mistake.text, call, tolerance) for call in group)
+        if all(same(call.result, answer(solution, mistake.text, call), tolerance) for call in group):
+            informative = informative or (any(changed) and any(call.result is not None for call in group))
         elif any(changed):
             return False
-    return told
+    return informative
 
 
 def tolerance_of(call: Called) -> float:
@@ -231,15 +235,15 @@ def is_motion(call: Called) -> bool:
     return isinstance(times, np.ndarray) and len(shape) > 1 and shape[0] == len(times) != shape[-1]
 
 
-def agrees(found: Any, wrong: Any) -> bool:
+def has_numbers(result: Any, wrong: Any) -> bool:
     """Whether a result has a variant's numbers; None has none."""
-    return found is not None and wrong is not None and same(found, wrong, WITHIN)
+    return result is not None and wrong is not None and same(result, wrong, WITHIN)
 
 
 def right_answer(solution: str, call: Called) -> Any:
     """The solution's answer to a call; None where it has none."""
-    found = answer(solution, "", call)
-    return None if found is NoValue else found
+    value = answer(solution, "", call)
+    return None if value is NoValue else value
 
 
 class NoValue:
@@ -266,12 +270,12 @@ def answer(solution: str, text: str, call: Called) -> Any:
     return _answers.value((name, call.name, message), compute)
 
 
-def _changed(solution: str, text: str, call: Called, within: float) -> bool:
+def _changed(solution: str, text: str, call: Called, tolerance: float) -> bool:
     """Whether the mistake changes the answer to a call."""
-    key = _named(solution, text), call.name, call.case.packed, within
+    key = _named(solution, text), call.name, call.case.packed, tolerance
 
     def compute() -> bool:
-        return not same(answer(solution, "", call), answer(solution, text, call), within)
+        return not same(answer(solution, "", call), answer(solution, text, call), tolerance)
 
     return bool(_changes.value(key, compute))
 
@@ -283,12 +287,12 @@ def _named(solution: str, text: str) -> str:
 
 def computed(module: ModuleType, call: Called) -> Any:
     """The answer of a module's function to a call; `NoValue` where its formula has none."""
-    function, asked = getattr(module, call.name), call.case
+    function, case = getattr(module, call.name), call.case
     try:
         with np.errstate(all="ignore"):
-            if asked.args and isinstance(asked.args[0], list) and asked.args[0] and isinstance(asked.args[0][0], dict):
-                return _values(function(), asked.args[0])
-            return function(*asked.args, **asked.kwargs)
+            if case.args and isinstance(case.args[0], list) and case.args[0] and isinstance(case.args[0][0], dict):
+                return _values(function(), case.args[0])
+            return function(*case.args, **case.kwargs)
     except (ArithmeticError, ValueError, np.linalg.LinAlgError):
         return NoValue
 
@@ -315,15 +319,15 @@ def _code(text: str) -> CodeType:
     return compile_counted(text, "<mistake>")
 
 
-def same(found: Any, wrong: Any, within: float) -> bool:
+def same(result: Any, wrong: Any, tolerance: float) -> bool:
     if any(np.iscomplexobj(part) for part in parts(wrong)):
         return False  # a root of something negative; results are real
-    if found is None or found is NoValue or wrong is NoValue:
-        return (found is None or found is NoValue) and (wrong is NoValue or not _finite(wrong))
-    if isinstance(wrong, tuple) and not isinstance(found, tuple):
+    if result is None or result is NoValue or wrong is NoValue:
+        return (result is None or result is NoValue) and (wrong is NoValue or not _finite(wrong))
+    if isinstance(wrong, tuple) and not isinstance(result, tuple):
         wrong = np.asarray(wrong, float)  # the numbers of an array may be returned one by one
-    pairs = list(zip(parts(found), parts(wrong), strict=False))
-    return len(parts(found)) == len(parts(wrong)) and all(_close(one, other, within) for one, other in pairs)
+    pairs = list(zip(parts(result), parts(wrong), strict=False))
+    return len(parts(result)) == len(parts(wrong)) and all(_close(first, other, tolerance) for first, other in pairs)
 
 
 def parts(result: Any) -> list[Any]:
@@ -335,12 +339,12 @@ def _finite(result: Any) -> bool:
     return all(bool(np.all(np.isfinite(np.asarray(part, float)))) for part in parts(result))
 
 
-def _close(found: Any, expected: Any, within: float) -> bool:
-    found, expected = np.asarray(found, float), np.asarray(expected, float)
-    if found.shape != expected.shape:
+def _close(result: Any, expected: Any, tolerance: float) -> bool:
+    result, expected = np.asarray(result, float), np.asarray(expected, float)
+    if result.shape != expected.shape:
         return False
     size = float(np.abs(expected).max(initial=0.0))
     if not math.isfinite(size):
-        return bool(np.array_equal(found, expected))
+        return bool(np.array_equal(result, expected))
     with np.errstate(all="ignore"):
-        return bool((np.abs(found - expected) <= within * size + CANCELLED).all())
+        return bool((np.abs(result - expected) <= tolerance * size + CANCELLED).all())

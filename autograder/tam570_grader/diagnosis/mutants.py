@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TypeVar
 
-__all__ = ["Slip", "made", "reached", "replaced", "slips"]
+__all__ = ["Mutant", "changed_expressions", "reached", "replaced", "mutants_of"]
 
 COUNTERPARTS = {
     "sin": "cos",
@@ -48,8 +48,8 @@ SYMMETRIC = {"dot", "hypot", "max", "maximum", "min", "minimum", "multiply"}  # 
 
 
 @dataclass(frozen=True)
-class Slip:
-    """One slip in a function: what it is, the expressions before and after, and the function's text with it.
+class Mutant:
+    """One mutant of a function: what is wrong, the expressions before and after, and the function's text with it.
 
     product : the largest one that the expression is a factor of
     """
@@ -61,52 +61,52 @@ class Slip:
     product: ast.expr
 
 
-def slips(source: str) -> dict[str, list[Slip]]:
-    """The slips in each function of a module, and more that are near enough to these to need no test of their own."""
-    lines, found = source.splitlines(keepends=True), dict[str, list[Slip]]()
+def mutants_of(source: str) -> dict[str, list[Mutant]]:
+    """The mutants of each function of a module, and more that are near enough to these to need no test of their own."""
+    lines, mutants = source.splitlines(keepends=True), dict[str, list[Mutant]]()
     for function in (node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)):
         before = function.lineno - 1
-        own = "\n" * before + "".join(lines[before : function.end_lineno])  # so that the lines keep their numbers
+        text = "\n" * before + "".join(lines[before : function.end_lineno])  # so that the lines keep their numbers
         products = _products(function)
-        found[function.name] = [
-            Slip(operator, node, slip, replaced(own, node, ast.unparse(slip)), products.get(id(node), node))
-            for node, operator, slip in (*made(function), *made(function, MORE))
+        mutants[function.name] = [
+            Mutant(operator, node, mutant, replaced(text, node, ast.unparse(mutant)), products.get(id(node), node))
+            for node, operator, mutant in (*changed_expressions(function), *changed_expressions(function, MORE))
         ]
-        found[function.name] += _everywhere(function)
-    return found
+        mutants[function.name] += _everywhere(function)
+    return mutants
 
 
 def _products(function: ast.FunctionDef) -> dict[int, ast.expr]:
     """For each factor, by its id, the largest product that it is in."""
-    found: dict[int, ast.expr] = {}
+    products: dict[int, ast.expr] = {}
     for node in ast.walk(function):  # from the outside in
         if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult | ast.Div | ast.Pow):
             for factor in (node.left, node.right):
-                found[id(factor)] = found.get(id(node), node)
-    return found
+                products[id(factor)] = products.get(id(node), node)
+    return products
 
 
-def _everywhere(function: ast.FunctionDef) -> Iterator[Slip]:
+def _everywhere(function: ast.FunctionDef) -> Iterator[Mutant]:
     """One slip in every place: each sine a cosine, each square a product."""
     for name, operator in EVERYWHERE:
         changer = _InEveryPlace(operator)
-        whole = changer.visit(copy.deepcopy(function))
+        changed = changer.visit(copy.deepcopy(function))
         if len(changer.places) > 1:
             places = ast.Tuple(changer.places)
-            yield Slip(name, places, places, ast.unparse(ast.fix_missing_locations(whole)), places)
+            yield Mutant(name, places, places, ast.unparse(ast.fix_missing_locations(changed)), places)
 
 
 class _InEveryPlace(ast.NodeTransformer):
-    """Makes the slips of an operator in all expressions at once."""
+    """Applies an operator to all expressions at once."""
 
     def __init__(self, operator: "Operator") -> None:
         self.operator, self.places = operator, list[ast.expr]()
 
     def visit(self, node: ast.AST) -> ast.AST:
         node = self.generic_visit(node)
-        if isinstance(node, ast.expr) and (slip := next(self.operator(node), None)):
+        if isinstance(node, ast.expr) and (change := next(self.operator(node), None)):
             self.places.append(node)
-            return slip
+            return change
         return node
 
 
@@ -114,20 +114,20 @@ class _InEveryPlace(ast.NodeTransformer):
 def reached(text: str) -> dict[str, set[str]]:
     """For each function of a module those that it may come to call, itself among them."""
     body = ast.parse(text).body
-    named = {node.name: _names_in(node) for node in body if isinstance(node, ast.FunctionDef)}
+    names_in = {node.name: _names_in(node) for node in body if isinstance(node, ast.FunctionDef)}
     always = {
-        name for node in body if not isinstance(node, ast.FunctionDef) for name in _names_in(node) if name in named
+        name for node in body if not isinstance(node, ast.FunctionDef) for name in _names_in(node) if name in names_in
     }  # what runs at import
-    within = {name: {name, *(names & named.keys()), *always} for name, names in named.items()}
+    reach_of = {name: {name, *(names & names_in.keys()), *always} for name, names in names_in.items()}
     while True:
-        wider = {name: set().union(*(within[one] for one in reach)) for name, reach in within.items()}
-        if wider == within:
-            return within
-        within = wider
+        wider = {name: set().union(*(reach_of[inner] for inner in reach)) for name, reach in reach_of.items()}
+        if wider == reach_of:
+            return reach_of
+        reach_of = wider
 
 
 def _names_in(node: ast.AST) -> set[str]:
-    return {one.id for one in ast.walk(node) if isinstance(one, ast.Name)}
+    return {inner.id for inner in ast.walk(node) if isinstance(inner, ast.Name)}
 
 
 def replaced(source: str, node: ast.expr, text: str) -> str:
@@ -136,25 +136,25 @@ def replaced(source: str, node: ast.expr, text: str) -> str:
     assert node.end_lineno is not None and node.end_col_offset is not None
     start = sum(map(len, lines[: node.lineno - 1])) + node.col_offset
     end = sum(map(len, lines[: node.end_lineno - 1])) + node.end_col_offset
-    whole = b"".join(lines)
-    return (whole[:start] + f"({text})".encode() + whole[end:]).decode()
+    joined = b"".join(lines)
+    return (joined[:start] + f"({text})".encode() + joined[end:]).decode()
 
 
-def made(
-    function: ast.FunctionDef, known: Mapping[str, Operator] | None = None
+def changed_expressions(
+    function: ast.FunctionDef, chosen: Mapping[str, Operator] | None = None
 ) -> Iterator[tuple[ast.expr, str, ast.expr]]:
     """Every expression of a body, and what an operator makes of it; messages and tolerances are no physics."""
     spared = {id(inner) for node in ast.walk(function) if _is_spared(node) for inner in ast.walk(node)}
     inputs = {argument.arg for argument in (*function.args.args, *function.args.kwonlyargs)}
-    operators = known or {**OPERATORS, "a missing copy": partial(_copies, inputs=inputs)}
+    operators = chosen or {**OPERATORS, "a missing copy": partial(_copies, inputs=inputs)}
     for statement in function.body:
         for node in ast.walk(statement):
-            if isinstance(node, ast.If) and not known:
+            if isinstance(node, ast.If) and not chosen:
                 yield from ((node.test, "a branch", ast.Constant(always)) for always in (True, False))
             if isinstance(node, ast.expr) and id(node) not in spared:
                 for name, operator in operators.items():
-                    for slip in operator(node):
-                        yield node, name, slip
+                    for change in operator(node):
+                        yield node, name, change
 
 
 def _is_spared(node: ast.AST) -> bool:
@@ -232,8 +232,8 @@ def _arguments(node: ast.expr) -> Iterator[ast.expr]:
                     yield _with(node, **{field: [*parts[:i], parts[i + 1], parts[i], *parts[i + 2 :]]})
 
 
-def _equal(one: ast.expr, other: ast.expr) -> bool:
-    return isinstance(one, ast.Constant) and isinstance(other, ast.Constant) and one.value == other.value
+def _equal(first: ast.expr, other: ast.expr) -> bool:
+    return isinstance(first, ast.Constant) and isinstance(other, ast.Constant) and first.value == other.value
 
 
 def _indices(node: ast.expr) -> Iterator[ast.expr]:

@@ -23,9 +23,9 @@ import numpy as np
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.effort import Exhausted, compile_counted, count, limited
 from tam570_grader.diagnosis.cause import Answer, Called, Cause
-from tam570_grader.diagnosis.compared_call import Judged, judged, telling
+from tam570_grader.diagnosis.compared_call import ComparedCall, compared_call, count_informative
 from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, parts, right_answer, solution_with
-from tam570_grader.diagnosis.mutants import Slip, reached, slips
+from tam570_grader.diagnosis.mutants import Mutant, mutants_of, reached
 from tam570_grader.diagnosis.transforms import (
     WrongArgument,
     other_arguments,
@@ -38,9 +38,9 @@ __all__ = ["general", "wrong_arguments"]
 
 FEWEST = 2  # wrong answers: one may agree by chance
 MOST = 1_000_000  # steps of all variants, about a second; what is named takes a third of them
-OF_ONE = 100_000  # steps of one variant in one call: a slip may go round for ever
+OF_ONE = 100_000  # steps of one variant in one call: a mutant may go round for ever
 ELEMENTS = 1000  # of a result, that are compared in a step
-Variant = Callable[[Judged], Any]
+Transform = Callable[[ComparedCall], Any]
 
 
 def general(solution: str, calls: Sequence[Called]) -> Cause | None:
@@ -59,100 +59,102 @@ def _general(solution: str, calls: Sequence[Called]) -> Cause | None:
     if any(call.result is None or _symbolic(call) for call in calls):
         return None
     expected = [right_answer(solution, call) for call in calls]
-    known = [judged(call, right) for call, right in zip(calls, expected, strict=True)]
-    wrong = [call for call in known if not call.fits(call.right)]
+    compared = [compared_call(call, value) for call, value in zip(calls, expected, strict=True)]
+    wrong = [call for call in compared if not call.fits(call.expected)]
     names = {call.name for call in wrong}
-    if len(names) != 1 or any(right is None for right in expected):
+    if len(names) != 1 or any(value is None for value in expected):
         return None
     (name,) = names
-    own = [call for call in known if call.name == name]
-    if not any(np.any(part) for call in own for part in parts(call.result)):
+    its_calls = [call for call in compared if call.name == name]
+    if not any(np.any(part) for call in its_calls for part in parts(call.result)):
         return Cause(name, f"The result of {name} is zero", "transform")
-    if telling(wrong) < FEWEST:
+    if count_informative(wrong) < FEWEST:
         return None
-    module = ModuleType("_varied")  # its own, to make slips in
+    module = ModuleType("_varied")  # its own, to put mutants in
     exec(_code(solution), vars(module))
-    right = getattr(module, name)
+    reference = getattr(module, name)
     known_for = {str(call.case.kwargs) for call in wrong}
     results = other_results(name, wrong[0], vary=len(known_for) >= FEWEST or not wrong[0].case.kwargs)
-    if first := _first(results, own):
+    if first := _first(results, its_calls):
         return Cause(name, first[0], "transform", _with_variant(solution, name, first[1]), tuple(calls))
-    for family in (other_arguments(name, right, own[0]), other_products(name, right, own[0])):
-        told = [(says, variant) for says, variant in family if _explains(variant, own)]
-        if len(told) == 1:
-            ((says, variant),) = told
-            return Cause(name, says, "transform", _with_variant(solution, name, variant), tuple(calls))
-    if found := _for_one_word(solution, name, right, known, calls):
-        return found
-    if slip := _slip(solution, module, name, known):
-        says, texts = slip
-        return Cause(name, says, "mutant", tuple(partial(answer, solution, text) for text in texts), tuple(calls))
-    if first := _first(other_forms(name, right, own[0]), own):
+    for family in (other_arguments(name, reference, its_calls[0]), other_products(name, reference, its_calls[0])):
+        explaining = [(words, transform) for words, transform in family if _explains(transform, its_calls)]
+        if len(explaining) == 1:
+            ((words, transform),) = explaining
+            return Cause(name, words, "transform", _with_variant(solution, name, transform), tuple(calls))
+    if cause := _for_one_word(solution, name, reference, compared, calls):
+        return cause
+    if mutant := _mutant(solution, module, name, compared):
+        words, texts = mutant
+        return Cause(name, words, "mutant", tuple(partial(answer, solution, text) for text in texts), tuple(calls))
+    if first := _first(other_forms(name, reference, its_calls[0]), its_calls):
         return Cause(name, first[0], "transform", _with_variant(solution, name, first[1]), tuple(calls))
-    place = _single_entry(name, own)
-    return Cause(name, place, "place") if place else None
+    where = _single_entry(name, its_calls)
+    return Cause(name, where, "place") if where else None
 
 
-def _first(family: Iterator[tuple[str, Variant]], calls: Sequence[Judged]) -> tuple[str, Variant] | None:
-    return next(((says, variant) for says, variant in family if _explains(variant, calls)), None)
+def _first(family: Iterator[tuple[str, Transform]], calls: Sequence[ComparedCall]) -> tuple[str, Transform] | None:
+    return next(((words, transform) for words, transform in family if _explains(transform, calls)), None)
 
 
 def _for_one_word(
-    solution: str, name: str, right: Any, calls: Sequence[Judged], whole: Sequence[Called]
+    solution: str, name: str, reference: Any, calls: Sequence[ComparedCall], every_call: Sequence[Called]
 ) -> Cause | None:
     """The one wrong argument, where a function is wrong for one value alone of an argument that is a word."""
-    wrong, keys = [call for call in calls if not call.fits(call.right)], [*inspect.signature(right).parameters]
-    for place, word in enumerate(wrong[0].case.args):
-        if isinstance(word, str) and all(_word(call, place) == word for call in wrong):
-            family = [*other_arguments(name, right, wrong[0])]
-            told = [(says, variant) for says, variant in family if _explains(_Where(place, word, variant), calls)]
-            if len(told) == 1:
-                ((says, variant),) = told
-                answers = _with_variant(solution, name, _Where(place, word, variant))
-                return Cause(name, f"{says} where {keys[place]} is {word!r}", "transform", answers, tuple(whole))
+    wrong, keys = [call for call in calls if not call.fits(call.expected)], [*inspect.signature(reference).parameters]
+    for index, word in enumerate(wrong[0].case.args):
+        if isinstance(word, str) and all(_word(call, index) == word for call in wrong):
+            family = [*other_arguments(name, reference, wrong[0])]
+            explaining = [
+                (words, transform) for words, transform in family if _explains(_Where(index, word, transform), calls)
+            ]
+            if len(explaining) == 1:
+                ((words, transform),) = explaining
+                answers = _with_variant(solution, name, _Where(index, word, transform))
+                return Cause(name, f"{words} where {keys[index]} is {word!r}", "transform", answers, tuple(every_call))
     return None
 
 
-def _word(call: Judged, place: int) -> Any:
-    return call.case.args[place] if place < len(call.case.args) else None
+def _word(call: ComparedCall, index: int) -> Any:
+    return call.case.args[index] if index < len(call.case.args) else None
 
 
 @dataclass(frozen=True)
 class _Where:
     """A variant for one word, the right answer for all others."""
 
-    place: int
+    index: int
     word: str
-    variant: Variant
+    transform: Transform
 
-    def __call__(self, call: Judged) -> Any:
-        return self.variant(call) if _word(call, self.place) == self.word else call.right
+    def __call__(self, call: ComparedCall) -> Any:
+        return self.transform(call) if _word(call, self.index) == self.word else call.expected
 
 
 def wrong_arguments(solution: str, calls: Sequence[Called]) -> Iterator[Cause]:
     """Each wrong argument that explains all calls of a function: there may be several, of which one was made before."""
     if not calls or any(call.result is None or _symbolic(call) for call in calls):
         return
-    name, right = calls[0].name, getattr(solution_with(solution, ""), calls[0].name)
-    known = [judged(call, right_answer(solution, call)) for call in calls]
-    if any(call.name != name or call.right is None for call in known):
+    name, reference = calls[0].name, getattr(solution_with(solution, ""), calls[0].name)
+    compared = [compared_call(call, right_answer(solution, call)) for call in calls]
+    if any(call.name != name or call.expected is None for call in compared):
         return
-    for says, variant in other_arguments(name, right, known[0]):
-        if isinstance(variant, WrongArgument) and _explains(variant, known):
-            yield Cause(name, says, "transform", _with_variant(solution, name, variant), tuple(calls))
+    for words, transform in other_arguments(name, reference, compared[0]):
+        if isinstance(transform, WrongArgument) and _explains(transform, compared):
+            yield Cause(name, words, "transform", _with_variant(solution, name, transform), tuple(calls))
 
 
-def _with_variant(solution: str, name: str, variant: Variant) -> tuple[Answer, ...]:
+def _with_variant(solution: str, name: str, transform: Transform) -> tuple[Answer, ...]:
     """What the solution answers with a variant of one of its functions, or with its wrong argument in all of them."""
-    if isinstance(variant, WrongArgument):
-        return partial(_everywhere, solution, variant), _InPlace(solution, name, variant)
-    return (_InPlace(solution, name, variant),)
+    if isinstance(transform, WrongArgument):
+        return partial(_everywhere, solution, transform), _InPlace(solution, name, transform)
+    return (_InPlace(solution, name, transform),)
 
 
 def _everywhere(solution: str, wrong: WrongArgument, call: Called) -> Any:
     function = getattr(solution_with(solution, ""), call.name)
     case = Case(**wrong.arguments(function, call.case))
-    return answer(solution, "", Judged(call.name, case, None, None))
+    return answer(solution, "", ComparedCall(call.name, case, None, None))
 
 
 @dataclass(frozen=True)
@@ -161,7 +163,7 @@ class _InPlace:
 
     solution: str
     name: str
-    variant: Variant
+    transform: Transform
 
     def __call__(self, call: Called) -> Any:
         try:
@@ -172,10 +174,10 @@ class _InPlace:
     @functools.cached_property
     def _module(self) -> ModuleType:
         module = solution_with.__wrapped__(self.solution, "")  # its own
-        right = getattr(module, self.name)
+        reference = getattr(module, self.name)
 
         def varied(*args: Any, **kwargs: Any) -> Any:
-            return self.variant(Judged(self.name, Case(*args, **kwargs), None, right(*args, **kwargs)))
+            return self.transform(ComparedCall(self.name, Case(*args, **kwargs), None, reference(*args, **kwargs)))
 
         setattr(module, self.name, varied)
         return module
@@ -186,56 +188,58 @@ def _symbolic(call: Called) -> bool:
     return bool(args) and isinstance(args[0], list) and bool(args[0]) and isinstance(args[0][0], dict)
 
 
-def _explains(variant: Variant, calls: Sequence[Judged]) -> bool:
-    return all(call.fits(_quietly(variant, call)) for call in calls)
+def _explains(transform: Transform, calls: Sequence[ComparedCall]) -> bool:
+    return all(call.fits(_quietly(transform, call)) for call in calls)
 
 
-def _quietly(variant: Variant, call: Judged) -> Any:
+def _quietly(transform: Transform, call: ComparedCall) -> Any:
     """The answer of a variant; None where it has none, whatever is in its way."""
-    count(1 + sum(map(np.size, parts(call.right))) // ELEMENTS)
+    count(1 + sum(map(np.size, parts(call.expected))) // ELEMENTS)
     try:
         with np.errstate(all="ignore"), warnings.catch_warnings(action="ignore"), limited(OF_ONE):
-            return variant(call)
+            return transform(call)
     except (Exhausted, ArithmeticError, LookupError, TypeError, ValueError, AttributeError, NameError):
         return None
 
 
-def _slip(solution: str, module: ModuleType, name: str, calls: Sequence[Judged]) -> tuple[str, list[str]] | None:
-    """What to say of the slips that explain all calls, if they are of one kind, and the functions with them."""
+def _mutant(
+    solution: str, module: ModuleType, name: str, calls: Sequence[ComparedCall]
+) -> tuple[str, list[str]] | None:
+    """What to say of the mutants that explain all calls, if they are of one kind, and the functions with them."""
     public = set(inspect.signature(getattr(module, name)).parameters)
-    found: dict[str, dict[str, str]] = {}
+    texts: dict[str, dict[str, str]] = {}
     factors = set[str]()
-    numbers_last = sorted(_slips(solution), key=lambda slip: slip[1] == KINDS["a number"])
-    for helper, kind, terms, factor, text in numbers_last:
-        if found and kind == KINDS["a number"]:
+    numbers_last = sorted(_mutants(solution), key=lambda mutant: mutant[1] == KINDS["a number"])
+    for helper, words, names_in_term, factor, text in numbers_last:
+        if texts and words == KINDS["a number"]:
             break
-        term = ", ".join(sorted(terms & public))
-        if helper in reached(solution)[name] and term not in found.get(kind, ()):
-            with _slipped(module, helper, _code(text)):
+        term = ", ".join(sorted(names_in_term & public))
+        if helper in reached(solution)[name] and term not in texts.get(words, ()):
+            with _with_mutant(module, helper, _code(text)):
                 if _explains(partial(_called, module), calls):
-                    found.setdefault(kind, {})[term] = text
+                    texts.setdefault(words, {})[term] = text
                     factors.add(factor)
-    if len(found) > 1:
-        found.pop(KINDS["a factor"], None)  # a number is in the term that counts twice
-    if len(found) != 1:
+    if len(texts) > 1:
+        texts.pop(KINDS["a factor"], None)  # a number is in the term that counts twice
+    if len(texts) != 1:
         return None
-    ((kind, told),) = found.items()
+    ((words, by_term),) = texts.items()
     if len(factors) == 1 and (factor := factors.pop()):
-        return f"In {name}, the factor {factor}", list(told.values())
-    (term,) = told if len(told) == 1 else ("",)
-    return f"In {name}, {kind.format(f' with {term}' if term else '')}", list(told.values())
+        return f"In {name}, the factor {factor}", list(by_term.values())
+    (term,) = by_term if len(by_term) == 1 else ("",)
+    return f"In {name}, {words.format(f' with {term}' if term else '')}", list(by_term.values())
 
 
-def _called(module: ModuleType, call: Judged) -> Any:
+def _called(module: ModuleType, call: ComparedCall) -> Any:
     return getattr(module, call.name)(*call.case.args, **call.case.kwargs)
 
 
-def _single_entry(name: str, calls: Sequence[Judged]) -> str | None:
+def _single_entry(name: str, calls: Sequence[ComparedCall]) -> str | None:
     """Where a matrix is wrong, if it is in one place."""
-    forms = {tuple(map(np.shape, parts(one))) for call in calls for one in (call.result, call.right)}
+    forms = {tuple(map(np.shape, parts(answer_of))) for call in calls for answer_of in (call.result, call.expected)}
     if len(forms) > 1 or [len(shape) for shape in forms.pop()] != [2]:
         return None
-    off = [np.abs(call.result - call.right) > WITHIN * np.abs(call.right).max() for call in calls]
+    off = [np.abs(call.result - call.expected) > WITHIN * np.abs(call.expected).max() for call in calls]
     places = np.argwhere(np.any(off, axis=0))
     if len(places) != 1:
         return None
@@ -244,30 +248,30 @@ def _single_entry(name: str, calls: Sequence[Judged]) -> str | None:
 
 
 @contextmanager
-def _slipped(module: ModuleType, helper: str, code: CodeType) -> Iterator[None]:
-    right = getattr(module, helper)
+def _with_mutant(module: ModuleType, helper: str, code: CodeType) -> Iterator[None]:
+    reference = getattr(module, helper)
     exec(code, vars(module))
     try:
         yield
     finally:
-        setattr(module, helper, right)
+        setattr(module, helper, reference)
 
 
 @functools.cache
-def _slips(solution: str) -> list[tuple[str, str, set[str], str, str]]:
-    """Of each slip that has words: the function, the words, the names in the term, a missing factor, its text."""
+def _mutants(solution: str) -> list[tuple[str, str, set[str], str, str]]:
+    """Of each mutant that has words: the function, the words, the names in the term, a missing factor, its text."""
     parameters, locals_of = _unpacked(solution), _locals(solution)
     return [
         (
             function,
             words,
-            {parameters.get(name, name) for name in _names(slip.product if isinstance(term, ast.Constant) else term)},
-            _missing(term, slip.product, locals_of[function]) if slip.operator == "a missing factor" else "",
-            slip.text,
+            {parameters.get(name, name) for name in _names(mutant.product if isinstance(term, ast.Constant) else term)},
+            _missing(term, mutant.product, locals_of[function]) if mutant.operator == "a missing factor" else "",
+            mutant.text,
         )
-        for function, known in slips(solution).items()
-        for slip in known
-        for words, term in _words(slip)
+        for function, mutants in mutants_of(solution).items()
+        for mutant in mutants
+        for words, term in _words(mutant)
     ]
 
 
@@ -284,34 +288,34 @@ def _unpacked(solution: str) -> dict[str, str]:
 
 def _locals(solution: str) -> dict[str, dict[str, ast.expr]]:
     """For each function the quantities that it computes, each from an expression, beside its parameters."""
-    found: dict[str, dict[str, ast.expr]] = {}
+    assigned: dict[str, dict[str, ast.expr]] = {}
     for function in (node for node in ast.parse(solution).body if isinstance(node, ast.FunctionDef)):
         arguments = function.args
-        own = found[function.name] = {
-            one.arg: ast.Name(one.arg) for one in (*arguments.args, *arguments.kwonlyargs)
+        quantities = assigned[function.name] = {
+            side.arg: ast.Name(side.arg) for side in (*arguments.args, *arguments.kwonlyargs)
         }  # those stand for themselves
         for node in ast.walk(function):
             if isinstance(node, ast.Assign) and len(node.targets) == 1:
-                targets, values = (getattr(one, "elts", [one]) for one in (node.targets[0], node.value))
-                whole = [ast.Name(target.id) for target in targets if isinstance(target, ast.Name)]
-                pairs = zip(targets, values if len(values) == len(targets) else whole, strict=False)
-                own |= {target.id: value for target, value in pairs if isinstance(target, ast.Name)}
-    return found
+                targets, values = (getattr(side, "elts", [side]) for side in (node.targets[0], node.value))
+                targets_alone = [ast.Name(target.id) for target in targets if isinstance(target, ast.Name)]
+                pairs = zip(targets, values if len(values) == len(targets) else targets_alone, strict=False)
+                quantities |= {target.id: value for target, value in pairs if isinstance(target, ast.Name)}
+    return assigned
 
 
-def _missing(factor: ast.expr, product: ast.expr, known: Mapping[str, ast.expr]) -> str:
+def _missing(factor: ast.expr, product: ast.expr, quantities: Mapping[str, ast.expr]) -> str:
     """What is missing, and beside which parameters; "" if it has no short name."""
-    words, names = _in_parameters(factor, known), _names(product) - _names(factor)
-    beside = ", ".join(sorted(name for name in names if ast.unparse(known.get(name, product)) == name))
+    words, names = _in_parameters(factor, quantities), _names(product) - _names(factor)
+    beside = ", ".join(sorted(name for name in names if ast.unparse(quantities.get(name, product)) == name))
     return words and f"{words} is missing{beside and f' beside {beside}'}"
 
 
-def _in_parameters(term: ast.expr, known: Mapping[str, ast.expr]) -> str:
+def _in_parameters(term: ast.expr, quantities: Mapping[str, ast.expr]) -> str:
     """A factor as a student may have written it; "" if that is long, or not of parameters alone."""
 
     class InParameters(ast.NodeTransformer):
         def visit_Name(self, node: ast.Name) -> ast.expr:
-            value = known.get(node.id, node)
+            value = quantities.get(node.id, node)
             return value if isinstance(value, ast.Name) or isinstance(node.ctx, ast.Store) else self.visit(value)
 
     try:
@@ -319,7 +323,9 @@ def _in_parameters(term: ast.expr, known: Mapping[str, ast.expr]) -> str:
     except RecursionError:  # it is computed from itself
         return ""
     words = re.sub(r"\b(math|np|numpy)\.", "", text)
-    return words if len(words) <= LONGEST and set(re.findall(r"[A-Za-z_]\w*", words)) <= known.keys() | WORDS else ""
+    return (
+        words if len(words) <= LONGEST and set(re.findall(r"[A-Za-z_]\w*", words)) <= quantities.keys() | WORDS else ""
+    )
 
 
 LONGEST, WORDS = 24, {"sin", "cos", "tan", "sqrt", "exp", "pi"}
@@ -331,18 +337,18 @@ def _names(term: ast.expr) -> set[str]:
 
 @functools.cache
 def _code(text: str) -> CodeType:
-    return compile_counted(text, "<slip>", in_python=True)
+    return compile_counted(text, "<mutant>", in_python=True)
 
 
-def _words(slip: Slip) -> Iterator[tuple[str, ast.expr]]:
-    """What a student reads of a slip, and the term that it is about."""
-    was, now = slip.was, slip.now
-    if slip.operator in ("linearised", "a product for a square", "a missing square"):
-        yield KINDS[slip.operator], was
-    elif slip.operator == "a missing factor" and isinstance(was, ast.BinOp):
+def _words(mutant: Mutant) -> Iterator[tuple[str, ast.expr]]:
+    """What a student reads of a mutant, and the term that it is about."""
+    was, now = mutant.was, mutant.now
+    if mutant.operator in ("linearised", "a product for a square", "a missing square"):
+        yield KINDS[mutant.operator], was
+    elif mutant.operator == "a missing factor" and isinstance(was, ast.BinOp):
         dropped = was.right if now is was.left else was.left
         yield KINDS["a factor"] if _is_two(dropped) else "a factor{} is missing", dropped
-    elif slip.operator == "a first sign" and isinstance(was, ast.BinOp):
+    elif mutant.operator == "a first sign" and isinstance(was, ast.BinOp):
         yield KINDS["a sign"], was.left
     elif isinstance(was, ast.BinOp) and isinstance(was.op, ast.Add | ast.Sub):
         if now in (was.left, was.right):
@@ -351,15 +357,15 @@ def _words(slip: Slip) -> Iterator[tuple[str, ast.expr]]:
             yield "the sign of a term{} is reversed", was.right
         else:
             yield "a term{} counts twice", was.right
-    elif isinstance(was, ast.BinOp) and isinstance(was.op, ast.Mult | ast.Div) and slip.operator != "an exponent":
+    elif isinstance(was, ast.BinOp) and isinstance(was.op, ast.Mult | ast.Div) and mutant.operator != "an exponent":
         multiplied = isinstance(was.op, ast.Mult)
         yield f"a factor{{}} {'divides' if multiplied else 'multiplies'} where it should not", was.right
     elif isinstance(was, ast.BinOp) and isinstance(was.op, ast.MatMult):
         yield KINDS["a transpose"], was
-    elif isinstance(was, ast.Call) and slip.operator == "another function" and any(map(_is_half, was.args)):
+    elif isinstance(was, ast.Call) and mutant.operator == "another function" and any(map(_is_half, was.args)):
         yield "a cosine{} has the wrong sign", was  # 2 sin(x/2)^2 is 1 - cos x
-    elif slip.operator in KINDS:
-        yield KINDS[slip.operator], was
+    elif mutant.operator in KINDS:
+        yield KINDS[mutant.operator], was
 
 
 def _is_two(node: ast.expr) -> bool:
@@ -367,7 +373,7 @@ def _is_two(node: ast.expr) -> bool:
 
 
 def _is_half(node: ast.expr) -> bool:
-    numbers = [one.value for one in ast.walk(node) if isinstance(one, ast.Constant)]
+    numbers = [part.value for part in ast.walk(node) if isinstance(part, ast.Constant)]
     return isinstance(node, ast.BinOp) and numbers in ([2], [0.5])
 
 

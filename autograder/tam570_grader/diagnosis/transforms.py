@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from tam570_grader.checks.case import Case
-from tam570_grader.diagnosis.compared_call import Judged
+from tam570_grader.diagnosis.compared_call import ComparedCall
 from tam570_grader.diagnosis.mistakes import parts
 
 __all__ = ["WrongArgument", "other_arguments", "other_forms", "other_products", "other_results"]
@@ -22,7 +22,7 @@ ORDINALS = ("first ", "second ", "third ", "fourth ", "fifth ", "sixth ")  # res
 AXES = {1: ("component",), 2: ("row", "column"), 3: ("segment", "end", "component")}  # of an array, by their number
 SHARE = 1e-4  # of what a motion starts from: its result is linear in it to 1e-8
 MOST = 8  # along an axis, of which one, or two, may be wrong
-Variant = tuple[str, Callable[[Judged], Any]]  # what to say, and the wrong answer
+Transform = tuple[str, Callable[[ComparedCall], Any]]  # what to say, and the wrong answer
 FACTORS = {
     "has the opposite sign": -1.0,
     "is twice as large as the right one": 2.0,
@@ -64,12 +64,12 @@ INERTIA = re.compile("inertia$")
 class WrongArgument:
     """The right function with another value of one argument."""
 
-    right: Callable[..., Any]
+    reference: Callable[..., Any]
     key: str
     change: Callable[[Any], Any]
 
-    def __call__(self, call: Judged) -> Any:
-        return self.right(**self.arguments(self.right, call.case))
+    def __call__(self, call: ComparedCall) -> Any:
+        return self.reference(**self.arguments(self.reference, call.case))
 
     def arguments(self, function: Callable[..., Any], case: Case) -> dict[str, Any]:
         """What a function gets in its place; unchanged where it does not take this argument."""
@@ -77,121 +77,121 @@ class WrongArgument:
         return {name: self.change(value) if name == self.key else value for name, value in values.items()}
 
 
-def other_results(name: str, example: Judged, vary: bool) -> Iterator[Variant]:
+def other_results(name: str, example: ComparedCall, vary: bool) -> Iterator[Transform]:
     """A result of the wrong sign, in another unit, by a factor too large, with parts exchanged.
 
     example : a wrong call
     vary    : the parameters differ from call to call: what is the same in all of them does not depend on these
     """
-    results, expected = parts(example.result), parts(example.right)
+    results, expected = parts(example.result), parts(example.expected)
     numbers = [key for key, value in example.case.kwargs.items() if np.ndim(value) == 0]
-    for which, (place, found) in enumerate(zip(ORDINALS, results, strict=False)):
-        label = f"The {place}result of {name}" if len(results) > 1 else f"The result of {name}"
-        changes = list(_changes(np.asarray(found), numbers))
+    for which, (ordinal, returned) in enumerate(zip(ORDINALS, results, strict=False)):
+        label = f"The {ordinal}result of {name}" if len(results) > 1 else f"The result of {name}"
+        changes = list(_changes(np.asarray(returned), numbers))
         if vary and which < len(expected):
-            changes += _constants(np.asarray(found), np.asarray(expected[which]))
-        for says, change in changes:
-            yield f"{label} {says}", partial(_with_result, which, len(results), change)
+            changes += _constants(np.asarray(returned), np.asarray(expected[which]))
+        for words, change in changes:
+            yield f"{label} {words}", partial(_with_result, which, len(results), change)
     if len(results) > 1:
         yield f"The results of {name} have the opposite sign", _reversed
 
 
-def other_arguments(name: str, right: Callable[..., Any], example: Judged) -> Iterator[Variant]:
+def other_arguments(name: str, reference: Callable[..., Any], example: ComparedCall) -> Iterator[Transform]:
     """An argument of the wrong sign, in degrees, ignored, or in another's place."""
-    taken = list(inspect.signature(right).parameters)
-    values = _named(taken, example.case)
+    names = list(inspect.signature(reference).parameters)
+    values = _named(names, example.case)
     for key, value in values.items():
         thin = THIN.items() if INERTIA.search(key) and np.shape(value) == (2,) else ()
-        for says, change in (*_other_values(np.asarray(value)), *thin):
-            yield f"In {name}, {says.format(key)}", WrongArgument(right, key, change)
+        for words, change in (*_other_values(np.asarray(value)), *thin):
+            yield f"In {name}, {words.format(key)}", WrongArgument(reference, key, change)
     if "gravity" in values:
-        says = f"In {name}, gravity is ignored, as if it were {GRAVITY}"
-        yield says, WrongArgument(right, "gravity", lambda value: GRAVITY)
-    yield from _other_points(name, right, taken, values)
-    for one, other in combinations(values, 2):
-        if np.shape(values[one]) == np.shape(values[other]):
-            yield f"In {name}, {one} and {other} are exchanged", partial(_exchanged, right, taken, one, other)
+        words = f"In {name}, gravity is ignored, as if it were {GRAVITY}"
+        yield words, WrongArgument(reference, "gravity", lambda value: GRAVITY)
+    yield from _other_points(name, reference, names, values)
+    for first, other in combinations(values, 2):
+        if np.shape(values[first]) == np.shape(values[other]):
+            yield f"In {name}, {first} and {other} are exchanged", partial(_exchanged, reference, names, first, other)
 
 
-def other_forms(name: str, right: Callable[..., Any], example: Judged) -> Iterator[Variant]:
+def other_forms(name: str, reference: Callable[..., Any], example: ComparedCall) -> Iterator[Transform]:
     """A result that is linear in what it starts from, or one of several results; components of both exchanged."""
-    taken = list(inspect.signature(right).parameters)
-    values = _named(taken, example.case)
-    starts = [key for key in taken[: len(example.case.args)] if np.asarray(values[key]).dtype.kind in "fi"]
+    names = list(inspect.signature(reference).parameters)
+    values = _named(names, example.case)
+    starts = [key for key in names[: len(example.case.args)] if np.asarray(values[key]).dtype.kind in "fi"]
     starts = [key for key in starts if key != "t"]
     single = [[key] for key in starts if np.size(values[key]) <= SPACE]
-    shape = () if isinstance(example.right, tuple) else np.shape(example.right)
+    shape = () if isinstance(example.expected, tuple) else np.shape(example.expected)
     for key in (key for key in starts if len(shape) == 1 and np.shape(values[key]) == shape):
         for j, k in combinations(range(*shape), 2):
-            says = f"In {name}, {key} and the result have components {j + 1} and {k + 1} exchanged"
-            yield says, partial(_relabelled, right, taken, key, [j, k])
-    count = len(parts(example.right))
+            words = f"In {name}, {key} and the result have components {j + 1} and {k + 1} exchanged"
+            yield words, partial(_relabelled, reference, names, key, [j, k])
+    count = min(len(parts(example.result)), len(ORDINALS))
     for keys in [*single, *([starts] if len(starts) > 1 or not single else [])]:
         for which in (None, *range(count if count > 1 else 0)):
-            place = "" if which is None else ORDINALS[which]
-            says = f"The {place}result of {name} is linear in {', '.join(keys)}, as for small motions"
-            yield says, partial(_linearised, right, taken, keys, which)
+            ordinal = "" if which is None else ORDINALS[which]
+            words = f"The {ordinal}result of {name} is linear in {', '.join(keys)}, as for small motions"
+            yield words, partial(_linearised, reference, names, keys, which)
 
 
 def _linearised(
-    right: Callable[..., Any], taken: Sequence[str], keys: Sequence[str], which: int | None, call: Judged
+    reference: Callable[..., Any], names: Sequence[str], keys: Sequence[str], which: int | None, call: ComparedCall
 ) -> Any:
-    values = _named(taken, call.case)
+    values = _named(names, call.case)
 
     def at(share: float) -> list[Any]:
         changed = {key: np.multiply(values[key], share) for key in keys}
-        return [np.asarray(part, float) for part in parts(right(**{**values, **changed}))]
+        return [np.asarray(part, float) for part in parts(reference(**{**values, **changed}))]
 
     linear = [zero + (up - down) / (2 * SHARE) for zero, up, down in zip(at(0.0), at(SHARE), at(-SHARE), strict=True)]
-    results = [linear[k] if which in (None, k) else part for k, part in enumerate(parts(call.right))]
-    return tuple(results) if isinstance(call.right, tuple) else results[0]
+    results = [linear[k] if which in (None, k) else part for k, part in enumerate(parts(call.expected))]
+    return tuple(results) if isinstance(call.expected, tuple) else results[0]
 
 
-def _other_points(name: str, right: Any, taken: Sequence[str], values: Mapping[str, Any]) -> Iterator[Variant]:
+def _other_points(name: str, reference: Any, names: Sequence[str], values: Mapping[str, Any]) -> Iterator[Transform]:
     """A moment of inertia about another point than the right one."""
     lengths = [key for key in values if key in LENGTHS and "mass" in values]
     for key, length, power in product(filter(INERTIA.search, values), lengths, (1, -1)):
         for k in range(np.size(values[key])):
             which = f"component {k + 1} of {key}" if np.ndim(values[key]) else key
-            says = f"has mass {length}^2 too many" if power > 0 else f"lacks mass {length}^2"
-            yield f"In {name}, {which} {says}", partial(_about_another_point, right, taken, key, k, length, power)
+            words = f"has mass {length}^2 too many" if power > 0 else f"lacks mass {length}^2"
+            yield f"In {name}, {which} {words}", partial(_about_another_point, reference, names, key, k, length, power)
 
 
-def other_products(name: str, right: Callable[..., Any], example: Judged) -> Iterator[Variant]:
+def other_products(name: str, reference: Callable[..., Any], example: ComparedCall) -> Iterator[Transform]:
     """A factor that is missing beside an argument, or one too many."""
-    taken = list(inspect.signature(right).parameters)
-    values = {key: np.asarray(value) for key, value in _named(taken, example.case).items()}
+    names = list(inspect.signature(reference).parameters)
+    values = {key: np.asarray(value) for key, value in _named(names, example.case).items()}
     numbers = [key for key, value in values.items() if value.dtype.kind in "fiu"]
     for key, other in permutations(numbers, 2):
         if values[other].ndim == 0:
-            missing, extra = (partial(_with_product, right, taken, key, other, power) for power in (-1, 1))
+            missing, extra = (partial(_with_product, reference, names, key, other, power) for power in (-1, 1))
             yield f"In {name}, {key} lacks a factor {other}", missing
             yield f"In {name}, {key} has a factor {other} too many", extra
 
 
-def _changes(found: Any, numbers: Sequence[str]) -> Iterator[tuple[str, Callable[[Any, Case], Any]]]:
+def _changes(result: Any, numbers: Sequence[str]) -> Iterator[tuple[str, Callable[[Any, Case], Any]]]:
     """What may be wrong with a result."""
-    for says, factor in FACTORS.items():
-        yield says, partial(_scaled, factor)
-    for says, change in POWERS.items():
-        yield says, partial(_changed, change)
+    for words, factor in FACTORS.items():
+        yield words, partial(_scaled, factor)
+    for words, change in POWERS.items():
+        yield words, partial(_changed, change)
     for key in numbers:
-        for says, power in {"multiplied": -1, "divided": 1}.items():
-            yield f"should be {says} by {key}", partial(_times, key, power)
-            yield f"should be {says} by {key} squared", partial(_times, key, 2 * power)
-    if found.ndim == 2 and found.shape[0] == found.shape[1]:
+        for words, power in {"multiplied": -1, "divided": 1}.items():
+            yield f"should be {words} by {key}", partial(_times, key, power)
+            yield f"should be {words} by {key} squared", partial(_times, key, 2 * power)
+    if result.ndim == 2 and result.shape[0] == result.shape[1]:
         yield "is transposed", lambda value, case: np.transpose(value)
-    for says, change in _components(found):
-        yield says, partial(_changed, change)
+    for words, change in _components(result):
+        yield words, partial(_changed, change)
 
 
-def _constants(found: Any, right: Any) -> Iterator[tuple[str, Callable[[Any, Case], Any]]]:
+def _constants(result: Any, expected: Any) -> Iterator[tuple[str, Callable[[Any, Case], Any]]]:
     """What one result is of the right one, given that it is so for any input."""
-    if found.shape == right.shape and right.any():
-        largest = np.unravel_index(np.argmax(np.abs(right)), right.shape)
-        ratio, shift = (float(one[largest]) for one in (found / right[largest], found - right))
+    if result.shape == expected.shape and expected.any():
+        largest = np.unravel_index(np.argmax(np.abs(expected)), expected.shape)
+        ratio, shift = (float(array[largest]) for array in (result / expected[largest], result - expected))
         yield f"is {ratio:.4g} times the right one for any input", partial(_scaled, ratio)
-        if right.ndim == 0:
+        if expected.ndim == 0:
             yield f"is off by {shift:.4g} for any input", partial(_changed, partial(np.add, shift))
 
 
@@ -207,9 +207,9 @@ def _changed(change: Callable[[Any], Any], value: Any, case: Case) -> Any:
     return change(value)
 
 
-def _components(found: Any) -> Iterator[tuple[str, Callable[[Any], Any]]]:
+def _components(result: Any) -> Iterator[tuple[str, Callable[[Any], Any]]]:
     """One component of a vector, one row or column, of the wrong sign; two exchanged."""
-    for axis, (what, count) in enumerate(zip(AXES.get(found.ndim, ()), found.shape, strict=False)):
+    for axis, (what, count) in enumerate(zip(AXES.get(result.ndim, ()), result.shape, strict=False)):
         numbers = range(count if count <= MOST else 0)
         for k in numbers:
             yield f"has the opposite sign in {what} {k + 1}", partial(_negated, k, axis)
@@ -245,50 +245,52 @@ def _other_values(value: Any) -> Iterator[tuple[str, Callable[[Any], Any]]]:
     if value.ndim != 1 or len(value) <= SPACE:  # a state is many things, and not one that has a sign
         yield from VALUES.items()
     if value.ndim == 0:
-        yield "{} is ignored, as if it were 1", lambda one: 1.0
+        yield "{} is ignored, as if it were 1", lambda value: 1.0
     if value.ndim == 2 and value.shape[0] == value.shape[1]:
         yield "{} is transposed", np.transpose
-    for says, change in _components(value):
-        yield f"{{}} {says}", change
+    for words, change in _components(value):
+        yield f"{{}} {words}", change
 
 
-def _with_result(which: int, count: int, change: Any, call: Judged) -> Any:
-    results = parts(call.right) if count > 1 else [call.right]  # a vector may be a tuple of numbers
+def _with_result(which: int, count: int, change: Any, call: ComparedCall) -> Any:
+    results = parts(call.expected) if count > 1 else [call.expected]  # a vector may be a tuple of numbers
     results[which] = change(np.asarray(results[which]), call.case)
     return tuple(results) if count > 1 else results[0]
 
 
-def _reversed(call: Judged) -> Any:
-    return tuple(np.negative(one) for one in parts(call.right))
+def _reversed(call: ComparedCall) -> Any:
+    return tuple(np.negative(part) for part in parts(call.expected))
 
 
 def _with_product(
-    right: Callable[..., Any], taken: Sequence[str], key: str, other: str, power: int, call: Judged
+    reference: Callable[..., Any], names: Sequence[str], key: str, other: str, power: int, call: ComparedCall
 ) -> Any:
-    values = _named(taken, call.case)
-    return right(**{**values, key: np.asarray(values[key]) * float(values[other]) ** power})
+    values = _named(names, call.case)
+    return reference(**{**values, key: np.asarray(values[key]) * float(values[other]) ** power})
 
 
 def _about_another_point(
-    right: Callable[..., Any], taken: Sequence[str], key: str, k: int, length: str, power: int, call: Judged
+    reference: Callable[..., Any], names: Sequence[str], key: str, k: int, length: str, power: int, call: ComparedCall
 ) -> Any:
-    values = _named(taken, call.case)
+    values = _named(names, call.case)
     inertia = np.array(values[key], float)
     inertia.flat[k] += power * float(values["mass"]) * float(values[length]) ** 2
-    return right(**{**values, key: inertia if inertia.ndim else float(inertia)})
+    return reference(**{**values, key: inertia if inertia.ndim else float(inertia)})
 
 
-def _relabelled(right: Callable[..., Any], taken: Sequence[str], key: str, pair: list[int], call: Judged) -> Any:
-    values = _named(taken, call.case)
+def _relabelled(
+    reference: Callable[..., Any], names: Sequence[str], key: str, pair: list[int], call: ComparedCall
+) -> Any:
+    values = _named(names, call.case)
     order = np.arange(len(values[key]))
     order[pair] = pair[::-1]
-    return np.take(right(**{**values, key: np.take(values[key], order)}), order)
+    return np.take(reference(**{**values, key: np.take(values[key], order)}), order)
 
 
-def _exchanged(right: Callable[..., Any], taken: Sequence[str], one: str, other: str, call: Judged) -> Any:
-    values = _named(taken, call.case)
-    return right(**{**values, one: values[other], other: values[one]})
+def _exchanged(reference: Callable[..., Any], names: Sequence[str], first: str, other: str, call: ComparedCall) -> Any:
+    values = _named(names, call.case)
+    return reference(**{**values, first: values[other], other: values[first]})
 
 
-def _named(taken: Sequence[str], case: Case) -> dict[str, Any]:
-    return {**dict(zip(taken, case.args, strict=False)), **case.kwargs}
+def _named(names: Sequence[str], case: Case) -> dict[str, Any]:
+    return {**dict(zip(names, case.args, strict=False)), **case.kwargs}

@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 
 from tam570_grader.checks.case import Case
-from tam570_grader.diagnosis.mistakes import Mistake, known, solution_with
+from tam570_grader.diagnosis.mistakes import Mistake, named_mistake, solution_with
 from tam570_grader.sandbox.function import Call
 
 SOLUTION = "import math\n\nimport numpy as np\n\n\ndef f(x):\n    return 2.0 * x\n\n\ndef g(x):\n    return 3.0 * x\n"
@@ -18,7 +18,7 @@ def wrong(body, **fields):
 
 def named(slip, *calls):
     """Whether calls (function, input, the student's result) agree with a mistake."""
-    cause = known(SOLUTION, [slip], [Call(name, Case(x), result) for name, x, result in calls])
+    cause = named_mistake(SOLUTION, [slip], [Call(name, Case(x), result) for name, x, result in calls])
     return cause is not None and cause.message == slip.message
 
 
@@ -61,7 +61,7 @@ def test_an_answer_is_computed_once_for_the_same_input():
     text = counted.text.replace("def f", "calls = []\n\n\ndef f")
     counted = replace(counted, text=text)
     for x in (5.0, 5.0, 6.0, 5.0):
-        known(SOLUTION, [counted], [Call("f", Case(x), x)])
+        named_mistake(SOLUTION, [counted], [Call("f", Case(x), x)])
     assert len(solution_with(SOLUTION, text).calls) == 2
 
 
@@ -69,6 +69,6 @@ def test_one_mistake_of_several_is_told_by_the_inputs_that_show_it_alone():
     thin, thick = Case(1.0).labelled("a thin disk"), Case(2.0).labelled("a hoop")
     calls = [Call("f", thin, 1.0), Call("f", thick, 7.0)]
     told, untold = wrong("x", label="thin"), wrong("x")
-    assert known(SOLUTION, [untold, told], calls).message == told.message
-    assert known(SOLUTION, [untold], calls) is None
-    assert known(SOLUTION, [wrong("x", label="thick")], calls) is None
+    assert named_mistake(SOLUTION, [untold, told], calls).message == told.message
+    assert named_mistake(SOLUTION, [untold], calls) is None
+    assert named_mistake(SOLUTION, [wrong("x", label="thick")], calls) is None

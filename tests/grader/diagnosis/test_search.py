@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 from tam570_grader.checks.case import Case
+from tam570_grader.diagnosis.cause import Cause
+from tam570_grader.diagnosis.diagnose import diagnose
 from tam570_grader.diagnosis.search import general
 from tam570_grader.sandbox.function import Call
 
@@ -189,6 +191,12 @@ def test_it_is_named_by_what_it_does(function, wrong, says):
 )
 def test_what_is_no_one_thing_is_not_named(of):
     assert general(SOLUTION, of()) is None
+
+
+def test_what_was_told_of_another_function_is_told_as_the_same(tmp_path):
+    earlier = [Cause("lift", "The result of lift has the opposite sign", "transform")]
+    cause = diagnose(SOLUTION, tmp_path, calls("cross", "np.cross(b, a)"), earlier)
+    assert cause.message == "The result of cross has the opposite sign, as in lift"
 
 
 def test_a_variant_that_never_ends_is_passed_over():
