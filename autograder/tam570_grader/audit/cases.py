@@ -183,9 +183,13 @@ def fewest(caught: Mapping[Subject, frozenset[Key]], seconds: Mapping[Key, float
         for key in keys:
             catches[key].add(subject)
     needed, missing = list[Key](), set(caught)
+
+    def worth(key: Key) -> tuple[int, float, int]:
+        return len(catches[key] & missing), -seconds.get(key, 0.0), -key.nth
+
     cheap = [key for key in catches if seconds.get(key, 0.0) < EXPENSIVE]
     for some in (cheap, list(catches)):
-        while some and catches[best := max(some, key=lambda key: (len(catches[key] & missing), -key.nth))] & missing:
+        while some and catches[best := max(some, key=worth)] & missing:
             needed.append(best)
             missing -= catches[best]
     for key in sorted(needed, key=lambda key: (-seconds.get(key, 0.0), len(catches[key]))):
