@@ -15,7 +15,7 @@ COURSE = assignments.find()
 ODD = (Path(__file__).parent / "odd_answers.py").read_text()
 CASES = [("hw08_axis_angle", 50)]  # assignments, and how many odd answers at least
 CASES += [pytest.param(slug, 2000, marks=pytest.mark.slow) for slug in assignments.slugs(COURSE)]
-SHARES = (1.0, 0.2, 0.2)  # of the calls that are answered oddly, in turn
+SHARES = (1.0,) * 7 + (0.2,)  # of the calls that are answered oddly, in turn
 
 
 @pytest.fixture
@@ -37,10 +37,10 @@ def counted(monkeypatch):
 
 
 def submission(slug, text, seed, share):
-    """The solution with some of its functions answering oddly, and their names."""
+    """The solution with its functions answering oddly, each call of all of them or some of a few, and their names."""
     draw = random.Random(f"{slug} {seed}")
     names = [*assignments.assignment(COURSE, slug).results]
-    names = draw.sample(names, min(len(names), draw.choice([1, 2, 4, 99])))
+    names = names if share == 1 else draw.sample(names, min(len(names), draw.choice([1, 2, 4])))
     return f"{text}\nODD = {seed}, {names}, {share}\n{ODD}", names
 
 

@@ -85,32 +85,36 @@ class Queue:
             self.arrivals.append(arrival)
             self.newest[key] = arrival.digest
         else:
-            self.arrivals = [one for one in self.arrivals if (*one.key, one.digest) != (*key, event["digest"])]
+            self.arrivals = [
+                arrival for arrival in self.arrivals if (*arrival.key, arrival.digest) != (*key, event["digest"])
+            ]
             if event["event"] == "graded":
                 self.graded.setdefault(key, []).append(event)
                 self.longest = max(self.longest, event["waited"])
 
     def note(self, event: str, arrival: Arrival, **more: Any) -> dict[str, Any]:
         """Write down what happened; when this returns, it is on the disk."""
-        told = {"event": event, **asdict(arrival), **more}
+        entry = {"event": event, **asdict(arrival), **more}
         with open(self.folder / JOURNAL, "ab") as file:
-            file.write(json.dumps(told, allow_nan=False).encode() + b"\n")
+            file.write(json.dumps(entry, allow_nan=False).encode() + b"\n")
             file.flush()
             os.fsync(file.fileno())
-        self._apply(told)
-        return told
+        self._apply(entry)
+        return entry
 
     def opens(self, arrival: Arrival) -> float:
         """When it may be graded, in s since 1970: infinity if no attempt is left."""
         attempts = self.graded.get(arrival.key, [])
         if len(attempts) >= self.policy.attempts:
             return math.inf
-        return max((one["graded_at"] + self.policy.every for one in attempts), default=0.0)
+        return max((attempt["graded_at"] + self.policy.every for attempt in attempts), default=0.0)
 
     def take(self, arrival: Arrival) -> None:
         """Add what arrived; it goes before an earlier one of the same student that has to wait."""
-        for one in [one for one in self.arrivals if one.key == arrival.key and self.opens(one) > arrival.at]:
-            self.note("replaced", one)
+        for earlier in [
+            earlier for earlier in self.arrivals if earlier.key == arrival.key and self.opens(earlier) > arrival.at
+        ]:
+            self.note("replaced", earlier)
         self.note("arrived", arrival)
         if self.opens(arrival) == math.inf:
             self.note("refused", arrival)
@@ -119,9 +123,9 @@ class Queue:
     def ready(self, now: float) -> list[Arrival]:
         """What may be graded now, in the order in which it came, one of a student and assignment."""
         first: dict[tuple[str, str], Arrival] = {}
-        for one in self.arrivals:
-            if self.opens(one) <= now:
-                first.setdefault(one.key, one)
+        for arrival in self.arrivals:
+            if self.opens(arrival) <= now:
+                first.setdefault(arrival.key, arrival)
         return [*first.values()]
 
     def counting(self, key: tuple[str, str]) -> dict[str, Any]:
@@ -129,7 +133,9 @@ class Queue:
         attempts = self.graded[key]
         if self.policy.count == "last":
             return attempts[-1]
-        return max(attempts, key=lambda one: (one["record"]["score"] is not None, one["record"]["score"] or 0.0))
+        return max(
+            attempts, key=lambda attempt: (attempt["record"]["score"] is not None, attempt["record"]["score"] or 0.0)
+        )
 
 
 class Desk:
@@ -199,25 +205,27 @@ class Desk:
 
     def look(self) -> None:
         """Take what is new, whole, and not taken yet."""
-        for one, digest in self.handed_in():
-            stamp = self._stamp(one.path)
-            if one.path is not None and (stamp is None or stamp == self._stamps.get(one.path)):
+        for submission, digest in self.handed_in():
+            stamp = self._stamp(submission.path)
+            if submission.path is not None and (stamp is None or stamp == self._stamps.get(submission.path)):
                 continue
             try:
-                source: Any = read(one) if one.path else CannotRead(one.note)
+                source: Any = read(submission) if submission.path else CannotRead(submission.note)
             except CannotRead as why:
                 source = why
             text = source.text if not isinstance(source, CannotRead) else str(source).encode()
             digest = digest or hashlib.sha256(text).hexdigest()
-            if self.queue.newest.get((one.student, one.slug)) != digest and not self._is_known(one, digest):
-                self.queue.take(self._kept(one, digest, source))
-            if one.path is not None and stamp is not None:
-                self._stamps[one.path] = stamp
+            if self.queue.newest.get((submission.student, submission.slug)) != digest and not self._is_known(
+                submission, digest
+            ):
+                self.queue.take(self._kept(submission, digest, source))
+            if submission.path is not None and stamp is not None:
+                self._stamps[submission.path] = stamp
 
-    def _is_known(self, one: Submission, digest: str) -> bool:
+    def _is_known(self, submission: Submission, digest: str) -> bool:
         """Whether this folder of the exchange was taken: an older one is there beside a newer."""
-        done = self.queue.graded.get((one.student, one.slug), [])
-        waiting = [each.digest for each in self.queue.arrivals if each.key == (one.student, one.slug)]
+        done = self.queue.graded.get((submission.student, submission.slug), [])
+        waiting = [each.digest for each in self.queue.arrivals if each.key == (submission.student, submission.slug)]
         return self.is_exchange and digest in (*(each["digest"] for each in done), *waiting)
 
     def _stamp(self, path: Path | None) -> tuple[int, int, int] | None:
@@ -233,159 +241,175 @@ class Desk:
         """What is in the folder, and in an exchange the name of each hand-in, which is an attempt."""
         if not self.is_exchange:
             with contextlib.suppress(UsageError):  # nobody has handed in anything yet
-                for one in submissions([self.source], self.known, self.given):
-                    if one.path is not None or one.note:
-                        yield one, ""
+                for submission in submissions([self.source], self.known, self.given):
+                    if submission.path is not None or submission.note:
+                        yield submission, ""
             return
         for entry in sorted(os.scandir(self.source / "inbound"), key=_in_time):
-            told = HANDED_IN.fullmatch(entry.name)
-            if told and told["slug"] in self.known and entry.is_dir(follow_symlinks=False):
+            match = HANDED_IN.fullmatch(entry.name)
+            if match and match["slug"] in self.known and entry.is_dir(follow_symlinks=False):
                 folder = Path(entry.path)
                 if (folder / "submission_secret.txt").is_file():  # nbgrader writes it last
                     digest = hashlib.sha256(entry.name.encode()).hexdigest()
-                    yield _owned(of_folder(folder, told["student"], told["slug"], folder), folder), digest
+                    yield _owned(of_folder(folder, match["student"], match["slug"], folder), folder), digest
 
-    def _kept(self, one: Submission, digest: str, source: Any) -> Arrival:
+    def _kept(self, submission: Submission, digest: str, source: Any) -> Arrival:
         """What arrived, with a copy that no later hand-in changes."""
         if isinstance(source, CannotRead):
-            return Arrival(one.student, one.slug, digest, time.time(), "", str(one.path or one.tree), str(source))
-        assert one.path is not None
-        copy = self.queue.folder / COPIES / one.student / one.slug / f"{digest[:16]}{form(one.path.name)}"
+            return Arrival(
+                submission.student,
+                submission.slug,
+                digest,
+                time.time(),
+                "",
+                str(submission.path or submission.tree),
+                str(source),
+            )
+        assert submission.path is not None
+        copy = (
+            self.queue.folder
+            / COPIES
+            / submission.student
+            / submission.slug
+            / f"{digest[:16]}{form(submission.path.name)}"
+        )
         copy.parent.mkdir(parents=True, exist_ok=True)
         written(copy, source.text)
-        return Arrival(one.student, one.slug, digest, time.time(), str(copy), str(one.path))
+        return Arrival(submission.student, submission.slug, digest, time.time(), str(copy), str(submission.path))
 
     def grade(self, batch: Sequence[Arrival]) -> None:
         """Grade some arrivals, each with inputs of its own; write each result down, then its page."""
         from tam570_grader.grading import supervisor
         from tam570_grader.grading.executor import WorkerLost, finished
 
-        tasks = [self._task(one) for one in batch]
+        tasks = [self._task(arrival) for arrival in batch]
         for number, task, line in finished(self.executor, supervisor.line, tasks, len(tasks)):
             record = json.loads(supervisor.lost(task, str(line)) if isinstance(line, WorkerLost) else line)
-            one = batch[number]
-            attempt = len(self.queue.graded.get(one.key, [])) + 1
+            arrival = batch[number]
+            attempt = len(self.queue.graded.get(arrival.key, [])) + 1
             now = time.time()
-            due = max(one.at, self.queue.opens(one))
-            told = self.queue.note(
-                "graded", one, attempt=attempt, graded_at=now, waited=round(now - due, 3), record=record
+            due = max(arrival.at, self.queue.opens(arrival))
+            event = self.queue.note(
+                "graded", arrival, attempt=attempt, graded_at=now, waited=round(now - due, 3), record=record
             )
-            self.store.add(self.queue.counting(one.key)["record"])
-            self.hand_back(told)
+            self.store.add(self.queue.counting(arrival.key)["record"])
+            self.hand_back(event)
 
-    def _task(self, one: Arrival) -> Any:
+    def _task(self, arrival: Arrival) -> Any:
         from tam570_grader.course import course_config
         from tam570_grader.grading import seeds
         from tam570_grader.grading.supervisor import GradeTask, WorkerConfig
         from tam570_grader.sandbox.zygote import ResourceLimits
 
-        attempt = len(self.queue.graded.get(one.key, [])) + 1
-        seed = seeds.derive(self.secret, one.student, one.slug, str(attempt))
-        source: Any = CannotRead(one.note)
-        if one.copy:
-            source = read(Submission(one.student, one.slug, Path(one.copy), Path(one.copy)))
+        attempt = len(self.queue.graded.get(arrival.key, [])) + 1
+        seed = seeds.derive(self.secret, arrival.student, arrival.slug, str(attempt))
+        source: Any = CannotRead(arrival.note)
+        if arrival.copy:
+            source = read(Submission(arrival.student, arrival.slug, Path(arrival.copy), Path(arrival.copy)))
         limits = course_config.limits(self.course)
         config = WorkerConfig(
             ResourceLimits(limits["memory"] * 2**20, limits["cpu"], limits["call"]),
             (self.course, self.source, self.queue.folder.resolve()),
         )
-        return GradeTask(self.course, one.student, one.slug, seed, source, one.digest, conditions=config)
+        return GradeTask(self.course, arrival.student, arrival.slug, seed, source, arrival.digest, conditions=config)
 
-    def hand_back(self, told: dict[str, Any]) -> None:
+    def hand_back(self, event: dict[str, Any]) -> None:
         """Write the page of an attempt into the results, and where its student finds it."""
         from tam570_grader.reports import feedback
         from tam570_grader.results.records import read as result_of
 
-        key = told["student"], told["slug"]
+        key = event["student"], event["slug"]
         info = self._infos.setdefault(key[1], feedback.load_assignment_info(self.course, key[1]))
-        result = result_of(told["record"])
+        result = result_of(event["record"])
         page = feedback.page(
-            replace(result, message=" ".join(filter(None, [self._standing(told), result.message]))), info
+            replace(result, message=" ".join(filter(None, [self._standing(event), result.message]))), info
         )
-        own = self.queue.folder / "feedback" / key[0]
-        own.mkdir(parents=True, exist_ok=True)
-        (own / f"{key[1]}.html").write_text(page, encoding="utf-8")  # no fsync: it is made again from the results
-        origin = Path(told["origin"])
+        pages = self.queue.folder / "feedback" / key[0]
+        pages.mkdir(parents=True, exist_ok=True)
+        (pages / f"{key[1]}.html").write_text(page, encoding="utf-8")  # no fsync: it is made again from the results
+        origin = Path(event["origin"])
         try:
             if self.is_exchange:
                 self._release(origin if origin.is_dir() else origin.parent, key[1], page)
             elif origin.parent.is_dir() and not origin.is_dir():
-                _put(origin.parent, f"{origin.name.split('.')[0]}-feedback.html", page)
+                _write_in(origin.parent, f"{origin.name.split('.')[0]}-feedback.html", page)
         except OSError as error:
-            warn(f"the page of {key[0]} in {key[1]} cannot be put back: {error}; it is in {own}")
+            warn(f"the page of {key[0]} in {key[1]} cannot be put back: {error}; it is in {pages}")
 
-    def _standing(self, told: dict[str, Any]) -> str:
+    def _standing(self, event: dict[str, Any]) -> str:
         """Which attempt it is, and what counts."""
-        policy, best = self.queue.policy, self.queue.counting((told["student"], told["slug"]))
+        policy, best = self.queue.policy, self.queue.counting((event["student"], event["slug"]))
         of = f" of {policy.attempts:g}" if policy.attempts < math.inf else ""
         score = best["record"]["score"]
         counts = f"your {policy.count} attempt counts" + ("" if score is None else f", {score:g} points so far")
-        return f"Attempt {told['attempt']}{of}; {counts}."
+        return f"Attempt {event['attempt']}{of}; {counts}."
 
     def _release(self, folder: Path, slug: str, page: str) -> None:
         """Put a page where `nbgrader fetch_feedback` looks: named after the secret of the hand-in and the notebook."""
         secret = (folder / "submission_secret.txt").read_bytes()
         names = {path.stem for path in folder.glob("*.ipynb")} or {slug}
-        place = self.source / "feedback"
-        place.mkdir(mode=0o711, exist_ok=True)  # as nbgrader makes it: nobody lists it
+        feedback = self.source / "feedback"
+        feedback.mkdir(mode=0o711, exist_ok=True)  # as nbgrader makes it: nobody lists it
         for name in sorted(names):
-            _put(place, f"{hashlib.md5(secret + name.encode(), usedforsecurity=False).hexdigest()}.html", page)
+            _write_in(feedback, f"{hashlib.md5(secret + name.encode(), usedforsecurity=False).hexdigest()}.html", page)
 
     def show(self) -> None:
         """Write the status page."""
         now, rows = time.time(), []
-        for one in self.queue.arrivals:
-            opens = self.queue.opens(one)
-            waits = f"until {_clock(opens)}" if opens > now else f"{now - one.at:.1f} s"
-            rows.append((one.student, one.slug, _clock(one.at), waits, "", "waiting"))
+        for arrival in self.queue.arrivals:
+            opening = self.queue.opens(arrival)
+            waits = f"until {_clock(opening)}" if opening > now else f"{now - arrival.at:.1f} s"
+            rows.append((arrival.student, arrival.slug, _clock(arrival.at), waits, "", "waiting"))
         done = [attempts[-1] for attempts in self.queue.graded.values()]
-        for told in sorted(done, key=lambda told: float(told["at"]), reverse=True):
-            waited, attempt = f"{told['waited']:.1f} s", str(told["attempt"])
-            rows.append((told["student"], told["slug"], _clock(told["at"]), waited, attempt, _points(told)))
+        for event in sorted(done, key=lambda event: float(event["at"]), reverse=True):
+            waited, attempt = f"{event['waited']:.1f} s", str(event["attempt"])
+            rows.append((event["student"], event["slug"], _clock(event["at"]), waited, attempt, _points(event)))
         written(self.queue.folder / STATUS, _page(rows, self.summary()))
 
     def summary(self) -> str:
         graded = sum(map(len, self.queue.graded.values()))
-        left = len(self.queue.arrivals)
-        return f"{counted(graded, 'attempt')} graded, {left} waiting; the longest wait was {self.queue.longest:.1f} s"
+        waiting = len(self.queue.arrivals)
+        return (
+            f"{counted(graded, 'attempt')} graded, {waiting} waiting; the longest wait was {self.queue.longest:.1f} s"
+        )
 
 
 def _in_time(entry: os.DirEntry[str]) -> tuple[str, str]:
     """The order in which folders came into an exchange."""
-    told = HANDED_IN.fullmatch(entry.name)
-    return told["timestamp"] if told else "", entry.name
+    match = HANDED_IN.fullmatch(entry.name)
+    return match["timestamp"] if match else "", entry.name
 
 
-def _owned(one: Submission, folder: Path) -> Submission:
+def _owned(submission: Submission, folder: Path) -> Submission:
     """The submission, or a note if somebody else handed it in under this name."""
     owner = folder.stat().st_uid
     with contextlib.suppress(KeyError):
-        if owner != os.getuid() and pwd.getpwuid(owner).pw_name != one.student:
-            return replace(one, path=None, note=f"it was handed in by {pwd.getpwuid(owner).pw_name}")
-    return one
+        if owner != os.getuid() and pwd.getpwuid(owner).pw_name != submission.student:
+            return replace(submission, path=None, note=f"it was handed in by {pwd.getpwuid(owner).pw_name}")
+    return submission
 
 
-def _put(folder: Path, name: str, text: str) -> None:
+def _write_in(folder: Path, name: str, text: str) -> None:
     """Write a file into a folder that somebody else may change: beside it first, and through no link."""
-    place = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW)
+    directory = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW)
     draft = f".{name}.{os.getpid()}"
     try:
         with contextlib.suppress(FileNotFoundError):
-            os.unlink(draft, dir_fd=place)
+            os.unlink(draft, dir_fd=directory)
         flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW
-        with open(os.open(draft, flags, 0o644, dir_fd=place), "w", encoding="utf-8") as file:
+        with open(os.open(draft, flags, 0o644, dir_fd=directory), "w", encoding="utf-8") as file:
             file.write(text)
-        os.replace(draft, name, src_dir_fd=place, dst_dir_fd=place)
+        os.replace(draft, name, src_dir_fd=directory, dst_dir_fd=directory)
     finally:
-        os.close(place)
+        os.close(directory)
 
 
 def _clock(moment: float) -> str:
     return time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(moment)) if moment < math.inf else "never"
 
 
-def _points(told: dict[str, Any]) -> str:
-    record = told["record"]
+def _points(event: dict[str, Any]) -> str:
+    record = event["record"]
     return "the grader failed" if record["score"] is None else f"{record['score']:g} / {record['max_score']:g}"
 
 

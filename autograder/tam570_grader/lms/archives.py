@@ -44,7 +44,7 @@ class Room:
 
     def takes(self, files: Sequence[zipfile.ZipInfo | File]) -> str:
         """Take the room for these; why there is too little."""
-        sizes = (len(one.data) if isinstance(one, File) else one.file_size for one in files)
+        sizes = (len(file.data) if isinstance(file, File) else file.file_size for file in files)
         size = sum(min(size, LARGEST) for size in sizes)  # of a notebook with large outputs no more is held
         if len(files) > self.files:
             return f"the student handed in more than {MOST_INSIDE} files"
@@ -75,10 +75,12 @@ def inside(packed: File, room: Room) -> list[File]:
         if _size_of_directory(packed.data) > MOST_INSIDE * (ENTRY + LONGEST_PATH):
             raise UsageError(f"it holds more than {MOST_INSIDE} files")
         with zipfile.ZipFile(io.BytesIO(packed.data)) as archive:
-            infos = [one for one in _files(archive, MOST_INSIDE, "it") if form(one.filename) or is_beside(one.filename)]
+            infos = [
+                file for file in _files(archive, MOST_INSIDE, "it") if form(file.filename) or is_beside(file.filename)
+            ]
             if full := room.takes(infos):
                 raise UsageError(full)
-            return [replace(one, path=printable(one.path)) for one in map(partial(_member, archive), infos)]
+            return [replace(file, path=printable(file.path)) for file in map(partial(_member, archive), infos)]
     except Exception as error:  # zipfile raises many kinds, those of its parts among them
         return [File("", b"", f"it cannot be unpacked: {shortened(str(error))}")]
 
@@ -100,7 +102,9 @@ def _size_of_directory(data: bytes) -> int:
 
 
 def _files(archive: zipfile.ZipFile, most: int, name: str) -> list[zipfile.ZipInfo]:
-    infos = [one for one in archive.infolist() if not one.is_dir() and not set(one.filename.split("/")) & {*SYSTEMS}]
+    infos = [
+        info for info in archive.infolist() if not info.is_dir() and not set(info.filename.split("/")) & {*SYSTEMS}
+    ]
     if len(infos) > most:
         raise UsageError(f"{name} holds more than {most} files: is it the right one?")
     return infos
@@ -132,13 +136,13 @@ def _of_folder(path: Path, source: Path) -> File:
 
 def _regular(source: Path) -> list[Path]:
     """The regular files below a folder; links and devices are left out, and what Git keeps for itself."""
-    found = [
+    files = [
         Path(folder) / name
         for folder, _, names in os.walk(source)
         for name in names
         if name not in SYSTEMS and "/.git/" not in f"{folder}/"
     ]
-    return sorted(path for path in found if stat.S_ISREG(path.lstat().st_mode))
+    return sorted(path for path in files if stat.S_ISREG(path.lstat().st_mode))
 
 
 def _most(name: str) -> int:

@@ -13,7 +13,7 @@ from tam570_grader.lms.archives import File
 from tam570_grader.lms.systems import SYSTEMS, System
 from tam570_grader.results.collected import form
 
-__all__ = ["Handed", "named", "read", "time_of"]
+__all__ = ["Handed", "fields_of", "read", "time_of"]
 
 AGAIN = re.compile(r"-(\d{1,9})(?=\.\w+$)")  # what Canvas puts into the name of a file that is handed in again
 
@@ -44,34 +44,34 @@ def read(files: Iterable[File], name: str) -> Iterator[Handed | File]:
     return _of_repositories(held, system) if system.download is None else _of_names(held, system)
 
 
-def named(path: str, system: System) -> dict[str, str] | None:
+def fields_of(path: str, system: System) -> dict[str, str] | None:
     """What the first folder or file of a path tells that is named as the system names submissions.
 
     A student may name what is behind it like anybody's.
     """
     for part in path.split("/"):
-        if system.download and (found := system.download.fullmatch(part)):
-            told = {key.rstrip("2"): text or "" for key, text in found.groupdict().items() if text is not None}
-            return {"name": "", **told, "whole": part}
+        if system.download and (match := system.download.fullmatch(part)):
+            fields = {key.rstrip("2"): text or "" for key, text in match.groupdict().items() if text is not None}
+            return {"name": "", **fields, "whole": part}
     return None
 
 
 def _of_names(files: Sequence[File], system: System) -> Iterator[Handed | File]:
     for file in _unwrapped(files, system) if system is SYSTEMS["canvas"] else files:
-        told = named(file.path, system)
-        is_file = told is not None and file.path.endswith(told["whole"])
-        if told and is_file and file.path.endswith(".txt") and not told.get("file"):
+        fields = fields_of(file.path, system)
+        is_file = fields is not None and file.path.endswith(fields["whole"])
+        if fields and is_file and file.path.endswith(".txt") and not fields.get("file"):
             continue  # Blackboard's own note on the submission beside it
-        if told is None or (is_file and not told.get("file") and not file.path.endswith(".html")):
+        if fields is None or (is_file and not fields.get("file") and not file.path.endswith(".html")):
             yield file
             continue
-        own = told["file"] if is_file and told.get("file") else file.path.rsplit("/", 1)[-1]
-        again = AGAIN.search(own) if told.get("order") else None
-        when = _moment(told["when"]) if "when" in told else ""
-        order = (int(told.get("order") or 0), int(again[1]) if again else 0, when)
-        keys = tuple((kind, told[group]) for group, kinds in system.ids.items() if group in told for kind in kinds)
-        title = AGAIN.sub("", own) if again else own
-        yield Handed(keys, told["name"], file, title, when, bool(told.get("late")), order)
+        name = fields["file"] if is_file and fields.get("file") else file.path.rsplit("/", 1)[-1]
+        version = AGAIN.search(name) if fields.get("order") else None
+        when = _moment(fields["when"]) if "when" in fields else ""
+        order = (int(fields.get("order") or 0), int(version[1]) if version else 0, when)
+        keys = tuple((key, fields[group]) for group, kinds in system.ids.items() if group in fields for key in kinds)
+        title = AGAIN.sub("", name) if version else name
+        yield Handed(keys, fields["name"], file, title, when, bool(fields.get("late")), order)
 
 
 def _moment(text: str) -> str:
@@ -84,17 +84,17 @@ def _moment(text: str) -> str:
 def time_of(text: str) -> str:
     """A time as a table has it, in ISO's form; empty for what is none, in another language say."""
     try:
-        found: datetime = dates.parse(text, dayfirst=not re.match(r"\d{4}", text))
+        moment: datetime = dates.parse(text, dayfirst=not re.match(r"\d{4}", text))
     except (ValueError, OverflowError):
         return ""
-    return found.isoformat(" ")
+    return moment.isoformat(" ")
 
 
 def _unwrapped(files: Sequence[File], system: System) -> Sequence[File]:
     """The files without one folder around them all, whose name and date may look like a student's: `hw_2026_09_14`."""
     inner = [replace(file, path=file.path.partition("/")[2]) for file in files]
     wrapped = len({file.path.partition("/")[0] for file in files}) == 1
-    return inner if wrapped and any(named(file.path, system) for file in inner) else files
+    return inner if wrapped and any(fields_of(file.path, system) for file in inner) else files
 
 
 def _of_repositories(files: Sequence[File], system: System) -> Iterator[Handed | File]:
@@ -109,7 +109,7 @@ def _of_repositories(files: Sequence[File], system: System) -> Iterator[Handed |
         if len(path) == 1 or not user:
             yield file
         elif form(file.path) and not any(part.startswith(".") for part in path):
-            keys = tuple((kind, user) for kinds in system.ids.values() for kind in kinds)
+            keys = tuple((key, user) for kinds in system.ids.values() for key in kinds)
             yield Handed(keys, "", file, path[-1])
 
 
@@ -124,6 +124,6 @@ def _of_table(files: Sequence[File], system: System) -> Iterator[Handed | File]:
         people, when = table.of(file)
         if not people:
             yield file
-        for told, name in people:
-            keys = tuple((kind, told[field]) for field, kinds in system.ids.items() if told[field] for kind in kinds)
+        for ids, name in people:
+            keys = tuple((key, ids[field]) for field, kinds in system.ids.items() if ids[field] for key in kinds)
             yield Handed(keys, name, file, file.path.rsplit("/", 1)[-1], when, False, (0, 0, when))

@@ -12,7 +12,7 @@ from pathlib import Path
 from tam570_grader.checks import assignments
 from tam570_grader.errors import UsageError, printable, writing
 from tam570_grader.grading import roster as rosters
-from tam570_grader.lms.downloads import named
+from tam570_grader.lms.downloads import fields_of
 from tam570_grader.lms.systems import SYSTEMS
 from tam570_grader.results.collected import form, listed
 from tam570_grader.results.tables import written
@@ -34,16 +34,16 @@ def run(
     """
     if SYSTEMS[system].page is None:
         raise UsageError(f"{SYSTEMS[system].title} takes no zip file of pages: hand back the folder {pages}")
-    found = _named(listed(collected, NEEDED), system, rosters.Directory(rosters.people(roster) if roster else ()))
-    slugs = sorted({slug for _, slug in found})
-    if not found:
+    names = _named(listed(collected, NEEDED), system, rosters.Directory(rosters.people(roster) if roster else ()))
+    slugs = sorted({slug for _, slug in names})
+    if not names:
         raise UsageError(f"{collected} names no file as {system} does: is --to right?")
     chosen = assignments.named(only, slugs)
     if len(chosen) > 1:
         raise UsageError(f"the pages of one assignment make a zip file: choose with --only: {', '.join(chosen)}")
-    lacking, whole, there = [], io.BytesIO(), set()
-    with zipfile.ZipFile(whole, "w", zipfile.ZIP_DEFLATED) as archive:
-        for (student, slug), (name, is_collected) in sorted(found.items()):
+    lacking, data, there = [], io.BytesIO(), set()
+    with zipfile.ZipFile(data, "w", zipfile.ZIP_DEFLATED) as archive:
+        for (student, slug), (name, is_collected) in sorted(names.items()):
             page = pages / student / f"{slug}.html"
             if slug in chosen and page.is_file() and name not in there:  # a group's file is one, and so is its page
                 archive.write(page, printable(name))
@@ -51,7 +51,7 @@ def run(
             elif slug in chosen and is_collected and not page.is_file():
                 lacking.append(f"{student} has no page of {slug}: grade it first")
     with writing(out):
-        written(out, whole.getvalue())
+        written(out, data.getvalue())
     return lacking
 
 
@@ -62,20 +62,20 @@ def _named(
 
     Who handed in nothing but a PDF has a page that says so, and gets it by the name of that.
     """
-    found: dict[tuple[str, str], tuple[str, bool]] = {}
+    names: dict[tuple[str, str], tuple[str, bool]] = {}
     for cells in sorted(rows, key=lambda cells: not form(cells["file"])):
         key = cells["student"], cells["assignment"]
         for name in _page(cells, system, everyone) if key[1] else ():
-            found.setdefault(key, (name, bool(form(cells["file"]))))
-    return found
+            names.setdefault(key, (name, bool(form(cells["file"]))))
+    return names
 
 
 def _page(cells: Mapping[str, str], system: str, everyone: rosters.Directory) -> Iterator[str]:
-    told, page = named(cells["from"], SYSTEMS[system]), SYSTEMS[system].page
-    if told is None or page is None or (system == "canvas" and "start" not in told):
+    fields, page = fields_of(cells["from"], SYSTEMS[system]), SYSTEMS[system].page
+    if fields is None or page is None or (system == "canvas" and "start" not in fields):
         return
-    own = everyone.by_folder.get(cells["student"])
-    participant = dict(own.keys).get("participant") if own else None
-    if own and participant and system == "moodle":  # a group's number is no participant's
-        told |= {"name": own.name.replace("_", " ") or told["name"], "user": participant}
-    yield page.format(**told, slug=cells["assignment"])
+    person = everyone.by_folder.get(cells["student"])
+    participant = dict(person.keys).get("participant") if person else None
+    if person and participant and system == "moodle":  # a group's number is no participant's
+        fields |= {"name": person.name.replace("_", " ") or fields["name"], "user": participant}
+    yield page.format(**fields, slug=cells["assignment"])

@@ -37,29 +37,29 @@ class Table:
 
 def table_in(files: Iterable[File]) -> Table:
     """The class's table: the outermost of that name, for a student may hand in another."""
-    found = min(filter(_may_be_it, files), key=lambda file: file.path.count("/"), default=None)
-    if found is None:
+    file = min(filter(_may_be_it, files), key=lambda file: file.path.count("/"), default=None)
+    if file is None:
         raise UsageError(f"the export holds no {NAME} beside its submissions: choose Export Submissions in Gradescope")
-    if found.refused:
-        raise UsageError(f"{found.path} cannot be read: {found.refused}; {AGAIN}")
-    told = _read(found if len(found.data) <= LARGEST else replace(found, data=_without_results(found.data)))
-    if not isinstance(told, dict) or not told:
-        size = f", and is larger than {LARGEST // 2**20} MiB" if len(found.data) > LARGEST else ""
-        raise UsageError(f"{found.path} lists no submissions{size}; {AGAIN}")
-    return Table(found, {str(folder): _submission(one, f"{found.path}, {folder}") for folder, one in told.items()})
+    if file.refused:
+        raise UsageError(f"{file.path} cannot be read: {file.refused}; {AGAIN}")
+    entries = _read(file if len(file.data) <= LARGEST else replace(file, data=_without_results(file.data)))
+    if not isinstance(entries, dict) or not entries:
+        size = f", and is larger than {LARGEST // 2**20} MiB" if len(file.data) > LARGEST else ""
+        raise UsageError(f"{file.path} lists no submissions{size}; {AGAIN}")
+    return Table(file, {str(folder): _submission(entry, f"{file.path}, {folder}") for folder, entry in entries.items()})
 
 
 def _without_results(data: bytes) -> bytes:
     """The lines of a long table that tell whose a submission is and when it came; its outputs are passed over."""
-    kept, is_wanted = list[bytes](), False
+    lines, is_wanted = list[bytes](), False
     for line in io.BytesIO(data):
         if not line.startswith(b" "):
             is_wanted = True
         elif line.startswith(b"  :"):
             is_wanted = line.startswith(WANTED)
         if is_wanted:
-            kept.append(line)
-    return b"".join(kept)
+            lines.append(line)
+    return b"".join(lines)
 
 
 def _may_be_it(file: File) -> bool:
@@ -77,10 +77,10 @@ def _read(file: File) -> Any:
         raise UsageError(f"{file.path} cannot be read: its parts lie too deep in one another; {AGAIN}") from None
 
 
-def _submission(given: Any, where: str) -> tuple[People, str]:
+def _submission(entry: Any, where: str) -> tuple[People, str]:
     """Whose it is, and when it came."""
-    told = given if isinstance(given, dict) else {":submitters": "none"}
-    submitters, when = told.get(":submitters") or [], told.get(":created_at", "")
+    fields = entry if isinstance(entry, dict) else {":submitters": "none"}
+    submitters, when = fields.get(":submitters") or [], fields.get(":created_at", "")
     if not isinstance(submitters, list) or not isinstance(when, str):
         raise UsageError(f"{where}: this is not what Gradescope writes of a submission; {AGAIN}")
     return tuple(_person(who, where) for who in submitters), when
@@ -88,10 +88,10 @@ def _submission(given: Any, where: str) -> tuple[People, str]:
 
 def _person(who: Any, where: str) -> tuple[dict[str, str], str]:
     """The ids of a submitter, and the name."""
-    told = {key: who.get(f":{key}") or "" for key in ("sid", "email", "name")} if isinstance(who, dict) else {}
-    if not any(told.values()) or not all(isinstance(one, str) for one in told.values()):
+    ids = {key: who.get(f":{key}") or "" for key in ("sid", "email", "name")} if isinstance(who, dict) else {}
+    if not any(ids.values()) or not all(isinstance(value, str) for value in ids.values()):
         raise UsageError(f"{where}: a submitter has neither id nor email nor name; {AGAIN}")
-    return told, told["name"]
+    return ids, ids["name"]
 
 
 class _Plain(yaml.BaseLoader):  # type: ignore[misc]  # yaml has no types

@@ -29,7 +29,8 @@ def hand_ins(
     """
     everything = [*(_collected(collected) if collected else ()), *_watched(folder)]
     rows = [
-        _row(slug, [one for one in everything if one[1] == slug], policies.get(slug, LatePolicy())) for slug in slugs
+        _row(slug, [hand_in for hand_in in everything if hand_in[1] == slug], policies.get(slug, LatePolicy()))
+        for slug in slugs
     ]
     return [row for row in rows if row["students"]]
 
@@ -48,11 +49,11 @@ def _watched(folder: Path) -> Iterator[HandIn]:
             yield event["student"], event["slug"], datetime.fromtimestamp(event["at"]).astimezone()
 
 
-def _row(slug: str, own: Sequence[HandIn], policy: LatePolicy) -> dict[str, Any]:
+def _row(slug: str, hand_ins: Sequence[HandIn], policy: LatePolicy) -> dict[str, Any]:
     """How often students handed in, and of the last hand-in of each when that was."""
-    attempts = Counter(student for student, *_ in own)
+    attempts = Counter(student for student, *_ in hand_ins)
     last: dict[str, datetime] = {}
-    for student, _, when in own:
+    for student, _, when in hand_ins:
         if when is not None:
             last[student] = max(on_the_wall(when, policy.zone), last.get(student, datetime.min))
     times = sorted(last.values())

@@ -72,14 +72,14 @@ class Desk:
         """Write down the points of a part: those of the claims that are ticked, or others that somebody typed."""
         sheet = self.sheets[number]
         rubric = sheet.parts[part]
-        ticked = [rubric.claims[one] for one in sorted({*claims})]
+        ticked = [rubric.claims[entry] for entry in sorted({*claims})]
         earned = round(sum(worth for worth, _ in ticked), 6) if points is None else points
         if not 0 <= earned <= rubric.points:
             raise ValueError(f"part ({part}) has from 0 to {rubric.points:g} points")
         text = "\n".join([*(f"+ {claim}" for _, claim in ticked), *([comment.strip()] if comment.strip() else [])])
         rows = [
             Entry(sheet.student, sheet.slug, part, earned, rubric.points, text),
-            *(Entry(EVERYONE, sheet.slug, letter, None, one.points) for letter, one in sheet.parts.items()),
+            *(Entry(EVERYONE, sheet.slug, letter, None, entry.points) for letter, entry in sheet.parts.items()),
         ]
         with self._lock, contextlib.closing(ResultStore(self.folder)):  # which writes grades.csv at its end
             manual_points.write(self.folder, manual_points.read(self.folder).with_(rows))
@@ -132,9 +132,9 @@ class _Handler(BaseHTTPRequestHandler):
         files = self.desk.files(number)
         if len(path) == 2 and path[1].isdecimal() and int(path[1]) < len(files):
             file = files[int(path[1])]
-            kind = mimetypes.guess_type(file.name)[0] or "application/octet-stream"
+            mime_type = mimetypes.guess_type(file.name)[0] or "application/octet-stream"
             is_shown = file.suffix.lower() in SHOWN
-            return self._send(200, kind if is_shown else "application/octet-stream", file.read_bytes())
+            return self._send(200, mime_type if is_shown else "application/octet-stream", file.read_bytes())
         return self._send(404, "text/plain", b"not found")
 
     def do_POST(self) -> None:
@@ -144,10 +144,10 @@ class _Handler(BaseHTTPRequestHandler):
         if path is None or len(path) != 1 or length > LARGEST:
             return self._send(404, "text/plain", b"not found")
         try:
-            told: dict[str, Any] = json.loads(self.rfile.read(length))
-            points = None if told.get("points") in (None, "") else float(told["points"])
-            claims = [int(one) for one in told.get("claims", [])]
-            earned = self.desk.save(int(path[0]), str(told["part"]), claims, points, str(told.get("comment", "")))
+            request: dict[str, Any] = json.loads(self.rfile.read(length))
+            points = None if request.get("points") in (None, "") else float(request["points"])
+            claims = [int(number) for number in request.get("claims", [])]
+            earned = self.desk.save(int(path[0]), str(request["part"]), claims, points, str(request.get("comment", "")))
         except (ValueError, KeyError, IndexError, TypeError, UsageError) as error:
             return self._send(400, "text/plain; charset=utf-8", str(error).encode())
         return self._send(200, "application/json", json.dumps({"points": earned}).encode())
@@ -155,17 +155,17 @@ class _Handler(BaseHTTPRequestHandler):
     def _path(self) -> list[str] | None:
         """What follows the secret; None for who does not have it, or asks by another name of this machine."""
         _, token, *rest = [*self.path.split("?")[0].split("/"), ""]
-        rest = [one for one in rest if one]
+        rest = [part for part in rest if part]
         host = f"127.0.0.1:{self.server.server_port}"
         ours = secrets.compare_digest(token.encode(), self.token.encode()) and self.headers.get("Host") == host
-        right = bool(rest) and rest[0].isdecimal() and int(rest[0]) < len(self.desk.sheets)
-        return rest if ours and right else None
+        is_student = bool(rest) and rest[0].isdecimal() and int(rest[0]) < len(self.desk.sheets)
+        return rest if ours and is_student else None
 
-    def _send(self, code: int, kind: str, body: bytes, nonce: str = "") -> None:
+    def _send(self, code: int, mime_type: str, body: bytes, nonce: str = "") -> None:
         self.send_response(code)
         for name, value in HEADERS.items():
             self.send_header(name, value.format(nonce=nonce))
-        self.send_header("Content-Type", kind)
+        self.send_header("Content-Type", mime_type)
         self.send_header("Content-Length", str(len(body)))
         self.end_headers()
         self.wfile.write(body)
@@ -178,11 +178,11 @@ def page(desk: Desk, number: int, nonce: str) -> str:
     """One student's page."""
     sheet, last = desk.sheets[number], len(desk.sheets) - 1
     work = "".join(
-        f'<pre class="{"code" if kind == "code" else "words"}">{html.escape(text)}</pre>'
-        for kind, text in desk.code(number)
+        f'<pre class="{"code" if label == "code" else "words"}">{html.escape(text)}</pre>'
+        for label, text in desk.code(number)
     )
-    for place, file in enumerate(desk.files(number)):
-        name, where = html.escape(file.name), f"{number}/{place}"
+    for index, file in enumerate(desk.files(number)):
+        name, where = html.escape(file.name), f"{number}/{index}"
         work += (
             f'<figure><img src="{where}" alt="{name}"><figcaption>{name}</figcaption></figure>'
             if file.suffix.lower() in SHOWN
@@ -193,7 +193,7 @@ def page(desk: Desk, number: int, nonce: str) -> str:
         count=f"{number + 1} of {last + 1}",
         previous=max(0, number - 1),
         following=min(last, number + 1),
-        parts="".join(_part(desk, number, letter, one) for letter, one in sheet.parts.items()),
+        parts="".join(_part(desk, number, letter, rubric) for letter, rubric in sheet.parts.items()),
         work=work,
         nonce=nonce,
     )
@@ -201,17 +201,17 @@ def page(desk: Desk, number: int, nonce: str) -> str:
 
 def _part(desk: Desk, number: int, letter: str, rubric: ManualPart) -> str:
     """The claims of a part to tick, what else it is worth, and a comment."""
-    given = desk.given(number, letter)
-    lines = given.comment.split("\n") if given else []
+    entry = desk.given(number, letter)
+    lines = entry.comment.split("\n") if entry else []
     ticked = [f"+ {claim}" in lines for _, claim in rubric.claims]
     others = "\n".join(line for line in lines if line not in {f"+ {claim}" for _, claim in rubric.claims})
-    of_claims = round(sum(worth for (worth, _), on in zip(rubric.claims, ticked, strict=True) if on), 6)
-    typed = "" if given is None or given.points in (None, of_claims) else f"{given.points:g}"
+    of_claims = round(sum(worth for (worth, _), is_ticked in zip(rubric.claims, ticked, strict=True) if is_ticked), 6)
+    typed = "" if entry is None or entry.points in (None, of_claims) else f"{entry.points:g}"
     boxes = []
-    for place, ((worth, claim), on) in enumerate(zip(rubric.claims, ticked, strict=True)):
-        box = f'<input type="checkbox" value="{place}"{" checked" if on else ""}>'
+    for index, ((worth, claim), is_ticked) in enumerate(zip(rubric.claims, ticked, strict=True)):
+        box = f'<input type="checkbox" value="{index}"{" checked" if is_ticked else ""}>'
         boxes.append(f"<label>{box} {worth:g}: {html.escape(claim)}</label>")
-    state = "not graded yet" if given is None or given.points is None else f"{given.points:g} points"
+    state = "not graded yet" if entry is None or entry.points is None else f"{entry.points:g} points"
     number_input = f'<input type="number" step="any" min="0" max="{rubric.points:g}" value="{typed}">'
     return (
         f'<section data-part="{html.escape(letter)}"><h2>({html.escape(letter)}) {rubric.points:g} points</h2>'

@@ -34,67 +34,72 @@ Checks = Mapping[str, float]  # check: its points
 
 
 def checked_rows(
-    path: Path, found: Results, manual: Mapping[str, Manual], checks: Mapping[str, Checks]
+    path: Path, results: Results, manual: Mapping[str, Manual], checks: Mapping[str, Checks]
 ) -> Iterator[Entry]:
     """The entries of a table, each part with its most; UsageError for the first row that is wrong."""
     from tam570_grader.checks.assignments import slug_of
 
-    students = {student for student, _ in found} | {EVERYONE}
+    students = {student for student, _ in results} | {EVERYONE}
     touched = set()
-    for line, one in manual_points.rows_of(path):
-        if one.slug == EVERYONE and one.item in OF_THE_TERM:
-            if one.student not in students:
-                raise UsageError(f"{path}, line {line}: there are no results of a student {one.student!r}")
-            yield one
+    for line, entry in manual_points.rows_of(path):
+        if entry.slug == EVERYONE and entry.item in OF_THE_TERM:
+            if entry.student not in students:
+                raise UsageError(f"{path}, line {line}: there are no results of a student {entry.student!r}")
+            yield entry
             continue
-        slug = slug_of(one.slug, [*manual])
+        slug = slug_of(entry.slug, [*manual])
         if slug is None:
-            raise UsageError(f"{path}, line {line}: there are no results of an assignment {one.slug!r}")
+            raise UsageError(f"{path}, line {line}: there are no results of an assignment {entry.slug!r}")
         parts = manual[slug]
-        if wrong := _wrong(one, students, parts, checks.get(slug, {})):
+        if wrong := _wrong(entry, students, parts, checks.get(slug, {})):
             raise UsageError(f"{path}, line {line}: {wrong}")
-        of = parts[one.item][0] if one.item in parts else None
+        of = parts[entry.item][0] if entry.item in parts else None
         touched |= {slug} if of is not None else set()
-        yield Entry(one.student, slug, one.item, one.points, of, one.comment)
+        yield Entry(entry.student, slug, entry.item, entry.points, of, entry.comment)
     for slug in sorted(touched):  # everybody is graded out of the same
         yield from (Entry(EVERYONE, slug, part, None, of) for part, (of, _) in manual[slug].items())
 
 
-def _wrong(one: Entry, students: set[str], parts: Manual, checks: Checks) -> str:
+def _wrong(entry: Entry, students: set[str], parts: Manual, checks: Checks) -> str:
     """What is wrong with a row, and the remedy; empty if nothing is."""
     letters = ", ".join(parts) or "none"
-    if one.student not in students:
-        return f"there are no results of a student {one.student!r}; write the name of the folder that was graded"
-    if one.item not in (*parts, *checks, *WORDS):
-        near = difflib.get_close_matches(one.item, checks, 1)
+    if entry.student not in students:
+        return f"there are no results of a student {entry.student!r}; write the name of the folder that was graded"
+    if entry.item not in (*parts, *checks, *WORDS):
+        near = difflib.get_close_matches(entry.item, checks, 1)
         rest = f"do you mean the check {near[0]}?" if near else f"the others: {', '.join(WORDS)}, names of checks"
-        return f"there is no item {one.item!r}; the parts graded by hand are {letters}, {rest}"
-    if one.points is None:
+        return f"there is no item {entry.item!r}; the parts graded by hand are {letters}, {rest}"
+    if entry.points is None:
         return ""
-    if one.item in checks and not 0 <= one.points <= checks[one.item]:
-        return f"{one.item} has from 0 to {checks[one.item]:g} points, not {one.points:g}; use adjust for more"
-    if one.item in parts and not 0 <= one.points <= parts[one.item][0]:
-        return f"part ({one.item}) has from 0 to {parts[one.item][0]:g} points, not {one.points:g}; use adjust for more"
-    if one.item in parts and one.student == EVERYONE:
+    if entry.item in checks and not 0 <= entry.points <= checks[entry.item]:
+        return f"{entry.item} has from 0 to {checks[entry.item]:g} points, not {entry.points:g}; use adjust for more"
+    if entry.item in parts and not 0 <= entry.points <= (most := parts[entry.item][0]):
+        return f"part ({entry.item}) has from 0 to {most:g} points, not {entry.points:g}; use adjust for more"
+    if entry.item in parts and entry.student == EVERYONE:
         return "the points of a part are one student's; write a name, or adjust everybody's"
-    if one.item in (TOTAL, LATE, EXTENSION) and one.points < 0 or one.item in (OFF, MOST) and not 0 <= one.points <= 1:
-        remedy = "a share from 0 to 1" if one.item in (OFF, MOST) else "no negative number"
-        return f"{one.item} is {one.points:g}; write {remedy}"
-    if one.item in (*NEED_A_REASON, *checks) and not one.comment:
-        return f"{one.item} needs a reason, in the column comment: the student reads it"
+    if (
+        entry.item in (TOTAL, LATE, EXTENSION)
+        and entry.points < 0
+        or entry.item in (OFF, MOST)
+        and not 0 <= entry.points <= 1
+    ):
+        remedy = "a share from 0 to 1" if entry.item in (OFF, MOST) else "no negative number"
+        return f"{entry.item} is {entry.points:g}; write {remedy}"
+    if entry.item in (*NEED_A_REASON, *checks) and not entry.comment:
+        return f"{entry.item} needs a reason, in the column comment: the student reads it"
     return ""
 
 
-def write_template(path: Path, found: Results, rubrics: Mapping[str, Rubric], hand: ManualAdjustments) -> int:
+def write_template(path: Path, results: Results, rubrics: Mapping[str, Rubric], adjustments: ManualAdjustments) -> int:
     """Write a table with a row for each student and part, beside the claims; what is known is filled in."""
     if path.exists():
         raise UsageError(f"{path} is there already, and may hold points that you typed; name a new file")
     rows: list[tuple[object, ...]] = [(*COLUMNS, "claims")]  # the last is for the eye: it is not read back
-    for student, slug in found:
+    for student, slug in results:
         for part, rubric in rubrics.get(slug, {}).items():
-            known = hand.entries.get((student, slug, part))
-            points = "" if known is None or known.points is None else known.points
-            comment = known.comment if known else ""
+            entry = adjustments.entries.get((student, slug, part))
+            points = "" if entry is None or entry.points is None else entry.points
+            comment = entry.comment if entry else ""
             rows.append((student, slug, part, points, f"{rubric.points:g}", comment, rubric.line))
     with writing(path):
         write_table(path, rows)

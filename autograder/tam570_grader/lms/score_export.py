@@ -25,7 +25,7 @@ class Export:
     """A table to import, what is left of the gradebook in it, and what needs the instructor."""
 
     rows: list[list[str]]
-    kept: list[str] = field(default_factory=list)
+    unchanged: list[str] = field(default_factory=list)
     troubles: list[str] = field(default_factory=list)
 
 
@@ -58,15 +58,15 @@ def run(
     scores = _only(read_scores(grades, absent), only)
     layout = SYSTEMS[system].table
     assert layout is not None
-    made = export(scores, layout, roster, identity, columns or {}, new=new, overwrite=overwrite)
+    result = export(scores, layout, roster, identity, columns or {}, new=new, overwrite=overwrite)
     if out:
         with writing(out):
-            write_table(out, made.rows, exact=True)
+            write_table(out, result.rows, exact=True)
     else:
-        write_table(None, made.rows, exact=True)
-    for line in [*made.kept, *made.troubles]:
+        write_table(None, result.rows, exact=True)
+    for line in [*result.unchanged, *result.troubles]:
         warn(line)
-    return 1 if made.troubles else 0
+    return 1 if result.troubles else 0
 
 
 def export(
@@ -86,37 +86,37 @@ def export(
         return _without_roster(scores, slugs, layout, keys)
     heading, *below = rosters.table(roster)
     heading = [name.strip() for name in heading]
-    own = [name for name in heading if name in keys]
-    if not own or (layout.identities and keys[0] not in heading):
+    own_keys = [name for name in heading if name in keys]
+    if not own_keys or (layout.identities and keys[0] not in heading):
         choose = ", or choose another --identity" if layout.identities else ""
         raise UsageError(f"the roster has no column {' or '.join(keys)}: export it with that column{choose}")
-    found = {slug: _column(layout, heading, slug, (columns or {}).get(slug, ""), new=new) for slug in slugs}
+    headings = {slug: _column(layout, heading, slug, (columns or {}).get(slug, ""), new=new) for slug in slugs}
     everyone = Directory(rosters.people(roster))
-    made = Export([[*own, *found.values(), *_end(layout, 0)]])
+    result = Export([[*own_keys, *headings.values(), *_end(layout, 0)]])
     if layout.possible:
         first = next((row for row in below if row and row[0].strip() == layout.possible), None)
-        made.rows.append(_possible_row(first, heading, own, found, scores, made))
-    joined = _joined(scores, everyone, made)
-    for one in everyone.people:
-        cells = [_cell(joined, one, slug, found[slug], layout, made, overwrite=overwrite) for slug in slugs]
-        made.rows.append([*(one.row.get(name, "") for name in own), *cells, *_end(layout, 1)])
-    return made
+        result.rows.append(_possible_row(first, heading, own_keys, headings, scores, result))
+    joined = _joined(scores, everyone, result)
+    for person in everyone.people:
+        cells = [_cell(joined, person, slug, headings[slug], layout, result, overwrite=overwrite) for slug in slugs]
+        result.rows.append([*(person.row.get(name, "") for name in own_keys), *cells, *_end(layout, 1)])
+    return result
 
 
 def _without_roster(scores: Scores, slugs: Sequence[str], layout: Table, keys: Sequence[str]) -> Export:
     """A row for each student, known by the login that their folder is named after."""
     headings = [layout.heading.format(slug=slug) for slug in slugs]
-    made = Export([[*_default(keys), *headings, *_end(layout, 0)]])
+    export = Export([[*_default(keys), *headings, *_end(layout, 0)]])
     if layout.possible:
         blanks = [""] * (len(_default(keys)) - 1)
-        made.rows.append([f"    {layout.possible}", *blanks, *(_possible(scores, slug) for slug in slugs)])
+        export.rows.append([f"    {layout.possible}", *blanks, *(_possible(scores, slug) for slug in slugs)])
     for student in sorted({student for student, _ in scores}):
-        marked = f"{layout.mark}{student}"  # quoted where it stands for a name, for no name is matched
-        own = {name: cell(marked) if name == "Student" else marked for name in layout.login}
-        who = [own.get(name, marked if len(keys) == 1 else "") for name in _default(keys)]
+        marked = f"{layout.prefix}{student}"  # quoted where it stands for a name, for no name is matched
+        ids = {name: cell(marked) if name == "Student" else marked for name in layout.login}
+        who = [ids.get(name, marked if len(keys) == 1 else "") for name in _default(keys)]
         points = [scores.get((student, slug), ("", ""))[0].replace(EX, layout.excused) for slug in slugs]
-        made.rows.append([*who, *points, *_end(layout, 1)])
-    return made
+        export.rows.append([*who, *points, *_end(layout, 1)])
+    return export
 
 
 def _default(keys: Sequence[str]) -> list[str]:
@@ -129,12 +129,12 @@ def _end(layout: Table, which: int) -> list[str]:
     return [layout.end[which]] if layout.end else []
 
 
-def _column(layout: Table, heading: Sequence[str], slug: str, given: str, *, new: bool) -> str:
+def _column(layout: Table, heading: Sequence[str], slug: str, wanted_heading: str, *, new: bool) -> str:
     """The heading of an assignment's column: by course.toml, or named as we name it; UsageError if there is none."""
     if not layout.must_match:
-        return given or slug
+        return wanted_heading or slug
     others = [name for name in heading if name not in layout.keys and layout.column.fullmatch(name)]
-    wanted = given or slug
+    wanted = wanted_heading or slug
     fits = [name for name in others if wanted in (name, *_tells(layout, name))]
     if len(fits) == 1:
         return fits[0]
@@ -143,7 +143,7 @@ def _column(layout: Table, heading: Sequence[str], slug: str, given: str, *, new
         raise UsageError(
             f"{len(fits)} columns of the gradebook fit {slug}: write the id of one into course.toml: {listed}"
         )
-    if new and not given:
+    if new and not wanted_heading:
         return layout.heading.format(slug=slug)
     raise UsageError(
         f"the gradebook has no column {wanted}. Its columns: {listed}. Write which one is {slug}'s into course.toml, "
@@ -153,17 +153,17 @@ def _column(layout: Table, heading: Sequence[str], slug: str, given: str, *, new
 
 def _tells(layout: Table, name: str) -> list[str]:
     """What a heading is known by: its title, and its id."""
-    told = layout.column.fullmatch(name)
-    return [told[key] for key in ("title", "id") if told and key in told.groupdict()]
+    match = layout.column.fullmatch(name)
+    return [match[key] for key in ("title", "id") if match and key in match.groupdict()]
 
 
 def _possible_row(
     first: Sequence[str] | None,
     heading: Sequence[str],
-    own: Sequence[str],
+    keys: Sequence[str],
     columns: Mapping[str, str],
     scores: Scores,
-    made: Export,
+    export: Export,
 ) -> list[str]:
     """The row of the points possible, as the gradebook has them; those that differ from ours are named."""
     there = dict(zip(heading, first or [], strict=False))
@@ -171,55 +171,57 @@ def _possible_row(
     for slug, name in columns.items():
         ours, theirs = _possible(scores, slug), there.get(name, "").strip()
         if theirs and _number(theirs) != _number(ours):
-            made.troubles.append(f"{name} has {theirs} points possible in the gradebook, and {slug} has {ours}")
+            export.troubles.append(f"{name} has {theirs} points possible in the gradebook, and {slug} has {ours}")
         points.append(theirs or ours)
-    blanks = [there.get(name, "") for name in own[1:]]
-    return [there.get(own[0], "") or "    Points Possible", *blanks, *points]
+    blanks = [there.get(name, "") for name in keys[1:]]
+    return [there.get(keys[0], "") or "    Points Possible", *blanks, *points]
 
 
-def _joined(scores: Scores, everyone: Directory, made: Export) -> dict[tuple[int, str], str]:
+def _joined(scores: Scores, everyone: Directory, export: Export) -> dict[tuple[int, str], str]:
     """The scores by person, whatever id their folder is named after; who is left out is named."""
-    found: dict[tuple[int, str], str] = {}
-    strangers = sorted({student for student, _ in scores} - everyone.by_folder.keys())
+    joined: dict[tuple[int, str], str] = {}
+    unmatched = sorted({student for student, _ in scores} - everyone.by_folder.keys())
     for (student, slug), (score, _) in scores.items():
-        if one := everyone.by_folder.get(student):
-            key = id(one), slug
-            if key in found and found[key] != score:
-                raise UsageError(f"two folders are {one.ids[0]}'s and have other scores in {slug}: keep one of them")
-            found[key] = score
-    made.troubles += [
-        f"{name} has scores and is on no row of the roster: add a row, or rename the folder" for name in strangers
+        if person := everyone.by_folder.get(student):
+            key = id(person), slug
+            if key in joined and joined[key] != score:
+                raise UsageError(f"two folders are {person.ids[0]}'s and have other scores in {slug}: keep one of them")
+            joined[key] = score
+    export.troubles += [
+        f"{name} has scores and is on no row of the roster: add a row, or rename the folder" for name in unmatched
     ]
-    made.troubles += [
-        f"{one.name or one.ids[0]} ({one.ids[0]}) has no score in {slug}"
-        for one in everyone.people
+    export.troubles += [
+        f"{person.name or person.ids[0]} ({person.ids[0]}) has no score in {slug}"
+        for person in everyone.people
         for slug in sorted({slug for _, slug in scores})
-        if not found.get((id(one), slug))
+        if not joined.get((id(person), slug))
     ]
-    return found
+    return joined
 
 
 def _cell(
     scores: Mapping[tuple[int, str], str],
-    one: Person,
+    person: Person,
     slug: str,
     column: str,
     layout: Table,
-    made: Export,
+    export: Export,
     *,
     overwrite: bool,
 ) -> str:
     """A score, or what the gradebook has in its place: excused, not assigned, or changed there."""
-    ours, theirs = scores.get((id(one), slug), ""), one.row.get(column, "").strip()
+    ours, theirs = scores.get((id(person), slug), ""), person.row.get(column, "").strip()
     ours = layout.excused if ours == EX else ours
     if theirs.upper() in KEPT:
         if ours not in ("", theirs.upper()):
-            made.kept.append(f"{one.name or one.ids[0]} is {theirs} in {column}, and stays so: the grader has {ours}")
+            export.unchanged.append(
+                f"{person.name or person.ids[0]} is {theirs} in {column}, and stays so: the grader has {ours}"
+            )
         return theirs
     if not ours or not theirs or overwrite or _number(theirs) == _number(ours):
         return ours or theirs
-    made.troubles.append(
-        f"{one.name or one.ids[0]} keeps {theirs} in {column}; the grader has {ours}, which --overwrite takes"
+    export.troubles.append(
+        f"{person.name or person.ids[0]} keeps {theirs} in {column}; the grader has {ours}, which --overwrite takes"
     )
     return theirs
 
@@ -233,7 +235,7 @@ def _number(text: str) -> float | str:
 
 
 def _possible(scores: Scores, slug: str) -> str:
-    return next(largest for (_, one), (_, largest) in scores.items() if one == slug)
+    return next(largest for (_, assignment), (_, largest) in scores.items() if assignment == slug)
 
 
 def _only(scores: Scores, names: Sequence[str]) -> Scores:
@@ -255,14 +257,14 @@ def read_scores(grades: Path, absent: str) -> Scores:
         raise UsageError(
             f"{grades} has a row that does not fit its heading of {len(heading)} columns: {odd[0]}; mend it"
         )
-    found = [dict(zip(heading, row, strict=True)) for row in rows]
+    records = [dict(zip(heading, row, strict=True)) for row in rows]
     true_name = name_in if name == "student" else str  # nbgrader quotes none
     if "timestamp" in heading:
-        here = {row["assignment"] for row in found if row["timestamp"] or float(row["score"] or 0)}
-        found = [row if row["assignment"] in here else {**row, "score": ""} for row in found]
+        here = {row["assignment"] for row in records if row["timestamp"] or float(row["score"] or 0)}
+        records = [row if row["assignment"] in here else {**row, "score": ""} for row in records]
     if absent == "blank":
-        found = [{**row, "score": ""} if _is_absent(row) else row for row in found]
-    return {(true_name(row[name]), row["assignment"]): (row["score"], row["max_score"]) for row in found}
+        records = [{**row, "score": ""} if _is_absent(row) else row for row in records]
+    return {(true_name(row[name]), row["assignment"]): (row["score"], row["max_score"]) for row in records}
 
 
 def _is_absent(row: Mapping[str, str]) -> bool:

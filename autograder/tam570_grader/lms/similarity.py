@@ -28,7 +28,7 @@ class Pair:
     """Two students, and the share of each one's code that the other has."""
 
     slug: str
-    one: str
+    student: str
     other: str
     shares: tuple[float, float]
 
@@ -38,22 +38,22 @@ class Pair:
         return max(self.shares)
 
 
-def run(course: Path, paths: Sequence[Path], known: Sequence[str], given: str | None, least: float) -> int:
+def run(course: Path, paths: Sequence[Path], slugs: Sequence[str], slug_given: str | None, least: float) -> int:
     """Print the pairs that share so much, most alike first; the exit code is 1 if a submission could not be read."""
     texts: dict[str, dict[str, str]] = defaultdict(dict)
     unread = []
-    for one in submissions(paths, known, given):
+    for submission in submissions(paths, slugs, slug_given):
         try:
-            texts[one.slug][one.student] = _statements(code(one))
+            texts[submission.slug][submission.student] = _statements(code(submission))
         except (CannotRead, Unshown) as error:
-            unread.append(f"{one.student} {one.slug}")
-            warn(f"{one.student} {one.slug} is left out: {error}")
-    found = [pair for slug in sorted(texts) for pair in pairs(course, slug, texts[slug]) if pair.share >= least]
-    for pair in sorted(found, key=lambda pair: (-pair.share, pair.slug, pair.one)):
+            unread.append(f"{submission.student} {submission.slug}")
+            warn(f"{submission.student} {submission.slug} is left out: {error}")
+    alike = [pair for slug in sorted(texts) for pair in pairs(course, slug, texts[slug]) if pair.share >= least]
+    for pair in sorted(alike, key=lambda pair: (-pair.share, pair.slug, pair.student)):
         first, second = (f"{100 * share:3.0f} %" for share in pair.shares)
-        say(f"{pair.slug}  {pair.one} {first}  {pair.other} {second}")
+        say(f"{pair.slug}  {pair.student} {first}  {pair.other} {second}")
     count = sum(map(len, texts.values()))
-    shared = f"{counted(len(found), 'pair')} of {counted(count, 'submission')}"
+    shared = f"{counted(len(alike), 'pair')} of {counted(count, 'submission')}"
     say(f"{shared} sharing {100 * least:g} % or more of the code of one of them")
     if unread:
         say(f"not compared, read them yourself: {', '.join(unread)}")
@@ -70,16 +70,16 @@ def _statements(text: str) -> str:
 
 def pairs(course: Path, slug: str, texts: Mapping[str, str]) -> Iterator[Pair]:
     """Every pair of one assignment that shares anything."""
-    given = (course / "assignments" / slug / f"{slug}.py").read_text(encoding="utf-8")
-    ours = list(_fingerprint(_statements(given), []).hashes)
+    stub = (course / "assignments" / slug / f"{slug}.py").read_text(encoding="utf-8")
+    ours = list(_fingerprint(_statements(stub), []).hashes)
     prints = {student: _fingerprint(text, ours) for student, text in sorted(texts.items())}
     from tqdm import tqdm
 
-    found = tqdm(list(combinations(prints, 2)), unit="pair", leave=False, delay=1.0, disable=None)
-    for one, other in found:
-        shares = _shares(prints[one], prints[other])
+    everything = tqdm(list(combinations(prints, 2)), unit="pair", leave=False, delay=1.0, disable=None)
+    for student, other in everything:
+        shares = _shares(prints[student], prints[other])
         if any(shares):
-            yield Pair(slug, one, other, shares)
+            yield Pair(slug, student, other, shares)
 
 
 def _fingerprint(text: str, ours: Sequence[int]) -> Any:
@@ -91,8 +91,8 @@ def _fingerprint(text: str, ours: Sequence[int]) -> Any:
     return CodeFingerprint("module.py", SHORTEST, WINDOW, boilerplate=ours, language="python", fp=io.StringIO(text))
 
 
-def _shares(one: Any, other: Any) -> tuple[float, float]:
+def _shares(code: Any, other_code: Any) -> tuple[float, float]:
     from copydetect import compare_files
 
-    _, (first, second), _ = compare_files(one, other)
+    _, (first, second), _ = compare_files(code, other_code)
     return min(1.0, float(first)), min(1.0, float(second))

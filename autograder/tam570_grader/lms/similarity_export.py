@@ -26,21 +26,21 @@ COMMANDS = {
 
 
 def run(
-    course: Path, paths: Sequence[Path], tool: str, out: Path, known: Sequence[str], given: str | None = None
+    course: Path, paths: Sequence[Path], tool: str, out: Path, slugs: Sequence[str], slug_given: str | None = None
 ) -> int:
     """Write a folder for each assignment, and the names; the exit code is 1 if a submission could not be read."""
-    found = submissions(paths, known, given)
+    everything = submissions(paths, slugs, slug_given)
     if out.exists() and (not out.is_dir() or any(out.iterdir())):
         raise UsageError(f"cannot write to {out}: it is not an empty folder; name a new one, for its numbers are new")
-    numbers = _numbers(sorted({one.student for one in found}))
+    numbers = _numbers(sorted({submission.student for submission in everything}))
     texts: dict[str, dict[str, str]] = defaultdict(dict)
     unread = 0
-    for one in found:
+    for submission in everything:
         try:
-            texts[one.slug][numbers[one.student]] = code(one)
+            texts[submission.slug][numbers[submission.student]] = code(submission)
         except (CannotRead, Unshown) as error:
             unread += 1
-            warn(f"{one.student} {one.slug} is left out: {error}")
+            warn(f"{submission.student} {submission.slug} is left out: {error}")
     with writing(out):
         out.mkdir(parents=True, exist_ok=True)
         _write_names(numbers, out / NAMES)
@@ -56,11 +56,11 @@ def _numbers(students: Sequence[str]) -> dict[str, str]:
     return {student: f"s{number:04}" for student, number in zip(students, order, strict=True)}
 
 
-def code(one: Submission) -> str:
+def code(submission: Submission) -> str:
     """The text of a module; of a notebook, the Python of its cells one after another."""
-    if one.path is None:
-        raise CannotRead(one.note)
-    source = read(one)
+    if submission.path is None:
+        raise CannotRead(submission.note)
+    source = read(submission)
     if not source.notebook:
         return source.text.decode("utf-8", "replace")
     return python_of(source.text) + "\n"
@@ -71,9 +71,9 @@ def _write(course: Path, slug: str, modules: Mapping[str, str], folder: Path, to
     (folder / "base").mkdir(parents=True)
     shutil.copyfile(course / "assignments" / slug / f"{slug}.py", folder / "base" / f"{slug}.py")
     for number, text in sorted(modules.items()):
-        place = folder / "submissions" / number
-        place.mkdir(parents=True)
-        (place / f"{slug}.py").write_text(text, encoding="utf-8")
+        target = folder / "submissions" / number
+        target.mkdir(parents=True)
+        (target / f"{slug}.py").write_text(text, encoding="utf-8")
     if tool == "dolos":
         rows = [(f"submissions/{number}/{slug}.py", number) for number in sorted(modules)]
         write_table(folder / "info.csv", [("filename", "full_name"), *rows])

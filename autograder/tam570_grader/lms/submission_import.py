@@ -51,8 +51,8 @@ def run(
     source: Path,
     system: str,
     out: Path,
-    known: Sequence[str],
-    given: str | None = None,
+    slugs: Sequence[str],
+    slug_given: str | None = None,
     *,
     roster: Path | None = None,
     groups: Path | None = None,
@@ -69,13 +69,13 @@ def run(
         raise UsageError(f"{source} does not exist: name the zip file that {SYSTEMS[system].title} gave you")
     everyone = Directory(rosters.people(path) if (path := roster or groups) else ())
     teams = {name: who for path in (roster, groups) if path for name, who in rosters.groups(path, everyone).items()}
-    found = list(read(members(source), system))
-    strays = [one for one in found if isinstance(one, File)]
-    unpacked = _unpacked([one for one in found if isinstance(one, Handed)])
+    everything = list(read(members(source), system))
+    strays = [handed for handed in everything if isinstance(handed, File)]
+    unpacked = _unpacked([handed for handed in everything if isinstance(handed, Handed)])
     if not unpacked:
         raise UsageError(f"{source} holds nothing that is named as {system} names submissions: is --from right?")
-    slug = given or _assignment_of(unpacked, known)
-    rows = [row for one in unpacked for row in _taken(one, system, everyone, teams, slug, known, given)]
+    slug = slug_given or _assignment_of(unpacked, slugs)
+    rows = [row for handed in unpacked for row in _taken(handed, system, everyone, teams, slug, slugs, slug_given)]
     rows = _with_work(_newest(_told_apart(rows, everyone)))
     rows = _timed(rows, times, everyone)
     replaced = _write(rows, out)
@@ -95,10 +95,10 @@ def run(
     return 1 if troubles else 0
 
 
-def _assignment_of(unpacked: Sequence[Handed], known: Sequence[str]) -> str:
+def _assignment_of(unpacked: Sequence[Handed], slugs: Sequence[str]) -> str:
     """The assignment that a download is of: the one that most names of files tell; empty if none does."""
-    told = {(one.who, slug) for one in unpacked if (slug := of_name(_title(one), known))}
-    ranked = Counter(slug for _, slug in told).most_common(2)
+    titled = {(handed.who, slug) for handed in unpacked if (slug := of_name(_title(handed), slugs))}
+    ranked = Counter(slug for _, slug in titled).most_common(2)
     if len(ranked) == 2 and ranked[0][1] == ranked[1][1]:
         names = " and ".join(slug for slug, _ in ranked)
         raise UsageError(f"as many names tell {names}; a download is of one: give it with --assignment")
@@ -113,7 +113,7 @@ def _title(handed: Handed) -> str:
 def _unpacked(handed: Sequence[Handed]) -> list[Handed]:
     """The files themselves, and the work that zip files hold; no student fills the memory."""
     rooms: dict[str, Room] = defaultdict(Room)
-    return [each for one in handed for each in _unpack(one, rooms[one.who])]
+    return [each for upload in handed for each in _unpack(upload, rooms[upload.who])]
 
 
 def _unpack(handed: Handed, room: Room) -> list[Handed]:
@@ -125,8 +125,10 @@ def _unpack(handed: Handed, room: Room) -> list[Handed]:
         return [replace(handed, file=file if is_kept else replace(file, data=b""))]
     held = inside(file, room)
     outer = file.path  # by its name a page is handed back
-    found = [(replace(one, path=f"{outer}/{one.path}".rstrip("/")), one.path.rsplit("/", 1)[-1]) for one in held]
-    return [replace(handed, file=one, title=title) for one, title in found] or [
+    files = [
+        (replace(member, path=f"{outer}/{member.path}".rstrip("/")), member.path.rsplit("/", 1)[-1]) for member in held
+    ]
+    return [replace(handed, file=member, title=title) for member, title in files] or [
         replace(handed, file=replace(file, data=b""))
     ]
 
@@ -137,20 +139,20 @@ def _taken(
     everyone: Directory,
     teams: Mapping[str, Sequence[Person]],
     slug: str,
-    known: Sequence[str],
-    given: str | None,
+    slugs: Sequence[str],
+    slug_given: str | None,
 ) -> list[Taken]:
     """A row for the student, or for each member of the group, to whom a file goes."""
     owners, why = _owners(handed, system, everyone, teams)
     title = _title(handed)
-    other = of_name(title, known)
+    other = of_name(title, slugs)
     if handed.file.refused:
         target, note = "", handed.file.refused
     elif not (ending := form(title)):
         target, note = ("", NOT_WORK) if why or not is_beside(title) else (_plain(title), "")
     elif GIVEN.fullmatch(Path(title).stem):
         target, note = "", RELEASED
-    elif not (other or given):
+    elif not (other or slug_given):
         target, note = "", NAMELESS
     elif other not in (None, slug):
         target, note = "", ELSEWHERE.format(other=other, slug=slug)
@@ -158,7 +160,7 @@ def _taken(
         target, note = ("", why) if why else (f"{slug}{ending}", "")
     if not owners:
         return [Taken(folder_of(handed.who), None, handed, slug, target, note)]
-    return [Taken(one.folder, one, handed, slug, target, note) for one in owners]
+    return [Taken(person.folder, person, handed, slug, target, note) for person in owners]
 
 
 def _plain(title: str) -> str:
@@ -186,21 +188,21 @@ def _owners(
     if isinstance(who, Person):
         return [who], ""
     team = teams.get(rosters.group_key(handed.name), []) if handed.name else []
-    if system == "canvas" and team and not any(one in team for one in everyone.number_of(handed.keys)):
+    if system == "canvas" and team and not any(person in team for person in everyone.number_of(handed.keys)):
         return [], f"its number is of nobody in the group {handed.name}"
     return (team, "") if team else ([], who)
 
 
 def _told_apart(rows: Sequence[Taken], everyone: Directory) -> list[Taken]:
     """The rows, none with a place where two people would be one student: a name may be anybody's."""
-    own = {one.folder for one in everyone.people}
+    folders = {person.folder for person in everyone.people}
     who = defaultdict[str, set[tuple[object, ...]]](set)
     for row in rows:
-        if row.person or row.student not in own:
+        if row.person or row.student not in folders:
             who[row.student].add((row.handed.keys, row.handed.name))
 
     def note(row: Taken) -> str:
-        if row.person is None and row.student in own:
+        if row.person is None and row.student in folders:
             return TAKEN
         return TWO if len(who[row.student]) > 1 else ""
 
@@ -214,8 +216,8 @@ def _newest(rows: Sequence[Taken]) -> list[Taken]:
         key = row.student, row.target
         if row.target and (key not in best or _rank(row) >= _rank(best[key])):
             best[key] = row
-    found = [_passed_over(row, best[row.student, row.target]) if row.target else row for row in rows]
-    return sorted(found, key=lambda row: (row.student, row.slug, row.handed.order))
+    ranked = [_passed_over(row, best[row.student, row.target]) if row.target else row for row in rows]
+    return sorted(ranked, key=lambda row: (row.student, row.slug, row.handed.order))
 
 
 def _rank(row: Taken) -> tuple[bool, tuple[object, ...]]:
@@ -235,8 +237,8 @@ def _timed(rows: Sequence[Taken], path: Path | None, everyone: Directory) -> lis
     logged = _times(path, everyone) if path else {}
 
     def when(row: Taken) -> str:
-        own = row.person
-        return row.handed.when or (own and (logged.get(own.folder, "") or time_of(own.when))) or ""
+        person = row.person
+        return row.handed.when or (person and (logged.get(person.folder, "") or time_of(person.when))) or ""
 
     return [replace(row, handed=replace(row.handed, when=when(row))) for row in rows]
 
@@ -246,18 +248,20 @@ def _times(path: Path, everyone: Directory) -> dict[str, str]:
     heading, *rows = table(path)
     lower = [name.strip().lower() for name in heading]
     if rosters.WHEN in lower:
-        pairs = [(one.keys, one.name, one.when) for one in rosters.people(path)]
+        pairs = [(person.keys, person.name, person.when) for person in rosters.people(path)]
     elif {TIME, WHO, EVENT} <= {*lower}:
         cells = [dict(zip(lower, row, strict=False)) for row in rows]
-        pairs = [((), one[WHO], one[TIME]) for one in cells if one.get(EVENT, "").strip().lower() in SUBMITTED]
+        pairs = [
+            ((), person[WHO], person[TIME]) for person in cells if person.get(EVENT, "").strip().lower() in SUBMITTED
+        ]
     else:
         raise UsageError(f"{path} is neither Moodle's worksheet ({rosters.WHEN}) nor its log ({TIME}, {WHO}, {EVENT})")
-    found: dict[str, str] = {}
+    latest: dict[str, str] = {}
     for keys, name, text in pairs:
         who, when = everyone.owner(keys, name, must_agree=True), time_of(text)
         if isinstance(who, Person) and when:
-            found[who.folder] = max(when, found.get(who.folder, ""))
-    return found
+            latest[who.folder] = max(when, latest.get(who.folder, ""))
+    return latest
 
 
 def _write(rows: Sequence[Taken], out: Path) -> list[str]:
@@ -266,11 +270,11 @@ def _write(rows: Sequence[Taken], out: Path) -> list[str]:
     with writing(out):
         for row in rows:
             if row.target:
-                place = out / row.student / row.slug / row.target
-                place.parent.mkdir(parents=True, exist_ok=True)
-                if place.is_file() and place.read_bytes() != row.handed.file.data:
-                    replaced.append(f"{place} is replaced by {row.handed.file.path}")
-                written(place, row.handed.file.data)
+                target = out / row.student / row.slug / row.target
+                target.parent.mkdir(parents=True, exist_ok=True)
+                if target.is_file() and target.read_bytes() != row.handed.file.data:
+                    replaced.append(f"{target} is replaced by {row.handed.file.path}")
+                written(target, row.handed.file.data)
         out.mkdir(parents=True, exist_ok=True)
         write_table(path, [COLUMNS, *_all_rows(path, rows)])
     return replaced
@@ -280,14 +284,14 @@ def _all_rows(path: Path, rows: Sequence[Taken]) -> list[tuple[str, ...]]:
     """The rows of the table: of earlier downloads those that no row of this one replaces."""
     new = {(row.student, row.slug, row.target) for row in rows}
     earlier = [tuple(row[name] for name in COLUMNS) for row in (listed(path) if path.exists() else [])]
-    kept = [row for row in earlier if row[2] and (row[0], row[2], row[3]) not in new]
-    return sorted([*kept, *map(_row, rows)], key=lambda row: (row[0], row[2]))
+    unchanged = [row for row in earlier if row[2] and (row[0], row[2], row[3]) not in new]
+    return sorted([*unchanged, *map(_row, rows)], key=lambda row: (row[0], row[2]))
 
 
-def _row(one: Taken) -> tuple[str, ...]:
-    handed = one.handed
+def _row(row: Taken) -> tuple[str, ...]:
+    handed = row.handed
     late = "LATE" if handed.late else ""
-    return one.student, handed.name, one.slug, one.target, handed.when, late, handed.file.path, one.note
+    return row.student, handed.name, row.slug, row.target, handed.when, late, handed.file.path, row.note
 
 
 def _told(row: Taken) -> str:
@@ -308,19 +312,19 @@ def _warn(troubles: Iterable[tuple[str, str]]) -> None:
 
 def _newer_notebooks(rows: Iterable[Taken], out: Path) -> list[tuple[Taken, str]]:
     """Notebooks that came after the module that counts, with a sentence for each."""
-    kept = [row for row in rows if row.target]
-    modules = {(row.student, row.slug): row.handed.order for row in kept if row.target.endswith(".py")}
-    found = []
-    for row in kept:
+    work = [row for row in rows if row.target]
+    modules = {(row.student, row.slug): row.handed.order for row in work if row.target.endswith(".py")}
+    notebooks = []
+    for row in work:
         folder = out / row.student / row.slug
         newer = row.target.endswith(".ipynb") and row.handed.order > modules.get((row.student, row.slug), ())
         counts = of_folder(folder, row.student, row.slug, folder).path if newer else None
         if counts and counts.suffix == ".py":
             remedy = "delete the module if the notebook should count"
-            found.append(
+            notebooks.append(
                 (row, f"{row.handed.file.path} of {row.student} is newer than {counts}, which counts: {remedy}")
             )
-    return found
+    return notebooks
 
 
 def _strangers(rows: Iterable[Taken], everyone: Directory) -> list[Taken]:
@@ -330,13 +334,13 @@ def _strangers(rows: Iterable[Taken], everyone: Directory) -> list[Taken]:
 
 def _say(rows: Sequence[Taken], out: Path, everyone: Directory, slug: str) -> None:
     """How many were collected, how many late, whose time is unknown, and who on the roster handed in nothing."""
-    kept = [row for row in rows if form(row.target)]
-    late = sum(row.handed.late for row in kept)
-    count = f"{counted(len(kept), 'file')} of {counted(len({row.student for row in kept}), 'student')}"
+    work = [row for row in rows if form(row.target)]
+    late = sum(row.handed.late for row in work)
+    count = f"{counted(len(work), 'file')} of {counted(len({row.student for row in work}), 'student')}"
     count += f", {late} late" if late else ""
     say(f"{out}: {count}, of {slug}; {out.parent / TABLE} lists them")
-    if unknown := sum(not row.handed.when and not row.handed.late for row in kept):
+    if unknown := sum(not row.handed.when and not row.handed.late for row in work):
         say(f"the download does not tell when {counted(unknown, 'file')} came; --times adds it, for Moodle")
-    absent = sorted({one.folder for one in everyone.people} - {row.student for row in rows})
+    absent = sorted({person.folder for person in everyone.people} - {row.student for row in rows})
     if absent:
         say(f"{len(absent)} on the roster handed in nothing: {', '.join(absent)}")

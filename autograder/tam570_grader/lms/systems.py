@@ -25,7 +25,7 @@ class Table:
     identities: Mapping[str, str] = field(default_factory=dict)  # --identity: the one heading that is a key
     possible: str | None = None  # how the row of the points possible begins
     end: tuple[str, str] | None = None  # heading and cell of a last column
-    mark: str = ""  # before each key
+    prefix: str = ""  # before each key
     excused: str = ""  # in the place of a score
 
 
@@ -140,7 +140,7 @@ SYSTEMS = {
             column=re.compile(r"(?P<title>.*) Points Grade(?: <.*?MaxPoints:(?P<possible>[\d.]+).*>)?", re.DOTALL),
             heading="{slug} Points Grade",
             end=("End-of-Line Indicator", "#"),
-            mark="#",
+            prefix="#",
         ),
     ),
     "github": System(

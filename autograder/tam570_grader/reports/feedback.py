@@ -145,9 +145,9 @@ def _part(letter: str, result: Result, info: AssignmentInfo) -> dict[str, Any]:
     }
 
 
-def _shown(check_result: CheckResult, info: AssignmentInfo, note: str) -> dict[str, Any]:
+def _shown(check_result: CheckResult, info: AssignmentInfo, overall_message: str) -> dict[str, Any]:
     """A mark as the page shows it, but for what the note says of all; never its detail, which is the instructor's."""
-    stuck = check_result.outcome == "failed" or bool(check_result.unwritten)
+    is_stuck = check_result.outcome == "failed" or bool(check_result.unwritten)
     function = (
         (check_result.failure.function if check_result.failure else "")
         or check_result.unwritten
@@ -157,18 +157,18 @@ def _shown(check_result: CheckResult, info: AssignmentInfo, note: str) -> dict[s
         "name": check_result.name,
         "outcome": check_result.outcome,
         "line": info.lines.get(check_result.name, check_result.name),
-        "stuck": stuck,
+        "stuck": is_stuck,
         "points": points(check_result.points, check_result.max_points),
         "max_points": points(check_result.max_points),
         "message": describe_failure(check_result.failure)
         if check_result.failure
         else ""
-        if check_result.message == note
+        if check_result.message == overall_message
         else check_result.message,
         "suspect": check_result.suspect and known_mistake(check_result.suspect),
         "sketch": _sketch(check_result.failure.sketch if check_result.failure else None),
         "pictures": pictures(check_result.failure.curve if check_result.failure else None),
-        "hint": function if stuck else None,
+        "hint": function if is_stuck else None,
     }
 
 
@@ -178,7 +178,7 @@ def pictures(curve: Any) -> list[Any]:
         return []
     from tam570_grader.reports.pictures import picture
 
-    return [picture(one) for one in (curve, curve.get("keeps")) if one]
+    return [picture(drawn) for drawn in (curve, curve.get("keeps")) if drawn]
 
 
 def _sketch(drawn: Any) -> Any:
@@ -199,7 +199,9 @@ def _among(result: Result) -> Any:
     return among(result.assignment, result.speed)
 
 
-def write_pages(folder: Path, results: Results, course: Path, told: Progress = lambda keys, total: keys) -> list[Key]:
+def write_pages(
+    folder: Path, results: Results, course: Path, progress: Progress = lambda keys, total: keys
+) -> list[Key]:
     """Write the page of each student and assignment, `<student>/<assignment>.html`, unless it is up to date.
 
     A page that cannot be made says so to its student; which ones these are is returned.
@@ -210,36 +212,40 @@ def write_pages(folder: Path, results: Results, course: Path, told: Progress = l
     info_digests = {slug: _info_digest(course, slug, version) for slug in {slug for _, slug in results.lines}}
     adjustments = manual_points.read(folder.parent)
     adjusted = _settled(adjustments, results)
-    made = {key: f"{line.line_digest} {info_digests[key[1]]}" for key, line in results.lines.items()}
-    for key, one in adjusted.items():
-        made[key] += f" {zlib.crc32(repr(one).encode())}"
+    digests = {key: f"{line.line_digest} {info_digests[key[1]]}" for key, line in results.lines.items()}
+    for key, score in adjusted.items():
+        digests[key] += f" {zlib.crc32(repr(score).encode())}"
     notes = folder.with_name(f".{folder.name}-made.json")
-    known = _known(notes)
-    stale = [key for key in results if known.get("/".join(key)) != made[key] or not os.path.exists(_path(folder, key))]
+    made_before = _known(notes)
+    stale = [
+        key
+        for key in results
+        if made_before.get("/".join(key)) != digests[key] or not os.path.exists(_path(folder, key))
+    ]
     if stale:
         notes.unlink(missing_ok=True)  # what it says is no longer so
     infos = {slug: load_assignment_info(course, slug) for slug in {slug for _, slug in stale}}
     failed = []
-    for key in told(stale, len(stale)):
+    for key in progress(stale, len(stale)):
         try:
             text = page(read(results[key]), infos[key[1]], adjusted.get(key))
         except Exception as error:  # of one student's page, which is no reason for the others to have none
             warn(f"the page of {key[0]} {key[1]} could not be made: {error!r}")
             text = template("no_page.html").render(slug=key[1], student=key[0])
             failed.append(key)
-        _put(folder, key, text)
+        _write_page(folder, key, text)
     if stale:
-        written(notes, json.dumps({"/".join(key): digest for key, digest in made.items() if key not in failed}))
+        written(notes, json.dumps({"/".join(key): digest for key, digest in digests.items() if key not in failed}))
     return failed
 
 
-def _put(folder: Path, key: Key, text: str) -> None:
+def _write_page(folder: Path, key: Key, text: str) -> None:
     """Put a page in its place, unless it is there; a link in its way is replaced, and never followed."""
     path = Path(_path(folder, key))
-    for place in (folder, path.parent):
-        if place.is_symlink():
-            place.unlink()
-        place.mkdir(parents=True, exist_ok=True)
+    for target in (folder, path.parent):
+        if target.is_symlink():
+            target.unlink()
+        target.mkdir(parents=True, exist_ok=True)
     if path.is_symlink() or not path.exists() or path.read_text(encoding="utf-8") != text:
         draft = path.with_name(f".{path.name}.new")
         draft.unlink(missing_ok=True)
@@ -261,10 +267,10 @@ def _path(folder: Path, key: Key) -> str:
 def _known(notes: Path) -> dict[str, str]:
     """What the pages were made from; nothing where that cannot be read."""
     try:
-        known = json.loads(notes.read_text(encoding="utf-8"))
+        made_from = json.loads(notes.read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return {}
-    return known if isinstance(known, dict) else {}
+    return made_from if isinstance(made_from, dict) else {}
 
 
 def _info_digest(course: Path, slug: str, version: int) -> int:
@@ -276,7 +282,7 @@ def _info_digest(course: Path, slug: str, version: int) -> int:
 def _version() -> int:
     """Of all that makes a page of a result."""
     templates = sorted((Path(__file__).parent / "templates").iterdir())
-    return zlib.crc32(engine_digest() + b"".join(one.read_bytes() for one in templates if one.is_file()))
+    return zlib.crc32(engine_digest() + b"".join(path.read_bytes() for path in templates if path.is_file()))
 
 
 def table(rows: Sequence[tuple[str, ...]]) -> str:
@@ -290,8 +296,10 @@ def with_hand(
     rows: Iterable[tuple[str, ...]], results: Results, adjustments: ManualAdjustments
 ) -> list[tuple[str, ...]]:
     """The rows with the scores that points by hand made of theirs."""
-    made = {key: _score(one.score, one.most) for key, one in _settled(adjustments, results).items()}
-    return [(*one[:2], made.get((one[0], one[1]), one[2]), *one[3:]) for one in rows]
+    scores = {key: _score(row_shown.score, row_shown.most) for key, row_shown in _settled(adjustments, results).items()}
+    return [
+        (*row_shown[:2], scores.get((row_shown[0], row_shown[1]), row_shown[2]), *row_shown[3:]) for row_shown in rows
+    ]
 
 
 def _score(score: float | None, most: float) -> str:
@@ -310,9 +318,9 @@ def _remark(record: Record) -> str:
     check_results = [
         check_result for check_result in record["checks"] if check_result["outcome"] not in ("passed", "not_run")
     ]
-    named = next((check_result["suspect"] for check_result in check_results if check_result["suspect"]), None)
-    if named:
-        return f"numbers match: {sentence(named)}"
+    suspected = next((check_result["suspect"] for check_result in check_results if check_result["suspect"]), None)
+    if suspected:
+        return f"numbers match: {sentence(suspected)}"
     unwritten = [check_result["message"] for check_result in record["checks"] if check_result.get("unwritten")]
     first = [f"{check_result['name']}: {check_result['message']}" for check_result in check_results]
     return _short(record.get("message") or next(iter([*first, *unwritten]), ""))

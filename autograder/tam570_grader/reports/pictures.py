@@ -39,7 +39,7 @@ class Sketch:
     """A free body diagram as a student drew it."""
 
     caption: str
-    says: str
+    alt_text: str
     outline: str  # paths
     arrows: str
     unknown: Sequence[tuple[int, int]]  # points of forces of which no component is known
@@ -51,14 +51,14 @@ def sketch(drawn: Mapping[str, Any]) -> Sketch:
     for x1, y1, x2, y2 in drawn["outline"]:
         outline += f"M{EDGE + x1} {EDGE + SHEET - y1}L{EDGE + x2} {EDGE + SHEET - y2}"
     for x, y, angle in drawn["arrows"]:
-        place = EDGE + x, EDGE + SHEET - y
+        point = EDGE + x, EDGE + SHEET - y
         if angle is None:
-            unknown.append(place)
+            unknown.append(point)
         else:
-            arrows += _arrow(*place, math.radians(angle))
+            arrows += _arrow(*point, math.radians(angle))
     count = len(drawn["arrows"])
-    says = f"{count} {'force' if count == 1 else 'forces'}, {len(unknown)} of unknown direction."
-    return Sketch(f"What you drew on {drawn['body']}.", says, outline, arrows, unknown)
+    alt = f"{count} {'force' if count == 1 else 'forces'}, {len(unknown)} of unknown direction."
+    return Sketch(f"What you drew on {drawn['body']}.", alt, outline, arrows, unknown)
 
 
 def _arrow(x: float, y: float, angle: float) -> str:
@@ -98,15 +98,15 @@ def among(slug: str, speed: Speed) -> Among:
         across = (x1 - math.log10(point[1])) / (x1 - x0)
         return round(LEFT + (LAST - LEFT) * across, 1), round(_up(math.log10(point[0]), y0, y1), 1)
 
-    known = {name: [place(point) for point in curve] for name, curve in curves.items() if curve}
-    own = place((speed["seconds"], speed["error"]))
+    points_of = {name: [place(point) for point in curve] for name, curve in curves.items() if curve}
+    point = place((speed["seconds"], speed["error"]))
     decades = range(x1, x0 - 1, -max(1, math.ceil((x1 - x0) / 6)))
     return Among(
         caption=f"Run time against error of {speed['function']}, scene: {speed['scene']}.",
         alt_text=_compared(speed, curves),
-        paths=[(name, _path(places)) for name, places in known.items()],
-        names=_spread([(places[-1][1], name) for name, places in known.items()]),
-        point=own,
+        paths=[(name, _path(places)) for name, places in points_of.items()],
+        names=_spread([(places[-1][1], name) for name, places in points_of.items()]),
+        point=point,
         machine=speed["machine"],
         x=[(LEFT + (LAST - LEFT) * (x1 - k) / (x1 - x0), f"1e{k}") for k in decades],
         y=[(round(_up(k, y0, y1), 1), f"1e{k}") for k in range(y0, y1 + 1)],
@@ -125,10 +125,10 @@ def _compared(speed: Speed, curves: Mapping[str, Sequence[tuple[float, float]]])
 
 def _spread(names: Sequence[tuple[float, str]]) -> list[tuple[float, str]]:
     """The names from the top down, each clear of the one above."""
-    found: list[tuple[float, str]] = []
-    for place, name in sorted(names):
-        found.append((max(place, found[-1][0] + 12 if found else TOP + 4), name))
-    return found
+    positions: list[tuple[float, str]] = []
+    for height, name in sorted(names):
+        positions.append((max(height, positions[-1][0] + 12 if positions else TOP + 4), name))
+    return positions
 
 
 def _path(places: Sequence[tuple[float, float]]) -> str:
@@ -143,8 +143,8 @@ def picture(curve: Curve) -> Picture:
 def _error(curve: Curve) -> Picture:
     """The size of an error by decades, with the limit as a line, all below it allowed."""
     values, limit = curve["values"], math.log10(curve["tolerance"])
-    known = [value for value in values if value is not None]
-    low, high = math.floor(min(*known, 0) + limit - 0.2), math.ceil(max(*known, 0) + limit + 0.2)
+    finite = [value for value in values if value is not None]
+    low, high = math.floor(min(*finite, 0) + limit - 0.2), math.ceil(max(*finite, 0) + limit + 0.2)
     places = _places([None if v is None else v + limit for v in values], low, high)
     decades = range(low, high + 1, max(1, math.ceil((high - low) / 5)))
     line = _up(limit, low, high)
@@ -161,14 +161,14 @@ def _error(curve: Curve) -> Picture:
 def _drift(curve: Curve) -> Picture:
     """What should stay, with its sign, from what it should be."""
     values, limit = curve["values"], curve["tolerance"]
-    known = [value for value in values if value is not None]
-    low, high = min(*known, -limit), max(*known, limit)
+    finite = [value for value in values if value is not None]
+    low, high = min(*finite, -limit), max(*finite, limit)
     low, high = low - (high - low) / 20, high + (high - low) / 20
     places = _places(values, low, high)
     top, bottom = _up(limit, low, high), _up(-limit, low, high)
-    last = known[-1]
+    last = finite[-1]
     ends = f"It ends {'above' if last > 0 else 'below' if last < 0 else 'at'} what it should be"
-    alt_text = f"{ends}, off by {quantity(abs(last))}; the largest drift is {quantity(max(known, key=abs))}."
+    alt_text = f"{ends}, off by {quantity(abs(last))}; the largest drift is {quantity(max(finite, key=abs))}."
     return _picture(
         curve,
         f"What becomes of {curve['quantity']} along your motion",
@@ -197,7 +197,7 @@ def _picture(
         band=(round(band[0], 1), round(band[1], 1)),
         limit=allowed if band[1] >= NARROW else f"{allowed}, too narrow to see",
         x=[(LEFT + (RIGHT - LEFT) * quarter / 4, text) for quarter, text in enumerate(QUARTERS)],
-        y=[(round(place, 1), text) for place, text in ticks],
+        y=[(round(position, 1), text) for position, text in ticks],
     )
 
 
@@ -213,9 +213,9 @@ def _ticks(low: float, high: float) -> list[tuple[float, str]]:
 
 def _places(heights: Sequence[Any], low: float, high: float) -> list[tuple[float, float]]:
     """Where the known values are in the frame; the first and the last at its sides."""
-    known = [k for k, height in enumerate(heights) if height is not None]
+    present = [k for k, height in enumerate(heights) if height is not None]
     across = (RIGHT - LEFT) / max(len(heights) - 1, 1)
-    return [(LEFT + across * k, _up(heights[k], low, high)) for k in known]
+    return [(LEFT + across * k, _up(heights[k], low, high)) for k in present]
 
 
 def _up(value: float, low: float, high: float) -> float:
@@ -224,8 +224,8 @@ def _up(value: float, low: float, high: float) -> float:
 
 def _course(curve: Curve) -> str:
     """Begins and ends: a start that is wrong is another mistake than one that grows."""
-    known = [value for value in curve["values"] if value is not None]
-    first, last = (curve["tolerance"] * 10**value for value in (known[0], known[-1]))
+    finite = [value for value in curve["values"] if value is not None]
+    first, last = (curve["tolerance"] * 10**value for value in (finite[0], finite[-1]))
     return f"It begins at about {first:.0e} and ends at about {last:.0e}."
 
 

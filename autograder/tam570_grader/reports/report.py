@@ -156,18 +156,18 @@ def report(
     return text
 
 
-def _slugs(found: Class) -> list[str]:
-    return sorted({slug for _, slug in found})
+def _slugs(class_results: Class) -> list[str]:
+    return sorted({slug for _, slug in class_results})
 
 
 def _here(result: Result) -> bool:
     return result.status != "missing"
 
 
-def _assignments(found: Class, infos: Mapping[str, AssignmentInfo]) -> list[dict[str, Any]]:
+def _assignments(class_results: Class, infos: Mapping[str, AssignmentInfo]) -> list[dict[str, Any]]:
     """Each assignment at a glance."""
-    handed_in: dict[str, list[Result]] = {slug: [] for slug in _slugs(found)}
-    for result in filter(_here, found.values()):
+    handed_in: dict[str, list[Result]] = {slug: [] for slug in _slugs(class_results)}
+    for result in filter(_here, class_results.values()):
         handed_in[result.assignment].append(result)
     return [{"slug": slug, "title": infos[slug].title, **_spread(mine)} for slug, mine in handed_in.items()]
 
@@ -194,9 +194,9 @@ def _scores(class_results: Class, students: Sequence[str], dropped: Container[Ke
     """A row for each student: a cell for each assignment, in brackets where it does not count, and the sum."""
     slugs = _slugs(class_results)
     for student in students:
-        own = {slug: class_results.get((student, slug)) for slug in slugs}
-        cells = {slug: _cell(result) for slug, result in own.items()}
-        counting = [result.score or 0 for slug, result in own.items() if result and (student, slug) not in dropped]
+        results = {slug: class_results.get((student, slug)) for slug in slugs}
+        cells = {slug: _cell(result) for slug, result in results.items()}
+        counting = [result.score or 0 for slug, result in results.items() if result and (student, slug) not in dropped]
         shown = [f"({cell})" if cell and (student, slug) in dropped else cell for slug, cell in cells.items()]
         yield {"student": student, "cells": shown, "total": points(sum(counting))}
 
@@ -223,12 +223,12 @@ def _cell(result: Result | None) -> str:
     return "error" if result.score is None else points(result.score, result.max_score)
 
 
-def _tallies(found: Iterable[Result], infos: Mapping[str, AssignmentInfo]) -> list[Tally]:
+def _tallies(results: Iterable[Result], infos: Mapping[str, AssignmentInfo]) -> list[Tally]:
     """Of every check, in the order of the assignments, how many passed it, of those who handed in."""
     counts: dict[tuple[str, str], dict[str, int]] = defaultdict(lambda: dict.fromkeys(OUTCOMES, 0))
-    check_results, found = dict[tuple[str, str], CheckResult](), list(found)
-    upper = _discrimination(found)
-    for result in filter(_here, found):
+    check_results, results = dict[tuple[str, str], CheckResult](), list(results)
+    upper = _discrimination(results)
+    for result in filter(_here, results):
         for check_result in result.checks:
             key = result.assignment, check_result.name
             counts[key][check_result.outcome] += 1
@@ -246,10 +246,10 @@ def _tallies(found: Iterable[Result], infos: Mapping[str, AssignmentInfo]) -> li
     ]
 
 
-def _discrimination(found: Sequence[Result]) -> dict[tuple[str, str], float]:
+def _discrimination(results: Sequence[Result]) -> dict[tuple[str, str], float]:
     """Of every check the passes in the third with the best scores, less those in the worst third, in percent."""
     handed_in: dict[str, list[Result]] = defaultdict(list)
-    for result in found:
+    for result in results:
         if _here(result) and result.score is not None:
             handed_in[result.assignment].append(result)
     shares: dict[tuple[str, str], float] = {}
@@ -284,25 +284,25 @@ def _what_went_wrong(check: CheckResult) -> str:
     return check.suspect or f"{check.name} {check.message}"
 
 
-def _claims(hand: manual_points.ManualAdjustments, course: Path, slugs: Sequence[str]) -> list[dict[str, Any]]:
+def _claims(adjustments: manual_points.ManualAdjustments, course: Path, slugs: Sequence[str]) -> list[dict[str, Any]]:
     """Of each claim of a rubric to how many of those who are graded by hand it was given."""
-    told = []
+    claims = []
     for slug in slugs:
         for letter, part in load_rubric(course / "assignments" / slug).items():
-            graded = [one for one in hand.entries.values() if (one.slug, one.item) == (slug, letter)]
-            comments = [one.comment.split("\n") for one in graded if one.points is not None]
+            graded = [entry for entry in adjustments.entries.values() if (entry.slug, entry.item) == (slug, letter)]
+            comments = [entry.comment.split("\n") for entry in graded if entry.points is not None]
             for worth, claim in part.claims:
-                given = sum(f"+ {claim}" in lines for lines in comments)
-                told.append(
-                    {"slug": slug, "part": letter, "points": worth, "claim": claim, "given": given, "of": len(comments)}
+                count = sum(f"+ {claim}" in lines for lines in comments)
+                claims.append(
+                    {"slug": slug, "part": letter, "points": worth, "claim": claim, "given": count, "of": len(comments)}
                 )
-    return [one for one in told if one["of"]]
+    return [entry for entry in claims if entry["of"]]
 
 
-def _absent(found: Class, students: Sequence[str]) -> list[dict[str, Any]]:
+def _absent(class_results: Class, students: Sequence[str]) -> list[dict[str, Any]]:
     """For each assignment, who has handed in nothing."""
-    here = {key for key, result in found.items() if _here(result)}
+    here = {key for key, result in class_results.items() if _here(result)}
     return [
         {"slug": slug, "who": [student for student in students if (student, slug) not in here]}
-        for slug in _slugs(found)
+        for slug in _slugs(class_results)
     ]

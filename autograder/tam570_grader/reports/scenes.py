@@ -57,8 +57,8 @@ def wrong_and_right(course: Path, slug: str, suspect: str, failure: Failure | No
 
 def _scenes(course: Path, slug: str, suspect: str) -> Pair | None:
     """The scene with a known mistake and the right one, where they differ."""
-    known = mistakes(checks_folder(course, slug))
-    overlay = next((mistake.text for mistake in known if mistake.message == suspect), None)
+    listed = mistakes(checks_folder(course, slug))
+    overlay = next((mistake.text for mistake in listed if mistake.message == suspect), None)
     if overlay is None:
         return None
     solution = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")

@@ -37,8 +37,8 @@ def describe_failure(failure: Failure) -> str:
     message = failure.message or _off(failure)
     where = f" at t = {failure.time:g} s" if failure.time is not None else ""
     label = f" for {failure.label}" if failure.label else ""
-    told = capitalized(f"{message}{where}{label}", "an?|the")
-    return " ".join(filter(None, [sentence(told), "" if failure.suspect else sentence(hint)]))
+    text = capitalized(f"{message}{where}{label}", "an?|the")
+    return " ".join(filter(None, [sentence(text), "" if failure.suspect else sentence(hint)]))
 
 
 def full_message(failure: Failure) -> str:
@@ -81,22 +81,22 @@ def typeset(text: str) -> str:
     return EXPONENT.sub(_typeset, text)
 
 
-def _typeset(found: re.Match[str]) -> str:
-    factor = "" if found[1] == "1" else f"{found[1]}·"
-    return f"{factor}10{f'{found[2]}{found[3]}'.replace('+', '').translate(RAISED)}"
+def _typeset(match: re.Match[str]) -> str:
+    factor = "" if match[1] == "1" else f"{match[1]}·"
+    return f"{factor}10{f'{match[2]}{match[3]}'.replace('+', '').translate(RAISED)}"
 
 
 def _off(failure: Failure) -> str:
-    error, limit = (float("nan") if one is None else one for one in (failure.error, failure.limit))
+    error, limit = (float("nan") if value is None else value for value in (failure.error, failure.limit))
     unit = f" {failure.unit}" if failure.unit else ""
-    pairs = ([quantity(one, digits) for one in (error, limit)] for digits in DIGITS)
+    pairs = ([quantity(value, digits) for value in (error, limit)] for digits in DIGITS)
     shown, allowed = next((pair for pair in pairs if pair[0] != pair[1]), (quantity(error), quantity(limit)))
     return f"{failure.quantity} is wrong by {shown}{unit}" + (f" (limit {allowed})" if isfinite(limit) else "")
 
 
 def capitalized(text: str, words: str = "[a-z]+") -> str:
     """The text with a capital, where it begins with one of these words; a file's name, or a function's, is none."""
-    return re.sub(f"^({words}) ", lambda found: found[0].capitalize(), text)
+    return re.sub(f"^({words}) ", lambda match: match[0].capitalize(), text)
 
 
 def sentence(text: str) -> str:

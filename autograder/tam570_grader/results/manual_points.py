@@ -87,71 +87,71 @@ class ManualAdjustments:
     """All that was added by hand to some results."""
 
     def __init__(self, entries: Iterable[Entry] = ()) -> None:
-        self.entries = {one.key: one for one in entries}
+        self.entries = {entry.key: entry for entry in entries}
         self._of: dict[Key, dict[str, Entry]] = {}
-        for one in self.entries.values():
-            self._of.setdefault((one.student, one.slug), {})[one.item] = one
+        for entry in self.entries.values():
+            self._of.setdefault((entry.student, entry.slug), {})[entry.item] = entry
 
     def with_(self, entries: Iterable[Entry]) -> "ManualAdjustments":
         """The same, but for newer entries; one without points or a most takes back what there was."""
-        newest = {**self.entries, **{one.key: one for one in entries}}
-        return ManualAdjustments(one for one in newest.values() if one.points is not None or one.of is not None)
+        newest = {**self.entries, **{entry.key: entry for entry in entries}}
+        return ManualAdjustments(entry for entry in newest.values() if entry.points is not None or entry.of is not None)
 
     def touches(self, key: Key) -> bool:
         """Whether anything was added to a result."""
-        return any(one in self._of for one in _layers(key))
+        return any(layer in self._of for layer in _layers(key))
 
     def _rows(self, key: Key) -> dict[str, Entry]:
         """The rows of a result: a student's own go before everybody's, an assignment's before the term's."""
-        return {item: entry for one in _layers(key) for item, entry in self._of.get(one, {}).items()}
+        return {item: entry for layer in _layers(key) for item, entry in self._of.get(layer, {}).items()}
 
     def points_of(self, student: str, slug: str, item: str) -> float | None:
         """What a row gives; None where there is no row, or one without points."""
-        one = self.entries.get((student, slug, item))
-        return one.points if one else None
+        entry = self.entries.get((student, slug, item))
+        return entry.points if entry else None
 
     def counts_parts(self, slug: str) -> bool:
         """Whether everybody's score is of a most that has the parts by hand."""
-        return any(one.of is not None for one in self._of.get((EVERYONE, slug), {}).values())
+        return any(entry.of is not None for entry in self._of.get((EVERYONE, slug), {}).values())
 
     def adjust(self, key: Key, score: float | None, most: float, earned_of: Earned) -> AdjustedScore:
         """What a score of `most` becomes."""
         mine = self._rows(key)
         if not mine:
             return AdjustedScore(score, most)
-        parts = [one for one in mine.values() if one.of is not None]
-        added = [one.points for one in parts if one.points is not None]
-        most += sum(one.of or 0.0 for one in parts)
-        message = [_part(one) for one in sorted(parts, key=lambda one: one.item)]
-        if checks := {item: one for item, one in mine.items() if one.of is None and item not in WORDS}:
+        parts = [row for row in mine.values() if row.of is not None]
+        added = [row.points for row in parts if row.points is not None]
+        most += sum(row.of or 0.0 for row in parts)
+        message = [_part(row) for row in sorted(parts, key=lambda row: row.item)]
+        if checks := {item: row for item, row in mine.items() if row.of is None and item not in WORDS}:
             score, replaced = _checks(score, checks, earned_of())
             message += replaced
         if adjusted := mine.get(ADJUST):
             added.append(adjusted.points or 0.0)
             message.append(f"{adjusted.points:+g} points by hand: {adjusted.comment}")
         earned = None if score is None else max(0.0, score + sum(added))
-        earned, late = _late(earned, {item: one.points or 0.0 for item, one in mine.items()}, self._slip(key))
+        earned, late = _late(earned, {item: row.points or 0.0 for item, row in mine.items()}, self._slip(key))
         if total := mine.get(TOTAL):
             earned = total.points
             late.append(f"{earned:g} points in all, by hand: {total.comment}")
-        letters = tuple(one.item for one in parts)
+        letters = tuple(row.item for row in parts)
         if (excused := mine.get(EXCUSED)) and excused.points:
-            told = f"You are excused from this assignment. {excused.comment}".strip()
-            return AdjustedScore(None, most, (*message, told), letters, excused=True)
+            reason = f"You are excused from this assignment. {excused.comment}".strip()
+            return AdjustedScore(None, most, (*message, reason), letters, excused=True)
         return AdjustedScore(None if earned is None else round(earned, 6), most, (*message, *late), letters)
 
     def _slip(self, key: Key) -> float:
         """The slip days that a result takes: assignments use those of the term in their order."""
-        left = next((one.points or 0.0 for item, one in self._rows(key).items() if item == SLIP), 0.0)
-        if not left:
+        rest = next((row.points or 0.0 for item, row in self._rows(key).items() if item == SLIP), 0.0)
+        if not rest:
             return 0.0
         for slug in sorted({slug for _, slug in self._of if slug != EVERYONE}):
             rows = self._rows((key[0], slug))
-            days = _days({item: one.points or 0.0 for item, one in rows.items()})
-            taken = min(left, days if LATE in rows else 0)
+            days = _days({item: row.points or 0.0 for item, row in rows.items()})
+            days_taken = min(rest, days if LATE in rows else 0)
             if slug == key[1]:
-                return taken
-            left -= taken
+                return days_taken
+            rest -= days_taken
         return 0.0
 
     def table(self, rows: Iterable[tuple[Any, ...]]) -> list[tuple[Any, ...]]:
@@ -181,17 +181,17 @@ class ManualAdjustments:
             (result.student, result.assignment),
             {check_result.name: check_result.points for check_result in result.checks},
         )
-        found = self.adjust(key, result.score, result.max_score, lambda: earned)
-        status = EXCUSED if found.excused else result.status
-        return replace(result, status=status, score=found.score, max_score=found.most)
+        adjusted = self.adjust(key, result.score, result.max_score, lambda: earned)
+        status = EXCUSED if adjusted.excused else result.status
+        return replace(result, status=status, score=adjusted.score, max_score=adjusted.most)
 
     def row(self, graded: tuple[Any, ...], earned_of: Earned) -> tuple[Any, ...]:
         """A row of the table of grades with its score settled."""
         student, slug, status, score, most = graded
         if not self.touches((student, slug)):
             return graded
-        found = self.adjust((student, slug), score, most, earned_of)
-        return student, slug, status, EX if found.excused else found.score, found.most
+        adjusted = self.adjust((student, slug), score, most, earned_of)
+        return student, slug, status, EX if adjusted.excused else adjusted.score, adjusted.most
 
 
 def _layers(key: Key) -> tuple[Key, Key, Key, Key]:
@@ -200,22 +200,24 @@ def _layers(key: Key) -> tuple[Key, Key, Key, Key]:
     return (EVERYONE, EVERYONE), (EVERYONE, slug), (student, EVERYONE), (student, slug)
 
 
-def _part(one: Entry) -> str:
-    if one.points is None:
-        return f"Part ({one.item}): up to {one.of:g} points are given by hand, not yet."
-    return f"Part ({one.item}): {one.points:g} of {one.of:g} points, by hand. {one.comment}".strip()
+def _part(entry: Entry) -> str:
+    if entry.points is None:
+        return f"Part ({entry.item}): up to {entry.of:g} points are given by hand, not yet."
+    return f"Part ({entry.item}): {entry.points:g} of {entry.of:g} points, by hand. {entry.comment}".strip()
 
 
 def _checks(
     score: float | None, rows: Mapping[str, Entry], earned: Mapping[str, float | None]
 ) -> tuple[float | None, list[str]]:
     """The score with these points for checks in the place of what they earned; a check that is gone changes nothing."""
-    here = {item: one for item, one in rows.items() if item in earned}
+    here = {item: entry for item, entry in rows.items() if item in earned}
     if not here:
         return score, []
-    points = [*{**earned, **{item: one.points for item, one in here.items()}}.values()]
-    message = [f"{item.replace('_', ' ')}: {one.points:g} points, by hand: {one.comment}" for item, one in here.items()]
-    return None if None in points else sum(one for one in points if one is not None), message
+    points = [*{**earned, **{item: entry.points for item, entry in here.items()}}.values()]
+    message = [
+        f"{item.replace('_', ' ')}: {entry.points:g} points, by hand: {entry.comment}" for item, entry in here.items()
+    ]
+    return None if None in points else sum(entry for entry in points if entry is not None), message
 
 
 def _days(items: Mapping[str, float]) -> int:
@@ -223,13 +225,13 @@ def _days(items: Mapping[str, float]) -> int:
     return math.ceil(max(0.0, items.get(LATE, 0.0) - items.get(EXTENSION, 0.0)))
 
 
-def _late(earned: float | None, items: Mapping[str, float], slip: float = 0.0) -> tuple[float | None, list[str]]:
+def _late(earned: float | None, items: Mapping[str, float], slip_days: float = 0.0) -> tuple[float | None, list[str]]:
     """What days beyond the extension and the slip days leave of a score, and the sentence that tells it."""
-    off = min(items.get(MOST, 1.0), (_days(items) - slip) * items.get(OFF, 0.0))
+    off = min(items.get(MOST, 1.0), (_days(items) - slip_days) * items.get(OFF, 0.0))
     if not items.get(LATE):
         return earned, []
     allowed = f", {items[EXTENSION]:g} of them allowed" if items.get(EXTENSION) else ""
-    allowed += f", {slip:g} of them slip days" if slip else ""
+    allowed += f", {slip_days:g} of them slip days" if slip_days else ""
     word = "day" if items[LATE] == 1 else "days"
     message = f"{items[LATE]:g} {word} late{allowed}: {100 * off:g} % of the points are taken off."
     return None if earned is None else earned * (1 - off), [message]
@@ -275,7 +277,7 @@ def join(folder: Path, others: Iterable[Path]) -> None:
 def write(folder: Path, adjustments: ManualAdjustments) -> None:
     """Put the table in place of the one that is there, whole or not at all."""
     rows = [
-        ["" if value is None else value for value in astuple(one)]
-        for one in sorted(adjustments.entries.values(), key=lambda one: one.key)
+        ["" if value is None else value for value in astuple(entry)]
+        for entry in sorted(adjustments.entries.values(), key=lambda entry: entry.key)
     ]
     write_table(folder / FILE, [COLUMNS, *rows])

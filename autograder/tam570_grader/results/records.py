@@ -68,13 +68,14 @@ def write(result: Result) -> dict[str, Any]:
 
 
 def _check_result(check_result: CheckResult) -> dict[str, Any]:
-    line = {one.name: getattr(check_result, one.name) for one in fields(check_result) if one.name != "failure"}
+    line = {field.name: getattr(check_result, field.name) for field in fields(check_result) if field.name != "failure"}
     line = {key: value for key, value in line.items() if value or key not in ("unwritten", "error")}
     if check_result.failure:
-        given = [
-            (one.name, getattr(check_result.failure, one.name), one.default) for one in fields(check_result.failure)
+        fields_set = [
+            (field.name, getattr(check_result.failure, field.name), field.default)
+            for field in fields(check_result.failure)
         ]
-        line["failure"] = dict((name, numbers(value)) for name, value, usual in given if value is not usual)
+        line["failure"] = dict((name, numbers(value)) for name, value, usual in fields_set if value is not usual)
     return line
 
 
@@ -114,14 +115,14 @@ def numbers(value: Any) -> Any:
 
 
 def _packed(value: np.ndarray[Any, Any]) -> dict[str, Any]:
-    whole = np.asarray(value, "<f8", order="C")
-    return {"shape": list(value.shape), "float64": base64.b64encode(whole.tobytes()).decode()}
+    array = np.asarray(value, "<f8", order="C")
+    return {"shape": list(value.shape), "float64": base64.b64encode(array.tobytes()).decode()}
 
 
 def _restored(value: Any) -> Any:
     if isinstance(value, dict):
         if value.keys() == {"shape", "float64"}:
-            whole = np.frombuffer(base64.b64decode(value["float64"]), "<f8").reshape(value["shape"])
-            return whole if whole.ndim else float(whole)
+            array = np.frombuffer(base64.b64decode(value["float64"]), "<f8").reshape(value["shape"])
+            return array if array.ndim else float(array)
         return {key: _restored(item) for key, item in value.items()}
     return [_restored(item) for item in value] if isinstance(value, list) else value

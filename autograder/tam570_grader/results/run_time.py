@@ -16,8 +16,8 @@ Speed = dict[str, Any]  # function, scene, seconds, error, machine: plain data
 def scenes() -> dict[str, Any]:
     """By assignment: a call, the right end state, and the curves of the methods, (seconds, error)."""
     path = Path(__file__).with_name("run_time.json")
-    found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
-    return found
+    table: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+    return table
 
 
 def time_to(error: float, curve: Sequence[Sequence[float]]) -> float | None:

@@ -89,9 +89,9 @@ class Results(Mapping[Key, Record]):
         self._file.seek(self._end)
         for text in self._file:
             if text.endswith(b"\n"):
-                self._put(_record(text, self._path, self._count + 1), text)
+                self._index(_record(text, self._path, self._count + 1), text)
 
-    def _put(self, record: Record, text: bytes) -> None:
+    def _index(self, record: Record, text: bytes) -> None:
         line_digest = hashlib.blake2b(text, digest_size=12).hexdigest()
         graded = tuple(map(_kept_once, map(record.get, COLUMNS)))
         digest = str(record.get("digest"))
@@ -125,7 +125,7 @@ class ResultStore(Results):
         self._file.write(text)
         self._file.flush()
         os.fsync(self._file.fileno())
-        self._put(record, text)
+        self._index(record, text)
 
     def close(self) -> None:
         """Write the table of grades; put the lines in order, and drop those that newer ones have replaced."""
@@ -185,8 +185,8 @@ def results(path: Path, summary_row: SummaryRow = lambda record: None) -> Result
 
 def read(path: Path) -> list[Record]:
     """The newest result of every student and assignment, in a folder of results or its `results.jsonl`."""
-    with contextlib.closing(results(path)) as found:
-        return list(found.values())
+    with contextlib.closing(results(path)) as store:
+        return list(store.values())
 
 
 def stream(path: Path) -> Iterator[Result]:
@@ -202,24 +202,24 @@ def stream(path: Path) -> Iterator[Result]:
 
 def common_seed(seeds: Iterable[int]) -> int | None:
     """The seed that results have in common; None if there are none."""
-    known = set(seeds)
-    if len(known) > 1:
+    distinct = set(seeds)
+    if len(distinct) > 1:
         raise UsageError(
             "these results have more than one seed: give the key that they were varied by (--vary), or a --seed"
         )
-    return next(iter(known), None)
+    return next(iter(distinct), None)
 
 
 def _record(line: bytes, path: Path, number: int) -> Record:
     """The result in a line; UsageError if it is none, or one of another format, whose fields mean something else."""
     try:
         record: Record = json.loads(line)
-        whole = record.keys() >= RESULT_FIELDS and all(
+        is_whole = record.keys() >= RESULT_FIELDS and all(
             check_result.keys() >= CHECK_FIELDS for check_result in record["checks"]
         )
     except (ValueError, TypeError, AttributeError):
-        whole = False
-    if not whole:
+        is_whole = False
+    if not is_whole:
         raise _not_a_result(path, number)
     if record.get("format") != records.FORMAT:
         raise UsageError(

@@ -21,13 +21,13 @@ BEFORE_FORMULA = re.compile(rf"{START}(?='*[{FORMULA}])")
 QUOTED = re.compile(rf"({START})'(?='*[{FORMULA}])")
 
 
-def written(path: Path, whole: str | bytes | Iterable[str]) -> None:
+def written(path: Path, content: str | bytes | Iterable[str]) -> None:
     """Put the text, its parts or the bytes in place of the file, whole or not at all."""
     draft = path.with_name(path.name + ".new")
-    parts = [whole] if isinstance(whole, str | bytes) else whole
+    parts = [content] if isinstance(content, str | bytes) else content
     try:
         with open(draft, "wb") as file:
-            file.writelines(one.encode(errors="surrogateescape") if isinstance(one, str) else one for one in parts)
+            file.writelines(part.encode(errors="surrogateescape") if isinstance(part, str) else part for part in parts)
             file.flush()
             os.fsync(file.fileno())
         os.replace(draft, path)
@@ -57,7 +57,7 @@ def write_table(path: Path | None, rows: Iterable[Iterable[Any]], *, exact: bool
 def table_text(rows: Iterable[Iterable[Any]], *, exact: bool = False) -> str:
     """The text of a table of cells."""
     text = io.StringIO()
-    csv.writer(text).writerows(rows if exact else ([cell(one) for one in row] for row in rows))  # noqa: TID251
+    csv.writer(text).writerows(rows if exact else ([cell(value) for value in row] for row in rows))  # noqa: TID251
     return text.getvalue()
 
 
