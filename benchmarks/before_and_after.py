@@ -50,7 +50,7 @@ def checkout(revision):
 
 def graded(course, work, jobs):
     """Seconds of one run of the command."""
-    command = [sys.executable, "-m", "tam570_grader.cli", "--root", str(course), "grade", str(work)]
+    command = [sys.executable, "-m", "tam570_grader", "--root", str(course), "grade", str(work)]
     path = os.pathsep.join([str(course / "shared"), str(course / "autograder")])
     started = time.perf_counter()
     subprocess.run(

@@ -58,7 +58,7 @@ def started(module, *arguments, **more):
 
 
 def grading(tree, out, *arguments):
-    return started("tam570_grader.cli", "grade", tree, "--out", out, "--seed", 570, "--jobs", 1, *arguments)
+    return started("tam570_grader", "grade", tree, "--out", out, "--seed", 570, "--jobs", 1, *arguments)
 
 
 class Net:
@@ -144,7 +144,7 @@ def test_who_has_no_certificate_is_kept_out(net, tree, tmp_path, capsys):
         with net.grading(tree, tmp_path / "out", "--certificates", others) as head:
             assert head.wait() == 2
             assert "no scheduler lets us in" in head.stderr.read()
-        with started("tam570_grader.cli", "certificates", others) as again:
+        with started("tam570_grader", "certificates", others) as again:
             assert again.wait() == 2  # nobody's keys are overwritten
 
 

@@ -26,7 +26,7 @@ def class_of(count, folder, text):
 
 
 def grading(tree, out):
-    command = [sys.executable, "-m", "tam570_grader.cli", "grade", tree, "--out", out, "--seed", "5", "--jobs", "2"]
+    command = [sys.executable, "-m", "tam570_grader", "grade", tree, "--out", out, "--seed", "5", "--jobs", "2"]
     return subprocess.Popen(
         list(map(str, command)), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, start_new_session=True
     )

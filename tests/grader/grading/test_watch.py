@@ -107,7 +107,7 @@ def test_an_exchange_of_nbgrader(watch, tmp_path, solution_text):
 def test_a_watch_that_is_killed_loses_nothing(course, tmp_path, hand_in):
     (tmp_path / "submitted").mkdir()
     out = tmp_path / "results"
-    command = [sys.executable, "-m", "tam570_grader.cli", "--root", str(course), "watch", str(tmp_path / "submitted")]
+    command = [sys.executable, "-m", "tam570_grader", "--root", str(course), "watch", str(tmp_path / "submitted")]
     command += ["--out", str(out), "--jobs", "2"]
     for kill in range(6):
         process = subprocess.Popen(command, stderr=subprocess.DEVNULL)

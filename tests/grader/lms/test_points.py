@@ -6,7 +6,7 @@ import pytest
 from classes import hand_in, rows
 
 from tam570_grader import cli
-from tam570_grader.lms import points as command
+from tam570_grader.cli import points as command
 from tam570_grader.results import manual_points
 from tam570_grader.results.manual_points import Entry, ManualAdjustments
 from tam570_grader.results.store import ResultStore

@@ -3,6 +3,7 @@
 import csv
 
 import pytest
+from classes import notebook
 
 from tam570_grader import cli
 
@@ -11,7 +12,7 @@ TEXT = "def skew(v): return v\n"
 
 
 @pytest.fixture
-def exported(course, tmp_path, tree, notebook, capsys):
+def exported(course, tmp_path, tree, capsys):
     """`exported(tool)` -> exit code, the folder, number by student, what was said."""
     (tree / "ada" / SLUG / f"{SLUG}.py").unlink()
     (tree / "ada" / SLUG / f"{SLUG}.ipynb").write_text(notebook("import numpy as np", TEXT))

@@ -83,7 +83,7 @@ def test_what_is_not_finite_is_strict_json_and_read_back(value):
 
 
 def command(*arguments):
-    words = [sys.executable, "-m", "tam570_grader.cli", *map(str, arguments)]
+    words = [sys.executable, "-m", "tam570_grader", *map(str, arguments)]
     return subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
 

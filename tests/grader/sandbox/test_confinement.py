@@ -113,7 +113,7 @@ def test_a_shells_own_limits_cost_nobody_points(tmp_path, solution_text, limit, 
     if container and subprocess.run([*container, "true"], check=False).returncode:
         pytest.skip("no user namespaces")
     (tmp_path / "hw08.py").write_text(solution_text(HW08))
-    grading = [*container, sys.executable, "-m", "tam570_grader.cli", "grade", str(tmp_path / "hw08.py"), "--json"]
+    grading = [*container, sys.executable, "-m", "tam570_grader", "grade", str(tmp_path / "hw08.py"), "--json"]
     limited = ["bash", "-c", f'ulimit {limit}; exec "$@"', "-", *grading]
     done = subprocess.run(limited, capture_output=True, text=True, check=False)
     assert done.returncode == code, done.stderr
