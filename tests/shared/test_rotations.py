@@ -13,17 +13,6 @@ ANGLES = DRAW.uniform(-3, 3, (40, 3))
 QUATERNIONS = DRAW.normal(size=(40, 4))
 MATRICES = rotations.exp(VECTORS)
 
-UNARY = {  # name -> (function of one argument, arguments)
-    "skew": (rotations.skew, VECTORS),
-    "unskew": (rotations.unskew, MATRICES),
-    "exp": (rotations.exp, VECTORS),
-    "log": (rotations.log, MATRICES),
-    "matrix_from_quaternion": (rotations.matrix_from_quaternion, QUATERNIONS),
-    "quaternion_from_matrix": (rotations.quaternion_from_matrix, MATRICES),
-    "axis_angle_from_matrix": (lambda R: rotations.axis_angle_from_matrix(R)[0], MATRICES),
-    "nearest": (rotations.nearest, MATRICES + 0.1 * DRAW.normal(size=(40, 3, 3))),
-}
-
 
 def largest(difference):
     return np.abs(difference).max()
@@ -55,33 +44,10 @@ def test_in_gimbal_lock_the_first_angle_is_zero(sequence):
             assert largest(rotations.matrix_from_euler(sequence, back) - R) < 4 * EPS
 
 
-def test_nearest_has_a_symmetric_stretch_left():
-    """R^T M symmetric with two positive sums of stretches is the condition for the maximum of tr(R^T M)."""
-    M = DRAW.normal(size=(200, 3, 3))  # half of them left-handed
-    R = rotations.nearest(M)
-    S = transposed(R) @ M
-    assert largest(transposed(R) @ R - np.eye(3)) < 8 * EPS
-    assert (np.linalg.det(R) > 0).all()
-    assert largest(S - transposed(S)) < 64 * EPS  # entries of M reach 4, sums of three products
-    stretch = np.linalg.eigvalsh((S + transposed(S)) / 2)
-    assert (stretch[:, 0] + stretch[:, 1] > 0).all()
-
-
 def test_nearest_needs_no_singular_values_near_a_rotation(monkeypatch):
     monkeypatch.setattr(np.linalg, "svd", None)
     noisy = MATRICES + 1e-2 * DRAW.normal(size=(40, 3, 3))
     assert largest(rotations.nearest(rotations.nearest(noisy)) - rotations.nearest(noisy)) < 4 * EPS
-
-
-@pytest.mark.parametrize("name", UNARY)
-def test_a_batch_is_its_elements(name):
-    """The float path and the array path are one formula: they differ by the libraries' sines at most."""
-    function, arguments = UNARY[name]
-    batch = function(arguments)
-    single = np.array([function(argument) for argument in arguments])
-    assert batch.shape == single.shape
-    assert largest(batch - single) <= 4 * EPS * max(1, largest(batch))
-    assert np.array_equal(function(arguments.reshape(5, 8, *arguments.shape[1:])).reshape(batch.shape), batch)
 
 
 def test_batches_broadcast_and_may_be_empty_or_longer_than_a_block():

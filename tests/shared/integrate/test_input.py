@@ -8,8 +8,6 @@ from systems import oscillator
 
 from tam570.integrate import solve, solve_rotation
 
-EPS = 2.0**-52
-
 
 @pytest.mark.parametrize(
     ("change", "message"),

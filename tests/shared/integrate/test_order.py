@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from systems import pendulum
+from systems import clock, pendulum
 
 from tam570.integrate import solve, tableau
 from tam570.integrate.dop853_source import compiled
@@ -14,11 +14,6 @@ from tam570.integrate.trace import traced
 from tam570.invariants import observed_order
 
 EPS = 2.0**-52
-
-
-def clock(t, y):
-    """y = exp(sin t): a stage at the wrong time shows, where the pendulum would hide it."""
-    return (y[0] * math.cos(t),)
 
 
 def test_tableau_satisfies_the_order_conditions():

@@ -23,7 +23,7 @@ def bouncing(t, y):
 
 
 STARTS = [[1.0, 0.0], (0.1, 2.0), np.array([-2.0, 0.5]), [0.0, 0.0], [3, -1]]
-GIVEN = {"length": 0.7}
+LENGTH = {"length": 0.7}
 
 
 @pytest.fixture
@@ -37,7 +37,7 @@ def alone(monkeypatch):
 
 
 @pytest.mark.parametrize("times", [[0, 3], np.linspace(-1, 20, 57), [5.0, 2.0, 1.5]])
-@pytest.mark.parametrize(("rhs", "parameters"), [(pendulum, GIVEN), (driven, {})])
+@pytest.mark.parametrize(("rhs", "parameters"), [(pendulum, LENGTH), (driven, {})])
 def test_the_states_are_those_of_solve(alone, times, rhs, parameters):
     for atol in (None, 1e-3, [1e-3, 0.0]):
         run = prepared(rhs, times, STARTS[0], parameters=parameters, rtol=1e-9, atol=atol)
@@ -47,7 +47,7 @@ def test_the_states_are_those_of_solve(alone, times, rhs, parameters):
 
 
 def test_what_was_given_back_is_not_written_over():
-    run = prepared(pendulum, [0, 1, 2], STARTS[0], parameters=GIVEN)
+    run = prepared(pendulum, [0, 1, 2], STARTS[0], parameters=LENGTH)
     first = run(STARTS[0])
     copy = first.copy()
     run(STARTS[1])
@@ -56,7 +56,7 @@ def test_what_was_given_back_is_not_written_over():
 
 def test_threads_do_not_share_their_memory():
     times = np.linspace(0, 300, 1001)
-    run = prepared(pendulum, times, STARTS[0], parameters=GIVEN, rtol=1e-12)
+    run = prepared(pendulum, times, STARTS[0], parameters=LENGTH, rtol=1e-12)
     starts = [[0.01 * k, 0.3] for k in range(1, 41)]
     with ThreadPoolExecutor(4) as pool:
         together = list(pool.map(run, starts))
@@ -68,7 +68,7 @@ def test_threads_do_not_share_their_memory():
     "start", [[1.0], [1.0, 2.0, 3.0], [math.nan, 0.0], [math.inf, 0.0], 1.0, "no", [1.0, None], []]
 )
 def test_a_wrong_start_is_refused_and_the_next_one_runs(start):
-    run = prepared(pendulum, [0, 1], STARTS[0], parameters=GIVEN)
+    run = prepared(pendulum, [0, 1], STARTS[0], parameters=LENGTH)
     expected = run(STARTS[0])
     with pytest.raises(ValueError, match="y0|rhs"):
         run(start)
@@ -79,8 +79,8 @@ def test_what_cannot_be_compiled_runs_as_it_stands(monkeypatch):
     run = prepared(bouncing, [0, 5], [1.0, 0.0])
     np.testing.assert_array_equal(run([1.0, 0.0]), solve(bouncing, [0, 5], [1.0, 0.0]))
     monkeypatch.setenv("TAM570_COMPILED", "0")
-    plain = prepared(pendulum, [0, 5], STARTS[0], parameters=GIVEN)
-    np.testing.assert_array_equal(plain(STARTS[1]), solve(pendulum, [0, 5], STARTS[1], parameters=GIVEN))
+    plain = prepared(pendulum, [0, 5], STARTS[0], parameters=LENGTH)
+    np.testing.assert_array_equal(plain(STARTS[1]), solve(pendulum, [0, 5], STARTS[1], parameters=LENGTH))
 
 
 def thrown(t, y, *, length):
@@ -98,7 +98,7 @@ def test_parameters_are_those_of_the_preparation(rhs):
 
 @pytest.fixture
 def prepared_call(monkeypatch):
-    """again(rhs, times, **given) -> start -> states: a call of solve that has the run at hand."""
+    """`prepared_call(rhs, times, ...)` -> start -> states: a call of solve that takes its cached run."""
 
     def repeated(rhs, times, **arguments):
         call = partial(solver.solve, rhs, times, method="compiled", **arguments)
@@ -116,7 +116,7 @@ def prepared_call(monkeypatch):
 
 
 @pytest.mark.parametrize("times", [[0, 3], np.linspace(-1, 20, 57), (5.0, 2.0, 1.5)])
-@pytest.mark.parametrize(("rhs", "parameters"), [(pendulum, GIVEN), (driven, {})])
+@pytest.mark.parametrize(("rhs", "parameters"), [(pendulum, LENGTH), (driven, {})])
 def test_a_call_like_ones_before_gives_what_they_gave(prepared_call, monkeypatch, times, rhs, parameters):
     arguments = {"parameters": parameters, "rtol": 1e-9, "atol": 1e-12}
     run = prepared_call(rhs, times, **arguments)
@@ -141,6 +141,6 @@ def test_a_call_of_which_anything_differs_is_another(prepared_call):
 @pytest.mark.parametrize("start", [[1.0], [math.nan, 0.0], "no", [[1.0], [2.0]], np.ones((2, 1))])
 def test_a_wrong_start_of_a_call_like_ones_before_is_refused(start):
     for expected in STARTS[:3]:
-        solve(pendulum, [0, 1], expected, parameters=GIVEN, method="compiled")
+        solve(pendulum, [0, 1], expected, parameters=LENGTH, method="compiled")
     with pytest.raises((ValueError, IndexError)):  # or what rhs itself raises
-        solve(pendulum, [0, 1], start, parameters=GIVEN, method="compiled")
+        solve(pendulum, [0, 1], start, parameters=LENGTH, method="compiled")
