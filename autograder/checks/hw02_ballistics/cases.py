@@ -160,8 +160,8 @@ def landings(rng):
     cases = [of_lift(rng, lift, ANY) for lift in 10.0 ** rng.uniform(-1.3, 1.3, 4)]
     angles = {"a launch straight up": math.pi / 2, "a launch at 45 degrees": math.pi / 4, "a nearly flat launch": 0.01}
     for label, angle in angles.items():
-        for also, lift in (("", rng.uniform(0.3, 3)), (", no drag", 0.0)):
-            cases.append(of_lift(rng, lift, f"{label}{also}", angle))
+        for suffix, lift in (("", rng.uniform(0.3, 3)), (", no drag", 0.0)):
+            cases.append(of_lift(rng, lift, f"{label}{suffix}", angle))
     ones = Case(1.0, 1.0, **ONES).labelled("whole numbers")
     return [*cases, ones, ones.replace(2.0, drag=0.0), ones.replace(1.0, math.pi / 2)]
 

@@ -118,10 +118,10 @@ def at_two_times(rng):
 
 def few_times(rng):
     """At rest; a motion, and calls like it."""
-    return [*(case for case in at_two_times(rng) if "at rest" in case.label), *alike(rng)]
+    return [*(case for case in at_two_times(rng) if "at rest" in case.label), *like_the_first(rng)]
 
 
-def alike(rng):
+def like_the_first(rng):
     """A motion, at other times, from another start, of another spring."""
     (first,) = motions(1, "three times", 0.0, count=3)(rng)
     return [first, *repeated_calls(rng, first)]
@@ -141,7 +141,7 @@ def from_any_time(rng):
     yield from (case.replace(case.args[0][some]).labelled(label) for label, some in SOME_TIMES.items())
     yield case.replace(case.args[0] - case.args[0][-1]).labelled("times that end at 0")
     yield small(rng).with_leading(case.args[0])
-    yield from alike(rng)
+    yield from like_the_first(rng)
 
 
 def stiff(rng):
@@ -164,8 +164,8 @@ def orbits(rng):
         v *= rate_of(**case.kwargs) * np.linalg.norm(radius) / np.linalg.norm(v)
         yield case.replace(case.args[0], v)
     yield from [Case(p - Z, v, **ONES).labelled(label) for label, starts in ABOUT_REST.items() for p, v in starts]
-    again = "the ellipse before with another"
-    yield from [Case(2 * X - Z, Y, **{**ONES, name: 2.0}).labelled(f"{again} {name}", KEPT) for name in ONES]
+    ellipse = "the ellipse before with another"
+    yield from [Case(2 * X - Z, Y, **{**ONES, name: 2.0}).labelled(f"{ellipse} {name}", KEPT) for name in ONES]
 
 
 def flat(rng):

@@ -24,11 +24,11 @@ def states(rng):
         pendulum = parameters(rng, **({"gravity": 0.0} if label == "no gravity" else {}))
         omega = rng.uniform(1, 5) * rng.choice([-1, 1]) * (label != "a particle at rest")
         yield Case(on_circle(rng.uniform(-3, 3), omega, pendulum["length"]), **pendulum).labelled(label)
-    for (place, (x, y)), sign in zip(PLACES.items(), (1, -1, 1, -1), strict=True):
+    for (where, (x, y)), sign in zip(PLACES.items(), (1, -1, 1, -1), strict=True):
         for speed, label in ((sign * rng.uniform(1, 5), "moving"), (0.0, "at rest")):
             pendulum = parameters(rng)
             state = np.array([x * pendulum["length"], y * pendulum["length"], -y * speed, x * speed])
-            yield Case(state, **pendulum).labelled(f"a particle at {place}, {label}")
+            yield Case(state, **pendulum).labelled(f"a particle at {where}, {label}")
     at_the_right = Case(np.array([1.0, 0.0, 0.0, 1.0]), **UNIT).labelled("a particle at the right, all parameters 1")
     yield from (at_the_right, at_the_right.replace(gravity=0.0).labelled("a particle at the right, no gravity"))
 
@@ -41,9 +41,11 @@ def off_circle(rng):
     velocities = *PLACES.values(), (0.0, 0.0), (0.6, 0.8)
     distances = length, length * (1 + 1e-7), length / 2, length * 20
     for i in range(12):
-        place, velocity = np.array(places[i % 5]), np.array(velocities[i % 6])
-        states.append((np.append(place * distances[i % 4], velocity * math.hypot(*state[2:])), length))
-    states += [((*place, *state[2:]), 0.5) for place in ((3e-9, -4e-9), (0.0, 5e-9))]  # np.allclose takes them for zero
+        position, velocity = np.array(places[i % 5]), np.array(velocities[i % 6])
+        states.append((np.append(position * distances[i % 4], velocity * math.hypot(*state[2:])), length))
+    states += [
+        ((*position, *state[2:]), 0.5) for position in ((3e-9, -4e-9), (0.0, 5e-9))
+    ]  # np.allclose takes them for zero
     states += [(numbers, 1.0) for numbers in ((1.0, 0.0, 0.0, 1.0), (3.0, 4.0, 0.0, 0.0), (-3.0, 4.0, -3.0, 4.0))]
     return [Case(np.array(state), length=length).labelled(_where(state, length)) for state, length in states]
 

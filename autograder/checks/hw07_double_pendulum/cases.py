@@ -47,7 +47,7 @@ def _places(case):
         "bars at a right angle": (th1, th1 + RIGHT_ANGLE),
         "bars in line": (th1, th1 + math.pi),
     }
-    return [case.replace(np.array(place)).labelled(label) for label, place in places.items()]
+    return [case.replace(np.array(angles)).labelled(label) for label, angles in places.items()]
 
 
 def _alike(case):
@@ -95,8 +95,8 @@ def straight_down(rng):
 def special(rng):
     """Equal bars, no gravity, a nearly massless bar, by name."""
     (case,) = thrown(rng, 1)
-    alike = _alike(case)
-    return [*alike, alike[2].replace(gravity=0.0).labelled("equal bars, no gravity"), *nearly_massless(rng)]
+    equal_bars = _alike(case)
+    return [*equal_bars, equal_bars[2].replace(gravity=0.0).labelled("equal bars, no gravity"), *nearly_massless(rng)]
 
 
 # Motions: theta, omega over the usual rate of a motion from there, what is not random, times

@@ -175,8 +175,8 @@ def settled(rng):
     cases = [Case(a_lean(rng), **disk).labelled(label) for label, disk in disks(rng, *WHEELS, COIN)]
     first = cases[0]
     cases += [Case(sign * math.pi / 4, **UNIT).labelled("whole numbers") for sign in (1, -1)]
-    again = first.replace(gravity=2 * first.kwargs["gravity"]).labelled(AGAIN, KEPT)
-    return [*cases, again, first.replace(-first.args[0], gravity=LITTLE_GRAVITY).labelled(LITTLE)]
+    repeated = first.replace(gravity=2 * first.kwargs["gravity"]).labelled(AGAIN, KEPT)
+    return [*cases, repeated, first.replace(-first.args[0], gravity=LITTLE_GRAVITY).labelled(LITTLE)]
 
 
 def next_to_upright(rng):

@@ -59,12 +59,12 @@ def level(rng):
 
 def _quarters(cylinders):
     cases = []
-    for (i, (label, body)), (j, (place, quarters)) in product(
+    for (i, (label, body)), (j, (where, quarters)) in product(
         enumerate(cylinders.items()), enumerate(QUARTERS.items())
     ):
         way, sign = list(SIGNS.items())[(i + j) % len(SIGNS)]
         case = Case(quarters * math.pi / 2, sign * usual(body), **body)
-        cases.append(case.labelled(f"{label}, {place}, {way}"))
+        cases.append(case.labelled(f"{label}, {where}, {way}"))
     return sorted(cases, key=lambda case: case.args[1] != 0)
 
 
@@ -116,8 +116,8 @@ def few_times(rng):
     """
     body = cylinder(rng)
     first = Case(uneven(rng, 2 / usual(body), 3), 0.0, 0.0, **body).labelled("a few times, let go at rest at phi = 0")
-    again = repeated_calls(rng, first, start=(0.5, -usual(body)), slope=0.0, inertia=0.8 * body["inertia"])
-    return [first, *again, _heavy_side(rng)]
+    repeated = repeated_calls(rng, first, start=(0.5, -usual(body)), slope=0.0, inertia=0.8 * body["inertia"])
+    return [first, *repeated, _heavy_side(rng)]
 
 
 def _heavy_side(rng):

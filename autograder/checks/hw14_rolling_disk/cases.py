@@ -31,8 +31,8 @@ def a_disk(rng, shape="a wheel"):
 
 def a_state(rng, disk, tilt, rates=()):
     """An Euler state; without rates, which are of the usual size, they are random."""
-    place, (yaw, roll) = rng.uniform(-2, 2, 2), rng.uniform(-4, 4, 2)
-    return np.array([*place, yaw, tilt, roll, *(reference.usual(disk) * np.array(rates or rng.uniform(-2, 2, 3)))])
+    position, (yaw, roll) = rng.uniform(-2, 2, 2), rng.uniform(-4, 4, 2)
+    return np.array([*position, yaw, tilt, roll, *(reference.usual(disk) * np.array(rates or rng.uniform(-2, 2, 3)))])
 
 
 def instants(rng):
