@@ -24,21 +24,21 @@ __all__ = [
 def positive(**named: float) -> None:
     """Refuses what is not a finite number above 0, as in positive(mass=mass)."""
     for name, value in named.items():
-        if not (_is_real(value) and 0.0 < value < math.inf or _is_symbol(value)):
+        if not (_is_symbol(value) or _is_real(value) and 0.0 < value < math.inf):
             raise ValueError(f"{name}: must be a positive number, got {value!r}")
 
 
 def nonnegative(**named: float) -> None:
     """Refuses what is not a finite number of 0 or more."""
     for name, value in named.items():
-        if not (_is_real(value) and 0.0 <= value < math.inf or _is_symbol(value)):
+        if not (_is_symbol(value) or _is_real(value) and 0.0 <= value < math.inf):
             raise ValueError(f"{name}: must be a number of 0 or more, got {value!r}")
 
 
 def finite(**named: float) -> None:
     """Refuses what is not a finite number."""
     for name, value in named.items():
-        if not (_is_real(value) and math.isfinite(value) or _is_symbol(value)):
+        if not (_is_symbol(value) or _is_real(value) and math.isfinite(value)):
             raise ValueError(f"{name}: must be a finite number, got {value!r}")
 
 

@@ -65,7 +65,7 @@ def energy(state: ArrayLike, *, masses: Any, bars: Any, lengths: Any, stiffness:
     """Of the particles and the bars, J."""
     m, r, v = _parts(state, masses, bars, lengths, stiffness)
     i, j = np.transpose(bars)
-    stretch = np.linalg.norm(r[j] - r[i], axis=1) - lengths
+    stretch = np.sqrt(((r[j] - r[i]) ** 2).sum(axis=1)) - lengths
     return float(m @ (v * v).sum(axis=1) + stiffness * stretch @ stretch) / 2
 
 
