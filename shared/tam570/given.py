@@ -119,5 +119,5 @@ def _floats(name: str, value: Any) -> NDArray[np.float64]:
 
 def divisors(values: NDArray[Any]) -> None:
     """Raise ZeroDivisionError where a number is zero, as Python does and NumPy does not; symbols pass."""
-    if values.dtype == float and not values.all():
+    if values.dtype != object and not values.all():
         raise ZeroDivisionError

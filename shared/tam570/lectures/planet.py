@@ -106,7 +106,7 @@ def _halves(state: ArrayLike, gm: float) -> Array:
     """(2, 3) position and velocity."""
     positive(gm=gm)
     halves: Array = numbers(6, state=state).reshape(2, 3)
-    if halves.dtype == float and not halves[0].any():
+    if halves.dtype != object and not halves[0].any():
         raise ValueError("state: the planet is where the sun is")
     return halves
 
