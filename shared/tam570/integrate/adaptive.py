@@ -188,10 +188,14 @@ def _trouble(run: Run, last: State) -> Exception:
             return ArithmeticError(f"rhs or solution is not finite {where}: rhs gives {g}")
         if engine.is_traced and not all(map(math.isfinite, engine.functions["rhs"](time, tuple(y), engine.constants))):
             return Mistraced()
-    called = engine.called
-    if called is not None and called.error is not None and not isinstance(called.error, ArithmeticError):
-        called.error.add_note(f"solve: rhs raises this beyond t = {engine.sign * t:.17g}, y = {list(last.y)}")
-        return called.error
+    called_rates = engine.called_rates
+    if (
+        called_rates is not None
+        and called_rates.error is not None
+        and not isinstance(called_rates.error, ArithmeticError)
+    ):
+        called_rates.error.add_note(f"solve: rhs raises this beyond t = {engine.sign * t:.17g}, y = {list(last.y)}")
+        return called_rates.error
     return ArithmeticError(
         f"no step is short enough {where}: the solution seems to become infinite, or the rates jump without end"
     )
@@ -205,8 +209,8 @@ def _chained(error: Exception, cause: Exception) -> Exception:
 def step_n(run: Run, advance: Any, since: Any, look: Look, state: State, budget: int) -> State:
     """The state after so many steps of `advance`; since : as its code wants them."""
     last = state.steps + state.refusals + budget
-    while run.share(state) < 1 and (left := last - state.steps - state.refusals) > 0:
-        some = min(left, BETWEEN_LOOKS if run.estimate is None else run.estimate.due - run.estimate.steps)
+    while run.share(state) < 1 and (remaining := last - state.steps - state.refusals) > 0:
+        some = min(remaining, BETWEEN_LOOKS if run.estimate is None else run.estimate.due - run.estimate.steps)
         before = state.steps + state.refusals
         state = advance(run.origin, since, run.rows, state, run.engine.constants, run.rtol, run.control.max_step, some)
         run.last = state
@@ -319,12 +323,12 @@ def shortest_step(engine: Engine, times: Array, start: Array, control: Control) 
         if state.row == 2 or state.halt:
             break
         if state.t > before.t:  # taken, not refused
-            taken = state.t - before.t
-            growing = growing + 1 if taken > 0.9 * LARGEST * last and state.refusals else 0
+            length = state.t - before.t
+            growing = growing + 1 if length > 0.9 * LARGEST * last and state.refusals else 0
             if growing == AFTER_A_JUMP:
                 where = engine.sign * (run.origin + state.t)
                 raise ValueError(
                     f'method: steps of one length do not pass the jump of rhs near t = {where:.6g}; try "auto"'
                 )
-            shortest, last = min(shortest, taken) if step > 5 else shortest, taken
+            shortest, last = min(shortest, length) if step > 5 else shortest, length
     return shortest

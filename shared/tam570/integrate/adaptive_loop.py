@@ -118,14 +118,14 @@ def advance(
     suspicious = SUSPICIOUS * rtol**1.25  # of errors in units of the tolerance
     while row < len(times) and budget > 0 and halt == RUNNING:
         budget -= 1
-        left = end - t
+        remaining = end - t
         shortest = max(2.0**-50 * max(t, abs(origin + t)), 1e-30 * end)  # t + h would hardly differ from t
         h = max(min(h, longest, reach(origin + t, h, y, f, c)), shortest)
         at_last = h <= shortest
-        if h >= left:
-            h, new = left, end
+        if h >= remaining:
+            h, new = remaining, end
         else:
-            new = t + (h if 2 * h < left else left / 2)
+            new = t + (h if 2 * h < remaining else remaining / 2)
             h = new - t  # exactly: else the rounding of t would shift the motion
         n, rest, g, fifth, third, stages = step(origin + t, h, y, r, f, a, b, rtol, c)
         uneven = fifth > NOT_SMOOTH * third

@@ -17,7 +17,7 @@ __all__ = [
     "NewBreak",
     "Rates",
     "RhsError",
-    "agrees",
+    "is_same",
     "bound",
     "check_start",
     "reversed_rates",
@@ -58,12 +58,12 @@ def reversed_rates(rates: Rates) -> Rates:
 
 def check_start(rates: Rates, t: float, y0: Array, sign: float) -> None:
     """ValueError unless rhs gives as many finite real numbers as y0 has; sign : of the engine's clock."""
-    at_start, again = (_checked(rates(t, y0.copy()), len(y0)) for _ in range(2))
+    at_start, repeated = (_checked(rates(t, y0.copy()), len(y0)) for _ in range(2))
     if not np.isfinite(at_start).all():
         raise ValueError(f"rhs: gives {at_start} at the start, t = {sign * t:g}; is the start allowed?")
-    if (at_start != again).any():
+    if (at_start != repeated).any():
         raise ValueError(
-            f"rhs: gives {at_start} and then {again} at the start; it must not be random, nor remember earlier calls"
+            f"rhs: gives {at_start} and then {repeated} at the start; it must not be random, nor remember earlier calls"
         )
 
 
@@ -159,7 +159,7 @@ def _floats(value: Any, size: int) -> Sequence[float]:
     return _checked(value, size).tolist()  # type: ignore[no-any-return]
 
 
-def agrees(rates: Rates, written: Callable[..., Any], constants: tuple[float, ...], times: Array, y0: Array) -> bool:
+def is_same(rates: Rates, written: Callable[..., Any], constants: tuple[float, ...], times: Array, y0: Array) -> bool:
     """Whether `written(t, y, constants)` gives what `rates` gives: at the start, and at points around it.
 
     Points that are not allowed are replaced by nearer ones, or left out: the answer is the code's, not the start's.
@@ -187,12 +187,12 @@ def agrees(rates: Rates, written: Callable[..., Any], constants: tuple[float, ..
 
 
 def _checked(value: Any, size: int) -> Array:
-    found = np.asarray(value)
-    if found.shape != (size,):
-        raise RhsError(f"rhs: must return {size} numbers, as many as y0 has, got shape {found.shape}")
-    if np.iscomplexobj(found):
-        raise RhsError(f"rhs: must return real numbers, got {found}")
+    rates_array = np.asarray(value)
+    if rates_array.shape != (size,):
+        raise RhsError(f"rhs: must return {size} numbers, as many as y0 has, got shape {rates_array.shape}")
+    if np.iscomplexobj(rates_array):
+        raise RhsError(f"rhs: must return real numbers, got {rates_array}")
     try:
-        return found.astype(float)
+        return rates_array.astype(float)
     except (TypeError, ValueError) as problem:
         raise RhsError(f"rhs: must return numbers, got {value!r}") from problem

@@ -45,12 +45,12 @@ def breaks_of(graph: Graph, start: float, end: float) -> tuple[float, ...]:
             continue
         if symbol.number in affine:
             continue
-        given = [a for a in symbol.arguments if isinstance(a, Symbol)]
-        is_multiple = len(given) == 1 and (
-            symbol.name == "*" or (symbol.name == "/" and symbol.arguments[0] is given[0])
+        operands = [a for a in symbol.arguments if isinstance(a, Symbol)]
+        is_multiple = len(operands) == 1 and (
+            symbol.name == "*" or (symbol.name == "/" and symbol.arguments[0] is operands[0])
         )
         if symbol.name not in TAME and not is_multiple and symbol.name not in ("+", "-", "neg"):
-            arguments |= {a.number: a for a in given}
+            arguments |= {a.number: a for a in operands}
     lines = [line for number, line in affine.items() if number in arguments]
     zeros = [-shift / rate for rate, shift in lines if shift and rate]
     curved = [symbol for number, symbol in arguments.items() if number not in affine]
@@ -78,8 +78,8 @@ def _affine(symbol: Symbol, affine: dict[int, Affine]) -> Affine | None:
 
 def _fastest(timed: list[Symbol], affine: dict[int, Affine]) -> float:
     """The fastest of the sines, rad/s."""
-    inside = [s.arguments[0] for s in timed if s.name in ("sin", "cos", "tan")]
-    return max((abs(affine[a.number][0]) for a in inside if isinstance(a, Symbol) and a.number in affine), default=0.0)
+    waves = [s.arguments[0] for s in timed if s.name in ("sin", "cos", "tan")]
+    return max((abs(affine[a.number][0]) for a in waves if isinstance(a, Symbol) and a.number in affine), default=0.0)
 
 
 def _zeros_and_turns(
@@ -114,10 +114,10 @@ def _refined(timed: list[Symbol], symbol: Symbol, low: float, high: float, *, tu
 def _values(timed: list[Symbol], t: Array) -> dict[int, Array]:
     """What each function of time is at the times."""
     numpy_names = {plain: name for name, plain in FUNCTIONS.items() if name.startswith("arc")}
-    known: dict[int, Array] = {}
+    computed: dict[int, Array] = {}
 
     def value(argument: Value) -> Any:
-        return known[argument.number] if isinstance(argument, Symbol) else argument
+        return computed[argument.number] if isinstance(argument, Symbol) else argument
 
     arithmetic = {
         "+": np.add,
@@ -129,11 +129,11 @@ def _values(timed: list[Symbol], t: Array) -> dict[int, Array]:
     }
     with np.errstate(all="ignore"):
         for symbol in timed:
-            given = [value(a) for a in symbol.arguments]
+            operands = [value(a) for a in symbol.arguments]
             if not symbol.arguments:
-                known[symbol.number] = t
+                computed[symbol.number] = t
                 continue
             function = arithmetic.get(symbol.name) or getattr(np, numpy_names.get(symbol.name, symbol.name), None)
             scalar = np.vectorize(getattr(math, symbol.name)) if function is None else function
-            known[symbol.number] = np.asarray(scalar(*given), dtype=float) + 0.0 * t
-    return known
+            computed[symbol.number] = np.asarray(scalar(*operands), dtype=float) + 0.0 * t
+    return computed

@@ -44,7 +44,7 @@ def _compared(compare: Callable[[Any, Any], Any]) -> Callable[["Clock", Any], An
             return compare(self.value, other)
         if not isinstance(other, Real):
             return NotImplemented
-        self.note(other)
+        self.record(other)
         return compare(self.value, float(other))
 
     return method
@@ -68,7 +68,7 @@ class Clock(float):
         clock.value, clock.rate, clock.shift, clock.seen = value, rate, shift, seen
         return clock
 
-    def note(self, level: Any) -> None:
+    def record(self, level: Any) -> None:
         """Note when this reaches a number, or another clock."""
         rate, shift = (self.rate - level.rate, level.shift) if isinstance(level, Clock) else (self.rate, float(level))
         if rate:
@@ -77,13 +77,13 @@ class Clock(float):
     def note_levels(self, levels: Any) -> None:
         """Note when this reaches the next numbers of a table, above and below."""
         table = np.sort(np.asarray(levels, dtype=float).ravel()[:FEW])
-        place = int(np.searchsorted(table, self.value))
-        for level in table[max(place - 1, 0) : place + 2]:
-            self.note(level)
+        position = int(np.searchsorted(table, self.value))
+        for level in table[max(position - 1, 0) : position + 2]:
+            self.record(level)
 
     def _affine(self, value: float, rate: float, shift: float) -> "Clock":
         clock = Clock(value, rate, shift, self.seen)
-        clock.note(0.0)
+        clock.record(0.0)
         return clock
 
     def __add__(self, other: Any) -> Any:
@@ -126,15 +126,15 @@ class Clock(float):
         return self
 
     def __abs__(self) -> "Clock":
-        self.note(0.0)
+        self.record(0.0)
         return -self if self.value < 0 else self
 
     def __mod__(self, period: Any) -> Any:
         if not (_is_number(period) and period):
             return float.__mod__(self, period)
         turns = self.value // float(period)
-        self.note(turns * period)
-        self.note((turns + 1) * period)
+        self.record(turns * period)
+        self.record((turns + 1) * period)
         return self._affine(self.value % float(period), self.rate, self.shift - turns * float(period))
 
     def __floordiv__(self, period: Any) -> Any:
@@ -147,9 +147,9 @@ class Clock(float):
 
     def note_wholes(self, half: float = 0.0) -> None:
         """Note when the nearest whole numbers are reached, or the halves beside them."""
-        whole = math.floor(self.value - half) + half
-        self.note(whole)
-        self.note(whole + 1)
+        integer = math.floor(self.value - half) + half
+        self.record(integer)
+        self.record(integer + 1)
 
     def __floor__(self) -> int:
         self.note_wholes()
@@ -170,7 +170,7 @@ class Clock(float):
         return round(self.value, digits)
 
     def __bool__(self) -> bool:
-        self.note(0.0)
+        self.record(0.0)
         return bool(self.value)
 
     __lt__, __le__ = _compared(operator.lt), _compared(operator.le)
@@ -181,30 +181,35 @@ class Clock(float):
     def __reduce_ex__(self, _: Any) -> Any:
         return float, (self.value,)
 
-    def __array_ufunc__(self, ufunc: Any, method: str, *given: Any, **keywords: Any) -> Any:
-        clocks = [x for x in given if isinstance(x, Clock)]
-        if method == "__call__" and not keywords and ufunc in ARITHMETIC and all(isinstance(x, Real) for x in given):
-            return ARITHMETIC[ufunc](*(x if isinstance(x, Clock) else float(x) for x in given))
+    def __array_ufunc__(self, ufunc: Any, method: str, *arguments: Any, **keywords: Any) -> Any:
+        clocks = [x for x in arguments if isinstance(x, Clock)]
+        if (
+            method == "__call__"
+            and not keywords
+            and ufunc in ARITHMETIC
+            and all(isinstance(x, Real) for x in arguments)
+        ):
+            return ARITHMETIC[ufunc](*(x if isinstance(x, Clock) else float(x) for x in arguments))
         if ufunc.__name__ in LEVELS or ufunc in ARITHMETIC:
             for clock in clocks:
-                clock.note(0.0)
-                for other in given:
+                clock.record(0.0)
+                for other in arguments:
                     if other is not clock:
                         clock.note_levels(other)
         elif ufunc.__name__ in ROUNDINGS:
             for clock in clocks:
-                (clock / given[1] if len(given) > 1 and _is_number(given[1]) else clock).note_wholes(
+                (clock / arguments[1] if len(arguments) > 1 and _is_number(arguments[1]) else clock).note_wholes(
                     0.5 if ufunc is np.rint else 0.0
                 )
-        return getattr(ufunc, method)(*(_plain(x) for x in given), **{k: _plain(v) for k, v in keywords.items()})
+        return getattr(ufunc, method)(*(_plain(x) for x in arguments), **{k: _plain(v) for k, v in keywords.items()})
 
-    def __array_function__(self, function: Any, types: Any, given: Any, keywords: Any) -> Any:
-        place = TABLES.get(function.__name__)
-        if place is not None and len(given) > 1:
-            for x in given:
+    def __array_function__(self, function: Any, types: Any, arguments: Any, keywords: Any) -> Any:
+        position = TABLES.get(function.__name__)
+        if position is not None and len(arguments) > 1:
+            for x in arguments:
                 if isinstance(x, Clock):
-                    x.note_levels(given[place])
-        return function(*(_plain(x) for x in given), **{k: _plain(v) for k, v in keywords.items()})
+                    x.note_levels(arguments[position])
+        return function(*(_plain(x) for x in arguments), **{k: _plain(v) for k, v in keywords.items()})
 
 
 def _plain(value: Any) -> Any:

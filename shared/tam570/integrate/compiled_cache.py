@@ -29,11 +29,11 @@ def compile_run(engine: Engine, times: Array, control: Control) -> CompiledRun:
     if engine.graph is None or not available() or engine.next_break(begin, begin, end, times) != end:
         return _nothing
     rows = np.empty((len(times), engine.formulas.size))
-    whole = Run(engine, float(times[0]), times - times[0], rows, control)
+    run = Run(engine, float(times[0]), times - times[0], rows, control)
     try:
         from tam570.integrate.compiled import repeated
 
-        runs = repeated.taylor_repeated(engine.graph, whole, partial(whole.watch, COMPILED))
+        runs = repeated.taylor_repeated(engine.graph, run, partial(run.watch, COMPILED))
     except (ImportError, OSError, RuntimeError):  # a broken llvmlite: nobody asked for it
         runs = None
     return runs or _nothing

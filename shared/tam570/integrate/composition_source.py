@@ -19,8 +19,8 @@ def composition_source(drift: Formulas, kick: Formulas, constants: int) -> str:
     """Source of leap(start, h, y, r, k, c): drifts move q by v, kicks move v by q; sums are compensated."""
     half = len(drift.rates)
     size = half + len(kick.rates)
-    whole = [0.0, *LEAPS, 0.0]
-    drifts = [(a + b) / 2 for a, b in zip(whole, whole[1:], strict=False)]
+    step = [0.0, *LEAPS, 0.0]
+    drifts = [(a + b) / 2 for a, b in zip(step, step[1:], strict=False)]
     pairs = tuple_of(f"({d!r}, {k!r})" for d, k in zip(drifts, [*LEAPS, 0.0], strict=True))
     names = [tuple_of(f"{letter}{i}" for i in range(size)) for letter in "sr"]
     lines = [f"{names[0]} = y", f"{names[1]} = r"]

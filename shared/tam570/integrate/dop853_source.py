@@ -53,9 +53,9 @@ def functions(formulas: Formulas, sampled: bool = True, forgiving: bool = True) 
 
 def _forgiving(function: list[str], answer: str) -> list[str]:
     """A function that answers thus to an overflow or the root of a negative number: the step was too long."""
-    head, *body = function
+    signature, *body = function
     rescue = ["except (ArithmeticError, ValueError, LookupError):", f"    return {answer}"]
-    return [head, "try:", *(f"    {line}" for line in body), *rescue]
+    return [signature, "try:", *(f"    {line}" for line in body), *rescue]
 
 
 def _combination(row: Row, i: int) -> str:
@@ -220,7 +220,7 @@ def _dense(formulas: Formulas) -> list[str]:
         lines += _stage(formulas, number, row, node)
     for i in formulas.moving:
         lines += [f"q0_{i} = n{i} - y{i}", f"q1_{i} = h * k0_{i} - q0_{i}", f"x0 = -q1_{i}"]
-        lines += [f"x{place} = h * e{j}_{i}" for place, j in enumerate((12, 16, 17, 18, 19), start=1)]
+        lines += [f"x{index} = h * e{j}_{i}" for index, j in enumerate((12, 16, 17, 18, 19), start=1)]
         lines.append(f"q2_{i} = 2.0 * x0 - x1")
         for term, weights in enumerate(last, start=3):
             lines.append(f"q{term}_{i} = " + " + ".join(f"{float(w)!r} * x{j}" for j, w in enumerate(weights)))
@@ -241,9 +241,9 @@ def _at(formulas: Formulas) -> list[str]:
     return lines
 
 
-def compiled(formulas: Formulas, sampled: bool, given: Callable[..., Any] | None = None) -> dict[str, Any]:
+def compiled(formulas: Formulas, sampled: bool, called_function: Callable[..., Any] | None = None) -> dict[str, Any]:
     """The functions by name; `given` is what formulas of `call_of` call."""
-    namespace: dict[str, Any] = {**vars(math), "given": given, "dense": None, "at": None}
+    namespace: dict[str, Any] = {**vars(math), "given": called_function, "dense": None, "at": None}
     exec(_code(formulas, sampled), namespace)
     return namespace
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from tam570.integrate.adaptive_loop import GENERATED, first_step_with, loop_with
 from tam570.integrate.arguments import Array
-from tam570.integrate.binding import CalledRates, Rates, agrees, bound, check_start, reversed_rates
+from tam570.integrate.binding import CalledRates, Rates, bound, check_start, is_same, reversed_rates
 from tam570.integrate.breaks import breaks_of
 from tam570.integrate.cache_key import Changeable, call_key
 from tam570.integrate.dop853_source import compiled
@@ -42,7 +42,7 @@ class Engine:
     graph: Graph | None  # None where the right-hand side is called as it stands
     untraced_reason: str = ""
     sign: float = 1.0  # of the clock: -1 where the times are those of -t
-    called: CalledRates | None = None
+    called_rates: CalledRates | None = None
 
     @property
     def is_traced(self) -> bool:
@@ -50,15 +50,15 @@ class Engine:
 
     def next_break(self, t: float, begin: float, end: float, y: Array) -> float:
         """Where a stretch from t on ends in a run from begin to end: where the rates may jump next, or at `end`."""
-        if self.called is None:
+        if self.called_rates is None:
             if not self.formulas.timed:
                 return end
             assert self.graph is not None
             return next((time for time in breaks_of(self.graph, begin, end) if time > t), end)
         near = ULPS * float(np.spacing(max(abs(t), abs(end))))
-        self.called.look_near(t + near, y)
-        stop = min((time for time in self.called.breaks if t + near < time < end - near), default=end)
-        self.called.low, self.called.high = t + near, stop - near
+        self.called_rates.look_near(t + near, y)
+        stop = min((time for time in self.called_rates.breaks if t + near < time < end - near), default=end)
+        self.called_rates.low, self.called_rates.high = t + near, stop - near
         return stop
 
 
@@ -125,18 +125,18 @@ def _traced_engine(run: _Run) -> Engine | str:
         return str(reason)
     formulas, constants = written(graph)
     engine = Engine(rates, _functions(formulas, run.sampled), constants, formulas, graph, sign=run.sign)
-    if agrees(rates, engine.functions["rhs"], constants, run.times, run.start):
+    if is_same(rates, engine.functions["rhs"], constants, run.times, run.start):
         return engine
     return "its formulas as traced give other numbers than it does"
 
 
 def _called_engine(run: _Run, reason: str) -> Engine:
     rates = run.rates()
-    called = CalledRates(rates, len(run.start))
+    called_rates = CalledRates(rates, len(run.start))
     formulas = call_of(len(run.start))
-    functions = compiled(formulas, run.sampled, called)
-    functions = _with_loop({**functions, "roundoff": roundoff_by_neighbours(called)})
-    return Engine(rates, functions, (), formulas, None, reason, run.sign, called)
+    functions = compiled(formulas, run.sampled, called_rates)
+    functions = _with_loop({**functions, "roundoff": roundoff_by_neighbours(called_rates)})
+    return Engine(rates, functions, (), formulas, None, reason, run.sign, called_rates)
 
 
 @lru_cache(maxsize=256)

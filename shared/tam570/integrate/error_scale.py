@@ -31,31 +31,31 @@ def error_scale(
     rhs: Rates, t: float, h: float, y: Sequence[float], f: Sequence[float], m: Sequence[float], c: Any, later: Any = ()
 ) -> tuple[float, ...]:
     """(k,) sizes at the start; `m` holds those known, or zeros; `later` are times at which a force may set in."""
-    known = [max(size, abs(value), _finite(h * rate)) for size, value, rate in zip(m, y, f, strict=True)]
-    if min(known) <= NO_SCALE:
-        driven = _driven_sizes(rhs, t, h, y, f, known, c, later)
-        known = [max(size, own) for size, own in zip(driven, known, strict=True)]
-    return tuple(max(size, NO_SCALE) for size in known)
+    own_sizes = [max(size, abs(value), _finite(h * rate)) for size, value, rate in zip(m, y, f, strict=True)]
+    if min(own_sizes) <= NO_SCALE:
+        driven = _driven_sizes(rhs, t, h, y, f, own_sizes, c, later)
+        own_sizes = [max(size, own_size) for size, own_size in zip(driven, own_sizes, strict=True)]
+    return tuple(max(size, NO_SCALE) for size in own_sizes)
 
 
 def _driven_sizes(
-    rhs: Rates, t: float, h: float, y: Sequence[float], f: Sequence[float], known: list[float], c: Any, later: Any
+    rhs: Rates, t: float, h: float, y: Sequence[float], f: Sequence[float], own_sizes: list[float], c: Any, later: Any
 ) -> list[float]:
     """The sizes, those of zero replaced where the others or the time move them."""
-    moved = _moved_by(rhs, t, h, y, f, known, c)
-    sizes = [0.0 if size < EPS * most else size for size, most in zip(known, moved, strict=True)]
-    forces, within, best = [0.0] * len(sizes), LONG * h, sizes
+    moved = _moved_by(rhs, t, h, y, f, own_sizes, c)
+    sizes = [0.0 if size < EPS * most else size for size, most in zip(own_sizes, moved, strict=True)]
+    forces, duration, best = [0.0] * len(sizes), LONG * h, sizes
     for time in (None, *later):
         if time is not None:
             forces = [max(a, _finite(b)) for a, b in zip(forces, rhs(time, y, c), strict=True)]
         spread = None
-        while spread is None and within > SHORT * h:
+        while spread is None and duration > SHORT * h:
             moved = [max(size, h * a) for size, a in zip(sizes, forces, strict=True)]
-            spread = _spread(rhs, t, within, y, f, moved, c)
-            if within == LONG * h and spread:  # nothing turns over
-                within, spread = h, None
+            spread = _spread(rhs, t, duration, y, f, moved, c)
+            if duration == LONG * h and spread:  # nothing turns over
+                duration, spread = h, None
             else:
-                within = within if spread else within / 4
+                duration = duration if spread else duration / 4
         best = spread or best
         if min(best) > NO_SCALE:
             break
@@ -63,29 +63,30 @@ def _driven_sizes(
 
 
 def _spread(
-    rhs: Rates, t: float, within: float, y: Sequence[float], f: Sequence[float], known: list[float], c: Any
+    rhs: Rates, t: float, duration: float, y: Sequence[float], f: Sequence[float], own_sizes: list[float], c: Any
 ) -> list[float] | None:
     """What the sizes do to one another within so many s; None where that turns over one that is known."""
     sizes = [
-        max(size, _finite(within * rate)) if size > NO_SCALE else size for size, rate in zip(known, f, strict=True)
+        max(size, _finite(duration * rate)) if size > NO_SCALE else size
+        for size, rate in zip(own_sizes, f, strict=True)
     ]
     for _ in range(len(sizes) + 1):
-        given = _moved_by(rhs, t, within, y, f, sizes, c)
-        if any(size > NO_SCALE and new > CALM * size for size, new in zip(sizes, given, strict=True)):
+        new_sizes = _moved_by(rhs, t, duration, y, f, sizes, c)
+        if any(size > NO_SCALE and new > CALM * size for size, new in zip(sizes, new_sizes, strict=True)):
             return None
-        if not any(size <= NO_SCALE < new for size, new in zip(sizes, given, strict=True)):
+        if not any(size <= NO_SCALE < new for size, new in zip(sizes, new_sizes, strict=True)):
             break
-        sizes = [size if size > NO_SCALE else new for size, new in zip(sizes, given, strict=True)]
-    coarse = _moved_by(rhs, t, within, y, f, sizes, c, COARSE)
+        sizes = [size if size > NO_SCALE else new for size, new in zip(sizes, new_sizes, strict=True)]
+    coarse = _moved_by(rhs, t, duration, y, f, sizes, c, COARSE)
     if any(size > NO_SCALE and not new <= CALM * size for size, new in zip(sizes, coarse, strict=True)):
         return None
-    return [size if size > NO_SCALE else new for size, new in zip(known, sizes, strict=True)]
+    return [size if size > NO_SCALE else new for size, new in zip(own_sizes, sizes, strict=True)]
 
 
 def _moved_by(
     rhs: Rates,
     t: float,
-    within: float,
+    duration: float,
     y: Sequence[float],
     f: Sequence[float],
     sizes: Sequence[float],
@@ -94,7 +95,7 @@ def _moved_by(
 ) -> list[float]:
     """To what each is moved within so many s when all change by their sizes, in proportion to a part of these."""
     changed = [v + part * size * _sign(i) for i, (v, size) in enumerate(zip(y, sizes, strict=True))]
-    moved = [abs(within * (b - a) / part) for a, b in zip(f, rhs(t, tuple(changed), c), strict=True)]
+    moved = [abs(duration * (b - a) / part) for a, b in zip(f, rhs(t, tuple(changed), c), strict=True)]
     return [_finite(new) for new in moved] if part == PART else moved
 
 

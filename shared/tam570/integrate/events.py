@@ -160,7 +160,7 @@ def motion(
 
 def _crossing(sign: float, which: int, watch: Watch, size: int) -> Crossing:
     """The times at which one of the events was seen, and the states there."""
-    times, states = ([x[place] for x in watch.seen if x[1] == which] for place in (0, 2))
+    times, states = ([x[index] for x in watch.seen if x[1] == which] for index in (0, 2))
     return Crossing(sign * np.array(times, dtype=float), np.array(states, dtype=float).reshape(len(states), size))
 
 
@@ -200,19 +200,19 @@ def step_by_step(run: adaptive.Run) -> None:
     functions, control, state = run.engine.functions, run.control, run.last
     tried: list[Any] = [None]
 
-    def step(*given: Any) -> Any:
-        tried[0] = (*given[:3], given[4], functions["step"](*given))  # the last one tried is the one taken
+    def step(*inputs: Any) -> Any:
+        tried[0] = (*inputs[:3], inputs[4], functions["step"](*inputs))  # the last one tried is the one taken
         return tried[0][-1]
 
     advance = loop_with(step, *(functions[name] for name in GENERATED[1:]))
     since, look = run.since.tolist(), run.watch(PYTHON)
 
     while run.share(state) < 1:
-        taken = state.steps
+        steps_before = state.steps
         if control.longest:
             state = state._replace(h=min(state.h, control.longest(np.array(state.y))))
         state = adaptive.step_n(run, advance, since, look, state, 1)
-        if state.steps == taken:
+        if state.steps == steps_before:
             continue
         if control.project:
             state = _projected(run, state, control.project)

@@ -160,7 +160,7 @@ def _moves_with_state(symbol: Symbol) -> bool:
 
 def _bound_of(name: str, z: str, arguments: list[tuple[str, str]]) -> str:
     """Source of the bound of z = name(arguments), each with its own bound; empty for what is exact."""
-    own = "" if name in ("neg", "fabs") else f"{UNIT_ROUNDOFF if name in '+-*/' else 2 * UNIT_ROUNDOFF!r} * abs({z})"
+    of_z = "" if name in ("neg", "fabs") else f"{UNIT_ROUNDOFF if name in '+-*/' else 2 * UNIT_ROUNDOFF!r} * abs({z})"
     (x, dx), (y, dy) = (*arguments, ("", ""))[:2]
     if name in ("+", "-", "neg", "fabs"):
         parts = [dx, dy]
@@ -171,7 +171,7 @@ def _bound_of(name: str, z: str, arguments: list[tuple[str, str]]) -> str:
     else:  # by its value there: no derivative is needed, nor one that is infinite
         shifted = [f"{a} + {d}" if d else a for a, d in arguments]
         parts = [f"abs({name}({', '.join(shifted)}) - {z})"]
-    return " + ".join(filter(None, (*parts, own))) or "0.0"
+    return " + ".join(filter(None, (*parts, of_z))) or "0.0"
 
 
 def _uses(operations: Sequence[Symbol], rates: Sequence[Value]) -> list[int]:

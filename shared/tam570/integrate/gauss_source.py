@@ -59,10 +59,10 @@ def gauss_tableau() -> tuple[list[list[Pair]], list[Pair], list[float], list[lis
         context.prec = DIGITS
         nodes = _nodes()
         lagrange = []
-        for j, own in enumerate(nodes):
+        for j, stage in enumerate(nodes):
             basis = [Decimal(1)]
             for node in nodes[:j] + nodes[j + 1 :]:
-                basis = _times(basis, [-node / (own - node), 1 / (own - node)])
+                basis = _times(basis, [-node / (stage - node), 1 / (stage - node)])
             lagrange.append(basis)
         sums = [_integral(basis) for basis in lagrange]
         rows = [[_split(_value(s, node)) for s in sums] for node in nodes]

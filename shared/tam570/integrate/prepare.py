@@ -53,8 +53,8 @@ def prepared(
     parameters = dict(parameters or {})
     in_full = partial(solve, rhs, sign * times, parameters=parameters, rtol=rtol, atol=atol)
     with np.errstate(all="ignore"):
-        made = engine(rhs, parameters, times, start.reshape(-1, start.shape[-1])[0], sign=sign)
-    compiled_run = compile_run(made, times, control)
+        prepared_engine = engine(rhs, parameters, times, start.reshape(-1, start.shape[-1])[0], sign=sign)
+    compiled_run = compile_run(prepared_engine, times, control)
 
     def run(y0: ArrayLike) -> Array:
         rows = compiled_run(y0)

@@ -78,9 +78,9 @@ def solve_rotation(
     """
     fixed = dict(parameters or {})
     spinning, turned = np.array(omega, dtype=float), np.array(R, dtype=float)
-    for name, given, shape in (("omega", spinning, (3,)), ("R", turned, (3, 3))):
-        if given.shape != shape or not np.isfinite(given).all():
-            raise ValueError(f"{name}: need finite numbers of shape {shape}, got {given}")
+    for name, numbers, shape in (("omega", spinning, (3,)), ("R", turned, (3, 3))):
+        if numbers.shape != shape or not np.isfinite(numbers).all():
+            raise ValueError(f"{name}: need finite numbers of shape {shape}, got {numbers}")
 
     def rates(time: Any, state: Any) -> list[Any]:
         spin, u = state[:3], state[3:6]

@@ -29,13 +29,13 @@ def roundoff_by_neighbours(rates: CalledRates) -> Callable[..., tuple[float, ...
 
     def roundoff(start: float, h: float, y: Any, f: Any, b: Any, _: Any) -> tuple[float, ...]:
         rates.check_memory(start, y, f)
-        t, inside = start + INSIDE * h, [v + INSIDE * h * rate for v, rate in zip(y, f, strict=True)]
+        t, state = start + INSIDE * h, [v + INSIDE * h * rate for v, rate in zip(y, f, strict=True)]
         try:
-            there = rates(t, tuple(inside))
-            above, below = (_changes(rates, t, h, inside, there, side) for side in (1.0, -1.0))
+            there = rates(t, tuple(state))
+            above, below = (_changes(rates, t, h, state, there, side) for side in (1.0, -1.0))
         except (ArithmeticError, ValueError, LookupError):
             return tuple(b)
-        noise = [_noise(*given) for given in zip(*above, *below, strict=True)]
+        noise = [_noise(*four) for four in zip(*above, *below, strict=True)]
         widths = [ESTIMATE_ROUNDOFF * h * x for x in noise]
         return tuple(x if x < math.inf else 0.0 for x in widths)
 

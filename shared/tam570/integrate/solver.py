@@ -159,7 +159,7 @@ def solve(
     control = control._replace(project=project)
 
     def run(may_trace: bool) -> Array | Motion:
-        made = engine(
+        run_engine = engine(
             rhs,
             parameters,
             times,
@@ -169,8 +169,8 @@ def solve(
             may_trace=may_trace,
         )
         if more:
-            return _motion(made, times, start, control, events, parameters, dense, method)
-        return _states(made, times, start, control, method, step, slot)
+            return _motion(run_engine, times, start, control, events, parameters, dense, method)
+        return _states(run_engine, times, start, control, method, step, slot)
 
     with np.errstate(all="ignore"):  # a step that proves too long may overflow: it is taken again
         try:
@@ -181,14 +181,14 @@ def solve(
             raise ValueError(str(error)) from None
 
 
-def _motion(*given: Any) -> Motion:
+def _motion(*call: Any) -> Motion:
     from tam570.integrate.events import motion
 
-    return motion(*given)
+    return motion(*call)
 
 
 def _states(
-    made: Engine,
+    run_engine: Engine,
     times: Array,
     start: Array,
     control: adaptive.Control,
@@ -199,14 +199,14 @@ def _states(
     if method in FIXED_STEP:
         from tam570.integrate import fixed_step
 
-        return fixed_step.states(method, made, times, start, control, step)
+        return fixed_step.states(method, run_engine, times, start, control, step)
     if start.ndim == 2:
         from tam570.integrate import ensemble
 
-        return ensemble.states(made, times, start, method, control)
-    solution = adaptive.integrate(made, times, start, method, control)
+        return ensemble.states(run_engine, times, start, method, control)
+    solution = adaptive.integrate(run_engine, times, start, method, control)
     if slot is not None and solution.engine == "compiled":
-        compiled_cache.keep(slot, made, times, control)
+        compiled_cache.keep(slot, run_engine, times, control)
     return solution.rows
 
 

@@ -29,25 +29,26 @@ def stiffness_watch(
 
     Raises ArithmeticError when the run up to `end` is to be given up.
     """
-    before, found = (0.0, 0), 0
+    before, stiff_looks = (0.0, 0), 0
 
     def look(t: float, y: Sequence[float], m: Sequence[float], steps: int) -> None:
-        nonlocal before, found
-        (then, earlier), before = before, (t, steps)
+        nonlocal before, stiff_looks
+        (time_before, earlier), before = before, (t, steps)
         if steps == earlier:
             return
-        h = (t - then) / (steps - earlier)
+        h = (t - time_before) / (steps - earlier)
         stiff = end - t > too_many * h and _decay(rhs, origin + t, y, m, c) * h > DECAY
-        found = found + 1 if stiff else 0
-        if found >= LOOKS:
+        stiff_looks = stiff_looks + 1 if stiff else 0
+        if stiff_looks >= LOOKS:
             raise ArithmeticError(_advice(sign * (origin + t), h, (end - t) / h))
 
     return look
 
 
-def _advice(t: float, h: float, left: float) -> str:
+def _advice(t: float, h: float, remaining: float) -> str:
     return (
-        f"stiff at t = {t:.6g}: stability, not accuracy, keeps the steps at {h:.1g}, and {left:.1g} of them are left. "
+        f"stiff at t = {t:.6g}: stability, not accuracy, keeps the steps at {h:.1g}, and {remaining:.1g} "
+        "of them are left. "
         'scipy.integrate.solve_ivp with method="Radau" or method="LSODA" is made for such equations'
     )
 

@@ -47,10 +47,10 @@ def traced(rates: Callable[..., Any], size: int, stand_ins: Mapping[str, Any] | 
     time, state = tape.record("t"), [tape.record(f"s{i}") for i in range(size)]
     try:
         values = _translated(rates, {BUILTINS: stand_ins or {}})(time, np.array(state))
-        found = tuple(v if isinstance(v, Symbol) else float(v) for v in values)
+        listed = tuple(v if isinstance(v, Symbol) else float(v) for v in values)
     except Exception as answer:
         raise _refusal(answer) from answer
-    return Graph(tuple(tape.symbols.values()), found)
+    return Graph(tuple(tape.symbols.values()), listed)
 
 
 def _refusal(answer: Exception) -> Exception:
@@ -97,31 +97,31 @@ def _checked_isinstance(value: Any, kinds: Any) -> bool:
     return isinstance(value, kinds)
 
 
-def _translated(value: Any, known: dict[int | str, Any]) -> Any:
+def _translated(value: Any, twins: dict[int | str, Any]) -> Any:
     """`value` with math replaced by its symbolic kin, in all the functions that it calls."""
     if value is math:
         return _Mathematics()
     if isinstance(value, types.BuiltinFunctionType):
         return _symbolic(value) if value.__module__ == "math" else value
     if isinstance(value, functools.partial):
-        return functools.partial(_translated(value.func, known), *value.args, **value.keywords)
+        return functools.partial(_translated(value.func, twins), *value.args, **value.keywords)
     if isinstance(value, types.MethodType):
-        return types.MethodType(_translated(value.__func__, known), value.__self__)
+        return types.MethodType(_translated(value.__func__, twins), value.__self__)
     if isinstance(value, types.FunctionType) and not (value.__module__ or "").startswith("numpy"):
-        return known[id(value)] if id(value) in known else _translated_function(value, known)
+        return twins[id(value)] if id(value) in twins else _translated_function(value, twins)
     return value
 
 
-def _translated_function(function: types.FunctionType, known: dict[int | str, Any]) -> types.FunctionType:
-    names = {**known[BUILTINS], **function.__globals__}
+def _translated_function(function: types.FunctionType, twins: dict[int | str, Any]) -> types.FunctionType:
+    names = {**twins[BUILTINS], **function.__globals__}
     cells = tuple(types.CellType() for _ in function.__closure__ or ())
     twin = types.FunctionType(function.__code__, names, function.__name__, function.__defaults__, cells)
     twin.__kwdefaults__ = function.__kwdefaults__
-    known[id(function)] = twin  # before its names are looked at: it may call itself
+    twins[id(function)] = twin  # before its names are looked at: it may call itself
     for name in global_names(function.__code__) & names.keys():
-        names[name] = _translated(names[name], known)
+        names[name] = _translated(names[name], twins)
     if "isinstance" in function.__code__.co_names and "isinstance" not in names:
         names["isinstance"] = _checked_isinstance
     for cell, original in zip(cells, function.__closure__ or (), strict=True):
-        cell.cell_contents = _translated(original.cell_contents, known)
+        cell.cell_contents = _translated(original.cell_contents, twins)
     return twin

@@ -56,18 +56,18 @@ def analytic(graph: Graph) -> tuple[Recurrences, tuple[float, ...]] | None:
 
 
 @lru_cache(maxsize=256)
-def _taylor(found: Recurrences, lanes: int = 1) -> Any:
+def _taylor(laws: Recurrences, lanes: int = 1) -> Any:
     effort = EFFORT if lanes == 1 else 2
-    return function(repr((found, lanes)), lambda: taylor.taylor_text(found, lanes), "advance", taylor.KINDS, effort)
+    return function(repr((laws, lanes)), lambda: taylor.taylor_text(laws, lanes), "advance", taylor.KINDS, effort)
 
 
 class Memory(NamedTuple):
     """Memory that compiled code works in: what it is given, z, work, time and constants, in one piece."""
 
-    whole: Array
+    block: Array
     z: Array
     time: Array
-    given: memoryview  # to be filled by `taylor.CALL`
+    call_arguments: memoryview  # to be filled by `taylor.CALL`
     state: memoryview  # z, as bytes
     places: tuple[int, ...]  # the addresses of the four
     address: int
@@ -86,12 +86,12 @@ class Motion(NamedTuple):
 @lru_cache(maxsize=256)
 def motion_of(graph: Graph) -> Motion | None:
     """Its compiled code; None without a series."""
-    known = analytic(graph)
-    if known is None:
+    analysed = analytic(graph)
+    if analysed is None:
         return None
-    found, constants = known
-    numbers = struct.Struct(f"={taylor_memory.NUMBERS + 3 * len(found.rates)}d")
-    return Motion(_taylor(found), layout(found, 1).doubles, constants, numbers, [])
+    laws, constants = analysed
+    numbers = struct.Struct(f"={taylor_memory.NUMBERS + 3 * len(laws.rates)}d")
+    return Motion(_taylor(laws), layout(laws, 1).doubles, constants, numbers, [])
 
 
 def taylor_run(run: Run, look: Look, state: State, *, is_fresh: bool = False) -> State:
@@ -110,13 +110,13 @@ def taylor_run(run: Run, look: Look, state: State, *, is_fresh: bool = False) ->
     has_sizes = 1.0 if control.atol or (min(sizes) > 0.0 and not is_start) else 2.0 if not is_start else 0.0
     memory = motion.free.pop() if motion.free else memory_for(motion, size)
     status = taylor_loop.FRESH if is_fresh else taylor_loop.RUNNING
-    head = (state.row, state.t, 0, state.t, status, 0, 0, 0, state.h, has_sizes)
+    first_numbers = (state.row, state.t, 0, state.t, status, 0, 0, 0, state.h, has_sizes)
     limits = 0, control.max_step, math.inf if control.first_step is None or state.steps else control.first_step
-    motion.numbers.pack_into(memory.state, 0, *head, *limits, *UNSET, *state.y, *state.r, *sizes)
+    motion.numbers.pack_into(memory.state, 0, *first_numbers, *limits, *UNSET, *state.y, *state.r, *sizes)
     ends = address_of(times), len(times), address_of(out), 0, 0, origin, rtol, taylor.order_for(rtol)
 
     def some(budget: int) -> bool:
-        taylor.CALL.pack_into(memory.given, 0, *memory.places, *ends, budget)
+        taylor.CALL.pack_into(memory.call_arguments, 0, *memory.places, *ends, budget)
         motion.advance(memory.address)
         is_running = bool(memory.z[taylor_memory.STATUS] == taylor_loop.RUNNING)
         if is_running:
@@ -150,15 +150,15 @@ def seen(memory: Memory, size: int) -> tuple[float, list[float], list[float], in
 def taylor_runs(graph: Graph, times: Array, out: Array, starts: Array, control: Control) -> Array:
     """Fill (m, n, k) `out` from the (m, k) starts; (m,) whether that was possible."""
     origin, times, rtol = float(times[0]), times - times[0], control.rtol
-    known = analytic(graph)
-    if known is None:
+    analysed = analytic(graph)
+    if analysed is None:
         return np.zeros(len(starts), dtype=bool)
-    found, constants = known
-    advance, place, size = _taylor(found, LANES), layout(found, LANES), starts.shape[1]
-    one = taylor_memory.memory(size)
-    memory = _memory(LANES * one + 2, place.doubles, LANES, constants)
+    laws, constants = analysed
+    advance, memory_layout, size = _taylor(laws, LANES), layout(laws, LANES), starts.shape[1]
+    per_lane = taylor_memory.memory(size)
+    memory = _memory(LANES * per_lane + 2, memory_layout.doubles, LANES, constants)
     z = memory.z
-    z[taylor_memory.STATUS : LANES * one : one] = taylor_loop.IDLE
+    z[taylor_memory.STATUS : LANES * per_lane : per_lane] = taylor_loop.IDLE
     z[-1], memory.time[:] = LANES, origin
     out[:, 0] = starts
     members = np.hstack([np.full((len(starts), 1), times[-1] / 100), starts, np.abs(starts)])
@@ -166,7 +166,7 @@ def taylor_runs(graph: Graph, times: Array, out: Array, starts: Array, control: 
     order = taylor.order_for(rtol)
 
     def some(budget: int) -> bool:
-        taylor.CALL.pack_into(memory.given, 0, *memory.places, *ends, origin, rtol, order, budget)
+        taylor.CALL.pack_into(memory.call_arguments, 0, *memory.places, *ends, origin, rtol, order, budget)
         advance(memory.address)
         return bool(z[-1] > 0.0)
 
@@ -179,15 +179,15 @@ def memory_for(motion: Motion, size: int) -> Memory:
     return _memory(taylor_memory.memory(size), motion.doubles, 1, motion.constants)
 
 
-def _memory(one: int, work: int, lanes: int, constants: tuple[float, ...]) -> Memory:
+def _memory(per_lane: int, work: int, lanes: int, constants: tuple[float, ...]) -> Memory:
     first = taylor.CALL.size // 8
-    places = [first, first + one, first + one + work, first + one + work + lanes]
-    whole = np.zeros(places[3] + len(constants))
-    whole[places[3] :] = constants
-    z, time, start = whole[first : places[1]], whole[places[2] : places[3]], address_of(whole)
-    whole_bytes = whole.data.cast("B")
-    given, state = whole_bytes[: 8 * first], whole_bytes[8 * first : 8 * places[1]]
-    return Memory(whole, z, time, given, state, tuple(start + 8 * place for place in places), start)
+    places = [first, first + per_lane, first + per_lane + work, first + per_lane + work + lanes]
+    block = np.zeros(places[3] + len(constants))
+    block[places[3] :] = constants
+    z, time, start = block[first : places[1]], block[places[2] : places[3]], address_of(block)
+    whole_bytes = block.data.cast("B")
+    call_arguments, state = whole_bytes[: 8 * first], whole_bytes[8 * first : 8 * places[1]]
+    return Memory(block, z, time, call_arguments, state, tuple(start + 8 * offset for offset in places), start)
 
 
 def until_done(some: Callable[[int], bool]) -> None:
@@ -230,12 +230,20 @@ def _loop(
 ) -> Callable[..., Any]:
     """A loop of the Python engine, compiled, that takes and gives what it does in Python."""
     key = repr((loop.__name__, generated, constants))
-    made = function(key, lambda: loops.loop_text(loop, generated, entry, like, constants, handed), entry, loops.KINDS)
+    march = function(key, lambda: loops.loop_text(loop, generated, entry, like, constants, handed), entry, loops.KINDS)
 
     def run(origin: float, times: Array, out: Array, state: Any, c: Any, x: float, *rest: float) -> Any:
-        numbers, given = np.array(loops.flat(state)), np.array(c, dtype=float)
+        numbers, call_arguments = np.array(loops.flat(state)), np.array(c, dtype=float)
         longest, budget = rest if len(rest) == 2 else (math.inf, *rest)
-        made(*(a.ctypes.data for a in (numbers, given, times)), len(times), out.ctypes.data, origin, x, longest, budget)
+        march(
+            *(a.ctypes.data for a in (numbers, call_arguments, times)),
+            len(times),
+            out.ctypes.data,
+            origin,
+            x,
+            longest,
+            budget,
+        )
         return loops.unflat(iter(numbers.tolist()), state)
 
     return run

@@ -39,51 +39,51 @@ class Layout:
 def sums_of(series: int, r: Recurrence) -> list[tuple[Factor, Factor]]:
     """The sums over j = 1 ... n - 1 of x_j y_(n - j) that a recurrence needs."""
     of = r.of
-    if r.kind in ("*", "square"):
+    if r.rule in ("*", "square"):
         return [((of[0], False), (of[-1], False))]
-    if r.kind in ("/", "sqrt"):
-        return [((series, False), (of[1] if r.kind == "/" else series, False))]
-    if r.kind == "pow":
+    if r.rule in ("/", "sqrt"):
+        return [((series, False), (of[1] if r.rule == "/" else series, False))]
+    if r.rule == "pow":
         return [((of[0], True), (series, False)), ((series, True), (of[0], False))]
-    if r.kind == "wy'=ab'-ba'":
+    if r.rule == "wy'=ab'-ba'":
         return [((of[1], True), (of[2], False)), ((of[2], True), (of[1], False)), ((series, True), (of[0], False))]
-    if r.kind[0] == "w":
+    if r.rule[0] == "w":
         return [((series, True), (of[0], False))]
-    return [((of[1], True), (of[0], False))] if r.kind[0] == "y" else []
+    return [((of[1], True), (of[0], False))] if r.rule[0] == "y" else []
 
 
 class Coefficients(Writer):
     """What both ways of taking the sums have in common."""
 
-    def __init__(self, found: Recurrences, place: Layout) -> None:
+    def __init__(self, laws: Recurrences, memory_layout: Layout) -> None:
         super().__init__()
-        self.found, self.place = found, place
-        self.kind = "double" if place.lanes == 1 else f"<{place.lanes} x double>"
-        self.suffix = "f64" if place.lanes == 1 else f"v{place.lanes}f64"
+        self.laws, self.memory_layout = laws, memory_layout
+        self.ir_type = "double" if memory_layout.lanes == 1 else f"<{memory_layout.lanes} x double>"
+        self.suffix = "f64" if memory_layout.lanes == 1 else f"v{memory_layout.lanes}f64"
         self.first: dict[int, str] = {}  # the coefficients of order 0, of constants too
         self.now: dict[int, str] = {}  # of order n
 
     # Instructions on numbers of the kind
 
     def op(self, name: str, a: str, b: str) -> str:
-        return self.emit(self.kind, f"f{name} {FAST} {self.kind} {a}, {b}").text
+        return self.emit(self.ir_type, f"f{name} {FAST} {self.ir_type} {a}, {b}").text
 
     def negative(self, a: str) -> str:
-        return self.emit(self.kind, f"fneg {self.kind} {a}").text
+        return self.emit(self.ir_type, f"fneg {self.ir_type} {a}").text
 
     def constant(self, value: float) -> str:
         return self.spread(number(value))
 
     def spread(self, value: str) -> str:
-        if self.place.lanes == 1:
+        if self.memory_layout.lanes == 1:
             return value
-        one = self.emit(self.kind, f"insertelement {self.kind} poison, double {value}, i32 0").text
-        zeros = f"<{self.place.lanes} x i32> zeroinitializer"
-        return self.emit(self.kind, f"shufflevector {self.kind} {one}, {self.kind} poison, {zeros}").text
+        single = self.emit(self.ir_type, f"insertelement {self.ir_type} poison, double {value}, i32 0").text
+        zeros = f"<{self.memory_layout.lanes} x i32> zeroinitializer"
+        return self.emit(self.ir_type, f"shufflevector {self.ir_type} {single}, {self.ir_type} poison, {zeros}").text
 
     def address(self, row: int, index: str | int, scale: int) -> str:
         """Of a number at row and index; scale: doubles a step of the index."""
-        base = row * self.place.stride * self.place.lanes
+        base = row * self.memory_layout.stride * self.memory_layout.lanes
         if isinstance(index, int):
             return self.element("%work", base + index * scale)
         start = self.element("%work", base)
@@ -91,90 +91,98 @@ class Coefficients(Writer):
         return self.emit("ptr", f"getelementptr double, ptr {start}, i64 {step}").text
 
     def keep(self, row: int, index: str | int, value: str) -> None:
-        self.do(f"store {self.kind} {value}, ptr {self.address(row, index, self.place.lanes)}, align 8")
+        self.do(f"store {self.ir_type} {value}, ptr {self.address(row, index, self.memory_layout.lanes)}, align 8")
 
-    def kept(self, row: int, index: str | int) -> str:
-        place = self.address(row, index, self.place.lanes)
-        return self.emit(self.kind, f"load {self.kind}, ptr {place}, align 8").text
+    def fetch(self, row: int, index: str | int) -> str:
+        pointer = self.address(row, index, self.memory_layout.lanes)
+        return self.emit(self.ir_type, f"load {self.ir_type}, ptr {pointer}, align 8").text
 
     def function(self, name: str, arguments: list[str]) -> str:
         """A function of each lane."""
         if name == "sqrt":
-            return self.emit(self.kind, f"call {self.kind} @llvm.sqrt.{self.suffix}({self.kind} {arguments[0]})").text
-        if self.place.lanes == 1:
+            return self.emit(
+                self.ir_type, f"call {self.ir_type} @llvm.sqrt.{self.suffix}({self.ir_type} {arguments[0]})"
+            ).text
+        if self.memory_layout.lanes == 1:
             listed = ", ".join(f"double {a}" for a in arguments)
             return self.emit("double", f"call double @{name}({listed})").text
-        whole = "poison"
-        for lane in range(self.place.lanes):
-            parts = [self.emit("double", f"extractelement {self.kind} {a}, i32 {lane}").text for a in arguments]
-            one = self.emit("double", f"call double @{name}({', '.join(f'double {p}' for p in parts)})").text
-            whole = self.emit(self.kind, f"insertelement {self.kind} {whole}, double {one}, i32 {lane}").text
-        return whole
+        vector = "poison"
+        for lane in range(self.memory_layout.lanes):
+            parts = [self.emit("double", f"extractelement {self.ir_type} {a}, i32 {lane}").text for a in arguments]
+            single = self.emit("double", f"call double @{name}({', '.join(f'double {p}' for p in parts)})").text
+            vector = self.emit(self.ir_type, f"insertelement {self.ir_type} {vector}, double {single}, i32 {lane}").text
+        return vector
 
     # Order 0
 
     def values(self) -> None:
         """Coefficients of order 0: time and state are in memory."""
-        for i in range(self.found.constants):
-            place = self.element("%c", i)
-            self.first[-1 - i] = self.spread(self.emit("double", f"load double, ptr {place}").text)
-        for i, r in enumerate(self.found.series):
+        for i in range(self.laws.constants):
+            pointer = self.element("%c", i)
+            self.first[-1 - i] = self.spread(self.emit("double", f"load double, ptr {pointer}").text)
+        for i, r in enumerate(self.laws.series):
             self.first[i] = self.value(r)
 
     def value(self, r: Recurrence) -> str:
-        if r.kind == "time":
-            return self.emit(self.kind, f"load {self.kind}, ptr %t, align 8").text
-        if r.kind == "state":
-            return self.kept(r.of[0], 0)
-        given = [self.first[i] for i in (r.arguments if r.value else r.of)]
+        if r.rule == "time":
+            return self.emit(self.ir_type, f"load {self.ir_type}, ptr %t, align 8").text
+        if r.rule == "state":
+            return self.fetch(r.of[0], 0)
+        values_of = [self.first[i] for i in (r.arguments if r.value else r.of)]
         if r.value:
-            return self.function(r.value, given)
-        if r.kind == "neg":
-            return self.negative(given[0])
-        name = {"+": "add", "shift": "add", "-": "sub", "/": "div"}.get(r.kind, "mul")
-        return self.op(name, given[0], given[-1])
+            return self.function(r.value, values_of)
+        if r.rule == "neg":
+            return self.negative(values_of[0])
+        name = {"+": "add", "shift": "add", "-": "sub", "/": "div"}.get(r.rule, "mul")
+        return self.op(name, values_of[0], values_of[-1])
 
     def size(self, a: str) -> str:
-        return self.emit(self.kind, f"call {self.kind} @llvm.fabs.{self.suffix}({self.kind} {a})").text
+        return self.emit(self.ir_type, f"call {self.ir_type} @llvm.fabs.{self.suffix}({self.ir_type} {a})").text
 
     def bounds(self) -> dict[int, str]:
         """A running error bound of the coefficients of order 0: what each makes of its arguments' and its own."""
         zero = self.constant(0.0)
-        bounds = dict.fromkeys(range(-self.found.constants, 0), zero)
-        for i, r in enumerate(self.found.series):
-            own = zero
-            if r.kind != "neg":
-                own = self.op(
+        bounds = dict.fromkeys(range(-self.laws.constants, 0), zero)
+        for i, r in enumerate(self.laws.series):
+            bound = zero
+            if r.rule != "neg":
+                bound = self.op(
                     "mul", self.constant(2 * UNIT_ROUNDOFF if r.value else UNIT_ROUNDOFF), self.size(self.first[i])
                 )
             for factor, j in self.sensitivities(i, r):
                 part = bounds[j] if not factor else self.op("mul", factor, bounds[j])
-                own = self.op("add", own, part)
-            bounds[i] = own
+                bound = self.op("add", bound, part)
+            bounds[i] = bound
         return bounds
 
     def sensitivities(self, i: int, r: Recurrence) -> list[tuple[str, int]]:
         """By how much a coefficient of order 0 changes with each that it is made of; empty for one."""
-        if r.kind in ("time", "state"):
+        if r.rule in ("time", "state"):
             return []
-        y, given = self.size(self.first[i]), [self.size(self.first[j]) for j in r.of]
-        if r.kind in ("+", "-", "neg", "shift"):
+        y, values_of = self.size(self.first[i]), [self.size(self.first[j]) for j in r.of]
+        if r.rule in ("+", "-", "neg", "shift"):
             return [("", j) for j in r.of]
-        if r.kind in ("*", "scale", "square"):
-            return [(given[-1], r.of[0]), (given[0], r.of[-1])]
-        if r.kind == "/":
-            return [(self.op("div", self.constant(1.0), given[1]), r.of[0]), (self.op("div", y, given[1]), r.of[1])]
-        if r.kind == "sqrt":
+        if r.rule in ("*", "scale", "square"):
+            return [(values_of[-1], r.of[0]), (values_of[0], r.of[-1])]
+        if r.rule == "/":
+            return [
+                (self.op("div", self.constant(1.0), values_of[1]), r.of[0]),
+                (self.op("div", y, values_of[1]), r.of[1]),
+            ]
+        if r.rule == "sqrt":
             return [(self.op("div", self.constant(0.5), y), r.of[0])]
-        if r.kind == "pow":
-            return [(self.op("div", self.op("mul", given[1], y), given[0]), r.of[0])]
-        if r.kind == "wy'=ab'-ba'":
-            return [(self.op("div", given[2], given[0]), r.of[1]), (self.op("div", given[1], given[0]), r.of[2])]
-        if r.kind[0] == "w":
-            return [(self.op("div", self.constant(1.0), given[0]), r.of[1])]
-        if "y^2" in r.kind:
-            return [(self.op("add", self.constant(1.0), given[0]), r.of[1])]
-        return [(given[0], r.of[1])]
+        if r.rule == "pow":
+            return [(self.op("div", self.op("mul", values_of[1], y), values_of[0]), r.of[0])]
+        if r.rule == "wy'=ab'-ba'":
+            return [
+                (self.op("div", values_of[2], values_of[0]), r.of[1]),
+                (self.op("div", values_of[1], values_of[0]), r.of[2]),
+            ]
+        if r.rule[0] == "w":
+            return [(self.op("div", self.constant(1.0), values_of[0]), r.of[1])]
+        if "y^2" in r.rule:
+            return [(self.op("add", self.constant(1.0), values_of[0]), r.of[1])]
+        return [(values_of[0], r.of[1])]
 
     # Order n
 
@@ -185,101 +193,104 @@ class Coefficients(Writer):
     def coefficient(self, i: int, r: Recurrence, one_over_n: str, sums: list[str]) -> str:
         """The coefficient of order n: what is known before, and multiples of others of order n."""
         of = [self.now.get(j, "") for j in r.of]  # empty where it comes later, and is not asked for
-        if r.kind in ("+", "-"):
-            return self.op("add" if r.kind == "+" else "sub", of[0], of[1])
-        if r.kind == "neg":
+        if r.rule in ("+", "-"):
+            return self.op("add" if r.rule == "+" else "sub", of[0], of[1])
+        if r.rule == "neg":
             return self.negative(of[0])
-        if r.kind == "shift":
+        if r.rule == "shift":
             return of[0]
-        known = self.known(i, r, one_over_n, sums)
-        for place, factor in self.multiples[i]:
-            if r.of[place] >= 0:  # a number has no further coefficients
-                product = self.op("mul", of[place], factor)
-                known = self.op("add", known, product) if known else product
-        return known
+        earlier = self.earlier(i, r, one_over_n, sums)
+        for pointer, factor in self.multiples[i]:
+            if r.of[pointer] >= 0:  # a number has no further coefficients
+                product = self.op("mul", of[pointer], factor)
+                earlier = self.op("add", earlier, product) if earlier else product
+        return earlier
 
-    def known(self, i: int, r: Recurrence, one_over_n: str, sums: list[str]) -> str:
+    def earlier(self, i: int, r: Recurrence, one_over_n: str, sums: list[str]) -> str:
         """What of it follows from earlier orders."""
         if not sums:
             return ""
         total = sums[0]
-        if r.kind == "pow":
+        if r.rule == "pow":
             total = self.op("sub", self.op("mul", self.first[r.of[1]], sums[0]), sums[1])
-        elif r.kind == "wy'=ab'-ba'":
+        elif r.rule == "wy'=ab'-ba'":
             total = self.op("sub", self.op("sub", sums[0], sums[1]), sums[2])
         if i in self.scales:
             total = self.op("mul", total, self.scales[i])
-        return total if r.kind in ("*", "square", "/", "sqrt") else self.op("mul", total, one_over_n)
+        return total if r.rule in ("*", "square", "/", "sqrt") else self.op("mul", total, one_over_n)
 
     def prepared(self) -> None:
         """What is the same for all orders: factors of other coefficients and of the sums."""
-        one = self.constant(1.0)
+        single = self.constant(1.0)
         self.multiples: dict[int, list[tuple[int, str]]] = {}
         self.scales: dict[int, str] = {}
-        for i, r in enumerate(self.found.series):
+        for i, r in enumerate(self.laws.series):
             start = [self.first.get(j, "") for j in r.of]
-            if r.kind == "scale":
+            if r.rule == "scale":
                 self.multiples[i] = [(0, start[1])]
-            elif r.kind == "*":
+            elif r.rule == "*":
                 self.multiples[i] = [(1, start[0]), (0, start[1])]
-            elif r.kind == "square":
+            elif r.rule == "square":
                 self.multiples[i] = [(0, self.op("add", start[0], start[0]))]
-            elif r.kind in ("/", "sqrt", "pow") or r.kind[0] == "w":
-                self._divided(i, r, start, one)
-            elif r.kind[0] == "y":
-                self._multiplied(i, r, start, one)
+            elif r.rule in ("/", "sqrt", "pow") or r.rule[0] == "w":
+                self._divided(i, r, start, single)
+            elif r.rule[0] == "y":
+                self._multiplied(i, r, start, single)
 
-    def _divided(self, i: int, r: Recurrence, start: list[str], one: str) -> None:
-        divisor = {"/": start[-1], "sqrt": self.op("add", self.first[i], self.first[i])}.get(r.kind, start[0])
-        inverse = self.op("div", one, divisor)
+    def _divided(self, i: int, r: Recurrence, start: list[str], single: str) -> None:
+        divisor = {"/": start[-1], "sqrt": self.op("add", self.first[i], self.first[i])}.get(r.rule, start[0])
+        inverse = self.op("div", single, divisor)
         minus = self.negative(inverse)
         self.scales[i] = minus
-        if r.kind == "/":
+        if r.rule == "/":
             self.multiples[i] = [(0, inverse), (1, self.op("mul", self.first[i], minus))]
-        elif r.kind == "sqrt":
+        elif r.rule == "sqrt":
             self.multiples[i] = [(0, inverse)]
-        elif r.kind == "pow":
+        elif r.rule == "pow":
             self.scales[i] = inverse
             self.multiples[i] = [(0, self.op("mul", self.op("mul", start[1], self.first[i]), inverse))]
-        elif r.kind == "wy'=ab'-ba'":
+        elif r.rule == "wy'=ab'-ba'":
             self.scales[i] = inverse
             self.multiples[i] = [(1, self.op("mul", start[2], inverse)), (2, self.op("mul", start[1], minus))]
         else:
-            self.multiples[i] = [(1, minus if r.kind == "wy'=-a'" else inverse)]
+            self.multiples[i] = [(1, minus if r.rule == "wy'=-a'" else inverse)]
 
-    def _multiplied(self, i: int, r: Recurrence, start: list[str], one: str) -> None:
-        if r.kind in ("y'=-wa'", "y'=a'-y^2a'"):
+    def _multiplied(self, i: int, r: Recurrence, start: list[str], single: str) -> None:
+        if r.rule in ("y'=-wa'", "y'=a'-y^2a'"):
             self.scales[i] = self.constant(-1.0)
         factor = self.negative(start[0]) if i in self.scales else start[0]
-        self.multiples[i] = [(1, factor if "y^2" not in r.kind else self.op("add", one, factor))]
+        self.multiples[i] = [(1, factor if "y^2" not in r.rule else self.op("add", single, factor))]
 
     def states(self, n: str, one_over_n: str, slots: list[str]) -> None:
         """The state's coefficients of order n, from the rates' of order n - 1."""
-        for i, r in enumerate(self.found.series):
-            if r.kind == "state":
-                rate = self.emit(self.kind, f"load {self.kind}, ptr {slots[r.of[0]]}").text
+        for i, r in enumerate(self.laws.series):
+            if r.rule == "state":
+                rate = self.emit(self.ir_type, f"load {self.ir_type}, ptr {slots[r.of[0]]}").text
                 self.now[i] = self.op("mul", rate, one_over_n)
                 self.keep(r.of[0], n, self.now[i])
 
     def orders(self, n: str, slots: list[str], sums: list[list[str]], numbers: tuple[str, str]) -> None:
         """All coefficients of order n; numbers: n and 1 / n."""
         zero = self.constant(0.0)
-        self.now = dict.fromkeys(range(-self.found.constants, 0), zero)
+        self.now = dict.fromkeys(range(-self.laws.constants, 0), zero)
         self.states(n, numbers[1], slots)
-        for i, r in enumerate(self.found.series):
-            if r.kind == "time":
+        for i, r in enumerate(self.laws.series):
+            if r.rule == "time":
                 first = self.emit("i1", f"icmp eq i64 {n}, 1").text
                 self.now[i] = self.spread(self.emit("double", f"select i1 {first}, double 1.0, double 0.0").text)
-            elif r.kind != "state":
+            elif r.rule != "state":
                 self.now[i] = self.coefficient(i, r, numbers[1], sums[i])
-        for slot, rate in zip(slots, self.found.rates, strict=True):
-            self.do(f"store {self.kind} {self.now[rate]}, ptr {slot}")
+        for slot, rate in zip(slots, self.laws.rates, strict=True):
+            self.do(f"store {self.ir_type} {self.now[rate]}, ptr {slot}")
 
     def reach(self, slots: list[str], exponents: list[int]) -> str:
         """As in `dop853_source`: the longest step in which each changes by no more than half of itself, or REACH."""
-        one = self.constant(1.0)
+        single = self.constant(1.0)
         self.orders(
-            "1", slots, [[self.constant(0.0)] * len(sums_of(i, r)) for i, r in enumerate(self.found.series)], (one, one)
+            "1",
+            slots,
+            [[self.constant(0.0)] * len(sums_of(i, r)) for i, r in enumerate(self.laws.series)],
+            (single, single),
         )
         longest = self.constant(math.inf)
         for i in exponents:
@@ -290,7 +301,7 @@ class Coefficients(Writer):
 
     def extreme_of(self, name: str, a: str, b: str) -> str:
         return self.emit(
-            self.kind, f"call {self.kind} @llvm.{name}.{self.suffix}({self.kind} {a}, {self.kind} {b})"
+            self.ir_type, f"call {self.ir_type} @llvm.{name}.{self.suffix}({self.ir_type} {a}, {self.ir_type} {b})"
         ).text
 
     def numbers(self, n: str) -> tuple[str, str]:
@@ -300,15 +311,15 @@ class Coefficients(Writer):
 
     def loop(self, first: int, end: str, body: Callable[[str], None]) -> None:
         """body(n) for n from first up to end, which is left out."""
-        before, test, inside, last, after = self.labels("before", "test", "inside", "last", "after")
+        before, test, body_label, last, after = self.labels("before", "test", "inside", "last", "after")
         n, more = f"%n{self.count}", f"%more{self.count}"
         self.jump(before)
         self.start(before)
         self.jump(test)
         self.start(test)
         self.lines.append(f"  {n} = phi i64 [{first}, %{before}], [{more}, %{last}]")
-        self.branch(self.emit("i1", f"icmp slt i64 {n}, {end}"), inside, after)
-        self.start(inside)
+        self.branch(self.emit("i1", f"icmp slt i64 {n}, {end}"), body_label, after)
+        self.start(body_label)
         body(n)
         self.jump(last)
         self.start(last)

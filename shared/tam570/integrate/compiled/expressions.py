@@ -56,18 +56,18 @@ class Expressions(Writer):
             return self.loaded(names[node.id])
         return self.globals.get(node.id, node.id)  # else a function's name
 
-    def loaded(self, place: Any) -> Any:
-        if isinstance(place, tuple):
-            return tuple(self.loaded(part) for part in place)
-        return self.load(place) if isinstance(place, Slot) else place
+    def loaded(self, slot: Any) -> Any:
+        if isinstance(slot, tuple):
+            return tuple(self.loaded(part) for part in slot)
+        return self.load(slot) if isinstance(slot, Slot) else slot
 
     def of_Tuple(self, names: Names, node: ast.Tuple) -> Any:
         return tuple(self.value(names, part) for part in node.elts)
 
     def of_Subscript(self, names: Names, node: ast.Subscript) -> Any:
-        whole = self.value(names, node.value)
-        if isinstance(whole, tuple):
-            return whole[self.value(names, node.slice)]
+        items = self.value(names, node.value)
+        if isinstance(items, tuple):
+            return items[self.value(names, node.slice)]
         return self.emit("double", f"load double, ptr {self.address(names, node)}")
 
     def address(self, names: Names, node: ast.Subscript) -> str:
@@ -82,17 +82,17 @@ class Expressions(Writer):
     def of_BinOp(self, names: Names, node: ast.BinOp) -> Any:
         left, right = self.value(names, node.left), self.value(names, node.right)
         if isinstance(node.op, ast.Pow):
-            known = not isinstance(left, Value) and not isinstance(right, Value)
-            return left**right if known else self.called("pow", [left, right])
+            fold = not isinstance(left, Value) and not isinstance(right, Value)
+            return left**right if fold else self.call("pow", [left, right])
         return self.arithmetic(node.op, left, right)
 
     def arithmetic(self, sign: ast.operator, left: Any, right: Any) -> Any:
-        name, known = ARITHMETIC[type(sign)]
+        name, fold = ARITHMETIC[type(sign)]
         if not isinstance(left, Value) and not isinstance(right, Value):
-            return known(left, right)
-        whole = _whole(left) and _whole(right) and name != "div"
-        kind, instruction = ("i64", name) if whole else ("double", f"f{name}{self.flags}")
-        return self.emit(kind, f"{instruction} {kind} {self.text(left, kind)}, {self.text(right, kind)}")
+            return fold(left, right)
+        items = _whole(left) and _whole(right) and name != "div"
+        ir_type, instruction = ("i64", name) if items else ("double", f"f{name}{self.flags}")
+        return self.emit(ir_type, f"{instruction} {ir_type} {self.text(left, ir_type)}, {self.text(right, ir_type)}")
 
     def of_UnaryOp(self, names: Names, node: ast.UnaryOp) -> Any:
         value = self.value(names, node.operand)
@@ -103,7 +103,7 @@ class Expressions(Writer):
         if not isinstance(value, Value):
             return -value
         return self.emit(
-            value.kind, f"fneg double {value.text}" if value.kind == "double" else f"sub i64 0, {value.text}"
+            value.ir_type, f"fneg double {value.text}" if value.ir_type == "double" else f"sub i64 0, {value.text}"
         )
 
     def of_Compare(self, names: Names, node: ast.Compare) -> Any:
@@ -116,26 +116,26 @@ class Expressions(Writer):
         return result
 
     def compared(self, sign: ast.cmpop, left: Any, right: Any) -> Any:
-        floats, integers, known = ORDER[type(sign)]
+        floats, integers, fold = ORDER[type(sign)]
         if not isinstance(left, Value) and not isinstance(right, Value):
-            return known(left, right)
+            return fold(left, right)
         if _whole(left) and _whole(right):
             return self.emit("i1", f"icmp {integers} i64 {self.text(left, 'i64')}, {self.text(right, 'i64')}")
         return self.emit("i1", f"fcmp {floats} double {self.text(left, 'double')}, {self.text(right, 'double')}")
 
     def of_BoolOp(self, names: Names, node: ast.BoolOp) -> Any:
         """What comes second is looked at only where the first leaves it open: an index may be beyond the end."""
-        place, (after,) = self.allocated("i1"), self.labels("after")
+        slot, (after,) = self.allocated("i1"), self.labels("after")
         for part in node.values:
             test = self.value(names, part)
-            self.store(test if isinstance(test, Value) else bool(test), place)
+            self.store(test if isinstance(test, Value) else bool(test), slot)
             (more,) = self.labels("more")
             yes, no = (more, after) if isinstance(node.op, ast.And) else (after, more)
             self.branch(test, yes, no)
             self.start(more)
         self.jump(after)
         self.start(after)
-        return self.load(place)
+        return self.load(slot)
 
     def of_IfExp(self, names: Names, node: ast.IfExp) -> Any:
         test = self.value(names, node.test)
@@ -144,40 +144,42 @@ class Expressions(Writer):
         return self.chosen(test, self.value(names, node.body), self.value(names, node.orelse))
 
     def chosen(self, test: Value, yes: Any, no: Any) -> Value:
-        kind = "i64" if _whole(yes) and _whole(no) else "double"
-        return self.emit(kind, f"select i1 {test.text}, {kind} {self.text(yes, kind)}, {kind} {self.text(no, kind)}")
+        ir_type = "i64" if _whole(yes) and _whole(no) else "double"
+        return self.emit(
+            ir_type, f"select i1 {test.text}, {ir_type} {self.text(yes, ir_type)}, {ir_type} {self.text(no, ir_type)}"
+        )
 
     def of_Call(self, names: Names, node: ast.Call) -> Any:
-        given = [self.value(names, argument) for argument in node.args]
-        return self.called(self.value(names, node.func), given)
+        arguments = [self.value(names, argument) for argument in node.args]
+        return self.call(self.value(names, node.func), arguments)
 
-    def called(self, function: Any, given: list[Any]) -> Any:
+    def call(self, function: Any, arguments: list[Any]) -> Any:
         if callable(function):
-            return function(self, *given)
+            return function(self, *arguments)
         if function in ("min", "max"):
-            return self.extreme(function, given)
+            return self.extreme(function, arguments)
         if function in ROOTS:
-            return self.emit("double", f"call double @{ROOTS[function]}(double {self.text(given[0], 'double')})")
+            return self.emit("double", f"call double @{ROOTS[function]}(double {self.text(arguments[0], 'double')})")
         if function in LIBM or function in LIBM_OF_TWO:
-            listed = ", ".join(f"double {self.text(x, 'double')}" for x in given)
+            listed = ", ".join(f"double {self.text(x, 'double')}" for x in arguments)
             return self.emit("double", f"call double @{function}({listed})")
-        if function == "len" and isinstance(given[0], tuple | Array):
-            return len(given[0]) if isinstance(given[0], tuple) else given[0].length
+        if function == "len" and isinstance(arguments[0], tuple | Array):
+            return len(arguments[0]) if isinstance(arguments[0], tuple) else arguments[0].length
         if function == "float":
-            return Value("double", self.text(given[0], "double"))
+            return Value("double", self.text(arguments[0], "double"))
         if function == "int":
-            return self.emit("i64", f"fptosi double {self.text(given[0], 'double')} to i64")
+            return self.emit("i64", f"fptosi double {self.text(arguments[0], 'double')} to i64")
         raise Untranslatable(f"call of {function}")
 
-    def extreme(self, function: str, given: list[Any]) -> Any:
+    def extreme(self, function: str, arguments: list[Any]) -> Any:
         """As Python does it: the first unless a later one is beyond; so min(1, nan) is 1."""
-        result = given[0]
-        for other in given[1:]:
+        result = arguments[0]
+        for other in arguments[1:]:
             beyond = self.compared(ast.Lt() if function == "min" else ast.Gt(), other, result)
-            known = other if beyond else result
-            result = self.chosen(beyond, other, result) if isinstance(beyond, Value) else known
+            fold = other if beyond else result
+            result = self.chosen(beyond, other, result) if isinstance(beyond, Value) else fold
         return result
 
 
 def _whole(value: Any) -> bool:
-    return value.kind == "i64" if isinstance(value, Value) else isinstance(value, int)
+    return value.ir_type == "i64" if isinstance(value, Value) else isinstance(value, int)

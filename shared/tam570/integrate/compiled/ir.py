@@ -15,7 +15,7 @@ class Untranslatable(TypeError):
 class Value:
     """Something in a register; kind: "double", "i64", "i1" or "ptr"."""
 
-    kind: str
+    ir_type: str
     text: str
 
 
@@ -32,7 +32,7 @@ class Array:
 class Slot:
     """The place of a variable in memory, of which LLVM makes registers."""
 
-    kind: str
+    ir_type: str
     text: str
 
 
@@ -49,11 +49,11 @@ class Writer:
         self.allocations: list[str] = []
         self.count = 0
 
-    def emit(self, kind: str, text: str) -> Value:
+    def emit(self, ir_type: str, text: str) -> Value:
         """A new register with what the instruction gives."""
         self.count += 1
         self.lines.append(f"  %v{self.count} = {text}")
-        return Value(kind, f"%v{self.count}")
+        return Value(ir_type, f"%v{self.count}")
 
     def do(self, text: str) -> None:
         """An instruction without a result."""
@@ -72,27 +72,27 @@ class Writer:
     def branch(self, test: Any, yes: str, no: str) -> None:
         self.do(f"br i1 {self.text(test, 'i1')}, label %{yes}, label %{no}")
 
-    def text(self, value: Any, kind: str) -> str:
+    def text(self, value: Any, ir_type: str) -> str:
         """The value as an operand of that kind."""
         if not isinstance(value, Value):
-            return _literal(value, kind)
-        if value.kind == kind:
+            return _literal(value, ir_type)
+        if value.ir_type == ir_type:
             return value.text
-        change = _CHANGES.get((value.kind, kind))
+        change = _CHANGES.get((value.ir_type, ir_type))
         if change is None:
-            raise Untranslatable(f"a {value.kind} where a {kind} is needed")
-        return self.emit(kind, change.format(value.text)).text
+            raise Untranslatable(f"a {value.ir_type} where a {ir_type} is needed")
+        return self.emit(ir_type, change.format(value.text)).text
 
-    def allocated(self, kind: str) -> Slot:
+    def allocated(self, ir_type: str) -> Slot:
         self.count += 1
-        self.allocations.append(f"  %v{self.count} = alloca {kind}")
-        return Slot(kind, f"%v{self.count}")
+        self.allocations.append(f"  %v{self.count} = alloca {ir_type}")
+        return Slot(ir_type, f"%v{self.count}")
 
-    def load(self, place: Slot) -> Value:
-        return self.emit(place.kind, f"load {place.kind}, ptr {place.text}")
+    def load(self, slot: Slot) -> Value:
+        return self.emit(slot.ir_type, f"load {slot.ir_type}, ptr {slot.text}")
 
-    def store(self, value: Any, place: Slot) -> None:
-        self.do(f"store {place.kind} {self.text(value, place.kind)}, ptr {place.text}")
+    def store(self, value: Any, slot: Slot) -> None:
+        self.do(f"store {slot.ir_type} {self.text(value, slot.ir_type)}, ptr {slot.text}")
 
     def element(self, array: str, index: Any) -> str:
         """The address of a double in memory."""
@@ -108,12 +108,12 @@ _CHANGES = {
 }
 
 
-def _literal(value: Any, kind: str) -> str:
+def _literal(value: Any, ir_type: str) -> str:
     if not isinstance(value, int | float):
-        raise Untranslatable(f"{value!r} where a {kind} is needed")
-    if kind == "double":
+        raise Untranslatable(f"{value!r} where a {ir_type} is needed")
+    if ir_type == "double":
         return number(float(value))
-    if kind == "i1":
+    if ir_type == "i1":
         return "true" if value else "false"
     if isinstance(value, float):
         raise Untranslatable(f"{value!r} where a whole number is needed")

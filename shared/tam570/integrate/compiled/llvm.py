@@ -24,9 +24,9 @@ def assembled(lines: list[str]) -> str:
     text = "\n".join(lines) + "\n"
     defined = set(_DEFINED.findall(text))
     declared = {}
-    for result, name, given in _CALLED.findall(text):
+    for result, name, parameters in _CALLED.findall(text):
         if name not in defined:
-            declared[name] = f"declare {result} @{name}({', '.join(_KIND.findall(given))})"
+            declared[name] = f"declare {result} @{name}({', '.join(_KIND.findall(parameters))})"
     return text + "\n".join(declared.values()) + "\n"
 
 
@@ -63,9 +63,9 @@ def function(key: str, text: Callable[[], str], entry: str, kinds: tuple[Any, ..
         _keep(name, code)
     owner.add_object_file(binding.ObjectFileRef.from_data(code))
     owner.finalize_object()
-    made = ctypes.CFUNCTYPE(None, *kinds)(owner.get_function_address(entry))
+    compiled_function = ctypes.CFUNCTYPE(None, *kinds)(owner.get_function_address(entry))
     _LOADED.append((owner.detach(), code))  # never disposed of: its memory is read to the end, and somebody may run it
-    return made
+    return compiled_function
 
 
 @cache
@@ -93,21 +93,21 @@ def _compiled(binding: Any, text: str, effort: int) -> bytes:
 def folder() -> Path:
     """The user's folder for compiled code. OSError where there is none to be had."""
     base = os.environ.get("XDG_CACHE_HOME")
-    place = (Path(base) if base else Path.home() / ".cache") / "tam570"
-    place.mkdir(mode=0o700, parents=True, exist_ok=True)
-    if hasattr(os, "getuid") and place.stat().st_uid != os.getuid():
-        raise PermissionError(f"{place} belongs to somebody else")
-    return place
+    cache_folder = (Path(base) if base else Path.home() / ".cache") / "tam570"
+    cache_folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+    if hasattr(os, "getuid") and cache_folder.stat().st_uid != os.getuid():
+        raise PermissionError(f"{cache_folder} belongs to somebody else")
+    return cache_folder
 
 
 def _kept(name: str) -> bytes | None:
     """The object code of that name, if what the file holds is what was written."""
     try:
-        whole = (folder() / f"{name}.o").read_bytes()
+        content = (folder() / f"{name}.o").read_bytes()
     except (OSError, RuntimeError):
         return None
-    head, code = whole[: len(MARK) + 32], whole[len(MARK) + 32 :]
-    return code if head == MARK + hashlib.sha256(name.encode() + code).digest() else None
+    header, code = content[: len(MARK) + 32], content[len(MARK) + 32 :]
+    return code if header == MARK + hashlib.sha256(name.encode() + code).digest() else None
 
 
 def _keep(name: str, code: bytes) -> None:

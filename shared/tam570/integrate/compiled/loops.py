@@ -51,8 +51,8 @@ def loop_text(
     arrays = Array("%times", None, Value("i64", "%rows")), Array("%out", _size(like))
     origin, x, budget = Value("double", "%origin"), Value("double", "%x"), Value("i64", "%budget")
     longest = [Value("double", "%longest")] if handed else []
-    made = [tuple(writer.globals[name] for name in handed)] if handed else []
-    result = writer.called(writer.globals[entry], [*made, origin, *arrays, state, c, x, *longest, budget])
+    translator = [tuple(writer.globals[name] for name in handed)] if handed else []
+    result = writer.call(writer.globals[entry], [*translator, origin, *arrays, state, c, x, *longest, budget])
     for i, value in enumerate(_leaves(result)):
         writer.do(f"store double {writer.text(value, 'double')}, ptr {writer.element('%state', i)}")
     body = [HEAD.format(name=entry), *writer.allocations, *writer.lines, "  ret void", "}"]
@@ -74,8 +74,8 @@ def _loaded(writer: Writer, like: Any, places: Any) -> Any:
             parts.append(_loaded(writer, part, places))
             continue
         number = writer.emit("double", f"load double, ptr {writer.element('%state', next(places))}")
-        whole = isinstance(part, int)
-        parts.append(writer.emit("i64", f"fptosi double {number.text} to i64") if whole else number)
+        tuple_type = isinstance(part, int)
+        parts.append(writer.emit("i64", f"fptosi double {number.text} to i64") if tuple_type else number)
     return tuple(parts)
 
 
@@ -84,19 +84,26 @@ def _leaves(value: Any) -> list[Any]:
 
 
 def _call_of_rhs(writer: Any, t: Any, state: tuple[Any, ...], _: Any) -> tuple[Value, ...]:
-    kind = f"{{{', '.join(['double'] * len(state))}}}"
-    given = ", ".join(f"double {writer.text(x, 'double')}" for x in (t, *state))
-    whole = writer.emit(kind, f"call {kind} @rhs({given}, ptr %c)").text
-    return tuple(writer.emit("double", f"extractvalue {kind} {whole}, {i}") for i in range(len(state)))
+    ir_type = f"{{{', '.join(['double'] * len(state))}}}"
+    arguments = ", ".join(f"double {writer.text(x, 'double')}" for x in (t, *state))
+    tuple_type = writer.emit(ir_type, f"call {ir_type} @rhs({arguments}, ptr %c)").text
+    return tuple(writer.emit("double", f"extractvalue {ir_type} {tuple_type}, {i}") for i in range(len(state)))
 
 
 def _rhs_text(rhs: ast.FunctionDef, size: int, constants: int) -> list[str]:
     writer = Translator({"rhs": rhs}, {})
     c = tuple(writer.emit("double", f"load double, ptr {writer.element('%c', i)}") for i in range(constants))
     state = tuple(Value("double", f"%s{i}") for i in range(size))
-    rates = writer.called(writer.globals["rhs"], [Value("double", "%t"), state, c])
-    kind, whole = f"{{{', '.join(['double'] * size)}}}", "poison"
+    rates = writer.call(writer.globals["rhs"], [Value("double", "%t"), state, c])
+    ir_type, tuple_type = f"{{{', '.join(['double'] * size)}}}", "poison"
     for i, rate in enumerate(rates):
-        whole = writer.emit(kind, f"insertvalue {kind} {whole}, double {writer.text(rate, 'double')}, {i}").text
-    given = ", ".join(f"double %s{i}" for i in range(size))
-    return [f"define internal {kind} @rhs(double %t, {given}, ptr %c) {{", *writer.lines, f"  ret {kind} {whole}", "}"]
+        tuple_type = writer.emit(
+            ir_type, f"insertvalue {ir_type} {tuple_type}, double {writer.text(rate, 'double')}, {i}"
+        ).text
+    arguments = ", ".join(f"double %s{i}" for i in range(size))
+    return [
+        f"define internal {ir_type} @rhs(double %t, {arguments}, ptr %c) {{",
+        *writer.lines,
+        f"  ret {ir_type} {tuple_type}",
+        "}",
+    ]

@@ -23,12 +23,12 @@ class NotAnalytic(TypeError):
 class Recurrence:
     """A series that follows from those at `of`; below zero are constants, -1 for the first.
 
-    kind  : "time", "state", "+", "-", "neg", "scale", "shift", "*", "square", "/", "sqrt", "pow", and three laws of
+    rule  : "time", "state", "+", "-", "neg", "scale", "shift", "*", "square", "/", "sqrt", "pow", and three laws of
             derivatives: "y'=wa'" of (w, a), "wy'=a'" of (w, a), "wy'=ub'-ba'" for atan2 of (w, b, a)
     value : the function that gives the first coefficient, of `arguments`
     """
 
-    kind: str
+    rule: str
     of: tuple[int, ...]
     value: str = ""
     arguments: tuple[int, ...] = ()
@@ -48,15 +48,15 @@ def recurrences(graph: Graph) -> tuple[Recurrences, tuple[float, ...]]:
     making = _Making()
     places: dict[int, int] = {}
 
-    def place(value: Value) -> int:
+    def index_of(value: Value) -> int:
         return places[value.number] if isinstance(value, Symbol) else making.constant(value)
 
     needed = _needed(graph)
     for symbol in graph.operations:
         if symbol.number in needed or symbol.name[0] == "s" and not symbol.arguments:
-            places[symbol.number] = making.function(symbol.name, tuple(map(place, symbol.arguments)))
-    rates = tuple(map(place, graph.rates))
-    return Recurrences(tuple(making.made), rates, len(making.constants)), tuple(making.constants)
+            places[symbol.number] = making.function(symbol.name, tuple(map(index_of, symbol.arguments)))
+    rates = tuple(map(index_of, graph.rates))
+    return Recurrences(tuple(making.listed), rates, len(making.constants)), tuple(making.constants)
 
 
 def _needed(graph: Graph) -> set[int]:
@@ -72,21 +72,21 @@ class _Making:
 
     def __init__(self) -> None:
         self.series: dict[Recurrence, int] = {}
-        self.made: list[Recurrence] = []  # the same, by place
+        self.listed: list[Recurrence] = []  # the same, by place
         self.constants: dict[float, int] = {}
 
     def constant(self, value: float) -> int:
         return -1 - self.constants.setdefault(value, len(self.constants))
 
-    def known(self, place: int) -> float:
-        return list(self.constants)[-1 - place]
+    def constant_at(self, index_of: int) -> float:
+        return list(self.constants)[-1 - index_of]
 
-    def add(self, kind: str, *of: int, value: str = "", arguments: tuple[int, ...] = ()) -> int:
-        made = Recurrence(kind, of, value, arguments)
-        place = self.series.setdefault(made, len(self.series))
-        if place == len(self.made):
-            self.made.append(made)
-        return place
+    def add(self, rule: str, *of: int, value: str = "", arguments: tuple[int, ...] = ()) -> int:
+        listed = Recurrence(rule, of, value, arguments)
+        index_of = self.series.setdefault(listed, len(self.series))
+        if index_of == len(self.listed):
+            self.listed.append(listed)
+        return index_of
 
     def function(self, name: str, of: tuple[int, ...]) -> int:
         if not of:
@@ -101,19 +101,19 @@ class _Making:
 
     def sum(self, a: int, b: int) -> int:
         if a < 0 and b < 0:
-            return self.constant(self.known(a) + self.known(b))
+            return self.constant(self.constant_at(a) + self.constant_at(b))
         if a < 0 or b < 0:
             return self.add("shift", max(a, b), min(a, b))
         return self.add("+", a, b)
 
     def difference(self, a: int, b: int) -> int:
         if b < 0:
-            return self.add("shift", a, self.constant(-self.known(b)))
+            return self.add("shift", a, self.constant(-self.constant_at(b)))
         return self.sum(a, self.add("neg", b)) if a < 0 else self.add("-", a, b)
 
     def product(self, a: int, b: int) -> int:
         if a < 0 and b < 0:
-            return self.constant(self.known(a) * self.known(b))
+            return self.constant(self.constant_at(a) * self.constant_at(b))
         if a < 0 or b < 0:
             return self.add("scale", max(a, b), min(a, b))
         return self.add("square", a) if a == b else self.add("*", a, b)
@@ -121,13 +121,13 @@ class _Making:
     def quotient(self, a: int, b: int) -> int:
         """A factor is taken out: two bodies that pull at each other share the quotient."""
         if b >= 0:
-            made = self.made[a] if a >= 0 else None
-            if made and made.kind == "scale":
-                return self.product(self.quotient(made.of[0], b), made.of[1])
+            listed = self.listed[a] if a >= 0 else None
+            if listed and listed.rule == "scale":
+                return self.product(self.quotient(listed.of[0], b), listed.of[1])
             return self.add("/", a, b)
-        if not self.known(b):
+        if not self.constant_at(b):
             raise NotAnalytic("a division by zero")
-        return self.add("scale", a, self.constant(1 / self.known(b)))
+        return self.add("scale", a, self.constant(1 / self.constant_at(b)))
 
     def power(self, a: int, b: int) -> int:
         if b < 0 <= a:
@@ -137,14 +137,14 @@ class _Making:
     def natural_logarithm(self, a: int) -> int:
         if a >= 0:
             return self.logarithm("log", a)
-        if self.known(a) <= 0:
+        if self.constant_at(a) <= 0:
             raise NotAnalytic("a power of a negative number")
-        return self.constant(math.log(self.known(a)))
+        return self.constant(math.log(self.constant_at(a)))
 
     def following(self, name: str, arguments: tuple[int, ...], exponent: int) -> int:
         """e to the exponent, its first coefficient by name(arguments): y' = y exponent'."""
-        own = len(self.series)
-        return self.add("y'=wa'", own, exponent, value=name, arguments=arguments)
+        index = len(self.series)
+        return self.add("y'=wa'", index, exponent, value=name, arguments=arguments)
 
     def one_and_square(self, a: int, sign: float) -> int:
         """1 + a^2, or 1 - a^2."""
@@ -163,20 +163,20 @@ class _Making:
         """sin and cos, or sinh and cosh: each is the other's derivative, but for a sign."""
         hyperbolic = "h" if name.endswith("h") else ""
         first, second = f"sin{hyperbolic}", f"cos{hyperbolic}"
-        own = next((i for r, i in self.series.items() if r.value == first and r.arguments == (a,)), None)
-        if own is None:
-            own = len(self.series)
-            self.add("y'=wa'", own + 1, a, value=first, arguments=(a,))
-            self.add("y'=wa'" if hyperbolic else "y'=-wa'", own, a, value=second, arguments=(a,))
-        return own + (name == second)
+        index = next((i for r, i in self.series.items() if r.value == first and r.arguments == (a,)), None)
+        if index is None:
+            index = len(self.series)
+            self.add("y'=wa'", index + 1, a, value=first, arguments=(a,))
+            self.add("y'=wa'" if hyperbolic else "y'=-wa'", index, a, value=second, arguments=(a,))
+        return index + (name == second)
 
     def tangent(self, name: str, a: int) -> int:
         """tan' = a' + tan^2 a': the square of a series that comes after it; its coefficients up to n - 1 do."""
-        kind = "y'=a'+y^2a'" if name == "tan" else "y'=a'-y^2a'"
-        own = len(self.series)
-        self.add(kind, own + 1, a, value=name, arguments=(a,))
-        self.add("square", own)
-        return own
+        rule = "y'=a'+y^2a'" if name == "tan" else "y'=a'-y^2a'"
+        index = len(self.series)
+        self.add(rule, index + 1, a, value=name, arguments=(a,))
+        self.add("square", index)
+        return index
 
     def inverse(self, name: str, a: int) -> int:
         """Arcus and area functions: w y' = a', or of cosines w y' = -a'."""

@@ -67,18 +67,18 @@ def _place(motion: Motion, run: Run) -> Place:
     memory, rows = memory_for(motion, len(run.rows[0])), np.empty_like(run.rows)
     ends = address_of(run.since), len(run.since), address_of(rows), 0, 0
     rest = run.origin, run.rtol, taylor.order_for(run.rtol), STEPS
-    taylor.CALL.pack_into(memory.given, 0, *memory.places, *ends, *rest)
+    taylor.CALL.pack_into(memory.call_arguments, 0, *memory.places, *ends, *rest)
     return Place(memory, rows, memory.state.cast("d"))
 
 
 def _head(run: Run) -> list[float]:
     """The first numbers of the memory of a run that has not begun."""
-    head = [0.0] * taylor_memory.NUMBERS
-    head[taylor_memory.ROW], head[taylor_memory.STATUS] = 1.0, taylor_loop.FRESH
-    head[taylor_memory.LONGEST] = run.since[-1] / 100
-    head[taylor_memory.GIVEN] = 1.0 if run.control.atol else 0.0
-    head[taylor_memory.MAXIMUM] = head[taylor_memory.FIRST] = math.inf
-    return head
+    fresh_numbers = [0.0] * taylor_memory.NUMBERS
+    fresh_numbers[taylor_memory.ROW], fresh_numbers[taylor_memory.STATUS] = 1.0, taylor_loop.FRESH
+    fresh_numbers[taylor_memory.LONGEST] = run.since[-1] / 100
+    fresh_numbers[taylor_memory.GIVEN] = 1.0 if run.control.atol else 0.0
+    fresh_numbers[taylor_memory.MAXIMUM] = fresh_numbers[taylor_memory.FIRST] = math.inf
+    return fresh_numbers
 
 
 def _carried_on(mine: Place, advance: Any, size: int, watch: Callable[[], Look]) -> None:
@@ -87,9 +87,9 @@ def _carried_on(mine: Place, advance: Any, size: int, watch: Callable[[], Look])
 
     def some(budget: int) -> bool:
         look(*seen(mine.memory, size))
-        taylor.BUDGET.pack_into(mine.memory.given, taylor.CALL.size - taylor.BUDGET.size, budget)
+        taylor.BUDGET.pack_into(mine.memory.call_arguments, taylor.CALL.size - taylor.BUDGET.size, budget)
         advance(mine.memory.address)
         return mine.numbers[taylor_memory.STATUS] == taylor_loop.RUNNING
 
     until_done(some)
-    taylor.BUDGET.pack_into(mine.memory.given, taylor.CALL.size - taylor.BUDGET.size, STEPS)
+    taylor.BUDGET.pack_into(mine.memory.call_arguments, taylor.CALL.size - taylor.BUDGET.size, STEPS)

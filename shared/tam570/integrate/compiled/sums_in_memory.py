@@ -25,22 +25,22 @@ class InMemory(Coefficients):
     def _order(self, slots: list[str], vectors: int, n: str) -> None:
         numbers = self.numbers(n)
         back = self.emit("i64", f"sub i64 {BACK + 1}, {n}").text
-        listed = [sums_of(i, r) for i, r in enumerate(self.found.series)]
+        listed = [sums_of(i, r) for i, r in enumerate(self.laws.series)]
         sums = [[self._sum(x, y, back, vectors) for x, y in pairs] for pairs in listed]
         self.orders(n, slots, sums, numbers)
-        place = self.emit("i64", f"sub i64 {BACK}, {n}").text
-        for (i, way), row in self.place.rows.items():
+        slot = self.emit("i64", f"sub i64 {BACK}, {n}").text
+        for (i, way), row in self.memory_layout.rows.items():
             if way is None:
-                self.keep(row, place, self.now[i])
-            elif way or row >= len(self.found.rates):  # the state's are there already
+                self.keep(row, slot, self.now[i])
+            elif way or row >= len(self.laws.rates):  # the state's are there already
                 self.keep(row, n, self.op("mul", numbers[0], self.now[i]) if way else self.now[i])
 
     def _sum(self, x: Factor, y: Factor, back: str, vectors: int) -> str:
         """Orders 1, 2, ... of the one with n - 1, n - 2, ... of the other; beyond are zeros."""
-        total, start = "", self.address(self.place.rows[y[0], None], back, 1)
+        total, start = "", self.address(self.memory_layout.rows[y[0], None], back, 1)
         for k in range(vectors):
-            left, right = self.address(self.place.rows[x], 1 + LANES * k, 1), self.element(start, LANES * k)
-            a, b = (self.emit(VECTOR, f"load {VECTOR}, ptr {place}, align 8").text for place in (left, right))
+            x_row, y_row = self.address(self.memory_layout.rows[x], 1 + LANES * k, 1), self.element(start, LANES * k)
+            a, b = (self.emit(VECTOR, f"load {VECTOR}, ptr {slot}, align 8").text for slot in (x_row, y_row))
             product = self.emit(VECTOR, f"fmul {FAST} {VECTOR} {a}, {b}").text
             total = self.emit(VECTOR, f"fadd {FAST} {VECTOR} {total}, {product}").text if total else product
         reduced = f"call {FAST} double @llvm.vector.reduce.fadd.v{LANES}f64(double -0.0, {VECTOR} {total})"
@@ -54,35 +54,37 @@ class OfEight(Coefficients):
         self.loop(1, "%order", lambda n: self._order(n, slots))
 
     def _order(self, n: str, slots: list[str]) -> None:
-        listed = [sums_of(i, r) for i, r in enumerate(self.found.series)]
+        listed = [sums_of(i, r) for i, r in enumerate(self.laws.series)]
         flat = [pair for pairs in listed for pair in pairs]
-        found = [total for k in range(0, len(flat), TOGETHER) for total in self.totals(flat[k : k + TOGETHER], n)]
-        sums, numbers = [[found.pop(0) for _ in pairs] for pairs in listed], self.numbers(n)
+        laws = [total for k in range(0, len(flat), TOGETHER) for total in self.totals(flat[k : k + TOGETHER], n)]
+        sums, numbers = [[laws.pop(0) for _ in pairs] for pairs in listed], self.numbers(n)
         self.orders(n, slots, sums, numbers)
-        for (i, sloped), row in self.place.rows.items():
-            if sloped or self.found.series[i].kind != "state":
+        for (i, sloped), row in self.memory_layout.rows.items():
+            if sloped or self.laws.series[i].rule != "state":
                 self.keep(row, n, self.op("mul", numbers[0], self.now[i]) if sloped else self.now[i])
 
     def totals(self, pairs: list[tuple[Factor, Factor]], n: str) -> list[str]:
         """Sums of eight motions each, in one loop over the terms."""
-        before, test, inside, after = self.labels("before", "test", "inside", "after")
+        before, test, body_label, after = self.labels("before", "test", "inside", "after")
         self.jump(before)
         self.start(before)
         self.jump(test)
         self.start(test)
         j, more = f"%j{self.count}", f"%more{self.count}"
         names = [(f"%sum{self.count}_{k}", f"%next{self.count}_{k}") for k in range(len(pairs))]
-        self.lines.append(f"  {j} = phi i64 [1, %{before}], [{more}, %{inside}]")
+        self.lines.append(f"  {j} = phi i64 [1, %{before}], [{more}, %{body_label}]")
         for total, following in names:
-            self.lines.append(f"  {total} = phi {self.kind} [zeroinitializer, %{before}], [{following}, %{inside}]")
-        self.branch(self.emit("i1", f"icmp slt i64 {j}, {n}"), inside, after)
-        self.start(inside)
+            self.lines.append(
+                f"  {total} = phi {self.ir_type} [zeroinitializer, %{before}], [{following}, %{body_label}]"
+            )
+        self.branch(self.emit("i1", f"icmp slt i64 {j}, {n}"), body_label, after)
+        self.start(body_label)
         rest = self.emit("i64", f"sub i64 {n}, {j}").text
-        xs = {x: self.kept(self.place.rows[x], j) for x, _ in pairs}
-        ys = {y: self.kept(self.place.rows[y], rest) for _, y in pairs}
+        xs = {x: self.fetch(self.memory_layout.rows[x], j) for x, _ in pairs}
+        ys = {y: self.fetch(self.memory_layout.rows[y], rest) for _, y in pairs}
         for (x, y), (total, following) in zip(pairs, names, strict=True):
             product = self.op("mul", xs[x], ys[y])
-            self.lines.append(f"  {following} = fadd {FAST} {self.kind} {total}, {product}")
+            self.lines.append(f"  {following} = fadd {FAST} {self.ir_type} {total}, {product}")
         self.lines.append(f"  {more} = add i64 {j}, 1")
         self.jump(test)
         self.start(after)

@@ -17,7 +17,7 @@ class InRegisters(Coefficients):
     """One motion. Of each factor: order 1, the last two orders, and the register of those before."""
 
     def all_orders(self, slots: list[str]) -> None:
-        listed = [sums_of(i, r) for i, r in enumerate(self.found.series)]
+        listed = [sums_of(i, r) for i, r in enumerate(self.laws.series)]
         self.forward = {x: self._registers() for pairs in listed for x, _ in pairs}
         self.backward = {y: self._registers() for pairs in listed for _, y in pairs}
         factors = {**self.forward, **self.backward}
@@ -30,31 +30,34 @@ class InRegisters(Coefficients):
     def _registers(self) -> list[str]:
         return [self._slot(VECTOR, "zeroinitializer") for _ in range(2)]
 
-    def _slot(self, kind: str, value: str) -> str:
-        place = self.allocated(kind).text
-        self.do(f"store {kind} {value}, ptr {place}")
-        return place
+    def _slot(self, ir_type: str, value: str) -> str:
+        slot = self.allocated(ir_type).text
+        self.do(f"store {ir_type} {value}, ptr {slot}")
+        return slot
 
-    def _load(self, kind: str, place: str) -> str:
-        return self.emit(kind, f"load {kind}, ptr {place}").text
+    def _load(self, ir_type: str, slot: str) -> str:
+        return self.emit(ir_type, f"load {ir_type}, ptr {slot}").text
 
     def _order(self, slots: list[str], registers: int, n: str) -> None:
         numbers = self.numbers(n)
         recent = {factor: [self._load("double", p) for p in places] for factor, places in self.recent.items()}
-        whole = self._gathered(n, recent, registers)
+        registers_now = self._gathered(n, recent, registers)
         second = self.emit("i1", f"icmp eq i64 {n}, 2").text
         sums = [
-            [self._sum(whole[0][x], whole[1][y], recent[x], recent[y], second) for x, y in sums_of(i, r)]
-            for i, r in enumerate(self.found.series)
+            [
+                self._sum(registers_now[0][x], registers_now[1][y], recent[x], recent[y], second)
+                for x, y in sums_of(i, r)
+            ]
+            for i, r in enumerate(self.laws.series)
         ]
         self.orders(n, slots, sums, numbers)
         first = self.emit("i1", f"icmp eq i64 {n}, 1").text
         for (i, sloped), places in self.recent.items():
             value = self.op("mul", numbers[0], self.now[i]) if sloped else self.now[i]
             old = recent[i, sloped]
-            one = self.emit("double", f"select i1 {first}, double {value}, double {old[0]}").text
-            for new, place in zip((one, value, old[1]), places, strict=True):
-                self.do(f"store double {new}, ptr {place}")
+            single = self.emit("double", f"select i1 {first}, double {value}, double {old[0]}").text
+            for new, slot in zip((single, value, old[1]), places, strict=True):
+                self.do(f"store double {new}, ptr {slot}")
 
     def _gathered(self, n: str, recent: dict[Factor, list[str]], registers: int) -> list[dict[Factor, list[str]]]:
         """The registers with order n - 2 in its place: x_2, x_3, ... forwards, y_(n - 2), y_(n - 3), ... backwards."""
@@ -65,33 +68,37 @@ class InRegisters(Coefficients):
         for x, places in self.forward.items():
             value = self._wide(recent[x][2])
             forward[x] = []
-            for mask, place in zip(masks, places, strict=False):
-                old = self._load(VECTOR, place)
+            for mask, slot in zip(masks, places, strict=False):
+                old = self._load(VECTOR, slot)
                 chosen = f"select <{LANES} x i1> {mask}, {VECTOR} {value}, {VECTOR} {old}"
                 forward[x].append(self.emit(VECTOR, chosen).text)
-                self.do(f"store {VECTOR} {forward[x][-1]}, ptr {place}")
+                self.do(f"store {VECTOR} {forward[x][-1]}, ptr {slot}")
         for y, places in self.backward.items():
-            behind = self.emit(VECTOR, f"insertelement {VECTOR} poison, double {recent[y][2]}, i32 {LANES - 1}").text
+            newest = self.emit(VECTOR, f"insertelement {VECTOR} poison, double {recent[y][2]}, i32 {LANES - 1}").text
             backward[y] = []
-            for place in places[:registers]:
-                old = self._load(VECTOR, place)
+            for slot in places[:registers]:
+                old = self._load(VECTOR, slot)
                 order = ", ".join(f"i32 {k}" for k in range(LANES - 1, 2 * LANES - 1))
-                shifted = f"shufflevector {VECTOR} {behind}, {VECTOR} {old}, <{LANES} x i32> <{order}>"
+                shifted = f"shufflevector {VECTOR} {newest}, {VECTOR} {old}, <{LANES} x i32> <{order}>"
                 backward[y].append(self.emit(VECTOR, shifted).text)
-                self.do(f"store {VECTOR} {backward[y][-1]}, ptr {place}")
-                behind = old
+                self.do(f"store {VECTOR} {backward[y][-1]}, ptr {slot}")
+                newest = old
         return [forward, backward]
 
     def _mask(self, lane: str, register: int) -> str:
-        kind = f"<{LANES} x i64>"
-        one = self.emit(kind, f"insertelement {kind} poison, i64 {lane}, i32 0").text
-        all_of = self.emit(kind, f"shufflevector {kind} {one}, {kind} poison, <{LANES} x i32> zeroinitializer").text
+        ir_type = f"<{LANES} x i64>"
+        single = self.emit(ir_type, f"insertelement {ir_type} poison, i64 {lane}, i32 0").text
+        all_of = self.emit(
+            ir_type, f"shufflevector {ir_type} {single}, {ir_type} poison, <{LANES} x i32> zeroinitializer"
+        ).text
         counted = ", ".join(f"i64 {register * LANES + k}" for k in range(LANES))
-        return self.emit(f"<{LANES} x i1>", f"icmp eq {kind} {all_of}, <{counted}>").text
+        return self.emit(f"<{LANES} x i1>", f"icmp eq {ir_type} {all_of}, <{counted}>").text
 
     def _wide(self, value: str) -> str:
-        one = self.emit(VECTOR, f"insertelement {VECTOR} poison, double {value}, i32 0").text
-        return self.emit(VECTOR, f"shufflevector {VECTOR} {one}, {VECTOR} poison, <{LANES} x i32> zeroinitializer").text
+        single = self.emit(VECTOR, f"insertelement {VECTOR} poison, double {value}, i32 0").text
+        return self.emit(
+            VECTOR, f"shufflevector {VECTOR} {single}, {VECTOR} poison, <{LANES} x i32> zeroinitializer"
+        ).text
 
     def _sum(self, x: list[str], y: list[str], of_x: list[str], of_y: list[str], second: str) -> str:
         """The registers' products, and those of orders 1 and n - 1; at n = 2 these are one and the same."""

@@ -40,38 +40,38 @@ def order_for(rtol: float) -> int:
 
 
 @lru_cache(maxsize=256)
-def taylor_text(found: Recurrences, lanes: int = 1) -> str:
+def taylor_text(laws: Recurrences, lanes: int = 1) -> str:
     """The module: the series, and the loop over the steps."""
-    place, size = layout(found, lanes), len(found.rates)
-    whole = {"SIZE": size, "STRIDE": place.stride, "DOUBLES": place.doubles, "ORDER": "%order"}
+    memory_layout, size = layout(laws, lanes), len(laws.rates)
+    integers = {"SIZE": size, "STRIDE": memory_layout.stride, "DOUBLES": memory_layout.doubles, "ORDER": "%order"}
     names: dict[str, Any] = {
         **{name: value for module in MODULES for name, value in vars(module).items() if name.isupper()},
-        **{name: Value("i64", str(value)) for name, value in whole.items()},
+        **{name: Value("i64", str(value)) for name, value in integers.items()},
         **{name: _call_of(name) for name in ("coefficients", "rates", "roundoff", "reach")},
         "LANES": lanes if lanes == 1 else Value("i64", str(lanes)),
         "MEMORY": taylor_memory.memory(size),
-        "SATURATES": bool(exponents(found)),
-        "TIMED": any(one.kind == "time" for one in found.series),
+        "SATURATES": bool(exponents(laws)),
+        "TIMED": any(law.rule == "time" for law in laws.series),
         "logarithm": _logarithm,
-        "behind": lambda writer, array, k: Array(writer.element(array.text, k), array.row, array.length),
+        "shifted": lambda writer, array, k: Array(writer.element(array.text, k), array.row, array.length),
     }
     written = {name: node for module in MODULES for name, node in functions_of(inspect.getsource(module)).items()}
     translator = Translator(written, names)
     translator.flags = " contract"
-    given: list[Any] = [Array(f"%{name}") for name in ("z", "work", "time", "c")]
-    given += [Array("%times", None, Value("i64", "%rows")), Array("%out", size)]
+    arguments: list[Any] = [Array(f"%{name}") for name in ("z", "work", "time", "c")]
+    arguments += [Array("%times", None, Value("i64", "%rows")), Array("%out", size)]
     several = [] if lanes == 1 else [Array("%members", 1 + 2 * size, Value("i64", "%several"))]
-    given += [*several, Value("double", "%origin"), Value("double", "%rtol"), Value("i64", "%budget")]
-    translator.called(translator.globals["advance" if lanes == 1 else "advance_all"], given)
+    arguments += [*several, Value("double", "%origin"), Value("double", "%rtol"), Value("i64", "%budget")]
+    translator.call(translator.globals["advance" if lanes == 1 else "advance_all"], arguments)
     loop = [*_head(), *translator.allocations, *translator.lines, "  ret void", "}"]
-    return assembled([*series_text(found, place), *translator.constants(), *loop])
+    return assembled([*series_text(laws, memory_layout), *translator.constants(), *loop])
 
 
 def _head() -> list[str]:
     lines = ["define void @advance(ptr %given) {", "entry:"]
-    for place, (name, kind) in enumerate(GIVEN.items()):
-        lines += [f"  %{name}.at = getelementptr i64, ptr %given, i64 {place}"]
-        lines += [f"  %{name} = load {kind}, ptr %{name}.at"]
+    for position, (name, ir_type) in enumerate(GIVEN.items()):
+        lines += [f"  %{name}.at = getelementptr i64, ptr %given, i64 {position}"]
+        lines += [f"  %{name} = load {ir_type}, ptr %{name}.at"]
     return lines
 
 

@@ -54,14 +54,14 @@ GROWTH = 6.0  # of the step where all coefficients in the window are zero
 
 coefficients: Any = None
 logarithm: Any = None  # to base 2, to a tenth: a root of it is wanted
-behind: Any = None  # behind(array, k): from its k-th number on
+shifted: Any = None  # behind(array, k): from its k-th number on
 
 
 def advance(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, origin: Any, rtol: Any, budget: Any) -> Any:
     """Step until the last sample, `budget` steps are tried, or no step is possible: z[STATUS] tells."""
     share = log2(rtol) / ORDER
     if z[STATUS] == FRESH:
-        begun(z, out)
+        start_motion(z, out)
     for i in range(SIZE):
         work[i * STRIDE] = z[at(Y, i)]
     while z[STATUS] == RUNNING and budget > 0:
@@ -74,7 +74,7 @@ def advance(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, origin: 
         settle(z, work, time, c, times, out, 0, rtol, share)
 
 
-def begun(z: Any, out: Any) -> Any:
+def start_motion(z: Any, out: Any) -> Any:
     """The first row, and the magnitudes of a start that nobody has looked at."""
     z[STATUS] = RUNNING
     for i in range(SIZE):
@@ -95,26 +95,26 @@ def advance_all(
     Memory behind all z: how many motions were begun, and how many are under way.
     """
     share = log2(rtol) / ORDER
-    begun, going = LANES * MEMORY, LANES * MEMORY + 1
+    start_motion, going = LANES * MEMORY, LANES * MEMORY + 1
     while z[going] > 0.0 and budget > 0:
         budget -= 1
         coefficients(work, c, time, ORDER)
         for lane in range(LANES):
-            own = behind(z, lane * MEMORY)
-            if own[STATUS] == RUNNING:
-                who = int(own[WHO])
-                settle(own, work, time, c, times, behind(out, who * len(times) * SIZE), lane, rtol, share)
-                if own[STATUS] != RUNNING:
-                    members[who, 0] = own[STATUS]
-                    own[STATUS] = IDLE
-            if own[STATUS] == IDLE:
-                if int(z[begun]) < len(members):
-                    begin(own, work, members, z[begun], lane)
-                    z[begun] += 1.0
+            lane_memory = shifted(z, lane * MEMORY)
+            if lane_memory[STATUS] == RUNNING:
+                who = int(lane_memory[WHO])
+                settle(lane_memory, work, time, c, times, shifted(out, who * len(times) * SIZE), lane, rtol, share)
+                if lane_memory[STATUS] != RUNNING:
+                    members[who, 0] = lane_memory[STATUS]
+                    lane_memory[STATUS] = IDLE
+            if lane_memory[STATUS] == IDLE:
+                if int(z[start_motion]) < len(members):
+                    begin(lane_memory, work, members, z[start_motion], lane)
+                    z[start_motion] += 1.0
                 else:
-                    own[STATUS] = DONE
+                    lane_memory[STATUS] = DONE
                     z[going] -= 1.0
-            time[lane] = origin + own[NEW]
+            time[lane] = origin + lane_memory[NEW]
 
 
 def begin(z: Any, work: Any, members: Any, who: Any, lane: Any) -> Any:
@@ -148,7 +148,7 @@ def settle(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, lane: Any
                     work[k] = 0.0
             attempt(z, work, times, lane, z[H] / 2.0 if z[TRIES] < 3.0 else z[H] / 8.0)
             return 0
-        taken(z, times, out)
+        take_step(z, times, out)
     if z[STATUS] == RUNNING:
         h = longest(z, work, lane, share)
         if z[STEPS] == 0.0:
@@ -205,13 +205,13 @@ def off(z: Any, work: Any, lane: Any, limit: Any, roundings: Any) -> Any:
     return wrong
 
 
-def taken(z: Any, times: Any, out: Any) -> Any:
+def take_step(z: Any, times: Any, out: Any) -> Any:
     """Samples of the step that proved right; what had no scale has one now."""
     row = int(z[ROW])
     while row < len(times) and times[row] <= z[NEW]:
         x = times[row] - z[T]
         for i in range(SIZE):
-            out[row, i] = z[at(Y, i)] if times[row] == z[NEW] else inside(z, i, x)
+            out[row, i] = z[at(Y, i)] if times[row] == z[NEW] else evaluate(z, i, x)
         row += 1
     for i in range(SIZE):
         if z[at(M, i)] <= NO_SCALE and z[GIVEN] != 1.0:  # it moves: by as much within a step that proved right
@@ -227,7 +227,7 @@ def taken(z: Any, times: Any, out: Any) -> Any:
     return 0
 
 
-def inside(z: Any, i: Any, x: Any) -> Any:
+def evaluate(z: Any, i: Any, x: Any) -> Any:
     """Component i at x, s after the start of the step."""
     first = at(POLYNOMIAL, i)
     value = 0.0
@@ -271,10 +271,10 @@ def attempt(z: Any, work: Any, times: Any, lane: Any, h: Any) -> Any:
     """The state and the polynomial's derivative at the end of a step of about h."""
     t = z[T]
     end = times[len(times) - 1]
-    left = end - t
+    remaining = end - t
     new = end
-    if h < left:
-        new = t + (h if 2.0 * h < left else left / 2.0)
+    if h < remaining:
+        new = t + (h if 2.0 * h < remaining else remaining / 2.0)
     h = new - t
     if h <= 2.0**-50 * t or h < 1e-17 * end:
         z[STATUS] = VANISHED

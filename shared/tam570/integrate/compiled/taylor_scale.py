@@ -17,29 +17,29 @@ STILL = 0.1  # times it, where nothing turns over
 
 def lacking(z: Any, work: Any, lane: Any) -> Any:
     """Whether something is zero, and so is its rate: its scale follows from others, one after the other."""
-    found = False
+    is_found = False
     for i in range(SIZE):
         if z[at(M, i)] <= NO_SCALE and work[(i * STRIDE + 1) * LANES + lane] == 0.0:
-            found = True
-    return found
+            is_found = True
+    return is_found
 
 
 def sized(z: Any, work: Any, time: Any, c: Any, lane: Any, h: Any) -> Any:
     """Whether all that lacks a size has one now, or no later time can give it one; in steps of about h."""
     for i in range(SIZE):
         z[at(BASE, i)] = work[(i * STRIDE + 1) * LANES + lane]
-    within, found = LONG * h, False
-    while not found and within > SHORT * h:
-        found = spread(z, work, time, c, lane, within)
-        if found and within == LONG * h:  # nothing turns over
-            found = False
-            within = 2.0 * STILL * h
-        within /= 2.0
-    every = found or not TIMED
+    duration, is_found = LONG * h, False
+    while not is_found and duration > SHORT * h:
+        is_found = spread(z, work, time, c, lane, duration)
+        if is_found and duration == LONG * h:  # nothing turns over
+            is_found = False
+            duration = 2.0 * STILL * h
+        duration /= 2.0
+    every = is_found or not TIMED
     for i in range(SIZE):
         work[i * STRIDE * LANES + lane] = z[at(Y, i)]
         work[(i * STRIDE + 1) * LANES + lane] = z[at(BASE, i)]
-        if found and z[at(M, i)] <= NO_SCALE and z[at(BASE, i)] == 0.0:
+        if is_found and z[at(M, i)] <= NO_SCALE and z[at(BASE, i)] == 0.0:
             z[at(M, i)] = z[at(SLOPE, i)]
             every = every and (not TIMED or z[at(M, i)] > NO_SCALE or moves(work, i, lane))
     return every
@@ -47,23 +47,23 @@ def sized(z: Any, work: Any, time: Any, c: Any, lane: Any, h: Any) -> Any:
 
 def moves(work: Any, i: Any, lane: Any) -> Any:
     """Whether one of the further coefficients of component i is not zero."""
-    found = False
+    is_found = False
     for n in range(2, ORDER + 1):
-        found = found or abs(work[(i * STRIDE + n) * LANES + lane]) > NO_SCALE
-    return found
+        is_found = is_found or abs(work[(i * STRIDE + n) * LANES + lane]) > NO_SCALE
+    return is_found
 
 
-def spread(z: Any, work: Any, time: Any, c: Any, lane: Any, within: Any) -> Any:
+def spread(z: Any, work: Any, time: Any, c: Any, lane: Any, duration: Any) -> Any:
     """What the sizes do to one another within so many s, in the place of SLOPE; whether none is turned over by that."""
     for i in range(SIZE):
-        z[at(SLOPE, i)] = max(z[at(M, i)], abs(z[at(Y, i)]), within * abs(z[at(BASE, i)]))
+        z[at(SLOPE, i)] = max(z[at(M, i)], abs(z[at(Y, i)]), duration * abs(z[at(BASE, i)]))
     more = SIZE + 1
     while more > 0:
         more -= 1
         changed(z, work, time, c, lane, PART)
         news = False
         for i in range(SIZE):
-            size = within / PART * abs(work[(i * STRIDE + 1) * LANES + lane] - z[at(BASE, i)])
+            size = duration / PART * abs(work[(i * STRIDE + 1) * LANES + lane] - z[at(BASE, i)])
             if z[at(SLOPE, i)] > NO_SCALE:
                 if CALM * z[at(SLOPE, i)] < size < inf:
                     return False
@@ -74,7 +74,7 @@ def spread(z: Any, work: Any, time: Any, c: Any, lane: Any, within: Any) -> Any:
             more = 0
     changed(z, work, time, c, lane, COARSE)
     for i in range(SIZE):
-        size = within / COARSE * abs(work[(i * STRIDE + 1) * LANES + lane] - z[at(BASE, i)])
+        size = duration / COARSE * abs(work[(i * STRIDE + 1) * LANES + lane] - z[at(BASE, i)])
         if z[at(SLOPE, i)] > NO_SCALE and not size <= CALM * z[at(SLOPE, i)]:
             return False
     return True

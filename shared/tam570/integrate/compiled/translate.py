@@ -33,8 +33,8 @@ class Translator(Expressions):
     def _inlined(self, node: ast.FunctionDef) -> Callable[..., Any]:
         straight = not any(isinstance(part, BRANCHING) for part in node.body)
 
-        def called(_: Any, *given: Any) -> Any:
-            names: Names = dict(zip((a.arg for a in node.args.args), given, strict=True))
+        def call(_: Any, *arguments: Any) -> Any:
+            names: Names = dict(zip((a.arg for a in node.args.args), arguments, strict=True))
             if straight:
                 return self._straight(names, node.body)
             names = {name: self.stored(None, value) for name, value in names.items()}
@@ -45,7 +45,7 @@ class Translator(Expressions):
             self.start(done)
             return self.loaded(self.returns.pop()[1])
 
-        return called
+        return call
 
     def _straight(self, names: Names, body: Sequence[ast.stmt]) -> Any:
         """A function without branches: its variables need no memory."""
@@ -55,7 +55,7 @@ class Translator(Expressions):
             if isinstance(statement, ast.Assign):
                 value = self.value(names, statement.value)
                 for target in statement.targets:
-                    self.named(names, target, value)
+                    self.bind(names, target, value)
             elif isinstance(statement, ast.AugAssign) and isinstance(statement.target, ast.Name):
                 value = self.value(names, statement.value)
                 names[statement.target.id] = self.arithmetic(statement.op, names[statement.target.id], value)
@@ -63,10 +63,10 @@ class Translator(Expressions):
                 self.statement(names, statement)
         return ()
 
-    def named(self, names: Names, target: ast.expr, value: Any) -> None:
+    def bind(self, names: Names, target: ast.expr, value: Any) -> None:
         if isinstance(target, ast.Tuple):
             for part, item in zip(target.elts, value, strict=True):
-                self.named(names, part, item)
+                self.bind(names, part, item)
         elif isinstance(target, ast.Name):
             names[target.id] = value
         else:
@@ -81,17 +81,17 @@ class Translator(Expressions):
         elif isinstance(target, ast.Name):
             names[target.id] = self.stored(names.get(target.id), value)
 
-    def stored(self, place: Any, value: Any) -> Any:
+    def stored(self, slot: Any, value: Any) -> Any:
         """The place of a variable that now has this value."""
         if isinstance(value, tuple):
-            places = place if isinstance(place, tuple) and len(place) == len(value) else [None] * len(value)
+            places = slot if isinstance(slot, tuple) and len(slot) == len(value) else [None] * len(value)
             return tuple(self.stored(p, v) for p, v in zip(places, value, strict=True))
         if not isinstance(value, Value | float | int):
             return value
-        if not isinstance(place, Slot):
-            place = self.allocated(value.kind if isinstance(value, Value) else _kind(value))
-        self.store(value, place)
-        return place
+        if not isinstance(slot, Slot):
+            slot = self.allocated(value.ir_type if isinstance(value, Value) else _kind(value))
+        self.store(value, slot)
+        return slot
 
     def body(self, names: Names, statements: Sequence[ast.stmt]) -> bool:
         """Whether the end of the statements is reached."""
@@ -136,19 +136,19 @@ class Translator(Expressions):
         return any(reached)
 
     def do_While(self, names: Names, node: ast.While) -> bool:
-        test, inside, after = self.labels("test", "inside", "after")
+        test, body_label, after = self.labels("test", "inside", "after")
         self.jump(test)
         self.start(test)
-        self.branch(self.value(names, node.test), inside, after)
-        self.start(inside)
+        self.branch(self.value(names, node.test), body_label, after)
+        self.start(body_label)
         self._looped(names, node.body, test, after)
         self.start(after)
         return True
 
-    def _looped(self, names: Names, body: Sequence[ast.stmt], again: str, after: str) -> None:
-        self.loops.append((again, after))
+    def _looped(self, names: Names, body: Sequence[ast.stmt], next_label: str, after: str) -> None:
+        self.loops.append((next_label, after))
         if self.body(names, body):
-            self.jump(again)
+            self.jump(next_label)
         self.loops.pop()
 
     def do_For(self, names: Names, node: ast.For) -> bool:
@@ -159,29 +159,29 @@ class Translator(Expressions):
         if items and isinstance(items[0], float | tuple):
             return self._over_table(names, node, items)
         for item in items:  # written out as often as the tuple is long
-            self.named(names, node.target, item)
+            self.bind(names, node.target, item)
             self.body(names, node.body)
         return True
 
     def _bounds(self, names: Names, node: ast.expr) -> tuple[Any, ...]:
         if not (isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "range"):
             return ()
-        given = [self.value(names, argument) for argument in node.args]
-        return (0, *given) if len(given) == 1 else tuple(given)
+        arguments = [self.value(names, argument) for argument in node.args]
+        return (0, *arguments) if len(arguments) == 1 else tuple(arguments)
 
     def _counted(
-        self, names: Names, body: Sequence[ast.stmt], bounds: tuple[Any, ...], named: Callable[[Value], None]
+        self, names: Names, body: Sequence[ast.stmt], bounds: tuple[Any, ...], bind: Callable[[Value], None]
     ) -> bool:
         first, last = bounds
         counter, end = self.allocated("i64"), self.text(last, "i64")
-        test, inside, more, after = self.labels("test", "inside", "more", "after")
+        test, body_label, more, after = self.labels("test", "inside", "more", "after")
         self.store(first, counter)
         self.jump(test)
         self.start(test)
         i = self.load(counter)
-        self.branch(self.emit("i1", f"icmp slt i64 {i.text}, {end}"), inside, after)
-        self.start(inside)
-        named(i)
+        self.branch(self.emit("i1", f"icmp slt i64 {i.text}, {end}"), body_label, after)
+        self.start(body_label)
+        bind(i)
         self._looped(names, body, more, after)
         self.start(more)
         self.store(self.emit("i64", f"add i64 {self.load(counter).text}, 1"), counter)
@@ -194,12 +194,12 @@ class Translator(Expressions):
         columns = list(zip(*rows, strict=True)) if isinstance(rows[0], tuple) else [rows]
         targets = node.target.elts if isinstance(node.target, ast.Tuple) else [node.target]
 
-        def named(i: Value) -> None:
+        def bind(i: Value) -> None:
             for target, column in zip(targets, columns, strict=True):
                 table = self.tables.setdefault(column, f"@table{len(self.tables)}")
                 self.assign(names, target, self.emit("double", f"load double, ptr {self.element(table, i)}"))
 
-        return self._counted(names, node.body, (0, len(rows)), named)
+        return self._counted(names, node.body, (0, len(rows)), bind)
 
     def do_Break(self, names: Names, node: ast.Break) -> bool:
         self.jump(self.loops[-1][1])
@@ -210,9 +210,9 @@ class Translator(Expressions):
         return False
 
     def do_Return(self, names: Names, node: ast.Return) -> bool:
-        label, place = self.returns[-1]
+        label, slot = self.returns[-1]
         value = self.value(names, node.value) if node.value else ()
-        self.returns[-1] = label, self.stored(place, value)
+        self.returns[-1] = label, self.stored(slot, value)
         self.jump(label)
         return False
 
