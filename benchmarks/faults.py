@@ -27,6 +27,7 @@ from grading import COURSE
 SLUG = "hw08_axis_angle"
 VARIANTS = ("", "def skew(v): return v\n", "def rotate(r, axis, angle):\n    raise ValueError\n")
 WHO = ("command", "supervisor", "sandbox", "worker", "guard", "submission")  # by depth, with bubblewrap
+STARTED = 3  # levels of processes, from which on a run grades
 ROOM = 2**28  # bytes
 HALF = 2  # of the room that the results take
 
@@ -91,10 +92,12 @@ def with_kills(tree, out, kills, span, draw):
     while True:
         process, runs = start(tree, out), runs + 1
         while left and process.poll() is None:
-            time.sleep(draw.uniform(0.2, 2 * span / kills))
+            time.sleep(draw.uniform(0.1, span / kills))
             if process.poll() is not None:
                 break
             depths = processes(process.pid)
+            if len({*depths.values()}) < STARTED:
+                continue
             depth = draw.choice(sorted({*depths.values()}))
             victim = draw.choice([pid for pid, level in depths.items() if level == depth])
             with contextlib.suppress(ProcessLookupError):
