@@ -10,6 +10,7 @@ from scipy.integrate import solve_ivp
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed
 from tam570_grader.checks.motions import AHEAD, BEHIND, NEARLY_FOLLOWS, TIGHT, Motion, diagnosed, obeys
+from tam570_grader.checks.trajectory import OwnRates
 
 LOOSE = """
 
@@ -106,6 +107,27 @@ def test_a_loose_tolerance_is_told_from_a_small_term(tolerance, t):
     assert told(partial(swings, tolerance=tolerance), t) == TIGHT
     assert told(partial(swings, damping=tolerance), t, near_miss=1e-3) == ""
     assert told(partial(swings, tolerance=1e-6, damping=tolerance), t, near_miss=1e-3) != TIGHT
+
+
+class Rates:
+    """A student's function of the rates of a motion, by a factor off."""
+
+    name = "rates"
+
+    def __init__(self, factor):
+        self.factor = factor
+
+    def aside(self, case):
+        if self.factor is None:
+            raise Failed("it raised")
+        return self.factor * np.flip(case.args[0])
+
+
+@pytest.mark.parametrize(("factor", "right"), [(1.0, True), (1.01, False), (None, False)])
+def test_a_hint_tells_whether_the_students_own_rates_are_right(factor, right):
+    rows = swings(T, RESTED)
+    own_rates = OwnRates(Rates(factor), lambda row: np.flip(row), lambda t, row: (row,))
+    assert own_rates.right(Motion(Case(T, RESTED), rows, rows, np.ones(2), None, swings)) == right
 
 
 def test_where_the_function_cannot_be_asked_nobody_is_told_that_the_physics_is_right():
