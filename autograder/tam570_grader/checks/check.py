@@ -34,7 +34,7 @@ class Memory:
 
     def __init__(self, most: int, size: Callable[[Any], int] = lambda value: 1) -> None:
         self._most, self._size, self._held = most, size, 0
-        self._known, self._lock = dict[Any, Any](), threading.Lock()
+        self._known, self._lock = dict[Any, Any](), threading.RLock()
 
     def value(self, key: Any, compute: Callable[[], Any]) -> Any:
         """The value of this key; what is returned is shared, and not to be changed."""
@@ -140,18 +140,11 @@ def _takes_rng(value: Any) -> bool:
 
 def _drawing_once(make: Callable[..., Any]) -> Callable[..., Any]:
     """A function whose results, where they are functions of `rng`, draw a single time a run."""
-    known = dict[Any, Any]()
+    known = Memory(MOST_KNOWN)
 
     @functools.wraps(make)
     def remembered(*args: Any, **named: Any) -> Any:
-        key = (args, *named.items())
-        if not _is_hashable(key):
-            return make(*args, **named)
-        if key in known:
-            return known[key]
-        made = make(*args, **named)
-        if _takes_rng(made):
-            made = known[key] = once(made)
-        return made
+        made, key = make(*args, **named), (args, *named.items())
+        return known.value(key, lambda: once(made)) if _takes_rng(made) and _is_hashable(key) else made
 
     return remembered
