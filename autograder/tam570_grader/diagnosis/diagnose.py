@@ -12,7 +12,9 @@ from tam570_grader.diagnosis.search import general, wrong_arguments
 __all__ = ["diagnose", "follows"]
 
 
-def diagnose(solution: str, folder: Path, calls: Sequence[Called], earlier: Sequence[Cause] = ()) -> Cause | None:
+def diagnose(
+    solution: str, folder: Path, calls: Sequence[Called], earlier: Sequence[Cause] = (), *, may_follow: bool = True
+) -> Cause | None:
     """Why a check fails.
 
     Parameters
@@ -21,20 +23,21 @@ def diagnose(solution: str, folder: Path, calls: Sequence[Called], earlier: Sequ
     folder : the assignment's checks
     calls : those that the failed check made, with the student's results
     earlier : the causes of the checks that failed before it
+    may_follow : whether its results may follow from one of these
 
     Returns
     -------
     What follows from an earlier cause; else a known mistake, a transform of arguments or results, or a mutant of the
     solution, of which one alone explains all calls; None if nothing does.
     """
-    if cause := follows(solution, calls, earlier):
+    if may_follow and (cause := follows(solution, calls, earlier)):
         return cause
     suspects = candidates(solution, folder, {call.name for call in calls})
     cause = named_mistake(solution, suspects, calls) or general(solution, calls)
     if cause is None or not earlier:
         return cause
-    common = _in_common(solution, [cause, *wrong_arguments(solution, calls)], earlier)
-    return common or _as_in(cause, earlier)
+    causes = [cause, *wrong_arguments(solution, calls)] if may_follow else []
+    return _in_common(solution, causes, earlier) or _as_in(cause, earlier)
 
 
 def _as_in(cause: Cause, earlier: Sequence[Cause]) -> Cause:

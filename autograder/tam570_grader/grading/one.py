@@ -177,7 +177,7 @@ def _cause(
             if cause and cause.follows_from not in ("", cause.function):
                 common = _earlier({check.name: cause})
                 if not _following(check, student, assignment, seed, [*earlier, *common]):
-                    cause = diagnose(solution, folder, calls)
+                    cause = diagnose(solution, folder, calls, earlier, may_follow=False)
             return cause, ""
     except (Exhausted, MemoryError):
         return None, ""
