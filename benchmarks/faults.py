@@ -26,7 +26,7 @@ from grading import COURSE
 
 SLUG = "hw08_axis_angle"
 VARIANTS = ("", "def skew(v): return v\n", "def rotate(r, axis, angle):\n    raise ValueError\n")
-WHO = ("command", "supervisor", "sandbox", "worker", "guard", "submission")  # by depth, with bubblewrap
+WHO = ("command", "supervisor", "bubblewrap", "zygote", "monitor", "submission")  # by depth
 STARTED = 3  # levels of processes, from which on a run grades
 ROOM = 2**28  # bytes
 HALF = 2  # of the room that the results take
