@@ -38,35 +38,35 @@ class Pair:
     """Two images as addresses of data."""
 
     wrong: str
-    right: str
+    reference: str
 
 
-def wrong_and_right(course: Path, slug: str, suspect: str, failure: Failure | None) -> Pair | None:
+def wrong_and_right(course: Path, slug: str, message: str, failure: Failure | None) -> Pair | None:
     """The pictures of a mistake; None where there is nothing to draw.
 
-    suspect : the sentence that names the mistake
+    message : the sentence that names the mistake
     failure : of a student who made it
     """
     with warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")
         try:
-            return _scenes(course, slug, suspect) or _diagrams(failure) or _numbers(failure)
+            return _scenes(course, slug, message) or _diagrams(failure) or _numbers(failure)
         except (Trouble, ArithmeticError, ValueError, TypeError, LookupError):  # a mistake may have no picture
             return None
 
 
-def _scenes(course: Path, slug: str, suspect: str) -> Pair | None:
+def _scenes(course: Path, slug: str, message: str) -> Pair | None:
     """The scene with a known mistake and the right one, where they differ."""
     listed = mistakes(checks_folder(course, slug))
-    overlay = next((mistake.text for mistake in listed if mistake.message == suspect), None)
+    overlay = next((mistake.text for mistake in listed if mistake.message == message), None)
     if overlay is None:
         return None
     solution = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
-    wrong, right = (scene_of(solution_with(solution, text), slug) for text in (overlay, ""))
-    pairs = list(zip(_numbers_of(wrong), _numbers_of(right), strict=False))
+    wrong, reference = (scene_of(solution_with(solution, text), slug) for text in (overlay, ""))
+    pairs = list(zip(_numbers_of(wrong), _numbers_of(reference), strict=False))
     if all(a.shape == b.shape and np.allclose(a, b, SAME, SAME, equal_nan=True) for a, b in pairs):
         return None
-    return Pair(_still(wrong), _still(right))
+    return Pair(_still(wrong), _still(reference))
 
 
 def _numbers_of(scene: Scene) -> Iterator[Any]:

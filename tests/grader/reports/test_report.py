@@ -179,7 +179,7 @@ def test_the_command_writes_the_page_beside_the_feedback(tmp_path, capsys, solut
 
 
 def images(pair):
-    return [Image.open(io.BytesIO(base64.b64decode(text.partition(",")[2]))) for text in (pair.wrong, pair.right)]
+    return [Image.open(io.BytesIO(base64.b64decode(text.partition(",")[2]))) for text in (pair.wrong, pair.reference)]
 
 
 def test_a_mistake_is_drawn_beside_what_is_right(course):
