@@ -11,7 +11,7 @@ from tam570_grader.checks.curves import BITS
 from tam570_grader.checks.expect import Failed, check_context, expect
 from tam570_grader.checks.failure import Failure
 from tam570_grader.diagnosis.mistakes import mistakes
-from tam570_grader.diagnosis.mutants import slips
+from tam570_grader.diagnosis.mutants import mutants_of
 from tam570_grader.reports.sentences import describe_failure
 
 COURSE = assignments.find()
@@ -73,7 +73,7 @@ def sentences_told(slug):
     """How many sentences of ours may name what went wrong."""
     folder, solution = assignments.checks_folder(COURSE, slug), (COURSE / "solutions" / f"{slug}.py").read_text()
     texts = "".join(path.read_text() for path in folder.glob("*.py"))
-    own = len(mistakes(folder)) + sum(map(len, slips(solution).values())) + len(vars(builtins))
+    own = len(mistakes(folder)) + sum(map(len, mutants_of(solution).values())) + len(vars(builtins))
     return own + len(re.findall(r"label|hint|fail", texts))
 
 
