@@ -72,3 +72,10 @@ def test_the_special_motion_keeps_its_promise_at_some_times(definition):
         rounding = 1e-12 * (r * a + v**2)
         discrepancy = numbers(hw.discrepancy(definition, *at(p, t), *at(c, t), mass=1.0))
         assert discrepancy == pytest.approx(NONE, abs=rounding)
+
+
+@pytest.mark.parametrize(("definition", "other"), [("b", "c"), ("c", "b")])
+def test_the_other_definition_fails_on_the_special_motion(definition, other):
+    p, c = hw.special_motion(definition)
+    states = [(*at(p, t), *at(c, t)) for t in (0.0, 0.3, 0.7, 1.0)]
+    assert max(np.abs(numbers(hw.discrepancy(other, *state, mass=1.0))).max() for state in states) > 1e-9

@@ -120,7 +120,7 @@ def curves(axes):
     drawn += [c.get_segments() for c in axes.collections if hasattr(c, "get_segments")]
     drawn += [[c.get_offsets()] for c in axes.collections if isinstance(c, PathCollection)]
     points = [np.array([*{tuple(point) for piece in pieces for point in piece}]) for pieces in drawn]
-    return [one for one in points if len(one) >= 10]
+    return [curve for curve in points if len(curve) >= 10]
 
 
 def in_metres(label):

@@ -27,6 +27,7 @@ def test_the_forces_on_a_bar_act_at_so_many_points(bar, places):
     points = sorted({tuple(np.round(point, 9)) for point, _ in forces})
     assert len(points) == len(places)
     np.testing.assert_allclose(points, places, atol=1e-8)
+    assert len(forces) > len(points) or sum(direction is None for _, direction in forces) == len(points) - 1  # hinges
 
 
 def test_there_is_no_third_bar():
@@ -40,12 +41,35 @@ def test_the_mass_matrix_is_that_of_two_independent_equations():
     assert abs(np.linalg.det(M)) > 1e-6 * np.prod(np.linalg.norm(M, axis=1))
 
 
+EQUAL = {"masses": np.ones(2), "lengths": np.ones(2)}  # kg, m
+RIGHT_ANGLE = np.array([np.pi / 2, 0.0])
+
+
+def by_lagrange(values):
+    """Your two equations combined into those of Lagrange, whose [M] of equal bars at a right angle is known."""
+    combined = numbers(hw.mass_matrix(RIGHT_ANGLE, **EQUAL)) @ np.diag([3 / 4, 3])
+    return np.linalg.solve(combined, numbers(values))
+
+
+def test_the_velocity_terms_belong_to_the_mass_matrix():
+    terms = hw.velocity_terms(RIGHT_ANGLE, np.array([3.0, 2.0]), **EQUAL)
+    np.testing.assert_allclose(by_lagrange(terms), [2.0, -4.5], atol=1e-9)
+
+
+def test_the_gravity_terms_belong_to_the_mass_matrix():
+    terms = hw.gravity_terms(RIGHT_ANGLE, gravity=10.0, **EQUAL)
+    np.testing.assert_allclose(by_lagrange(terms), [15.0, 0.0], atol=1e-9)
+
+
 def test_bars_in_line_have_no_velocity_terms():
     np.testing.assert_allclose(numbers(hw.velocity_terms(np.array([0.3, 0.3]), OMEGA, **BARS)), 0, atol=1e-12)
 
 
-def test_hanging_straight_down_nothing_accelerates():
+def test_hanging_straight_down_gravity_turns_nothing():
     np.testing.assert_allclose(numbers(hw.gravity_terms(DOWN, **PENDULUM)), 0, atol=1e-12)
+
+
+def test_hanging_straight_down_nothing_accelerates():
     np.testing.assert_allclose(numbers(hw.angular_acceleration(DOWN, STILL, **PENDULUM)), 0, atol=1e-12)
 
 
@@ -96,11 +120,12 @@ def test_the_bars_hang_below_the_ceiling():
 
 
 def curves(axes):
-    """The number of lines and scatters; those of fewer than ten points are markers, or lines for reference."""
+    """The points of each line or scatter; those of fewer than ten points are markers, or lines for reference."""
     drawn = [[line.get_xydata()] for line in axes.lines if line.get_visible()]
     drawn += [c.get_segments() for c in axes.collections if hasattr(c, "get_segments")]
     drawn += [[c.get_offsets()] for c in axes.collections if isinstance(c, PathCollection)]
-    return sum(len({tuple(point) for piece in pieces for point in piece}) >= 10 for pieces in drawn)
+    points = [np.array([*{tuple(point) for piece in pieces for point in piece}]) for pieces in drawn]
+    return [curve for curve in points if len(curve) >= 10]
 
 
 def in_metres(label):
@@ -112,6 +137,10 @@ def in_metres(label):
 
 def test_the_tip_path_is_drawn():
     axes = Figure().subplots()
-    hw.plot_tip_path(axes, np.linspace(0.0, 1.0, 201), THETA, OMEGA, **PENDULUM)
-    assert curves(axes) == 1
+    t = np.linspace(0.0, 1.0, 201)
+    hw.plot_tip_path(axes, t, THETA, OMEGA, **PENDULUM)
+    assert len(curves(axes)) == 1
+    states = numbers(hw.simulate(t, THETA, OMEGA, **PENDULUM))
+    tips = np.array([numbers(hw.wireframe(state[:2], lengths=BARS["lengths"]))[1, 1] for state in states])
+    np.testing.assert_allclose(np.ptp(curves(axes)[0], axis=0), np.ptp(tips, axis=0), rtol=0.01)
     assert in_metres(axes.get_xlabel()) and in_metres(axes.get_ylabel())
