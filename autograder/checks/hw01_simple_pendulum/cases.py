@@ -1,6 +1,7 @@
 """Hidden inputs of hw01: random pendulums, and plain ones that tell what random ones do not."""
 
 import math
+from functools import partial
 
 import numpy as np
 
@@ -68,9 +69,9 @@ def symbols(rng):
 # Motions
 
 
-def swing(rng):
+def swing(rng, gravity=None):
     """A start that swings back and forth far from small angles, and its pendulum."""
-    pendulum, sign = rod(rng), rng.choice([-1, 1], 2)
+    pendulum, sign = rod(rng, gravity), rng.choice([-1, 1], 2)
     return (rng.uniform(1.2, 2.2) * sign[0], rng.uniform(0.2, 0.6) * rate_of(pendulum) * sign[1]), pendulum
 
 
@@ -106,13 +107,20 @@ def few_times(rng):
     """Motions of a few times, of which nothing may depend on the times or on other calls."""
     first = motion(rng, quick, 15, 4, "few times, a rod of few centimetres")
     level = math.copysign(math.pi / 2, first.args[1]), 0.0  # let go level with the hinge
-    return [first, *repeated_calls(rng, first, start=level)]
+    weak = motion(rng, partial(swing, gravity=WEAK), 5, 3, "a large swing where gravity is weak")
+    return [first, *repeated_calls(rng, first, start=level), weak]
 
 
 def over_the_top(rng):
-    """Turning round and round, from next to the bottom; at rest at the top."""
+    """Turning round and round either way, from next to the bottom and, late, from far above it; at rest at the top."""
     turns = motion(rng, turning, 15, 100, "a pendulum that goes over the top")
-    return [turns, turns.replace(turns.args[0][:4], -math.pi, 0.0).labelled("a pendulum at rest at the top")]
+    t, angle, rate = turns.args
+    late = t[:30] + 3 * (t[-1] - t[0])
+    return [
+        turns,
+        turns.replace(late, -1.2 * angle, -rate),
+        turns.replace(t[:4], -math.pi, 0.0).labelled("a pendulum at rest at the top"),
+    ]
 
 
 def weightless(rng):
