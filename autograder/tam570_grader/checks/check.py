@@ -140,11 +140,11 @@ def _takes_rng(value: Any) -> bool:
 
 def _drawing_once(make: Callable[..., Any]) -> Callable[..., Any]:
     """A function whose results, where they are functions of `rng`, draw a single time a run."""
-    known = Memory(MOST_KNOWN)
+    drawing = Memory(MOST_KNOWN)
 
     @functools.wraps(make)
-    def remembered(*args: Any, **named: Any) -> Any:
-        made, key = make(*args, **named), (args, *named.items())
-        return known.value(key, lambda: once(made)) if _takes_rng(made) and _is_hashable(key) else made
+    def remembered(*args: Any, **kwargs: Any) -> Any:
+        result, key = make(*args, **kwargs), (args, *kwargs.items())
+        return drawing.value(key, lambda: once(result)) if _takes_rng(result) and _is_hashable(key) else result
 
     return remembered

@@ -87,24 +87,24 @@ def compare(
     only   : the member of a tuple that is judged, or several
     near_miss_credit : False where an error of a few limits is no sign that the physics is right
     """
-    said = (quantity, unit, scale)
-    words = [describe(function, name) if one is None else one for name, one in zip(DESCRIPTIONS, said, strict=True)]
+    overrides = zip(DESCRIPTIONS, (quantity, unit, scale), strict=True)
+    words = [describe(function, name) if override is None else override for name, override in overrides]
     batch = Batch.of(find_reference(reference, function), cases).distinct
     results: list[Any] = function.many(batch.cases)
 
-    def members(case: Case, right: Any) -> Iterator[tuple[Any, ...]]:
-        return ((one[0], one[2], one[5]) for one in _members(right, right, words, case, only))
+    def members(case: Case, expected: Any) -> Iterator[tuple[Any, ...]]:
+        return ((member[0], member[2], member[5]) for member in _members(expected, expected, words, case, only))
 
     scales = words[2] if isinstance(words[2], list | tuple) else [words[2]]
     if not get_context().listens and batch.includes(results, tolerance, (str(only), *scales), members):
         return results
-    for case, found, whole in batch.judged(function, results):
-        for member, one, expected, what, its_unit, size in _members(found, whole, words, case, only):
-            told = functools.partial(_hint, hint, case, found, whole, one, expected)
-            limits = _limits(size, tolerance, partial or {})
-            get_context().note(function, case, member, None, expected, quantity=what, scale=size, tolerance=tolerance)
-            _infinite_alike(one, expected, what, told)
-            expect(one, expected, quantity=what, unit=its_unit, hint=told, near_miss_credit=near_miss_credit, **limits)
+    for case, result, expected in batch.compared(function, results):
+        for member, part, right_part, what, its_unit, size in _members(result, expected, words, case, only):
+            ask = functools.partial(_hint, hint, case, result, expected, part, right_part)
+            limits = _limits(size, tolerance, partial or {}) | {"near_miss_credit": near_miss_credit}
+            get_context().note(function, case, member, None, right_part, quantity=what, scale=size, tolerance=tolerance)
+            _infinite_alike(part, right_part, what, ask)
+            expect(part, right_part, quantity=what, unit=its_unit, hint=ask, **limits)
     return results
 
 
@@ -116,12 +116,12 @@ def _limits(size: Any, tolerance: float, partial: Mapping[float, float]) -> dict
     return {"tolerance": tolerance * size, "partial": {limit * size: share for limit, share in partial.items()}}
 
 
-def _infinite_alike(found: Any, expected: Any, what: str, hint: Callable[[], str]) -> None:
+def _infinite_alike(result: Any, expected: Any, what: str, hint: Callable[[], str]) -> None:
     """Of infinity nothing is wrong by some limit."""
-    if np.isfinite(found).all() and np.isfinite(expected).all():
+    if np.isfinite(result).all() and np.isfinite(expected).all():
         return
     message = f"{what} is not infinite" if np.isinf(expected).any() else f"{what} is infinite"
-    expect_that(np.array_equal(np.isinf(found), np.isinf(expected)), message, hint=hint)
+    expect_that(np.array_equal(np.isinf(result), np.isinf(expected)), message, hint=hint)
 
 
 def absolute(*_: Any) -> float:
@@ -139,29 +139,29 @@ class Batch:
     """Cases, cut to what the right function takes, with the right results: the same for a class."""
 
     reference: Callable[..., Any]
-    given: Sequence[Case]  # before they were cut; while they are held, no other case has their identity
+    uncut: Sequence[Case]  # while they are held, no other case has their identity
     _known: dict[Any, Any] = field(default_factory=dict)
 
     @staticmethod
     def of(reference: Callable[..., Any], cases: Iterable[Case]) -> "Batch":
         """The batch of these very cases."""
-        given = tuple(cases)
-        batch: Batch = _batches.value((reference, *map(id, given)), lambda: Batch(reference, given))
+        uncut = tuple(cases)
+        batch: Batch = _batches.value((reference, *map(id, uncut)), lambda: Batch(reference, uncut))
         return batch
 
     @functools.cached_property
     def cases(self) -> list[Case]:
-        return [_trimmed(self.reference, case) for case in self.given]
+        return [_trimmed(self.reference, case) for case in self.uncut]
 
     @functools.cached_property
     def distinct(self) -> "Batch":
         """Of cases that the cut makes equal, the first alone."""
         first: dict[bytes, Case] = {}
-        for cut, case in zip(self.cases, self.given, strict=True):
+        for cut, case in zip(self.cases, self.uncut, strict=True):
             first.setdefault(cut.packed, case)
-        pairs = zip(self.cases, self.given, strict=True)
+        pairs = zip(self.cases, self.uncut, strict=True)
         cases = [case for cut, case in pairs if cut is case or first[cut.packed] is case]
-        return self if len(cases) == len(self.given) else Batch(self.reference, cases)
+        return self if len(cases) == len(self.uncut) else Batch(self.reference, cases)
 
     @functools.cached_property
     def expected(self) -> list[Any]:
@@ -173,11 +173,11 @@ class Batch:
             self._known[key] = compute()
         return self._known[key]
 
-    def judged(self, function: Any, results: Iterable[Any]) -> Iterator[tuple[Case, Any, Any]]:
-        """Each case, while its result is judged, with the student's result and the right one."""
-        for case, found, expected in zip(self.cases, results, self.expected, strict=True):
+    def compared(self, function: Any, results: Iterable[Any]) -> Iterator[tuple[Case, Any, Any]]:
+        """Each case with the student's result and the right one, while the two are compared."""
+        for case, result, expected in zip(self.cases, results, self.expected, strict=True):
             get_context().judge(function.name, case)
-            yield case, found, expected
+            yield case, result, expected
 
     def includes(self, results: list[Any], tolerance: float, key: Any, members: Members) -> bool:
         """Whether all results are within the tolerance; False where that takes a look at each.
@@ -188,18 +188,18 @@ class Batch:
         # with the members, which hold what the key identifies
         _, scaled = self.remembered(key, lambda: (members, self._scales(members)))
         return scaled is not None and all(
-            _is_near(results if member is None else [one[member] for one in results], shapes, right, tolerance * sizes)
-            for member, shapes, right, sizes in scaled
+            _is_near([_part(result, member) for result in results], shapes, numbers, tolerance * sizes)
+            for member, shapes, numbers, sizes in scaled
         )
 
     def _scales(self, members: Members) -> list[tuple[Any, ...]] | None:
         """(member, shapes of the right results, their numbers, the scale of each); None where one is infinite."""
-        per_case = [[*members(case, right)] for case, right in zip(self.cases, self.expected, strict=True)]
+        per_case = [[*members(case, expected)] for case, expected in zip(self.cases, self.expected, strict=True)]
         scaled = []
         for column in zip(*per_case, strict=True):
-            right = [np.asarray(one, float) for _, one, _ in column]
-            shapes = [one.shape for one in right]
-            numbers = _flat(right, shapes)
+            expected = [np.asarray(part, float) for _, part, _ in column]
+            shapes = [part.shape for part in expected]
+            numbers = _flat(expected, shapes)
             if not np.isfinite(numbers).all():
                 return None
             sizes = [np.broadcast_to(size, shape) for (_, _, size), shape in zip(column, shapes, strict=True)]
@@ -207,14 +207,19 @@ class Batch:
         return scaled
 
 
-def _is_near(results: Sequence[Any], shapes: Any, right: Array, limits: Array) -> bool:
-    alike = [getattr(one, "shape", ()) for one in results] == shapes
-    return alike and bool((distance(_flat(results, shapes), right) <= limits).all())
+def _part(result: Any, member: int | None) -> Any:
+    return result if member is None else result[member]
+
+
+def _is_near(results: Sequence[Any], shapes: Any, expected: Array, limits: Array) -> bool:
+    if [getattr(result, "shape", ()) for result in results] != shapes:
+        return False
+    return bool((distance(_flat(results, shapes), expected) <= limits).all())
 
 
 def _flat(values: Sequence[Any], shapes: Sequence[Any]) -> Array:
     """All numbers of the values."""
-    return np.array(values).ravel() if len(set(shapes)) == 1 else np.concatenate([np.ravel(one) for one in values])
+    return np.array(values).ravel() if len(set(shapes)) == 1 else np.concatenate([np.ravel(value) for value in values])
 
 
 _batches = Memory(MOST_BATCHES)
@@ -223,15 +228,15 @@ _batches = Memory(MOST_BATCHES)
 def call_cases(function: Any, reference: Reference, cases: Iterable[Case]) -> Iterator[tuple[Case, Any, Any]]:
     """Each case, cut to what the right function takes, with the student's result and the right one."""
     batch = Batch.of(find_reference(reference, function), cases).distinct
-    yield from batch.judged(function, function.many(batch.cases))
+    yield from batch.compared(function, function.many(batch.cases))
 
 
 def is_right(function: Any, reference: Reference, cases: Iterable[Case]) -> bool:
     """Whether a student's function gives the right results in calls that no check judges, to choose a hint by."""
-    right = find_reference(reference, function)
+    true = find_reference(reference, function)
     try:
-        for case in trim_to_signature(right, cases):
-            expected = _numbers(expected_result(right, case))
+        for case in trim_to_signature(true, cases):
+            expected = _numbers(expected_result(true, case))
             off = np.abs(_numbers(function.aside(case)) - expected)
             if not off.max(initial=0.0) <= NEARLY * (largest(case, expected) or 1.0):
                 return False
@@ -252,8 +257,8 @@ def _numbers(result: Any) -> Any:
 
 def find_reference(reference: Reference, function: Any) -> Callable[..., Any]:
     """The right function; of a module, the one that has the name of the student's."""
-    found: Callable[..., Any] = reference if callable(reference) else getattr(reference, function.name)
-    return found
+    true: Callable[..., Any] = reference if callable(reference) else getattr(reference, function.name)
+    return true
 
 
 def trim_to_signature(reference: Callable[..., Any], cases: Iterable[Case]) -> list[Case]:
@@ -265,13 +270,13 @@ def trim_to_signature(reference: Callable[..., Any], cases: Iterable[Case]) -> l
 
 
 def _trimmed(reference: Callable[..., Any], case: Case) -> Case:
-    known = _signature(reference).parameters
-    kinds = [one.kind for one in known.values()]
-    named = {name: case.kwargs[name] for name in case.kwargs if name in known or KEYWORDS in kinds}
-    places = sum(name not in named and kind is PLACED for name, kind in zip(known, kinds, strict=True))
-    args = case.args if ARGUMENTS in kinds else case.args[:places]
-    whole = len(args) == len(case.args) and len(named) == len(case.kwargs)
-    return case if whole else Case(*args, **named).labelled(case.label, case.hint)
+    parameters = _signature(reference).parameters
+    kinds = [parameter.kind for parameter in parameters.values()]
+    kwargs = {name: case.kwargs[name] for name in case.kwargs if name in parameters or KEYWORDS in kinds}
+    count = sum(name not in kwargs and parameter.kind is PLACED for name, parameter in parameters.items())
+    args = case.args if ARGUMENTS in kinds else case.args[:count]
+    is_uncut = len(args) == len(case.args) and len(kwargs) == len(case.kwargs)
+    return case if is_uncut else Case(*args, **kwargs).labelled(case.label, case.hint)
 
 
 _signature = functools.lru_cache(maxsize=256)(inspect.signature)
@@ -317,8 +322,8 @@ def compare_columns(
     columns, batch = columns or function.returns.columns, Batch.of(find_reference(reference, function), cases).distinct
     results = function.many(batch.cases)
 
-    def members(case: Case, right: Any) -> Iterator[tuple[Any, ...]]:
-        expected = np.asarray(right, float)
+    def members(case: Case, expected: Any) -> Iterator[tuple[Any, ...]]:
+        expected = np.asarray(expected, float)
         sizes = np.full(expected.shape, np.inf)  # of what is not compared
         for column in columns:
             sizes[..., column.where] = _size(column, case, expected)
@@ -326,23 +331,22 @@ def compare_columns(
 
     if not get_context().listens and batch.includes(results, tolerance, ("columns", *map(id, columns)), members):
         return
-    for case, found, true in batch.judged(function, results):
-        expected, t = np.asarray(true, float), case.args[0] if found.ndim == 2 else None
+    for case, result, expected in batch.compared(function, results):
+        expected, t = np.asarray(expected, float), case.args[0] if result.ndim == 2 else None
         for column in columns:
-            one, other = found[..., column.where], expected[..., column.where]
+            numbers, right_numbers = result[..., column.where], expected[..., column.where]
             size = _size(column, case, expected)
             where = np.arange(expected.shape[-1])[column.where].tolist()
             limits = {"quantity": column.quantity, "scale": size, "tolerance": tolerance}
-            get_context().note(function, case, None, where, other, **limits)
-            told = functools.partial(_hint, hint, case, found, expected, one, other)
-            known: dict[str, Any] = {
+            get_context().note(function, case, None, where, right_numbers, **limits)
+            words: dict[str, Any] = {
                 "quantity": column.quantity,
                 "unit": column.unit,
                 "t": t,
-                "hint": told,
+                "hint": functools.partial(_hint, hint, case, result, expected, numbers, right_numbers),
                 "near_miss_credit": near_miss_credit,
             }
-            expect(one, other, tolerance=tolerance * size, **known)
+            expect(numbers, right_numbers, tolerance=tolerance * size, **words)
 
 
 def _size(column: Column, case: Case, expected: Array) -> Any:

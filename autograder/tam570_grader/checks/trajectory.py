@@ -186,19 +186,20 @@ def _motions(
     first, *rest = sorted(cases, key=lambda case: -len(case.args[0]))
     for some in filter(None, ([first], rest)):
         batch = Batch.of(true, some)
-        judged = batch.judged(function, function.many(batch.cases))
-        _, right = batch.remembered(("rows", *map(id, columns)), partial(_right, batch, columns))
-        for (case, found, _), (expected, scales) in zip(judged, right, strict=True):
-            motions.append(Motion(case, flat(found), expected, scales, function, true, restart))
+        compared = batch.compared(function, function.many(batch.cases))
+        _, scaled = batch.remembered(("rows", *map(id, columns)), partial(_scaled_rows, batch, columns))
+        for (case, result, _), (expected, scales) in zip(compared, scaled, strict=True):
+            motions.append(Motion(case, flat(result), expected, scales, function, true, restart))
         if motions[0].error > hopeless and not get_context().recorder:
             break
     return motions
 
 
-def _right(batch: Batch, columns: Sequence[Column]) -> tuple[Any, list[tuple[Array, Array]]]:
+def _scaled_rows(batch: Batch, columns: Sequence[Column]) -> tuple[Any, list[tuple[Array, Array]]]:
     """The right rows of each case and their scales; with the columns, by which they are remembered."""
     rows = map(flat, batch.expected)
-    return columns, [(right, _scales(columns, case, right)) for case, right in zip(batch.cases, rows, strict=True)]
+    pairs = zip(batch.cases, rows, strict=True)
+    return columns, [(expected, _scales(columns, case, expected)) for case, expected in pairs]
 
 
 def _note(motion: Motion, columns: Sequence[Column], tolerance: float) -> None:
