@@ -85,15 +85,15 @@ def pytest_generate_tests(metafunc):
 
 def _parametrized(metafunc, name):
     marks = metafunc.definition.iter_markers("parametrize")
-    return any(name == mark.args[0] or name in mark.args[0] for mark in marks)
+    return any(name == check.args[0] or name in check.args[0] for check in marks)
 
 
 @pytest.fixture(autouse=True)
 def _numbers_of_its_own(request):
     """A module's random numbers begin anew for each test: they do not depend on which tests ran before it."""
-    if draw := getattr(request.module, "DRAW", None):
+    if random_numbers := getattr(request.module, "DRAW", None):
         seed = zlib.crc32(request.node.nodeid.encode())
-        draw.bit_generator.state = np.random.default_rng(seed).bit_generator.state
+        random_numbers.bit_generator.state = np.random.default_rng(seed).bit_generator.state
 
 
 @pytest.fixture(autouse=True)
@@ -137,8 +137,8 @@ def zygotes():
         return started[needs, limits]
 
     yield zygote
-    for one in started.values():
-        one.close()
+    for entry in started.values():
+        entry.close()
 
 
 @pytest.fixture
@@ -179,12 +179,12 @@ def scenes():
     """`scenes(slug)` -> the film of the reference solution, made once."""
     from tam570.show import load_student, scene_of
 
-    made = {}
+    built = {}
 
     def film(slug):
-        if slug not in made:
-            made[slug] = scene_of(load_student(COURSE / "solutions" / f"{slug}.py", slug), slug)
-        return made[slug]
+        if slug not in built:
+            built[slug] = scene_of(load_student(COURSE / "solutions" / f"{slug}.py", slug), slug)
+        return built[slug]
 
     return film
 
@@ -250,8 +250,8 @@ def nbgrader_grades():
                     (submission.student_id, assignment.name, grade.name): (grade.auto_score, grade.manual_score)
                     for assignment in book.assignments
                     for submission in assignment.submissions
-                    for one in submission.notebooks
-                    for grade in one.grades
+                    for entry in submission.notebooks
+                    for grade in entry.grades
                 }
 
     return grades

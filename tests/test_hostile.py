@@ -47,7 +47,7 @@ def attacked(grade):
 
 
 def said(result):
-    return [(mark.name, mark.outcome, mark.message, mark.error) for mark in result.checks] + [result.message]
+    return [(check.name, check.outcome, check.message, check.error) for check in result.checks] + [result.message]
 
 
 @pytest.mark.parametrize("path", ATTACKS, ids=lambda path: path.stem)
@@ -98,17 +98,17 @@ def test_a_class_of_attackers_costs_their_allowances_and_no_more(grade, solution
 def test_no_hidden_input_comes_back(attacked):
     attack = next(path for path in FILES if path.stem == "tells_the_inputs")
     result = attacked(attack, honest=True)
-    assert not any("LEAK" in mark.message for mark in result.checks), said(result)
+    assert not any("LEAK" in check.message for check in result.checks), said(result)
 
 
 def processes(user):
     """Processes of the user that submissions run as; those that were just killed have a moment to go."""
     for _ in range(600):
-        found = [path for path in Path("/proc").glob("[0-9]*") if owner(path) == user]
-        if not found or user is None:
+        actual = [path for path in Path("/proc").glob("[0-9]*") if owner(path) == user]
+        if not actual or user is None:
             return []
         time.sleep(0.1)
-    return found
+    return actual
 
 
 def owner(path):

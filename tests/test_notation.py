@@ -25,18 +25,18 @@ def parameters(slug):
     """The parameters of the functions that students write."""
     body = ast.parse((COURSE / "solutions" / f"{slug}.py").read_text()).body
     written = next(
-        ast.literal_eval(one.value)
-        for one in body
-        if isinstance(one, ast.Assign) and ast.unparse(one.targets[0]) == "__all__"
+        ast.literal_eval(item.value)
+        for item in body
+        if isinstance(item, ast.Assign) and ast.unparse(item.targets[0]) == "__all__"
     )
-    functions = [one for one in body if isinstance(one, ast.FunctionDef) and one.name in written]
-    return {given.arg for one in functions for given in (*one.args.args, *one.args.kwonlyargs)}
+    functions = [item for item in body if isinstance(item, ast.FunctionDef) and item.name in written]
+    return {given.arg for item in functions for given in (*item.args.args, *item.args.kwonlyargs)}
 
 
 def unexplained(notation, slug):
     """The parameters of an assignment that no row explains."""
-    known = {name for name, slugs in explained(notation) if not slugs or slug[:4] in slugs}
-    return parameters(slug) - known
+    fields = {name for name, slugs in explained(notation) if not slugs or slug[:4] in slugs}
+    return parameters(slug) - fields
 
 
 def test_every_parameter_is_explained(slug):

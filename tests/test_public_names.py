@@ -19,6 +19,6 @@ SHARED = sorted(
 def test_what_a_module_exports_is_there_and_documented(name):
     module = importlib.import_module(name)
     exported = getattr(module, "__all__", [])
-    assert not [one for one in exported if not hasattr(module, one)]
-    functions = [getattr(module, one) for one in exported if inspect.isfunction(getattr(module, one))]
-    assert not [one.__name__ for one in functions if not inspect.getdoc(one)]
+    assert not [item for item in exported if not hasattr(module, item)]
+    functions = [getattr(module, item) for item in exported if inspect.isfunction(getattr(module, item))]
+    assert not [item.__name__ for item in functions if not inspect.getdoc(item)]

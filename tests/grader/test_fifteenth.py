@@ -58,7 +58,7 @@ def test_it_is_found_graded_audited_and_released(fifteen, tmp_path, capsys):
     root = ["--root", str(fifteen)]
     assert cli.main([*root, "grade", str(tmp_path / "submitted"), "--json", "--jobs", "1", "--seed", "2"]) == 0
     ada, ben = sorted(map(json.loads, capsys.readouterr().out.splitlines()), key=lambda line: line["student"])
-    assert ada["score"] == 10.0 and slip.message in [mark["suspect"] for mark in ben["checks"]]
+    assert ada["score"] == 10.0 and slip.message in [check["suspect"] for check in ben["checks"]]
     assert cli.main([*root, "audit", SLUG, "--function", "skew", "--jobs", "1"]) == 0
     assert cli.main([*root, "course", str(tmp_path / "course"), SLUG]) == 0
     assert list((tmp_path / "course" / "source" / SLUG).glob("*.ipynb"))
@@ -67,11 +67,11 @@ def test_it_is_found_graded_audited_and_released(fifteen, tmp_path, capsys):
 @pytest.mark.slow
 def test_the_command_of_contributing_passes_and_sees_every_place(fifteen, course):
     assert "`pytest tests -m '' -k hwNN`" in (course / "CONTRIBUTING.md").read_text()
-    known = {**os.environ, "PYTHONPATH": f"{fifteen / 'autograder'}{os.pathsep}{fifteen / 'shared'}"}
+    fields = {**os.environ, "PYTHONPATH": f"{fifteen / 'autograder'}{os.pathsep}{fifteen / 'shared'}"}
 
     def fails(*files):
         command = [sys.executable, "-m", "pytest", "-q", *files, "-k", "hw15", "-m", ""]
-        return subprocess.run(command, cwd=fifteen, env=known, capture_output=True, text=True).returncode
+        return subprocess.run(command, cwd=fifteen, env=fields, capture_output=True, text=True).returncode
 
     places = {"tests/shared/show/test_show.py": SCENE, "tests/test_notation.py": NOTATION}
     assert not fails("tests/test_laws.py", *places)

@@ -37,7 +37,7 @@ def failed(grade, solution_text):
     def failed(W, **changed):
         factors = dict.fromkeys("Mfg", "W(theta)") | changed
         result = grade(SLUG, solution_text(SLUG) + COMBINED.format(W=W, **factors), naming=False)
-        lost = {mark.name for mark in result.checks if mark.outcome == "failed"}
+        lost = {check.name for check in result.checks if check.outcome == "failed"}
         return {term for term, name in CHECKS.items() if name in lost}
 
     return failed

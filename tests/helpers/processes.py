@@ -11,15 +11,15 @@ __all__ = ["await_end", "children", "descendants", "is_running"]
 
 def children(pid):
     """Return the processes that the threads of a process have started."""
-    found = []
+    actual = []
     for task in Path(f"/proc/{pid}/task").glob("*/children"):
         with contextlib.suppress(OSError):
-            found += map(int, task.read_text().split())
-    return found
+            actual += map(int, task.read_text().split())
+    return actual
 
 
 def descendants(pid):
-    return [one for child in children(pid) for one in (child, *descendants(child))]
+    return [item for child in children(pid) for item in (child, *descendants(child))]
 
 
 def is_running(pid):

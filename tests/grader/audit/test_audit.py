@@ -23,7 +23,7 @@ SLUG = "hw08_axis_angle"
 
 def slips(line):
     """What the mutants of a one-line function make of it."""
-    return {f"{one.was} -> {one.now}" for one in mutants(SLUG, f"def f(a, b):\n    return {line}\n")}
+    return {f"{item.was} -> {item.now}" for item in mutants(SLUG, f"def f(a, b):\n    return {line}\n")}
 
 
 @pytest.mark.parametrize(
@@ -50,17 +50,17 @@ def test_a_mutant_has_one_slip(line, expected):
 
 
 def test_a_special_case_is_left_out_or_taken_always():
-    found = mutants(SLUG, "def f(a, b):\n    if a:\n        return a\n    return b\n")
-    assert [one.slip for one in found] == ["a -> True", "a -> False"]
+    actual = mutants(SLUG, "def f(a, b):\n    if a:\n        return a\n    return b\n")
+    assert [item.slip for item in actual] == ["a -> True", "a -> False"]
 
 
 @pytest.mark.parametrize("slug", first(3, SLUGS))
 def test_mutants_of_solutions_are_programs_with_names_of_their_own(slug, solution_text):
-    found = mutants(slug, solution_text(slug))
-    assert len(found) >= 50 and len({one.name for one in found}) == len(found)
-    for one in found:
-        compile(one.text, one.name, "exec")
-        assert one.text != solution_text(slug)
+    actual = mutants(slug, solution_text(slug))
+    assert len(actual) >= 50 and len({item.name for item in actual}) == len(actual)
+    for item in actual:
+        compile(item.text, item.name, "exec")
+        assert item.text != solution_text(slug)
 
 
 def test_the_audit_of_a_function_finds_no_survivor(capsys):
@@ -114,29 +114,29 @@ def test_right_submissions_are_fair_and_what_is_kept_is_not_run_again(tmp_path, 
 
 def test_a_diagnosis_tells_named_from_unnamed_and_misled():
     def said(mistake, suspect, known=("the transpose",)):
-        mark = CheckResult("a", "a", 0.0, 1.0, "failed", "It is off by 1.", suspect, Failure())
-        result = Result("s", "hw", "graded", 0.0, 1.0, 1, 0.1, "", (mark,))
+        check_result = CheckResult("a", "a", 0.0, 1.0, "failed", "It is off by 1.", suspect, Failure())
+        result = Result("s", "hw", "graded", 0.0, 1.0, 1, 0.1, "", (check_result,))
         return diagnosis.diagnosis(result, Mistake("one", mistake, "a", ""), known)
 
-    right, silent = said("the transpose", "the transpose"), said("the transpose", None)
-    wrong, found = said("a sign", "the transpose"), said("a sign", "the transpose", known=())
-    assert [one.named for one in (right, silent, wrong, found)] == [True, False, False, False]
-    assert [one.misled for one in (right, silent, wrong, found)] == [False, False, True, False]
-    assert diagnosis.faults([right, silent]) == 1 and diagnosis.faults([right]) == 0
-    assert diagnosis.faults([right] * 10 + [wrong]) == 1
+    correct, silent = said("the transpose", "the transpose"), said("the transpose", None)
+    wrong, actual = said("a sign", "the transpose"), said("a sign", "the transpose", known=())
+    assert [item.named for item in (correct, silent, wrong, actual)] == [True, False, False, False]
+    assert [item.misled for item in (correct, silent, wrong, actual)] == [False, False, True, False]
+    assert diagnosis.faults([correct, silent]) == 1 and diagnosis.faults([correct]) == 0
+    assert diagnosis.faults([correct] * 10 + [wrong]) == 1
 
 
 @pytest.mark.slow
 def test_the_margins_of_a_check_are_measured_from_both_sides(capsys):
     assert cli.main(["audit", "hw12", "--margins", "--quick", "--jobs", "1", "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)["checks"]
-    careful, (name, careless), _ = found["simulate_keeps_the_energy"]
+    actual = json.loads(capsys.readouterr().out)["checks"]
+    careful, (name, careless), _ = actual["simulate_keeps_the_energy"]
     assert 0 < 10 * careful < 1 < careless / 10 and name
-    assert not any("accelerat" in check for check in found)
+    assert not any("accelerat" in check for check in actual)
 
 
 def test_wrong_physics_is_judged_by_its_distance_and_inaccurate_numerics_is_not():
-    found = [
+    actual = [
         ("DOP853", {"energy": 0.01}),
         ("friction", {"energy": 50.0}),
         ("coarse", {"energy": 2.0}),
@@ -149,7 +149,7 @@ def test_wrong_physics_is_judged_by_its_distance_and_inaccurate_numerics_is_not(
         "another_check": Mistake("another_check", "What this check need not tell.", "path", ""),
         "no_number": Mistake("no_number", "An exception.", "energy", ""),
     }
-    margin = margins.margin("energy", found, known)
+    margin = margins.margin("energy", actual, known)
     assert margin == Margin("energy", 0.01, ("friction", 50.0), ("coarse", 2.0)) and not margin.small
     known["coarse"] = replace(known["coarse"], numerics=False)
-    assert margins.margin("energy", found, known).small
+    assert margins.margin("energy", actual, known).small

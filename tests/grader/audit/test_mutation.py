@@ -11,25 +11,25 @@ SLUG = "hw08_axis_angle"
 
 
 def test_a_slip_alone_is_in_one_function_and_others_call_the_right_one(solution_text):
-    right = solution_text(SLUG)
-    slipped = next(one for one in mutants(SLUG, right) if one.function == "skew")
+    correct = solution_text(SLUG)
+    slipped = next(item for item in mutants(SLUG, correct) if item.function == "skew")
     calls = {"a check": {"skew", "rotate"}, "another": {"rotation_matrix"}}
-    found, as_it_was = {}, {}
-    exec(mutation.alone(right, slipped, calls), found)
-    exec(right, as_it_was)
+    actual, as_it_was = {}, {}
+    exec(mutation.alone(correct, slipped, calls), actual)
+    exec(correct, as_it_was)
     v = np.array([1.0, 2.0, 3.0])
-    assert not np.array_equal(found["skew"](v), as_it_was["skew"](v))
-    np.testing.assert_array_equal(found["rotation_matrix"](v, 0.4), as_it_was["rotation_matrix"](v, 0.4))
+    assert not np.array_equal(actual["skew"](v), as_it_was["skew"](v))
+    np.testing.assert_array_equal(actual["rotation_matrix"](v, 0.4), as_it_was["rotation_matrix"](v, 0.4))
 
 
 @pytest.mark.parametrize("hole", [True, False])
 def test_a_function_without_a_check_of_its_own_is_a_hole(hole, capsys, monkeypatch):
-    whole = mutation.calls_of_checks
+    full = mutation.calls_of_checks
 
     def without(*of):
-        calls, longest = whole(*of)
+        calls, longest = full(*of)
         return {
-            name: asked - {"skew"} if hole and name.startswith("skew") else asked for name, asked in calls.items()
+            name: request - {"skew"} if hole and name.startswith("skew") else request for name, request in calls.items()
         }, longest
 
     monkeypatch.setattr(mutation, "calls_of_checks", without)

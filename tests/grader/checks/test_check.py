@@ -52,9 +52,9 @@ def negative_numbers_have_no_root(student, rng):
     check_domain(student.root, root, calls, tolerance=1e-9)
 
 
-def run(one, function, seen=None):
+def run(item, function, seen=None):
     with check_context():
-        one.run(student(function, seen), np.random.default_rng(1))
+        item.run(student(function, seen), np.random.default_rng(1))
 
 
 def test_it_passes_what_is_right_and_fails_what_is_not():
@@ -81,9 +81,9 @@ def test_a_call_is_cut_to_what_the_reference_takes():
     assert seen == [Case(4.0).labelled("more than it takes")]
 
 
-@pytest.mark.parametrize(("own", "said"), [("", "Look at y^2."), ("Is it positive?", "Is it positive?")])
-def test_the_hint_of_a_case_goes_before_that_of_the_check(own, said):
+@pytest.mark.parametrize(("mine", "said"), [("", "Look at y^2."), ("Is it positive?", "Is it positive?")])
+def test_the_hint_of_a_case_goes_before_that_of_the_check(mine, said):
     with check_context(), pytest.raises(Failed) as failed:
-        calls = [Case(4.0).labelled("a root of 4", own)]
+        calls = [Case(4.0).labelled("a root of 4", mine)]
         compare(student(lambda x: -root(x)).root, root, calls, tolerance=1e-9, hint="Look at y^2.")
     assert failed.value.failure.hint == said

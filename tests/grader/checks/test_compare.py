@@ -17,9 +17,9 @@ def student(returns, result, name="height"):
     return SimpleNamespace(name=name, returns=returns, many=lambda cases: [result for _ in cases])
 
 
-def said(compare, *args, **known):
+def said(compare, *args, **fields):
     with check_context(), pytest.raises(Failed) as failed:
-        compare(*args, tolerance=1e-9, **known)
+        compare(*args, tolerance=1e-9, **fields)
     return describe_failure(failed.value.failure)
 
 
@@ -40,15 +40,15 @@ def test_results_and_the_module_of_what_is_right_say_what_is_compared():
 
 def test_each_member_of_a_tuple_has_words_of_its_own():
     pair = group(array(2).described("the place", "m"), HEIGHT)
-    one = student(pair, (np.ones(2), 3.0))
-    assert "height is wrong by 1 m" in said(compare, one, lambda: (np.ones(2), 2.0), [Case()])
-    assert "place is wrong by 5 m" in said(compare, one, lambda: (np.full(2, 6.0), 3.0), [Case()])
+    item = student(pair, (np.ones(2), 3.0))
+    assert "height is wrong by 1 m" in said(compare, item, lambda: (np.ones(2), 2.0), [Case()])
+    assert "place is wrong by 5 m" in said(compare, item, lambda: (np.full(2, 6.0), 3.0), [Case()])
 
 
 def test_rows_are_judged_by_the_columns_of_results_and_tell_the_time():
     motion = rows(2, columns=(Column("x", "m", [0]), Column("v", "m/s", [1])))
-    t, found = np.array([0.0, 1.0, 2.5]), np.array([[1.0, 2.0], [1.0, 2.0], [1.0, 9.0]])
-    message = said(compare_columns, student(motion, found), lambda t: np.tile([1.0, 2.0], (3, 1)), [Case(t)])
+    t, actual = np.array([0.0, 1.0, 2.5]), np.array([[1.0, 2.0], [1.0, 2.0], [1.0, 9.0]])
+    message = said(compare_columns, student(motion, actual), lambda t: np.tile([1.0, 2.0], (3, 1)), [Case(t)])
     assert "v is wrong by 7 m/s (limit 2e-9) at t = 2.5 s" in message
 
 

@@ -84,7 +84,7 @@ def redrawn(slug, code, text):
     return text + "\nimport numpy as np\n" + REDRAWN.format(name=DRAWN[slug][0], code=code)
 
 
-def judged(slug, text, course, zygotes):
+def graded(slug, text, course, zygotes):
     """Judge the picture by the hidden check."""
     assignment = assignments.assignment(course, slug)
     (check,) = (check for check in assignment.checks if check.name == DRAWN[slug][1])
@@ -108,11 +108,11 @@ def tried(slug, text, course, monkeypatch):
     getattr(visible, f"test_{DRAWN[slug][2]}")()
 
 
-def pictures(known):
+def pictures(fields):
     """Every picture of every assignment; those that are not slow take turns."""
     return [
         pytest.param(what, slug, marks=[] if row % 3 == 0 and row // 3 % len(DRAWN) == column else [pytest.mark.slow])
-        for row, what in enumerate(known)
+        for row, what in enumerate(fields)
         for column, slug in enumerate(DRAWN)
     ]
 
@@ -120,7 +120,7 @@ def pictures(known):
 @pytest.mark.parametrize(("what", "slug"), pictures(RIGHT))
 def test_a_right_picture_is_one_however_it_is_drawn(what, slug, course, zygotes, solution_text, monkeypatch):
     text = redrawn(slug, RIGHT[what], solution_text(slug))
-    judged(slug, text, course, zygotes)
+    graded(slug, text, course, zygotes)
     tried(slug, text, course, monkeypatch)
 
 
@@ -128,7 +128,7 @@ def test_a_right_picture_is_one_however_it_is_drawn(what, slug, course, zygotes,
 def test_a_curve_that_is_missing_or_one_too_many_is_seen(what, slug, course, zygotes, solution_text, monkeypatch):
     text = redrawn(slug, WRONG[what], solution_text(slug))
     with pytest.raises(Failed):
-        judged(slug, text, course, zygotes)
+        graded(slug, text, course, zygotes)
     if what in SEEN:
         with pytest.raises(AssertionError):
             tried(slug, text, course, monkeypatch)

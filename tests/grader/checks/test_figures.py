@@ -16,7 +16,7 @@ SVG = "{http://www.w3.org/2000/svg}"
 def drawn(figure):
     """The named points of a figure, in px."""
     circles = ElementTree.fromstring(figure.svg()).iter(f"{SVG}circle")
-    return {one.get("data-name"): np.array([float(one.get("cx")), float(one.get("cy"))]) for one in circles}
+    return {item.get("data-name"): np.array([float(item.get("cx")), float(item.get("cy"))]) for item in circles}
 
 
 def moved(slug, name, **changed):
@@ -48,8 +48,8 @@ def solution(slug):
 
 def test_the_pendulum_hangs_where_its_forces_act():
     theta, other = 0.65, -0.4
-    known = {"mass": 1.0, "length": 1.0, "gravity": 1.0}
-    places = [solution("hw01_simple_pendulum").free_body_diagram(th, 0.0, **known)[0][0] for th in (theta, other)]
+    fields = {"mass": 1.0, "length": 1.0, "gravity": 1.0}
+    places = [solution("hw01_simple_pendulum").free_body_diagram(th, 0.0, **fields)[0][0] for th in (theta, other)]
     assert moved("hw01_simple_pendulum", "m", theta=other) == pytest.approx(places[1] - places[0], abs=1e-3)
 
 
@@ -72,9 +72,9 @@ def test_the_bead_is_on_its_wire():
 
 
 def test_the_heavy_side_turns_down_the_ramp():
-    slope, known = 0.4, {"mass": 1.0, "radius": 1.0, "offset": 0.5, "slope": 0.4, "gravity": 1.0}
+    slope, fields = 0.4, {"mass": 1.0, "radius": 1.0, "offset": 0.5, "slope": 0.4, "gravity": 1.0}
     diagram = solution("hw13_rolling_cylinder").free_body_diagram
-    (before, down), (after, _) = (diagram(phi, **known)[0] for phi in (0.9, 2.0))
+    (before, down), (after, _) = (diagram(phi, **fields)[0] for phi in (0.9, 2.0))
     along, off = np.subtract(after, before)  # the axes of the ramp
     level = along * math.cos(slope) + off * math.sin(slope), off * math.cos(slope) - along * math.sin(slope)
     assert moved("hw13_rolling_cylinder", "G", phi=2.0) == pytest.approx(level, abs=1e-3)
@@ -121,6 +121,6 @@ def test_the_car_turns_counter_clockwise():
 
 def drawn_speed(svg):
     """The direction of the arrow of the speed."""
-    paths = [one for one in ElementTree.fromstring(svg).iter(f"{SVG}path") if one.get("class") == "vector"]
+    paths = [item for item in ElementTree.fromstring(svg).iter(f"{SVG}path") if item.get("class") == "vector"]
     first, last = (np.array(place.split(), float) for place in paths[0].get("d")[1:].split("L"))
     return (last - first) * [1, -1] / math.dist(first, last)

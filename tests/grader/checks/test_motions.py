@@ -65,7 +65,7 @@ def test_rows_in_another_order_or_at_rest_break_them(loose):
 @pytest.mark.parametrize("number", first(1, [0, 2]))
 def test_the_energy_of_a_double_pendulum_is_judged_at_a_loose_tolerance(grade, solution_text, number):
     slug = "hw07_double_pendulum"
-    marks = {mark.name: mark for mark in grade(slug, solution_text(slug) + LOOSE, number, naming=False).checks}
+    marks = {check.name: check for check in grade(slug, solution_text(slug) + LOOSE, number, naming=False).checks}
     energy = marks["energy_is_conserved_from_horizontal"]
     assert energy.points >= 0.9 * energy.max_points
 
@@ -95,18 +95,18 @@ class Asked:
         return self.simulate(*case.args)
 
 
-def told(simulate, t=T, start=RESTED, reference=swings, rows=None, near_miss=0.0):
-    found = simulate(t, start) if rows is None else rows
-    one = Motion(Case(t, start), found, reference(t, start), np.ones(found.shape[1]), Asked(simulate), reference)
-    return diagnosed(one, [one], [], near_miss)
+def reported(simulate, t=T, start=RESTED, reference=swings, rows=None, near_miss=0.0):
+    actual = simulate(t, start) if rows is None else rows
+    item = Motion(Case(t, start), actual, reference(t, start), np.ones(actual.shape[1]), Asked(simulate), reference)
+    return diagnosed(item, [item], [], near_miss)
 
 
 @pytest.mark.parametrize("tolerance", first(1, [1e-5, 1e-4, 1e-6]))
 @pytest.mark.parametrize("t", first(1, [T[[0, 199]], T]))
 def test_a_loose_tolerance_is_told_from_a_small_term(tolerance, t):
-    assert told(partial(swings, tolerance=tolerance), t) == TIGHT
-    assert told(partial(swings, damping=tolerance), t, near_miss=1e-3) == ""
-    assert told(partial(swings, tolerance=1e-6, damping=tolerance), t, near_miss=1e-3) != TIGHT
+    assert reported(partial(swings, tolerance=tolerance), t) == TIGHT
+    assert reported(partial(swings, damping=tolerance), t, near_miss=1e-3) == ""
+    assert reported(partial(swings, tolerance=1e-6, damping=tolerance), t, near_miss=1e-3) != TIGHT
 
 
 class Rates:
@@ -136,7 +136,7 @@ def test_where_the_function_cannot_be_asked_nobody_is_told_that_the_physics_is_r
             raise Failed("it raised")
         return swings(t, start, 1e-5)
 
-    assert told(once) == NEARLY_FOLLOWS
+    assert reported(once) == NEARLY_FOLLOWS
 
 
 @pytest.mark.parametrize(
@@ -153,7 +153,7 @@ def test_where_the_function_cannot_be_asked_nobody_is_told_that_the_physics_is_r
 )
 def test_rows_of_another_order_are_told(change, message):
     t = T[::20]
-    assert told(lambda t, start: change(swings(t, start)), t) == message
+    assert reported(lambda t, start: change(swings(t, start)), t) == message
 
 
 DAMPED = """
@@ -190,7 +190,7 @@ def simulate(t, state, locked, **car):
     ),
 )
 def test_wrong_physics_of_small_effect_is_not_called_right(grade, solution_text, slug, text, reference):
-    said = " ".join(mark.message for mark in grade(slug, solution_text(slug) + text).checks if mark.failure)
+    said = " ".join(check.message for check in grade(slug, solution_text(slug) + text).checks if check.failure)
     assert ("The physics is right" in said) == reference
     assert "is wrong by" in said
 
@@ -202,5 +202,5 @@ def test_rows_of_other_times_than_those_that_are_asked_for(count, step):
     def own_times(t, start, factor=1.0):
         return swings(1 + step * np.arange(len(t)), start) * [1, factor]
 
-    assert "at other times" in told(own_times, t)
-    assert "at other times" not in told(partial(own_times, factor=1.01), t)
+    assert "at other times" in reported(own_times, t)
+    assert "at other times" not in reported(partial(own_times, factor=1.01), t)

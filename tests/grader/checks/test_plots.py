@@ -39,8 +39,8 @@ def test_distances_from_a_polygon_are_those_to_its_sides_and_many_points_cost_no
     assert distances([[1, 0], [1, -3], [3, 3], [-3, 4]], square) == pytest.approx([0, 3, 2**0.5, 5])
     turn = np.linspace(0, 6, 300_000)
     circle = np.column_stack([np.cos(turn), np.sin(turn)])
-    found = distances(2 * circle, circle)
-    assert len(found) <= 400 and found == pytest.approx(1, abs=1e-5)
+    actual = distances(2 * circle, circle)
+    assert len(actual) <= 400 and actual == pytest.approx(1, abs=1e-5)
 
 
 @pytest.mark.parametrize(

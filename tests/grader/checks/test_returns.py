@@ -106,8 +106,8 @@ def test_what_is_no_formula_is_told_alike_here_and_at_home(expression, form, sym
         symbolic(expression).lagrange_equation.at([{"theta": 0.3, "l": 2.0, "g": 9.0}])
     assert f"lagrange_equation returns {form} in" in str(failed.value) and failed.value.failure.hint == REMEDIES[form]
     names = {"sympy": sympy, **{name: sympy.Symbol(name) for name in ("theta", "l", "g")}}
-    told = complaint({"formula": ["theta", "l", "g"]}, eval(expression, names), "lagrange_equation", ())
-    assert f"gives {form}; " in told and told.endswith(REMEDIES[form])
+    reported = complaint({"formula": ["theta", "l", "g"]}, eval(expression, names), "lagrange_equation", ())
+    assert f"gives {form}; " in reported and reported.endswith(REMEDIES[form])
 
 
 def test_symbols_with_assumptions_are_symbols(symbolic):

@@ -12,49 +12,49 @@ def marks(grade, solution_text):
 
     def marks(slug, *lines):
         text = solution_text(slug)
-        for right, wrong in lines:
-            assert right in text
-            text = text.replace(right, wrong)
-        return {mark.name: mark for mark in grade(slug, text).checks}
+        for correct, wrong in lines:
+            assert correct in text
+            text = text.replace(correct, wrong)
+        return {check.name: check for check in grade(slug, text).checks}
 
     return marks
 
 
 def following(marks):
     """What follows from what, by the names of functions; each has its share of the points."""
-    failed = [mark for mark in marks.values() if mark.outcome == "failed" and mark.failure.follows_from]
-    pairs = {(mark.failure.function, mark.failure.follows_from) for mark in failed}
-    for mark in failed:
-        share = 0 if mark.failure.function == mark.failure.follows_from else FOLLOWING_SHARE
-        assert mark.points == pytest.approx(share * mark.max_points, abs=1e-6) and not mark.suspect
+    failed = [check for check in marks.values() if check.outcome == "failed" and check.failure.follows_from]
+    pairs = {(check.failure.function, check.failure.follows_from) for check in failed}
+    for check in failed:
+        share = 0 if check.failure.function == check.failure.follows_from else FOLLOWING_SHARE
+        assert check.points == pytest.approx(share * check.max_points, abs=1e-6) and not check.suspect
     return pairs
 
 
-def named(marks):
-    return [name for name, mark in marks.items() if mark.suspect]
+def by_name(marks):
+    return [name for name, check in marks.items() if check.suspect]
 
 
 def test_a_wrong_load_is_told_once_and_costs_a_third_of_what_it_carries(marks):
-    right = "return mass * gravity * abs(free / arm)"
-    found = marks("hw06_braking", (right, "return mass * gravity * front / (front + rear)"))
-    assert named(found) == ["axle_load_balances_the_weight"]
+    correct = "return mass * gravity * abs(free / arm)"
+    actual = marks("hw06_braking", (correct, "return mass * gravity * front / (front + rear)"))
+    assert by_name(actual) == ["axle_load_balances_the_weight"]
     functions = "friction_force", "state_derivative", "simulate", "yaw_growth_rate", "small_yaw_rate", "axle_load"
-    assert following(found) == {(name, "axle_load") for name in functions}
-    whole = [name for name, mark in found.items() if mark.points == mark.max_points]
-    assert "simulate_glides_without_friction" in whole  # judged though the one before it failed
-    assert sum(mark.points for mark in found.values()) > 6.5
+    assert following(actual) == {(name, "axle_load") for name in functions}
+    full = [name for name, check in actual.items() if check.points == check.max_points]
+    assert "simulate_glides_without_friction" in full  # judged though the one before it failed
+    assert sum(check.points for check in actual.values()) > 6.5
 
 
 @pytest.mark.parametrize("wrong", first(1, ["m1 / 2", "m1 / 12"]))
 def test_the_energy_follows_from_the_mass_matrix(marks, wrong):
-    found = marks("hw07_double_pendulum", ("[[(m1 / 3 + m2)", f"[[({wrong} + m2)"))
-    assert named(found) == ["mass_matrix_makes_the_kinetic_energy"]
-    assert following(found) == {("energy", "mass_matrix"), ("angular_momentum", "mass_matrix")}
+    actual = marks("hw07_double_pendulum", ("[[(m1 / 3 + m2)", f"[[({wrong} + m2)"))
+    assert by_name(actual) == ["mass_matrix_makes_the_kinetic_energy"]
+    assert following(actual) == {("energy", "mass_matrix"), ("angular_momentum", "mass_matrix")}
 
 
 @pytest.mark.slow
 def test_one_wrong_argument_in_all_functions_is_told_once(marks):
-    found = marks(
+    actual = marks(
         "hw13_rolling_cylinder",
         ("turned = inertia", "offset = -offset\n    turned = inertia"),
         ("return inertia + mass *", "offset = -offset\n    return inertia + mass *"),
@@ -66,11 +66,11 @@ def test_one_wrong_argument_in_all_functions_is_told_once(marks):
         ("c, s = math.cos(phi)", "offset = -offset\n    c, s = math.cos(phi)"),
         ("- offset * math.cos(phi + slope)\n    return kin", "+ offset * math.cos(phi + slope)\n    return kin"),
     )
-    assert named(found) == ["acceleration_balances_momentum_about_G"]
-    pairs = following(found)
+    assert by_name(actual) == ["acceleration_balances_momentum_about_G"]
+    pairs = following(actual)
     assert {cause for _, cause in pairs} == {"acceleration"} and len(pairs) == 6
 
 
 def test_a_function_that_is_always_zero_makes_nothing_else_right(marks):
-    found = marks("hw06_braking", ("return mass * gravity * abs(free / arm)", "return 0.0"))
-    assert not following(found)
+    actual = marks("hw06_braking", ("return mass * gravity * abs(free / arm)", "return 0.0"))
+    assert not following(actual)

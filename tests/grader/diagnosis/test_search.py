@@ -80,7 +80,7 @@ def cases():
     """Inputs of each function, with the names that a wrong formula uses."""
     pairs, positive = DRAW.uniform(1, 3, (4, 2)), DRAW.uniform(0.5, 3, (4, 4))
     quadrants = np.array([[1, 1], [1, -1], [-1, 1], [-1, -1]]) * DRAW.uniform(0.2, 2, (4, 2))
-    t, known = np.linspace(1, 3, 9) ** 2, {"gravity": 2.0, "drag": 0.7}
+    t, fields = np.linspace(1, 3, 9) ** 2, {"gravity": 2.0, "drag": 0.7}
     bodies = [(rate, {"mass": m, "radius": r, "inertia": (a, 2.0)}) for rate, m, r, a in positive]
     return {
         "weight": [(Case(m, h, gravity=g, length=b), {"m": m, "h": h, "g": g, "l": b}) for m, h, g, b in positive],
@@ -94,7 +94,7 @@ def cases():
         "swing": [(Case(a, mass=2.0), {"a": a, "m": 2.0}) for a in DRAW.uniform(0.3, 1.2, 4)],
         "rod": [(Case(x, y), {"x": x, "y": y}) for x, y in pairs],
         "forces": [(Case(x, y), {"F": np.array([[x, y], [y**2, x + y]])}) for x, y in pairs],
-        "fall": [(Case(t, 1.5, 0.8, **known), {"t": t - t[0], "h": 1.5, "v": 0.8})],
+        "fall": [(Case(t, 1.5, 0.8, **fields), {"t": t - t[0], "h": 1.5, "v": 0.8})],
         "tumble": [(Case(rate, **body), {"w": rate, **body}) for rate, body in bodies],
         "squares": [(Case(p, q, mass=2.0), {"p": p, "q": q}) for p, q in pairs],
         "stretch": [(Case(x, y), {"x": x, "y": y}) for x, y in pairs],
@@ -211,5 +211,5 @@ def test_it_is_said_in_the_feedback(grade, solution_text):
         "\n\ndef energy(state, *, mass, gravity):\n"
         "    return mass * (state[2] ** 2 + state[3] ** 2) / 4 + mass * gravity * state[1]\n"
     )
-    (mark,) = [mark for mark in grade(slug, solution_text(slug) + quarter).checks if mark.outcome == "failed"]
-    assert mark.suspect == "In energy, a number with mass, state is twice or half the right one"
+    (check,) = [check for check in grade(slug, solution_text(slug) + quarter).checks if check.outcome == "failed"]
+    assert check.suspect == "In energy, a number with mass, state is twice or half the right one"

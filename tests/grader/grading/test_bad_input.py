@@ -29,7 +29,7 @@ def test_what_cannot_be_loaded_scores_nothing(grade, name, content, status):
     limits = ResourceLimits(call=1) if status == "timeout" else None
     result = grade(HW08, content, limits=limits, notebook=name.endswith("ipynb"))
     assert (result.status, result.score) == (status, 0.0)
-    assert all(mark.outcome == "not_run" for mark in result.checks) and result.message
+    assert all(check.outcome == "not_run" for check in result.checks) and result.message
 
 
 def test_a_huge_file_is_not_read(run, tmp_path):
@@ -48,17 +48,17 @@ def test_a_link_to_a_neighbours_work_is_not_followed(run, tree, course, scores):
     (tree / "hw08_eve.py").symlink_to(f"ada/{HW08}/{HW08}.py")
     (tree / "fay" / HW08).mkdir(parents=True)
     (tree / "fay" / HW08 / f"{HW08}.py").symlink_to(course / "solutions" / f"{HW08}.py")
-    found = scores(run(tree)[1])
-    assert found == {"ada": 10.0, **dict.fromkeys(("ben", "cora", "dan", "hw08_eve", "fay"), 0.0)}
+    actual = scores(run(tree)[1])
+    assert actual == {"ada": 10.0, **dict.fromkeys(("ben", "cora", "dan", "hw08_eve", "fay"), 0.0)}
 
 
 def test_a_link_that_leads_away_or_nowhere_is_a_note_and_lists_nothing(run, tree, scores):
     for student, target in (("dev", "/etc"), ("eli", HW08), ("fay", "..")):
         (tree / student).mkdir()
         (tree / student / HW08).symlink_to(target)
-    own = tree / "gus" / HW08
-    own.mkdir(parents=True)
-    (own / f"{HW08}.py").symlink_to(f"{HW08}.py")
+    mine = tree / "gus" / HW08
+    mine.mkdir(parents=True)
+    (mine / f"{HW08}.py").symlink_to(f"{HW08}.py")
     code, lines, err = run(tree, "--seed", 1)
     said = {line["student"]: f"{line['status']} {line.get('message', '')}" for line in lines}
     assert code == 0 and scores(lines)["ada"] == 10.0 and "Traceback" not in err
@@ -136,7 +136,7 @@ def test_a_notebook_with_strange_cells_scores_nothing(grade, cells):
     ids=["rot13", "no codec", "utf-7", "null", "utf-16", "minus", "brackets", "digits", "dots"],
 )
 def test_a_text_that_breaks_parsers_harms_nobody_else(grade, solution_text, text):
-    assert [grade(HW08, one).score for one in (text, solution_text(HW08))] == [0.0, 10.0]
+    assert [grade(HW08, item).score for item in (text, solution_text(HW08))] == [0.0, 10.0]
 
 
 NAMES = ("=cmd|'calc'!A0", "@sum", "+1", "<img src=x onerror=alert(1)>", "%2e%2e%2fada", "a'b\"c", "l" * 255)

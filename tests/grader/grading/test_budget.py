@@ -36,40 +36,40 @@ def grows(*_):
 
 
 @pytest.fixture
-def judged(course, zygotes, solution_text, monkeypatch):
+def evaluated(course, zygotes, solution_text, monkeypatch):
     """`judged(run, name)` -> the result where the check of this name runs something else; right answers otherwise."""
     assignment = assignments.assignment(course, SLUG)
     monkeypatch.setattr(one, "budget", lambda: budget.budget(FEW, LITTLE))
 
-    def judged(run=None, name="", text=""):
+    def evaluated(run=None, name="", text=""):
         checks = [replace(check, run=run) if check.name == name else check for check in assignment.checks]
         source = Source((text or solution_text(SLUG)).encode())
         return graded("ada", source, replace(assignment, checks=tuple(checks)), zygotes(SLUG, ResourceLimits()), 1)
 
-    return judged
+    return evaluated
 
 
 @pytest.mark.parametrize(("run", "says"), [(compiled(ENDLESS)["endless"], "work"), (grows, "memory")])
-def test_a_check_that_does_not_end_fails_alone(run, says, judged, course):
+def test_a_check_that_does_not_end_fails_alone(run, says, evaluated, course):
     check = assignments.assignment(course, SLUG).checks[-1]
-    result = judged(run, check.name)
+    result = evaluated(run, check.name)
     assert result.status == "graded" and result.score == 10 - check.points
     assert says in result.checks[-1].message
-    assert judged().score == 10
+    assert evaluated().score == 10
 
 
-def test_memory_is_limited_where_a_cluster_grades_in_a_thread_of_its_own(judged, course):
-    assert judged().score == 10  # the worker has started, here: it ends with the thread that starts it
+def test_memory_is_limited_where_a_cluster_grades_in_a_thread_of_its_own(evaluated, course):
+    assert evaluated().score == 10  # the worker has started, here: it ends with the thread that starts it
     name = assignments.assignment(course, SLUG).checks[-1].name
     with ThreadPoolExecutor(1) as pool:
-        result = pool.submit(judged, grows, name).result()
+        result = pool.submit(evaluated, grows, name).result()
     assert "memory" in result.checks[-1].message
-    assert judged().score == 10
+    assert evaluated().score == 10
 
 
-def test_to_look_for_a_mistake_is_part_of_it(judged, solution_text, monkeypatch):
+def test_to_look_for_a_mistake_is_part_of_it(evaluated, solution_text, monkeypatch):
     monkeypatch.setattr(diagnose, "known", compiled(ENDLESS)["endless"])
-    result = judged(text=solution_text(SLUG) + "\n\ndef skew(v): return np.eye(3)")
+    result = evaluated(text=solution_text(SLUG) + "\n\ndef skew(v): return np.eye(3)")
     assert result.status == "graded"
     assert {check.suspect for check in result.checks} == {None}
 

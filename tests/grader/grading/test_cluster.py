@@ -138,8 +138,8 @@ def test_who_has_no_certificate_is_kept_out(net, tree, tmp_path, capsys):
     assert cli.main(["certificates", str(others)]) == 0
     with net.scheduler():
         plain = net.address.replace("tls://", "tcp://")
-        asked = ["grade", str(tree), "--out", str(tmp_path / "out")]
-        assert cli.main([*asked, "--cluster", plain]) == 2
+        request = ["grade", str(tree), "--out", str(tmp_path / "out")]
+        assert cli.main([*request, "--cluster", plain]) == 2
         assert "certificates DIR" in capsys.readouterr().err
         with net.grading(tree, tmp_path / "out", "--certificates", others) as head:
             assert head.wait() == 2
@@ -149,14 +149,14 @@ def test_who_has_no_certificate_is_kept_out(net, tree, tmp_path, capsys):
 
 
 def test_a_worker_without_bubblewrap_refuses_unless_told_otherwise(net, tree, tmp_path):
-    one = tree / "s00"
+    item = tree / "s00"
     bare = tmp_path / "bin"
     bare.mkdir()
     with net.scheduler(), net.worker(env={**os.environ, "PATH": str(bare)}):
-        with net.grading(one, tmp_path / "out") as head:
+        with net.grading(item, tmp_path / "out") as head:
             assert head.wait() == 2
             assert "no bubblewrap" in head.stderr.read()
-        with net.grading(one, tmp_path / "out", "--unconfined") as head:
+        with net.grading(item, tmp_path / "out", "--unconfined") as head:
             code, said = head.wait(), head.stderr.read()
     if os.geteuid() == 0 and "may not enter" in said:
         pytest.skip("root without bubblewrap cannot grade from a closed folder, on a cluster or off it")

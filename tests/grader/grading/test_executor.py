@@ -29,21 +29,21 @@ from tam570_grader.sandbox.zygote import ResourceLimits
 linux = pytest.mark.skipif(sys.platform != "linux", reason="finds processes in /proc")
 
 
-def mark(folder, task):
+def check(folder, task):
     """Leave a file for this try of a task."""
     (folder / f"{task}-{os.getpid()}-{time.monotonic_ns()}").touch()
     return task
 
 
 def die_at_first(folder, task):
-    mark(folder, task)
+    check(folder, task)
     if task % 5 == 0 and len(list(folder.glob(f"{task}-*"))) == 1:
         os.kill(os.getpid(), signal.SIGKILL)
     return task
 
 
 def die(folder, task):
-    mark(folder, task)
+    check(folder, task)
     if task == 3:
         os.kill(os.getpid(), signal.SIGKILL)
     return task
@@ -100,7 +100,7 @@ def test_no_process_outlives_a_run_that_is_ended(tmp_path, end):
 
 def motion(folder, seconds):
     """A right answer that is expensive, and leaves a file each time that it is computed."""
-    mark(Path(folder), "motion")
+    check(Path(folder), "motion")
     began = time.thread_time()
     while time.thread_time() - began < seconds:
         pass
@@ -117,17 +117,19 @@ def place(tmp_path):
 @pytest.mark.parametrize(("seconds", "computed"), [(0.1, 1), (0.0, 2)])
 def test_what_is_expensive_is_computed_once_a_run_the_same_to_the_last_bit(place, monkeypatch, seconds, computed):
     case = Case(str(place), seconds)
-    found = []
+    actual = []
     for _ in range(2):  # two processes, as far as the memory of one is concerned
         monkeypatch.setattr(expected, "_known", expected.Memory(5))
-        found.append(expected.expected_result(motion, case))
+        actual.append(expected.expected_result(motion, case))
     assert tries(place, "motion") == computed
-    assert all(type(one) is tuple and all(np.array_equal(*pair) for pair in zip(*found, strict=True)) for one in found)
-    found[1][0][0] = 0.0  # no read-only memory
+    assert all(
+        type(item) is tuple and all(np.array_equal(*pair) for pair in zip(*actual, strict=True)) for item in actual
+    )
+    actual[1][0][0] = 0.0  # no read-only memory
 
 
-def config_of(course, found, jobs):
-    return batch.RunConfig(course, found, 570, jobs, ResourceLimits(), [course])
+def config_of(course, actual, jobs):
+    return batch.RunConfig(course, actual, 570, jobs, ResourceLimits(), [course])
 
 
 def same(records):

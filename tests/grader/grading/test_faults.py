@@ -58,8 +58,8 @@ def test_a_run_killed_at_random_moments_ends_as_an_undisturbed_one(tmp_path, sol
 
 
 def result(student, score=1.0):
-    named = {"format": FORMAT, "student": student, "assignment": HW08, "score": score, "checks": []}
-    return {**dict.fromkeys(store.RESULT_FIELDS), **named}
+    by_name = {"format": FORMAT, "student": student, "assignment": HW08, "score": score, "checks": []}
+    return {**dict.fromkeys(store.RESULT_FIELDS), **by_name}
 
 
 def test_who_opens_results_that_another_run_is_replacing_writes_into_the_new_ones(tmp_path, monkeypatch):

@@ -34,9 +34,9 @@ def class_of(tmp_path):
 
 
 def test_files_are_known_by_number_by_title_and_alone(class_of):
-    found = {one.student: one for one in submissions([class_of(GRADED)], KNOWN)}
-    assert sorted(found) == sorted(name.split("/")[0] for name in GRADED)
-    assert all(one.path and one.slug == SLUG for one in found.values())
+    actual = {item.student: item for item in submissions([class_of(GRADED)], KNOWN)}
+    assert sorted(actual) == sorted(name.split("/")[0] for name in GRADED)
+    assert all(item.path and item.slug == SLUG for item in actual.values())
 
 
 def test_what_cannot_be_told_is_one_row_that_says_why_and_holds_up_nobody(class_of, run):
@@ -70,8 +70,8 @@ def test_a_file_beside_a_graded_one_is_warned_of(class_of):
 
 def test_a_named_assignment_takes_lone_files_and_leaves_those_of_others(class_of):
     tree = class_of(["ada/work.py", "ben/hw07.py", "cho/hw08.py"])
-    found = submissions([tree], KNOWN, SLUG)
-    assert {one.student for one in found} == {"ada", "cho"} and all(one.path for one in found)
+    actual = submissions([tree], KNOWN, SLUG)
+    assert {item.student for item in actual} == {"ada", "cho"} and all(item.path for item in actual)
 
 
 @pytest.mark.parametrize("login", ["zoe", "../../up", "\x1b[2J", "a\0b", "z" * 300])

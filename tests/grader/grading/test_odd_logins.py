@@ -26,7 +26,7 @@ def test_an_odd_login_among_others(run, hand_in, scores, place):
     for student in ("ann", *ODD):
         tree = hand_in(student, place)
     code, lines, _ = run(tree, "--seed", 1, "--jobs", 1)
-    assert code == 0 and scores(lines) == {"ann": 10.0, **{unicodedata.normalize("NFC", one): 10.0 for one in ODD}}
+    assert code == 0 and scores(lines) == {"ann": 10.0, **{unicodedata.normalize("NFC", item): 10.0 for item in ODD}}
     assert {line["assignment"] for line in lines} == {SLUG}
 
 

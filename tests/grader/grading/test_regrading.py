@@ -31,9 +31,9 @@ def graded(monkeypatch):
 @pytest.fixture
 def tree(tmp_path, solution_text):
     """Two students, two assignments; ben's hw08 is wrong in one function."""
-    right = solution_text(HW08)
+    correct = solution_text(HW08)
     hand_in(tmp_path / "submitted", dict.fromkeys(("ada", "ben"), solution_text(OTHER)), OTHER)
-    return hand_in(tmp_path / "submitted", {"ada": right, "ben": right + WRONG})
+    return hand_in(tmp_path / "submitted", {"ada": correct, "ben": correct + WRONG})
 
 
 def seeds(folder):
@@ -102,24 +102,24 @@ GONE = {"checks": [{"name": "gone", "points": 1.0, "max_points": 1.0, "outcome":
 def test_every_kind_of_change_is_told(old, new, says):
     record = {"student": "ada", "assignment": HW08, "status": "graded", "score": 5.0, "checks": []}
     before = None if old is None else {**record, "score": 6.0, **old}
-    told = regrade.table([regrade.change(before, {**record, **new})], 1)
-    assert says in told and "1 of 1 scores change" in told
+    reported = regrade.table([regrade.change(before, {**record, **new})], 1)
+    assert says in reported and "1 of 1 scores change" in reported
 
 
 def test_what_is_no_longer_handed_in_is_told(tree, tmp_path, capsys):
     assert grade(tree, "--out", tmp_path / "old") == 0
     shutil.rmtree(tree / "ben")
     shutil.rmtree(tree / "ada" / OTHER)
-    for asked, gone in (
+    for request, gone in (
         ([tree], [["ada", OTHER], ["ben", OTHER], ["ben", HW08]]),
         ([tree, "--only", "hw08"], [["ben", HW08]]),
         ([tree / "ada"], [["ada", OTHER]]),
         ([tree / "ada" / HW08], []),
     ):
         capsys.readouterr()
-        assert grade(*asked, "--against", tmp_path / "old") == 0
-        told = pairwise(capsys.readouterr().out.splitlines())
-        assert sorted(line.split()[:2] for line, why in told if why == "    no longer handed in") == gone
+        assert grade(*request, "--against", tmp_path / "old") == 0
+        reported = pairwise(capsys.readouterr().out.splitlines())
+        assert sorted(line.split()[:2] for line, why in reported if why == "    no longer handed in") == gone
 
 
 # Inputs of one's own

@@ -53,8 +53,8 @@ def graded(tmp_path_factory, course):
 
 
 def subtracted(course):
-    known = mistakes(assignments.checks_folder(course, HW08))
-    return next(one for one in known if one.name == "square_subtracted")
+    fields = mistakes(assignments.checks_folder(course, HW08))
+    return next(item for item in fields if item.name == "square_subtracted")
 
 
 @pytest.fixture
@@ -88,7 +88,9 @@ def test_every_form_of_failure_is_made_again(graded, replayed, name):
     slug, slip, says = FAILURES[name]
     marks = next(record["checks"] for record in results(graded / "out") if record["student"] == name)
     function = re.match(r"def (\w+)", slip)[1]
-    check = [mark["name"] for mark in marks if mark.get("failure", {}).get("function") == function][-1]
+    check = [
+        check_result["name"] for check_result in marks if check_result.get("failure", {}).get("function") == function
+    ][-1]
     said = replayed(name, check, next((graded / "submitted" / name / slug).iterdir()))
     assert f"\n{function}(" in said and says in said.rpartition("now:")[2]
 

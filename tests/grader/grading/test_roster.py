@@ -35,13 +35,13 @@ def test_students_are_rows_and_nobody_else_is(tmp_path, text):
 
 def test_a_worksheet_is_joined_by_participant(tmp_path):
     (tmp_path / "roster.csv").write_text(WORKSHEET)
-    found = Directory(people(tmp_path / "roster.csv"))
-    assert found.owner([("participant", "18")], "Bo Brown", must_agree=True).name == "Bo Brown"
-    assert "whose name is another" in found.owner([("participant", "18")], "Team 18", must_agree=True)
+    actual = Directory(people(tmp_path / "roster.csv"))
+    assert actual.owner([("participant", "18")], "Bo Brown", must_agree=True).name == "Bo Brown"
+    assert "whose name is another" in actual.owner([("participant", "18")], "Team 18", must_agree=True)
 
 
 def test_what_two_share_tells_neither(tmp_path):
     (tmp_path / "roster.csv").write_text("Username,First name,Surname\nli1,Li,Wu\nli2,Li,Wu\n")
-    found = Directory(people(tmp_path / "roster.csv"))
-    assert found.owner([("participant", "5")], "Li Wu", must_agree=True) == ""
-    assert found.owner([("login", "li2")], "Li Wu", must_agree=True).folder == "li2"
+    actual = Directory(people(tmp_path / "roster.csv"))
+    assert actual.owner([("participant", "5")], "Li Wu", must_agree=True) == ""
+    assert actual.owner([("login", "li2")], "Li Wu", must_agree=True).folder == "li2"

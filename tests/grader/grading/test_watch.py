@@ -51,8 +51,8 @@ def test_each_attempt_has_its_own_inputs_and_the_best_counts(watch, hand_in, tmp
     hand_in("ann")
     hand_in("ben", HALF)
     attempts = watch()
-    assert [(one["student"], one["attempt"]) for one in attempts[2:]] == [("ann", 2), ("ben", 2)]
-    assert len({one["record"]["seed"] for one in attempts}) == 4
+    assert [(item["student"], item["attempt"]) for item in attempts[2:]] == [("ann", 2), ("ben", 2)]
+    assert len({item["record"]["seed"] for item in attempts}) == 4
     assert scores(tmp_path) == {"ann": 10.0, "ben": 10.0}
     assert len(watch()) == 4  # nothing new, nothing twice
     assert (tmp_path / "submitted" / "ben" / SLUG / f"{SLUG}-feedback.html").exists()
@@ -67,15 +67,15 @@ def test_the_queue_keeps_the_order_over_a_restart_and_half_a_line(tmp_path):
     queue = Queue(tmp_path, Policy())
     for at, student in enumerate("cabca"):
         queue.take(arrival(student, float(at)))
-    assert [one.student for one in queue.ready(9.0)] == ["c", "a", "b"]
+    assert [item.student for item in queue.ready(9.0)] == ["c", "a", "b"]
     with open(tmp_path / "watch.jsonl", "ab") as file:
         file.write(b'{"event": "arr')
     again = Queue(tmp_path, Policy())
     assert again.arrivals == queue.arrivals and (tmp_path / "watch.jsonl").read_bytes().endswith(b"\n")
     again.note("graded", again.arrivals[0], attempt=1, graded_at=9.0, waited=1.0, record={"score": 1.0})
-    assert [one.student for one in Queue(tmp_path, Policy()).ready(9.0)] == ["a", "b", "c"]
+    assert [item.student for item in Queue(tmp_path, Policy()).ready(9.0)] == ["a", "b", "c"]
     later = Queue(tmp_path, Policy(every=10.0))
-    assert [one.student for one in later.ready(10.0)] == ["a", "b"] and later.ready(19.0)[2].student == "c"
+    assert [item.student for item in later.ready(10.0)] == ["a", "b"] and later.ready(19.0)[2].student == "c"
 
 
 def test_a_page_is_written_through_no_link(watch, hand_in, tmp_path):

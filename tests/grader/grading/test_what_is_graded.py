@@ -81,11 +81,11 @@ plot_comparison(__import__("matplotlib.pyplot").pyplot.gca(), t, 20.0, 0.8, mass
 
 @pytest.mark.parametrize("form", ["module", "notebook", "notebook of one cell"])
 def test_what_a_file_tries_out_at_import_may_use_what_one_function_may_not(grade, solution_text, form):
-    slug, right = "hw02_ballistics", solution_text("hw02_ballistics")
+    slug, correct = "hw02_ballistics", solution_text("hw02_ballistics")
     if form == "module":
-        result = grade(slug, f"from __future__ import annotations\n{right}{AT_IMPORT}")
+        result = grade(slug, f"from __future__ import annotations\n{correct}{AT_IMPORT}")
     else:
-        cells = [right + AT_IMPORT] if form.endswith("cell") else [right, *AT_IMPORT.splitlines()]
+        cells = [correct + AT_IMPORT] if form.endswith("cell") else [correct, *AT_IMPORT.splitlines()]
         result = grade(slug, notebook(*cells), notebook=True)
     assert result.score == 10.0 and not result.message
 
@@ -107,10 +107,10 @@ def test_what_a_later_import_says_reaches_no_page(grade, solution_text):
 
 
 def test_of_a_module_and_a_notebook_the_one_that_is_written_wins(run, tree, course, solution_text):
-    own = tree / "ada" / HW08
-    (own / f"{HW08}.ipynb").write_text("no notebook at all")
+    mine = tree / "ada" / HW08
+    (mine / f"{HW08}.ipynb").write_text("no notebook at all")
     assert run(tree / "ada")[1][0]["score"] == 10.0
-    shutil.copy(course / "assignments" / HW08 / f"{HW08}.py", own)
+    shutil.copy(course / "assignments" / HW08 / f"{HW08}.py", mine)
     for cell, score in (("import hw08_axis_angle as hw", 0.0), (solution_text(HW08), 10.0)):
-        (own / f"{HW08}.ipynb").write_text(notebook(cell))
+        (mine / f"{HW08}.ipynb").write_text(notebook(cell))
         assert run(tree / "ada")[1][0]["score"] == score

@@ -50,8 +50,8 @@ def collect(desk):
         desk.write("download.zip", packed(files))
         code, said = desk("collect", "download.zip", "--from", system, "--roster", "roster.csv", *options)
         folder = desk.place / "submitted"
-        found = {p.relative_to(folder).as_posix(): p.read_text() for p in sorted(folder.rglob("*")) if p.is_file()}
-        return code, found, said
+        actual = {p.relative_to(folder).as_posix(): p.read_text() for p in sorted(folder.rglob("*")) if p.is_file()}
+        return code, actual, said
 
     return collect
 
@@ -67,10 +67,10 @@ def test_the_newest_counts_and_packed_ones_are_unpacked(collect, desk):
         "brownbo_LATE_18_550_axis_angle.py": "late",
         "chency_19_560_hw08.zip": packed({"mine/hw08.py": "packed", "__MACOSX/._hw08.py": "no"}),
     }
-    code, found, said = collect("canvas", files)
-    assert code == 0 and found == {module("aadams"): "new", module("bbrown"): "late", module("cchen"): "packed"}
-    told = {(row[0], row[5], row[7]) for row in desk.read("collected.csv")[1:]}
-    assert told == {("aadams", "", "older"), ("aadams", "", ""), ("bbrown", "LATE", ""), ("cchen", "", "")}
+    code, actual, said = collect("canvas", files)
+    assert code == 0 and actual == {module("aadams"): "new", module("bbrown"): "late", module("cchen"): "packed"}
+    reported = {(row[0], row[5], row[7]) for row in desk.read("collected.csv")[1:]}
+    assert reported == {("aadams", "", "older"), ("aadams", "", ""), ("bbrown", "LATE", ""), ("cchen", "", "")}
     assert "3 students, 1 late" in said
 
 
@@ -81,8 +81,8 @@ def test_gradescope_by_its_metadata_groups_too(collect, times):
     table = "".join(line + long * times * line.startswith("  :created_at") for line in METADATA.splitlines(True))
     works = {"export/submission_1/work.py": "ab", "export/submission_2/hw08.py": "c"}
     files = {"export/submission_metadata.yml": table, **works}
-    code, found, _ = collect("gradescope", files, ROSTER, "--assignment", "hw08")
-    assert code == 0 and found == {module("aadams"): "ab", module("bbrown"): "ab", module("cchen"): "c"}
+    code, actual, _ = collect("gradescope", files, ROSTER, "--assignment", "hw08")
+    assert code == 0 and actual == {module("aadams"): "ab", module("bbrown"): "ab", module("cchen"): "c"}
     assert (len(table) > LARGEST) == (times > 1)
 
 
@@ -106,8 +106,8 @@ LINK.create_system, LINK.external_attr = 3, (stat.S_IFLNK | 0o777) << 16
     ids=lambda value: value if isinstance(value, str) and len(value) < 50 else "x",
 )
 def test_what_cannot_be_placed_is_named_and_the_code_is_1(collect, name, data, says):
-    code, found, said = collect("canvas", {"adamsann_17_5_hw08.py": "a", name: data})
-    assert code == 1 and says in said and found[module("aadams")] == "a" and module("cchen") not in found
+    code, actual, said = collect("canvas", {"adamsann_17_5_hw08.py": "a", name: data})
+    assert code == 1 and says in said and actual[module("aadams")] == "a" and module("cchen") not in actual
 
 
 def spoilt(method=zipfile.ZIP_DEFLATED, central=None, stream=None):
@@ -137,8 +137,8 @@ def spoilt(method=zipfile.ZIP_DEFLATED, central=None, stream=None):
     ids=["deflate", "lzma", "bzip2", "version", "name", "offset", "size"],
 )
 def test_a_malformed_zip_file_is_named_and_the_rest_is_collected(collect, data):
-    code, found, said = collect("canvas", {"adamsann_17_5_hw08.py": "a", "chency_19_9_hw08.zip": data})
-    assert code == 1 and found == {module("aadams"): "a"} and "it cannot be unpacked" in said
+    code, actual, said = collect("canvas", {"adamsann_17_5_hw08.py": "a", "chency_19_9_hw08.zip": data})
+    assert code == 1 and actual == {module("aadams"): "a"} and "it cannot be unpacked" in said
     assert "handed in nothing: bbrown" in said, "it is not true of cchen"
 
 
@@ -146,10 +146,10 @@ def test_a_malformed_zip_file_is_named_and_the_rest_is_collected(collect, data):
 def test_a_zip_file_that_unpacks_to_much_takes_no_memory(collect, name, says):
     bomb = packed({name.format(k): bytes(LARGEST) for k in range(10)})
     tracemalloc.start()
-    code, found, said = collect("canvas", {"adamsann_17_5_hw08.py": "a", "chency_19_9_hw08.zip": bomb})
+    code, actual, said = collect("canvas", {"adamsann_17_5_hw08.py": "a", "chency_19_9_hw08.zip": bomb})
     most = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
-    assert code == 1 and list(found) == [module("aadams")] and says in said
+    assert code == 1 and list(actual) == [module("aadams")] and says in said
     assert most < 3 * LARGEST
 
 
@@ -159,8 +159,8 @@ def test_a_disk_that_is_full_cuts_no_module_short(collect, desk, monkeypatch):
 
     collect("canvas", {"adamsann_17_5_hw08.py": "first"})
     monkeypatch.setattr(os, "fsync", full)
-    code, found, _ = collect("canvas", {"adamsann_17_6_hw08.py": "second"})
-    assert code == 2 and found == {module("aadams"): "first"}
+    code, actual, _ = collect("canvas", {"adamsann_17_6_hw08.py": "second"})
+    assert code == 2 and actual == {module("aadams"): "first"}
 
 
 # What a student names a file is nobody's name
@@ -178,9 +178,9 @@ def test_a_disk_that_is_full_cuts_no_module_short(collect, desk, monkeypatch):
 )
 def test_the_first_name_is_the_students(collect, system, path):
     roster = PARTICIPANTS if system == "moodle" else ROSTER
-    code, found, said = collect(system, {path: "mine"}, roster, "--assignment", "hw08")
+    code, actual, said = collect(system, {path: "mine"}, roster, "--assignment", "hw08")
     assert code == 0, said
-    assert found == {module("aadams"): "mine"}
+    assert actual == {module("aadams"): "mine"}
 
 
 def test_a_table_that_a_student_hands_in_is_not_the_classs(collect):
@@ -190,8 +190,8 @@ def test_a_table_that_a_student_hands_in_is_not_the_classs(collect):
         "export/submission_metadata.yml": METADATA,
         "export/submission_2/hw08.py": "of Cy",
     }
-    code, found, said = collect("gradescope", files)
-    assert found == {module("aadams"): "of Ann and Bo", module("bbrown"): "of Ann and Bo", module("cchen"): "of Cy"}
+    code, actual, said = collect("gradescope", files)
+    assert actual == {module("aadams"): "of Ann and Bo", module("bbrown"): "of Ann and Bo", module("cchen"): "of Cy"}
     assert code == 1 and "submission_1/submission_metadata.yml of aadams is not collected" in said
 
 
@@ -252,5 +252,5 @@ def test_a_login_is_one_folder_and_the_same_student_on_the_roster(collect, desk,
 
 def test_two_logins_are_two_folders(collect):
     roster = 'Student,ID,SIS Login ID,Section\n"Adams, Ann",17,a/b,570\n"Brown, Bo",18,a:b,570\n'
-    _, found, _ = collect("canvas", {"adamsann_17_5_hw08.py": "a", "brownbo_18_6_hw08.py": "b"}, roster)
-    assert sorted(found.values()) == ["a", "b"]
+    _, actual, _ = collect("canvas", {"adamsann_17_5_hw08.py": "a", "brownbo_18_6_hw08.py": "b"}, roster)
+    assert sorted(actual.values()) == ["a", "b"]

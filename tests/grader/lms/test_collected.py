@@ -61,12 +61,12 @@ def scores():
     """What students have by collected.csv and course.toml, where all is right."""
     book = ResultStore(Path("results"))
     for row in rows("collected.csv"):
-        known = {"student": row["student"], "assignment": row["assignment"], "status": "graded", "seed": 1}
+        fields = {"student": row["student"], "assignment": row["assignment"], "status": "graded", "seed": 1}
         book.add(
             {
                 **dict.fromkeys(RESULT_FIELDS, 0),
                 "format": FORMAT,
-                **known,
+                **fields,
                 "score": 10.0,
                 "max_score": 10.0,
                 "checks": [],

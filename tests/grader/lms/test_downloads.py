@@ -97,7 +97,7 @@ def test_results_are_what_gradescope_accepts(course, graded, submission, solutio
 def test_results_hold_nothing_hidden(course, grade, solution_text):
     wrong = overlays(assignments.checks_folder(course, HW08))["square_subtracted"]
     record = grade(HW08, solution_text(HW08) + wrong).record()
-    details = [mark["failure"].get(key) for mark in record["checks"] if "failure" in mark for key in WHOLE]
+    details = [check["failure"].get(key) for check in record["checks"] if "failure" in check for key in WHOLE]
     hidden = re.findall(r"\d\.\d{6,}|[A-Za-z0-9+/]{40,}", json.dumps(details))
     page = json.dumps(autograder.results(record, {}))
     assert hidden and not any(json.dumps(text)[1:-1] in page for text in hidden)

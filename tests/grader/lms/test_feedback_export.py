@@ -57,8 +57,8 @@ def test_a_zip_file_holds_the_pages_of_one_assignment(hand_back, desk):
     grades = f"student,assignment,status,score,max_score\nann,hw07_x,graded,9,10\nann,{SLUG},graded,9,10\n"
     desk.write("grades.csv", grades)
     assert hand_back("moodle", rows) == (2, {})
-    code, found = hand_back("moodle", rows, "--only", "hw08")
-    assert code == 0 and len(found) == 2 and all(SLUG in name for name in found)
+    code, actual = hand_back("moodle", rows, "--only", "hw08")
+    assert code == 0 and len(actual) == 2 and all(SLUG in name for name in actual)
 
 
 NBGRADER = """assignment,duedate,timestamp,student_id,raw_score,score,max_score

@@ -129,5 +129,5 @@ def test_what_does_not_fit_is_named_with_its_key(term, capsys, text, says):
 
 @pytest.mark.parametrize("key", ["hw1", "HW01", "homework 1"])
 def test_an_assignment_has_the_names_that_it_has_elsewhere(tmp_path, key):
-    found = policies(tmp_path / "course.toml", {key: {"extension": {"ann": 1}}}, ["hw01_pendulum", "hw10_disk"])
-    assert [dict(policy.extension) for policy in found.values()] == [{"ann": 1}, {}]
+    actual = policies(tmp_path / "course.toml", {key: {"extension": {"ann": 1}}}, ["hw01_pendulum", "hw10_disk"])
+    assert [dict(policy.extension) for policy in actual.values()] == [{"ann": 1}, {}]

@@ -37,17 +37,17 @@ def graded(course, tmp_path_factory):
 def desk(graded, tmp_path):
     shutil.copytree(graded, tmp_path, symlinks=True, dirs_exist_ok=True)
     (work,) = submissions([tmp_path / "submitted"], [SLUG])
-    made = Desk(tmp_path / "results", [Sheet("ann", SLUG, RUBRIC, work), Sheet("ben", SLUG, RUBRIC)])
-    server, address = serve(made)
+    built = Desk(tmp_path / "results", [Sheet("ann", SLUG, RUBRIC, work), Sheet("ben", SLUG, RUBRIC)])
+    server, address = serve(built)
     threading.Thread(target=server.serve_forever, daemon=True).start()
-    yield made, address
+    yield built, address
     server.shutdown()
     server.server_close()
 
 
-def ask(address, told=None, **headers):
+def ask(address, reported=None, **headers):
     """Status, headers and text of an answer."""
-    data = None if told is None else json.dumps(told).encode()
+    data = None if reported is None else json.dumps(reported).encode()
     try:
         with urllib.request.urlopen(urllib.request.Request(address, data, headers)) as answer:
             return answer.status, answer.headers, answer.read().decode(errors="replace")
@@ -67,27 +67,27 @@ def test_nobody_else_is_answered(desk):
     _, address = desk
     token = address.split("/")[3]
     others = [address.replace(token, "x"), address.replace(f"/{token}", ""), f"{address}9", f"{address}/../../etc"]
-    assert [ask(one)[0] for one in others] == [404] * 4
+    assert [ask(item)[0] for item in others] == [404] * 4
     assert ask(address, Host="evil.example")[0] == 404
 
 
 def test_points_are_rows_of_the_table(desk):
-    made, address = desk
-    told = {"part": "c", "claims": [1, 1], "points": "", "comment": "Well drawn."}
-    assert ask(address, told)[0] == 200
-    row = manual_points.read(made.folder).entries["ann", SLUG, "c"]
+    built, address = desk
+    reported = {"part": "c", "claims": [1, 1], "points": "", "comment": "Well drawn."}
+    assert ask(address, reported)[0] == 200
+    row = manual_points.read(built.folder).entries["ann", SLUG, "c"]
     assert (row.points, row.of, row.comment) == (1.5, 2.0, "+ It draws <b>it</b>.\nWell drawn.")
-    assert "ann,hw07_double_pendulum,graded,1.5,12.0" in (made.folder / "grades.csv").read_text()
+    assert "ann,hw07_double_pendulum,graded,1.5,12.0" in (built.folder / "grades.csv").read_text()
     _, _, text = ask(address)
     assert 'value="1" checked' in text and 'value="0" checked' not in text and ">Well drawn.</textarea>" in text
-    assert ask(address, {**told, "points": "1.75"})[0] == 200
-    assert manual_points.read(made.folder).entries["ann", SLUG, "c"].points == 1.75
+    assert ask(address, {**reported, "points": "1.75"})[0] == 200
+    assert manual_points.read(built.folder).entries["ann", SLUG, "c"].points == 1.75
 
 
 @pytest.mark.parametrize(
     "change", [{"points": "3"}, {"points": "nan"}, {"claims": [7]}, {"part": "z"}, {"claims": "x"}]
 )
 def test_what_is_wrong_is_not_written(desk, change):
-    made, address = desk
+    built, address = desk
     assert ask(address, {"part": "c", "claims": [], "points": "", **change})[0] == 400
-    assert not manual_points.read(made.folder).entries
+    assert not manual_points.read(built.folder).entries

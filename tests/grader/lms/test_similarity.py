@@ -37,8 +37,8 @@ def notebook(text):
 
 
 def test_renamed_code_is_found_and_right_work_of_ones_own_is_not(alike, course, solution_text):
-    own = sorted((assignments.checks_folder(course, SLUG) / "alternatives").glob("*.py"))
-    texts = {f"own{number}": ("py", path.read_text()) for number, path in enumerate(own)}
+    mine = sorted((assignments.checks_folder(course, SLUG) / "alternatives").glob("*.py"))
+    texts = {f"own{number}": ("py", path.read_text()) for number, path in enumerate(mine)}
     copies = {"ann": ("py", solution_text(SLUG)), "ben": ("ipynb", notebook(renamed(solution_text(SLUG))))}
     code, said = alike({**texts, **copies}, "--least", "0.9")
     first, *_, last = said.out.splitlines()

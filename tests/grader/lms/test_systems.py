@@ -46,13 +46,13 @@ def moodle_name(n):
 
 def gradebook(layout=CANVAS_LAYOUTS[0], column="HW 8: Rotations (810001)", cells=None):
     """Canvas's export, with the rows that are not students'."""
-    own = {"SIS User ID": "S{}", "Integration ID": "I{}", "Root Account": "x.edu", "Section": "570"}
+    mine = {"SIS User ID": "S{}", "Integration ID": "I{}", "Root Account": "x.edu", "Section": "570"}
     rows = [[*layout, "Notes", column, "Final Score"], ["", *[""] * len(layout), "Manual Posting", ""]]
     rows.append(["    Points Possible", *[""] * len(layout), "10", "(read only)"])
     for login, number, last, first, _ in [*CLASS, ("f00ba4", "99", "Student", "Test", "")]:
         names = {"Student": f"{last}, {first}", "LastName": last, "FirstName": first}
-        known = {**names, "ID": number, "SIS Login ID": login} | {key: own[key].format(number) for key in own}
-        rows.append([*(known[key] for key in layout), "", (cells or {}).get(login, ""), ""])
+        fields = {**names, "ID": number, "SIS Login ID": login} | {key: mine[key].format(number) for key in mine}
+        rows.append([*(fields[key] for key in layout), "", (cells or {}).get(login, ""), ""])
     return rows
 
 
@@ -100,9 +100,9 @@ def test_a_score_that_was_changed_in_the_gradebook_stays_and_is_named(desk):
     desk.write_grades(dict.fromkeys(LOGINS, 4.0))
     for more, code, ann in (([], 1, "9"), (["--overwrite"], 0, "4.0")):
         lms = ["lms", "grades.csv", "--to", "canvas", "--roster", "gradebook.csv", "--out", "up.csv"]
-        found, said = desk(*lms, *more)
+        actual, said = desk(*lms, *more)
         points = {row[3]: row[-1] for row in desk.read("up.csv")[2:]}
-        assert found == code and (points["ann"], points["hw7"], points["obrien"]) == (ann, "N/A", "4.0")
+        assert actual == code and (points["ann"], points["hw7"], points["obrien"]) == (ann, "N/A", "4.0")
         assert ("Lee, Ann keeps 9" in said) == (code == 1)
 
 
@@ -335,5 +335,5 @@ def test_who_is_excused_is_so_in_the_words_of_the_system(desk, system):
     desk.write_grades({login: "EX" if login == "ann" else 9 for login in LOGINS})
     for roster in ([], ["--roster", f"{system}.csv"]):
         code, said = desk("lms", "grades.csv", "--to", system, *roster, "--out", "up.csv")
-        told = {row[0 if system == "moodle" else 3]: row[-1] for row in desk.read("up.csv")}
-        assert code == 0 and told["ann"] == ("EX" if system == "canvas" else "") and told["ann2"] == "9", said
+        reported = {row[0 if system == "moodle" else 3]: row[-1] for row in desk.read("up.csv")}
+        assert code == 0 and reported["ann"] == ("EX" if system == "canvas" else "") and reported["ann2"] == "9", said

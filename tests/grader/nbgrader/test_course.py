@@ -27,15 +27,15 @@ def test_every_part_has_its_text_and_its_points(course, slug):
     assignment, cells = assignments.assignment(course, slug), made_notebook(course, slug)["cells"]
     given = problem((course / "assignments" / slug / "README.md").read_text())
     graded = {
-        one["metadata"]["nbgrader"]["grade_id"]: one["metadata"]["nbgrader"]["points"]
-        for one in cells
-        if one["metadata"]
+        item["metadata"]["nbgrader"]["grade_id"]: item["metadata"]["nbgrader"]["points"]
+        for item in cells
+        if item["metadata"]
     }
     assert given.parts and {*part_points(assignment), *assignment.manual} <= set(given.parts)
     assert {f"part-{part}": points for part, points in part_points(assignment).items()}.items() <= graded.items()
     assert {f"manual-{part}": points for part, (points, _) in assignment.manual.items()}.items() <= graded.items()
     assert sum(graded.values()) == assignment.max_score + sum(points for points, _ in assignment.manual.values())
-    assert len({one["id"] for one in cells}) == len(cells)
+    assert len({item["id"] for item in cells}) == len(cells)
 
 
 def test_every_visible_test_belongs_to_one_part_and_every_function_to_its_check(course, slug):
@@ -51,10 +51,10 @@ def test_every_visible_test_belongs_to_one_part_and_every_function_to_its_check(
 
 
 def test_everything_that_a_student_gets_is_no_secret(course, tmp_path, made_course, slug):
-    made, _ = made_course(tmp_path, [slug])
+    built, _ = made_course(tmp_path, [slug])
     names = {f"{slug}.py", f"{slug}.ipynb", f"test_{slug}.py", "README.md", "figure.svg", "lab.py"}
-    assert {path.name for path in (made / "source" / slug).iterdir()} == names
-    assert (made / "source" / slug / f"{slug}.py").read_text() == stub(
+    assert {path.name for path in (built / "source" / slug).iterdir()} == names
+    assert (built / "source" / slug / f"{slug}.py").read_text() == stub(
         (course / "solutions" / f"{slug}.py").read_text()
     )
 
@@ -80,9 +80,9 @@ def work(course, tmp_path, made_course):
     def work(slug, module):
         folder = tmp_path / str(len(list(tmp_path.iterdir())))
         folder.mkdir()
-        made, _ = made_course(folder, [slug])
-        (made / "source" / slug / f"{slug}.py").write_text(module)
-        return made / "source" / slug
+        built, _ = made_course(folder, [slug])
+        (built / "source" / slug / f"{slug}.py").write_text(module)
+        return built / "source" / slug
 
     return work
 
@@ -113,15 +113,15 @@ def run_top_to_bottom(folder, slug):
     done = subprocess.run([sys.executable, *command], cwd=folder, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr[-2000:]
     cells = json.loads((folder / f"{slug}.ipynb").read_text())["cells"]
-    outputs = [one for cell in cells for one in cell.get("outputs", [])]
-    assert not [one for one in outputs if one["output_type"] == "error" or one.get("name") == "stderr"]
+    outputs = [item for cell in cells for item in cell.get("outputs", [])]
+    assert not [item for item in outputs if item["output_type"] == "error" or item.get("name") == "stderr"]
     return cells
 
 
 def said(cells):
     """What the cells have printed, and what they end with."""
-    outputs = [one for cell in cells for one in cell.get("outputs", [])]
-    return "".join("".join(one.get("text", one.get("data", {}).get("text/plain", []))) for one in outputs)
+    outputs = [item for cell in cells for item in cell.get("outputs", [])]
+    return "".join("".join(item.get("text", item.get("data", {}).get("text/plain", []))) for item in outputs)
 
 
 @pytest.mark.slow

@@ -25,8 +25,8 @@ BY_HAND = 0.75  # of the points of a part that is graded by hand
 def by_part(record):
     """part -> points of a result line."""
     parts = {}
-    for mark in record["checks"]:
-        parts[mark["part"]] = parts.get(mark["part"], 0) + mark["points"]
+    for check in record["checks"]:
+        parts[check["part"]] = parts.get(check["part"], 0) + check["points"]
     return parts
 
 
@@ -89,11 +89,11 @@ class Term:
 
 
 def answer_in_words(path):
-    found = json.loads(path.read_text())
-    for cell in found["cells"]:
+    actual = json.loads(path.read_text())
+    for cell in actual["cells"]:
         if cell["metadata"].get("nbgrader", {}).get("solution"):
             cell["source"] = "As the momentum balance says."
-    path.write_text(json.dumps(found))
+    path.write_text(json.dumps(actual))
 
 
 def grade_by_hand(course, slug):
@@ -104,7 +104,7 @@ def grade_by_hand(course, slug):
 
         with Gradebook(f"sqlite:///{course / 'gradebook.db'}") as book:
             for submission in book.find_assignment(slug).submissions:
-                for grade in (grade for one in submission.notebooks for grade in one.grades):
+                for grade in (grade for item in submission.notebooks for grade in item.grades):
                     if grade.name.startswith("manual-"):
                         grade.manual_score, grade.needs_manual_grade = BY_HAND * grade.max_score, False
             book.db.commit()
@@ -127,14 +127,14 @@ def a_whole_term(course, tmp_path, nbgrader, made_course):
 
 def assert_the_same_scores(term, grades, out):
     """nbgrader's gradebook and its export hold the points of `tam570-grader grade`, part by part."""
-    found, fractions = grades(term.course), 0
+    actual, fractions = grades(term.course), 0
     rows = csv.DictReader((term.course / "grades.csv").read_text().splitlines())
     exported = {(row["student_id"], row["assignment"]): row for row in rows}
     for slug in term.slips:
         manual = sum(points for points, _ in assignments.assignment(term.checkout, slug).manual.values())
         for record in regraded(term.course, term.checkout, slug, out / slug):
             who, parts = (record["student"], slug), by_part(record)
-            automatic = {cell: auto for (*at, cell), (auto, _) in found.items() if tuple(at) == who and auto}
+            automatic = {cell: auto for (*at, cell), (auto, _) in actual.items() if tuple(at) == who and auto}
             assert automatic == pytest.approx({f"part-{p}": points for p, points in parts.items() if points})
             total = record["score"] + BY_HAND * manual
             assert float(exported[who]["score"]) == pytest.approx(total, abs=1e-9)
@@ -151,14 +151,14 @@ def assert_the_feedback_says_what_was_lost(term):
         pages = [html.unescape(term.page(name, slug)) for name in term.homes]
         results = (term.course / "tam570_results" / slug / "results.jsonl").read_text().splitlines()
         ben = next(r for r in map(json.loads, results) if r["student"] == "ben")
-        lost = [mark for mark in ben["checks"] if mark["outcome"] == "failed"]
+        lost = [check for check in ben["checks"] if check["outcome"] == "failed"]
         assert lost, ben
-        assert all(mark["message"][:40] in pages[1] for mark in lost)
-        details = json.dumps([mark["failure"].get(key) for mark in lost for key in WHOLE])
+        assert all(check["message"][:40] in pages[1] for check in lost)
+        details = json.dumps([check["failure"].get(key) for check in lost for key in WHOLE])
         hidden = [number for number in re.findall(r"[\d.e-]+", details) if len(number) >= TELLS]
         assert not [text for text in hidden for page in pages if text in page], slug
         secrets += len(hidden)
-        curves = [curve for mark in lost if (curve := mark["failure"].get("curve"))]
+        curves = [curve for check in lost if (curve := check["failure"].get("curve"))]
         drawn = [1 + bool(curve.get("keeps")) for curve in curves]
         assert pages[1].count("</svg>") - pages[0].count("</svg>") == sum(drawn)
         pictures += len(drawn)

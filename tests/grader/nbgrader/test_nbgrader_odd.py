@@ -140,66 +140,66 @@ NO_POINTS = {
 
 
 @pytest.fixture(scope="module")
-def made(course, tmp_path_factory, nbgrader, made_course):
+def built(course, tmp_path_factory, nbgrader, made_course):
     """The course after autograde and generate_feedback."""
-    made, _ = made_course(tmp_path_factory.mktemp("odd"), [ONE])
-    nbgrader(made, "generate_assignment", ONE)
-    nbgrader(made, "db", "assignment", "add", ONE, "--duedate=2015-02-02 00:00:00 UTC")
+    built, _ = made_course(tmp_path_factory.mktemp("odd"), [ONE])
+    nbgrader(built, "generate_assignment", ONE)
+    nbgrader(built, "db", "assignment", "add", ONE, "--duedate=2015-02-02 00:00:00 UTC")
     for name, change in (FULL_MARKS | {name: change for name, (change, _) in NO_POINTS.items()}).items():
-        folder = made / "submitted" / name / ONE
-        shutil.copytree(made / "release" / ONE, folder)
+        folder = built / "submitted" / name / ONE
+        shutil.copytree(built / "release" / ONE, folder)
         shutil.copy(SOLUTION, folder)
         change(folder)
-    assert "no_json" in nbgrader(made, "autograde", ONE)
-    nbgrader(made, "generate_feedback", ONE)
-    return made
+    assert "no_json" in nbgrader(built, "autograde", ONE)
+    nbgrader(built, "generate_feedback", ONE)
+    return built
 
 
-def page_of(made, student):
-    return (made / "feedback" / student / ONE / f"{ONE}.html").read_text()
+def page_of(built, student):
+    return (built / "feedback" / student / ONE / f"{ONE}.html").read_text()
 
 
 @pytest.mark.parametrize("student", FULL_MARKS)
-def test_what_costs_nothing(made, nbgrader_grades, student):
-    assert nbgrader_grades(made)[student, ONE, "part-a"][0] == 10.0
-    assert "skew(v) r = v x r" in page_of(made, student)
+def test_what_costs_nothing(built, nbgrader_grades, student):
+    assert nbgrader_grades(built)[student, ONE, "part-a"][0] == 10.0
+    assert "skew(v) r = v x r" in page_of(built, student)
 
 
 @pytest.mark.parametrize("student", NO_POINTS)
-def test_what_earns_nothing_and_why(made, nbgrader_grades, student):
-    assert nbgrader_grades(made)[student, ONE, "part-a"][0] == 0.0
-    assert NO_POINTS[student][1] in page_of(made, student)
+def test_what_earns_nothing_and_why(built, nbgrader_grades, student):
+    assert nbgrader_grades(built)[student, ONE, "part-a"][0] == 0.0
+    assert NO_POINTS[student][1] in page_of(built, student)
 
 
 @pytest.mark.parametrize("student", LOCKED)
-def test_a_locked_cell_is_as_it_was_released(made, student):
-    released, kept = (locked(cells_of(made / path / ONE)) for path in ("release", f"autograded/{student}"))
-    assert "".join(kept["source"]).endswith("".join(released["source"]))
-    assert kept["metadata"]["nbgrader"]["points"] == 10.0
+def test_a_locked_cell_is_as_it_was_released(built, student):
+    released, stored = (locked(cells_of(built / path / ONE)) for path in ("release", f"autograded/{student}"))
+    assert "".join(stored["source"]).endswith("".join(released["source"]))
+    assert stored["metadata"]["nbgrader"]["points"] == 10.0
 
 
-def test_what_a_link_leads_to_is_not_handed_out(made):
-    assert (made / "submitted" / "linked" / ONE / "notes.html").exists()
-    places = [made / step / who / ONE for step in ("autograded", "feedback") for who in ("linked", "neighbour")]
-    kept = [path for place in places for path in place.iterdir()]
-    assert {f"{ONE}.ipynb", f"{ONE}.html"} <= {path.name for path in kept}
-    assert all(path.name != "notes.html" and path.read_text() != SOLUTION.read_text() for path in kept)
+def test_what_a_link_leads_to_is_not_handed_out(built):
+    assert (built / "submitted" / "linked" / ONE / "notes.html").exists()
+    places = [built / step / who / ONE for step in ("autograded", "feedback") for who in ("linked", "neighbour")]
+    stored = [path for place in places for path in place.iterdir()]
+    assert {f"{ONE}.ipynb", f"{ONE}.html"} <= {path.name for path in stored}
+    assert all(path.name != "notes.html" and path.read_text() != SOLUTION.read_text() for path in stored)
 
 
-def test_nothing_of_a_student_runs_in_the_teachers_browser(made):
-    page = page_of(made, "forged")
-    assert "stolen()" not in page + page_of(made, "beside") and "<b>bold</b>" not in page_of(made, "no_syntax")
+def test_nothing_of_a_student_runs_in_the_teachers_browser(built):
+    page = page_of(built, "forged")
+    assert "stolen()" not in page + page_of(built, "beside") and "<b>bold</b>" not in page_of(built, "no_syntax")
     assert "<script>sneaked" not in page and "javascript:sneaked" not in page
     assert "<img src=x" not in page and "&lt;img src=x" in page and "<em>slanted</em> $a&lt;b$" in page
 
 
-def test_nbgraders_rule_for_late_work_is_applied(made, nbgrader):
-    config = made / "nbgrader_config.py"
+def test_nbgraders_rule_for_late_work_is_applied(built, nbgrader):
+    config = built / "nbgrader_config.py"
     before = config.read_text()
     config.write_text(f'{before}\nc.LateSubmissionPlugin.penalty_method = "zero"\n')
-    nbgrader(made, "autograde", ONE, "--student", "late", "--force")
-    nbgrader(made, "export")
+    nbgrader(built, "autograde", ONE, "--student", "late", "--force")
+    nbgrader(built, "export")
     config.write_text(before)
-    table = {row["student_id"]: row for row in rows(made / "grades.csv")}
+    table = {row["student_id"]: row for row in rows(built / "grades.csv")}
     assert float(table["late"]["late_submission_penalty"]) == float(table["late"]["raw_score"]) == 10.0
     assert float(table["late"]["score"]) == 0.0 and float(table["as_it_is"]["score"]) == 10.0

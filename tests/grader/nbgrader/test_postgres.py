@@ -36,8 +36,8 @@ def _count(*_):
 def server():
     """The port of a PostgreSQL server, the command that stops it as a crash would, and a function that starts it."""
     pytest.importorskip("psycopg", reason="no psycopg: pip install 'tam570[postgres]'")
-    found = [*Path("/usr/lib/postgresql").glob("*/bin/initdb"), *filter(None, [shutil.which("initdb")])]
-    if not found:
+    actual = [*Path("/usr/lib/postgresql").glob("*/bin/initdb"), *filter(None, [shutil.which("initdb")])]
+    if not actual:
         pytest.skip("there is no PostgreSQL here: apt-get install postgresql")
     with tempfile.TemporaryDirectory() as name, socket.socket() as free:  # pytest's folders are for root alone
         if os.geteuid() == 0:
@@ -49,7 +49,7 @@ def server():
         user = ["runuser", "-u", SERVER, "--"] if os.geteuid() == 0 else []
 
         def command(program, *arguments):
-            return [*user, str(Path(found[0]).parent / program), "-D", f"{name}/data", *arguments]
+            return [*user, str(Path(actual[0]).parent / program), "-D", f"{name}/data", *arguments]
 
         def run(*words):
             subprocess.run(command(*words), check=True, stdout=subprocess.DEVNULL, cwd="/")

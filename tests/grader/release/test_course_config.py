@@ -66,7 +66,7 @@ def run(*arguments):
 def test_grading_obeys_and_a_check_of_ones_own_is_one(desk):
     assert run("grade", "submitted", "--out", "results", "--seed", "1") == 0
     lines = results(desk / "results")
-    ann, ben = ({mark["name"]: mark for mark in line["checks"]} for line in lines)
+    ann, ben = ({check["name"]: check for check in line["checks"]} for line in lines)
     assert lines[0]["score"] == lines[0]["max_score"] == 10 + 2 - 1 + 2
     assert ann["skew_is_the_cross_product"]["points"] == 3 and "matrix_depends_on_the_direction_alone" not in ann
     assert (ann["turning_back_undoes"]["outcome"], ben["turning_back_undoes"]["outcome"]) == ("passed", "passed")
@@ -75,7 +75,7 @@ def test_grading_obeys_and_a_check_of_ones_own_is_one(desk):
 
 def waits(root):
     """Of each check of hw08 the checks that it waits for."""
-    return {one.name: [other.name for other in one.after] for one in assignments.assignment(root, SLUG).checks}
+    return {item.name: [other.name for other in item.after] for item in assignments.assignment(root, SLUG).checks}
 
 
 def test_checks_wait_for_the_same_checks_and_not_for_one_left_out(desk, course):
@@ -165,16 +165,16 @@ def test_in_the_root_of_a_checkout_it_is_obeyed_too(desk, checkout, monkeypatch,
 
 
 def test_two_commands_at_once_make_one_course(desk, monkeypatch):
-    make, made = course_config._make, []
+    make, built = course_config._make, []
 
     def made_by_two(*arguments):
         """Another command makes the same course before this one puts its own in place."""
         monkeypatch.setattr(course_config, "_make", make)
         make(*arguments)
-        made.append(course_config.course())
+        built.append(course_config.course())
 
     monkeypatch.setattr(course_config, "_make", made_by_two)
-    assert [course_config.course()] == made and assignments.slugs(made[0]) == ["hw07_double_pendulum", SLUG]
+    assert [course_config.course()] == built and assignments.slugs(built[0]) == ["hw07_double_pendulum", SLUG]
     assert [path.name for path in desk.glob(".course*")] == [".course"]
 
 

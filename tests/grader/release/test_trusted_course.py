@@ -48,8 +48,8 @@ def test_an_untrusted_course_stops_the_command(submission, tmp_path, capfd, comm
 @pytest.mark.parametrize("how", ["option", "environment"])
 def test_a_course_that_is_named_may_not_lie_in_what_is_graded(submission, tmp_path, monkeypatch, how):
     monkeypatch.setenv("TAM570_COURSE", str(submission) if how == "environment" else "")
-    named = ["--root", str(submission)] if how == "option" else []
-    assert cli.main([*named, "grade", str(tmp_path / "submitted")]) == 2
+    by_name = ["--root", str(submission)] if how == "option" else []
+    assert cli.main([*by_name, "grade", str(tmp_path / "submitted")]) == 2
     assert not (tmp_path / "ran").exists()
 
 

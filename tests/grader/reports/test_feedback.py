@@ -53,30 +53,30 @@ def test_a_page_says_every_line_message_and_suspect_and_no_detail(slug, page, gr
     shown = 0
     for result in failing(slug, grade, solution_text, 3):
         text = texts(page(result))
-        for mark in result.checks:
-            message = describe_failure(mark.failure) if mark.failure else mark.message
-            read = [lines[mark.name], mark.suspect or "", message if mark.outcome != "passed" else ""]
-            assert all(typeset(one) in text for one in read)
-            hidden = secrets(mark)
-            told = "".join([*lines.values(), *(one.message for one in result.checks)])
-            assert not {number for number in hidden if number in text and number not in told}
+        for check in result.checks:
+            message = describe_failure(check.failure) if check.failure else check.message
+            read = [lines[check.name], check.suspect or "", message if check.outcome != "passed" else ""]
+            assert all(typeset(item) in text for item in read)
+            hidden = secrets(check)
+            reported = "".join([*lines.values(), *(item.message for item in result.checks)])
+            assert not {number for number in hidden if number in text and number not in reported}
             shown += len(hidden)
     assert shown, "there was something to hide"
 
 
-def secrets(mark):
+def secrets(check):
     """The numbers of a failure that are the instructor's, with three digits or more."""
-    line = json.dumps({key: numbers(getattr(mark.failure, key, None)) for key in WHOLE})
+    line = json.dumps({key: numbers(getattr(check.failure, key, None)) for key in WHOLE})
     return set(NUMBER.findall(line))
 
 
 def test_what_a_student_calls_things_is_text_and_no_markup(page, grade):
     evil = "<script>alert(1)</script><img src=x onerror=alert(2)>\"'&</style>{{ 7 * 7 }}{% include '/etc/passwd' %}"
     result = grade("hw08_axis_angle", f"raise ValueError({evil!r})")
-    made = feedback.page(replace(result, student=evil), feedback.AssignmentInfo(evil, {}, {}, {"a": (1, evil)}))
-    assert "<script" not in made and "<img" not in made
-    assert texts(made).count("<script>alert(1)</script>") >= 3 and texts(made).count("{{ 7 * 7 }}{% include") >= 3
-    assert "default-src 'none'" in made
+    built = feedback.page(replace(result, student=evil), feedback.AssignmentInfo(evil, {}, {}, {"a": (1, evil)}))
+    assert "<script" not in built and "<img" not in built
+    assert texts(built).count("<script>alert(1)</script>") >= 3 and texts(built).count("{{ 7 * 7 }}{% include") >= 3
+    assert "default-src 'none'" in built
 
 
 def test_what_a_function_raises_in_a_hidden_call_is_not_on_the_page(page, grade, solution_text):
@@ -84,8 +84,8 @@ def test_what_a_function_raises_in_a_hidden_call_is_not_on_the_page(page, grade,
         "\ndef skew(v):\n    print('LEAK', v)\n    raise ValueError(f'LEAK {v}')\n"
     )
     result = grade("hw08_axis_angle", text)
-    made = page(result)
-    assert "skew raised ValueError" in made and "LEAK" not in made
+    built = page(result)
+    assert "skew raised ValueError" in built and "LEAK" not in built
 
 
 def test_a_page_needs_no_other_file(page, grade, solution_text):
@@ -109,10 +109,10 @@ def test_a_page_needs_no_other_file(page, grade, solution_text):
 def test_beside_a_wrong_motion_is_what_becomes_of_the_energy_along_it(slug, mistake, stays, grade, solution_text, page):
     """A mistake in the forces changes the energy; one in the times alone does not."""
     result = wrong(slug, mistake, grade, solution_text)
-    drawn = [mark.failure.curve for mark in result.checks if mark.failure and mark.failure.curve]
+    drawn = [check.failure.curve for check in result.checks if check.failure and check.failure.curve]
     curves = [curve["keeps"] for curve in drawn if curve.get("keeps")]
     assert curves
-    largest = max(abs(value) for one in curves for value in one["values"] if value is not None)
+    largest = max(abs(value) for item in curves for value in item["values"] if value is not None)
     assert (largest <= curves[0]["tolerance"]) == stays
     assert page(result).count("<figure") == len(curves) + len(drawn)
 
@@ -123,26 +123,26 @@ def test_beside_a_wrong_motion_is_what_becomes_of_the_energy_along_it(slug, mist
 def test_the_curve_of_an_error_tells_when_it_grows_and_passes_the_limit():
     t = np.linspace(2.0, 12.0, 501)
     error = 1e-8 * np.exp(2 * (t - 2))
-    found = curve(
+    observed = curve(
         t, np.column_stack([t, t + error]), np.column_stack([t, t]), 1.0, tolerance=1e-4, quantity="x", unit="m"
     )
-    levels = np.array(found["values"])
-    assert found["scale"] == "log" and "span" not in found
+    levels = np.array(observed["values"])
+    assert observed["scale"] == "log" and "span" not in observed
     rising = levels[(levels > FLOOR) & (levels < CEILING)]
     slope = np.polyfit(np.arange(len(rising)) * 10 / SLOTS, rising, 1)[0]
     assert slope == pytest.approx(2 / math.log(10), rel=0.1)
-    assert "passes the limit in the second quarter" in picture(found).alt_text  # at ln(1e4)/2 = 4.6 s of 10
+    assert "passes the limit in the second quarter" in picture(observed).alt_text  # at ln(1e4)/2 = 4.6 s of 10
 
 
 def test_a_curve_says_too_little_to_carry_an_input_out():
     """All the values that a slot can have, over all slots, are no more bits than the page on trust says."""
     rng = np.random.default_rng(3)
     t = np.cumsum(rng.uniform(0.1, 1.0, 1000))
-    known = {"tolerance": 1e-5, "quantity": "x", "unit": ""}
+    fields = {"tolerance": 1e-5, "quantity": "x", "unit": ""}
     levels, drifts = set(), set()
     for _ in range(50):
-        errors = curve(t, 10 ** rng.uniform(-9, 3, (1000, 2)), np.zeros((1000, 2)), 1.0, **known)
-        drift = curve(t, rng.uniform(-1, 1, 1000) ** 3, np.zeros(1000), 1.0, **known)
+        errors = curve(t, 10 ** rng.uniform(-9, 3, (1000, 2)), np.zeros((1000, 2)), 1.0, **fields)
+        drift = curve(t, rng.uniform(-1, 1, 1000) ** 3, np.zeros(1000), 1.0, **fields)
         levels |= {*errors["values"], None}
         drifts |= {
             value and round(value / max(map(abs, filter(None, drift["values"]))), 6) for value in drift["values"]
@@ -161,9 +161,9 @@ def test_whatever_numbers_come_back_they_can_be_drawn(rows, stays, steps):
     t = steps * np.arange(len(rows))
     actual = np.array(rows) if stays else np.column_stack([rows, rows])
     with np.errstate(all="ignore"):
-        found = curve(t, actual, np.ones_like(actual), 1.0, tolerance=1e-6, quantity="x", unit="m")
-    if found is not None:
-        drawn = picture(json.loads(json.dumps(found)))
+        observed = curve(t, actual, np.ones_like(actual), 1.0, tolerance=1e-6, quantity="x", unit="m")
+    if observed is not None:
+        drawn = picture(json.loads(json.dumps(observed)))
         places = np.array(re.findall(r"([-\w.+]+) ([-\w.+]+)", drawn.path[1:].replace("L", "")), float)
         assert len(places) and np.isfinite(places).all() and (places >= 0).all() and "nan" not in drawn.alt_text
 
@@ -171,28 +171,28 @@ def test_whatever_numbers_come_back_they_can_be_drawn(rows, stays, steps):
 @pytest.fixture
 def written(tmp_path, course, monkeypatch):
     """`written(*records)` -> the pages that were made of these results; the others were left as they are."""
-    made, page = [], feedback.page
+    built, page = [], feedback.page
 
     def noted(result, info, adjusted):
-        made.append(key_of(result.record()))
+        built.append(key_of(result.record()))
         return page(result, info, adjusted)
 
     monkeypatch.setattr(feedback, "page", noted)
 
     def written(*records):
-        made.clear()
+        built.clear()
         with contextlib.closing(ResultStore(tmp_path)) as book:
             for record in records:
                 book.add(record)
             feedback.write_pages(tmp_path / "feedback", book, course)
-        return [*made]
+        return [*built]
 
     return written
 
 
 def test_a_page_that_fails_is_that_students_alone(tmp_path, grade, course, solution_text, written, monkeypatch):
     slug = "hw08_axis_angle"
-    one = grade(slug, solution_text(slug)).record()
+    item = grade(slug, solution_text(slug)).record()
     page = feedback.page
     monkeypatch.setattr(
         feedback, "page", lambda result, *more: 1 / 0 if result.student == "ada" else page(result, *more)
@@ -203,7 +203,7 @@ def test_a_page_that_fails_is_that_students_alone(tmp_path, grade, course, solut
     (tmp_path / "feedback" / "ben" / f"{slug}.html").symlink_to(elsewhere)
     with contextlib.closing(ResultStore(tmp_path)) as book:
         for student in ("ada", "ben"):
-            book.add({**one, "student": student})
+            book.add({**item, "student": student})
         assert feedback.write_pages(tmp_path / "feedback", book, course) == [("ada", slug)]
     pages = {student: tmp_path / "feedback" / student / f"{slug}.html" for student in ("ada", "ben")}
     assert "could not write this page" in pages["ada"].read_text() and "10 of 10" in pages["ben"].read_text()
@@ -212,8 +212,8 @@ def test_a_page_that_fails_is_that_students_alone(tmp_path, grade, course, solut
 
 def test_only_pages_of_results_that_changed_are_made_again(tmp_path, grade, course, solution_text, written):
     slug = "hw08_axis_angle"
-    one = grade(slug, solution_text(slug)).record()
-    both = [{**one, "student": student} for student in ("ada", "ben")]
+    item = grade(slug, solution_text(slug)).record()
+    both = [{**item, "student": student} for student in ("ada", "ben")]
     assert written(*both) == [("ada", slug), ("ben", slug)]
     paths = sorted((tmp_path / "feedback").rglob("*"))
     assert [path.name for path in paths] == ["ada", f"{slug}.html", "ben", f"{slug}.html"]

@@ -29,15 +29,15 @@ def folder(tmp_path_factory, course, zygotes):
     folder = tmp_path_factory.mktemp("class")
     records, yardstick = [], Yardstick(course)
     for slug, mistake in SHOWN.items():
-        right = (course / "solutions" / f"{slug}.py").read_text()
+        correct = (course / "solutions" / f"{slug}.py").read_text()
         wrong = overlays(CHECKS / slug)[mistake]
         assignment = assignments.assignment(course, slug)
-        for student, text in {"ada": right, "ben": f"{right}\n\n{wrong}", "cora": ""}.items():
+        for student, text in {"ada": correct, "ben": f"{correct}\n\n{wrong}", "cora": ""}.items():
             source = Source(text.encode())
             records.append(graded(student, source, assignment, zygotes(slug, ResourceLimits()), 1, yardstick).record())
     for slug in ("hw03_angular_momentum_rate", assignment.slug):  # one with a long title
         records.append(not_graded("dan", assignments.assignment(course, slug), "missing", "no file", 1).record())
-    (folder / "results.jsonl").write_text("".join(json.dumps(one) + "\n" for one in records))
+    (folder / "results.jsonl").write_text("".join(json.dumps(item) + "\n" for item in records))
     with contextlib.closing(store.results(folder)) as results:
         feedback.write_pages(folder / "feedback", results, course)
     assert report.run(folder, course, None, None) == 0
@@ -107,9 +107,9 @@ CONTRASTS = """() => {
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 @pytest.mark.parametrize("file", FILES)
 def test_every_text_can_be_read_in_light_and_dark(opened, file, scheme):
-    found = opened(file, scheme=scheme).evaluate(CONTRASTS)
-    assert len(found) > 20
-    assert not [(ratio, text) for ratio, text in found if ratio < CONTRAST]
+    actual = opened(file, scheme=scheme).evaluate(CONTRASTS)
+    assert len(actual) > 20
+    assert not [(ratio, text) for ratio, text in actual if ratio < CONTRAST]
 
 
 def names(page, section):

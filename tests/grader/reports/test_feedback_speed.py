@@ -37,9 +37,9 @@ def test_what_the_pages_know_of_run_times_is_made_from_the_benchmark(course):
     spec = importlib.util.spec_from_file_location("run_time_for_pages", path)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
-    kept = json.loads(module.PLACE.read_text())
-    assert json.loads(json.dumps(module.shared())) == kept, f"run: python {path.relative_to(course)}"
-    assert set(kept) <= set(assignments.slugs(course)) and len(kept) > 4
+    stored = json.loads(module.PLACE.read_text())
+    assert json.loads(json.dumps(module.shared())) == stored, f"run: python {path.relative_to(course)}"
+    assert set(stored) <= set(assignments.slugs(course)) and len(stored) > 4
 
 
 @pytest.mark.parametrize("what", ["return t", "raise NotImplementedError", "import os; os._exit(0)"])
@@ -57,8 +57,8 @@ def test_the_point_is_in_the_frame_where_its_numbers_say(slug, seconds, error):
     for position, ticks, value in ((x, drawn.x, error), (y, drawn.y, seconds)):
         places, decades = zip(*[(place, float(text[2:])) for place, text in ticks], strict=True)
         order = np.argsort(places)
-        found = np.polyfit(np.array(places)[order], np.array(decades)[order], 1)
-        assert np.polyval(found, position) == pytest.approx(np.log10(value), abs=0.05)
+        actual = np.polyfit(np.array(places)[order], np.array(decades)[order], 1)
+        assert np.polyval(actual, position) == pytest.approx(np.log10(value), abs=0.05)
     heights = [place for place, _ in drawn.names]
     assert np.all(np.diff(heights) >= 12 - 1e-9)  # lines of text, to rounding
 
@@ -66,13 +66,13 @@ def test_the_point_is_in_the_frame_where_its_numbers_say(slug, seconds, error):
 def test_it_is_measured_when_asked_for_and_stands_on_the_page(tmp_path, solution_text, capsys):
     (tmp_path / "in" / "ada" / SLUG).mkdir(parents=True)
     (tmp_path / "in" / "ada" / SLUG / f"{SLUG}.py").write_text(solution_text(SLUG))
-    pages, found = [], []
+    pages, actual = [], []
     for options in ([], ["--speed"]):
         command = ["grade", str(tmp_path / "in"), "--out", str(tmp_path / "out"), "--seed", "1", "--json", *options]
         assert cli.main(command) == 0
-        found.append(json.loads(capsys.readouterr().out))
+        actual.append(json.loads(capsys.readouterr().out))
         pages.append((tmp_path / "out" / "feedback" / "ada" / f"{SLUG}.html").read_text())
-    assert ["speed" in line for line in found] == [False, True]
+    assert ["speed" in line for line in actual] == [False, True]
     assert ["Run time against error" in page for page in pages] == [False, True]
     assert re.search(r"Measured: the processor time", pages[1])
 

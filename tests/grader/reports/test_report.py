@@ -25,7 +25,7 @@ SLUGS = ("hw07_double_pendulum", "hw08_axis_angle")
 SHEETS = {slug: AssignmentInfo(f"Title of {slug[:4]}", {}, {}, {}) for slug in SLUGS}
 
 
-def mark(name, outcome="passed", suspect=None, points=5.0):
+def check(name, outcome="passed", suspect=None, points=5.0):
     earned = {"passed": points, "grader_error": None}.get(outcome, 0.0)
     return {
         "name": name,
@@ -40,7 +40,7 @@ def mark(name, outcome="passed", suspect=None, points=5.0):
 
 
 def record(student, slug, *marks, status="graded", seconds=0.1):
-    points = [one["points"] for one in marks]
+    points = [item["points"] for item in marks]
     score = None if None in points else sum(points)
     return {
         "student": student,
@@ -57,12 +57,12 @@ def record(student, slug, *marks, status="graded", seconds=0.1):
 
 
 CLASS = [
-    record("ada", SLUGS[0], mark("first"), mark("second"), seconds=0.5),
-    record("ada", SLUGS[1], mark("third"), mark("fourth", "failed", "degrees for radians")),
-    record("ben", SLUGS[0], mark("first"), mark("second", "failed", "the wrong sign"), seconds=9.0),
-    record("ben", SLUGS[1], mark("third", "failed", "degrees for radians"), mark("fourth", "not_run")),
-    record("cora", SLUGS[0], mark("first", "grader_error"), mark("second", "grader_error")),
-    record("dan", SLUGS[0], mark("first", "not_run"), mark("second", "not_run"), status="missing"),
+    record("ada", SLUGS[0], check("first"), check("second"), seconds=0.5),
+    record("ada", SLUGS[1], check("third"), check("fourth", "failed", "degrees for radians")),
+    record("ben", SLUGS[0], check("first"), check("second", "failed", "the wrong sign"), seconds=9.0),
+    record("ben", SLUGS[1], check("third", "failed", "degrees for radians"), check("fourth", "not_run")),
+    record("cora", SLUGS[0], check("first", "grader_error"), check("second", "grader_error")),
+    record("dan", SLUGS[0], check("first", "not_run"), check("second", "not_run"), status="missing"),
 ]
 
 
@@ -114,8 +114,8 @@ def test_mistakes_are_counted_by_students(rows):
 
 
 def test_the_share_that_passed_a_check_is_of_those_who_handed_in(rows):
-    found = {row[2]: row[4:5] + row[6:] for row in rows["checks"]}
-    assert found == {
+    actual = {row[2]: row[4:5] + row[6:] for row in rows["checks"]}
+    assert actual == {
         "first": ["66.7", "0", "0", "1"],
         "second": ["33.3", "1", "0", "1"],
         "third": ["50.0", "1", "0", "0"],
@@ -139,7 +139,7 @@ def test_who_has_not_handed_in_is_named_those_on_the_roster_too(rows):
 
 def test_names_and_errors_are_text_and_only_our_script_may_run():
     evil = "<script>alert(1)</script>\"'><img src=x onerror=alert(1)>"
-    bad = record(evil, SLUGS[0], mark("first", "grader_error", evil))
+    bad = record(evil, SLUGS[0], check("first", "grader_error", evil))
     bad["checks"][0]["error"] = bad["message"] = evil
     text = page([bad], {SLUGS[0]: AssignmentInfo(evil, {"first": evil}, {}, {})}, [evil])
     scripts = re.findall(r"<script>(.*?)</script>", text, re.DOTALL)
@@ -149,10 +149,10 @@ def test_names_and_errors_are_text_and_only_our_script_may_run():
 
 
 def test_the_newest_result_counts_and_a_line_in_the_making_is_left_out(tmp_path):
-    lines = [json.dumps(one) for one in (CLASS[2], {**CLASS[2], "score": 7.0}, CLASS[0])]
+    lines = [json.dumps(item) for item in (CLASS[2], {**CLASS[2], "score": 7.0}, CLASS[0])]
     (tmp_path / "results.jsonl").write_text("\n".join(lines) + '\n{"student": "zo')
-    found = report.results(tmp_path)
-    assert [(student, one.score) for (student, _), one in found.items()] == [("ada", 10.0), ("ben", 7.0)]
+    actual = report.results(tmp_path)
+    assert [(student, item.score) for (student, _), item in actual.items()] == [("ada", 10.0), ("ben", 7.0)]
 
 
 @pytest.mark.parametrize("text", [None, "", "my notes\n", "[1]\n", '{"student": "a", "assignment": "b"}\n'])
@@ -184,8 +184,8 @@ def images(pair):
 
 def test_a_mistake_is_drawn_beside_what_is_right(course):
     """By its scene where that shows it, else by a student's numbers or diagram; of words nothing is drawn."""
-    known = mistakes(checks_folder(course, SLUGS[1]))
-    seen = [pair for one in known[:6] if (pair := wrong_and_right(course, SLUGS[1], one.message, None))]
+    fields = mistakes(checks_folder(course, SLUGS[1]))
+    seen = [pair for item in fields[:6] if (pair := wrong_and_right(course, SLUGS[1], item.message, None))]
     failures = [
         Failure(actual=[1.0, 2.0, 3.0], expected=[1.0, 2.0, 4.0]),
         Failure(actual=np.zeros((20, 2)), expected=np.ones((20, 2))),
@@ -196,8 +196,8 @@ def test_a_mistake_is_drawn_beside_what_is_right(course):
     ]
     pairs = [wrong_and_right(course, SLUGS[1], "another", failure) for failure in failures]
     for pair in [*seen, *pairs]:
-        wrong, right = images(pair)
-        assert wrong.size == right.size and wrong.tobytes() != right.tobytes()
+        wrong, correct = images(pair)
+        assert wrong.size == correct.size and wrong.tobytes() != correct.tobytes()
     nothing = (
         None,
         Failure(actual="a"),

@@ -41,8 +41,8 @@ def test_scores_do_not_depend_on_jobs(run, tree, monkeypatch):
     def stable(lines):
         return sorted(json.dumps({k: v for k, v in line.items() if k != "seconds"}) for line in lines)
 
-    one, three = (stable(run(tree, "--seed", 3, "--jobs", jobs)[1]) for jobs in (1, 3))
-    assert one == three
+    item, three = (stable(run(tree, "--seed", 3, "--jobs", jobs)[1]) for jobs in (1, 3))
+    assert item == three
 
 
 def test_a_foreign_results_file_is_not_overwritten(run, tree, tmp_path):
@@ -54,8 +54,8 @@ def test_a_foreign_results_file_is_not_overwritten(run, tree, tmp_path):
 
 @pytest.mark.parametrize("form", [None, 1, records.FORMAT + 1])
 def test_results_of_another_format_are_refused_and_stay(run, tree, tmp_path, capsys, form):
-    named = {"format": form, "student": "ada", "assignment": HW08, "checks": []}
-    line = {**dict.fromkeys(store.RESULT_FIELDS, 0), **named}
+    by_name = {"format": form, "student": "ada", "assignment": HW08, "checks": []}
+    line = {**dict.fromkeys(store.RESULT_FIELDS, 0), **by_name}
     path = tmp_path / "old" / "results.jsonl"
     path.parent.mkdir()
     path.write_text(json.dumps(line) + "\n")
@@ -75,8 +75,8 @@ def strict(text):
 @pytest.mark.parametrize("value", [np.inf, -np.inf, np.nan, np.float64("nan"), [1.0, np.inf], np.array([np.nan, 2.0])])
 def test_what_is_not_finite_is_strict_json_and_read_back(value):
     why = records.Failure(error=value, at={"args": [value]}, limit=0.1)
-    mark = records.CheckResult("a", "a", 0.0, 1.0, "failed", "", failure=why)
-    result = records.Result("ann", HW08, "graded", 0.0, 1.0, 1, 0.1, "", (mark,))
+    check = records.CheckResult("a", "a", 0.0, 1.0, "failed", "", failure=why)
+    result = records.Result("ann", HW08, "graded", 0.0, 1.0, 1, 0.1, "", (check,))
     (again,) = records.read(strict(json.dumps(result.record()))).checks
     np.testing.assert_equal(again.failure.error, value)
     np.testing.assert_equal(again.failure.at["args"], [value])
@@ -142,6 +142,6 @@ def test_a_fault_of_the_grader_is_no_score_exits_1_and_is_tried_again(run, tree,
         fault.setattr("tam570_grader.sandbox.function.Function.many", broken)
         code, (line,), err = run(tree / "ada", "--out", tmp_path / "out")
     assert code == 1 and line["score"] is None and "a fault of ours" in err
-    assert {mark["outcome"] for mark in line["checks"]} >= {"grader_error"}
+    assert {check["outcome"] for check in line["checks"]} >= {"grader_error"}
     code, (line,), _ = run(tree / "ada", "--out", tmp_path / "out")
     assert code == 0 and line["score"] == 10.0

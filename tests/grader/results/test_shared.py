@@ -16,19 +16,19 @@ ODD = np.array([0.123456789012345, -2.0, 0.7])
 
 def result(student, actual, *, suspect=None, near_miss=False, seed=1, check="skew_is_the_cross_product"):
     failure = Failure(quantity="skew(v)", error=1.0, limit=1e-12, near_miss=near_miss, actual=actual)
-    mark = CheckResult(check, "a", 0.0, 1.0, "failed", "wrong", suspect, failure)
-    return Result(student, SLUG, "graded", 9.0, 10.0, seed, 0.1, "bubblewrap", (mark,))
+    check_result = CheckResult(check, "a", 0.0, 1.0, "failed", "wrong", suspect, failure)
+    return Result(student, SLUG, "graded", 9.0, 10.0, seed, 0.1, "bubblewrap", (check_result,))
 
 
 def groups(*results):
     notes = Notes()
     assert len(list(notes.passing(results))) == len(results)
-    return [(one.students, one.checks) for one in notes.groups()]
+    return [(item.students, item.checks) for item in notes.groups()]
 
 
 def test_two_with_the_same_numbers_are_named():
-    found = groups(result("ann", ODD), result("ben", ODD * (1 + 1e-14)), result("cas", ODD * (1 + 1e-10)))
-    assert found == [(("ann", "ben"), ("skew_is_the_cross_product",))]
+    observed = groups(result("ann", ODD), result("ben", ODD * (1 + 1e-14)), result("cas", ODD * (1 + 1e-10)))
+    assert observed == [(("ann", "ben"), ("skew_is_the_cross_product",))]
 
 
 def test_the_newest_result_counts_and_checks_of_one_group_stand_together():

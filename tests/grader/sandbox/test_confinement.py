@@ -69,7 +69,7 @@ def test_who_starts_a_thread_or_a_process_is_told_that_it_may_not(grade, solutio
     forbidden = "starts a thread or a process{}, which is off limits"
     assert grade(HW08, starting).message == f"Your file {forbidden.format(' at line 2')}"
     called = "\n    ".join(starting.replace("*", "ThreadPoolExecutor", 1).split("\n"))
-    said = [mark.message for mark in grade(HW08, f"{solution_text(HW08)}\ndef skew(v):\n    {called}").checks]
+    said = [check.message for check in grade(HW08, f"{solution_text(HW08)}\ndef skew(v):\n    {called}").checks]
     assert any(message.startswith(f"skew {forbidden.format('')}") for message in said), said
     result = grade(HW08, notebook(solution_text(HW08), starting), notebook=True)
     assert result.score == 10.0 and forbidden.format("") in result.message
@@ -166,9 +166,9 @@ if any(str(one.__module__).startswith("tam570.rotations") for one in found):
 
 
 def test_what_is_off_limits_is_not_in_a_workers_memory_though_others_import_it(course, solution_text):
-    asked = WorkerConfig(ResourceLimits(), preload=("tam570.rotations",))
+    request = WorkerConfig(ResourceLimits(), preload=("tam570.rotations",))
     with sandboxes():
         outcome = result(
-            GradeTask(course, "eve", HW08, 1, Source((DIGS + solution_text(HW08)).encode()), conditions=asked)
+            GradeTask(course, "eve", HW08, 1, Source((DIGS + solution_text(HW08)).encode()), conditions=request)
         )
     assert outcome.score == 10, outcome.message

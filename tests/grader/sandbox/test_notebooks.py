@@ -24,7 +24,7 @@ def test_what_is_shown_of_a_cell():
     first, second = cells_of(book(words("text"), code))
     assert (first["kind"], first["source"]) == ("markdown", "text")
     assert (second["kind"], second["source"], second["grade_id"]) == ("code", "x = 1\nx", "a")
-    assert [one.get("text") or one["data"] for one in second["outputs"]] == ["ab", {"image/png": "aGk="}]
+    assert [item.get("text") or item["data"] for item in second["outputs"]] == ["ab", {"image/png": "aGk="}]
 
 
 @pytest.mark.parametrize("text", [b"[" * 3_000_000, b'{"cells": [3]}', b"[]", b"{}", b'{"cells": {"a": 1}}', b"\xff"])
@@ -48,7 +48,8 @@ def test_a_pipe_in_place_of_a_notebook_is_told(tmp_path):
     bridge = pytest.importorskip("tam570_grader.nbgrader.bridge")
     os.mkfifo(tmp_path / "hw08.ipynb")
     assert "not a regular file" in bridge._students(tmp_path / "hw08.ipynb")
-    (tmp_path / "large.ipynb").write_bytes(b" " * (bridge.LARGEST + 1))
+    (tmp_path / "large.ipynb").touch()
+    os.truncate(tmp_path / "large.ipynb", bridge.LARGEST_WITH_OUTPUTS + 1)
     assert "larger" in bridge._students(tmp_path / "large.ipynb")
     (tmp_path / "notes.txt").touch()
     assert bridge._own_files(str(tmp_path), str(tmp_path)) == [str(tmp_path / "notes.txt")]

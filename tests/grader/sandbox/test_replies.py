@@ -31,10 +31,10 @@ def value(sent, mode="value"):
 
 
 def nested(depth):
-    made = 1.0
+    built = 1.0
     for _ in range(depth):
-        made = [made]
-    return made
+        built = [built]
+    return built
 
 
 def drawing(**other):
@@ -55,11 +55,11 @@ def test_an_array_of_no_number_stands_for_few_lists(shape):
 @pytest.mark.parametrize("sent", [nested(900), "x" * 10**6, [nested(900)], [{"a": 1.0}], ["1+2j"], {"strangers": 1}])
 def test_a_formula_has_numbers_alone(sent):
     try:
-        found = value(sent, "formula")
+        actual = value(sent, "formula")
     except ProcessLost:
         return
     kinds = (float, Foreign, np.ndarray)
-    assert found == {"strangers": []} or all(isinstance(one, kinds) for one in found)
+    assert actual == {"strangers": []} or all(isinstance(item, kinds) for item in actual)
 
 
 @pytest.mark.parametrize(
@@ -85,9 +85,9 @@ def test_a_drawing_of_too_much_or_of_something_else_is_none(other):
 
 def test_a_drawing_has_short_labels_and_a_scatter_few_points():
     scatter = {**LINE, "points": np.zeros((10**6, 2)), "scatter": True, "label": r"\hspace{" * 10**5}
-    made = drawing(lines=[scatter], xlabel=r"\hspace{" * 10**6, ylabel=7)
-    assert len(made.xlabel) == len(made.lines[0].label) == replies.LONGEST_TEXT and made.ylabel == ""
-    assert len(made.lines[0].points) <= replies.MOST_SCATTERED
+    built = drawing(lines=[scatter], xlabel=r"\hspace{" * 10**6, ylabel=7)
+    assert len(built.xlabel) == len(built.lines[0].label) == replies.LONGEST_TEXT and built.ylabel == ""
+    assert len(built.lines[0].points) <= replies.MOST_SCATTERED
 
 
 @pytest.mark.parametrize(

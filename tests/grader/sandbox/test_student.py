@@ -22,7 +22,7 @@ def test_a_function_that_hangs_fails_alone(grade, solution_text):
     text = solution_text(SLUG) + "\ndef rotate(r, axis, angle):\n    while True: pass\n"
     outcome = grade(SLUG, text, limits=ResourceLimits(call=1))
     assert outcome.score == 6.0 and outcome.status == "graded"
-    assert any("did not return within 1 s" in mark.message for mark in outcome.checks)
+    assert any("did not return within 1 s" in check.message for check in outcome.checks)
 
 
 def test_one_that_sleeps_through_its_calls_is_ended(grade, solution_text, monkeypatch):
@@ -108,8 +108,8 @@ def test_what_is_called_for_the_words_ends_no_function_and_is_not_judged(course,
         return f"It gives {student.skew(np.zeros(3))}"
 
     with pytest.raises(Failed) as failed, check_context(aside=student.aside):
-        found = student.skew(np.ones(3))
-        expect(found, np.ones((3, 3)), tolerance=1e-9, hint=hint)
+        actual = student.skew(np.ones(3))
+        expect(actual, np.ones((3, 3)), tolerance=1e-9, hint=hint)
     assert failed.value.failure.hint == "" and failed.value.failure.fault == ""
     assert len(student.calls) == 1 and student.skew(np.ones(3)).shape == (3, 3)
     student.leave()
@@ -137,8 +137,10 @@ def test_a_function_that_may_not_be_called_may_not_by_another_name(grade, soluti
     text = f"{solution_text(SLUG)}\n{alias}\ndef rotate(r, axis, angle): return _same(axis, angle) @ np.asarray(r)\n"
     outcome = grade(SLUG, text)
     assert outcome.score == 6.0, outcome
-    said = [mark.message for mark in outcome.checks if mark.outcome == "failed"]
-    assert said and all(one.startswith("rotate uses what is off limits in it: rotation_matrix.") for one in said), said
+    said = [check.message for check in outcome.checks if check.outcome == "failed"]
+    assert said and all(item.startswith("rotate uses what is off limits in it: rotation_matrix.") for item in said), (
+        said
+    )
 
 
 DEATHS = {
