@@ -102,7 +102,7 @@ def test_right_submissions_are_fair_and_what_is_kept_is_not_run_again(tmp_path, 
     command = ["audit", "hw08", "--fairness", "2", "--jobs", "1", "--keep", str(keep)]
     assert cli.main(command) == 0
     out, lines = capsys.readouterr().out, keep.read_text()
-    assert "hw08_axis_angle:      8 runs, 0 false fails, rate below 31.23%" in out
+    assert re.search(r"hw08_axis_angle: +\d+ runs, 0 false fails", out)
     keep.write_text(lines + '{"half a li')
     monkeypatch.setattr("tam570_grader.audit.fairness._graded", None)
     assert cli.main(command) == 0

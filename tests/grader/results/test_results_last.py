@@ -92,7 +92,7 @@ def test_what_was_finished_survives_an_interrupt(tree, tmp_path, how, code):
     hand_in(tree, {"zoe": "def skew(v):\n    while True: pass\n"})
     process = command("grade", tree, "--out", tmp_path / "out", "--jobs", 1, "--seed", 1, "--call", 50)
     path = tmp_path / "out" / "results.jsonl"
-    while not path.exists() or path.read_text().count("\n") < 3:
+    while process.poll() is None and (not path.exists() or path.read_text().count("\n") < 3):
         time.sleep(0.05)
     process.send_signal(how)
     _, err = process.communicate()
