@@ -68,7 +68,7 @@ def test_memory_is_limited_where_a_cluster_grades_in_a_thread_of_its_own(evaluat
 
 
 def test_to_look_for_a_mistake_is_part_of_it(evaluated, solution_text, monkeypatch):
-    monkeypatch.setattr(diagnose, "known", compiled(ENDLESS)["endless"])
+    monkeypatch.setattr(diagnose, "named_mistake", compiled(ENDLESS)["endless"])
     result = evaluated(text=solution_text(SLUG) + "\n\ndef skew(v): return np.eye(3)")
     assert result.status == "graded"
     assert {check.suspect for check in result.checks} == {None}
