@@ -234,5 +234,6 @@ STOPPING, SOME = (0.7, 1.5), (0.2, 0.6)
 stops = runs(  # and go on beyond
     ("a car that stops", "front", (STOPPING, SOME), 2.1, 40),
     ("a car that stops, spinning on ice", "rear", ((0.3, 1), (5, 6.5)), 2.1, 20, {"friction": 0.02, "gravity": 10.0}),
+    ("a car that stops, spinning, only two times", "front", ((0.05, 0.2), (0.8, 1.2)), 1.12, 2),
     ("a car that stops in reverse, straight, only two times", "rear", ((-1.5, -0.7), NONE), 1.12, 2),
 )
