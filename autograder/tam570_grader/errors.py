@@ -17,7 +17,7 @@ class Over(Exception):
 
 
 def printable(text: str) -> str:
-    """A text with what is no text escaped: what moves a terminal's cursor, and bytes that are not UTF-8."""
+    """Return a text with what is no text escaped: what moves a terminal's cursor, and bytes that are not UTF-8."""
     return (
         text
         if text.isprintable()
@@ -42,7 +42,7 @@ def counted(n: int, word: str) -> str:
 
 @contextmanager
 def writing(place: Path) -> Iterator[None]:
-    """What cannot be written to a place that was asked for is bad usage."""
+    """Tell what cannot be written to a place that was asked for is bad usage."""
     try:
         yield
     except OSError as error:

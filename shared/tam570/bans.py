@@ -67,7 +67,7 @@ class Unusable(ModuleType):
 
 
 def refused(module: ModuleType, name: str, unusable: Unusable) -> list[Change]:
-    """What to change so that a function of a file cannot be called.
+    """Return what to change so that a function of a file cannot be called.
 
     A plain function gets another body, wherever it is kept; anything else is replaced in the module.
     """
@@ -83,5 +83,5 @@ def _refusing(*args: Any, _unusable: Unusable, **kwargs: Any) -> Any:
 
 
 def everywhere(module: ModuleType, function: Any, stand_in: Any) -> list[Change]:
-    """The function replaced by every name that it has in the module."""
+    """Return the function replaced by every name that it has in the module."""
     return [(module, name, stand_in) for name, value in vars(module).items() if value is function]

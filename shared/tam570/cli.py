@@ -48,7 +48,7 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _fitted(text: str) -> str:
-    """A message in lines of 80 characters at most; paths and names stay whole."""
+    """Return a message in lines of 80 characters at most; paths and names stay whole."""
     lines = text.splitlines()
     return "\n".join(textwrap.fill(line, 80, break_long_words=False, break_on_hyphens=False) for line in lines)
 
@@ -149,7 +149,7 @@ def _list(arguments: argparse.Namespace) -> int:
 
 
 def _state(file: Path | None, recalled_progress: tuple[dict[str, Any], bool] | None) -> str:
-    """How far the work on one assignment is, by the tests as they were run last; nothing is run for it."""
+    """Return how far the work on one assignment is, by the tests as they were run last; nothing is run for it."""
     if recalled_progress is None:
         return "started" if file else ""
     progress, is_current = recalled_progress
@@ -252,7 +252,7 @@ def _hint(arguments: argparse.Namespace) -> int:
 
 
 def _hinted(assignment: str | None, function: str | None) -> tuple[Path, str | None]:
-    """The assignment and the function of a hint; one word may be a function of the assignment in this folder."""
+    """Return the assignment and the function of a hint; one word may be a function of the assignment in this folder."""
     if assignment is None:
         return folder(work.one(None)[1]), None
     try:

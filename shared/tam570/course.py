@@ -27,12 +27,12 @@ class Stub:
 
 
 def assignments() -> list[str]:
-    """The names of all assignments, in order."""
+    """Return the names of all assignments, in order."""
     return sorted(path.name for path in _home().glob("hw*") if (path / "README.md").exists())
 
 
 def folder(name: str, or_lecture: bool = False) -> Path:
-    """The released folder of the assignment that a name stands for: hw07, hw7, 7, double_pendulum, or all of it.
+    """Return the released folder of the assignment that a name stands for: hw07, hw7, 7, double_pendulum, or all of it.
 
     or_lecture : a lecture might have been meant, too, where Unknown says what there is
     """
@@ -51,7 +51,7 @@ def folder(name: str, or_lecture: bool = False) -> Path:
 
 
 def _meant(name: str, or_lecture: bool) -> str:
-    """What a name might have meant, and where all names are."""
+    """Return what a name might have meant, and where all names are."""
     from tam570.lectures import names  # which imports this module
 
     if name in names():
@@ -63,7 +63,10 @@ def _meant(name: str, or_lecture: bool) -> str:
 
 
 def named(file: Path) -> str:
-    """The assignment that a file is work on, by its name, hw07-final.py, else by its folder's. Unknown if neither."""
+    """Return the assignment that a file is work on, by its name, hw07-final.py, else by its folder's.
+
+    Unknown if neither.
+    """
     for name in (file.stem, file.resolve().parent.name):
         number = re.match(r"hw\d\d(?!\d)", name, re.IGNORECASE)
         for slug in assignments():
@@ -82,19 +85,22 @@ def named(file: Path) -> str:
 
 
 def title(slug: str) -> str:
-    """What the assignment is called: the heading of its README without the number."""
+    """Return what the assignment is called: the heading of its README without the number."""
     with open(_home() / slug / "README.md", encoding="utf-8") as file:
         return file.readline().lstrip("# ").partition(": ")[2].strip()
 
 
 def contract(slug: str) -> dict[str, Any]:
-    """What the functions of an assignment return, and what is off limits: {"results": ..., "off_limits": ...}."""
+    """Return what the functions of an assignment return, and what is off limits: {"results".
+
+    ..., "off_limits": ...}.
+    """
     data: dict[str, Any] = json.loads((folder(slug) / "contract.json").read_text(encoding="utf-8"))
     return data
 
 
 def stubs(source: str | bytes) -> dict[str, Stub]:
-    """The functions of a module. SyntaxError if it is not Python."""
+    """Return the functions of a module. SyntaxError if it is not Python."""
     nodes = [node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)]
     return {node.name: _stub(node) for node in nodes}
 
@@ -114,7 +120,7 @@ def _stub(node: ast.FunctionDef) -> Stub:
 
 
 def _home() -> Path:
-    """The folder of the assignments: in an installed wheel, else in the checkout."""
+    """Return the folder of the assignments: in an installed wheel, else in the checkout."""
     package = Path(__file__).resolve().parent
     installed = package / "assignments"
     return installed if installed.is_dir() else package.parents[1] / "assignments"

@@ -16,7 +16,7 @@ REMEDIES = {  # what to do instead
 
 
 def form_of(result: Any) -> str:
-    """Which of REMEDIES a result is, or another object; "" for an expression or a number."""
+    """Return which of REMEDIES a result is, or another object; "" for an expression or a number."""
     import sympy
     from sympy.core.relational import Relational
 

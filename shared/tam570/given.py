@@ -64,7 +64,7 @@ def sequence(count: int, **named: Sequence[float]) -> None:
 
 
 def array(shape: tuple[int | None, ...], **named: ArrayLike) -> NDArray[np.float64]:
-    """The one array that is named, of finite floats and this shape; None stands for any length."""
+    """Return the one array that is named, of finite floats and this shape; None stands for any length."""
     ((name, value),) = named.items()
     found = _shape(name, value)
     if len(found) != len(shape) or any(n is not None and m != n for m, n in zip(found, shape, strict=True)):
@@ -77,7 +77,7 @@ def array(shape: tuple[int | None, ...], **named: ArrayLike) -> NDArray[np.float
 
 
 def positives(count: int | None = None, **named: Sequence[float]) -> tuple[float, ...]:
-    """The one sequence that is named, of `count` positive floats."""
+    """Return the one sequence that is named, of `count` positive floats."""
     ((name, value),) = named.items()
     values = numbers(count, **named)
     if values.dtype != object and not (values > 0.0).all():
@@ -86,12 +86,12 @@ def positives(count: int | None = None, **named: Sequence[float]) -> tuple[float
 
 
 def numbers(count: int | None = None, **named: ArrayLike) -> NDArray[np.float64]:
-    """The one flat array that is named, of `count` finite floats."""
+    """Return the one flat array that is named, of `count` finite floats."""
     return array((count,), **named)
 
 
 def _is_symbol(value: Any) -> bool:
-    """Whether it stands for a number that a trace does not know yet."""
+    """Return whether it stands for a number that a trace does not know yet."""
     return hasattr(value, "tape")
 
 

@@ -41,7 +41,7 @@ def hand_in(file: Path, slug: str) -> Path:
 
 
 def _empty(work: dict[str, Path], slug: str) -> Iterator[str]:
-    """What is not done yet, a line each."""
+    """Yield what is not done yet, a line each."""
     if module := work.get(f"{slug}.py"):
         with contextlib.suppress(SyntaxError, ValueError):
             to_write = stubs((folder(slug) / f"{slug}.py").read_bytes())

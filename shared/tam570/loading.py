@@ -26,7 +26,7 @@ class Trouble(Exception):
 
 
 def source_of(file: Path) -> bytes:
-    """The text of a module or notebook. Trouble if it is neither, or too large."""
+    """Return the text of a module or notebook. Trouble if it is neither, or too large."""
     if file.suffix not in SUFFIXES:
         raise Trouble(f"{file.name} is neither a Python module (.py) nor a notebook (.ipynb).")
     source = file.read_bytes()
@@ -47,7 +47,7 @@ def not_utf8(file: Path) -> str:
 
 
 def loaded(file: Path, slug: str, replacements: Builtins | None = None) -> tuple[ModuleType, list[str]]:
-    """The module in a file, under the assignment's name, and the notebook cells that were skipped because they raised.
+    """Load the module in a file, under the assignment's name, and name the notebook cells that raised and were skipped.
 
     replacements : of the built-in functions
     Trouble if the file cannot be run.
@@ -89,7 +89,7 @@ def _cells_run(source: bytes, module: ModuleType) -> Iterator[str]:
 
 
 def guarded_import(slug: str, banned: Sequence[str]) -> Callable[..., ModuleType]:
-    """An import that knows what is off limits and which libraries the grader has."""
+    """Return an import that knows what is off limits and which libraries the grader has."""
     import_module = builtins.__import__
 
     def guarded(name: str, globals: Any = None, locals: Any = None, fromlist: Any = (), level: int = 0) -> ModuleType:
@@ -111,7 +111,7 @@ def guarded_import(slug: str, banned: Sequence[str]) -> Callable[..., ModuleType
 
 
 def _no_window(*backend: Any, **how: Any) -> None:
-    """Where work is graded nothing is shown on a screen."""
+    """Keep figures closed: where work is graded nothing is shown on a screen."""
 
 
 @contextmanager
@@ -139,7 +139,7 @@ def _place_module(name: str, module: ModuleType | None) -> None:
 
 
 def said(error: BaseException, file: str) -> str:
-    """The exception, and the line of the student's file that led to it."""
+    """Return the exception, and the line of the student's file that led to it."""
     if isinstance(error, SyntaxError):
         line = f"Line {error.lineno}: " if error.lineno else ""
         return f"{line}{type(error).__name__}: {error.msg}\n    {(error.text or '').strip()}".rstrip()

@@ -43,7 +43,7 @@ Cells = list[tuple[int, str]]  # number, counted from 1 over all cells, and text
 
 
 def in_utf8(source: bytes) -> bytes:
-    """The source of a module or notebook; what is neither UTF-8 nor says what it is is read as Latin-1."""
+    """Return the source of a module or notebook; what is neither UTF-8 nor says what it is is read as Latin-1."""
     try:
         source.decode()
     except UnicodeDecodeError:
@@ -52,7 +52,7 @@ def in_utf8(source: bytes) -> bytes:
 
 
 def without_outputs(source: bytes) -> bytes:
-    """The notebook without what its cells have shown, and without pictures in their text; its code is untouched.
+    """Return the notebook without what its cells have shown, and without pictures in their text; its code is untouched.
 
     It is not parsed: of a hostile file no more is held than its bytes.
     """
@@ -72,7 +72,7 @@ def without_outputs(source: bytes) -> bytes:
 
 
 def code_cells(source: bytes) -> Cells:
-    """The code cells that are Python, in a notebook of format 4 or 3. ValueError if it is not a notebook."""
+    """Return the code cells that are Python, in a notebook of format 4 or 3. ValueError if it is not a notebook."""
     book: dict[str, Any] = json.loads(in_utf8(source))
     cells = book["cells"] if "cells" in book else [c for sheet in book["worksheets"] for c in sheet["cells"]]
     code = [
@@ -99,7 +99,7 @@ def _cleaned(text: str) -> str:
 
 
 def text_of(source: bytes, suffix: str) -> str:
-    """The Python in a module or notebook; of a cell that does not compile nothing."""
+    """Return the Python in a module or notebook; of a cell that does not compile nothing."""
     if suffix == ".py":
         source = in_utf8(source)
         return source.decode(tokenize.detect_encoding(io.BytesIO(source).readline)[0])
@@ -107,7 +107,7 @@ def text_of(source: bytes, suffix: str) -> str:
 
 
 def compiled(text: str, name: str) -> CodeType:
-    """The code of a cell. SyntaxError where it is not Python."""
+    """Return the code of a cell. SyntaxError where it is not Python."""
     awaiting: int = ast.PyCF_ALLOW_TOP_LEVEL_AWAIT
     code: CodeType = compile(plain(text) or text, name, "exec", awaiting, dont_inherit=True)
     return code
@@ -123,7 +123,10 @@ def run(code: CodeType, names: dict[str, Any]) -> None:
 
 
 def plain(text: str) -> str:
-    """A cell without the lines at which Python's syntax ends, a `% 3` in a sum stays; "" if no Python is left."""
+    """Return a cell without the lines at which Python's syntax ends, a `% 3` in a sum stays.
+
+    "" if no Python is left.
+    """
     lines = text.split("\n")
     while True:
         try:
@@ -142,7 +145,7 @@ def plain(text: str) -> str:
 
 
 def _python(magic: re.Match[str]) -> str:
-    """What stands for a magic: what it times, a kernel that does nothing for what it would return."""
+    """Return what stands for a magic: what it times, a kernel that does nothing for what it would return."""
     _, timed_to, timed, returned_to = magic.groups()
     if timed:
         return f"{timed_to or ''}{timed}"
@@ -170,5 +173,5 @@ COLAB = "google.colab"
 
 
 def kernel_module(name: str) -> Any:
-    """What an import of a notebook's service gives: something that does nothing; None for any other module."""
+    """Return what an import of a notebook's service gives: something that does nothing; None for any other module."""
     return KERNEL["get_ipython"] if name == COLAB or name.startswith(f"{COLAB}.") else None

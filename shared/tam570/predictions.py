@@ -18,7 +18,7 @@ def ask_for_predictions(work: Path, slug: str) -> list[str]:
 
 
 def _questions(slug: str) -> dict[str, str]:
-    """The question of each part that asks for a prediction."""
+    """Return the question of each part that asks for a prediction."""
     rubric = folder(slug) / "rubric.toml"
     parts = tomllib.loads(rubric.read_text(encoding="utf-8"))["parts"] if rubric.exists() else {}
     return {letter: part["before"] for letter, part in parts.items() if "before" in part}
@@ -36,7 +36,7 @@ def _prediction(work: Path, letter: str, question: str) -> str:
 
 
 def _is_attended() -> bool:
-    """Whether somebody can answer."""
+    """Return whether somebody can answer."""
     return sys.stdin.isatty() and sys.stdout.isatty()
 
 

@@ -32,7 +32,7 @@ Progress = dict[str, Any]  # points, most, passed, tests, missing, next: plain d
 
 
 def _home() -> Path:
-    """Where things are remembered for a student."""
+    """Return where things are remembered for a student."""
     return Path(os.environ.get("TAM570_HOME") or os.path.expanduser("~/.tam570"))
 
 
@@ -70,7 +70,7 @@ def progress(
 
 
 def said(state: Progress) -> str:
-    """The progress in a line."""
+    """Return the progress in a line."""
     return (
         f"{state['passed']} of {state['tests']} tests pass; "
         f"{state['points']:g} of {state['most']:g} points by the visible tests"
@@ -78,7 +78,7 @@ def said(state: Progress) -> str:
 
 
 def kept(file: Path) -> dict[str, tuple[str, str]]:
-    """What was remembered of the tests of a file: for each its key and its outcome."""
+    """Return what was remembered of the tests of a file: for each its key and its outcome."""
     outcomes = _read(PROGRESS).get(_name(file), {}).get("outcomes", {})
     return {test: (key, outcome) for test, (key, outcome) in outcomes.items()}
 
@@ -89,13 +89,13 @@ def remember(file: Path, outcomes: Mapping[str, tuple[str, str]], state: Progres
 
 
 def recalled(file: Path) -> tuple[Progress, bool] | None:
-    """The progress with a file, and whether the file is as it was then; None if it was never checked."""
+    """Return the progress with a file, and whether the file is as it was then; None if it was never checked."""
     record = _read(PROGRESS).get(_name(file))
     return (record["progress"], record["digest"] == _digest(file)) if record else None
 
 
 def hints_given(slug: str, function: str) -> int:
-    """How many of the hints for a function were given."""
+    """Return how many of the hints for a function were given."""
     count = _read(HINTS).get(f"{slug} {function}", 0)
     return count if isinstance(count, int) else 0
 
@@ -106,7 +106,7 @@ def remember_hints(slug: str, function: str, count: int) -> bool:
 
 
 def rows(slug: str) -> dict[str, str]:
-    """What the hidden tests look at, for each function, as the README has it."""
+    """Return what the hidden tests look at, for each function, as the README has it."""
     return dict(TESTED.findall(_readme(slug)))
 
 
@@ -123,7 +123,7 @@ def _digest(file: Path) -> str:
 
 
 def _read(name: str) -> dict[str, Any]:
-    """What is remembered under this name; nothing where it cannot be read."""
+    """Return what is remembered under this name; nothing where it cannot be read."""
     try:
         data = json.loads((_home() / name).read_text())
     except (OSError, ValueError):

@@ -54,25 +54,25 @@ def update(work: Path, slug: str) -> Copied:
 
 
 def differing(work: Path, slug: str) -> list[str]:
-    """The files beside the student's own that are not as this kit has them."""
+    """Return the files beside the student's own that are not as this kit has them."""
     common = [path for path in _released(slug, True) if path.stem != slug and (work / path.name).exists()]
     return [path.name for path in common if _digest(work / path.name) != _digest(path)]
 
 
 def released_names(slug: str) -> list[str]:
-    """The names of the files that a student may have from the kit."""
+    """Return the names of the files that a student may have from the kit."""
     return [path.name for path in _released(slug, True)]
 
 
 def _released(slug: str, notebook: bool) -> list[Path]:
-    """The files of an assignment for a student; those of the notebook form only if it is asked for."""
+    """Return the files of an assignment for a student; those of the notebook form only if it is asked for."""
     files = [path for path in folder(slug).iterdir() if path.is_file() and path.name not in KEPT_BACK]
     more = (folder(slug) / "notebook").glob("*.*") if notebook else []
     return sorted([*files, *more], key=lambda path: path.name)
 
 
 def _signatures(mine: Path, slug: str) -> list[str]:
-    """The functions as this kit asks for them, where the student's file has other parameters."""
+    """Return the functions as this kit asks for them, where the student's file has other parameters."""
     try:
         have = stubs(mine.read_bytes())
     except (OSError, SyntaxError, ValueError):
@@ -86,7 +86,7 @@ def _signatures(mine: Path, slug: str) -> list[str]:
 
 
 def _differ(expected: Stub, have: Stub) -> bool:
-    """Whether a function does not have the parameters that are asked for."""
+    """Return whether a function does not have the parameters that are asked for."""
     same = (expected.positions, set(expected.keywords)) == (have.positions, set(have.keywords))
     return not (same or have.takes_any)
 
@@ -98,7 +98,7 @@ def _copy(path: Path, work: Path) -> None:
 
 
 def _record(work: Path) -> dict[str, str]:
-    """What was copied, by its digest; nothing where it is not known."""
+    """Return what was copied, by its digest; nothing where it is not known."""
     try:
         record = json.loads((work / RECORD).read_text(encoding="utf-8"))
     except (OSError, ValueError):

@@ -12,7 +12,9 @@ Work = tuple[Path, str]  # a file and its assignment
 
 
 def chosen(what: str | None, assignment: str | None = None, or_lecture: bool = False) -> list[Work]:
-    """The files that a word on the command line stands for: a file, a folder, or an assignment; all here if None.
+    """Return the files that a word on the command line stands for: a file, a folder, or an assignment.
+
+    All here if None.
 
     Unknown where there are none; the message says what to do.
     """
@@ -35,7 +37,7 @@ def chosen(what: str | None, assignment: str | None = None, or_lecture: bool = F
 
 
 def one(what: str | None, assignment: str | None = None) -> Work:
-    """The only file that is meant. Unknown if there are several."""
+    """Return the only file that is meant. Unknown if there are several."""
     matches = chosen(what, assignment, or_lecture=True)  # only `show` asks for one by name
     if len(matches) > 1:
         raise Unknown(f"say which assignment: {', '.join(slug[:4] for _, slug in matches)}")
@@ -43,7 +45,7 @@ def one(what: str | None, assignment: str | None = None) -> Work:
 
 
 def here() -> list[Work]:
-    """The work in the folder where the command is given, if it is that of an assignment; else all below it."""
+    """Return the work in the folder where the command is given, if it is that of an assignment; else all below it."""
     for directory in _places():
         matches = [(file, slug) for slug in assignments() if (file := _beside(directory, slug))]
         if matches:
@@ -52,18 +54,18 @@ def here() -> list[Work]:
 
 
 def work_of(slug: str) -> Path | None:
-    """The student's file of an assignment: in a folder of its name here or above, or in this folder."""
+    """Return the student's file of an assignment: in a folder of its name here or above, or in this folder."""
     return next((file for directory in _places() if (file := _in(directory, slug))), None)
 
 
 def beside() -> Path:
-    """Where another assignment belongs: this folder, or the one above the assignment's in which we are."""
+    """Return where another assignment belongs: this folder, or the one above the assignment's in which we are."""
     assignments_above = [parent for parent in (Path.cwd(), *Path.cwd().parents) if parent.name in assignments()]
     return assignments_above[0].parent if assignments_above else Path()
 
 
 def _places() -> Iterator[Path]:
-    """This folder, and those above as long as one of them is an assignment's."""
+    """Yield this folder, and those above as long as one of them is an assignment's."""
     yield Path()
     top = beside()
     if top != Path():
@@ -75,7 +77,7 @@ def _in(directory: Path, slug: str) -> Path | None:
 
 
 def _beside(directory: Path, slug: str) -> Path | None:
-    """The module in a folder; the notebook where there is no module, or nothing is written in it."""
+    """Return the module in a folder; the notebook where there is no module, or nothing is written in it."""
     module, notebook = directory / f"{slug}.py", directory / f"{slug}.ipynb"
     if module.is_file() and not (notebook.is_file() and _empty(module) and b"def " in notebook.read_bytes()):
         return module
@@ -83,7 +85,7 @@ def _beside(directory: Path, slug: str) -> Path | None:
 
 
 def _empty(module: Path) -> bool:
-    """Whether no function of a module is written."""
+    """Return whether no function of a module is written."""
     try:
         return not any(stub.written for stub in stubs(module.read_bytes()).values())
     except (SyntaxError, ValueError):

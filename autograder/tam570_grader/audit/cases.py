@@ -83,7 +83,7 @@ def report_cases(course: Path, slug: str, executor: TaskExecutor, seeds: int) ->
 
 
 def judged_cases(trial: Trial) -> tuple[dict[Key, float], dict[Subject, frozenset[Key]]]:
-    """The seconds of each case, and the cases that catch each subject."""
+    """Return the seconds of each case, and the cases that catch each subject."""
     assignment, solution = (
         assignments.assignment(trial.course, trial.slug),
         _solution(trial.course, trial.slug, trial.seed),
@@ -106,12 +106,12 @@ def judged_cases(trial: Trial) -> tuple[dict[Key, float], dict[Subject, frozense
 
 @cache
 def _solution(course: Path, slug: str, seed: int) -> Replies:
-    """The solution's replies, for all that one seed asks."""
+    """Return the solution's replies, for all that one seed asks."""
     return Replies(solution_with(assignments.assignment(course, slug).solution, ""))
 
 
 def _module(text: str) -> ModuleType:
-    """A module that may raise at import: then none of its functions is there."""
+    """Return a module that may raise at import: then none of its functions is there."""
     try:
         return solution_with(text, "")
     except Exception:
@@ -119,7 +119,7 @@ def _module(text: str) -> ModuleType:
 
 
 def _mutants(assignment: LoadedAssignment) -> Iterator[Wrong]:
-    """The mutants, and each in its function alone where others call that."""
+    """Yield the mutants, and each in its function alone where others call that."""
     solution = assignment.solution
     calls, within = _calls(assignment), reached(solution)
     for mutant in mutants(assignment.slug, solution):
@@ -131,7 +131,7 @@ def _mutants(assignment: LoadedAssignment) -> Iterator[Wrong]:
 
 
 def _mistakes(assignment: LoadedAssignment) -> Iterator[Wrong]:
-    """Each mistake at the check that it must fail first."""
+    """Yield each mistake at the check that it must fail first."""
     within = reached(assignment.solution)
     for mistake in mistakes(assignments.checks_folder(assignment.root, assignment.slug)):
         function = ast.parse(mistake.text).body[-1]
@@ -142,7 +142,7 @@ def _mistakes(assignment: LoadedAssignment) -> Iterator[Wrong]:
 
 
 def _calls(assignment: LoadedAssignment) -> dict[str, set[str]]:
-    """The functions that each check calls."""
+    """Return the functions that each check calls."""
     solution, calls = _solution(assignment.root, assignment.slug, SEED), dict[str, set[str]]()
     for check in assignment.checks:
         student = LocalStudent(assignment, check, solution, solution)
@@ -177,7 +177,10 @@ def _told_apart(assignment: LoadedAssignment, check: Check, student: LocalStuden
 
 
 def fewest(caught: Mapping[Subject, frozenset[Key]], seconds: Mapping[Key, float]) -> list[Key]:
-    """A small set of cases that catches every subject: greedy, the cheap ones first, less what is then not needed."""
+    """Return a small set of cases that catches every subject.
+
+    Greedy, the cheap ones first, less what is then not needed.
+    """
     catches = defaultdict[Key, set[Subject]](set)
     for subject, keys in caught.items():
         for key in keys:
@@ -210,7 +213,7 @@ def _rows(cases: CaseReport) -> dict[tuple[str, str, str], tuple[int, int, Count
 
 
 def as_json(cases: CaseReport) -> dict[str, Any]:
-    """The report as plain data."""
+    """Return the report as plain data."""
     labels = [
         {"check": key[0], "function": key[1], "label": key[2], "cases": count, "needed": needed, "alone": dict(alone)}
         for key, (count, needed, alone) in _rows(cases).items()
@@ -219,7 +222,7 @@ def as_json(cases: CaseReport) -> dict[str, Any]:
 
 
 def report(cases: CaseReport) -> list[str]:
-    """The lines to print, a table in Markdown."""
+    """Return the lines to print, a table in Markdown."""
     lines = [
         f"## {cases.slug}: {len(cases.seconds)} cases, {len(cases.needed)} needed by {cases.seeds} seeds",
         "",

@@ -1,4 +1,4 @@
-"""Does the feedback name the mistake?
+"""Ask whether the feedback names the mistake.
 
 Each known mistake whose numbers are compared must be named by its own sentence. It is made in the solution, and once
 more in a right submission of another style: there its name is not found by construction.
@@ -48,7 +48,7 @@ class Diagnosis:
 
 
 def diagnoses(course: Path, slug: str, executor: TaskExecutor, quick: bool) -> list[Diagnosis]:
-    """The diagnosis of each wrong submission of an assignment, or of a fixed sample."""
+    """Return the diagnosis of each wrong submission of an assignment, or of a fixed sample."""
     solution = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
     wrong = submissions(course, slug, "mistakes")
     if not wrong:
@@ -75,7 +75,7 @@ def _taken(solution: str, slip: str) -> str:
 
 
 def diagnosis(result: Result, mistake: Mistake, known: Container[str]) -> Diagnosis:
-    """What the feedback of a wrong submission says, beside what it must say.
+    """Return what the feedback of a wrong submission says, beside what it must say.
 
     known : what known mistakes say; what is found by trying says what the numbers are, and misleads nobody
     """
@@ -99,7 +99,7 @@ def share(found: Sequence[Diagnosis]) -> float:
 
 
 def as_json(slug: str, found: Sequence[Diagnosis]) -> dict[str, Any]:
-    """The report as plain data."""
+    """Return the report as plain data."""
     return {
         "assignment": slug,
         "wrong": len(found),
@@ -110,7 +110,7 @@ def as_json(slug: str, found: Sequence[Diagnosis]) -> dict[str, Any]:
 
 
 def report(slug: str, found: Sequence[Diagnosis]) -> list[str]:
-    """The lines to print: the share, what is said of a mistake that is not named, and where a wrong one is."""
+    """Return the lines to print: the share, what is said of a mistake that is not named, and where a wrong one is."""
     named = sum(one.named for one in found)
     lines = [f"{slug}: {named} of {len(found)} mistakes are named ({share(found):.0%})"]
     for one in found:

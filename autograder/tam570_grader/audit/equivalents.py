@@ -24,14 +24,14 @@ Slip = tuple[str, str]  # function, what was done in it
 
 
 def equivalents(course: Path, slug: str) -> dict[Slip, str]:
-    """The proofs by slip."""
+    """Return the proofs by slip."""
     path = assignments.checks_folder(course, slug) / "equivalent.toml"
     tables = _tables(path) if path.exists() else {}
     return {(function, slip): proof for function, slips in tables.items() for slip, proof in slips.items()}
 
 
 def _tables(path: Path) -> dict[str, dict[str, str]]:
-    """The slips and proofs by function; UsageError if the file holds anything else."""
+    """Return the slips and proofs by function; UsageError if the file holds anything else."""
     try:
         tables = tomllib.loads(path.read_text(encoding="utf-8"))
     except ValueError as error:  # no TOML, no UTF-8
@@ -43,12 +43,12 @@ def _tables(path: Path) -> dict[str, dict[str, str]]:
 
 
 def entry(mutant: Mutant) -> str:
-    """The line that lists a mutant, but for the proof."""
+    """Return the line that lists a mutant, but for the proof."""
     return f'[{mutant.function}]\n{json.dumps(mutant.slip, ensure_ascii=False)} = ""'
 
 
 def idle(listed: Mapping[Slip, str], made: Container[Slip], killed: Container[Slip]) -> dict[Slip, str]:
-    """What is wrong with lines that list in vain."""
+    """Return what is wrong with lines that list in vain."""
     faults = {}
     for slip, proof in listed.items():
         if slip not in made:

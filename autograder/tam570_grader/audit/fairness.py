@@ -33,7 +33,10 @@ class Class:
 
 
 def fair(course: Path, slug: str, seeds: int, executor: TaskExecutor, keep: Path | None = None) -> list[Line]:
-    """A line for each right submission and seed; what the file `keep` has is not graded again, the rest is added."""
+    """Return a line for each right submission and seed.
+
+    What the file `keep` has is not graded again, the rest is added.
+    """
     texts = {
         "solution": (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8"),
         **submissions(course, slug, "alternatives"),
@@ -85,7 +88,7 @@ def _digest(course: Path, slug: str, text: str) -> str:
 
 
 def _kept(keep: Path | None) -> Iterator[Line]:
-    """The lines of an earlier run, but for those that an interrupt has broken; the file is made if it is new."""
+    """Yield the lines of an earlier run, but for those that an interrupt has broken; the file is made if it is new."""
     if keep is None:
         return
     with writing(keep), keep.open("a+b") as file:
@@ -114,27 +117,30 @@ def _add(keep: Path | None, lines: Iterable[Line]) -> None:
 
 
 def upper_bound(failures: int, runs: int) -> float:
-    """The largest false-fail rate that so few failures leave possible, with 95 % confidence (Clopper and Pearson)."""
+    """Bound the rate of false fails from above, with 95 % confidence (Clopper and Pearson)."""
     from scipy.stats import beta
 
     return 1.0 if failures == runs else float(beta.ppf(CONFIDENCE, failures + 1, runs - failures))
 
 
 def as_json(slug: str, lines: Sequence[Line]) -> dict[str, Any]:
-    """The report as plain data."""
+    """Return the report as plain data."""
     fails, bound = _rate(lines)
     found = {"assignment": slug, "runs": len(lines), "false_fails": fails, "upper_bound": bound}
     return {**found, "lines": lines}
 
 
 def _rate(lines: Sequence[Line]) -> tuple[int, float]:
-    """False fails, and the bound on their rate."""
+    """Return false fails, and the bound on their rate."""
     fails = sum(bool(line["fails"]) for line in lines)
     return fails, upper_bound(fails, len(lines))
 
 
 def report(lines: Sequence[Line]) -> list[str]:
-    """The lines to print of an assignment's: runs, false fails and bound of each submission, and every false fail."""
+    """Return the lines to print of an assignment's.
+
+    Runs, false fails and bound of each submission, and every false fail.
+    """
     shown = []
     for name in dict.fromkeys(line["submission"] for line in lines):
         of_it = [line for line in lines if line["submission"] == name]
@@ -145,6 +151,6 @@ def report(lines: Sequence[Line]) -> list[str]:
 
 
 def counted(lines: Sequence[Line]) -> str:
-    """Runs, false fails and the bound, in words."""
+    """Return runs, false fails and the bound, in words."""
     fails, bound = _rate(lines)
     return f"{len(lines):>6} runs, {fails} false fails, rate below {bound:.2%}"

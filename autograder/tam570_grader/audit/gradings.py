@@ -34,7 +34,7 @@ class Grading:
 
 
 def tried(grading: Grading, recorder: Recorder | None = None) -> Result:
-    """The result of a grading, on a worker of this process."""
+    """Return the result of a grading, on a worker of this process."""
     assignment = assignments.assignment(grading.course, grading.slug)
     if grading.checks is not None:
         kept = tuple(check for check in assignment.checks if check.name in grading.checks)
@@ -52,14 +52,14 @@ def tried(grading: Grading, recorder: Recorder | None = None) -> Result:
 
 
 def progress(outcomes: Iterable[Outcome], total: int, unit: str) -> Iterator[Outcome]:
-    """The outcomes, with a bar on a terminal."""
+    """Yield the outcomes, with a bar on a terminal."""
     from tqdm import tqdm
 
     yield from tqdm(outcomes, total=total, unit=unit, leave=False, disable=None)
 
 
 def submissions(course: Path, slug: str, kind: str) -> dict[str, str]:
-    """The texts of the alternatives or mistakes of an assignment, by name."""
+    """Return the texts of the alternatives or mistakes of an assignment, by name."""
     if kind == "mistakes":
         return overlays(assignments.checks_folder(course, slug))
     paths = sorted((assignments.checks_folder(course, slug) / kind).glob("*.py"))

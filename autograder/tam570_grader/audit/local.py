@@ -126,7 +126,7 @@ class LocalStudent:
         self._count: Counter[tuple[str, str]] = Counter()
 
     def key(self, function: str, case: Case | None) -> Key:
-        """The key of a case that this check asks for; of no case, the check's own."""
+        """Return the key of a case that this check asks for; of no case, the check's own."""
         if case is None:
             return Key(self._check.name, "", "", 1)
         if (function, id(case)) not in self._keys:
@@ -157,7 +157,7 @@ class LocalStudent:
         return reply
 
     def _is_faulty(self, name: str, case: Case, mode: str, reply: Reply, expected: Callable[[], Reply] | None) -> bool:
-        """Whether a reply fails the check whatever its numbers are."""
+        """Return whether a reply fails the check whatever its numbers are."""
         if expected:  # where ValueError may be right
             return ("error" in reply) != ("error" in expected())
         returns = self._assignment.results[name]
@@ -171,7 +171,7 @@ class LocalStudent:
 
 
 def failed_cases(student: LocalStudent, check: Check, seed: int, slug: str) -> set[Key]:
-    """The cases of a check that a submission fails; the check is run again without those that end it."""
+    """Return the cases of a check that a submission fails; the check is run again without those that end it."""
     while True:
         student.start()
         context = CheckContext()

@@ -53,14 +53,17 @@ class Margin:
 
 
 def _errors(grading: Grading) -> dict[str, float]:
-    """The largest error over its limit of each check of a grading, run one by one; infinite if it fails otherwise."""
+    """Return the largest error over its limit of each check of a grading, run one by one.
+
+    Infinite if it fails otherwise.
+    """
     assert grading.checks is not None
     found = {check: _largest(replace(grading, checks=frozenset({check}))) for check in sorted(grading.checks)}
     return {check: error for check, error in found.items() if error is not None}
 
 
 def _largest(grading: Grading) -> float | None:
-    """The largest error over its limit of a grading of one check; None if it passes without a comparison."""
+    """Return the largest error over its limit of a grading of one check; None if it passes without a comparison."""
     found: list[float] = []
     result = tried(grading, lambda _, error: found.append(error))
     largest = max(found, default=0.0)
@@ -71,7 +74,7 @@ def _largest(grading: Grading) -> float | None:
 
 
 def margins(course: Path, slug: str, seeds: int, executor: TaskExecutor) -> list[Margin]:
-    """The margins of the checks that compare what an integration gave."""
+    """Return the margins of the checks that compare what an integration gave."""
     text = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
     checks = _simulating(course, slug, text)
     if not checks:
@@ -94,18 +97,18 @@ def margins(course: Path, slug: str, seeds: int, executor: TaskExecutor) -> list
 
 
 def _not_passed(course: Path, slug: str, known: Mistake) -> frozenset[str]:
-    """The checks that a wrong submission may not pass: from the first that fails on."""
+    """Return the checks that a wrong submission may not pass: from the first that fails on."""
     order = [check.name for check in assignments.assignment(course, slug).checks]
     return frozenset(order[order.index(known.first_fails) :])
 
 
 def _careful(text: str, method: str) -> str:
-    """The solution, whose `solve` is another from here on: that of a careful student."""
+    """Return the solution, whose `solve` is another from here on: that of a careful student."""
     return text + CAREFUL.format(method=method)
 
 
 def _simulating(course: Path, slug: str, text: str) -> frozenset[str]:
-    """The checks that call what integrates."""
+    """Return the checks that call what integrates."""
     reach = reached(_careful(text, METHODS[0]))
     within = {name for name, reachable in reach.items() if "solve" in reachable}
     calls, _ = calls_of_checks(course, slug, text)
@@ -113,7 +116,7 @@ def _simulating(course: Path, slug: str, text: str) -> frozenset[str]:
 
 
 def margin(check: str, found: Sequence[tuple[str, Mapping[str, float]]], slips: Mapping[str, Mistake]) -> Margin | None:
-    """The margin of a check; None if nothing that a careful student integrates is compared in it.
+    """Return the margin of a check; None if nothing that a careful student integrates is compared in it.
 
     A check that comes after a failed one need not tell that mistake, too: what passes it there is left out, and what
     does not pass counts only where no wrong physics fails this check in its own right.
@@ -140,13 +143,13 @@ def faults(found: Sequence[Margin]) -> int:
 
 
 def as_json(slug: str, found: Sequence[Margin]) -> dict[str, Any]:
-    """The report as plain data."""
+    """Return the report as plain data."""
     checks = {one.check: [one.careful, one.physics, one.numerics] for one in found}
     return {"assignment": slug, "checks": checks}
 
 
 def report(slug: str, found: Sequence[Margin]) -> list[str]:
-    """The lines to print."""
+    """Return the lines to print."""
     lines = [f"{slug}: {len(found)} checks of simulations, {faults(found)} margins below {ENOUGH}"]
     for one in found:
         room = f"careful {1 / one.careful:.1e} below" if one.careful else "careful exact"

@@ -37,7 +37,7 @@ class Mutant:
 
 
 def mutants(slug: str, source: str) -> list[Mutant]:
-    """All mutants of a solution's source, in the order of the source."""
+    """Return all mutants of a solution's source, in the order of the source."""
     found: dict[str, Mutant] = {}
     for function in (node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)):
         count: collections.Counter[tuple[str, str]] = collections.Counter()

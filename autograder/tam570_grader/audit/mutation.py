@@ -100,7 +100,7 @@ exec({slipped!r}, _slipped)
 
 
 def alone(right: str, mutant: Mutant, calls: Mapping[str, set[str]]) -> str:
-    """A module whose slip is in one exported function alone; what other functions call is right.
+    """Return a module whose slip is in one exported function alone; what other functions call is right.
 
     A check of the others would else catch the slip, and a hole in the checks of this one stay unseen.
     """
@@ -109,7 +109,7 @@ def alone(right: str, mutant: Mutant, calls: Mapping[str, set[str]]) -> str:
 
 
 def _is_shared(function: str, calls: Mapping[str, set[str]], within: Mapping[str, set[str]]) -> bool:
-    """Whether it is exported, and other functions may call it."""
+    """Return whether it is exported, and other functions may call it."""
     exported = any(function in asked for asked in calls.values())
     return exported and any(function in reach for name, reach in within.items() if name != function)
 
@@ -136,7 +136,7 @@ class _Watched(Student):
 
 
 def calls_of_checks(course: Path, slug: str, text: str) -> tuple[dict[str, set[str]], float]:
-    """The functions that each check calls, and the longest call in s, by running them on the solution."""
+    """Return the functions that each check calls, and the longest call in s, by running them on the solution."""
     assignment = assignments.assignment(course, slug)
     zygote = Zygote(list(assignment.needs), ResourceLimits(), [course])
     student = _Watched(Source(text.encode()), assignment, zygote)
@@ -153,12 +153,12 @@ def calls_of_checks(course: Path, slug: str, text: str) -> tuple[dict[str, set[s
 
 
 def _concerned(calls: Mapping[str, set[str]], within: Mapping[str, set[str]], function: str) -> frozenset[str]:
-    """The checks that a slip in a function can change: they call one within whose reach it is."""
+    """Return the checks that a slip in a function can change: they call one within whose reach it is."""
     return frozenset(check for check, asked in calls.items() if any(function in within[name] for name in asked))
 
 
 def _calling(calls: Mapping[str, set[str]], function: str) -> frozenset[str]:
-    """The checks that call a function themselves."""
+    """Return the checks that call a function themselves."""
     return frozenset(check for check, asked in calls.items() if function in asked)
 
 
@@ -171,7 +171,7 @@ def catches(found: Fates) -> dict[str, tuple[int, int]]:
 
 
 def as_json(found: Fates) -> dict[str, Any]:
-    """The report as plain data."""
+    """Return the report as plain data."""
     counts = Counter(found.fate.values())
     return {
         "assignment": found.slug,
@@ -196,7 +196,7 @@ def _by_function(found: Fates) -> dict[str, Counter[str]]:
 
 
 def report(found: Fates) -> list[str]:
-    """The lines to print: counts by function and check, the checks that no mutant needs, and the faults."""
+    """Return the lines to print: counts by function and check, the checks that no mutant needs, and the faults."""
     counts = Counter(found.fate.values())
     told = [counted(len(found.chosen), "mutant"), *(f"{counts[fate]} {fate}" for fate in FATES)]
     lines = [f"{found.slug}: {', '.join(told)}"]
@@ -215,7 +215,7 @@ def report(found: Fates) -> list[str]:
 
 
 def _shown(mutant: Mutant) -> list[str]:
-    """Where a survivor is, its line as it was and is, and the line that would list it."""
+    """Return where a survivor is, its line as it was and is, and the line that would list it."""
     return [
         f"  SURVIVES solutions/{mutant.slug}.py:{mutant.line} in {mutant.function}: {mutant.operator}",
         f"      - {mutant.before.strip()}",

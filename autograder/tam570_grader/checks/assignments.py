@@ -67,7 +67,7 @@ class LoadedAssignment:
         return (self.root / "solutions" / f"{self.slug}.py").read_text(encoding="utf-8")
 
     def signature(self, name: str) -> str:
-        """What a function of the contract must take: `amplitude, *, length, gravity`."""
+        """Return what a function of the contract must take: `amplitude, *, length, gravity`."""
         defined = (node for node in ast.parse(self.solution).body if isinstance(node, ast.FunctionDef))
         return next((ast.unparse(node.args) for node in defined if node.name == name), "...")
 
@@ -88,7 +88,7 @@ class LoadedAssignment:
 
 
 def find(given: str | Path | None = None) -> Path:
-    """The checkout: as given, else that of an editable install."""
+    """Return the checkout: as given, else that of an editable install."""
     places = INSTALLED if given is None else (Path(given).resolve(),)
     if found := next(filter(is_checkout, places), None):
         return found
@@ -97,22 +97,22 @@ def find(given: str | Path | None = None) -> Path:
 
 
 def is_checkout(place: Path) -> bool:
-    """Whether a folder holds checks and solutions."""
+    """Return whether a folder holds checks and solutions."""
     return (place / "autograder" / "checks").is_dir() and (place / "solutions").is_dir()
 
 
 def slugs(root: Path) -> list[str]:
-    """The assignments that have checks, in order."""
+    """Return the assignments that have checks, in order."""
     return sorted(path.parent.name for path in (root / "autograder" / "checks").glob("hw*/checks.py"))
 
 
 def checks_folder(root: Path, slug: str) -> Path:
-    """All that is hidden about one assignment."""
+    """Return all that is hidden about one assignment."""
     return root / "autograder" / "checks" / slug
 
 
 def slug_of(name: str, known: Sequence[str]) -> str | None:
-    """The assignment that a file's or folder's name stands for: hw07, HW7, homework 7, hw07-final, ..."""
+    """Return the assignment that a file's or folder's name stands for: hw07, HW7, homework 7, hw07-final, ..."""
     if name in known:
         return name
     number = re.match(r"(?:hw|homework)[ _-]*(\d{1,2})(?!\d)", name, re.IGNORECASE)
@@ -120,7 +120,10 @@ def slug_of(name: str, known: Sequence[str]) -> str | None:
 
 
 def named(names: Iterable[str], known: Sequence[str]) -> list[str]:
-    """The assignments that these names on the command line stand for; all that are known if there are no names."""
+    """Return the assignments that these names on the command line stand for.
+
+    All that are known if there are no names.
+    """
     found = [(name, slug_of(name, known)) for name in names]
     if unknown := [name for name, slug in found if slug is None]:
         raise UsageError(f"there is no assignment {unknown[0]!r}; there are: {', '.join(known)}")
@@ -128,13 +131,13 @@ def named(names: Iterable[str], known: Sequence[str]) -> list[str]:
 
 
 def one_named(name: str | None, known: Sequence[str]) -> str | None:
-    """The assignment that the option --assignment names; None without it."""
+    """Return the assignment that the option --assignment names; None without it."""
     return named([name], known)[0] if name else None
 
 
 @functools.cache
 def assignment(root: Path, slug: str) -> LoadedAssignment:
-    """The assignment's checks and promises, loaded from its checks file."""
+    """Return the assignment's checks and promises, loaded from its checks file."""
     (slug,) = named([slug], slugs(root))
     folder = checks_folder(root, slug)
     module = _checks(folder)
@@ -149,7 +152,7 @@ def assignment(root: Path, slug: str) -> LoadedAssignment:
 
 
 def _adapted(given: LoadedAssignment, folder: Path) -> LoadedAssignment:
-    """An assignment with the points, parts and checks of a course of one's own."""
+    """Return an assignment with the points, parts and checks of a course of one's own."""
     change = importlib.import_module(f"_checks_{folder.name}.{ADAPTED}")
     own = importlib.import_module(f"_checks_{folder.name}.{OWN}") if (folder / f"{OWN}.py").exists() else None
     checks = {check.name: replace(check, points=change.POINTS.get(check.name, check.points)) for check in given.checks}
@@ -171,7 +174,10 @@ def _adapted(given: LoadedAssignment, folder: Path) -> LoadedAssignment:
 
 
 def manual_parts(root: Path, slug: str) -> Mapping[str, tuple[float, str]]:
-    """The parts that are graded by hand, with their points and what they ask; no checks are loaded, if none change."""
+    """Return the parts that are graded by hand, with their points and what they ask.
+
+    No checks are loaded, if none change.
+    """
     folder = checks_folder(root, slug)
     if (folder / f"{ADAPTED}.py").exists():
         return assignment(root, slug).manual
@@ -179,7 +185,7 @@ def manual_parts(root: Path, slug: str) -> Mapping[str, tuple[float, str]]:
 
 
 def solution(slug: str, root: Path | None = None) -> Any:
-    """The reference solution as a module of its own."""
+    """Return the reference solution as a module of its own."""
     return _loaded((root or find()) / "solutions" / f"{slug}.py", f"_solution_{slug}")
 
 
@@ -218,7 +224,10 @@ def _digest(*folders: Path) -> bytes:
 
 
 def _checks(folder: Path) -> ModuleType:
-    """The module `checks` of a folder, loaded as part of a package of a private name: it may import its neighbours."""
+    """Return the module `checks` of a folder, loaded as part of a package of a private name.
+
+    It may import its neighbours.
+    """
     name = f"{PACKAGES}{folder.name}"
     package = ModuleType(name)
     package.__path__ = [str(folder)]
@@ -231,7 +240,7 @@ def _checks(folder: Path) -> ModuleType:
 
 
 def _stated(module: ModuleType) -> Assignment:
-    """The record in which a module of checks ends."""
+    """Return the record in which a module of checks ends."""
     stated = getattr(module, "ASSIGNMENT", None)
     if not isinstance(stated, Assignment):
         raise UsageError(f"{module.__file__} does not end in ASSIGNMENT = Assignment(...)")
@@ -239,7 +248,7 @@ def _stated(module: ModuleType) -> Assignment:
 
 
 def _named_checks(module: ModuleType) -> tuple[Check, ...]:
-    """The checks of a module, in order."""
+    """Return the checks of a module, in order."""
     return tuple(value for value in vars(module).values() if isinstance(value, Check))
 
 

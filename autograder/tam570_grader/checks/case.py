@@ -53,7 +53,7 @@ class Case:
 
 
 def _sent(value: Any) -> Any:
-    """An argument as it is sent: any sequence of numbers is a float64 array, as the contract promises."""
+    """Return an argument as it is sent: any sequence of numbers is a float64 array, as the contract promises."""
     if isinstance(value, np.generic):
         return value.item()
     if isinstance(value, np.ndarray):

@@ -37,7 +37,7 @@ class Memory:
         self._known, self._lock = dict[Any, Any](), threading.RLock()
 
     def value(self, key: Any, compute: Callable[[], Any]) -> Any:
-        """The value of this key; what is returned is shared, and not to be changed."""
+        """Return the value of this key; what is returned is shared, and not to be changed."""
         with self._lock:
             if key in self._known:
                 self._known[key] = self._known.pop(key)  # behind those that nobody has asked for since
@@ -93,7 +93,7 @@ def check(
 
 
 def needed(after: Check | Sequence[Check]) -> tuple[Check, ...]:
-    """The checks that another builds on: one or several."""
+    """Return the checks that another builds on: one or several."""
     return (after,) if isinstance(after, Check) else tuple(after)
 
 
@@ -139,7 +139,7 @@ def _takes_rng(value: Any) -> bool:
 
 
 def _drawing_once(make: Callable[..., Any]) -> Callable[..., Any]:
-    """A function whose results, where they are functions of `rng`, draw a single time a run."""
+    """Return a function whose results, where they are functions of `rng`, draw a single time a run."""
     drawing = Memory(MOST_KNOWN)
 
     @functools.wraps(make)

@@ -125,12 +125,12 @@ def _infinite_alike(result: Any, expected: Any, what: str, hint: Callable[[], st
 
 
 def absolute(*_: Any) -> float:
-    """The scale of what is judged in its own unit."""
+    """Return the scale of what is judged in its own unit."""
     return 1.0
 
 
 def largest(_: Any, expected: Any) -> float:
-    """The scale of what is judged by its largest number, as all is that has no other scale."""
+    """Return the scale of what is judged by its largest number, as all is that has no other scale."""
     return float(np.max(np.abs(np.asarray(expected, float)), initial=0.0))
 
 
@@ -144,7 +144,7 @@ class Batch:
 
     @staticmethod
     def of(reference: Callable[..., Any], cases: Iterable[Case]) -> "Batch":
-        """The batch of these very cases."""
+        """Return the batch of these very cases."""
         uncut = tuple(cases)
         batch: Batch = _batches.value((reference, *map(id, uncut)), lambda: Batch(reference, uncut))
         return batch
@@ -168,19 +168,19 @@ class Batch:
         return [expected_result(self.reference, case) for case in self.cases]
 
     def remembered(self, key: Any, compute: Callable[[], Any]) -> Any:
-        """What follows from the cases and the right results alone, computed a single time."""
+        """Return what follows from the cases and the right results alone, computed a single time."""
         if key not in self._known:
             self._known[key] = compute()
         return self._known[key]
 
     def compared(self, function: Any, results: Iterable[Any]) -> Iterator[tuple[Case, Any, Any]]:
-        """Each case with the student's result and the right one, while the two are compared."""
+        """Yield each case with the student's result and the right one, while the two are compared."""
         for case, result, expected in zip(self.cases, results, self.expected, strict=True):
             get_context().judge(function.name, case)
             yield case, result, expected
 
     def includes(self, results: list[Any], tolerance: float, key: Any, members: Members) -> bool:
-        """Whether all results are within the tolerance; False where that takes a look at each.
+        """Return whether all results are within the tolerance; False where that takes a look at each.
 
         members : members(case, right result) -> (member or None, right, scale) of all that is judged
         key     : tells it from other such functions
@@ -218,7 +218,7 @@ def _is_near(results: Sequence[Any], shapes: Any, expected: Array, limits: Array
 
 
 def _flat(values: Sequence[Any], shapes: Sequence[Any]) -> Array:
-    """All numbers of the values."""
+    """Return all numbers of the values."""
     return np.array(values).ravel() if len(set(shapes)) == 1 else np.concatenate([np.ravel(value) for value in values])
 
 
@@ -226,7 +226,7 @@ _batches = Memory(MOST_BATCHES)
 
 
 def call_cases(function: Any, reference: Reference, cases: Iterable[Case]) -> Iterator[tuple[Case, Any, Any]]:
-    """Each case, cut to what the right function takes, with the student's result and the right one."""
+    """Yield each case, cut to what the right function takes, with the student's result and the right one."""
     batch = Batch.of(find_reference(reference, function), cases).distinct
     yield from batch.compared(function, function.many(batch.cases))
 
@@ -251,18 +251,18 @@ def first_wrong(reference: Reference, case: Case, *functions: Any) -> Callable[[
 
 
 def _numbers(result: Any) -> Any:
-    """All numbers of a result, or of the members of a tuple, one after another."""
+    """Return all numbers of a result, or of the members of a tuple, one after another."""
     return np.hstack([np.ravel(part) for part in (result if isinstance(result, tuple) else [result])])
 
 
 def find_reference(reference: Reference, function: Any) -> Callable[..., Any]:
-    """The right function; of a module, the one that has the name of the student's."""
+    """Return the right function; of a module, the one that has the name of the student's."""
     true: Callable[..., Any] = reference if callable(reference) else getattr(reference, function.name)
     return true
 
 
 def trim_to_signature(reference: Callable[..., Any], cases: Iterable[Case]) -> list[Case]:
-    """The cases without the parameters that the right function has not, and without the last arguments beyond its own.
+    """Trim cases to the parameters and arguments of the right function.
 
     So the same cases serve functions that are given more or less of the same thing.
     """
@@ -289,12 +289,15 @@ def describe(function: Any, name: str) -> Any:
 
 
 def _hint(hint: Any, case: Case, found: Any, reference: Any, one: Any, expected: Any) -> str:
-    """What right numbers have lost, else the hint of the case, else that of the check."""
+    """Return what right numbers have lost, else the hint of the case, else that of the check."""
     return digits_lost(one, expected) or case.hint or (hint(case, found, reference) if callable(hint) else hint)
 
 
 def digits_lost(found: Any, expected: Any) -> str:
-    """A sentence for the right numbers in single precision, or rounded; numbers that have few digits do not tell."""
+    """Return a sentence for the right numbers in single precision, or rounded.
+
+    Numbers that have few digits do not tell.
+    """
     found, expected = np.asarray(found, float), np.asarray(expected, float)
     off = float(np.max(np.abs(found - expected), initial=0.0))
     exact = [places for places in PLACES if np.array_equal(found, np.round(found, places))]

@@ -28,7 +28,7 @@ BITS = math.ceil(SLOTS * math.log2(max(LEVELS * (CEILING - FLOOR), 2 * STEPS) + 
 def curve(
     t: Any, actual: Any, expected: Any, scale: Any, *, tolerance: float, quantity: str, unit: str
 ) -> Curve | None:
-    """The error along the times t, None if there is no course of it to draw.
+    """Return the error along the times t, None if there is no course of it to draw.
 
     An invariant (one number at each time, expected to stay) keeps its sign: whether energy is lost or gained tells.
     Of several motions in a row, that with the largest error is taken.
@@ -50,7 +50,7 @@ def curve(
 
 
 def kept(t: Any, values: Any, *, tolerance: float, quantity: str, unit: str = "") -> Curve | None:
-    """What becomes of a number that the right motion keeps, along the student's, from its first value on."""
+    """Return what becomes of a number that the right motion keeps, along the student's, from its first value on."""
     values = np.asarray(values, float)
     return curve(
         t, values, np.broadcast_to(values[:1], values.shape), 1.0, tolerance=tolerance, quantity=quantity, unit=unit
@@ -58,7 +58,7 @@ def kept(t: Any, values: Any, *, tolerance: float, quantity: str, unit: str = ""
 
 
 def _one_motion(t: Array, row: int) -> slice:
-    """The rows around this one along which time goes on."""
+    """Return the rows around this one along which time goes on."""
     breaks = np.flatnonzero(np.diff(t) <= 0) + 1
     ends = np.concatenate([[0], breaks, [len(t)]])
     index = int(np.searchsorted(ends, row, side="right"))

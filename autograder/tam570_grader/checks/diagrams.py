@@ -67,7 +67,7 @@ class Force:
     reversed: str = ""
 
     def drawn_by(self, arrows: Sequence[Arrow], near: float) -> bool:
-        """Whether these arrows, and they alone, draw this force."""
+        """Return whether these arrows, and they alone, draw this force."""
         if not self.acts and not arrows:
             return True
         if not arrows or any(math.dist(arrow.point, np.asarray(self.point, float)) > near for arrow in arrows):
@@ -118,7 +118,7 @@ class FreeBody:
 
 
 def weight(point: ArrayLike, where: str, gravity: float, down: ArrayLike = (0.0, -1.0)) -> Force:
-    """The weight, straight down; without gravity it may be left out."""
+    """Return the weight, straight down; without gravity it may be left out."""
     reversed = "You drew the weight upwards: this is the force that the body exerts on the earth."
     return Force("the weight", point, where, down, sense=True, acts=gravity != 0, reversed=reversed)
 
@@ -137,7 +137,7 @@ def _arrow_of(force: Force) -> Arrow:
 
 
 def complaint(body: FreeBody, arrows: Sequence[Arrow]) -> str:
-    """What is wrong with a diagram; empty if it is right."""
+    """Return what is wrong with a diagram; empty if it is right."""
     near = SAME * max(float(np.linalg.norm(np.asarray(force.point, float))) for force in body.forces)
     if _is_drawn(body.forces, arrows, near) or not any(match := _best_match(body, arrows, near)):
         return ""
@@ -146,7 +146,7 @@ def complaint(body: FreeBody, arrows: Sequence[Arrow]) -> str:
 
 
 def _sketch(body: FreeBody, arrows: Sequence[Arrow]) -> dict[str, Any]:
-    """What the student drew beside the body, so coarse that it can carry no hidden input: 14 bits an arrow.
+    """Return what the student drew beside the body, so coarse that it can carry no hidden input: 14 bits an arrow.
 
     outline : lines [x1, y1, x2, y2], 0 to SHEET, y up
     arrows  : [x, y, angle in degrees], None for an unknown direction; SHOWN at most
@@ -177,7 +177,7 @@ def _angle(direction: Vector) -> int:
 
 
 def _is_drawn(forces: Sequence[Force], arrows: Sequence[Arrow], near: float) -> bool:
-    """Whether each force has an arrow of its own, the first that draws it, and no arrow is left."""
+    """Return whether each force has an arrow of its own, the first that draws it, and no arrow is left."""
     left = list(arrows)
     for force in forces:
         if not (drawn := next((arrow for arrow in left if force.drawn_by([arrow], near)), None)):
@@ -195,7 +195,7 @@ def _faults(match: Match) -> int:
 
 
 def _best_match(body: FreeBody, arrows: Sequence[Arrow], near: float) -> Match:
-    """The match that leaves the least, of all divisions into forces."""
+    """Return the match that leaves the least, of all divisions into forces."""
     return min((_match(forces, arrows, near) for forces in (body.forces, *body.others)), key=_faults)
 
 
@@ -208,7 +208,7 @@ def _match(forces: Sequence[Force], arrows: Sequence[Arrow], near: float) -> Mat
 
 
 def _worth(forces: Sequence[Force], ways: Sequence[tuple[int, ...] | None]) -> tuple[int, int]:
-    """How many forces are drawn, by how many arrows; no arrow may draw two."""
+    """Return how many forces are drawn, by how many arrows; no arrow may draw two."""
     used = [*itertools.chain.from_iterable(filter(None, ways))]
     if len(set(used)) < len(used):
         return -1, 0
@@ -216,7 +216,7 @@ def _worth(forces: Sequence[Force], ways: Sequence[tuple[int, ...] | None]) -> t
 
 
 def _ways(force: Force, arrows: Sequence[Arrow], near: float) -> Iterator[tuple[int, ...] | None]:
-    """The numbers of arrows that together draw a force; None where it is missing."""
+    """Yield the numbers of arrows that together draw a force; None where it is missing."""
     yield None
     sizes = {0, 1, np.size(force.point)}
     for numbers in itertools.chain.from_iterable(itertools.combinations(range(len(arrows)), n) for n in sizes):
@@ -225,7 +225,7 @@ def _ways(force: Force, arrows: Sequence[Arrow], near: float) -> Iterator[tuple[
 
 
 def _misplaced(missing: Sequence[Force], extra: Sequence[Arrow], near: float) -> str:
-    """A force of known sense that is drawn in the other one, at another point, or by its components."""
+    """Return a force of known sense that is drawn in the other one, at another point, or by its components."""
     for force, arrow in itertools.product([one for one in missing if one.sense], extra):
         here = [one for one in extra if one is not arrow and _at(force, one, near)]
         if _at(force, arrow, near) and any(_perpendicular([arrow, one]) for one in here):
@@ -242,7 +242,7 @@ def _elsewhere(force: Force) -> str:
 
 
 def _not_a_force(body: FreeBody, arrows: Sequence[Arrow], match: Match, near: float) -> str:
-    """An arrow that is no force on this body: without it the diagram is better."""
+    """Return an arrow that is no force on this body: without it the diagram is better."""
     for wrong, arrow in itertools.product(body.wrong, arrows):
         others = [other for other in arrows if other is not arrow]
         if wrong.drawn_by(arrow, near) and _faults(_best_match(body, others, near)) < _faults(match):
@@ -263,7 +263,7 @@ def _general(body: FreeBody, missing: Sequence[Force], extra: Sequence[Arrow], n
 
 
 def _instead(force: Force, arrow: Arrow, near: float) -> str:
-    """What is wrong with an arrow, if it is meant to be a force that is missing."""
+    """Return what is wrong with an arrow, if it is meant to be a force that is missing."""
     if not _at(force, arrow, near):
         return (
             f"You drew {force.name} at the wrong point; it acts at {force.where}." if _same_line(force, arrow) else ""
@@ -286,7 +286,7 @@ def _same_line(force: Force, arrow: Arrow, sense: bool = False) -> bool:
 
 
 def _parallel(direction: Vector, along: ArrayLike, sense: bool) -> bool:
-    """Whether two vectors have the same direction; without `sense`, or the opposite one."""
+    """Return whether two vectors have the same direction; without `sense`, or the opposite one."""
     one, other = _unit(direction), _unit(along)
     apart = math.dist(one, other) if sense else min(math.dist(one, other), math.dist(one, -other))
     return apart <= SAME
@@ -297,7 +297,7 @@ def _opposite(arrow: Arrow, push: ArrayLike) -> bool:
 
 
 def _perpendicular(arrows: Sequence[Arrow]) -> bool:
-    """Whether arrows, as many as there are dimensions, are perpendicular to each other."""
+    """Return whether arrows, as many as there are dimensions, are perpendicular to each other."""
     if any(arrow.direction is None for arrow in arrows):
         return False
     units = np.array([_unit(arrow.direction) for arrow in arrows])

@@ -73,7 +73,7 @@ def compile_counted(text: str | bytes, name: str, *, in_python: bool = False) ->
 
 
 def _is_head(node: ast.stmt) -> bool:
-    """Whether it must be before all else: the docstring, and imports from the future."""
+    """Return whether it must be before all else: the docstring, and imports from the future."""
     return (isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)) or (
         isinstance(node, ast.ImportFrom) and node.module == "__future__"
     )
@@ -110,7 +110,7 @@ class _Counted(ast.NodeTransformer):
 
 
 def solve(rhs: Callable[..., Any], *args: Any, **known: Any) -> Any:
-    """`tam570.integrate.solve`, which calls `rhs` at every stage."""
+    """Return `tam570.integrate.solve`, which calls `rhs` at every stage."""
     from tam570.integrate import solve
 
     def rates(t: float, y: Any, **parameters: Any) -> Any:

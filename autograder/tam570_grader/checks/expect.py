@@ -93,7 +93,7 @@ class CheckContext:
             raise self._explained(*min(self.failures, key=lambda one: one[0].share))
 
     def _explained(self, failed: Failed, hint: Hint) -> Failed:
-        """The one failure that is told, with its hint, which may take long to find."""
+        """Return the one failure that is told, with its hint, which may take long to find."""
         said, fault = _said(hint, self)
         failed.failure = replace(failed.failure, hint=said, fault=fault)
         return failed
@@ -103,7 +103,7 @@ _current: ContextVar[CheckContext] = ContextVar("trial")
 
 
 def get_context() -> CheckContext:
-    """The trial that is running; one of its own for a check that is called by hand."""
+    """Return the trial that is running; one of its own for a check that is called by hand."""
     return _current.get(None) or CheckContext()
 
 
@@ -182,7 +182,7 @@ def fail(
 
 
 def _said(hint: Hint, running: CheckContext) -> tuple[str, str]:
-    """Where to look, and what went wrong on our side in choosing it: no reason to lose a grade."""
+    """Return where to look, and what went wrong on our side in choosing it: no reason to lose a grade."""
     if not callable(hint):
         return hint, ""
     try:
@@ -197,14 +197,14 @@ def _said(hint: Hint, running: CheckContext) -> tuple[str, str]:
 
 
 def _in_limits(error: float, tolerance: float) -> float:
-    """The error over its limit, which is 0 where a number must be exact."""
+    """Return the error over its limit, which is 0 where a number must be exact."""
     if np.isnan(error):
         return np.inf
     return error / tolerance if tolerance else np.inf if error else 0.0
 
 
 def distance(actual: Any, expected: Any) -> Any:
-    """The size of the difference; zero where both are infinite: infinity may be right."""
+    """Return the size of the difference; zero where both are infinite: infinity may be right."""
     with np.errstate(invalid="ignore"):
         return np.where(actual == expected, 0.0, np.abs(actual - expected))
 

@@ -51,7 +51,7 @@ def sharing(folder: Path | None) -> Iterator[None]:
 
 
 def shared(function: str, name: str, inputs: bytes, compute: Callable[[], Any]) -> Any:
-    """What `compute` gives, from whoever computed it first where that took long.
+    """Return what `compute` gives, from whoever computed it first where that took long.
 
     function : whose other answers are likely to be as dear
     name     : tells the computation from all others; "" where that cannot be
@@ -81,7 +81,7 @@ def _keep(path: Path, value: Any) -> None:
 
 
 def _name(reference: Callable[..., Any]) -> str:
-    """A function's, if the module holds it by this name: a closure may be another in the next process."""
+    """Return a function's, if the module holds it by this name: a closure may be another in the next process."""
     module, name = reference.__module__, getattr(reference, "__qualname__", "")
     return f"{module}.{name}" if getattr(sys.modules.get(module), name, None) is reference else ""
 

@@ -36,5 +36,5 @@ class Failure:
     fault: str = ""  # of ours, in looking for a name
 
     def named(self, suspect: str | None, follows_from: str = "", fault: str = "") -> "Failure":
-        """The same failure with the known mistake, or where it was made, or with what kept us from finding one."""
+        """Add the known mistake, or where it was made, or with what kept us from finding one."""
         return replace(self, suspect=suspect, follows_from=follows_from, fault=fault)

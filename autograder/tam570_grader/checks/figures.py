@@ -57,7 +57,7 @@ class Figure:
         self._corner, self._parts = np.array([x[0], y[1]]), list[str]()
 
     def svg(self) -> str:
-        """The drawing as SVG, with its title and description."""
+        """Return the drawing as SVG, with its title and description."""
         head = (
             f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {self.height}" width="{WIDTH}" '
             f'height="{self.height}" role="img" aria-labelledby="t d">\n'

@@ -18,7 +18,7 @@ FOLLOWS = 1e-4  # another term changes more
 
 
 def in_symbols(cases: Iterable[Case], *symbols: str) -> list[Case]:
-    """The same values as keywords, which are the symbols of a formula."""
+    """Return the same values as keywords, which are the symbols of a formula."""
     return [
         Case(**dict(zip(symbols, (*case.args, *case.kwargs.values()), strict=True))).labelled(case.label, case.hint)
         for case in cases
@@ -26,7 +26,9 @@ def in_symbols(cases: Iterable[Case], *symbols: str) -> list[Case]:
 
 
 def from_own_lagrangian(student: Any, cases: Sequence[Case], otherwise: str) -> Callable[..., str]:
-    """A hint for `lagrange_equation`: whether a wrong x'' is that of the student's own `lagrangian` of x, v and more.
+    """Return a hint for `lagrange_equation`.
+
+    Whether a wrong x'' is that of the student's own `lagrangian` of x, v and more.
 
     cases : whose keywords are the Lagrangian's symbols, x and v not zero
     """

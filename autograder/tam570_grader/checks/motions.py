@@ -68,19 +68,19 @@ class Motion:
         return float(self.errors.max())
 
     def near(self, rows: Any, quantity: Any = None) -> bool:
-        """Whether the student's rows, or some of them, are these, and not as well the right ones."""
+        """Return whether the student's rows, or some of them, are these, and not as well the right ones."""
         found, tolerance = self.found if quantity is None else quantity, min(ALIKE, BETTER * self.error)
         return np.shape(rows) == found.shape and bool(np.max(np.abs(rows - found) / self.scales) <= tolerance)
 
     def again(self, t: Array) -> Array | None:
-        """The student's rows when other times are asked for; None where there are none."""
+        """Return the student's rows when other times are asked for; None where there are none."""
         try:
             return flat(self.function.aside(self.case.replace(t)))
         except (Failed, NotWritten):
             return None
 
     def truly(self, t: Array, *start: Any) -> Array:
-        """The right rows at other times, or from another start."""
+        """Return the right rows at other times, or from another start."""
         case = self.case.replace(t, *start)
         return flat(expected_result(self.right, case))
 
@@ -92,7 +92,7 @@ def diagnosed(
     near_miss: float,
     rates_are_right: Callable[[], bool] | None = None,
 ) -> str:
-    """What a wrong motion is instead, in a sentence; empty if the rows do not tell.
+    """Return what a wrong motion is instead, in a sentence; empty if the rows do not tell.
 
     near_miss : the error, of the scale, up to which a loose tolerance is likely even where nothing moves
     rates_are_right : whether the student's own function of the rates is
@@ -115,7 +115,7 @@ Tell = tuple[Callable[[], bool], str]
 
 
 def _tells(motion: Motion, motions: Sequence[Motion], turns: Sequence[int]) -> list[Tell]:
-    """The questions in order: what is cheap and certain comes first."""
+    """Return the questions in order: what is cheap and certain comes first."""
     inner, expected = motion.found[1:-1], motion.expected
     return [
         (lambda: _still(motion), "Every row is the start"),
@@ -163,7 +163,7 @@ def _even(motion: Motion) -> bool:
 
 
 def _at_other_times(motion: Motion) -> bool:
-    """Whether the rows are those at even times of another step, such as one of the student's own."""
+    """Return whether the rows are those at even times of another step, such as one of the student's own."""
     moved = np.max(np.ptp(motion.found, axis=0) / motion.scales)
     if len(motion.t) < 3 or not ROUGHLY < moved <= ABSURD or motion.errors[0].max() > ALIKE:
         return False
@@ -192,7 +192,7 @@ def _steps(motion: Motion) -> Iterator[float]:
 
 
 def _from_zero(motion: Motion) -> bool:
-    """The right motion with its start at t = 0, at the times after both."""
+    """Return the right motion with its start at t = 0, at the times after both."""
     t = motion.t
     after = t > max(t[0], 0.0)
     if t[0] == 0 or not after.any():
@@ -217,7 +217,7 @@ def _another(motion: Motion, motions: Sequence[Motion]) -> bool:
 
 
 def _joined(motion: Motion) -> bool:
-    """Whether the worst row is right where its time is the last, at which every integrator ends a step."""
+    """Return whether the worst row is right where its time is the last, at which every integrator ends a step."""
     row = int(np.argmax(motion.errors.max(axis=1)))
     if row == 0 or len(motion.t) < 3 or not DENSE < motion.error < 1:
         return False
@@ -226,7 +226,7 @@ def _joined(motion: Motion) -> bool:
 
 
 def _denser(motion: Motion) -> bool:
-    """Whether times in between bring the rows right, which cannot be the equation's fault."""
+    """Return whether times in between bring the rows right, which cannot be the equation's fault."""
     t, between = motion.t, max(2, DENSER // len(motion.t))
     fine = np.append(np.linspace(t[:-1], t[1:], between, endpoint=False).T.ravel(), t[-1])
     again = motion.again(fine)
@@ -236,12 +236,14 @@ def _denser(motion: Motion) -> bool:
 
 
 def _left(motion: Motion, rows: Array, row: int) -> float:
-    """The error of a row that was asked for in another way."""
+    """Return the error of a row that was asked for in another way."""
     return float(np.max(np.abs(rows - motion.expected[row]) / motion.scales))
 
 
 def obeys(motion: Motion, *, everywhere: bool = False) -> bool:
-    """Whether each row nearly follows from the one before by the right equations: then only the steps are coarse.
+    """Return whether each row nearly follows from the one before by the right equations.
+
+    Then only the steps are coarse.
 
     everywhere : ask at every row, and allow no exception; else at some
     """
@@ -263,13 +265,16 @@ def _some(motion: Motion, count: int = TRIED) -> NDArray[np.int_]:
 
 
 def _lost(motion: Motion, rows: NDArray[np.int_]) -> Array:
-    """How far the right motion from each of these rows passes from the row after it, of the scale."""
+    """Return how far the right motion from each of these rows passes from the row after it, of the scale."""
     led = [motion.truly(motion.t[row : row + 2], *_restart(motion, motion.found[row]))[-1] for row in rows]
     return np.asarray(np.max(np.abs(np.array(led) - motion.found[rows + 1]) / motion.scales, axis=1))
 
 
 def _explained(motion: Motion) -> float:
-    """The share of the errors that wrong rates make: near zero where the physics is right, NaN where none can tell."""
+    """Return the share of the errors that wrong rates make.
+
+    Near zero where the physics is right, NaN where none can tell.
+    """
     rows, shares = _some(motion), list[float]()
     try:
         made = _lost(motion, rows) / (motion.t[rows + 1] - motion.t[rows])
@@ -284,7 +289,7 @@ def _explained(motion: Motion) -> float:
 
 
 def _worst(motion: Motion, rows: NDArray[np.int_]) -> Iterator[tuple[float, Array]]:
-    """Times and states where most of the error is made: rows, the worst first, and right states behind the first.
+    """Yield times and states where most of the error is made: rows, the worst first, and right states behind the first.
 
     A row that breaks a constraint is taken as the right motion takes it.
     """
@@ -295,7 +300,7 @@ def _worst(motion: Motion, rows: NDArray[np.int_]) -> Iterator[tuple[float, Arra
 
 
 def _apart(motion: Motion, starts: Sequence[tuple[float, Array]], instant: float) -> float:
-    """The largest rate, of the scale, at which the student's function leaves the right one."""
+    """Return the largest rate, of the scale, at which the student's function leaves the right one."""
     rates = list[float]()
     for at, state in starts:
         t, start = at + (motion.t[-1] - motion.t[0]) * np.array([0, instant]), _restart(motion, state)
@@ -306,7 +311,7 @@ def _apart(motion: Motion, starts: Sequence[tuple[float, Array]], instant: float
 
 
 def _restart(motion: Motion, row: Array) -> tuple[Any, ...]:
-    """The arguments behind t that begin the motion at a row; ValueError where the row does not tell them."""
+    """Return the arguments behind t that begin the motion at a row; ValueError where the row does not tell them."""
     if motion.restart:
         return motion.restart(row)
     starts = [one for one in motion.case.args[1:] if not isinstance(one, str)]

@@ -37,7 +37,7 @@ MOST_POINTS, MOST_CORNERS = 400, 4000  # a picture of a million points costs no 
 
 
 def readable(picture: Drawing) -> Drawing:
-    """What a student draws, its labels without TeX's fonts and spaces, and of its lines those that are curves."""
+    """Read what a student draws, labels without TeX's fonts and spaces, and of its lines those that are curves."""
     xlabel, ylabel = (re.sub(SPACES, " ", re.sub(FONTS, "", label)) for label in (picture.xlabel, picture.ylabel))
     lines = (replace(line, points=_told_apart(line.points)) for line in picture.lines)
     curves = tuple(line for line in lines if len(line.points) >= FEWEST)
@@ -45,13 +45,16 @@ def readable(picture: Drawing) -> Drawing:
 
 
 def _told_apart(points: Array) -> Array:
-    """The points without NaN, which lifts the pen, and without repetition of the one before."""
+    """Return the points without NaN, which lifts the pen, and without repetition of the one before."""
     points = np.clip(points[np.isfinite(points).all(axis=1)], -LARGEST, LARGEST)
     return points[np.insert(np.diff(points, axis=0).any(axis=1), 0, True)] if len(points) else points
 
 
 def along(line: Line, path: Array) -> Array:
-    """The points of a drawn line in its order; those of a scatter, which has none, in that of the path next to them."""
+    """Return the points of a drawn line in its order.
+
+    Those of a scatter, which has none, in that of the path next to them.
+    """
     from scipy.spatial import cKDTree
 
     if not line.scatter:
@@ -73,7 +76,7 @@ def distances(points: ArrayLike, polygon: ArrayLike) -> Array:
 
 
 def _is_along(points: ArrayLike, polygon: ArrayLike, limit: float) -> bool:
-    """Whether each point is so near to a side at its nearest corner; if not, it may be near to another side."""
+    """Return whether each point is so near to a side at its nearest corner; if not, it may be near to another side."""
     from scipy.spatial import cKDTree
 
     places, corners = _some(points, MOST_POINTS), _some(polygon, MOST_CORNERS)
@@ -101,7 +104,7 @@ def path_drawn(
     wrong_source: Callable[[], str],
     near_miss_credit: bool = True,
 ) -> None:
-    """Whether a line is the path, from its first point to its last and in its order.
+    """Require that a line is the path, from its first point to its last and in its order.
 
     within : of the path's extent, for the line's points
     fewer  : how many times as much for the path between fewer points
@@ -127,7 +130,7 @@ def path_drawn(
 
 
 def _other_path(drawn: Array, path: Array, others: Mapping[str, ArrayLike], near: float, wrong_source: Any) -> str:
-    """Which other path has the ends of the drawn one, if one has."""
+    """Return which other path has the ends of the drawn one, if one has."""
     for message, paths in others.items():
         each = np.reshape(paths, (-1, *np.shape(paths)[-2:]))
         if any(np.allclose(drawn[[0, -1]], one[[0, -1]], rtol=0, atol=near) for one in each):
@@ -145,14 +148,17 @@ def _arc_length(path: Array) -> float:
 
 
 def _some(points: ArrayLike, most: int) -> NDArray[Any]:
-    """Every kth of the points, so that there are `most` or fewer, in the complex plane."""
+    """Return every kth of the points, so that there are `most` or fewer, in the complex plane."""
     points = np.asarray(points, float)
     x, y = points[:: -(-len(points) // most)].T
     return np.asarray(x + 1j * y)
 
 
 def curves_seen(picture: Drawing, count: int) -> tuple[Line, ...]:
-    """The curves that can be seen, of which there must be so many; those that cannot are no fault beside them."""
+    """Return the curves that can be seen, of which there must be so many.
+
+    Those that cannot are no fault beside them.
+    """
     seen = tuple(line for line in picture.lines if not _unseen(line))
     hidden = [line for line in picture.lines if _unseen(line)]
     if len(seen) < count and hidden:
@@ -163,7 +169,7 @@ def curves_seen(picture: Drawing, count: int) -> tuple[Line, ...]:
 
 
 def _unseen(line: Line) -> str:
-    """Why a curve cannot be seen; empty if it can."""
+    """Return why a curve cannot be seen; empty if it can."""
     if not line.tolerance >= WITHIN:
         return "It leaves the limits of the axes."
     if not line.extent >= EXTENT:
@@ -174,7 +180,7 @@ def _unseen(line: Line) -> str:
 def judge_axes_of_lengths(
     picture: Drawing, across: str = "x horizontal", up: str = "y height vertical", *, from_below: bool = False
 ) -> None:
-    """Whether both axes are lengths by their labels, the unit being a word of its own, evenly and at one scale.
+    """Require that both axes are lengths by their labels, the unit being a word of its own, evenly and at one scale.
 
     across, up : the words that name either axis, the usual one first
     from_below : whether the picture may be seen from behind the paper, one axis turned round or both exchanged
@@ -193,7 +199,7 @@ def judge_axes_of_lengths(
 
 
 def exchanged(picture: Drawing, across: str = "x", up: str = "y") -> tuple[bool, bool]:
-    """Whether the label of x, and that of y, has a name of the other axis and none of its own."""
+    """Return whether the label of x, and that of y, has a name of the other axis and none of its own."""
     along_x, along_y = (set(re.findall("[a-z]+", label.lower())) for label in (picture.xlabel, picture.ylabel))
     right, upwards = set(across.split()), set(up.split())
     return not along_x & right and bool(along_x & upwards), not along_y & upwards and bool(along_y & right)
@@ -203,13 +209,16 @@ METRES = {"m", "metre", "metres", "meter", "meters"}
 
 
 def words(label: str) -> set[str]:
-    """The words of a label, without punctuation around them, in lower case; a single letter keeps its case (M, m)."""
+    """Return the words of a label, without punctuation around them, in lower case.
+
+    A single letter keeps its case (M, m).
+    """
     stripped = (word.strip("()[]{}$,;:.\\") for word in label.replace("(s)", "s").split())
     return {word if len(word) == 1 else word.lower() for word in stripped}
 
 
 def judge_boxes(function: Any, cases: Iterable[tuple[Array, Array, str]], tolerance: float) -> None:
-    """Whether the function gives the twelve edges of boxes R, size=size around the origin, each of a kind in words."""
+    """Require the twelve edges of boxes R, size=size around the origin, each of a kind in words."""
     for R, size, label in cases:
         (found,) = function.many([Case(R, size=size).labelled(label)])
         expect(
@@ -224,20 +233,20 @@ def judge_boxes(function: Any, cases: Iterable[tuple[Array, Array, str]], tolera
 
 
 def _edges(R: Array, size: Array) -> Array:
-    """The twelve edges: corners that differ in one sign."""
+    """Return the twelve edges: corners that differ in one sign."""
     signs = 2 * np.array(list(np.ndindex(2, 2, 2))) - 1
     pairs = [(i, j) for i in range(8) for j in range(i) if np.count_nonzero(signs[i] != signs[j]) == 1]
     return np.asarray((signs[np.array(pairs)] * size / 2) @ R.T)
 
 
 def _astray(found: Array, right: Array) -> float:
-    """The largest distance of an edge that is there to the nearest right one, in any direction."""
+    """Return the largest distance of an edge that is there to the nearest right one, in any direction."""
     both_ways = [np.abs(found[:, None] - one_way).max(axis=(2, 3)) for one_way in (right, right[:, ::-1])]
     return float(np.minimum(*both_ways).min(axis=1).max())
 
 
 def _mismatch(found: Array, right: Array) -> float:
-    """How far two boxes' edges are apart, in any order and direction: no edge may be astray, nor be missing."""
+    """Return how far two boxes' edges are apart, in any order and direction: no edge may be astray, nor be missing."""
     return max(_astray(found, right), _astray(right, found))
 
 
@@ -252,7 +261,7 @@ MISTAKEN_BOXES: dict[str, Callable[[Array, Array], Array]] = {
 
 
 def _mistake(found: Array, R: Array, size: Array, tolerance: float) -> str:
-    """What is wrong, if it is a known mistake, else what to look at."""
+    """Return what is wrong, if it is a known mistake, else what to look at."""
     near = tolerance * max(size)
     known = [message for message, box in MISTAKEN_BOXES.items() if _mismatch(found, box(R, size)) < near]
     if not known and _astray(found, _edges(R, size)) < near:

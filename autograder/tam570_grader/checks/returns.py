@@ -65,7 +65,7 @@ class Array:
     description: Description = field(default=Description(), compare=False)
 
     def described(self, quantity: str, unit: str = "", scale: Scale | None = None) -> "Array":
-        """The same promise, with what messages call its result."""
+        """Return the same promise, with what messages call its result."""
         return replace(self, description=Description(quantity, unit, scale))
 
 
@@ -88,7 +88,7 @@ class Formula:
     description: Description = field(default=Description(), compare=False)
 
     def described(self, quantity: str, unit: str = "", scale: Scale | None = None) -> "Formula":
-        """The same promise, with what messages call its value."""
+        """Return the same promise, with what messages call its value."""
         return replace(self, description=Description(quantity, unit, scale))
 
 
@@ -142,6 +142,7 @@ ReturnSpec = Array | Group | Formula | Drawing | FreeBodyDiagram
 
 
 def array(*shape: int | str | None, infinite: bool = False, columns: Sequence[Any] = ()) -> Array:
+    """Describe an array of this shape."""
     return Array(shape, infinite, columns)
 
 
@@ -151,19 +152,25 @@ def rows(*shape: int, columns: Sequence[Any] = ()) -> Array:
 
 
 def group(*members: Array | Group) -> Group:
+    """Describe several results of one function."""
     return Group(members)
 
 
 def formula(*symbols: str) -> Formula:
+    """Describe an expression of SymPy in these symbols."""
     return Formula(symbols)
 
 
 def free_body_diagram(dimension: int) -> FreeBodyDiagram:
+    """Describe pairs (point, direction) of so many numbers each."""
     return FreeBodyDiagram(dimension)
 
 
 def result(returns: Array | Group | FreeBodyDiagram, value: Any, name: str, call: Case) -> Any:
-    """The student's result in the promised form: a float, an array, or a tuple of these or of arrows; else Failed."""
+    """Return the student's result in the promised form.
+
+    A float, an array, or a tuple of these or of arrows; else Failed.
+    """
     if isinstance(returns, FreeBodyDiagram):
         return _arrows(returns, value, name)
     if isinstance(returns, Group):
@@ -180,7 +187,10 @@ def result(returns: Array | Group | FreeBodyDiagram, value: Any, name: str, call
 
 
 def results_alike(returns: ReturnSpec, values: Sequence[Any]) -> list[Any] | None:
-    """The results of several calls, as `result` makes each, where all are as promised; None where one may not be."""
+    """Return the results of several calls, as `result` makes each, where all are as promised.
+
+    None where one may not be.
+    """
     if isinstance(returns, Group):
         if not all(_is_sequence(value) and len(value) == len(returns.members) for value in values):
             return None
@@ -215,7 +225,7 @@ def _is_sequence(value: Any) -> bool:
 
 
 def _arrows(returns: FreeBodyDiagram, value: Any, name: str) -> tuple[Arrow, ...]:
-    """The arrows of a diagram; one of length zero draws nothing."""
+    """Return the arrows of a diagram; one of length zero draws nothing."""
     if not _is_sequence(value):
         raise Failed(f"{name} returned {_kind(value)}, not a list of pairs (point, direction)")
     if len(value) > MOST_ARROWS:
@@ -233,7 +243,7 @@ def _arrow(returns: FreeBodyDiagram, pair: Any, name: str) -> Arrow:
 
 
 def _vector(returns: FreeBodyDiagram, value: Any, name: str) -> np.ndarray:
-    """A vector of the diagram's dimension; in a plane a third component of zero does no harm."""
+    """Return a vector of the diagram's dimension; in a plane a third component of zero does no harm."""
     found = _array(value, name)
     if returns.dimension == 2 and found.shape == (3,) and found[2] == 0:
         found = found[:2]
@@ -246,7 +256,7 @@ def _vector(returns: FreeBodyDiagram, value: Any, name: str) -> np.ndarray:
 
 
 def _array(value: Any, name: str) -> np.ndarray:
-    """The value as float64; complex numbers, objects, strings and ragged lists are none."""
+    """Return the value as float64; complex numbers, objects, strings and ragged lists are none."""
     try:
         found = np.asarray(value)
     except ValueError:
@@ -264,7 +274,7 @@ def _fits(found: tuple[int, ...], wanted: tuple[Any, ...]) -> bool:
 
 
 def _cut_short(returns: Array, found: tuple[int, ...], wanted: tuple[Any, ...]) -> str:
-    """A row may be forgotten; where several are missing, an integrator gave up."""
+    """Return a row may be forgotten; where several are missing, an integrator gave up."""
     rows_missing = returns.shape[:1] == ("n",) and found[1:] == wanted[1:] and found[:1] < (wanted[0] - 1,)
     return "Rows are missing: did the integration stop early?" if rows_missing else ""
 
@@ -281,7 +291,7 @@ def _shaped(shape: tuple[Any, ...]) -> str:
 
 
 def _size(size: Any) -> str:
-    """A length in words: a long one could be an input, written out."""
+    """Return a length in words: a long one could be an input, written out."""
     return "many" if isinstance(size, int) and size > LONGEST_TOLD else str(size)
 
 

@@ -46,7 +46,7 @@ class ManualPart:
 
 
 def load_rubric(released: Path) -> dict[str, ManualPart]:
-    """The parts graded by hand, by letter, of the released folder of an assignment; {} if it has none.
+    """Return the parts graded by hand, by letter, of the released folder of an assignment; {} if it has none.
 
     Raises KeyError or TypeError where the file has another form.
     """
@@ -60,13 +60,13 @@ def load_rubric(released: Path) -> dict[str, ManualPart]:
 
 
 def rubric_table(part: ManualPart) -> str:
-    """The claims of a part as a Markdown table."""
+    """Return the claims of a part as a Markdown table."""
     rows = (f"| {points:g} | {says} |" for points, says in part.claims)
     return "\n".join(["| points | your answer |", "|---|---|", *rows])
 
 
 def with_rubric(readme: str, rubric: Mapping[str, ManualPart]) -> str:
-    """A README whose last section is the rubric."""
+    """Return a README whose last section is the rubric."""
     sections = [
         f"**Part ({letter})**, {part.worth}: {part.asks}.\n\n{rubric_table(part)}" for letter, part in rubric.items()
     ]
@@ -75,5 +75,5 @@ def with_rubric(readme: str, rubric: Mapping[str, ManualPart]) -> str:
 
 
 def without_rubric(readme: str) -> str:
-    """A README up to its rubric."""
+    """Return a README up to its rubric."""
     return readme.partition(HEADING)[0].rstrip()

@@ -17,7 +17,7 @@ KEPT = "Is anything kept between calls?"
 
 
 def uneven(rng: np.random.Generator, span: float, count: int, start: float | None = None) -> Array:
-    """`count` times of uneven spacing over a span, from `start`, or from anywhere but zero."""
+    """Return `count` times of uneven spacing over a span, from `start`, or from anywhere but zero."""
     steps = np.append(0.0, np.cumsum(rng.uniform(0.2, 1.8, count - 1)))
     if start is None:
         start = span * rng.uniform(0.3, 0.6) * rng.choice([-1, 1])
@@ -25,7 +25,9 @@ def uneven(rng: np.random.Generator, span: float, count: int, start: float | Non
 
 
 def repeated_calls(rng: np.random.Generator, case: Case, *, start: Any = None, **parameters: Any) -> list[Case]:
-    """The simulation of a case at other times, from another start, and with other parameters: nothing may be kept.
+    """Return the simulation of a case at other times, from another start, and with other parameters.
+
+    Nothing may be kept.
 
     The times have the same first and last. The case itself must be asked before.
 
@@ -44,7 +46,7 @@ def repeated_calls(rng: np.random.Generator, case: Case, *, start: Any = None, *
 
 
 def _other(rng: np.random.Generator, value: Any) -> Any:
-    """A value that differs: of several numbers only the first, for what grows alike may change nothing."""
+    """Return a value that differs: of several numbers only the first, for what grows alike may change nothing."""
     if isinstance(value, str):
         return None
     factor = rng.uniform(1.2, 1.5)

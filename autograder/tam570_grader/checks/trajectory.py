@@ -36,7 +36,7 @@ class Invariant:
     tolerance: float
 
     def size(self, case: Case, rows: Array) -> float:
-        """What its drift is relative to; 1 where that is zero."""
+        """Return what its drift is relative to; 1 where that is zero."""
         start = self.scale(case, rows) if self.scale else np.linalg.norm(self.value(rows[:1], **case.kwargs))
         return float(start) or 1.0
 
@@ -53,7 +53,7 @@ class OwnRates:
     arguments: Callable[[float, Array], tuple[Any, ...]]
 
     def right(self, motion: Motion) -> bool:
-        """Whether they are right at some rows of the right motion."""
+        """Return whether they are right at some rows of the right motion."""
         rows = list(zip(motion.t, motion.expected, strict=True))[:: max(1, len(motion.t) // ASKED)]
         words = [one for one in motion.case.args if isinstance(one, str)]
         cases = [Case(*self.arguments(t, row), *words, **motion.case.kwargs) for t, row in rows]
@@ -181,7 +181,7 @@ def compare_invariants(
 def _motions(
     function: Any, reference: Reference, cases: Iterable[Case], columns: Sequence[Column], restart: Any, hopeless: float
 ) -> list[Motion]:
-    """The student's motions, the longest first; where its error is hopeless, the others are not asked for."""
+    """Return the student's motions, the longest first; where its error is hopeless, the others are not asked for."""
     motions, true = list[Motion](), find_reference(reference, function)
     first, *rest = sorted(cases, key=lambda case: -len(case.args[0]))
     for some in filter(None, ([first], rest)):
@@ -196,7 +196,7 @@ def _motions(
 
 
 def _scaled_rows(batch: Batch, columns: Sequence[Column]) -> tuple[Any, list[tuple[Array, Array]]]:
-    """The right rows of each case and their scales; with the columns, by which they are remembered."""
+    """Return the right rows of each case and their scales; with the columns, by which they are remembered."""
     rows = map(flat, batch.expected)
     pairs = zip(batch.cases, rows, strict=True)
     return columns, [(expected, _scales(columns, case, expected)) for case, expected in pairs]

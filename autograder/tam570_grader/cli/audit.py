@@ -42,7 +42,7 @@ def add_audit(commands: Commands) -> argparse.ArgumentParser:
 
 
 def _add_questions(add: Callable[..., Any]) -> None:
-    """What is asked instead of what becomes of mutants."""
+    """Choose what is asked instead of what becomes of mutants."""
     add(
         "--fairness",
         nargs="?",
@@ -92,7 +92,7 @@ def _question(arguments: argparse.Namespace) -> Question:
 
 
 def _with_functions(course: Path, slugs: Sequence[str], names: Sequence[str]) -> list[str]:
-    """The assignments that have functions of these names; UsageError for a name that none has."""
+    """Return the assignments that have functions of these names; UsageError for a name that none has."""
     from tam570_grader.diagnosis.mutants import reached
 
     texts = {slug: (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8") for slug in slugs}

@@ -54,7 +54,7 @@ def _certificates(arguments: argparse.Namespace) -> int:
 
 
 def _certificate_and_key(until: datetime.datetime) -> tuple[bytes, bytes]:
-    """A certificate that vouches for itself alone, and its key."""
+    """Return a certificate that vouches for itself alone, and its key."""
     from cryptography import x509
     from cryptography.hazmat.primitives import hashes, serialization
     from cryptography.hazmat.primitives.asymmetric import ec

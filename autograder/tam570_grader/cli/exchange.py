@@ -14,7 +14,7 @@ __all__ = ["add_alike", "add_collect", "add_export", "add_lms", "add_report"]
 
 
 def _titles(names: Iterable[str]) -> str:
-    """The systems of these names, as in a sentence."""
+    """Return the systems of these names, as in a sentence."""
     *first, last = (SYSTEMS[name].title for name in names)
     return f"{', '.join(first)} or {last}"
 
@@ -139,7 +139,7 @@ def _export(arguments: argparse.Namespace) -> int:
 
 
 def _share(text: str) -> float:
-    """A share from 0 to 1."""
+    """Return a share from 0 to 1."""
     try:
         share = float(text)
     except ValueError:
@@ -207,7 +207,7 @@ def _ungraded(folder: Path, course: Path, only: Sequence[str]) -> list[str]:
 
 
 def _stale_policy(folder: Path, course: Path) -> str:
-    """What to say if course.toml has other terms for late work than the results in a folder."""
+    """Return what to say if course.toml has other terms for late work than the results in a folder."""
     from tam570_grader.course import late_policy
     from tam570_grader.results import manual_points
     from tam570_grader.results.store import results
@@ -237,7 +237,7 @@ def _report(arguments: argparse.Namespace) -> int:
 
 
 def _course_and_slug(arguments: argparse.Namespace, graded: Sequence[Path]) -> tuple[Path, list[str], str | None]:
-    """The checkout, its assignments, and the one that --assignment names."""
+    """Return the checkout, its assignments, and the one that --assignment names."""
     from tam570_grader.checks import assignments
     from tam570_grader.course import course_config
 

@@ -60,7 +60,7 @@ def add_grade(commands: Commands) -> argparse.ArgumentParser:
 
 
 def _seed(text: str) -> int:
-    """A seed, or the one in a file, which no list of processes shows."""
+    """Return a seed, or the one in a file, which no list of processes shows."""
     if not text.startswith("@"):
         return natural(text)
     try:
@@ -99,7 +99,7 @@ def _grade(arguments: argparse.Namespace) -> int:
 
 
 def _what_is_kept(out: Path | None, summary: RunSummary) -> str:
-    """What there is of a run that was ended."""
+    """Return what there is of a run that was ended."""
     if out is None:
         return "nothing is kept without --out"
     return f"{counted(len(summary.store or ()), 'result')} kept in {out}; the same command goes on from there"
@@ -119,7 +119,7 @@ def _print_results(arguments: argparse.Namespace, course: Path, config: Any, sum
 
 
 def _config(arguments: argparse.Namespace, course: Path, chosen: list[Any], earlier: list[Any]) -> Any:
-    """What is graded and how; of the results that are there it takes the seed."""
+    """Return what is graded and how; of the results that are there it takes the seed."""
     from tam570_grader.course import course_config
     from tam570_grader.grading import seeds
     from tam570_grader.grading.batch import RunConfig
@@ -136,7 +136,7 @@ def _config(arguments: argparse.Namespace, course: Path, chosen: list[Any], earl
 
 
 def _folders(course: Path) -> list[Path]:
-    """Where a course lies; one of one's own has a checkout, and the teacher's desk, too."""
+    """Return where a course lies; one of one's own has a checkout, and the teacher's desk, too."""
     from tam570_grader.course import course_config
 
     if course.parent.name != course_config.ADAPTED_COURSES:
@@ -145,7 +145,7 @@ def _folders(course: Path) -> list[Path]:
 
 
 def _cluster(arguments: argparse.Namespace) -> Any:
-    """The cluster that was named; None for this machine alone."""
+    """Return the cluster that was named; None for this machine alone."""
     from tam570_grader.grading.cluster import Cluster
 
     if not arguments.cluster:
@@ -156,7 +156,7 @@ def _cluster(arguments: argparse.Namespace) -> Any:
 
 
 def executor_of(arguments: argparse.Namespace, course: Path, slugs: Sequence[str]) -> Any:
-    """Who does the work, by the options --jobs and --cluster."""
+    """Return who does the work, by the options --jobs and --cluster."""
     from tam570_grader.grading.executor import executor
 
     cluster = _cluster(arguments)
@@ -174,7 +174,7 @@ def _print_tables(summary: RunSummary, config: Any) -> None:
 
 
 def _missing_points(summary: RunSummary, config: Any) -> str:
-    """How many points of which assignments were not given by hand yet."""
+    """Return how many points of which assignments were not given by hand yet."""
     from tam570_grader.checks import assignments
 
     parts = {slug: assignments.manual_parts(config.course, slug) for slug in sorted({row[1] for row in summary.rows})}
@@ -198,7 +198,7 @@ def _print_gradescope(course: Path, summary: RunSummary) -> int:
 
 
 def _shard_of(student: str, parts: int) -> int:
-    """The part of the class, from 1 on, that a student is in on every machine."""
+    """Return the part of the class, from 1 on, that a student is in on every machine."""
     return zlib.crc32(student.encode()) % parts + 1
 
 

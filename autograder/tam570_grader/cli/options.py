@@ -11,21 +11,21 @@ Commands = Any  # argparse keeps the name of its subparsers' type to itself
 
 
 def natural(text: str) -> int:
-    """A whole number from 0 on."""
+    """Return a whole number from 0 on."""
     if not text.isdecimal():
         raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 0 on")
     return int(text)
 
 
 def positive(text: str) -> int:
-    """A whole number from 1 on."""
+    """Return a whole number from 1 on."""
     if not text.isdecimal() or int(text) == 0:
         raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 1 on")
     return int(text)
 
 
 def add_cluster(add: Callable[..., Any]) -> None:
-    """The options of what may run on other machines."""
+    """Add the options of what may run on other machines."""
     add(
         "--cluster",
         metavar="ADDRESS",

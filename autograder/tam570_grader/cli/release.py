@@ -9,7 +9,7 @@ __all__ = ["add_course", "add_gradescope", "add_kit", "add_stubs", "add_trust"]
 
 
 def _parser(commands: Commands, name: str, sentence: str) -> argparse.ArgumentParser:
-    """The parser of a command of which one sentence tells enough."""
+    """Return the parser of a command of which one sentence tells enough."""
     parser: argparse.ArgumentParser = commands.add_parser(
         name, help=sentence, description=f"{sentence[0].upper()}{sentence[1:]}."
     )
@@ -48,7 +48,7 @@ def add_gradescope(commands: Commands) -> argparse.ArgumentParser:
 
 
 def _folder_and_slugs(parser: argparse.ArgumentParser) -> argparse.ArgumentParser:
-    """The parser, with what `_course_and_slugs` reads."""
+    """Return the parser, with what `_course_and_slugs` reads."""
     parser.add_argument("folder", type=Path, metavar="DIR", help="where to write")
     parser.add_argument("assignments", nargs="*", metavar="SLUG", help="default: all")
     return parser
@@ -100,7 +100,7 @@ def _gradescope(arguments: argparse.Namespace) -> int:
 
 
 def _course_and_slugs(arguments: argparse.Namespace) -> tuple[Path, Path, list[str]]:
-    """The checkout, the folder to write to, the assignments."""
+    """Return the checkout, the folder to write to, the assignments."""
     from tam570_grader.checks import assignments
     from tam570_grader.course import course_config
 

@@ -47,7 +47,7 @@ def _replay(arguments: argparse.Namespace) -> int:
 
 
 def _failure(results: Path, student: str, check: str, given: str | None) -> tuple[str, Failure]:
-    """The assignment and the failure; UsageError where there is none, or more than one."""
+    """Return the assignment and the failure; UsageError where there is none, or more than one."""
     from tam570_grader.checks.assignments import named
     from tam570_grader.results import records, store
 
@@ -84,12 +84,12 @@ def _failure(results: Path, student: str, check: str, given: str | None) -> tupl
 
 
 def _listed(failed: Iterable[tuple[str, str]]) -> str:
-    """Checks with the numbers of their assignments, `hw12: name`."""
+    """List checks with the numbers of their assignments, `hw12: name`."""
     return ", ".join(f"{slug.partition('_')[0]}: {name}" for slug, name in failed)
 
 
 def _again(arguments: argparse.Namespace, slug: str, why: Failure) -> str:
-    """What the function of the file gives at this input, in the sandbox; or why it gives nothing."""
+    """Return what the function of the file gives at this input, in the sandbox; or why it gives nothing."""
     from tam570_grader.checks import assignments
     from tam570_grader.checks.expect import Failed, NotWritten
     from tam570_grader.course import course_config
@@ -121,7 +121,7 @@ def _again(arguments: argparse.Namespace, slug: str, why: Failure) -> str:
 
 
 def _result(function: Any, at: dict[str, Any]) -> str:
-    """What a function gives: numbers, the values of a formula, or the curves of a drawing."""
+    """Return what a function gives: numbers, the values of a formula, or the curves of a drawing."""
     from tam570_grader.checks.case import Case
     from tam570_grader.checks.returns import Drawing, Formula
 
@@ -141,7 +141,7 @@ def _result(function: Any, at: dict[str, Any]) -> str:
 
 
 def _numbers(value: Any) -> Any:
-    """A list of numbers as the array that it was; any other list as it is."""
+    """Return a list of numbers as the array that it was; any other list as it is."""
     try:
         return np.array(value) if isinstance(value, list) and np.array(value).dtype.kind in "fi" else value
     except ValueError:  # its members differ in length
@@ -149,7 +149,7 @@ def _numbers(value: Any) -> Any:
 
 
 def _digits(value: Any) -> str:
-    """A value as Python, with all digits."""
+    """Return a value as Python, with all digits."""
     if isinstance(value, np.ndarray):
         return f"np.array({value.tolist()})"
     return repr(value)

@@ -81,7 +81,7 @@ def _run(config: Any, store: Any, old: list[Any], summary: RunSummary, arguments
 
 
 def _change(old: Any, record: Record, summary: RunSummary) -> dict[str, Any]:
-    """What became of the old score, as `--json` has it."""
+    """Return what became of the old score, as `--json` has it."""
     from tam570_grader.grading import regrade
     from tam570_grader.results.store import key_of
 
@@ -92,7 +92,7 @@ def _change(old: Any, record: Record, summary: RunSummary) -> dict[str, Any]:
 
 
 def _gone(old: Any, config: Any, arguments: argparse.Namespace) -> list[Any]:
-    """The changes of those who are no longer there; they count among what is compared."""
+    """Return the changes of those who are no longer there; they count among what is compared."""
     from tam570_grader.checks import assignments
     from tam570_grader.grading import regrade
 
@@ -109,7 +109,7 @@ def _faults(record: Record) -> list[str]:
 
 
 def _with_progress(records: Iterable[Any], total: int) -> Iterator[Any]:
-    """The records, with a bar on a terminal."""
+    """Yield the records, with a bar on a terminal."""
     if not sys.stderr.isatty():
         yield from records
         return

@@ -15,19 +15,19 @@ ROW = re.compile(r"^(\| `(\w+)\(.*?` *\| *)[\d.]+( *\|)", re.MULTILINE)  # of a 
 
 
 def with_points(readme: str, worth: Mapping[str, float]) -> str:
-    """The README with the points of each function in its row of the table, as the checks give them."""
+    """Return the README with the points of each function in its row of the table, as the checks give them."""
     return ROW.sub(lambda row: f"{row[1]}{worth.get(row[2], 0.0):g}{row[3]}", readme)
 
 
 def contract(assignment: LoadedAssignment) -> str:
-    """The forms of the results, and what is off limits, as JSON: a line for each."""
+    """Return the forms of the results, and what is off limits, as JSON: a line for each."""
     results = [f'  "{name}": {json.dumps(_plain(returns))}' for name, returns in assignment.results.items()]
     banned = json.dumps({name: list(modules) for name, modules in assignment.forbidden.items()})
     return '{\n "results": {\n' + ",\n".join(results) + '\n },\n "off_limits": ' + banned + "\n}\n"
 
 
 def _plain(returns: ReturnSpec) -> dict[str, Any]:
-    """A promise as plain data."""
+    """Return a promise as plain data."""
     if isinstance(returns, Group):
         return {"group": [_plain(member) for member in returns.members]}
     if isinstance(returns, Formula):

@@ -80,14 +80,14 @@ def _trusted_file() -> Path:
 
 
 def _trusted() -> set[str]:
-    """The folders that `trust` remembers, and the editable install, which the grader itself comes from."""
+    """Return the folders that `trust` remembers, and the editable install, which the grader itself comes from."""
     path = _trusted_file()
     said = path.read_text(encoding="utf-8").splitlines() if path.is_file() else []
     return {*said, *map(str, assignments.INSTALLED)}
 
 
 def _located(root: str | Path | None, graded: Sequence[Path]) -> tuple[Path, str]:
-    """Where the course is, and who says so: an option, the environment, trust, or the install."""
+    """Return where the course is, and who says so: an option, the environment, trust, or the install."""
     for name, why in ((root, "--root"), (os.environ.get(VARIABLE), VARIABLE)):
         if name:
             folder = Path(name).resolve()
@@ -100,7 +100,7 @@ def _located(root: str | Path | None, graded: Sequence[Path]) -> tuple[Path, str
 
 
 def _around(graded: Sequence[Path]) -> tuple[Path, str] | None:
-    """The nearest course above the working directory, if it is trusted; UsageError for one that is not.
+    """Return the nearest course above the working directory, if it is trusted; UsageError for one that is not.
 
     A course that lies in what is graded is a student's, and passed by.
     """
@@ -127,7 +127,7 @@ def _holds_course(folder: Path) -> bool:
 
 
 def _base_of(folder: Path) -> Path:
-    """The checkout that a course.toml changes: at its own place, above it and trusted, or the installed one."""
+    """Return the checkout that a course.toml changes: at its own place, above it and trusted, or the installed one."""
     if assignments.is_checkout(folder):
         return folder
     trusted = _trusted()
@@ -140,7 +140,10 @@ def _adapted_root(folder: Path, base: Path) -> Path:
 
 
 def root_of(path: Path, base: Path) -> Path:
-    """The course that `path`, a course.toml, makes of the checkout `base`; another folder whenever either changes."""
+    """Return the course that `path`, a course.toml, makes of the checkout `base`.
+
+    Another folder whenever either changes.
+    """
     parts = _parts(path, toml(path), assignments.slugs(base))
     root = path.parent / ADAPTED_COURSES / _digest(path, base, parts)
     if not root.is_dir():
@@ -163,7 +166,7 @@ def _move_into_place(new: Path, target: Path) -> None:
 
 
 def limits(root: Path) -> dict[str, int]:
-    """The limits of a submission, as the options of `grade` have them: of the course, else the standard ones."""
+    """Return the limits of a submission, as the options of `grade` have them: of the course, else the standard ones."""
     path = root / COPY
     return {**STANDARD, **(toml(path).get("limits", {}) if path.is_file() else {})}
 
@@ -201,7 +204,7 @@ def _make(path: Path, base: Path, parts: Mapping[str, Changes], new: Path) -> No
 
 
 def _parts(path: Path, given: Mapping[str, Any], slugs: Sequence[str]) -> dict[str, Changes]:
-    """What changes of each assignment that the course has."""
+    """Return what changes of each assignment that the course has."""
     tables = {key: value for key, value in given.items() if re.match(r"hw\d", key)}
     no_other(path, "", given.keys() - tables, ("assignments", "limits", "late"))
     must(path, isinstance(given.get("limits", {}), dict), "limits must be a table: write [limits] above its lines")
@@ -243,7 +246,7 @@ def _part(path: Path, key: str, table: Any) -> Changes:
 
 
 def _check(path: Path, assignment: LoadedAssignment, part: Changes) -> None:
-    """Whether the assignment has what is changed."""
+    """Require that the assignment has what is changed."""
     key, parts = assignment.slug[:4], sorted({check.part for check in assignment.checks} | {*assignment.manual})
     forbidden = sorted({name for names in assignment.forbidden.values() for name in names})
     no_other(path, f"[{key}.points] ", part.points, [check.name for check in assignment.checks])

@@ -17,7 +17,7 @@ COPY = "made-by-course.toml"  # what it said, in the course that was made by it:
 
 
 def toml(path: Path) -> dict[str, Any]:
-    """The tables of the file; UsageError if it cannot be read."""
+    """Return the tables of the file; UsageError if it cannot be read."""
     try:
         return tomllib.loads(path.read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
@@ -39,7 +39,7 @@ def no_other(path: Path, where: str, names: Iterable[str], allowed: Iterable[str
 
 
 def by_slug(path: Path, tables: Mapping[str, Any], slugs: Sequence[str]) -> dict[str, tuple[str, Any]]:
-    """The tables of assignments, each with the name that it has in the file; UsageError if one has two."""
+    """Return the tables of assignments, each with the name that it has in the file; UsageError if one has two."""
     tables_by_slug: dict[str, tuple[str, Any]] = {}
     for key, table in tables.items():
         if (slug := slug_of(key, slugs)) is not None:
@@ -53,7 +53,7 @@ def by_slug(path: Path, tables: Mapping[str, Any], slugs: Sequence[str]) -> dict
 
 
 def columns(course: Path, system: str) -> dict[str, str]:
-    """The heading, or id, that each assignment's column has in the gradebook of a system."""
+    """Return the heading, or id, that each assignment's column has in the gradebook of a system."""
     from tam570_grader.checks import assignments
 
     path = course / COPY

@@ -53,7 +53,7 @@ class LatePolicy:
 
 
 def policies_of(course: Path) -> dict[str, LatePolicy]:
-    """The terms of a course, by the names of its assignments; those that no course.toml made have none."""
+    """Return the terms of a course, by the names of its assignments; those that no course.toml made have none."""
     from tam570_grader.checks import assignments
 
     path = course / COPY
@@ -61,7 +61,7 @@ def policies_of(course: Path) -> dict[str, LatePolicy]:
 
 
 def policies(path: Path, given: Mapping[str, Any], slugs: Sequence[str]) -> dict[str, LatePolicy]:
-    """The terms of these assignments; UsageError, with its key, for what does not fit."""
+    """Return the terms of these assignments; UsageError, with its key, for what does not fit."""
     rules = given.get("late", {})
     must(path, isinstance(rules, dict), "late must be a table: write [late] above its lines")
     no_other(path, "[late] ", rules, (*RULES, "zone"))
@@ -76,7 +76,7 @@ def policies(path: Path, given: Mapping[str, Any], slugs: Sequence[str]) -> dict
 
 
 def _zone(path: Path, name: Any) -> tzinfo | None:
-    """The zone of the course's clocks; None for this computer's."""
+    """Return the zone of the course's clocks; None for this computer's."""
     try:
         return None if name is None else ZoneInfo(name)
     except (ValueError, TypeError, LookupError, OSError):
@@ -85,7 +85,7 @@ def _zone(path: Path, name: Any) -> tzinfo | None:
 
 
 def _of_assignment(path: Path, key: str, table: Mapping[str, Any]) -> tuple[datetime | None, dict[str, float]]:
-    """When an assignment is due, and the days that students have beyond."""
+    """Return when an assignment is due, and the days that students have beyond."""
     due, days = table.get("due"), table.get("extension", {})
     good = due is None or isinstance(due, date)
     must(path, good, f"[{key}] due is {due!r}; write a date and a time, 2026-09-14T23:59:00 say")
@@ -105,7 +105,7 @@ def _is_number(value: Any) -> bool:
 def apply_late_policy(
     adjustments: ManualAdjustments, policies: Mapping[str, LatePolicy], results: Results, collected: Path | None
 ) -> tuple[ManualAdjustments, list[str], list[str]]:
-    """What was added by hand with the rows that the terms make, sentences on what they leave open, and notes.
+    """Return what was added by hand with the rows that the terms make, sentences on what they leave open, and notes.
 
     found     : the results, which tell what was graded: of a module and a notebook the time of one counts
     collected : the table that `collect` wrote, whose times tell who is late
@@ -137,7 +137,7 @@ def apply_late_policy(
 
 
 def _graded(table: Iterable[Mapping[str, str]], results: Results) -> Iterator[Mapping[str, str]]:
-    """The rows of the files that count: of a module and a notebook side by side the one that was graded."""
+    """Yield the rows of the files that count: of a module and a notebook side by side the one that was graded."""
     forms = defaultdict[tuple[str, str], dict[str, Mapping[str, str]]](dict)
     for row in table:
         if form(row["file"]):  # not a drawing beside it
@@ -148,7 +148,7 @@ def _graded(table: Iterable[Mapping[str, str]], results: Results) -> Iterator[Ma
 
 
 def stale(folder: Path, adjustments: ManualAdjustments, course: Path, slugs: Collection[str]) -> str:
-    """A sentence if the results do not have what course.toml says of late work; else empty."""
+    """Return a sentence if the results do not have what course.toml says of late work; else empty."""
     policies = {slug: policy for slug, policy in policies_of(course).items() if slug in slugs}
     applied = [entry for entry in adjustments.entries.values() if entry.slug in slugs]
     wanted = {entry.key: entry.points for entry in _rows(policies)}
@@ -166,7 +166,7 @@ def stale(folder: Path, adjustments: ManualAdjustments, course: Path, slugs: Col
 
 
 def _rows(policies: Mapping[str, LatePolicy]) -> Iterator[Entry]:
-    """The rows of by_hand.csv that say the terms."""
+    """Yield the rows of by_hand.csv that say the terms."""
     for slug, policy in policies.items():
         if policy.off:
             yield Entry(EVERYONE, slug, OFF, float(policy.off), None, BY_COURSE)
@@ -198,7 +198,7 @@ def _days(
 
 
 def _late_rows(adjustments: ManualAdjustments) -> set[tuple[str, str]]:
-    """Whose late days somebody wrote down."""
+    """Return whose late days somebody wrote down."""
     return {
         (entry.student, entry.slug)
         for entry in adjustments.entries.values()
@@ -212,12 +212,12 @@ def days_between(due: datetime, when: datetime, policy: LatePolicy) -> float:
 
 
 def on_the_wall(moment: datetime, zone: tzinfo | None) -> datetime:
-    """A time as the clocks of the course show it; one without a zone is of them."""
+    """Return a time as the clocks of the course show it; one without a zone is of them."""
     return moment.astimezone(zone).replace(tzinfo=None) if moment.tzinfo else moment
 
 
 def moment(text: str, collected: Path | None) -> datetime:
-    """The time in a cell; one without a zone is of this computer's."""
+    """Return the time in a cell; one without a zone is of this computer's."""
     try:
         return datetime.fromisoformat(text.replace(" UTC", "Z").replace(" Z", "Z"))
     except ValueError:
@@ -229,7 +229,7 @@ def _by(policy: LatePolicy) -> str:
 
 
 def _is_made_anew(entry: Entry, anew: Collection[str]) -> bool:
-    """Whether a row comes from course.toml, or from the times of one of these assignments."""
+    """Return whether a row comes from course.toml, or from the times of one of these assignments."""
     return _source(entry) == BY_COURSE or _source(entry) == BY_TABLE and entry.slug in anew
 
 

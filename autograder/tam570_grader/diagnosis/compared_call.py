@@ -31,11 +31,14 @@ class ComparedCall:
     expected: Any
 
     def fits(self, answer: Any) -> bool:
-        """Whether an answer has the student's numbers."""
+        """Return whether an answer has the student's numbers."""
         return has_numbers(self.result, answer)
 
     def numbers(self) -> set[bytes]:
-        """What is to be explained, where it is more than rounding beside the right answer: zeros tell nothing."""
+        """Return what is to be explained, where it is more than rounding beside the right answer.
+
+        Zeros tell nothing.
+        """
         result, expected = (np.concatenate([*map(np.ravel, parts(each))]) for each in (self.result, self.expected))
         informative = np.abs(result).max(initial=0.0) > INFORMATIVE * np.abs(expected).max(initial=0.0)
         return {result.tobytes()} if informative else set()
@@ -45,7 +48,7 @@ class Rows(ComparedCall):
     """The first rows of a motion, to where it is clearly wrong: what comes later tells no more, and takes longer."""
 
     def fits(self, answer: Any) -> bool:
-        """Whether it explains what is wrong in every column; a motion that is nearly right, it must leave so."""
+        """Return whether it explains what is wrong in every column; a motion that is nearly right, it must leave so."""
         if answer is None or _shapes(answer) != _shapes(self.expected):
             return False
         return bool((_off(self.result, answer) <= self._left).all())
@@ -63,7 +66,7 @@ class Rows(ComparedCall):
 
 
 def compared_call(call: Called, expected: Any) -> ComparedCall:
-    """A call beside the right answer; of a motion the rows that tell."""
+    """Return a call beside the right answer; of a motion the rows that tell."""
     if not is_motion(call) or _shapes(call.result) != _shapes(expected):
         return ComparedCall(call.name, call.case, call.result, expected)
     t, off = call.case.args[0], _off(call.result, expected).max(axis=1)
@@ -75,7 +78,7 @@ def compared_call(call: Called, expected: Any) -> ComparedCall:
 
 
 def count_informative(calls: Sequence[ComparedCall]) -> int:
-    """How many different things they give to be explained."""
+    """Return how many different things they give to be explained."""
     return len(set().union(*(call.numbers() for call in calls)))
 
 
@@ -84,7 +87,7 @@ def _shapes(answer: Any) -> list[tuple[int, ...]]:
 
 
 def _table(motion: Any) -> Any:
-    """(rows, columns)"""
+    """Return the motion as (rows, columns)."""
     return np.hstack([np.reshape(part, (len(part), -1)) for part in parts(motion)])
 
 

@@ -15,7 +15,7 @@ __all__ = ["diagnose", "follows"]
 def diagnose(
     solution: str, folder: Path, calls: Sequence[Called], earlier: Sequence[Cause] = (), *, may_follow: bool = True
 ) -> Cause | None:
-    """Why a check fails.
+    """Return why a check fails.
 
     Parameters
     ----------
@@ -41,7 +41,7 @@ def diagnose(
 
 
 def _as_in(cause: Cause, earlier: Sequence[Cause]) -> Cause:
-    """The cause, beside the function that was told the same before."""
+    """Return the cause, beside the function that was told the same before."""
     told_before = (other.function for other in earlier if other.source == cause.source != "known mistake")
     same = [name for name in told_before if name != cause.function and _says(cause, name, earlier)]
     return replace(cause, message=f"{cause.message}, as in {same[0]}") if same else cause
@@ -52,7 +52,10 @@ def _says(cause: Cause, name: str, earlier: Sequence[Cause]) -> bool:
 
 
 def follows(solution: str, calls: Sequence[Called], earlier: Iterable[Cause]) -> Cause | None:
-    """The cause of calls whose results are all the solution's with an earlier mistake in it; None if there is none."""
+    """Return the cause of calls whose results are all the solution's with an earlier mistake in it.
+
+    None if there is none.
+    """
     for cause in earlier:
         if any(explains(solution, answer, calls) for answer in cause.answers):
             (wrong, *_) = *_others(cause.function, calls), cause.function
@@ -61,7 +64,7 @@ def follows(solution: str, calls: Sequence[Called], earlier: Iterable[Cause]) ->
 
 
 def _in_common(solution: str, causes: Iterable[Cause], earlier: Sequence[Cause]) -> Cause | None:
-    """The cause that was made in an earlier function, too: these results follow from it."""
+    """Return the cause that was made in an earlier function, too: these results follow from it."""
     for cause, before in product(causes, earlier):
         same = tuple(answer for answer in cause.answers if explains(solution, answer, before.calls))
         if same and _others(before.function, cause.calls):
@@ -70,5 +73,5 @@ def _in_common(solution: str, causes: Iterable[Cause], earlier: Sequence[Cause])
 
 
 def _others(function: str, calls: Sequence[Called]) -> list[str]:
-    """The functions that are called besides one."""
+    """Return the functions that are called besides one."""
     return [call.name for call in calls if call.name != function]

@@ -128,13 +128,13 @@ def {function}(*args, **parameters):
 
 @functools.cache
 def mistakes(folder: Path) -> tuple[Mistake, ...]:
-    """The known mistakes of the assignment with this folder of checks, in order."""
+    """Return the known mistakes of the assignment with this folder of checks, in order."""
     path = folder / FILE
     return tuple(_decorated(path.read_text(encoding="utf-8"))) if path.exists() else ()
 
 
 def overlays(folder: Path) -> dict[str, str]:
-    """The text of each mistake, by name: a wrong submission if it is appended to the solution."""
+    """Return the text of each mistake, by name: a wrong submission if it is appended to the solution."""
     return {known_mistake.name: known_mistake.text for known_mistake in mistakes(folder)}
 
 
@@ -153,25 +153,28 @@ def _decorated(text: str) -> Iterator[Mistake]:
 
 
 def _decorator(node: ast.stmt) -> ast.Call | None:
-    """The call of `mistake` that decorates a function."""
+    """Return the call of `mistake` that decorates a function."""
     decorators = node.decorator_list if isinstance(node, ast.FunctionDef) else []
     calls = [decorator for decorator in decorators if isinstance(decorator, ast.Call)]
     return next((call for call in calls if getattr(call.func, "id", "") == "mistake"), None)
 
 
 def _is_of_the_grader(node: ast.stmt) -> bool:
-    """Whether a statement is for the reader of the file alone: the docstring, and imports of checks and `mistake`."""
+    """Return whether a statement is for the reader of the file alone.
+
+    The docstring, and imports of checks and `mistake`.
+    """
     imported = isinstance(node, ast.ImportFrom) and (node.level > 0 or f"{node.module}".startswith("tam570_grader"))
     return imported or (isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant))
 
 
 def _value(node: ast.expr) -> Any:
-    """A literal; a check by its name."""
+    """Return a literal; a check by its name."""
     return node.id if isinstance(node, ast.Name) else ast.literal_eval(node)
 
 
 def candidates(solution: str, folder: Path, functions: Container[str]) -> list[Mistake]:
-    """The mistakes that are compared with numbers, of those that change one of these functions."""
+    """Return the mistakes that are compared with numbers, of those that change one of these functions."""
     reach_of = frozenset().union(*(reach for name, reach in reached(solution).items() if name in functions))
     return [
         known_mistake
@@ -181,7 +184,7 @@ def candidates(solution: str, folder: Path, functions: Container[str]) -> list[M
 
 
 def named_mistake(solution: str, suspects: Iterable[Mistake], calls: Sequence[Called]) -> Cause | None:
-    """The first mistake that the calls agree with; None if there is none.
+    """Return the first mistake that the calls agree with; None if there is none.
 
     Of each function that the mistake changes, every result must be the mistake's, and one must be numbers.
     """
@@ -230,18 +233,18 @@ def tolerance_of(call: Called) -> float:
 
 
 def is_motion(call: Called) -> bool:
-    """Whether the result has a row for each of the times; what is square is the matrix of a vector."""
+    """Return whether the result has a row for each of the times; what is square is the matrix of a vector."""
     times, shape = (call.case.args or (None,))[0], np.shape(parts(call.result)[0])
     return isinstance(times, np.ndarray) and len(shape) > 1 and shape[0] == len(times) != shape[-1]
 
 
 def has_numbers(result: Any, wrong: Any) -> bool:
-    """Whether a result has a variant's numbers; None has none."""
+    """Return whether a result has a variant's numbers; None has none."""
     return result is not None and wrong is not None and same(result, wrong, WITHIN)
 
 
 def right_answer(solution: str, call: Called) -> Any:
-    """The solution's answer to a call; None where it has none."""
+    """Return the solution's answer to a call; None where it has none."""
     value = answer(solution, "", call)
     return None if value is NoValue else value
 
@@ -259,7 +262,7 @@ _changes = Memory(MOST_CHANGES)
 
 
 def answer(solution: str, text: str, call: Called) -> Any:
-    """The answer of the solution with a mistake, computed a single time for all who are given the same input."""
+    """Return the answer of the solution with a mistake, computed a single time for all who are given the same input."""
     name, message = _named(solution, text), call.case.packed
 
     def compute() -> Any:
@@ -271,7 +274,7 @@ def answer(solution: str, text: str, call: Called) -> Any:
 
 
 def _changed(solution: str, text: str, call: Called, tolerance: float) -> bool:
-    """Whether the mistake changes the answer to a call."""
+    """Return whether the mistake changes the answer to a call."""
     key = _named(solution, text), call.name, call.case.packed, tolerance
 
     def compute() -> bool:
@@ -286,7 +289,7 @@ def _named(solution: str, text: str) -> str:
 
 
 def computed(module: ModuleType, call: Called) -> Any:
-    """The answer of a module's function to a call; `NoValue` where its formula has none."""
+    """Return the answer of a module's function to a call; `NoValue` where its formula has none."""
     function, case = getattr(module, call.name), call.case
     try:
         with np.errstate(all="ignore"):
@@ -307,7 +310,7 @@ def _values(formula: Any, points: list[dict[str, float]]) -> Any:
 
 @functools.lru_cache(maxsize=256)
 def solution_with(solution: str, text: str) -> ModuleType:
-    """The solution as a module of its own, with the definitions of the mistake in the place of its own."""
+    """Return the solution as a module of its own, with the definitions of the mistake in the place of its own."""
     module = sys.modules["_mistaken"] = ModuleType("_mistaken")  # a dataclass looks for its module there
     for part in (solution, text):
         exec(_code(part), vars(module))
@@ -331,7 +334,7 @@ def same(result: Any, wrong: Any, tolerance: float) -> bool:
 
 
 def parts(result: Any) -> list[Any]:
-    """The results of a call."""
+    """Return the results of a call."""
     return list(result) if isinstance(result, tuple) else [result]
 
 

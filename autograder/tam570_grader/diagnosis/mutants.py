@@ -62,7 +62,7 @@ class Mutant:
 
 
 def mutants_of(source: str) -> dict[str, list[Mutant]]:
-    """The mutants of each function of a module, and more that are near enough to these to need no test of their own."""
+    """Make the mutants of each function of a module, and more too near to these to need a test of their own."""
     lines, mutants = source.splitlines(keepends=True), dict[str, list[Mutant]]()
     for function in (node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)):
         before = function.lineno - 1
@@ -131,7 +131,7 @@ def _names_in(node: ast.AST) -> set[str]:
 
 
 def replaced(source: str, node: ast.expr, text: str) -> str:
-    """The source with other text in the place of an expression."""
+    """Return the source with other text in the place of an expression."""
     lines = source.encode().splitlines(keepends=True)
     assert node.end_lineno is not None and node.end_col_offset is not None
     start = sum(map(len, lines[: node.lineno - 1])) + node.col_offset
@@ -143,7 +143,7 @@ def replaced(source: str, node: ast.expr, text: str) -> str:
 def changed_expressions(
     function: ast.FunctionDef, chosen: Mapping[str, Operator] | None = None
 ) -> Iterator[tuple[ast.expr, str, ast.expr]]:
-    """Every expression of a body, and what an operator makes of it; messages and tolerances are no physics."""
+    """Yield every expression of a body, and what an operator makes of it; messages and tolerances are no physics."""
     spared = {id(inner) for node in ast.walk(function) if _is_spared(node) for inner in ast.walk(node)}
     inputs = {argument.arg for argument in (*function.args.args, *function.args.kwonlyargs)}
     operators = chosen or {**OPERATORS, "a missing copy": partial(_copies, inputs=inputs)}
@@ -167,7 +167,7 @@ def _signs(node: ast.expr) -> Iterator[ast.expr]:
 
 
 def _operations(node: ast.expr) -> Iterator[ast.expr]:
-    """a + b becomes a - b, a, b and a + 2 b; a * b becomes a / b; A @ B becomes B @ A and A.T @ B."""
+    """Change an operation: a + b to a - b, a, b and a + 2 b; a * b to a / b; A @ B to B @ A and A.T @ B."""
     if not isinstance(node, ast.BinOp):
         return
     if type(node.op) in OPPOSITES:
@@ -186,7 +186,7 @@ def _exponents(node: ast.expr) -> Iterator[ast.expr]:
 
 
 def _factors(node: ast.expr) -> Iterator[ast.expr]:
-    """A number becomes twice and half of itself."""
+    """Yield a number becomes twice and half of itself."""
     if (
         isinstance(node, ast.Constant)
         and isinstance(node.value, int | float)
@@ -210,7 +210,7 @@ def _counterpart_of(name: str, node: ast.expr) -> Iterator[ast.expr]:
 
 
 def _copies(node: ast.expr, inputs: set[str]) -> Iterator[ast.expr]:
-    """A copy of an input becomes the input."""
+    """Yield a copy of an input becomes the input."""
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
         if node.func.attr == "array" and len(node.args) == 1 and getattr(node.args[0], "id", None) in inputs:
             yield node.args[0]
@@ -284,7 +284,7 @@ def _first_signs(node: ast.expr) -> Iterator[ast.expr]:
 
 
 def _numbers(node: ast.expr) -> Iterator[ast.expr]:
-    """A number becomes another of those that formulas have: 1/3 for 1/12, 2/5 for 1/2."""
+    """Yield a number becomes another of those that formulas have: 1/3 for 1/12, 2/5 for 1/2."""
     if isinstance(node, ast.Constant) and isinstance(node.value, int | float) and not isinstance(node.value, bool):
         yield from (ast.Constant(node.value * ratio) for ratio in RATIOS if node.value)
 
@@ -306,7 +306,7 @@ def _products_for_squares(node: ast.expr) -> Iterator[ast.expr]:
 
 
 def _other(node: ast.expr) -> Iterator[ast.expr]:
-    """The second of two quantities for the first, as their names have it, and the first for the second."""
+    """Yield the second of two quantities for the first, as their names have it, and the first for the second."""
     if isinstance(node, ast.Name) and node.id[-1:] in "12":
         yield ast.Name(node.id[:-1] + "21"[int(node.id[-1]) - 1], ast.Load())
 
@@ -336,7 +336,7 @@ EVERYWHERE: tuple[tuple[str, Operator], ...] = (
 
 
 def _with(node: Node, **fields: object) -> Node:
-    """A copy of the node, but for these fields."""
+    """Return a copy of the node, but for these fields."""
     changed = copy.copy(node)
     for name, value in fields.items():
         setattr(changed, name, value)

@@ -44,7 +44,7 @@ Transform = Callable[[ComparedCall], Any]
 
 
 def general(solution: str, calls: Sequence[Called]) -> Cause | None:
-    """The one variant of the right answers that has the student's numbers in every call, or None.
+    """Return the one variant of the right answers that has the student's numbers in every call, or None.
 
     Formulas are left out: to evaluate one takes long.
     """
@@ -100,7 +100,7 @@ def _first(family: Iterator[tuple[str, Transform]], calls: Sequence[ComparedCall
 def _for_one_word(
     solution: str, name: str, reference: Any, calls: Sequence[ComparedCall], every_call: Sequence[Called]
 ) -> Cause | None:
-    """The one wrong argument, where a function is wrong for one value alone of an argument that is a word."""
+    """Return the one wrong argument, where a function is wrong for one value alone of an argument that is a word."""
     wrong, keys = [call for call in calls if not call.fits(call.expected)], [*inspect.signature(reference).parameters]
     for index, word in enumerate(wrong[0].case.args):
         if isinstance(word, str) and all(_word(call, index) == word for call in wrong):
@@ -132,7 +132,10 @@ class _Where:
 
 
 def wrong_arguments(solution: str, calls: Sequence[Called]) -> Iterator[Cause]:
-    """Each wrong argument that explains all calls of a function: there may be several, of which one was made before."""
+    """Yield each wrong argument that explains all calls of a function.
+
+    There may be several, of which one was made before.
+    """
     if not calls or any(call.result is None or _symbolic(call) for call in calls):
         return
     name, reference = calls[0].name, getattr(solution_with(solution, ""), calls[0].name)
@@ -145,7 +148,7 @@ def wrong_arguments(solution: str, calls: Sequence[Called]) -> Iterator[Cause]:
 
 
 def _with_variant(solution: str, name: str, transform: Transform) -> tuple[Answer, ...]:
-    """What the solution answers with a variant of one of its functions, or with its wrong argument in all of them."""
+    """Compute the solution with a variant of one of its functions, or with a wrong argument in all of them."""
     if isinstance(transform, WrongArgument):
         return partial(_everywhere, solution, transform), _InPlace(solution, name, transform)
     return (_InPlace(solution, name, transform),)
@@ -159,7 +162,7 @@ def _everywhere(solution: str, wrong: WrongArgument, call: Called) -> Any:
 
 @dataclass(frozen=True)
 class _InPlace:
-    """What the solution answers with a variant in the place of one of its functions, whatever its others make of it."""
+    """The solution with a variant in the place of one of its functions, whatever its others make of it."""
 
     solution: str
     name: str
@@ -193,7 +196,7 @@ def _explains(transform: Transform, calls: Sequence[ComparedCall]) -> bool:
 
 
 def _quietly(transform: Transform, call: ComparedCall) -> Any:
-    """The answer of a variant; None where it has none, whatever is in its way."""
+    """Return the answer of a variant; None where it has none, whatever is in its way."""
     count(1 + sum(map(np.size, parts(call.expected))) // ELEMENTS)
     try:
         with np.errstate(all="ignore"), warnings.catch_warnings(action="ignore"), limited(OF_ONE):
@@ -205,7 +208,7 @@ def _quietly(transform: Transform, call: ComparedCall) -> Any:
 def _mutant(
     solution: str, module: ModuleType, name: str, calls: Sequence[ComparedCall]
 ) -> tuple[str, list[str]] | None:
-    """What to say of the mutants that explain all calls, if they are of one kind, and the functions with them."""
+    """Say of the mutants that explain all calls, if they are of one kind, and the functions with them."""
     public = set(inspect.signature(getattr(module, name)).parameters)
     texts: dict[str, dict[str, str]] = {}
     factors = set[str]()
@@ -235,7 +238,7 @@ def _called(module: ModuleType, call: ComparedCall) -> Any:
 
 
 def _single_entry(name: str, calls: Sequence[ComparedCall]) -> str | None:
-    """Where a matrix is wrong, if it is in one place."""
+    """Return where a matrix is wrong, if it is in one place."""
     forms = {tuple(map(np.shape, parts(answer_of))) for call in calls for answer_of in (call.result, call.expected)}
     if len(forms) > 1 or [len(shape) for shape in forms.pop()] != [2]:
         return None
@@ -276,7 +279,7 @@ def _mutants(solution: str) -> list[tuple[str, str, set[str], str, str]]:
 
 
 def _unpacked(solution: str) -> dict[str, str]:
-    """What the parts of an argument are called: `m1, m2 = masses`."""
+    """Return what the parts of an argument are called: `m1, m2 = masses`."""
     return {
         part.id: node.value.id
         for node in ast.walk(ast.parse(solution))
@@ -304,14 +307,14 @@ def _locals(solution: str) -> dict[str, dict[str, ast.expr]]:
 
 
 def _missing(factor: ast.expr, product: ast.expr, quantities: Mapping[str, ast.expr]) -> str:
-    """What is missing, and beside which parameters; "" if it has no short name."""
+    """Return what is missing, and beside which parameters; "" if it has no short name."""
     words, names = _in_parameters(factor, quantities), _names(product) - _names(factor)
     beside = ", ".join(sorted(name for name in names if ast.unparse(quantities.get(name, product)) == name))
     return words and f"{words} is missing{beside and f' beside {beside}'}"
 
 
 def _in_parameters(term: ast.expr, quantities: Mapping[str, ast.expr]) -> str:
-    """A factor as a student may have written it; "" if that is long, or not of parameters alone."""
+    """Return a factor as a student may have written it; "" if that is long, or not of parameters alone."""
 
     class InParameters(ast.NodeTransformer):
         def visit_Name(self, node: ast.Name) -> ast.expr:
@@ -341,7 +344,7 @@ def _code(text: str) -> CodeType:
 
 
 def _words(mutant: Mutant) -> Iterator[tuple[str, ast.expr]]:
-    """What a student reads of a mutant, and the term that it is about."""
+    """Yield what a student reads of a mutant, and the term that it is about."""
     was, now = mutant.was, mutant.now
     if mutant.operator in ("linearised", "a product for a square", "a missing square"):
         yield KINDS[mutant.operator], was

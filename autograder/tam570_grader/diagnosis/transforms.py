@@ -72,13 +72,13 @@ class WrongArgument:
         return self.reference(**self.arguments(self.reference, call.case))
 
     def arguments(self, function: Callable[..., Any], case: Case) -> dict[str, Any]:
-        """What a function gets in its place; unchanged where it does not take this argument."""
+        """Return what a function gets in its place; unchanged where it does not take this argument."""
         values = _named(list(inspect.signature(function).parameters), case)
         return {name: self.change(value) if name == self.key else value for name, value in values.items()}
 
 
 def other_results(name: str, example: ComparedCall, vary: bool) -> Iterator[Transform]:
-    """A result of the wrong sign, in another unit, by a factor too large, with parts exchanged.
+    """Yield a result of the wrong sign, in another unit, by a factor too large, with parts exchanged.
 
     example : a wrong call
     vary    : the parameters differ from call to call: what is the same in all of them does not depend on these
@@ -97,7 +97,7 @@ def other_results(name: str, example: ComparedCall, vary: bool) -> Iterator[Tran
 
 
 def other_arguments(name: str, reference: Callable[..., Any], example: ComparedCall) -> Iterator[Transform]:
-    """An argument of the wrong sign, in degrees, ignored, or in another's place."""
+    """Yield an argument of the wrong sign, in degrees, ignored, or in another's place."""
     names = list(inspect.signature(reference).parameters)
     values = _named(names, example.case)
     for key, value in values.items():
@@ -114,7 +114,7 @@ def other_arguments(name: str, reference: Callable[..., Any], example: ComparedC
 
 
 def other_forms(name: str, reference: Callable[..., Any], example: ComparedCall) -> Iterator[Transform]:
-    """A result that is linear in what it starts from, or one of several results; components of both exchanged."""
+    """Yield a result that is linear in what it starts from, or one of several results; components of both exchanged."""
     names = list(inspect.signature(reference).parameters)
     values = _named(names, example.case)
     starts = [key for key in names[: len(example.case.args)] if np.asarray(values[key]).dtype.kind in "fi"]
@@ -148,7 +148,7 @@ def _linearised(
 
 
 def _other_points(name: str, reference: Any, names: Sequence[str], values: Mapping[str, Any]) -> Iterator[Transform]:
-    """A moment of inertia about another point than the right one."""
+    """Yield a moment of inertia about another point than the right one."""
     lengths = [key for key in values if key in LENGTHS and "mass" in values]
     for key, length, power in product(filter(INERTIA.search, values), lengths, (1, -1)):
         for k in range(np.size(values[key])):
@@ -158,7 +158,7 @@ def _other_points(name: str, reference: Any, names: Sequence[str], values: Mappi
 
 
 def other_products(name: str, reference: Callable[..., Any], example: ComparedCall) -> Iterator[Transform]:
-    """A factor that is missing beside an argument, or one too many."""
+    """Yield a factor that is missing beside an argument, or one too many."""
     names = list(inspect.signature(reference).parameters)
     values = {key: np.asarray(value) for key, value in _named(names, example.case).items()}
     numbers = [key for key, value in values.items() if value.dtype.kind in "fiu"]
@@ -170,7 +170,7 @@ def other_products(name: str, reference: Callable[..., Any], example: ComparedCa
 
 
 def _changes(result: Any, numbers: Sequence[str]) -> Iterator[tuple[str, Callable[[Any, Case], Any]]]:
-    """What may be wrong with a result."""
+    """Yield what may be wrong with a result."""
     for words, factor in FACTORS.items():
         yield words, partial(_scaled, factor)
     for words, change in POWERS.items():
@@ -186,7 +186,7 @@ def _changes(result: Any, numbers: Sequence[str]) -> Iterator[tuple[str, Callabl
 
 
 def _constants(result: Any, expected: Any) -> Iterator[tuple[str, Callable[[Any, Case], Any]]]:
-    """What one result is of the right one, given that it is so for any input."""
+    """Yield what one result is of the right one, given that it is so for any input."""
     if result.shape == expected.shape and expected.any():
         largest = np.unravel_index(np.argmax(np.abs(expected)), expected.shape)
         ratio, shift = (float(array[largest]) for array in (result / expected[largest], result - expected))
@@ -239,7 +239,7 @@ VALUES: dict[str, Callable[[Any], Any]] = {
 
 
 def _other_values(value: Any) -> Iterator[tuple[str, Callable[[Any], Any]]]:
-    """What an argument may be taken for."""
+    """Yield what an argument may be taken for."""
     if value.dtype.kind not in "fiu":
         return
     if value.ndim != 1 or len(value) <= SPACE:  # a state is many things, and not one that has a sign

@@ -22,7 +22,7 @@ ENGINE = ("pyproject.toml", "README.md", "LICENSE", "shared/tam570", "autograder
 
 
 def results(record: Record, lines: Mapping[str, str]) -> dict[str, Any]:
-    """`results.json` of one submission (gradescope-autograders.readthedocs.io, "Autograder Specifications").
+    """Return `results.json` of one submission (gradescope-autograders.readthedocs.io, "Autograder Specifications").
 
     Every check is a test that the student sees; nothing of the hidden inputs is in it.
     """
@@ -81,7 +81,7 @@ def _write_archive(course: Path, slug: str, path: Path) -> None:
 
 
 def _files(course: Path, slug: str) -> Iterator[Path]:
-    """The engine, and of the assignments this one."""
+    """Yield the engine, and of the assignments this one."""
     places = [*ENGINE, COPY, f"assignments/{slug}", f"solutions/{slug}.py", f"autograder/checks/{slug}"]
     for path in map(course.joinpath, places):
         yield from sorted(_kept(path.rglob("*") if path.is_dir() else [path]))

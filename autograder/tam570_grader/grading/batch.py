@@ -53,7 +53,7 @@ class RunConfig:
     cluster: Cluster | None = None  # None: this machine
 
     def seed_of(self, submission: Submission) -> int:
-        """The seed of a submission's hidden inputs: the class's, else one that only the key tells."""
+        """Return the seed of a submission's hidden inputs: the class's, else one that only the key tells."""
         if self.key is None:
             return self.seed
         return derive(self.key, submission.student, submission.slug)
@@ -77,7 +77,7 @@ class CachedResult:
 
 
 def grade(paths: Iterable[str | Path], config: RunConfig) -> Iterator[Result]:
-    """The results of what is at these paths: see `tam570_grader.grade`."""
+    """Yield the results of what is at these paths: see `tam570_grader.grade`."""
     places = [Path(path) for path in paths]
     everyone = submissions(places, assignments.slugs(config.course))
     hidden = [config.course, *config.hidden, *(place.resolve() for place in places)]
@@ -86,7 +86,7 @@ def grade(paths: Iterable[str | Path], config: RunConfig) -> Iterator[Result]:
 
 
 def records(config: RunConfig, store: ResultStore | None = None, old: Sequence[Results] = ()) -> Iterator[Record]:
-    """The result lines, each as soon as it is there and written into the book; what `old` knows is not run again.
+    """Yield the result lines, each as soon as it is there and written into the book; what `old` knows is not run again.
 
     Where the grader itself failed, it tries again.
     """
@@ -97,7 +97,7 @@ def records(config: RunConfig, store: ResultStore | None = None, old: Sequence[R
 def outcomes(
     config: RunConfig, store: ResultStore | None = None, old: Sequence[Results] = ()
 ) -> Iterator[CachedResult | Record]:
-    """The same as `records`, but what is known is not read."""
+    """Yield the same as `records`, but what is known is not read."""
     places = (*old, *([store] if store is not None else ()))
     known = {
         line.digest: CachedResult(place, key) for place in places for key, line in place.lines.items() if line.scored
@@ -131,14 +131,14 @@ def digests(config: RunConfig) -> Iterator[tuple[str, str, str]]:
 
 
 def _noted(known: CachedResult, store: ResultStore | None) -> CachedResult:
-    """A result that is known already, in the book too."""
+    """Return a result that is known already, in the book too."""
     if store is not None and known.place is not store:
         store.add(known.record)
     return known
 
 
 def lines(config: RunConfig, tasks: Iterable[GradeTask], count: int, preload: Sequence[str] = ()) -> Iterator[bytes]:
-    """The result lines of these tasks, as soon as each is there; an interrupt ends all supervisors."""
+    """Yield the result lines of these tasks, as soon as each is there; an interrupt ends all supervisors."""
     jobs = max(1, min(config.jobs, count // FEW))
     with ExitStack() as stack:
         if not count:
@@ -157,12 +157,12 @@ def lines(config: RunConfig, tasks: Iterable[GradeTask], count: int, preload: Se
 
 
 def _hidden(config: RunConfig) -> tuple[Path, ...]:
-    """What must not be seen here; on a cluster nothing of ours is there but the course."""
+    """Return what must not be seen here; on a cluster nothing of ours is there but the course."""
     return () if config.cluster else tuple(config.hidden)
 
 
 def _shared(config: RunConfig, jobs: int, stack: ExitStack) -> Path | None:
-    """A folder for dear answers, where several processes of this machine need the same."""
+    """Return a folder for dear answers, where several processes of this machine need the same."""
     if config.key is not None or jobs == 1 or (config.cluster and not config.cluster.is_local):
         return None
     return Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="tam570-", ignore_cleanup_errors=True)))
@@ -185,7 +185,7 @@ def _source(submission: Submission) -> Source | CannotRead:
 
 
 def _digest(engine: bytes, config: RunConfig, submission: Submission, source: Source | CannotRead) -> str:
-    """A name for all that the result depends on."""
+    """Return a name for all that the result depends on."""
     text = source.text if isinstance(source, Source) else str(source).encode()
     kind = type(source).__name__ + (".ipynb" if isinstance(source, Source) and source.notebook else "")
     parts = (  # each with its length: no two lists of them are the same text

@@ -10,7 +10,7 @@ NAMES = ("certificate.pem", "key.pem")
 
 
 def files(folder: Path) -> tuple[str, str]:
-    """The certificate and the key in a folder; UsageError if they are not there."""
+    """Return the certificate and the key in a folder; UsageError if they are not there."""
     paths = [folder / name for name in NAMES]
     if lacking := [path for path in paths if not path.is_file()]:
         raise UsageError(f"{lacking[0]} is not there; make it with: tam570-grader certificates {folder}")

@@ -59,7 +59,7 @@ class Cluster:
 
     @contextlib.contextmanager
     def executor(self, course: Path, slugs: Sequence[str], jobs: int) -> Iterator[TaskExecutor]:
-        """The cluster's workers, each with these assignments."""
+        """Open the cluster's workers, each with these assignments."""
         from distributed.scheduler import KilledWorker
 
         from tam570_grader.grading.cluster_worker import Course, course_for, there

@@ -48,7 +48,7 @@ class Course(WorkerPlugin):
             pass
 
     def _refusal(self) -> str:
-        """Why this worker would not grade as the head asks, and the remedy; "" if it would."""
+        """Return why this worker would not grade as the head asks, and the remedy; "" if it would."""
         mine = _kind()
         other = [f"{what} {mine[what]}, not {head}" for what, head in self.head.items() if mine[what] != head]
         if other:
@@ -59,7 +59,7 @@ class Course(WorkerPlugin):
 
 
 def course_for(root: Path, slugs: Sequence[str], unconfined: bool) -> Course:
-    """The course of the head, with these assignments alone."""
+    """Return the course of the head, with these assignments alone."""
     paths = [root / "solutions" / f"{slug}.py" for slug in slugs]
     for slug in slugs:
         paths += [path for path in assignments.checks_folder(root, slug).rglob("*") if path.is_file()]
@@ -68,7 +68,7 @@ def course_for(root: Path, slugs: Sequence[str], unconfined: bool) -> Course:
 
 
 def refusal(name: str) -> str:
-    """Why this worker will not grade for the head that sent this course."""
+    """Return why this worker will not grade for the head that sent this course."""
     return _courses[name].refuses
 
 
@@ -82,7 +82,7 @@ def there(name: str, work: Callable[[Any], Any], task: Any) -> Any:
 
 @functools.cache
 def _kind() -> dict[str, str]:
-    """What two machines must have in common to give the same scores."""
+    """Return what two machines must have in common to give the same scores."""
     libraries = {name: importlib.metadata.version(name) for name in LIBRARIES}
     engine = assignments.engine_digest().hex()[:12]
     return {"grader": engine, "Python": platform.python_version(), "machine": platform.machine(), **libraries}

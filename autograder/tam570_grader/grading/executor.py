@@ -36,7 +36,7 @@ Outcome = TypeVar("Outcome")
 
 
 def cores() -> int:
-    """The processors that this process may use."""
+    """Return the processors that this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
@@ -64,7 +64,9 @@ def executor(jobs: int) -> Iterator[TaskExecutor]:
 def finished(
     executor: TaskExecutor, work: Callable[[Task], Outcome], tasks: Iterable[Task], count: int = 0
 ) -> Iterator[tuple[int, Task, Outcome | WorkerLost]]:
-    """Each task with its number and its outcome, as soon as that is there; the tasks of a lost process are repeated.
+    """Yield each task with its number and its outcome, as soon as that is there.
+
+    The tasks of a lost process are repeated.
 
     tasks : read only when they can be handed out
     count : how many there are, if known; many are handed out in bunches, which become smaller towards the end
@@ -103,7 +105,7 @@ def finished(
 
 
 def _next(ended: SimpleQueue[Outcome]) -> Outcome:
-    """The next that ends. An interrupt that comes just before a wait is heard after it: no wait is long."""
+    """Return the next that ends. An interrupt that comes just before a wait is heard after it: no wait is long."""
     while True:
         with contextlib.suppress(Empty):
             return ended.get(timeout=HEARD)
@@ -114,12 +116,12 @@ def _each(work: Callable[[Task], Outcome], tasks: Sequence[Task]) -> list[Outcom
 
 
 def _together(left: int, prefetch: int) -> int:
-    """How many of the tasks that are left to hand out now: the processes shall end at the same time."""
+    """Return how many of the tasks that are left to hand out now: the processes shall end at the same time."""
     return max(1, min(CHUNK, left // (2 * prefetch))) if prefetch > 1 else 1
 
 
 def in_order(executor: TaskExecutor, work: Callable[[Task], Outcome], tasks: Iterable[Task]) -> Iterator[Outcome]:
-    """What the work makes of each task, in the tasks' order; Lost where processes died."""
+    """Yield what the work makes of each task, in the tasks' order; Lost where processes died."""
     early, due = dict[int, Outcome](), 0
     for number, _, outcome in finished(executor, work, tasks):
         if isinstance(outcome, WorkerLost):
@@ -200,7 +202,7 @@ class _Process:
             )
 
     def done(self, order: Any) -> tuple[bool, Any]:
-        """Whether it worked, and the outcome or the exception."""
+        """Return whether it worked, and the outcome or the exception."""
         try:
             pickle.dump(order, self._file, pickle.HIGHEST_PROTOCOL)
             self._file.flush()
@@ -225,7 +227,7 @@ class _Process:
 
 
 def serve() -> None:
-    """The life of a process: do what comes over the socket, until the other end is closed."""
+    """Live as a process: do what comes over the socket, until the other end is closed."""
     hide_from_submissions()
     with socket.socket(fileno=int(sys.argv[1])) as line, line.makefile("rwb") as file, sandboxes():
         threading.Thread(target=_end_with, args=[line.fileno()], daemon=True).start()

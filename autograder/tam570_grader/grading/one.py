@@ -92,19 +92,19 @@ def graded(
 
 
 def not_graded(name: str, assignment: LoadedAssignment, status: str, note: str, seed: int) -> Result:
-    """The result of a submission that is missing or cannot be read: score 0, no check run."""
+    """Return the result of a submission that is missing or cannot be read: score 0, no check run."""
     check_results = tuple(_not_run(check, note) for check in assignment.checks)
     return _result(name, assignment, status, seed, check_results, note)
 
 
 def failed_by_us(name: str, assignment: LoadedAssignment, error: str, seed: int) -> Result:
-    """The result where the grader could not do its work: no score."""
+    """Return the result where the grader could not do its work: no score."""
     check_results = tuple(_grader_error(check, error) for check in assignment.checks)
     return _result(name, assignment, "graded", seed, check_results, OUR_FAULT)
 
 
 def generator(seed: int, slug: str, check: Check) -> np.random.Generator:
-    """What draws the hidden inputs of a check."""
+    """Return what draws the hidden inputs of a check."""
     return np.random.default_rng(derive(seed, slug, check.name))
 
 
@@ -167,7 +167,7 @@ def _judge(check: Check, student: Student, assignment: LoadedAssignment, seed: i
 def _cause(
     check: Check, student: Student, assignment: LoadedAssignment, seed: int, causes: Mapping[str, Cause]
 ) -> tuple[Cause | None, str]:
-    """The mistake that explains the calls of a failed check, and what went wrong on our side in the search."""
+    """Return the mistake that explains the calls of a failed check, and what went wrong on our side in the search."""
     earlier = _earlier(causes)
     try:
         with budget():
@@ -188,14 +188,17 @@ def _cause(
 
 
 def _earlier(causes: Mapping[str, Cause]) -> list[Cause]:
-    """The causes from which something may follow, by the functions in which they were named first."""
+    """Return the causes from which something may follow, by the functions in which they were named first."""
     return [replace(one, function=one.follows_from or one.function) for one in causes.values() if one.answers]
 
 
 def _following(
     check: Check, student: Student, assignment: LoadedAssignment, seed: int, earlier: Sequence[Cause]
 ) -> Cause | None:
-    """The earlier mistake that explains every call of the check, when it is run to its end; None if there is none."""
+    """Return the earlier mistake that explains every call of the check, when it is run to its end.
+
+    None if there is none.
+    """
     with student.aside():
         try:
             _judge(check, student, assignment, seed, recorder=lambda error: None)
@@ -238,7 +241,7 @@ def _consequence(
     causes: dict[str, Cause],
     functions: Container[str],
 ) -> CheckResult | None:
-    """The result of a check that builds on wrong functions; None where it is about these, or fails by itself."""
+    """Return the result of a check that builds on wrong functions; None where it is about these, or fails by itself."""
     try:
         _judge(check, student, assignment, seed)
     except Failed as failed:
@@ -256,7 +259,7 @@ def _consequence(
 
 
 def _is_drawn(assignment: LoadedAssignment, call: Called) -> bool:
-    """Whether a call gives a free body diagram: it has no numbers to compare."""
+    """Return whether a call gives a free body diagram: it has no numbers to compare."""
     return isinstance(assignment.results[call.name], FreeBodyDiagram)
 
 

@@ -23,7 +23,7 @@ class Change:
 
 
 def change(old: Record | None, new: Record) -> Change | None:
-    """What became of a score; None if it is the same."""
+    """Return what became of a score; None if it is the same."""
     before = old["score"] if old else None
     if old and before == new["score"]:
         return None
@@ -36,7 +36,9 @@ def change(old: Record | None, new: Record) -> Change | None:
 def gone(
     old: Mapping[Key, Record], found: Sequence[Submission], paths: Iterable[Path], asked: Container[str]
 ) -> list[Change]:
-    """What was handed in and is no longer: by anybody if a path is a tree, else by those whose folders are graded.
+    """Return what was handed in and is no longer.
+
+    By anybody if a path is a tree, else by those whose folders are graded.
 
     found : what there is now at the paths
     asked : the assignments that are graded
@@ -58,7 +60,7 @@ def _marks(record: Record) -> dict[str, Record]:
 
 
 def _because(old: Mapping[str, Record], new: Mapping[str, Record]) -> tuple[str, ...]:
-    """The checks whose points differ, those that are new or gone among them."""
+    """Return the checks whose points differ, those that are new or gone among them."""
     return tuple(
         f"{name}: {_check_result(old.get(name))} -> {_check_result(new.get(name))}"
         for name in {**old, **new}
@@ -79,7 +81,7 @@ def _check_result(check_result: Record | None) -> str:
 
 
 def table(changes: Iterable[Change], compared: int) -> str:
-    """The changes for a terminal, the largest first."""
+    """Return the changes for a terminal, the largest first."""
     ordered = sorted(changes, key=lambda one: (-abs(_difference(one)), one.assignment, one.student))
     if not ordered:
         return f"no score changes ({compared} compared)"

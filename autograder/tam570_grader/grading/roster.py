@@ -66,7 +66,10 @@ class Person:
 
 
 def people(path: Path) -> list[Person]:
-    """The students in a table, or in a list of one name a line; UsageError for a table whose headings are unknown."""
+    """Return the students in a table, or in a list of one name a line.
+
+    UsageError for a table whose headings are unknown.
+    """
     rows = table(path)
     lower = [_heading(text) for text in rows[0]]
     known = {*IDS, *NAMES, *(part for pair in PARTS for part in pair)}
@@ -88,7 +91,7 @@ def _heading(text: str) -> str:
 
 
 def _person(row: Mapping[str, str], cells: Mapping[str, str]) -> Person:
-    """What a row tells, by its headings in small letters; a row without an id is not a student's."""
+    """Return what a row tells, by its headings in small letters; a row without an id is not a student's."""
     name = next((cells[key].strip() for key in NAMES if cells.get(key, "").strip()), "")
     joined = (" ".join(cells[part].strip() for part in pair) for pair in PARTS if set(pair) <= cells.keys())
     name = name or next(joined, "").strip()
@@ -103,13 +106,13 @@ def _person(row: Mapping[str, str], cells: Mapping[str, str]) -> Person:
 
 
 def letters(name: str) -> str:
-    """The letters of a name, sorted, without accents: systems exchange its parts and drop signs."""
+    """Return the letters of a name, sorted, without accents: systems exchange its parts and drop signs."""
     plain = unicodedata.normalize("NFKD", name.casefold())
     return "".join(sorted(filter(str.isalpha, plain)))
 
 
 def group_key(name: str) -> str:
-    """A group's name as systems write it into names of files, without blanks and signs."""
+    """Return a group's name as systems write it into names of files, without blanks and signs."""
     return "".join(filter(str.isalnum, unicodedata.normalize("NFKC", name.casefold())))
 
 
@@ -128,7 +131,7 @@ class Directory:
         self.kinds = {kind for kind, _ in self._by}
 
     def owner(self, keys: Iterable[tuple[str, str]], name: str, *, must_agree: bool) -> Person | str:
-        """Whose ids these are; else a sentence on why they are nobody's, empty if they are on no row.
+        """Return whose ids these are; else a sentence on why they are nobody's, empty if they are on no row.
 
         A name counts only where the roster has no id of these kinds. An id of two people is nobody's.
 
@@ -175,7 +178,7 @@ def _plain(value: str) -> str:
 
 
 def groups(path: Path, everyone: Directory) -> dict[str, list[Person]]:
-    """The members of each group, by `group_key`, from a table with a column of GROUPS and one of ids or names."""
+    """Read the members of each group, by `group_key`, from a table with a column of GROUPS and one of ids or names."""
     found: dict[str, list[Person]] = {}
     for row in people(path):
         if row.group:
@@ -187,18 +190,21 @@ def groups(path: Path, everyone: Directory) -> dict[str, list[Person]]:
 
 
 def students(path: Path, known: Collection[str] = ()) -> list[str]:
-    """The students on a roster, as their folders are named: by the id that is known already, else by their login."""
+    """Return the students on a roster, as their folders are named.
+
+    By the id that is known already, else by their login.
+    """
     everyone = Directory(people(path))
     here = {id(everyone.by_folder[name]): name for name in known if name in everyone.by_folder}
     return [here.get(id(one), one.folder) for one in everyone.people]
 
 
 def folders(path: Path) -> set[str]:
-    """The names that the folders of the students on a roster may have."""
+    """Return the names that the folders of the students on a roster may have."""
     return {folder_of(value) for one in people(path) for value in one.ids}
 
 
 def names(path: Path) -> dict[str, str]:
-    """The name of each student on a roster, by every name that their folder may have; a bare list has none."""
+    """Return the name of each student on a roster, by every name that their folder may have; a bare list has none."""
     found = Directory(people(path)).by_folder
     return {folder: one.name for folder, one in found.items() if one.name and one.name not in one.ids}

@@ -17,7 +17,7 @@ OTHERS = 0o077  # of a file's mode: what others may do with it
 
 
 def seed(given: int | None, earlier: list[Any], key: bytes | None) -> int:
-    """The seed asked for, else that of the results that are there, else any."""
+    """Return the seed asked for, else that of the results that are there, else any."""
     if key is not None or given is not None:
         return given or 0
     found = common_seed(one.seed for one in earlier if one)
@@ -25,12 +25,14 @@ def seed(given: int | None, earlier: list[Any], key: bytes | None) -> int:
 
 
 def new_seed() -> int:
-    """A seed that nobody can guess."""
+    """Return a seed that nobody can guess."""
     return secrets.randbits(BITS)
 
 
 def derive(secret: int | bytes, *names: str) -> int:
-    """The seed of what is named, an assignment's check or a student: it tells nothing of the secret, nor of others.
+    """Return the seed of what is named, an assignment's check or a student.
+
+    It tells nothing of the secret, nor of others.
 
     RFC 2104 (HMAC) with SHA-256, cut to as many bits as a seed has.
     """
@@ -40,7 +42,7 @@ def derive(secret: int | bytes, *names: str) -> int:
 
 
 def key(path: Path, needed: bool) -> bytes:
-    """The key in the file; a new one if there is no file and nothing was graded with it yet."""
+    """Return the key in the file; a new one if there is no file and nothing was graded with it yet."""
     if not path.exists():
         if needed:
             raise UsageError(

@@ -19,7 +19,7 @@ REMEDY = "name it after its assignment, as hw08.py, or name the assignment with 
 def skipped_files(
     paths: Iterable[Path], found: Sequence[Submission], known: Sequence[str], students: Collection[str] = ()
 ) -> Iterator[str]:
-    """A sentence for everything at these paths that no submission accounts for; it names the remedy.
+    """Yield a sentence for everything at these paths that no submission accounts for; it names the remedy.
 
     students : names of folders that are students', by a roster
     """
@@ -37,7 +37,7 @@ def skipped_files(
 
 
 def _beside(own: Path, graded: set[Path | None], known: Sequence[str]) -> Iterator[str]:
-    """What else a student's own folder holds that could be work."""
+    """Yield what else a student's own folder holds that could be work."""
     try:
         held = entries(own)
     except BadPath:  # it has a row that says so
@@ -50,14 +50,14 @@ def _beside(own: Path, graded: set[Path | None], known: Sequence[str]) -> Iterat
 
 
 def _names_another(entry: Path, known: Sequence[str]) -> bool:
-    """Whether it is work on an assignment that was not asked for, or that has a row."""
+    """Return whether it is work on an assignment that was not asked for, or that has a row."""
     return bool(
         slug_of(entry.name, known) or (not os.path.isdir(entry) and form(entry.name) and of_name(entry.name, known))
     )
 
 
 def _holding(entry: Path) -> str:
-    """The first files of a folder, in brackets."""
+    """Return the first files of a folder, in brackets."""
     try:
         names = [printable(one.name[:80]) for one, _ in entries(entry)] if os.path.isdir(entry) else []
     except BadPath as closed:
@@ -71,7 +71,7 @@ def _shown(entry: Path) -> str:
 
 
 def not_handed_in(path: Path, found: Sequence[Submission]) -> list[Submission]:
-    """A row without a file for everyone on the roster, for each assignment that others have handed in."""
+    """Return a row without a file for everyone on the roster, for each assignment that others have handed in."""
     here = {(one.student, one.slug) for one in found}
     students = roster.students(path, {one.student for one in found})
     slugs = sorted({one.slug for one in found})

@@ -29,7 +29,7 @@ class Yardstick:
         self._lock = threading.Lock()
 
     def speed(self, student: Student, assignment: LoadedAssignment, zygote: Zygote) -> Speed | None:
-        """The student's point among the methods; None where there is no scene, or no motion to speak of."""
+        """Return the student's point among the methods; None where there is no scene, or no motion to speak of."""
         scene = scenes().get(assignment.slug)
         point = _point(student, scene) if scene else None
         machine = self._scale(assignment, zygote) if point else None
@@ -45,7 +45,7 @@ class Yardstick:
         }
 
     def _scale(self, assignment: LoadedAssignment, zygote: Zygote) -> float | None:
-        """How many times as long as on the machine of the curves the reference solution takes here."""
+        """Return how many times as long as on the machine of the curves the reference solution takes here."""
         with self._lock:
             if assignment.slug not in self._machine:
                 self._machine[assignment.slug] = self._measured(assignment, zygote)

@@ -66,7 +66,7 @@ class Submission:
 def submissions(
     paths: Iterable[Path], known: Sequence[str], given: str | None = None, students: Collection[str] = ()
 ) -> list[Submission]:
-    """All submissions at these paths: modules, notebooks, their folders, or trees `<student>/<assignment>/`.
+    """Return all submissions at these paths: modules, notebooks, their folders, or trees `<student>/<assignment>/`.
 
     known    : the course's assignments
     given    : the assignment, where names do not tell
@@ -84,7 +84,10 @@ def submissions(
 
 
 def handed_in(folder: Path, slug: str) -> Submission:
-    """What one student handed in of one assignment, with whatever else is there: the shallowest folder that has it."""
+    """Return what one student handed in of one assignment, with whatever else is there.
+
+    The shallowest folder that has it.
+    """
     tree, deeper = folder.resolve(), [folder.absolute()]
     first = of_folder(deeper[0], folder.name, slug, tree)
     candidates = [first]
@@ -98,7 +101,7 @@ def handed_in(folder: Path, slug: str) -> Submission:
 
 
 def read(submission: Submission) -> Source:
-    """The submission's text, or CannotRead: no links to elsewhere, no devices, nothing huge."""
+    """Return the submission's text, or CannotRead: no links to elsewhere, no devices, nothing huge."""
     assert submission.path is not None
     if submission.note:
         raise CannotRead(submission.note)
@@ -136,7 +139,10 @@ def _own(path: Path, tree: Path) -> bool:
 
 
 def _is_plainly_in(path: str, tree: str) -> bool:
-    """Whether a path leads into a folder by its names alone, without a link: so it is with most, and soon seen."""
+    """Return whether a path leads into a folder by its names alone, without a link.
+
+    So it is with most, and soon seen.
+    """
     below = path.removeprefix(tree)
     first, *names = below.split("/")
     if below == path or first or ".." in names:
@@ -187,7 +193,7 @@ def _trees(folder: Path, known: Sequence[str], given: str | None, students: Coll
 
 
 def holds_students(folder: Path, known: Sequence[str], students: Collection[str]) -> bool:
-    """Whether the folders in a folder are students', not the assignments of one: a login may be named hw7.
+    """Return whether the folders in a folder are students', not the assignments of one: a login may be named hw7.
 
     The roster tells; without one, whether at least as many of them hold assignments as are named like one.
     """
@@ -200,7 +206,7 @@ def holds_students(folder: Path, known: Sequence[str], students: Collection[str]
 
 
 def _holds_assignments(folder: Path, known: Sequence[str], *, files: bool) -> bool:
-    """Whether a folder holds folders, or files too, that are named like assignments."""
+    """Return whether a folder holds folders, or files too, that are named like assignments."""
     try:
         held = entries(folder, MOST_FILES)
     except BadPath:
@@ -209,7 +215,7 @@ def _holds_assignments(folder: Path, known: Sequence[str], *, files: bool) -> bo
 
 
 def _of_student(own: Path, known: Sequence[str], given: str | None) -> Iterator[Submission]:
-    """What is in a student's own folder: for each assignment a folder, or files."""
+    """Yield what is in a student's own folder: for each assignment a folder, or files."""
     work, told = collections.defaultdict(list), collections.defaultdict(list)
     held = entries(own, MOST_FILES)
     for entry, is_folder in held:
@@ -232,7 +238,10 @@ def _of_student(own: Path, known: Sequence[str], given: str | None) -> Iterator[
 
 
 def entries(folder: Path, most: int | None = None) -> list[tuple[Path, bool]]:
-    """What is in a folder, hidden files aside, and whether it is a folder; of a student's no more than `most`."""
+    """Return what is in a folder, hidden files aside, and whether it is a folder.
+
+    Of a student's no more than `most`.
+    """
     try:
         os.stat(os.path.join(folder, "."))  # one that may be listed may be closed all the same
         with os.scandir(folder) as listed:
@@ -245,17 +254,20 @@ def entries(folder: Path, most: int | None = None) -> list[tuple[Path, bool]]:
 
 
 def _is_folder(entry: os.DirEntry[str]) -> bool:
-    """Whether it is one, or a link to one; a link to itself is none."""
+    """Return whether it is one, or a link to one; a link to itself is none."""
     return os.path.isdir(entry) if entry.is_symlink() else entry.is_dir()
 
 
 def _name(text: str) -> str:
-    """A student by the name of a folder or file: text that can be printed, and unlike any other's."""
+    """Return a student by the name of a folder or file: text that can be printed, and unlike any other's."""
     return _shortened(printable(unicodedata.normalize("NFC", text).replace("\\", "\\\\")))
 
 
 def folder_of(student: str) -> str:
-    """The name of the folder of a student who is known by an id: itself where it can be one, unlike any other's."""
+    """Return the name of the folder of a student who is known by an id.
+
+    Itself where it can be one, unlike any other's.
+    """
     student = unicodedata.normalize("NFC", student)
     plain = "".join(c if c.isprintable() and c not in NO_NAME else "_" for c in student)
     plain = HIDDEN.sub("_", plain) or "_"
@@ -271,26 +283,26 @@ def _shortened(name: str) -> str:
 
 
 def _mark(name: str) -> str:
-    """What tells a name from others that are cut to the same."""
+    """Return what tells a name from others that are cut to the same."""
     return hashlib.sha256(name.encode(errors="surrogatepass")).hexdigest()[:12]
 
 
 def _chosen(entry: Path, is_folder: bool, known: Sequence[str], given: str | None) -> str | None:
-    """The assignment that a folder, module or notebook in a tree is work on."""
+    """Return the assignment that a folder, module or notebook in a tree is work on."""
     name_of = slug_of if is_folder else of_name
     slug = name_of(entry.name, known) if is_folder or form(entry.name) else None
     return slug if given in (None, slug) else None
 
 
 def of_name(name: str, known: Sequence[str]) -> str | None:
-    """The assignment that a file's name tells: hw08.py, hw08.py.txt, or axis_angle-2.py, by its title."""
+    """Return the assignment that a file's name tells: hw08.py, hw08.py.txt, or axis_angle-2.py, by its title."""
     stem = name.split(".")[0]
     titles = (slug for slug in known if re.fullmatch(rf"{slug[5:]}(?:[ _-]?\(?\d+\)?)?", stem, re.IGNORECASE))
     return slug_of(name, known) or next(titles, None)
 
 
 def of_folder(folder: Path, student: str, slug: str, tree: Path) -> Submission:
-    """What is in a student's folder of one assignment."""
+    """Return what is in a student's folder of one assignment."""
     try:
         if _own(folder, tree):
             return _of_files(entries(folder, MOST_FILES), student, slug, tree)
@@ -301,14 +313,14 @@ def of_folder(folder: Path, student: str, slug: str, tree: Path) -> Submission:
 
 
 def _of_folders(folders: Sequence[Path], student: Path, slug: str) -> Submission:
-    """What is in the only folder of an assignment that a student has; of several a note."""
+    """Return what is in the only folder of an assignment that a student has; of several a note."""
     if len(folders) == 1:
         return of_folder(folders[0], student.name, slug, folders[0])
     return _of_files([(one, True) for one in folders], student.name, slug, student)
 
 
 def _of_files(held: Sequence[tuple[Path, bool]], student: str, slug: str, tree: Path) -> Submission:
-    """The module among them, or the notebook where no module is written; a note where it is not clear which."""
+    """Return the module among them, or the notebook where no module is written; a note where it is not clear which."""
     files = [entry for entry, is_folder in held if form(entry.name) and not is_folder]
     if f"{slug}.ipynb" in {entry.name for entry in files}:
         files = [entry for entry in files if entry.name != f"{slug}.py" or not _untouched(entry, tree)]
@@ -328,14 +340,14 @@ def _of_files(held: Sequence[tuple[Path, bool]], student: str, slug: str, tree: 
 
 
 def _listed(files: Iterable[Path]) -> str:
-    """The first of them by name, and how many more there are."""
+    """Return the first of them by name, and how many more there are."""
     seen = [printable(entry.name[:80]) for entry in files]
     seen[MOST_NAMES:] = [f"{len(seen) - MOST_NAMES} more"] if len(seen) > MOST_NAMES else []
     return ", ".join(seen)
 
 
 def _untouched(module: Path, tree: Path) -> bool:
-    """Whether every function of a module is still to be written, while the notebook beside it defines some."""
+    """Return whether every function of a module is still to be written, while the notebook beside it defines some."""
     texts = []
     for path in (module, module.with_suffix(".ipynb")):
         try:

@@ -45,12 +45,12 @@ class GradeTask:
 
 
 def line(task: GradeTask) -> bytes:
-    """The result line of a submission."""
+    """Return the result line of a submission."""
     return _line(task, result(task))
 
 
 def lost(task: GradeTask, error: str) -> bytes:
-    """The result line of a submission whose supervisors died."""
+    """Return the result line of a submission whose supervisors died."""
     return _line(task, failed_by_us(task.student, assignments.assignment(task.course, task.slug), error, task.seed))
 
 
@@ -61,7 +61,7 @@ def _line(task: GradeTask, result: Result) -> bytes:
 
 
 def result(task: GradeTask) -> Result:
-    """The result of a submission; what goes wrong with us is this submission's alone."""
+    """Return the result of a submission; what goes wrong with us is this submission's alone."""
     assignment = assignments.assignment(task.course, task.slug)
     if isinstance(task.source, CannotRead):
         status = "missing" if task.missing else "unreadable"

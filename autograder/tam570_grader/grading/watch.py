@@ -103,7 +103,7 @@ class Queue:
         return entry
 
     def opens(self, arrival: Arrival) -> float:
-        """When it may be graded, in s since 1970: infinity if no attempt is left."""
+        """Return when it may be graded, in s since 1970: infinity if no attempt is left."""
         attempts = self.graded.get(arrival.key, [])
         if len(attempts) >= self.policy.attempts:
             return math.inf
@@ -121,7 +121,7 @@ class Queue:
             warn(f"{arrival.student} has no attempt left in {arrival.slug}: the new work is not graded")
 
     def ready(self, now: float) -> list[Arrival]:
-        """What may be graded now, in the order in which it came, one of a student and assignment."""
+        """Return what may be graded now, in the order in which it came, one of a student and assignment."""
         first: dict[tuple[str, str], Arrival] = {}
         for arrival in self.arrivals:
             if self.opens(arrival) <= now:
@@ -129,7 +129,7 @@ class Queue:
         return [*first.values()]
 
     def counting(self, key: tuple[str, str]) -> dict[str, Any]:
-        """The attempt that counts."""
+        """Return the attempt that counts."""
         attempts = self.graded[key]
         if self.policy.count == "last":
             return attempts[-1]
@@ -223,13 +223,13 @@ class Desk:
                 self._stamps[submission.path] = stamp
 
     def _is_known(self, submission: Submission, digest: str) -> bool:
-        """Whether this folder of the exchange was taken: an older one is there beside a newer."""
+        """Return whether this folder of the exchange was taken: an older one is there beside a newer."""
         done = self.queue.graded.get((submission.student, submission.slug), [])
         waiting = [each.digest for each in self.queue.arrivals if each.key == (submission.student, submission.slug)]
         return self.is_exchange and digest in (*(each["digest"] for each in done), *waiting)
 
     def _stamp(self, path: Path | None) -> tuple[int, int, int] | None:
-        """What tells one state of a file from another; None while it may be being written."""
+        """Return what tells one state of a file from another; None while it may be being written."""
         try:
             status = os.stat(path or self.source)
         except OSError:
@@ -238,7 +238,7 @@ class Desk:
         return None if is_young and not self.is_exchange else (status.st_mtime_ns, status.st_size, status.st_ino)
 
     def handed_in(self) -> Iterator[tuple[Submission, str]]:
-        """What is in the folder, and in an exchange the name of each hand-in, which is an attempt."""
+        """Yield what is in the folder, and in an exchange the name of each hand-in, which is an attempt."""
         if not self.is_exchange:
             with contextlib.suppress(UsageError):  # nobody has handed in anything yet
                 for submission in submissions([self.source], self.known, self.given):
@@ -254,7 +254,7 @@ class Desk:
                     yield _owned(of_folder(folder, match["student"], match["slug"], folder), folder), digest
 
     def _kept(self, submission: Submission, digest: str, source: Any) -> Arrival:
-        """What arrived, with a copy that no later hand-in changes."""
+        """Return what arrived, with a copy that no later hand-in changes."""
         if isinstance(source, CannotRead):
             return Arrival(
                 submission.student,
@@ -337,7 +337,7 @@ class Desk:
             warn(f"the page of {key[0]} in {key[1]} cannot be put back: {error}; it is in {pages}")
 
     def _standing(self, event: dict[str, Any]) -> str:
-        """Which attempt it is, and what counts."""
+        """Return which attempt it is, and what counts."""
         policy, best = self.queue.policy, self.queue.counting((event["student"], event["slug"]))
         of = f" of {policy.attempts:g}" if policy.attempts < math.inf else ""
         score = best["record"]["score"]
@@ -375,13 +375,13 @@ class Desk:
 
 
 def _in_time(entry: os.DirEntry[str]) -> tuple[str, str]:
-    """The order in which folders came into an exchange."""
+    """Return the order in which folders came into an exchange."""
     match = HANDED_IN.fullmatch(entry.name)
     return match["timestamp"] if match else "", entry.name
 
 
 def _owned(submission: Submission, folder: Path) -> Submission:
-    """The submission, or a note if somebody else handed it in under this name."""
+    """Return the submission, or a note if somebody else handed it in under this name."""
     owner = folder.stat().st_uid
     with contextlib.suppress(KeyError):
         if owner != os.getuid() and pwd.getpwuid(owner).pw_name != submission.student:
@@ -414,7 +414,7 @@ def _points(event: dict[str, Any]) -> str:
 
 
 def _page(rows: Iterable[Sequence[str]], summary: str) -> str:
-    """A page that reloads itself."""
+    """Return a page that reloads itself."""
     heading = ("student", "assignment", "arrived", "waited", "attempt", "score")
     lines = [heading, *rows]
     cells = ["".join(f"<td>{html.escape(text)}</td>" for text in line) for line in lines]

@@ -56,7 +56,7 @@ class Room:
 
 
 def members(source: Path) -> Iterator[File]:
-    """All files of a zip file or a folder, those that are refused, too."""
+    """Yield all files of a zip file or a folder, those that are refused, too."""
     if source.is_dir():
         yield from map(lambda path: _of_folder(path, source), _regular(source))
         return
@@ -70,7 +70,7 @@ def members(source: Path) -> Iterator[File]:
 
 
 def inside(packed: File, room: Room) -> list[File]:
-    """The work in a student's own zip file; one file without a path that says why where it cannot be read."""
+    """Return the work in a student's own zip file; one file without a path that says why where it cannot be read."""
     try:
         if _size_of_directory(packed.data) > MOST_INSIDE * (ENTRY + LONGEST_PATH):
             raise UsageError(f"it holds more than {MOST_INSIDE} files")
@@ -86,12 +86,12 @@ def inside(packed: File, room: Room) -> list[File]:
 
 
 def is_beside(name: str) -> bool:
-    """Whether a file holds drawings or words that go with the work, by its name."""
+    """Return whether a file holds drawings or words that go with the work, by its name."""
     return name.lower().endswith(BESIDE)
 
 
 def shortened(text: str) -> str:
-    """A text that is no longer than the path of a file may be."""
+    """Return a text that is no longer than the path of a file may be."""
     return text if len(text) <= LONGEST_PATH else f"{text[: LONGEST_PATH // 5]}..."
 
 
@@ -135,7 +135,7 @@ def _of_folder(path: Path, source: Path) -> File:
 
 
 def _regular(source: Path) -> list[Path]:
-    """The regular files below a folder; links and devices are left out, and what Git keeps for itself."""
+    """Return the regular files below a folder; links and devices are left out, and what Git keeps for itself."""
     files = [
         Path(folder) / name
         for folder, _, names in os.walk(source)

@@ -37,7 +37,7 @@ class Handed:
 
 
 def read(files: Iterable[File], name: str) -> Iterator[Handed | File]:
-    """Who handed in what, as a system of SYSTEMS tells it; what it tells of nobody is given back."""
+    """Return who handed in what, as a system of SYSTEMS tells it; what it tells of nobody is given back."""
     system, held = SYSTEMS[name], list(files)
     if name == "gradescope":
         return _of_table(held, system)
@@ -45,7 +45,7 @@ def read(files: Iterable[File], name: str) -> Iterator[Handed | File]:
 
 
 def fields_of(path: str, system: System) -> dict[str, str] | None:
-    """What the first folder or file of a path tells that is named as the system names submissions.
+    """Return what the first folder or file of a path tells that is named as the system names submissions.
 
     A student may name what is behind it like anybody's.
     """
@@ -75,14 +75,17 @@ def _of_names(files: Sequence[File], system: System) -> Iterator[Handed | File]:
 
 
 def _moment(text: str) -> str:
-    """A time in a name, `2026-09-14-23-59-00` or `Sep 14, 2026 1159 PM`, as ISO has it; empty for none that exists."""
+    """Return a time in a name, `2026-09-14-23-59-00` or `Sep 14, 2026 1159 PM`, as ISO has it.
+
+    Empty for none that exists.
+    """
     plain = re.sub(r"^(\d{4}-\d\d-\d\d)-(\d\d)-(\d\d)-(\d\d)$", r"\1 \2:\3:\4", text)
     plain = re.sub(r"(\d{4}) (\d{1,2}):?(\d\d) ([AP]M)$", r"\1 \2:\3 \4", plain)
     return time_of(plain)
 
 
 def time_of(text: str) -> str:
-    """A time as a table has it, in ISO's form; empty for what is none, in another language say."""
+    """Return a time as a table has it, in ISO's form; empty for what is none, in another language say."""
     try:
         moment: datetime = dates.parse(text, dayfirst=not re.match(r"\d{4}", text))
     except (ValueError, OverflowError):
@@ -91,7 +94,10 @@ def time_of(text: str) -> str:
 
 
 def _unwrapped(files: Sequence[File], system: System) -> Sequence[File]:
-    """The files without one folder around them all, whose name and date may look like a student's: `hw_2026_09_14`."""
+    """Return the files without one folder around them all, whose name and date may look like a student's.
+
+    `hw_2026_09_14`.
+    """
     inner = [replace(file, path=file.path.partition("/")[2]) for file in files]
     wrapped = len({file.path.partition("/")[0] for file in files}) == 1
     return inner if wrapped and any(fields_of(file.path, system) for file in inner) else files

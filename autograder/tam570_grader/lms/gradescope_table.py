@@ -29,14 +29,14 @@ class Table:
     submissions: Mapping[str, tuple[People, str]]
 
     def of(self, file: File) -> tuple[People, str]:
-        """Whose a file of the export is, and when it came; nobody's if it lies in no folder of the table."""
+        """Return whose a file of the export is, and when it came; nobody's if it lies in no folder of the table."""
         beside = self.file.path.removesuffix(NAME)
         folder = file.path.removeprefix(beside).split("/")[0] if file.path.startswith(beside) else ""
         return self.submissions.get(folder, ((), ""))
 
 
 def table_in(files: Iterable[File]) -> Table:
-    """The class's table: the outermost of that name, for a student may hand in another."""
+    """Return the class's table: the outermost of that name, for a student may hand in another."""
     file = min(filter(_may_be_it, files), key=lambda file: file.path.count("/"), default=None)
     if file is None:
         raise UsageError(f"the export holds no {NAME} beside its submissions: choose Export Submissions in Gradescope")
@@ -50,7 +50,10 @@ def table_in(files: Iterable[File]) -> Table:
 
 
 def _without_results(data: bytes) -> bytes:
-    """The lines of a long table that tell whose a submission is and when it came; its outputs are passed over."""
+    """Return the lines of a long table that tell whose a submission is and when it came.
+
+    Its outputs are passed over.
+    """
     lines, is_wanted = list[bytes](), False
     for line in io.BytesIO(data):
         if not line.startswith(b" "):
@@ -63,7 +66,7 @@ def _without_results(data: bytes) -> bytes:
 
 
 def _may_be_it(file: File) -> bool:
-    """Whether it has the name, and lies in nobody's submission."""
+    """Return whether it has the name, and lies in nobody's submission."""
     *folders, name = file.path.split("/")
     return name == NAME and not any(map(FOLDER.fullmatch, folders))
 
@@ -78,7 +81,7 @@ def _read(file: File) -> Any:
 
 
 def _submission(entry: Any, where: str) -> tuple[People, str]:
-    """Whose it is, and when it came."""
+    """Return whose it is, and when it came."""
     fields = entry if isinstance(entry, dict) else {":submitters": "none"}
     submitters, when = fields.get(":submitters") or [], fields.get(":created_at", "")
     if not isinstance(submitters, list) or not isinstance(when, str):
@@ -87,7 +90,7 @@ def _submission(entry: Any, where: str) -> tuple[People, str]:
 
 
 def _person(who: Any, where: str) -> tuple[dict[str, str], str]:
-    """The ids of a submitter, and the name."""
+    """Return the ids of a submitter, and the name."""
     ids = {key: who.get(f":{key}") or "" for key in ("sid", "email", "name")} if isinstance(who, dict) else {}
     if not any(ids.values()) or not all(isinstance(value, str) for value in ids.values()):
         raise UsageError(f"{where}: a submitter has neither id nor email nor name; {AGAIN}")

@@ -22,7 +22,7 @@ HandIn = tuple[str, str, datetime | None]  # student, assignment, time
 def hand_ins(
     folder: Path, collected: Path | None, policies: Mapping[str, LatePolicy], slugs: Iterable[str]
 ) -> list[dict[str, Any]]:
-    """A row for each assignment of which anything is known.
+    """Return a row for each assignment of which anything is known.
 
     folder    : of results, with a journal where `watch` wrote them
     collected : the table that `collect` wrote
@@ -50,7 +50,7 @@ def _watched(folder: Path) -> Iterator[HandIn]:
 
 
 def _row(slug: str, hand_ins: Sequence[HandIn], policy: LatePolicy) -> dict[str, Any]:
-    """How often students handed in, and of the last hand-in of each when that was."""
+    """Return how often students handed in, and of the last hand-in of each when that was."""
     attempts = Counter(student for student, *_ in hand_ins)
     last: dict[str, datetime] = {}
     for student, _, when in hand_ins:

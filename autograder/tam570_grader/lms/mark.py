@@ -64,7 +64,7 @@ class Desk:
         return f"Student {number + 1}" if self.anonymous else self.sheets[number].student
 
     def given(self, number: int, part: str) -> Entry | None:
-        """What was given for a part before."""
+        """Return what was given for a part before."""
         sheet = self.sheets[number]
         return manual_points.read(self.folder).entries.get((sheet.student, sheet.slug, part))
 
@@ -94,7 +94,7 @@ class Desk:
         return [path for path in held if path.suffix.lower() in HANDED_IN and path.is_file()]
 
     def code(self, number: int) -> list[tuple[str, str]]:
-        """The text of the work: the module, or a notebook's cells by kind."""
+        """Return the text of the work: the module, or a notebook's cells by kind."""
         work = self.sheets[number].work
         if work is None or work.path is None:
             return [("note", work.note if work else "The work is not at hand: name its tree with --submitted.")]
@@ -108,7 +108,7 @@ class Desk:
 
 
 def serve(desk: Desk, port: int = 0) -> tuple[ThreadingHTTPServer, str]:
-    """A server on this machine alone, and the address of the first page; nothing answers without its secret."""
+    """Return a server on this machine alone, and the address of the first page; nothing answers without its secret."""
     token = secrets.token_urlsafe(24)
     server = ThreadingHTTPServer(("127.0.0.1", port), type("Handler", (_Handler,), {"desk": desk, "token": token}))
     server.daemon_threads = True
@@ -121,7 +121,7 @@ class _Handler(BaseHTTPRequestHandler):
     server: ThreadingHTTPServer
 
     def do_GET(self) -> None:
-        """A page, or a file that belongs to one."""
+        """Return a page, or a file that belongs to one."""
         path = self._path()
         if path is None:
             return self._send(404, "text/plain", b"not found")
@@ -138,7 +138,7 @@ class _Handler(BaseHTTPRequestHandler):
         return self._send(404, "text/plain", b"not found")
 
     def do_POST(self) -> None:
-        """The points of a part."""
+        """Return the points of a part."""
         path = self._path()
         length = int(self.headers.get("Content-Length") or 0)
         if path is None or len(path) != 1 or length > LARGEST:
@@ -153,7 +153,7 @@ class _Handler(BaseHTTPRequestHandler):
         return self._send(200, "application/json", json.dumps({"points": earned}).encode())
 
     def _path(self) -> list[str] | None:
-        """What follows the secret; None for who does not have it, or asks by another name of this machine."""
+        """Return what follows the secret; None for who does not have it, or asks by another name of this machine."""
         _, token, *rest = [*self.path.split("?")[0].split("/"), ""]
         rest = [part for part in rest if part]
         host = f"127.0.0.1:{self.server.server_port}"
@@ -200,7 +200,7 @@ def page(desk: Desk, number: int, nonce: str) -> str:
 
 
 def _part(desk: Desk, number: int, letter: str, rubric: ManualPart) -> str:
-    """The claims of a part to tick, what else it is worth, and a comment."""
+    """Return the claims of a part to tick, what else it is worth, and a comment."""
     entry = desk.given(number, letter)
     lines = entry.comment.split("\n") if entry else []
     ticked = [f"+ {claim}" in lines for _, claim in rubric.claims]

@@ -36,7 +36,7 @@ Checks = Mapping[str, float]  # check: its points
 def checked_rows(
     path: Path, results: Results, manual: Mapping[str, Manual], checks: Mapping[str, Checks]
 ) -> Iterator[Entry]:
-    """The entries of a table, each part with its most; UsageError for the first row that is wrong."""
+    """Yield the entries of a table, each part with its most; UsageError for the first row that is wrong."""
     from tam570_grader.checks.assignments import slug_of
 
     students = {student for student, _ in results} | {EVERYONE}
@@ -61,7 +61,7 @@ def checked_rows(
 
 
 def _wrong(entry: Entry, students: set[str], parts: Manual, checks: Checks) -> str:
-    """What is wrong with a row, and the remedy; empty if nothing is."""
+    """Return what is wrong with a row, and the remedy; empty if nothing is."""
     letters = ", ".join(parts) or "none"
     if entry.student not in students:
         return f"there are no results of a student {entry.student!r}; write the name of the folder that was graded"

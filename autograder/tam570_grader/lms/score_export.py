@@ -79,7 +79,7 @@ def export(
     new: bool = False,
     overwrite: bool = False,
 ) -> Export:
-    """The table of these scores, for the rows of a roster, else for whoever has a score; options as of `run`."""
+    """Return the table of these scores, for the rows of a roster, else for whoever has a score; options as of `run`."""
     slugs = sorted({slug for _, slug in scores})
     keys = (layout.identities[identity],) if layout.identities else layout.keys
     if roster is None:
@@ -104,7 +104,7 @@ def export(
 
 
 def _without_roster(scores: Scores, slugs: Sequence[str], layout: Table, keys: Sequence[str]) -> Export:
-    """A row for each student, known by the login that their folder is named after."""
+    """Return a row for each student, known by the login that their folder is named after."""
     headings = [layout.heading.format(slug=slug) for slug in slugs]
     export = Export([[*_default(keys), *headings, *_end(layout, 0)]])
     if layout.possible:
@@ -120,7 +120,7 @@ def _without_roster(scores: Scores, slugs: Sequence[str], layout: Table, keys: S
 
 
 def _default(keys: Sequence[str]) -> list[str]:
-    """The headings of a table that nobody exported."""
+    """Return the headings of a table that nobody exported."""
     rare = ("LastName", "FirstName", "Integration ID", "Root Account", "Last Name", "First Name", "Student ID")
     return [name for name in keys if name not in (*rare, "OrgDefinedId")]
 
@@ -130,7 +130,10 @@ def _end(layout: Table, which: int) -> list[str]:
 
 
 def _column(layout: Table, heading: Sequence[str], slug: str, wanted_heading: str, *, new: bool) -> str:
-    """The heading of an assignment's column: by course.toml, or named as we name it; UsageError if there is none."""
+    """Return the heading of an assignment's column: by course.toml, or named as we name it.
+
+    UsageError if there is none.
+    """
     if not layout.must_match:
         return wanted_heading or slug
     others = [name for name in heading if name not in layout.keys and layout.column.fullmatch(name)]
@@ -152,7 +155,7 @@ def _column(layout: Table, heading: Sequence[str], slug: str, wanted_heading: st
 
 
 def _tells(layout: Table, name: str) -> list[str]:
-    """What a heading is known by: its title, and its id."""
+    """Return what a heading is known by: its title, and its id."""
     match = layout.column.fullmatch(name)
     return [match[key] for key in ("title", "id") if match and key in match.groupdict()]
 
@@ -165,7 +168,7 @@ def _possible_row(
     scores: Scores,
     export: Export,
 ) -> list[str]:
-    """The row of the points possible, as the gradebook has them; those that differ from ours are named."""
+    """Return the row of the points possible, as the gradebook has them; those that differ from ours are named."""
     there = dict(zip(heading, first or [], strict=False))
     points = []
     for slug, name in columns.items():
@@ -178,7 +181,7 @@ def _possible_row(
 
 
 def _joined(scores: Scores, everyone: Directory, export: Export) -> dict[tuple[int, str], str]:
-    """The scores by person, whatever id their folder is named after; who is left out is named."""
+    """Return the scores by person, whatever id their folder is named after; who is left out is named."""
     joined: dict[tuple[int, str], str] = {}
     unmatched = sorted({student for student, _ in scores} - everyone.by_folder.keys())
     for (student, slug), (score, _) in scores.items():
@@ -209,7 +212,7 @@ def _cell(
     *,
     overwrite: bool,
 ) -> str:
-    """A score, or what the gradebook has in its place: excused, not assigned, or changed there."""
+    """Return a score, or what the gradebook has in its place: excused, not assigned, or changed there."""
     ours, theirs = scores.get((id(person), slug), ""), person.row.get(column, "").strip()
     ours = layout.excused if ours == EX else ours
     if theirs.upper() in KEPT:
@@ -227,7 +230,7 @@ def _cell(
 
 
 def _number(text: str) -> float | str:
-    """A number as the gradebook rounds it, with a point or a comma; another text as it is."""
+    """Return a number as the gradebook rounds it, with a point or a comma; another text as it is."""
     try:
         return round(float(text.replace(",", ".")), 2)
     except ValueError:
@@ -239,13 +242,15 @@ def _possible(scores: Scores, slug: str) -> str:
 
 
 def _only(scores: Scores, names: Sequence[str]) -> Scores:
-    """The scores of the assignments that are named; all if there are no names."""
+    """Return the scores of the assignments that are named; all if there are no names."""
     chosen = named(names, sorted({slug for _, slug in scores}))
     return {key: score for key, score in scores.items() if key[1] in chosen}
 
 
 def read_scores(grades: Path, absent: str) -> Scores:
-    """The scores in our table or nbgrader's; empty where the grader itself failed, or, if asked for, of the absent.
+    """Return the scores in our table or nbgrader's.
+
+    Empty where the grader itself failed, or, if asked for, of the absent.
 
     nbgrader has zeros for everybody on what was released and not collected: nobody handed that in, and none is scored.
     """
@@ -268,6 +273,6 @@ def read_scores(grades: Path, absent: str) -> Scores:
 
 
 def _is_absent(row: Mapping[str, str]) -> bool:
-    """Whether nothing was handed in, and nothing given by hand."""
+    """Return whether nothing was handed in, and nothing given by hand."""
     nothing = row["status"] == "missing" if "status" in row else not row.get("timestamp", "unknown")
     return nothing and row["score"] != EX and not float(row["score"] or 0)

@@ -61,7 +61,7 @@ def run(course: Path, paths: Sequence[Path], slugs: Sequence[str], slug_given: s
 
 
 def _statements(text: str) -> str:
-    """The statements of a module in one form, which no library takes long over; they are read in the sandbox."""
+    """Return the statements of a module in one form, which no library takes long over; they are read in the sandbox."""
     plain = statements_of(text.encode())
     if len(plain) > LONGEST:
         raise CannotRead(f"it has {len(plain)} characters of code; more than {LONGEST} are not compared")
@@ -69,7 +69,7 @@ def _statements(text: str) -> str:
 
 
 def pairs(course: Path, slug: str, texts: Mapping[str, str]) -> Iterator[Pair]:
-    """Every pair of one assignment that shares anything."""
+    """Yield every pair of one assignment that shares anything."""
     stub = (course / "assignments" / slug / f"{slug}.py").read_text(encoding="utf-8")
     ours = list(_fingerprint(_statements(stub), []).hashes)
     prints = {student: _fingerprint(text, ours) for student, text in sorted(texts.items())}
@@ -83,7 +83,7 @@ def pairs(course: Path, slug: str, texts: Mapping[str, str]) -> Iterator[Pair]:
 
 
 def _fingerprint(text: str, ours: Sequence[int]) -> Any:
-    """The fingerprints of a module, without those of what was handed out."""
+    """Return the fingerprints of a module, without those of what was handed out."""
     try:
         from copydetect import CodeFingerprint  # type: ignore[import-untyped]
     except ImportError:

@@ -51,13 +51,13 @@ def run(
 
 
 def _numbers(students: Sequence[str]) -> dict[str, str]:
-    """A number for each student, in an order that tells nobody."""
+    """Return a number for each student, in an order that tells nobody."""
     order = random.SystemRandom().sample(range(1, len(students) + 1), len(students))
     return {student: f"s{number:04}" for student, number in zip(students, order, strict=True)}
 
 
 def code(submission: Submission) -> str:
-    """The text of a module; of a notebook, the Python of its cells one after another."""
+    """Return the text of a module; of a notebook, the Python of its cells one after another."""
     if submission.path is None:
         raise CannotRead(submission.note)
     source = read(submission)
@@ -80,6 +80,6 @@ def _write(course: Path, slug: str, modules: Mapping[str, str], folder: Path, to
 
 
 def _write_names(numbers: Mapping[str, str], path: Path) -> None:
-    """Whose number it is, for the instructor alone to read."""
+    """Write whose number it is, for the instructor alone to read."""
     write_table(path, [("number", "student"), *sorted((number, student) for student, number in numbers.items())])
     path.chmod(0o600)

@@ -96,7 +96,7 @@ def run(
 
 
 def _assignment_of(unpacked: Sequence[Handed], slugs: Sequence[str]) -> str:
-    """The assignment that a download is of: the one that most names of files tell; empty if none does."""
+    """Return the assignment that a download is of: the one that most names of files tell; empty if none does."""
     titled = {(handed.who, slug) for handed in unpacked if (slug := of_name(_title(handed), slugs))}
     ranked = Counter(slug for _, slug in titled).most_common(2)
     if len(ranked) == 2 and ranked[0][1] == ranked[1][1]:
@@ -111,7 +111,7 @@ def _title(handed: Handed) -> str:
 
 
 def _unpacked(handed: Sequence[Handed]) -> list[Handed]:
-    """The files themselves, and the work that zip files hold; no student fills the memory."""
+    """Return the files themselves, and the work that zip files hold; no student fills the memory."""
     rooms: dict[str, Room] = defaultdict(Room)
     return [each for upload in handed for each in _unpack(upload, rooms[upload.who])]
 
@@ -142,7 +142,7 @@ def _taken(
     slugs: Sequence[str],
     slug_given: str | None,
 ) -> list[Taken]:
-    """A row for the student, or for each member of the group, to whom a file goes."""
+    """Return a row for the student, or for each member of the group, to whom a file goes."""
     owners, why = _owners(handed, system, everyone, teams)
     title = _title(handed)
     other = of_name(title, slugs)
@@ -164,13 +164,13 @@ def _taken(
 
 
 def _plain(title: str) -> str:
-    """The name of a drawing or a text beside the work: one that says nothing to a system or a terminal."""
+    """Return the name of a drawing or a text beside the work: one that says nothing to a system or a terminal."""
     plain = "".join(c if c.isalnum() or c in "-_." else "_" for c in title).lstrip(".")
     return f"beside-{plain[-100:]}"
 
 
 def _with_work(rows: Sequence[Taken]) -> list[Taken]:
-    """The rows; drawings and words have a place where work has one, else they are all that came."""
+    """Return the rows; drawings and words have a place where work has one, else they are all that came."""
     working = {row.student for row in rows if form(row.target)}
     return [
         replace(row, target="", note=NOT_WORK)
@@ -183,7 +183,7 @@ def _with_work(rows: Sequence[Taken]) -> list[Taken]:
 def _owners(
     handed: Handed, system: str, everyone: Directory, teams: Mapping[str, Sequence[Person]]
 ) -> tuple[Sequence[Person], str]:
-    """The students whose a file is; none and a sentence if somebody has to say whose."""
+    """Return the students whose a file is; none and a sentence if somebody has to say whose."""
     who = everyone.owner(handed.keys, handed.name, must_agree=SYSTEMS[system].must_agree)
     if isinstance(who, Person):
         return [who], ""
@@ -194,7 +194,7 @@ def _owners(
 
 
 def _told_apart(rows: Sequence[Taken], everyone: Directory) -> list[Taken]:
-    """The rows, none with a place where two people would be one student: a name may be anybody's."""
+    """Return the rows, none with a place where two people would be one student: a name may be anybody's."""
     folders = {person.folder for person in everyone.people}
     who = defaultdict[str, set[tuple[object, ...]]](set)
     for row in rows:
@@ -210,7 +210,7 @@ def _told_apart(rows: Sequence[Taken], everyone: Directory) -> list[Taken]:
 
 
 def _newest(rows: Sequence[Taken]) -> list[Taken]:
-    """All rows, of which the best of each student and form alone keeps its place."""
+    """Return all rows, of which the best of each student and form alone keeps its place."""
     best: dict[tuple[str, str], Taken] = {}
     for row in rows:
         key = row.student, row.target
@@ -221,19 +221,19 @@ def _newest(rows: Sequence[Taken]) -> list[Taken]:
 
 
 def _rank(row: Taken) -> tuple[bool, tuple[object, ...]]:
-    """A file that is named after its assignment goes before scratch, then the newest."""
+    """Return a file that is named after its assignment goes before scratch, then the newest."""
     return of_name(_title(row.handed), [row.slug]) is not None, row.handed.order
 
 
 def _passed_over(row: Taken, best: Taken) -> Taken:
-    """The row, without its place where another has it."""
+    """Return the row, without its place where another has it."""
     if row is best:
         return row
     return replace(row, target="", note=OLDER if row.handed.order < best.handed.order else OTHER)
 
 
 def _timed(rows: Sequence[Taken], path: Path | None, everyone: Directory) -> list[Taken]:
-    """The rows with the times that a worksheet or a log tells, where the download tells none."""
+    """Return the rows with the times that a worksheet or a log tells, where the download tells none."""
     logged = _times(path, everyone) if path else {}
 
     def when(row: Taken) -> str:
@@ -244,7 +244,10 @@ def _timed(rows: Sequence[Taken], path: Path | None, everyone: Directory) -> lis
 
 
 def _times(path: Path, everyone: Directory) -> dict[str, str]:
-    """When each student's work came last, by folder, by Moodle's worksheet or its log; UsageError for other tables."""
+    """Return when each student's work came last, by folder, by Moodle's worksheet or its log.
+
+    UsageError for other tables.
+    """
     heading, *rows = table(path)
     lower = [name.strip().lower() for name in heading]
     if rosters.WHEN in lower:
@@ -265,7 +268,10 @@ def _times(path: Path, everyone: Directory) -> dict[str, str]:
 
 
 def _write(rows: Sequence[Taken], out: Path) -> list[str]:
-    """The files in their folders, and the table of who, what and when; a sentence for each file that is replaced."""
+    """Return the files in their folders, and the table of who, what and when.
+
+    A sentence for each file that is replaced.
+    """
     path, replaced = out.parent / TABLE, []
     with writing(out):
         for row in rows:
@@ -281,7 +287,7 @@ def _write(rows: Sequence[Taken], out: Path) -> list[str]:
 
 
 def _all_rows(path: Path, rows: Sequence[Taken]) -> list[tuple[str, ...]]:
-    """The rows of the table: of earlier downloads those that no row of this one replaces."""
+    """Return the rows of the table: of earlier downloads those that no row of this one replaces."""
     new = {(row.student, row.slug, row.target) for row in rows}
     earlier = [tuple(row[name] for name in COLUMNS) for row in (listed(path) if path.exists() else [])]
     unchanged = [row for row in earlier if row[2] and (row[0], row[2], row[3]) not in new]
@@ -299,7 +305,7 @@ def _told(row: Taken) -> str:
 
 
 def _warn(troubles: Iterable[tuple[str, str]]) -> None:
-    """What needs the instructor; of a student no more than a few lines, for the table has all."""
+    """Print what needs the instructor; of a student no more than a few lines, for the table has all."""
     count = Counter[str]()
     for student, line in troubles:
         count[student] += 1
@@ -328,12 +334,12 @@ def _newer_notebooks(rows: Iterable[Taken], out: Path) -> list[tuple[Taken, str]
 
 
 def _strangers(rows: Iterable[Taken], everyone: Directory) -> list[Taken]:
-    """A row of each student who is on no row of the roster."""
+    """Return a row of each student who is on no row of the roster."""
     return list({row.student: row for row in rows if everyone.people and row.person is None and row.target}.values())
 
 
 def _say(rows: Sequence[Taken], out: Path, everyone: Directory, slug: str) -> None:
-    """How many were collected, how many late, whose time is unknown, and who on the roster handed in nothing."""
+    """Print how many were collected, how many late, whose time is unknown, and who on the roster handed in nothing."""
     work = [row for row in rows if form(row.target)]
     late = sum(row.handed.late for row in work)
     count = f"{counted(len(work), 'file')} of {counted(len({row.student for row in work}), 'student')}"

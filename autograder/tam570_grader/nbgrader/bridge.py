@@ -74,7 +74,7 @@ class ForgivingExporter(NotebookExporter):
             convert()
 
     def _submitted(self) -> str:
-        """A pattern of the submissions' folders."""
+        """Return a pattern of the submissions' folders."""
         coursedir: Any = self.parent.coursedir  # type: ignore[union-attr]
         return str(coursedir.format_path(coursedir.submitted_directory, "*", "*"))
 
@@ -94,7 +94,7 @@ class ForgivingExporter(NotebookExporter):
 
 
 def _students(path: Path) -> Notebook | str:
-    """The notebook that a student handed in, or why it is none; it is taken apart in the sandbox."""
+    """Return the notebook that a student handed in, or why it is none; it is taken apart in the sandbox."""
     if path.is_symlink() or _linked(path.parent):
         return "it is a link"
     try:
@@ -128,7 +128,7 @@ class RestoreMetadata(NbGraderPreprocessor):  # type: ignore[misc]
 
 
 def _notes_of_cells(notebook: Any) -> dict[str, dict[str, Any]]:
-    """What belongs into the metadata of each cell, by the gradebook."""
+    """Return what belongs into the metadata of each cell, by the gradebook."""
     points = {cell.name: cell.max_score for cell in notebook.grade_cells}
     answers = {cell.name for cell in notebook.solution_cells}
     return {
@@ -207,7 +207,10 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
         return sheets[slug]
 
     def _graded(self, slug: str, student: str) -> tuple[Submission, Record]:
-        """A submission and its result; with the first, all that the command is about are graded, on warm workers."""
+        """Return a submission and its result.
+
+        With the first, all that the command is about are graded, on warm workers.
+        """
         graded: dict[tuple[str, str], tuple[Submission, Record]] = self.parent.results
         if (slug, student) not in graded:
             coursedir = self.parent.parent.coursedir
@@ -228,7 +231,7 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
 
 
 def _class(coursedir: Any, slug: str) -> list[Submission]:
-    """The submissions that the command is about: everybody's, or one student's."""
+    """Return the submissions that the command is about: everybody's, or one student's."""
     student = re.compile(coursedir.format_path(coursedir.submitted_directory, "(?P<who>.*)", slug, escape=True))
     folders = sorted(glob.glob(coursedir.format_path(coursedir.submitted_directory, coursedir.student_id, slug)))
     matches = [(match["who"], Path(folder)) for folder in folders if (match := student.fullmatch(folder))]
@@ -255,7 +258,7 @@ def _copying(find: Callable[..., list[str]]) -> Iterator[None]:
 
 
 def _own_files(submitted: str, folder: str, exclude: Any = None) -> list[str]:
-    """Those in a folder; of a submission's, regular files alone: links lead to whatever the teacher may read."""
+    """Return those in a folder; of a submission's, regular files alone: links lead to whatever the teacher may read."""
     files: list[str] = find_all_files(folder, exclude)
     if not fnmatch.fnmatch(folder, submitted):
         return files
@@ -263,12 +266,12 @@ def _own_files(submitted: str, folder: str, exclude: Any = None) -> list[str]:
 
 
 def _is_small(file: str) -> bool:
-    """Whether it is a regular file that is no larger than a submission may be."""
+    """Return whether it is a regular file that is no larger than a submission may be."""
     status = os.lstat(file)
     most = LARGEST_WITH_OUTPUTS if file.endswith(".ipynb") else LARGEST
     return stat.S_ISREG(status.st_mode) and status.st_size <= most
 
 
 def _linked(folder: Path) -> bool:
-    """Whether the folder of a student's assignment, or the student's own, is a link."""
+    """Return whether the folder of a student's assignment, or the student's own, is a link."""
     return folder.is_symlink() or folder.parent.is_symlink()

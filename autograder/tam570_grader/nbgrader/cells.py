@@ -24,7 +24,7 @@ NO_MODULE = "There is no {slug}.py in the folder; the functions were looked for 
 
 
 def rebuilt(cells: Iterable[Mapping[str, Any]]) -> Notebook:
-    """A notebook of a student's cells, as the sandbox reads them."""
+    """Return a notebook of a student's cells, as the sandbox reads them."""
     return node({**FORMAT, "metadata": {}, "cells": [_cell(number, cell) for number, cell in enumerate(cells)]})
 
 
@@ -42,7 +42,7 @@ def _cell(number: int, cell: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def note(submission: Submission, record: Record) -> str:
-    """What is to say of the submission as a whole."""
+    """Return what is to say of the submission as a whole."""
     slug, path = submission.slug, submission.path
     elsewhere = path is not None and path.name != f"{slug}.py"
     sentence = NO_MODULE.format(slug=slug, found=printable(path.name)) if elsewhere and path else ""
@@ -50,7 +50,10 @@ def note(submission: Submission, record: Record) -> str:
 
 
 def marked(marks: Iterable[Mapping[str, Any]], sheet: AssignmentInfo, sentence: str) -> list[Notebook]:
-    """The messages and pictures of a part, and its points as nbgrader reads them: the number that a cell ends with."""
+    """Return the messages and pictures of a part, and its points as nbgrader reads them.
+
+    The number that a cell ends with.
+    """
     shown = [_shown(check_result, sheet) for check_result in marks]
     earned = round(sum(check_result["points"] for check_result in shown), 6)
     page = template("part.html").render(marks=shown, note=sentence)
@@ -62,7 +65,7 @@ def marked(marks: Iterable[Mapping[str, Any]], sheet: AssignmentInfo, sentence: 
 
 
 def _shown(check_result: Mapping[str, Any], sheet: AssignmentInfo) -> dict[str, Any]:
-    """A mark without its detail, which is the instructor's."""
+    """Return a mark without its detail, which is the instructor's."""
     return {
         "name": check_result["name"],
         "outcome": check_result["outcome"],
@@ -81,7 +84,7 @@ def _plain(check_result: Mapping[str, Any]) -> str:
 
 
 def safe(output: Notebook) -> Notebook | None:
-    """An output without what a browser would run; None if nothing is left."""
+    """Return an output without what a browser would run; None if nothing is left."""
     output_type = output.get("output_type")
     if output_type == "stream":
         return _output("stream", name="stdout", text=_text(output.get("text")))
@@ -95,7 +98,7 @@ def safe(output: Notebook) -> Notebook | None:
 
 
 def pictures_only(attachments: Any) -> bool:
-    """Whether a text's attachments are pictures, all of them."""
+    """Return whether a text's attachments are pictures, all of them."""
     return isinstance(attachments, dict) and all(
         isinstance(attachment, dict) and all(_picture(mime, text) for mime, text in attachment.items())
         for attachment in attachments.values()
@@ -115,12 +118,12 @@ def _output(output_type: str, **content: Any) -> Notebook:
 
 
 def node(content: Mapping[str, Any]) -> Notebook:
-    """A notebook, or a piece of one, as nbformat has it."""
+    """Return a notebook, or a piece of one, as nbformat has it."""
     return nbformat.from_dict(content)  # type: ignore[no-untyped-call]
 
 
 def grade_id(cell: Notebook) -> str:
-    """The name by which nbgrader knows a cell, "" if it does not."""
+    """Return the name by which nbgrader knows a cell, "" if it does not."""
     noted = cell.metadata.get("nbgrader")
     name = noted.get("grade_id") if isinstance(noted, dict) else None
     return name if isinstance(name, str) else ""

@@ -34,7 +34,7 @@ def run(course: Path, folder: Path, slugs: Sequence[str]) -> int:
 
 
 def _is_the_teachers(path: Path, ours: bytes) -> bool:
-    """Whether there is a file that differs from ours; it is named."""
+    """Return whether there is a file that differs from ours; it is named."""
     if not path.exists() or path.read_bytes() == ours:
         return False
     say(f"{path} left as you have it; to have it made anew, move it away", error=True)
@@ -42,7 +42,7 @@ def _is_the_teachers(path: Path, ours: bytes) -> bool:
 
 
 def _write_assignment(course: Path, slug: str, folder: Path) -> None:
-    """The notebook, the stub, the visible tests and the problem of one assignment."""
+    """Write the notebook, the stub, the visible tests and the problem of one assignment."""
     released = course / "assignments" / slug
     names = f"{slug}.py", f"test_{slug}.py", "README.md"
     for name in names:
@@ -60,5 +60,5 @@ def _write_assignment(course: Path, slug: str, folder: Path) -> None:
 
 
 def _modules(slugs: Sequence[str]) -> str:
-    """The files that students edit, by assignment, as Python."""
+    """Return the files that students edit, by assignment, as Python."""
     return "".join(f'    "{slug}": ["{slug}.py"],\n' for slug in slugs)

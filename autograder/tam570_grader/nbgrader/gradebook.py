@@ -28,7 +28,7 @@ class OpenGradebook(Gradebook):  # type: ignore[misc]
 
 @functools.cache
 def _engine(db_url: str, course_id: str) -> Any:
-    """The engine of a gradebook with its tables and its course."""
+    """Return the engine of a gradebook with its tables and its course."""
     with Gradebook(db_url, course_id) as gradebook:
         return gradebook.engine
 

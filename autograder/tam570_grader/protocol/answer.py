@@ -27,7 +27,7 @@ NOTHING = 1e-60  # what is zero comes out below it, of up to 100 digits
 
 
 def answer(module: ModuleType, request: Mapping[str, Any], args: list[Any], kwargs: dict[str, Any]) -> dict[str, Any]:
-    """The reply to one call: {"value": ..., "changed": were the arguments changed} or {"error": ...}."""
+    """Return the reply to one call: {"value": ..., "changed": were the arguments changed} or {"error": ...}."""
     try:
         function = getattr(module, request["function"])
         before = _contents(args, kwargs)
@@ -43,7 +43,10 @@ def answer(module: ModuleType, request: Mapping[str, Any], args: list[Any], kwar
 
 
 def error_report(error: BaseException) -> dict[str, Any]:
-    """What is known of an exception: the names of its classes, its text, and where in the student's file it arose."""
+    """Return what is known of an exception.
+
+    The names of its classes, its text, and where in the student's file it arose.
+    """
     line, trace = 0, error.__traceback__
     while trace is not None:
         if not trace.tb_frame.f_code.co_filename.startswith(("/", "<")):
@@ -76,7 +79,7 @@ def _moved(function: Callable[..., Any], *args: Any, **kwargs: Any) -> Any:
 
 
 def seed_generators() -> None:
-    """The global random generators start alike in every submission, so that its score can be reproduced."""
+    """Start the global random generators alike in every submission, so that its score can be reproduced."""
     random.seed(0)
     np.random.seed(0)  # noqa: NPY002  the global state is what students use
 
@@ -89,7 +92,7 @@ def _text(error: BaseException) -> str:
 
 
 def _contents(args: list[Any], kwargs: dict[str, Any]) -> list[Any]:
-    """What the arguments hold now; of an array the bytes, for a NaN is not equal to itself."""
+    """Return what the arguments hold now; of an array the bytes, for a NaN is not equal to itself."""
     given = [*args, *kwargs.values()]
     return [one.tobytes() if isinstance(one, np.ndarray) else repr(one) for one in given]
 

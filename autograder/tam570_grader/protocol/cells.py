@@ -22,7 +22,10 @@ Cell = dict[str, Any]
 
 
 def plain_cells(source: bytes) -> list[Cell]:
-    """The cells of a notebook of format 4 or 3: {"kind", "source", "id", "grade_id", "outputs", "attachments"}."""
+    """Return the cells of a notebook of format 4 or 3.
+
+    {"kind", "source", "id", "grade_id", "outputs", "attachments"}.
+    """
     book = json.loads(source)
     cells = book["cells"] if "cells" in book else [c for sheet in book["worksheets"] for c in sheet["cells"]]
     plain = [_plain(cell) for cell in cells[:MOST_CELLS]]
@@ -37,12 +40,12 @@ def plain_cells(source: bytes) -> list[Cell]:
 
 
 def python(source: bytes) -> str:
-    """The code of a notebook, as far as it is Python."""
+    """Return the code of a notebook, as far as it is Python."""
     return text_of(source, ".ipynb")
 
 
 def statements(source: bytes) -> str:
-    """A module's tokens, a statement a line, without comments, blanks and texts that stand alone, as docstrings do.
+    """List a module's tokens, a statement a line, without comments, blanks and texts that stand alone (docstrings).
 
     SyntaxError where it is no Python; tokens, not trees, for a sum of a thousand terms is a deep tree.
     """
@@ -77,7 +80,7 @@ def _plain(cell: Any) -> Cell:
 
 
 def _output(one: Any) -> Cell | None:
-    """An output in nbformat's terms; None for one that is none."""
+    """Return an output in nbformat's terms; None for one that is none."""
     if not isinstance(one, dict):
         return None
     if one.get("output_type") == "stream":

@@ -165,7 +165,7 @@ def _cpu_seconds(pid: int, clock: int = EXACT) -> float:
 
 
 def _own_files(limits: Limits) -> None:
-    """A scratch folder of our own, and no view of any process."""
+    """Enter a scratch folder of our own, and no view of any process."""
     _must(LIBC.mount(b"none", b"/", None, PRIVATE, None), "mount /")
     scratch = f"size={limits.file_size},nr_inodes=1000,mode=1777".encode()
     _must(LIBC.mount(b"scratch", SCRATCH.encode(), b"tmpfs", NO_SUID | NO_DEVICES, scratch), f"mount {SCRATCH}")

@@ -18,7 +18,9 @@ __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
 
 
 def compiled(source: bytes, name: str, *, notebook: bool, piecewise: bool) -> tuple[list[Piece], list[str]]:
-    """What is to be run, and the notebook cells that are no Python, as "cell 3: SyntaxError". Nothing has run yet.
+    """Return what is to be run, and the notebook cells that are no Python, as "cell 3: SyntaxError".
+
+    Nothing has run yet.
 
     piecewise : each statement of a module by itself
     """
@@ -33,7 +35,7 @@ def compiled(source: bytes, name: str, *, notebook: bool, piecewise: bool) -> tu
 def load(
     pieces: Sequence[Piece], name: str, *, notebook: bool, forbidden: Sequence[str], uncallable: Sequence[str]
 ) -> tuple[ModuleType, list[str]]:
-    """The student's module, and the notebook cells that were skipped because they raised, as "cell 3: NameError".
+    """Load the student's module, and name the notebook cells that raised and were skipped, as "cell 3: NameError".
 
     forbidden  : modules that may not be imported
     uncallable : modules of which nothing may be called, while the file is imported either: what needs them there
@@ -83,7 +85,7 @@ def _in_words(error: BaseException) -> str:
 
 
 def _builtins_without(forbidden: Sequence[str], own: str) -> dict[str, Any]:
-    """The built-in functions with an import that refuses the forbidden modules, and what is not promised."""
+    """Return the built-in functions with an import that refuses the forbidden modules, and what is not promised."""
     import_module = builtins.__import__
 
     def guarded_import(
@@ -106,7 +108,7 @@ _tamed: set[str] = set()
 
 
 def _without_windows() -> None:
-    """What a student imports opens no window, and has a kernel to speak to."""
+    """Take care that what a student imports opens no window, and has a kernel to speak to."""
     for name, attribute in (("matplotlib", "use"), ("matplotlib.pyplot", "switch_backend")):
         module = sys.modules.get(name)
         if name not in _tamed and hasattr(module, attribute):

@@ -32,7 +32,7 @@ BLOCK = 12  # pixels; dots and dashes leave smaller gaps
 def picture(
     function: Callable[..., Any], args: list[Any], kwargs: dict[str, Any], *, looked_at: bool = True
 ) -> dict[str, Any]:
-    """What the function draws on the Axes it is given; nothing of it shows where nobody looks.
+    """Return what the function draws on the Axes it is given; nothing of it shows where nobody looks.
 
     lines          : of each its points (n, 2), label, whether it is a scatter; the shares of its points that show and
                      that lie within the limits, its extent as a share of the figure's
@@ -61,7 +61,7 @@ def picture(
 
 
 def _drawn(axes: Any) -> Iterator[tuple[Any, list[Any], bool]]:
-    """Every artist of curves, its curves as points, whether it is a scatter."""
+    """Yield every artist of curves, its curves as points, whether it is a scatter."""
     from matplotlib.collections import PathCollection
 
     for line in axes.lines[:MOST_LINES]:
@@ -94,7 +94,7 @@ def _text(text: Any) -> str:
 
 
 def _prints(axes: Any, curves: list[Any]) -> dict[Any, Any]:
-    """The print of the picture by its axes, of the same without curves and labels by None, of a curve alone by it."""
+    """Print the picture by its axes, of the same without curves and labels by None, of a curve alone by it."""
     from matplotlib import rc_context
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
@@ -165,7 +165,7 @@ def _shown(axes: Any, points: Any, alone: Any, empty: Any) -> dict[str, float]:
 
 
 def _near(ink: Any, places: Any) -> Any:
-    """Whether there is ink in the block of each of the places, or in one beside it."""
+    """Return whether there is ink in the block of each of the places, or in one beside it."""
     rows, columns = (-(-size // BLOCK) for size in ink.shape)
     blocks = np.zeros((rows * BLOCK, columns * BLOCK), bool)
     blocks[: ink.shape[0], : ink.shape[1]] = ink

@@ -152,7 +152,7 @@ def refuse_calls(*, signals: bool = False, forks: bool = False) -> None:
 
 @cache
 def program(*, signals: bool, forks: bool) -> bytes:
-    """The filter as the kernel reads it, or nothing; a worker has it made before it forks for a submission."""
+    """Return the filter as the kernel reads it, or nothing; a worker has it made before it forks for a submission."""
     if sys.platform != "linux" or sys.maxsize < 2**32 or platform.machine() not in CALLS:  # 32 bits: others
         return b""
     calls = CALLS[platform.machine()]
@@ -173,7 +173,7 @@ def _steps(calls: Calls, more: Sequence[int]) -> Steps:
 
 
 def _judged(number: int, argument: int, tests: Steps, otherwise: int) -> Steps:
-    """Steps that judge a call by the lower half of an argument, and go on with any other call.
+    """Return steps that judge a call by the lower half of an argument, and go on with any other call.
 
     An argument that must be nothing is a pointer, or flags of its own size: its upper half must be nothing, too.
     """
@@ -185,7 +185,7 @@ def _judged(number: int, argument: int, tests: Steps, otherwise: int) -> Steps:
 
 
 def _packed(steps: Steps) -> bytes:
-    """A filter as the kernel reads it; its last three instructions are the verdicts."""
+    """Return a filter as the kernel reads it; its last three instructions are the verdicts."""
     packed = b""
     for i, (instruction, value, if_so, if_not) in enumerate(steps, start=1):
         so, no = (len(steps) + leads - i if leads < 0 else leads for leads in (if_so, if_not))

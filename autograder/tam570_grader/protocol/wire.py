@@ -87,7 +87,7 @@ class ItemBudget:
 
 
 def unpacked(data: bytes, budget: ItemBudget | None = None) -> Any:
-    """The message in the bytes; nothing in it is trusted, and nothing in it can run.
+    """Return the message in the bytes; nothing in it is trusted, and nothing in it can run.
 
     budget : what the messages that share it may have of items, each extension being one
     """
@@ -113,7 +113,10 @@ def unpacked(data: bytes, budget: ItemBudget | None = None) -> Any:
 
 
 def portable(value: Any, depth: int = 0) -> Any:
-    """A student's value as plain numbers, float or complex arrays and lists of these; anything else a Foreign."""
+    """Return a student's value as plain numbers, float or complex arrays and lists of these.
+
+    Anything else a Foreign.
+    """
     if value is None or type(value) in (bool, float):
         return value
     if type(value) is int:

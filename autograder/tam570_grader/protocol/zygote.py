@@ -122,7 +122,7 @@ def _confined(limits: jail.Limits, channel: socket.socket, folder: str) -> None:
 
 
 def _read(name: str, reading: Callable[[bytes], Any], text: bytes) -> dict[str, Any]:
-    """What is read of a notebook or a module, nothing of which is run."""
+    """Return what is read of a notebook or a module, nothing of which is run."""
     try:
         return {name: reading(text)}
     except Exception as error:
@@ -168,14 +168,14 @@ def _answer_all(module: Any, request: dict[str, Any]) -> None:
 
 
 def _together(replies: list[dict[str, Any]]) -> dict[str, Any]:
-    """A message of several replies."""
+    """Return a message of several replies."""
     good = all(reply.get("changed") is False for reply in replies)
     values = stacked([reply["value"] for reply in replies]) if good else None
     return {"replies": replies} if values is None else {"values": values}
 
 
 def _own(argument: Any) -> Any:
-    """A writable copy of an array; a list of tuples of a list of lists."""
+    """Return a writable copy of an array; a list of tuples of a list of lists."""
     if isinstance(argument, list):
         return [tuple(item) if isinstance(item, list) else item for item in argument]
     return argument.copy() if hasattr(argument, "copy") else argument

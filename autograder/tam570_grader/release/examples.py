@@ -44,7 +44,7 @@ def write(course: Path, names: Sequence[str]) -> int:
 
 
 def examples_of(course: Path, slug: str) -> str:
-    """The text of `examples.json`."""
+    """Return the text of `examples.json`."""
     assignment = assignments.assignment(course, slug)
     compared = [mistake for mistake in mistakes(assignments.checks_folder(course, slug)) if mistake.text]
     candidates = list(_fair(course, assignment, _candidates(assignment)))
@@ -59,12 +59,12 @@ def examples_of(course: Path, slug: str) -> str:
 
 
 def caught(examples: Examples, module: Any) -> bool:
-    """Whether a module fails one of the examples."""
+    """Return whether a module fails one of the examples."""
     return any(_wrong(examples, k, getattr(module, call["function"], None)) for k, call in enumerate(examples.calls))
 
 
 def _candidates(assignment: LoadedAssignment) -> list[Example]:
-    """What the checks compare along the solution, with the public seed; a few of each kind of input."""
+    """Return what the checks compare along the solution, with the public seed; a few of each kind of input."""
     notes: list[dict[str, Any]] = []
 
     def collect_calls(zygote: Any, _: Any) -> None:
@@ -110,7 +110,7 @@ def _size(*groups: Any) -> int:
 
 
 def _fair(course: Path, assignment: LoadedAssignment, candidates: Sequence[Example]) -> Iterator[Example]:
-    """The examples that the solution and all right submissions in other styles pass."""
+    """Yield the examples that the solution and all right submissions in other styles pass."""
     folder = assignments.checks_folder(course, assignment.slug) / "alternatives"
     texts = ["", *(path.read_text(encoding="utf-8") for path in sorted(folder.glob("*.py")))]
     modules = [solution_with(assignment.solution, text) for text in texts]
@@ -121,7 +121,7 @@ def _fair(course: Path, assignment: LoadedAssignment, candidates: Sequence[Examp
 
 
 def _wrong(examples: Examples, number: int, function: Any) -> bool:
-    """Whether a function fails an example."""
+    """Return whether a function fails an example."""
     try:
         with np.errstate(all="ignore"):
             examples.run(function, number)
@@ -131,7 +131,7 @@ def _wrong(examples: Examples, number: int, function: Any) -> bool:
 
 
 def _answers(assignment: LoadedAssignment, mistake: Mistake, candidates: Sequence[Example]) -> dict[int, Any]:
-    """The results of a mistake, by the number of each example that it fails; None where it raises."""
+    """Return the results of a mistake, by the number of each example that it fails; None where it raises."""
     module, examples = solution_with(assignment.solution, mistake.text), Examples(candidates, ())
     wrong = [
         k for k, example in enumerate(candidates) if _wrong(examples, k, getattr(module, example["function"], None))
@@ -140,7 +140,7 @@ def _answers(assignment: LoadedAssignment, mistake: Mistake, candidates: Sequenc
 
 
 def _chosen(candidates: Sequence[Example], answers: Sequence[Mapping[int, Any]]) -> list[int]:
-    """The fewest examples, greedily, of which each mistake fails one; and one of each function."""
+    """Return the fewest examples, greedily, of which each mistake fails one; and one of each function."""
     unmet = [{*answer} for answer in answers if answer]
     unmet += [{k for k, other in enumerate(candidates) if other["function"] == name} for name in _functions(candidates)]
     chosen: list[int] = []
@@ -158,7 +158,7 @@ def _functions(candidates: Sequence[Example]) -> list[str]:
 def _fingerprints(
     mistake: Mistake, answers: Mapping[int, Any], chosen: Sequence[int], candidates: Sequence[Example]
 ) -> dict[str, Any] | None:
-    """What tells a mistake of one function by the results of the chosen examples."""
+    """Return what tells a mistake of one function by the results of the chosen examples."""
     results: dict[str, list[float]] = {}
     changed = {candidates[k]["function"] for k in answers} & mistake.defined
     if len(changed) != 1 or not mistake.compared:

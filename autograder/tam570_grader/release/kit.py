@@ -42,7 +42,7 @@ def run(course: Path, folder: Path) -> int:
 
 
 def _title(course: Path, slug: str) -> str:
-    """The first line of an assignment's README."""
+    """Return the first line of an assignment's README."""
     with open(course / "assignments" / slug / "README.md", encoding="utf-8") as file:
         return file.readline().lstrip("# ").strip()
 
@@ -88,7 +88,7 @@ def _digest(folder: Path) -> str:
 
 
 def _project(course: Path, version: str) -> dict[str, Any]:
-    """The project as pyproject.toml has it, without the grader."""
+    """Return the project as pyproject.toml has it, without the grader."""
     config = tomllib.loads((course / "pyproject.toml").read_text(encoding="utf-8"))
     project: dict[str, Any] = config["project"]
     project |= {

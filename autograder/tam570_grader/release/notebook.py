@@ -78,7 +78,7 @@ def problem(readme: str) -> Problem:
 
 
 def notebook(assignment: LoadedAssignment, readme: str, tests: str, pictures: str) -> dict[str, Any]:
-    """The notebook as nbformat has it.
+    """Return the notebook as nbformat has it.
 
     readme, tests : of the assignment, as students get them
     pictures      : Markdown with a code block under the letter of each part that has something to show
@@ -100,7 +100,7 @@ def notebook(assignment: LoadedAssignment, readme: str, tests: str, pictures: st
 
 
 def write_notebook(course: Path, slug: str, folder: Path) -> None:
-    """The notebook form of an assignment, and the module that it uses."""
+    """Write the notebook form of an assignment, and the module that it uses."""
     released = course / "assignments" / slug
     shutil.copyfile(TEMPLATES / "lab.py", folder / "lab.py")
     pictures = assignments.checks_folder(course, slug) / "notebook.md"
@@ -114,18 +114,18 @@ def write_notebook(course: Path, slug: str, folder: Path) -> None:
 
 
 def part_points(assignment: LoadedAssignment) -> dict[str, float]:
-    """The points of each part that the grader gives."""
+    """Return the points of each part that the grader gives."""
     parts = sorted({check.part for check in assignment.checks})
     return {p: round(sum(check.points for check in assignment.checks if check.part == p), 6) for p in parts}
 
 
 def part_of(grade_id: str) -> str | None:
-    """The part whose points a locked cell carries, None for any other cell."""
+    """Return the part whose points a locked cell carries, None for any other cell."""
     return grade_id.removeprefix(LOCKED) if grade_id.startswith(LOCKED) else None
 
 
 def functions_by_part(assignment: LoadedAssignment) -> dict[str, str]:
-    """The part of each function: that of the first check that is about it, else the first part."""
+    """Return the part of each function: that of the first check that is about it, else the first part."""
     parts: dict[str, str] = {}
     for check in assignment.checks:
         parts.setdefault(check.function, check.part)
@@ -134,7 +134,7 @@ def functions_by_part(assignment: LoadedAssignment) -> dict[str, str]:
 
 
 def visible_by_part(assignment: LoadedAssignment, tests: str) -> dict[str, list[str]]:
-    """The visible tests of each part: a test belongs to the last part of which it uses a function."""
+    """Return the visible tests of each part: a test belongs to the last part of which it uses a function."""
     parts, graded = functions_by_part(assignment), sorted(part_points(assignment))
     definitions = {node.name: node for node in ast.parse(tests).body if isinstance(node, ast.FunctionDef)}
     functions: dict[str, list[str]] = {part: [] for part in graded}
@@ -146,7 +146,7 @@ def visible_by_part(assignment: LoadedAssignment, tests: str) -> dict[str, list[
 
 
 def _mentioned(node: ast.FunctionDef, definitions: Definitions) -> set[str]:
-    """The attributes of `hw` that a visible test uses, itself or by the functions beside it."""
+    """Return the attributes of `hw` that a visible test uses, itself or by the functions beside it."""
     names, pending, seen = set(), [node], {node.name}
     while pending:
         for inner in ast.walk(pending.pop()):
@@ -161,7 +161,7 @@ def _mentioned(node: ast.FunctionDef, definitions: Definitions) -> set[str]:
 def _part(
     assignment: LoadedAssignment, part: str, text: str, shown: str | None, tests: Iterable[str]
 ) -> list[CellRecord]:
-    """The cells of one part."""
+    """Return the cells of one part."""
     cells = [text_cell(f"text-{part}", text)]
     manual = assignment.rubric.get(part)
     if manual and manual.before:
@@ -177,13 +177,13 @@ def _part(
 
 
 def _used_in(assignment: LoadedAssignment, part: str) -> list[str]:
-    """The functions that the checks of a part are about."""
+    """Return the functions that the checks of a part are about."""
     used = {check.function for check in assignment.checks if check.part == part}
     return sorted(used & {*assignment.results})
 
 
 def _by_hand(part: str, manual: ManualPart) -> list[CellRecord]:
-    """The task, a cell to compute in, and the answer's cell, which carries the points."""
+    """Return the task, a cell to compute in, and the answer's cell, which carries the points."""
     answer = text_cell(f"manual-{part}", manual.prompt)
     answer["metadata"] = _nbgrader(f"manual-{part}", manual.points, locked=False, solution=True)
     claims = rubric_table(manual)
@@ -192,7 +192,7 @@ def _by_hand(part: str, manual: ManualPart) -> list[CellRecord]:
 
 
 def _locked(assignment: LoadedAssignment, part: str, tests: Iterable[str]) -> CellRecord:
-    """The cell that runs the visible tests of a part for the student, and carries the points of its checks."""
+    """Return the cell that runs the visible tests of a part for the student, and carries the points of its checks."""
     points = part_points(assignment)[part]
     names = "".join(f"    {json.dumps(name)},\n" for name in tests)
     functions = "" if names else f"    functions={json.dumps(_used_in(assignment, part))},\n"
@@ -217,7 +217,7 @@ def _nbgrader(grade_id: str, points: float, *, locked: bool, solution: bool) -> 
 
 
 def text_cell(name: str, source: str) -> CellRecord:
-    """A plain Markdown cell."""
+    """Return a plain Markdown cell."""
     return {"cell_type": "markdown", "id": name, "metadata": {}, "source": source}
 
 

@@ -32,7 +32,10 @@ def run(course: Path, *, check: bool) -> int:
 
 
 def _generated(course: Path, slug: str) -> dict[Path, str]:
-    """What is derived of an assignment: the README's rubric, the stub, and the contract for the students' `check`."""
+    """Return what is derived of an assignment.
+
+    The README's rubric, the stub, and the contract for the students' `check`.
+    """
     released, solution = course / "assignments" / slug, course / "solutions" / f"{slug}.py"
     readme, rubric = released / "README.md", load_rubric(released)
     figure = assignments.figure(course, slug)
@@ -50,7 +53,7 @@ def _generated(course: Path, slug: str) -> dict[Path, str]:
 
 
 def stub(source: str) -> str:
-    """The stub of a solution's source.
+    """Return the stub of a solution's source.
 
     A function named in `__all__` keeps its signature and docstring; other public definitions stay as they are;
     private ones go, and with them their comments and the imports and constants that nothing uses any more.
@@ -65,7 +68,7 @@ def stub(source: str) -> str:
 
 
 def exported(tree: ast.Module) -> set[str]:
-    """The names of the functions that students write."""
+    """Return the names of the functions that students write."""
     for node in tree.body:
         if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__":
             return set(ast.literal_eval(node.value))
@@ -73,7 +76,7 @@ def exported(tree: ast.Module) -> set[str]:
 
 
 def _names(node: ast.stmt) -> list[str]:
-    """The names that a statement defines."""
+    """Return the names that a statement defines."""
     if isinstance(node, ast.FunctionDef | ast.ClassDef):
         return [node.name]
     if isinstance(node, ast.Import | ast.ImportFrom):
@@ -97,7 +100,7 @@ def _text(source: str, node: ast.stmt, exported: set[str]) -> str:
 
 
 def _unused(node: ast.stmt, others_too: list[ast.stmt], texts: dict[ast.stmt, str]) -> bool:
-    """Whether an import or a constant is used by nothing that is left; `np` stays, for students expect it."""
+    """Return whether an import or a constant is used by nothing that is left; `np` stays, for students expect it."""
     if not isinstance(node, ast.Import | ast.ImportFrom | ast.Assign) or {"__all__", "np"} & set(_names(node)):
         return False
     others = " ".join(_code(texts[other]) for other in others_too if other is not node)
@@ -105,12 +108,12 @@ def _unused(node: ast.stmt, others_too: list[ast.stmt], texts: dict[ast.stmt, st
 
 
 def _code(text: str) -> str:
-    """The text without docstrings."""
+    """Return the text without docstrings."""
     return re.sub(r'"""[\s\S]*?"""', "", text)
 
 
 def _joined(parts: list[tuple[ast.stmt, str]]) -> str:
-    """The texts, two blank lines around functions and one between other things, imports together."""
+    """Return the texts, two blank lines around functions and one between other things, imports together."""
     out = ""
     for before, (node, text) in zip([None, *(node for node, _ in parts)], parts, strict=False):
         out += _gap(before, node) + text

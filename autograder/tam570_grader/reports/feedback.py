@@ -59,7 +59,7 @@ class AssignmentInfo:
 
 
 def load_assignment_info(course: Path, slug: str) -> AssignmentInfo:
-    """The sheet of an assignment; of one that is no longer in the course, its name."""
+    """Return the sheet of an assignment; of one that is no longer in the course, its name."""
     from tam570_grader.checks import assignments
 
     if slug not in assignments.slugs(course):
@@ -79,7 +79,7 @@ def _title(folder: Path, slug: str) -> str:
 
 
 def page(result: Result, info: AssignmentInfo, adjusted: AdjustedScore | None = None) -> str:
-    """A student's feedback on one assignment: one HTML file that needs nothing else.
+    """Return a student's feedback on one assignment: one HTML file that needs nothing else.
 
     settled : the score with what was added by hand
     """
@@ -108,7 +108,7 @@ def page(result: Result, info: AssignmentInfo, adjusted: AdjustedScore | None = 
 
 
 def overall(status: str, message: str) -> str:
-    """What is said of a submission as a whole; empty where nothing is."""
+    """Return what is said of a submission as a whole; empty where nothing is."""
     return sentence(capitalized(message)) or NOTES.get(status, "")
 
 
@@ -120,7 +120,7 @@ def must_write_pages() -> None:
 
 @functools.cache
 def template(name: str) -> Any:
-    """A page's template; whatever is put into it is escaped."""
+    """Return a page's template; whatever is put into it is escaped."""
     import jinja2
 
     loader = jinja2.FileSystemLoader(Path(__file__).parent / "templates")
@@ -146,7 +146,10 @@ def _part(letter: str, result: Result, info: AssignmentInfo) -> dict[str, Any]:
 
 
 def _shown(check_result: CheckResult, info: AssignmentInfo, overall_message: str) -> dict[str, Any]:
-    """A mark as the page shows it, but for what the note says of all; never its detail, which is the instructor's."""
+    """Return a mark as the page shows it, but for what the note says of all.
+
+    Never its detail, which is the instructor's.
+    """
     is_stuck = check_result.outcome == "failed" or bool(check_result.unwritten)
     function = (
         (check_result.failure.function if check_result.failure else "")
@@ -173,7 +176,10 @@ def _shown(check_result: CheckResult, info: AssignmentInfo, overall_message: str
 
 
 def pictures(curve: Any) -> list[Any]:
-    """The drawings of a failure: the error, and what becomes of an invariant; results of an older run have none."""
+    """Return the drawings of a failure: the error, and what becomes of an invariant.
+
+    Results of an older run have none.
+    """
     if not curve:
         return []
     from tam570_grader.reports.pictures import picture
@@ -182,7 +188,7 @@ def pictures(curve: Any) -> list[Any]:
 
 
 def _sketch(drawn: Any) -> Any:
-    """The free body diagram of a failure, if there is one."""
+    """Return the free body diagram of a failure, if there is one."""
     if not drawn:
         return None
     from tam570_grader.reports.pictures import sketch
@@ -191,7 +197,7 @@ def _sketch(drawn: Any) -> Any:
 
 
 def _among(result: Result) -> Any:
-    """The student's run time among the methods, if it was measured."""
+    """Return the student's run time among the methods, if it was measured."""
     if not result.speed:
         return None
     from tam570_grader.reports.pictures import among
@@ -255,7 +261,7 @@ def _write_page(folder: Path, key: Key, text: str) -> None:
 
 
 def _settled(adjustments: ManualAdjustments, results: Results) -> dict[Key, AdjustedScore]:
-    """The scores to which something was added by hand."""
+    """Return the scores to which something was added by hand."""
     scores = {key: line.graded[-2:] for key, line in results.lines.items() if adjustments.touches(key)}
     return {key: adjustments.adjust(key, score, most, results.earned(key)) for key, (score, most) in scores.items()}
 
@@ -265,7 +271,7 @@ def _path(folder: Path, key: Key) -> str:
 
 
 def _known(notes: Path) -> dict[str, str]:
-    """What the pages were made from; nothing where that cannot be read."""
+    """Return what the pages were made from; nothing where that cannot be read."""
     try:
         made_from = json.loads(notes.read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -286,7 +292,7 @@ def _version() -> int:
 
 
 def table(rows: Sequence[tuple[str, ...]]) -> str:
-    """The class at a glance: a line for each submission with what to say about it first."""
+    """Return the class at a glance: a line for each submission with what to say about it first."""
     rows = [HEADINGS, *rows]
     widths = [max(len(row[column]) for row in rows) for column in range(5)]
     return "\n".join("  ".join([*map(str.ljust, row[:5], widths), row[5]]).rstrip() for row in rows)
@@ -295,7 +301,7 @@ def table(rows: Sequence[tuple[str, ...]]) -> str:
 def with_hand(
     rows: Iterable[tuple[str, ...]], results: Results, adjustments: ManualAdjustments
 ) -> list[tuple[str, ...]]:
-    """The rows with the scores that points by hand made of theirs."""
+    """Return the rows with the scores that points by hand made of theirs."""
     scores = {key: _score(row_shown.score, row_shown.most) for key, row_shown in _settled(adjustments, results).items()}
     return [
         (*row_shown[:2], scores.get((row_shown[0], row_shown[1]), row_shown[2]), *row_shown[3:]) for row_shown in rows
@@ -307,14 +313,14 @@ def _score(score: float | None, most: float) -> str:
 
 
 def row(record: Record) -> tuple[str, ...]:
-    """A result in the table."""
+    """Return a result in the table."""
     score = _score(record["score"], record["max_score"])
     seconds = f"{record['seconds']:.2f} s"
     return record["student"], record["assignment"], score, record["status"], seconds, _remark(record)
 
 
 def _remark(record: Record) -> str:
-    """The most telling thing about a result: the known mistake, else the first failure."""
+    """Return the most telling thing about a result: the known mistake, else the first failure."""
     check_results = [
         check_result for check_result in record["checks"] if check_result["outcome"] not in ("passed", "not_run")
     ]

@@ -46,7 +46,7 @@ class Sketch:
 
 
 def sketch(drawn: Mapping[str, Any]) -> Sketch:
-    """The picture of a free body diagram, beside the body; never what it should be."""
+    """Return the picture of a free body diagram, beside the body; never what it should be."""
     outline, arrows, unknown = "", "", []
     for x1, y1, x2, y2 in drawn["outline"]:
         outline += f"M{EDGE + x1} {EDGE + SHEET - y1}L{EDGE + x2} {EDGE + SHEET - y2}"
@@ -62,7 +62,7 @@ def sketch(drawn: Mapping[str, Any]) -> Sketch:
 
 
 def _arrow(x: float, y: float, angle: float) -> str:
-    """The path of an arrow from a place, y down, with its head."""
+    """Return the path of an arrow from a place, y down, with its head."""
     c, s = math.cos(angle), -math.sin(angle)
     tip = x + ARROW * c, y + ARROW * s
     back = [(tip[0] - 9 * c + side * s, tip[1] - 9 * s - side * c) for side in (4, -4)]
@@ -85,7 +85,7 @@ class Among:
 
 
 def among(slug: str, speed: Speed) -> Among:
-    """The picture of run time against error; smaller errors to the right, as in the benchmark's."""
+    """Return the picture of run time against error; smaller errors to the right, as in the benchmark's."""
     curves = {
         name: [(machine_seconds * speed["machine"], error) for machine_seconds, error in curve]
         for name, curve in scenes()[slug]["curves"].items()
@@ -114,7 +114,7 @@ def among(slug: str, speed: Speed) -> Among:
 
 
 def _compared(speed: Speed, curves: Mapping[str, Sequence[tuple[float, float]]]) -> str:
-    """The student's numbers and what the methods take to the same error."""
+    """Return the student's numbers and what the methods take to the same error."""
     times = {name: time_to(speed["error"], curve) for name, curve in curves.items()}
     others = [f"{name} {time:.2g} s" if time else f"{name} does not get there" for name, time in times.items()]
     return (
@@ -124,7 +124,7 @@ def _compared(speed: Speed, curves: Mapping[str, Sequence[tuple[float, float]]])
 
 
 def _spread(names: Sequence[tuple[float, str]]) -> list[tuple[float, str]]:
-    """The names from the top down, each clear of the one above."""
+    """Return the names from the top down, each clear of the one above."""
     positions: list[tuple[float, str]] = []
     for height, name in sorted(names):
         positions.append((max(height, positions[-1][0] + 12 if positions else TOP + 4), name))
@@ -136,12 +136,12 @@ def _path(places: Sequence[tuple[float, float]]) -> str:
 
 
 def picture(curve: Curve) -> Picture:
-    """The drawing of a curve."""
+    """Return the drawing of a curve."""
     return _drift(curve) if curve["scale"] == "linear" else _error(curve)
 
 
 def _error(curve: Curve) -> Picture:
-    """The size of an error by decades, with the limit as a line, all below it allowed."""
+    """Return the size of an error by decades, with the limit as a line, all below it allowed."""
     values, limit = curve["values"], math.log10(curve["tolerance"])
     finite = [value for value in values if value is not None]
     low, high = math.floor(min(*finite, 0) + limit - 0.2), math.ceil(max(*finite, 0) + limit + 0.2)
@@ -159,7 +159,7 @@ def _error(curve: Curve) -> Picture:
 
 
 def _drift(curve: Curve) -> Picture:
-    """What should stay, with its sign, from what it should be."""
+    """Return what should stay, with its sign, from what it should be."""
     values, limit = curve["values"], curve["tolerance"]
     finite = [value for value in values if value is not None]
     low, high = min(*finite, -limit), max(*finite, limit)
@@ -212,7 +212,7 @@ def _ticks(low: float, high: float) -> list[tuple[float, str]]:
 
 
 def _places(heights: Sequence[Any], low: float, high: float) -> list[tuple[float, float]]:
-    """Where the known values are in the frame; the first and the last at its sides."""
+    """Return where the known values are in the frame; the first and the last at its sides."""
     present = [k for k, height in enumerate(heights) if height is not None]
     across = (RIGHT - LEFT) / max(len(heights) - 1, 1)
     return [(LEFT + across * k, _up(heights[k], low, high)) for k in present]
@@ -230,7 +230,7 @@ def _course(curve: Curve) -> str:
 
 
 def _crossing(curve: Curve) -> str:
-    """When the limit is first passed, by the quarters of the duration."""
+    """Return when the limit is first passed, by the quarters of the duration."""
     values = curve["values"]
     slot = next((k for k, value in enumerate(values) if value is not None and value > 0), None)
     if not slot:

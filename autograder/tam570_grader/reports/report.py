@@ -90,7 +90,10 @@ def run(
 
 
 def results(folder: Path, notes: Notes | None = None, examples: Examples | None = None) -> Class:
-    """The newest results in a folder; a last line that is being written is left out. The notes see each pass by."""
+    """Return the newest results in a folder; a last line that is being written is left out.
+
+    The notes see each pass by.
+    """
     if not (folder / "results.jsonl").is_file():
         raise UsageError(f"there are no results in {folder}; make them with: tam570-grader grade ... --out {folder}")
     class_results = newest((notes or Notes()).passing(stream(folder / "results.jsonl")), examples)
@@ -101,7 +104,7 @@ def results(folder: Path, notes: Notes | None = None, examples: Examples | None 
 
 
 def newest(results: Iterable[Result], examples: Examples | None = None) -> Class:
-    """The newest results, without what the page does not show; of equal marks one alone is kept.
+    """Return the newest results, without what the page does not show; of equal marks one alone is kept.
 
     examples : gets a failure for each thing that went wrong
     """
@@ -123,7 +126,7 @@ def newest(results: Iterable[Result], examples: Examples | None = None) -> Class
 def report(
     class_results: Class, infos: Mapping[str, AssignmentInfo], roster: Iterable[str] = (), **sections: Any
 ) -> str:
-    """The page, one HTML file that needs nothing else but, for its links, the feedback beside it.
+    """Return the page, one HTML file that needs nothing else but, for its links, the feedback beside it.
 
     sections : dropped, shared, names, claims, scenes, hand_ins; what is left out is not on the page
     """
@@ -165,7 +168,7 @@ def _here(result: Result) -> bool:
 
 
 def _assignments(class_results: Class, infos: Mapping[str, AssignmentInfo]) -> list[dict[str, Any]]:
-    """Each assignment at a glance."""
+    """Return each assignment at a glance."""
     handed_in: dict[str, list[Result]] = {slug: [] for slug in _slugs(class_results)}
     for result in filter(_here, class_results.values()):
         handed_in[result.assignment].append(result)
@@ -173,7 +176,7 @@ def _assignments(class_results: Class, infos: Mapping[str, AssignmentInfo]) -> l
 
 
 def _spread(handed_in: Sequence[Result]) -> dict[str, Any]:
-    """The middle of the scores, the spread, how many have all."""
+    """Return the middle of the scores, the spread, how many have all."""
     scores = [result.score for result in handed_in if result.score is not None]
     most = handed_in[0].max_score if handed_in else 0.0
     bins = [0] * BINS
@@ -191,7 +194,7 @@ def _spread(handed_in: Sequence[Result]) -> dict[str, Any]:
 
 
 def _scores(class_results: Class, students: Sequence[str], dropped: Container[Key]) -> Iterable[dict[str, Any]]:
-    """A row for each student: a cell for each assignment, in brackets where it does not count, and the sum."""
+    """Yield a row for each student: a cell for each assignment, in brackets where it does not count, and the sum."""
     slugs = _slugs(class_results)
     for student in students:
         results = {slug: class_results.get((student, slug)) for slug in slugs}
@@ -202,13 +205,13 @@ def _scores(class_results: Class, students: Sequence[str], dropped: Container[Ke
 
 
 def _dropped(class_results: Class, adjustments: manual_points.ManualAdjustments) -> set[Key]:
-    """The lowest results that a course drops, as in the table of grades."""
+    """Return the lowest results that a course drops, as in the table of grades."""
     rows = [(*key, result.status, result.score, result.max_score) for key, result in class_results.items()]
     return adjustments.dropped(rows)
 
 
 def _scenes(course: Path, suspects: Iterable[Mapping[str, Any]], examples: Examples) -> list[dict[str, Any]]:
-    """The mistakes with their pictures, wrong beside right; None where there is nothing to draw."""
+    """Return the mistakes with their pictures, wrong beside right; None where there is nothing to draw."""
     return [
         {**it, "pair": wrong_and_right(course, it["slug"], it["key"], examples.get((it["slug"], it["key"])))}
         for it in suspects
@@ -265,7 +268,7 @@ def _discrimination(results: Sequence[Result]) -> dict[tuple[str, str], float]:
 
 
 def _suspects(results: Iterable[Result], infos: Mapping[str, AssignmentInfo]) -> list[dict[str, Any]]:
-    """What went wrong, known mistakes and failed checks with their hints, those of most students first."""
+    """Return what went wrong, known mistakes and failed checks with their hints, those of most students first."""
     who: dict[tuple[str, str], set[str]] = defaultdict(set)
     sentences: dict[tuple[str, str], str] = {}
     for result in results:
@@ -280,7 +283,7 @@ def _suspects(results: Iterable[Result], infos: Mapping[str, AssignmentInfo]) ->
 
 
 def _what_went_wrong(check: CheckResult) -> str:
-    """The known mistake, else the check and its hint."""
+    """Return the known mistake, else the check and its hint."""
     return check.suspect or f"{check.name} {check.message}"
 
 

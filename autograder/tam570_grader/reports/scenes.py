@@ -42,7 +42,7 @@ class Pair:
 
 
 def wrong_and_right(course: Path, slug: str, message: str, failure: Failure | None) -> Pair | None:
-    """The pictures of a mistake; None where there is nothing to draw.
+    """Return the pictures of a mistake; None where there is nothing to draw.
 
     message : the sentence that names the mistake
     failure : of a student who made it
@@ -56,7 +56,7 @@ def wrong_and_right(course: Path, slug: str, message: str, failure: Failure | No
 
 
 def _scenes(course: Path, slug: str, message: str) -> Pair | None:
-    """The scene with a known mistake and the right one, where they differ."""
+    """Return the scene with a known mistake and the right one, where they differ."""
     listed = mistakes(checks_folder(course, slug))
     overlay = next((mistake.text for mistake in listed if mistake.message == message), None)
     if overlay is None:
@@ -70,7 +70,7 @@ def _scenes(course: Path, slug: str, message: str) -> Pair | None:
 
 
 def _numbers_of(scene: Scene) -> Iterator[Any]:
-    """All that is drawn in a scene."""
+    """Yield all that is drawn in a scene."""
     yield from (shape.points for panel in scene.panels for shape in panel.shapes)
     yield from (curve for plot in scene.time_plots for curve in plot.curves.values())
 
@@ -82,7 +82,7 @@ def _still(scene: Scene) -> str:
 
 
 def _diagrams(failure: Failure | None) -> Pair | None:
-    """A student's free body diagram and the right one."""
+    """Return a student's free body diagram and the right one."""
     if failure is None or not (failure.sketch and isinstance(failure.expected, Mapping)):
         return None
     return Pair(*(_diagram(sketch) for sketch in (failure.sketch, failure.expected)))
@@ -104,7 +104,7 @@ def _diagram(sketch: Mapping[str, Any]) -> str:
 
 
 def _numbers(failure: Failure | None) -> Pair | None:
-    """A student's numbers and the right ones, at one scale."""
+    """Return a student's numbers and the right ones, at one scale."""
     if failure is None or failure.actual is None or failure.expected is None:
         return None
     both = [np.asarray(values, float) for values in (failure.actual, failure.expected)]
@@ -136,7 +136,7 @@ def _drawn(figure: Figure) -> str:
 
 
 def _address(png: bytes) -> str:
-    """An address that holds the image, in few colours."""
+    """Return an address that holds the image, in few colours."""
     image = Image.open(io.BytesIO(png)).convert("RGB").quantize(COLOURS)
     data = io.BytesIO()
     image.save(data, "PNG", optimize=True)

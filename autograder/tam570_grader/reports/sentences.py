@@ -27,7 +27,10 @@ RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def describe_failure(failure: Failure) -> str:
-    """What a student reads of a failure, without the known mistake; where there is one, no hint, which is a guess."""
+    """Return what a student reads of a failure, without the known mistake.
+
+    Where there is one, no hint, which is a guess.
+    """
     if not failure.follows_from:
         hint = failure.hint
     elif failure.follows_from == failure.function:
@@ -42,19 +45,19 @@ def describe_failure(failure: Failure) -> str:
 
 
 def full_message(failure: Failure) -> str:
-    """What a student reads of a failure where there is one line for all of it."""
+    """Return what a student reads of a failure where there is one line for all of it."""
     return " ".join(
         filter(None, [describe_failure(failure), known_mistake(failure.suspect) if failure.suspect else ""])
     )
 
 
 def known_mistake(suspect: str) -> str:
-    """What a student reads of a known mistake."""
+    """Return what a student reads of a known mistake."""
     return f"Your numbers match this mistake: {sentence(suspect)}"
 
 
 def quantity(value: float, digits: int = DIGITS[0]) -> str:
-    """A number to two digits or more, as people write it: 2.7, 0.031, 340, 1.1e-13."""
+    """Return a number to two digits or more, as people write it: 2.7, 0.031, 340, 1.1e-13."""
     if not isfinite(value):
         return "more than any number"
     short = float(f"{value:.{digits}g}")
@@ -77,7 +80,7 @@ def _hundredths(number: float) -> float:
 
 
 def typeset(text: str) -> str:
-    """The text with its numbers as a page has them: 1.1·10⁻¹³ for 1.1e-13, and 10⁻⁴ for 1e-4."""
+    """Return the text with its numbers as a page has them: 1.1·10⁻¹³ for 1.1e-13, and 10⁻⁴ for 1e-4."""
     return EXPONENT.sub(_typeset, text)
 
 
@@ -95,11 +98,14 @@ def _off(failure: Failure) -> str:
 
 
 def capitalized(text: str, words: str = "[a-z]+") -> str:
-    """The text with a capital, where it begins with one of these words; a file's name, or a function's, is none."""
+    """Return the text with a capital, where it begins with one of these words.
+
+    A file's name, or a function's, is none.
+    """
     return re.sub(f"^({words}) ", lambda match: match[0].capitalize(), text)
 
 
 def sentence(text: str) -> str:
-    """The text with a stop; who wrote it has chosen between a capital and a name that keeps its letters."""
+    """Return the text with a stop; who wrote it has chosen between a capital and a name that keeps its letters."""
     text = text.strip()
     return text if not text or text[-1] in ".?!" else text + "."

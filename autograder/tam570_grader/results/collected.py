@@ -16,7 +16,7 @@ TABLE = "collected.csv"
 
 
 def listed(path: Path, needed: Collection[str] = COLUMNS) -> list[dict[str, str]]:
-    """The rows of collected.csv by column; UsageError if it lacks one that is needed."""
+    """Return the rows of collected.csv by column; UsageError if it lacks one that is needed."""
     heading, *rows = table(path, "surrogateescape")  # names of files may hold any bytes
     if lacking := {*needed} - {*heading}:
         raise UsageError(f"{path} has no column {', '.join(sorted(lacking))}: name the table that `collect` wrote")
@@ -27,7 +27,10 @@ WORK = (".py", ".ipynb")
 
 
 def form(name: str) -> str:
-    """Which of WORK a file is by its name, in any case and with the ending .txt that browsers add; "" for none."""
+    """Return which of WORK a file is by its name, in any case and with the ending .txt that browsers add.
+
+    "" for none.
+    """
     plain = name.lower()
     plain = plain.removesuffix(".txt") if plain.endswith(".py.txt") else plain
     return next((ending for ending in WORK if plain.endswith(ending)), "")

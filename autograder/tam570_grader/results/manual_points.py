@@ -93,29 +93,29 @@ class ManualAdjustments:
             self._of.setdefault((entry.student, entry.slug), {})[entry.item] = entry
 
     def with_(self, entries: Iterable[Entry]) -> "ManualAdjustments":
-        """The same, but for newer entries; one without points or a most takes back what there was."""
+        """Return the same, but for newer entries; one without points or a most takes back what there was."""
         newest = {**self.entries, **{entry.key: entry for entry in entries}}
         return ManualAdjustments(entry for entry in newest.values() if entry.points is not None or entry.of is not None)
 
     def touches(self, key: Key) -> bool:
-        """Whether anything was added to a result."""
+        """Return whether anything was added to a result."""
         return any(layer in self._of for layer in _layers(key))
 
     def _rows(self, key: Key) -> dict[str, Entry]:
-        """The rows of a result: a student's own go before everybody's, an assignment's before the term's."""
+        """Return the rows of a result: a student's own go before everybody's, an assignment's before the term's."""
         return {item: entry for layer in _layers(key) for item, entry in self._of.get(layer, {}).items()}
 
     def points_of(self, student: str, slug: str, item: str) -> float | None:
-        """What a row gives; None where there is no row, or one without points."""
+        """Return what a row gives; None where there is no row, or one without points."""
         entry = self.entries.get((student, slug, item))
         return entry.points if entry else None
 
     def counts_parts(self, slug: str) -> bool:
-        """Whether everybody's score is of a most that has the parts by hand."""
+        """Return whether everybody's score is of a most that has the parts by hand."""
         return any(entry.of is not None for entry in self._of.get((EVERYONE, slug), {}).values())
 
     def adjust(self, key: Key, score: float | None, most: float, earned_of: Earned) -> AdjustedScore:
-        """What a score of `most` becomes."""
+        """Return what a score of `most` becomes."""
         mine = self._rows(key)
         if not mine:
             return AdjustedScore(score, most)
@@ -141,7 +141,7 @@ class ManualAdjustments:
         return AdjustedScore(None if earned is None else round(earned, 6), most, (*message, *late), letters)
 
     def _slip(self, key: Key) -> float:
-        """The slip days that a result takes: assignments use those of the term in their order."""
+        """Return the slip days that a result takes: assignments use those of the term in their order."""
         rest = next((row.points or 0.0 for item, row in self._rows(key).items() if item == SLIP), 0.0)
         if not rest:
             return 0.0
@@ -155,13 +155,13 @@ class ManualAdjustments:
         return 0.0
 
     def table(self, rows: Iterable[tuple[Any, ...]]) -> list[tuple[Any, ...]]:
-        """The table of grades, without the lowest results that a course drops."""
+        """Return the table of grades, without the lowest results that a course drops."""
         rows = list(rows)
         dropped = self.dropped(rows)
         return [(*row[:3], EX, row[4]) if row[:2] in dropped else row for row in rows]
 
     def dropped(self, rows: Iterable[tuple[Any, ...]]) -> set[Key]:
-        """The lowest results that a course drops, of rows of the table of grades."""
+        """Return the lowest results that a course drops, of rows of the table of grades."""
         counting: dict[str, list[tuple[Any, ...]]] = {}
         for row in rows:
             if isinstance(row[3], int | float) and row[4]:
@@ -174,7 +174,7 @@ class ManualAdjustments:
         return dropped
 
     def applied(self, result: Result) -> Result:
-        """A result with its score settled."""
+        """Return a result with its score settled."""
         if not self.touches((result.student, result.assignment)):
             return result
         key, earned = (
@@ -186,7 +186,7 @@ class ManualAdjustments:
         return replace(result, status=status, score=adjusted.score, max_score=adjusted.most)
 
     def row(self, graded: tuple[Any, ...], earned_of: Earned) -> tuple[Any, ...]:
-        """A row of the table of grades with its score settled."""
+        """Return a row of the table of grades with its score settled."""
         student, slug, status, score, most = graded
         if not self.touches((student, slug)):
             return graded
@@ -195,7 +195,7 @@ class ManualAdjustments:
 
 
 def _layers(key: Key) -> tuple[Key, Key, Key, Key]:
-    """Whose rows a result obeys, the later before the earlier."""
+    """Return whose rows a result obeys, the later before the earlier."""
     student, slug = key
     return (EVERYONE, EVERYONE), (EVERYONE, slug), (student, EVERYONE), (student, slug)
 
@@ -209,7 +209,10 @@ def _part(entry: Entry) -> str:
 def _checks(
     score: float | None, rows: Mapping[str, Entry], earned: Mapping[str, float | None]
 ) -> tuple[float | None, list[str]]:
-    """The score with these points for checks in the place of what they earned; a check that is gone changes nothing."""
+    """Return the score with these points for checks in the place of what they earned.
+
+    A check that is gone changes nothing.
+    """
     here = {item: entry for item, entry in rows.items() if item in earned}
     if not here:
         return score, []
@@ -226,7 +229,7 @@ def _days(items: Mapping[str, float]) -> int:
 
 
 def _late(earned: float | None, items: Mapping[str, float], slip_days: float = 0.0) -> tuple[float | None, list[str]]:
-    """What days beyond the extension and the slip days leave of a score, and the sentence that tells it."""
+    """Return what days beyond the extension and the slip days leave of a score, and the sentence that tells it."""
     off = min(items.get(MOST, 1.0), (_days(items) - slip_days) * items.get(OFF, 0.0))
     if not items.get(LATE):
         return earned, []
@@ -238,13 +241,16 @@ def _late(earned: float | None, items: Mapping[str, float], slip_days: float = 0
 
 
 def read(folder: Path) -> ManualAdjustments:
-    """What was added by hand to the results in a folder, or in its `results.jsonl`; nothing where nothing was."""
+    """Return what was added by hand to the results in a folder, or in its `results.jsonl`.
+
+    Nothing where nothing was.
+    """
     path = (folder.parent if folder.is_file() else folder) / FILE
     return ManualAdjustments().with_(entry for _, entry in rows_of(path)) if path.exists() else ManualAdjustments()
 
 
 def rows_of(path: Path) -> Iterator[tuple[int, Entry]]:
-    """The rows of a table with the columns `COLUMNS`, in any order, and their line numbers."""
+    """Yield the rows of a table with the columns `COLUMNS`, in any order, and their line numbers."""
     (_, heading), *rows = lines(path)
     names = [name.strip().lower() for name in heading]
     if lacking := {"student", "assignment", "item", "points"} - set(names):

@@ -62,7 +62,7 @@ class Result:
 
 
 def write(result: Result) -> dict[str, Any]:
-    """The result line as plain data; what is empty is left out where it may be."""
+    """Return the result line as plain data; what is empty is left out where it may be."""
     line = {**asdict(result), "checks": [_check_result(check_result) for check_result in result.checks]}
     return {key: value for key, value in line.items() if value or key not in ("message", "speed", "digest", "notebook")}
 
@@ -80,7 +80,7 @@ def _check_result(check_result: CheckResult) -> dict[str, Any]:
 
 
 def read(line: dict[str, Any]) -> Result:
-    """The result in a line. KeyError or TypeError if there is none."""
+    """Return the result in a line. KeyError or TypeError if there is none."""
     check_results = tuple(
         CheckResult(**{**check_result, "failure": failure(check_result.get("failure"))})
         for check_result in line["checks"]
@@ -89,14 +89,14 @@ def read(line: dict[str, Any]) -> Result:
 
 
 def failure(line: dict[str, Any] | None) -> Failure | None:
-    """The failure in a mark's line."""
+    """Return the failure in a mark's line."""
     if line is None:
         return None
     return Failure(**{key: _restored(value) for key, value in line.items()})
 
 
 def numbers(value: Any) -> Any:
-    """A value as plain data that loses no digit: arrays become lists; long ones and NaN become their bytes."""
+    """Return a value as plain data that loses no digit: arrays become lists; long ones and NaN become their bytes."""
     if isinstance(value, np.ndarray):
         if value.dtype.kind not in "fiub":
             return [numbers(item) for item in value.tolist()]

@@ -40,13 +40,13 @@ class Notes:
         self._signs = dict[tuple[str, str], list[Sign]]()
 
     def passing(self, results: Iterable[Result]) -> Iterator[Result]:
-        """The same results; the newest of a student and assignment counts."""
+        """Yield the same results; the newest of a student and assignment counts."""
         for result in results:
             self._signs[result.student, result.assignment] = list(_signs(result))
             yield result
 
     def groups(self) -> list[Shared]:
-        """Those who share, with the checks in which they do."""
+        """Return those who share, with the checks in which they do."""
         who = defaultdict[Sign, list[str]](list)
         for (student, _), signs in sorted(self._signs.items()):
             for sign in signs:
@@ -82,7 +82,7 @@ def _digest(failure: Failure | None) -> bytes:
 
 
 def _is_trivial(number: float) -> bool:
-    """Whether anybody may come by a number: it has few digits, or is a simple multiple of pi or a root."""
+    """Return whether anybody may come by a number: it has few digits, or is a simple multiple of pi or a root."""
     if float(f"{number:.{FEW}g}") == number:
         return True
     for unit in UNITS:

@@ -68,12 +68,12 @@ class Results(Mapping[Key, Record]):
         return len(self.lines)
 
     def text(self, key: Key) -> bytes:
-        """The line of a result."""
+        """Return the line of a result."""
         line = self.lines[key]
         return os.pread(self._file.fileno(), line.length, line.start)
 
     def earned(self, key: Key) -> manual_points.Earned:
-        """The points of each check of a result, read when they are asked for."""
+        """Return the points of each check of a result, read when they are asked for."""
         return lambda: {check_result["name"]: check_result["points"] for check_result in self[key]["checks"]}
 
     @property
@@ -142,7 +142,7 @@ class ResultStore(Results):
 
 
 def _locked(folder: Path, waits: Callable[[str], None] | None) -> BinaryIO:
-    """The `results.jsonl` of a folder, open and ours alone."""
+    """Return the `results.jsonl` of a folder, open and ours alone."""
     while True:
         file = _opened(folder)
         try:
@@ -159,7 +159,7 @@ def _locked(folder: Path, waits: Callable[[str], None] | None) -> BinaryIO:
 
 
 def _is_at(file: BinaryIO, path: Path) -> bool:
-    """Whether an open file is the one of that name: a run that ends may have put another in its place."""
+    """Return whether an open file is the one of that name: a run that ends may have put another in its place."""
     return path.exists() and os.path.samestat(os.fstat(file.fileno()), os.stat(path))
 
 
@@ -175,7 +175,7 @@ def _opened(folder: Path) -> BinaryIO:
 
 
 def results(path: Path, summary_row: SummaryRow = lambda record: None) -> Results:
-    """The results in a folder, or in its `results.jsonl`."""
+    """Return the results in a folder, or in its `results.jsonl`."""
     path = path / "results.jsonl" if path.is_dir() else path
     try:
         return Results(open(path, "rb"), path, summary_row)  # noqa: SIM115  closed with the results
@@ -184,13 +184,16 @@ def results(path: Path, summary_row: SummaryRow = lambda record: None) -> Result
 
 
 def read(path: Path) -> list[Record]:
-    """The newest result of every student and assignment, in a folder of results or its `results.jsonl`."""
+    """Return the newest result of every student and assignment, in a folder of results or its `results.jsonl`."""
     with contextlib.closing(results(path)) as store:
         return list(store.values())
 
 
 def stream(path: Path) -> Iterator[Result]:
-    """The results in a `results.jsonl` as they stand there, in one pass: of two for the same work the later counts."""
+    """Yield the results in a `results.jsonl` as they stand there, in one pass.
+
+    Of two for the same work the later counts.
+    """
     with open(path, "rb") as file:
         for number, text in enumerate(file, 1):
             if text.endswith(b"\n"):
@@ -201,7 +204,7 @@ def stream(path: Path) -> Iterator[Result]:
 
 
 def common_seed(seeds: Iterable[int]) -> int | None:
-    """The seed that results have in common; None if there are none."""
+    """Return the seed that results have in common; None if there are none."""
     distinct = set(seeds)
     if len(distinct) > 1:
         raise UsageError(
@@ -211,7 +214,10 @@ def common_seed(seeds: Iterable[int]) -> int | None:
 
 
 def _record(line: bytes, path: Path, number: int) -> Record:
-    """The result in a line; UsageError if it is none, or one of another format, whose fields mean something else."""
+    """Return the result in a line.
+
+    UsageError if it is none, or one of another format, whose fields mean something else.
+    """
     try:
         record: Record = json.loads(line)
         is_whole = record.keys() >= RESULT_FIELDS and all(
@@ -233,15 +239,15 @@ def _not_a_result(path: Path, number: int) -> UsageError:
 
 
 def _kept_once(value: Any) -> Any:
-    """The same, but of equal texts one alone is kept: a class has few names, and many results."""
+    """Return the same, but of equal texts one alone is kept: a class has few names, and many results."""
     return sys.intern(value) if type(value) is str else value
 
 
 def grades(rows: Iterable[tuple[Any, ...]]) -> str:
-    """A table for a spreadsheet: a row for each student and assignment."""
+    """Return a table for a spreadsheet: a row for each student and assignment."""
     return table_text([COLUMNS, *rows])
 
 
 def key_of(record: Record) -> Key:
-    """Whose result it is, on what."""
+    """Return whose result it is, on what."""
     return str(record["student"]), str(record["assignment"])

@@ -55,29 +55,35 @@ def write_table(path: Path | None, rows: Iterable[Iterable[Any]], *, exact: bool
 
 
 def table_text(rows: Iterable[Iterable[Any]], *, exact: bool = False) -> str:
-    """The text of a table of cells."""
+    """Return the text of a table of cells."""
     text = io.StringIO()
     csv.writer(text).writerows(rows if exact else ([cell(value) for value in row] for row in rows))  # noqa: TID251
     return text.getvalue()
 
 
 def cell(value: Any) -> Any:
-    """A value that no spreadsheet takes for a formula, wherever it splits: a quote stands before what could be one."""
+    """Return a value that no spreadsheet takes for a formula, wherever it splits.
+
+    A quote stands before what could be one.
+    """
     return BEFORE_FORMULA.sub(r"\g<0>'", value) if isinstance(value, str) else value
 
 
 def name_in(cell: str) -> str:
-    """The text that was made into a cell."""
+    """Return the text that was made into a cell."""
     return QUOTED.sub(r"\1", cell)
 
 
 def table(path: Path, errors: str = "strict") -> list[list[str]]:
-    """The rows of a CSV file that are not empty, whatever separates its cells."""
+    """Return the rows of a CSV file that are not empty, whatever separates its cells."""
     return [row for _, row in lines(path, errors)]
 
 
 def lines(path: Path, errors: str = "strict") -> list[tuple[int, list[str]]]:
-    """The rows of a CSV file that are not empty, each with the line on which it ends; `errors` as `open` has it."""
+    """Return the rows of a CSV file that are not empty, each with the line on which it ends.
+
+    `errors` as `open` has it.
+    """
     try:
         with open(path, newline="", encoding="utf-8-sig", errors=errors) as file:
             first = file.readline()

@@ -60,18 +60,18 @@ class Function:
     banned: Sequence[str] = ()  # what is off limits in it
 
     def __call__(self, *args: Any, **kwargs: Any) -> Any:
-        """The result of one call, in the promised form."""
+        """Return the result of one call, in the promised form."""
         return self.many([Case(*args, **kwargs)])[0]
 
     def each(self, calls: Iterable[Case]) -> Iterator[tuple[Case, Any]]:
-        """Every call with its result; the one at hand is the trial's case, for what `expect` says of it."""
+        """Yield every call with its result; the one at hand is the trial's case, for what `expect` says of it."""
         calls = list(calls)
         for call, found in zip(calls, self.many(calls), strict=True):
             get_context().judge(self.name, call)
             yield call, found
 
     def many(self, calls: Sequence[Case]) -> list[Any]:
-        """The results of many calls, made in one round trip.
+        """Return the results of many calls, made in one round trip.
 
         Of a formula the values, where the calls' keywords are the symbols.
         """
@@ -96,12 +96,12 @@ class Function:
         return results
 
     def aside(self, call: Case) -> Any:
-        """The result of a call that is made to choose the words: see `Student.aside`."""
+        """Return the result of a call that is made to choose the words: see `Student.aside`."""
         with self.student.aside():
             return self(*call.args, **call.kwargs)
 
     def refusals(self, calls: Iterable[Case]) -> Iterator[tuple[Case, bool]]:
-        """Every call, and whether it raises ValueError; another exception is Failed."""
+        """Yield every call, and whether it raises ValueError; another exception is Failed."""
         calls = list(calls)
         for call, reply in zip(calls, self.student.replies(self.name, calls, every=True), strict=True):
             refused = "ValueError" in error_of(reply)["kinds"]
@@ -124,7 +124,7 @@ class Function:
         return numbers
 
     def _values(self, values: Any, count: int) -> np.ndarray:
-        """The real numbers that a formula has at so many points, or Failed."""
+        """Return the real numbers that a formula has at so many points, or Failed."""
         if not isinstance(values, list) or len(values) != count:
             if form := values.get("form") if isinstance(values, dict) else None:
                 raise Failed(f"{self.name} returns {form} in place of a SymPy expression", hint=REMEDIES[form])
@@ -140,7 +140,7 @@ class Function:
         return numbers.real
 
     def drawn(self, call: Case, moved: str | None = None) -> Drawing:
-        """The curves that the plot function draws in a case, where the results of one function may be moved by one."""
+        """List the curves that the plot function draws in a case; one function's results may be moved by one."""
         reply = self.student.replies(self.name, [call], "drawing", moved=moved)[0]
         with self._judging(call):
             self._must_be_fair(reply)
@@ -177,7 +177,7 @@ class Function:
             raise Failed(f"{self.name} changes the arrays it is given", hint="Work on copies")
 
     def _did(self, error: dict[str, Any], promised: str) -> str:
-        """What it did instead of returning, in words of ours."""
+        """Return what it did instead of returning, in words of ours."""
         if "Forbidden" in error["kinds"]:
             return f"uses what is off limits in it: {misused(error, self.banned)}"
         if error["kinds"][:1] == ["TypeError"] and error["line"] == 0 and MISCALLED.fullmatch(error["text"]):
@@ -186,7 +186,7 @@ class Function:
 
 
 def _strangers(value: Any, source: str) -> str:
-    """A symbol of a formula that the contract does not know, if it is a word that the student wrote down.
+    """Return a symbol of a formula that the contract does not know, if it is a word that the student wrote down.
 
     The name of a symbol may be made at run time, of hidden inputs: no other is told, and but one.
     """

@@ -64,12 +64,12 @@ class NotLoaded(Over):
 
 
 def not_compiled(reply: Any) -> NotLoaded:
-    """Why the text is no Python, in the interpreter's words: nothing of it has run."""
+    """Return why the text is no Python, in the interpreter's words: nothing of it has run."""
     return _unreadable(error_of(reply), PLACE.sub("", error_of(reply)["text"]))
 
 
 def not_imported(reply: Any, text: bytes, assignment: LoadedAssignment, again: bool) -> NotLoaded:
-    """Why it could not be imported; of one that is tried again, not even that."""
+    """Return why it could not be imported; of one that is tried again, not even that."""
     error = error_of(reply)
     if again:
         return NotLoaded("unreadable", "Your file could not be imported a second time: what does it do at import?")
@@ -84,22 +84,25 @@ def not_imported(reply: Any, text: bytes, assignment: LoadedAssignment, again: b
 
 
 def misused(error: dict[str, Any], names: Sequence[str]) -> str:
-    """What was used of the names that are off limits; all where that is not told: the text is the submission's."""
+    """Return what was used of the names that are off limits.
+
+    All where that is not told: the text is the submission's.
+    """
     return " or ".join([one for one in names if error["text"].startswith(f"{one} ")] or names)
 
 
 def misdeed(said: str, line: int = 0) -> str:
-    """What was done, where these words of an exception are the system's about what nobody may do; else ""."""
+    """Return what was done, where these words of an exception are the system's about what nobody may do; else ""."""
     return next((done.format(_at(line)) for words, done in MISDEEDS.items() if re.fullmatch(words, said)), "")
 
 
 def python_class(error: dict[str, Any]) -> str:
-    """The exception's first class that is Python's own: a name that a student chose could carry an input out."""
+    """Return the exception's first class that is Python's own: a name that a student chose could carry an input out."""
     return next((kind for kind in error["kinds"] if _is_python(kind)), "an exception")
 
 
 def skipped_cells(told: Sequence[str], text: bytes) -> list[str]:
-    """The first cells that were skipped, and why, by what ran in them."""
+    """Return the first cells that were skipped, and why, by what ran in them."""
     found = [_skipped(match, text) for one in told if (match := SKIPPED.fullmatch(one)) and _may_be_named(match[2])]
     return [*found[:MOST_CELLS], *(["and others"] if len(found) > MOST_CELLS else [])]
 
@@ -127,7 +130,7 @@ def _may_be_named(kind: str) -> bool:
 
 
 def _own_words(said: str, text: bytes) -> str:
-    """A message of the interpreter's about words of the file; "" for any other."""
+    """Return a message of the interpreter's about words of the file; "" for any other."""
     said = FROM_FILE.sub(r"\1 (unknown location)", said.strip())
     matches = filter(None, (message.fullmatch(said) for message in MESSAGES))
     known = any(all(_stands_in(word, text) for word in match.groups()) for match in matches)
@@ -135,7 +138,7 @@ def _own_words(said: str, text: bytes) -> str:
 
 
 def _stands_in(word: str, text: bytes) -> bool:
-    """Whether it is a word of the file, or the name of a type of Python's."""
+    """Return whether it is a word of the file, or the name of a type of Python's."""
     if len(word) > LONGEST_WORD:
         return False
     return _is_python(word) or word == "NoneType" or bool(re.search(rb"\b%b\b" % re.escape(word.encode()), text))

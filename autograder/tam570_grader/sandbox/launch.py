@@ -47,14 +47,14 @@ VARIABLES = {
 
 
 def environment() -> dict[str, str]:
-    """The worker's environment; what it writes while it starts goes to a folder that no submission sees."""
+    """Return the worker's environment; what it writes while it starts goes to a folder that no submission sees."""
     folder = SCRATCH if isolation() == "bubblewrap" else tempfile.gettempdir()
     return {**VARIABLES, "HOME": folder, "TMPDIR": folder, "MPLCONFIGDIR": f"{folder}/matplotlib"}
 
 
 @functools.cache
 def isolation() -> str:
-    """How submissions are kept apart: "bubblewrap", or "processes" where the namespaces are not to be had."""
+    """Return how submissions are kept apart: "bubblewrap", or "processes" where the namespaces are not to be had."""
     if sys.platform != "linux" or shutil.which("bwrap") is None:
         return "processes"
     trial = ["bwrap", "--unshare-all", "--ro-bind", "/", "/", "true"]
@@ -75,7 +75,7 @@ def hide_from_submissions() -> None:
 
 
 def _python() -> list[str]:
-    """The interpreter below any virtual environment, with a search path that we set."""
+    """Return the interpreter below any virtual environment, with a search path that we set."""
     return [os.path.realpath(sys._base_executable), "-s", "-S", "-P", "-B", "-c", BOOT]  # type: ignore[attr-defined]
 
 
@@ -129,7 +129,7 @@ def jailed_command(hidden: Sequence[Path]) -> tuple[list[str], list[str]]:
 
 
 def other_packages(sites: Sequence[str]) -> list[Path]:
-    """Packages of other interpreters in what is shown: a ban is kept in our own folders alone."""
+    """Return packages of other interpreters in what is shown: a ban is kept in our own folders alone."""
     ours = set(map(os.path.realpath, sites))
     found = [path for folder in _python_folders() for path in Path(folder).glob("python3*/*-packages")]
     linked = [path for path in found if path.is_symlink() or path.parent.is_symlink()]
@@ -137,6 +137,6 @@ def other_packages(sites: Sequence[str]) -> list[Path]:
 
 
 def _python_folders() -> list[str]:
-    """Where the interpreter's own libraries and the system's are."""
+    """Return where the interpreter's own libraries and the system's are."""
     libraries = [f"{sys.base_prefix}/{name}" for name in ("lib", "lib64")]
     return [folder for folder in (*libraries, "/usr/lib", "/usr/lib64", *SYSTEM_LINKS) if not os.path.islink(folder)]

@@ -19,18 +19,18 @@ class Unshown(Exception):
 
 
 def cells_of(text: bytes) -> list[dict[str, Any]]:
-    """The cells of a notebook, as `inside.cells` describes them, or Unshown; nothing of it has run."""
+    """Return the cells of a notebook, as `inside.cells` describes them, or Unshown; nothing of it has run."""
     cells: list[dict[str, Any]] = _read({"book": text})["cells"]
     return cells
 
 
 def python_of(text: bytes) -> str:
-    """The code of a notebook without magics and what is no Python, or Unshown; nothing of it has run."""
+    """Return the code of a notebook without magics and what is no Python, or Unshown; nothing of it has run."""
     return str(_read({"code": text})["code"])
 
 
 def statements_of(text: bytes) -> str:
-    """The statements of a module in one form, or Unshown; nothing of it has run."""
+    """Return the statements of a module in one form, or Unshown; nothing of it has run."""
     return str(_read({"module": text})["code"])
 
 

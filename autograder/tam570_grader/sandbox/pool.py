@@ -59,7 +59,7 @@ def _make_room(thread: Any) -> None:
 
 @contextmanager
 def sandboxes() -> Iterator[None]:
-    """Ends the workers of this process."""
+    """End the workers of this process."""
     try:
         yield
     finally:

@@ -11,7 +11,7 @@ COMMON = (
 
 
 def imported(text: bytes) -> frozenset[str]:
-    """Those of the common libraries that a submission's import statements name, wherever they stand in it."""
+    """Return those of the common libraries that a submission's import statements name, wherever they stand in it."""
     statements = b"\n".join(STATEMENT.findall(text))
     return frozenset(name for name, pattern in PATTERNS.items() if pattern.search(statements))
 

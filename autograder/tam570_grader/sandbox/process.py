@@ -70,7 +70,7 @@ class SandboxProcess:
         self._waited += time.monotonic() - asked
 
     def receive(self, form: Callable[[Any], T]) -> T:
-        """The next reply in its form, or raise CellLost or CellTimeout.
+        """Return the next reply in its form, or raise CellLost or CellTimeout.
 
         What it costs us to read it is counted as the submission's own time: a class waits for no forged reply.
         """
@@ -94,7 +94,7 @@ class SandboxProcess:
             self.read += time.thread_time() - began if size > SHORT else 0.0
 
     def _awaited(self, started: float) -> bytes:
-        """The bytes of the next reply."""
+        """Return the bytes of the next reply."""
         asked, patience = time.monotonic(), self.limit
         while (data := self._message()) is None:
             if self._ready(select.POLLIN, started + patience - self._clock()):
@@ -107,7 +107,10 @@ class SandboxProcess:
         return data
 
     def seconds(self) -> float:
-        """The CPU seconds that the prisoner has used so far, by the kernel's clock; CellLost if its guard has gone."""
+        """Return the CPU seconds that the prisoner has used so far, by the kernel's clock.
+
+        CellLost if its guard has gone.
+        """
         try:
             self._leash.sendall(b"c")
             return float(self._leash_line().split()[0])
@@ -158,7 +161,7 @@ class SandboxProcess:
         self._received += chunk
 
     def _message(self) -> bytes | None:
-        """The first whole message received, taken out of the buffer."""
+        """Return the first whole message received, taken out of the buffer."""
         if len(self._received) < LENGTH.size:
             return None
         (size,) = LENGTH.unpack_from(self._received)
@@ -172,7 +175,10 @@ class SandboxProcess:
         return data
 
     def _overdue(self, started: float) -> bool:
-        """Whether a call has had its CPU time, or uses none: on a busy machine its time on the wall says little."""
+        """Return whether a call has had its CPU time, or uses none.
+
+        On a busy machine its time on the wall says little.
+        """
         try:
             cpu = self.seconds()
         except ProcessLost:

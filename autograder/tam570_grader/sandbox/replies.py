@@ -33,7 +33,7 @@ NO_ERROR: Reply = {"kinds": [], "text": "", "line": 0}
 
 
 def checked(message: Any, mode: str, most: int = 1) -> list[Reply]:
-    """The replies of a message, `most` of them, made of nothing but what this mode promises.
+    """Return the replies of a message, `most` of them, made of nothing but what this mode promises.
 
     Else ProcessLost: it is not from our part of the process.
     """
@@ -57,7 +57,10 @@ def _reply(reply: Any, mode: str) -> Reply:
 
 
 def imported(reply: Any) -> Reply:
-    """A reply to the text of a submission: {"names": [...], "skipped": [...]} or {"error": ...}, of short strings."""
+    """Return a reply to the text of a submission: {"names": [...], "skipped": [...]} or {"error".
+
+    ...}, of short strings.
+    """
     if not isinstance(reply, dict) or not ("error" in reply or strings(reply.get("names"))):
         raise ProcessLost
     if "error" in reply:
@@ -66,7 +69,10 @@ def imported(reply: Any) -> Reply:
 
 
 def error_of(reply: Any) -> Reply:
-    """The error of a reply, {"kinds": [], ...} where there is none, and nothing that is not of the right type."""
+    """Return the error of a reply, {"kinds".
+
+    [], ...} where there is none, and nothing that is not of the right type.
+    """
     error = reply.get("error") if isinstance(reply, dict) else None
     if not isinstance(error, dict) or not strings(error.get("kinds")):
         return NO_ERROR
@@ -79,7 +85,7 @@ def error_of(reply: Any) -> Reply:
 
 
 def strings(value: Any) -> bool:
-    """Whether it is a list of a few short strings."""
+    """Return whether it is a list of a few short strings."""
     return (
         isinstance(value, list)
         and len(value) <= MOST_WORDS
@@ -99,7 +105,7 @@ def _numbers(value: Any, depth: int = 0) -> Any:
 
 
 def _values(value: Any) -> Any:
-    """The values of a formula, one number each; or the strange symbols that it has, or what it is instead."""
+    """Return the values of a formula, one number each; or the strange symbols that it has, or what it is instead."""
     if isinstance(value, dict) and value.get("form") in [*REMEDIES]:
         return {"form": value["form"]}
     if isinstance(value, dict):
@@ -114,7 +120,7 @@ def _is_number(value: Any) -> bool:
 
 
 def _drawing(value: Any) -> Drawing | None:
-    """What was drawn; None where it is too much, or nothing that can be read."""
+    """Return what was drawn; None where it is too much, or nothing that can be read."""
     if not isinstance(value, dict) or not isinstance(value.get("lines"), list) or len(value["lines"]) > MOST_LINES:
         return None
     lines = [_line(line) for line in value["lines"]]
@@ -129,7 +135,7 @@ def _drawing(value: Any) -> Drawing | None:
 
 
 def _pair(value: Any, kind: type) -> Any:
-    """The two members of a list, both of this very type."""
+    """Return the two members of a list, both of this very type."""
     return tuple(value) if isinstance(value, list) and [type(one) for one in value] == [kind, kind] else None
 
 

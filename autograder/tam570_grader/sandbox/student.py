@@ -58,7 +58,7 @@ class Student:
 
     @contextmanager
     def aside(self) -> Iterator[None]:
-        """What is called in this block is not judged: no function is given up for it, and half of the time stays.
+        """Open a block: what is called in it is not judged: no function is given up for it, and half of the time stays.
 
         Calls in it raise Failed when the submission has used half of its processor time.
         """
@@ -80,11 +80,11 @@ class Student:
         return self._cpu + sum(process.seconds() for process in self._processes.values())
 
     def describe_missing(self, name: str) -> str:
-        """What is missing of a function that is not there, or is still the stub."""
+        """Return what is missing of a function that is not there, or is still the stub."""
         return f"{name} is not written yet." if name in self._defined else f"Your file has no function {name}."
 
     def takes(self, name: str) -> str:
-        """The arguments of a function, by the contract."""
+        """Return the arguments of a function, by the contract."""
         return self._assignment.signature(name)
 
     def leave(self) -> None:
@@ -160,7 +160,7 @@ class Student:
             raise ZygoteLost("the submission was killed by another process")
 
     def _process(self, uncallable: tuple[str, ...]) -> SandboxProcess:
-        """The cell for functions that may not call these modules, with the submission loaded."""
+        """Return the cell for functions that may not call these modules, with the submission loaded."""
         if uncallable not in self._processes:
             hidden = [*self._assignment.forbidden.get("*", ()), *uncallable]
             process = self._zygote.process(self._zygote.limits.cpu - self._cpu, hidden)

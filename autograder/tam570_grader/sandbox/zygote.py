@@ -78,7 +78,7 @@ class Zygote:
         self._ready = False
 
     def process(self, cpu: float, hidden: Sequence[str] = ()) -> SandboxProcess:
-        """A new cell with nothing loaded, for so many seconds of CPU, without sight of the hidden modules."""
+        """Return a new cell with nothing loaded, for so many seconds of CPU, without sight of the hidden modules."""
         if not self._ready:
             self._await_ready()
             self._try_out()
@@ -168,7 +168,7 @@ class Zygote:
             raise ZygoteLost(f"the sandbox did not start: {self._last_errors()}")
 
     def _last_errors(self) -> str:
-        """What the worker has written to its errors last."""
+        """Return what the worker has written to its errors last."""
         self._errors.seek(0)
         return self._errors.read()[-500:].decode(errors="replace")
 
@@ -185,7 +185,7 @@ def _limits(limits: ResourceLimits) -> dict[str, Any]:
 
 
 def _is_stopped(process: SandboxProcess) -> bool:
-    """Whether a call that does not end is late when its time is over."""
+    """Return whether a call that does not end is late when its time is over."""
     process.limit = STOPPED_AFTER
     try:
         process.send({**ASKED, "function": "endless", "calls": [[[], {}]]})
@@ -198,7 +198,10 @@ def _is_stopped(process: SandboxProcess) -> bool:
 
 
 def _maps_users() -> bool:
-    """Whether root here can become the users that submissions run as: in a rootless container it may be alone."""
+    """Return whether root here can become the users that submissions run as.
+
+    In a rootless container it may be alone.
+    """
     maps = (Path("/proc/self/uid_map"), Path("/proc/self/gid_map"))
     return all(not one.exists() or any(_holds(line) for line in one.read_text().splitlines()) for one in maps)
 

@@ -108,7 +108,7 @@ class Runner:
             print(json.dumps(order), file=self._process.stdin, flush=True)
 
     def successor(self, ahead: Work) -> "Runner | None":
-        """A runner that goes on, without the function that ended this one; None if no function did."""
+        """Return a runner that goes on, without the function that ended this one; None if no function did."""
         if self._process.wait() in (ALL_PASS, SOME_FAIL, OUR_FAULT):
             return None
         step, lost = last_step(self._trail), self._order["lost"]
@@ -160,7 +160,7 @@ def _environment() -> dict[str, str]:
 
 
 def _stamp(file: Path, slug: str) -> tuple[float, ...] | None:
-    """What changes when the file or its tests are saved; None while an editor is replacing the file."""
+    """Return what changes when the file or its tests are saved; None while an editor is replacing the file."""
     try:
         stats = [file.stat()]
         tests = file.parent / f"test_{slug}.py"

@@ -14,7 +14,7 @@ Statements = Mapping[str, list[ast.stmt]]  # of a module, by the names that they
 
 
 def keys(tests: str, code: str, module: str) -> dict[str, str]:
-    """A digest for each test, of all that its outcome depends on in these two sources.
+    """Return a digest for each test, of all that its outcome depends on in these two sources.
 
     module : the name by which the tests import the code
     SyntaxError if one of the sources is none.
@@ -28,7 +28,7 @@ def keys(tests: str, code: str, module: str) -> dict[str, str]:
 
 
 def calls(tests: str, module: str) -> dict[str, set[str]]:
-    """The functions of the module that each test names, itself or in its helpers.
+    """Return the functions of the module that each test names, itself or in its helpers.
 
     Where the module itself is handed on (to getattr, say), these are ANY and all that is named in strings.
     """
@@ -43,7 +43,7 @@ def calls(tests: str, module: str) -> dict[str, set[str]]:
 
 
 def by_parameters(names: Mapping[str, set[str]], tests: Iterable[str]) -> dict[str, set[str]]:
-    """The functions that each of these tests, named with its parameters, calls.
+    """Return the functions that each of these tests, named with its parameters, calls.
 
     A parameter that is the name of a function tells which of all that the test may call is meant.
     """
@@ -73,7 +73,7 @@ def _named(nodes: Iterable[ast.stmt], aliases: set[str], members: Mapping[str, s
 
 
 def _imported(statements: Statements, module: str) -> tuple[set[str], dict[str, str]]:
-    """The names that stand for the module, and those that stand for its members."""
+    """Return the names that stand for the module, and those that stand for its members."""
     aliases: set[str] = set()
     members: dict[str, str] = {}
     for node in (node for nodes in statements.values() for node in nodes):
@@ -93,7 +93,7 @@ def _statements(source: str) -> Statements:
 
 
 def _bound(node: ast.stmt) -> list[str]:
-    """The names that a statement binds; none if it may do anything."""
+    """Return the names that a statement binds; none if it may do anything."""
     if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
         return [node.name]
     if isinstance(node, ast.Import | ast.ImportFrom):
@@ -108,7 +108,7 @@ def _bound(node: ast.stmt) -> list[str]:
 
 
 def _reached(statements: Statements, names: Iterable[str]) -> set[str]:
-    """These names and all that their definitions use, directly or not; what may do anything is used by all."""
+    """Return these names and all that their definitions use, directly or not; what may do anything is used by all."""
     reached: set[str] = set()
     waiting = ["", *names]
     while waiting:
@@ -135,7 +135,7 @@ def _digest(statements: Statements, names: Iterable[str]) -> str:
 
 
 def _undocumented(node: ast.stmt) -> ast.stmt:
-    """The statement without its docstring."""
+    """Return the statement without its docstring."""
     if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
         return ast.Pass()
     if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef) and ast.get_docstring(node):

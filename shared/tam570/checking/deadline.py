@@ -54,7 +54,7 @@ def start(hung: str = os.devnull) -> None:
 
 @contextmanager
 def limited(limit: float = CALL) -> Iterator[None]:
-    """What is below may take `limit` seconds of processor time; then TooLong is raised in it."""
+    """Limit a block: it may take `limit` seconds of processor time; then TooLong is raised in it."""
     _now.since, _now.used, _now.limit, _now.ended = time.monotonic(), time.process_time(), limit, None
     try:
         yield

@@ -30,7 +30,7 @@ class Examples:
     results: dict[int, Any] = field(default_factory=dict)
 
     def module(self, slug: str) -> str:
-        """A module of tests, one for each example."""
+        """Return a module of tests, one for each example."""
         lines = [f"import {slug} as hw"]
         for number, call in enumerate(self.calls):
             lines += [
@@ -69,7 +69,7 @@ class Examples:
         return f"{quantity[:1].upper()}{quantity[1:]} is wrong{label}. {difference(actual, expected)}"
 
     def mistake(self, function: str) -> str | None:
-        """The known mistake of a function that gives the student's results."""
+        """Return the known mistake of a function that gives the student's results."""
         results = {n: result for n, result in self.results.items() if self.calls[n]["function"] == function}
         for mistake in self.mistakes:
             if mistake["function"] == function and results and self._agrees(mistake["results"], results):
@@ -77,7 +77,7 @@ class Examples:
         return None
 
     def _agrees(self, wrong: Mapping[str, Sequence[float]], results: Mapping[int, Any]) -> bool:
-        """Whether every example has the mistake's numbers, and one of them is changed by it."""
+        """Return whether every example has the mistake's numbers, and one of them is changed by it."""
         if not any(str(number) in wrong for number in results):
             return False
         for number, result in results.items():
@@ -91,7 +91,7 @@ class Examples:
 
 
 def load_examples(folder: Path) -> Examples | None:
-    """The examples in the folder of an assignment, where there are some."""
+    """Return the examples in the folder of an assignment, where there are some."""
     path = folder / FILE
     if not path.exists():
         return None
@@ -100,23 +100,26 @@ def load_examples(folder: Path) -> Examples | None:
 
 
 def fingerprint(values: ArrayLike) -> float:
-    """A number for an array, which differs where the array does: a sum with weights that no symmetry has."""
+    """Return a number for an array, which differs where the array does: a sum with weights that no symmetry has."""
     flat = np.ravel(np.asarray(values, float))
     return float(flat @ np.cos(1.0 + np.arange(flat.size) * np.sqrt(2.0)))
 
 
 def closed(message: str) -> str:
-    """A sentence in a form that nobody reads by accident: those of mistakes that are not yours give answers away."""
+    """Return a sentence in a form that nobody reads by accident.
+
+    Those of mistakes that are not yours give answers away.
+    """
     return base64.b64encode(zlib.compress(message.encode())).decode()
 
 
 def opened(message: str) -> str:
-    """The sentence that `closed` packed."""
+    """Return the sentence that `closed` packed."""
     return zlib.decompress(base64.b64decode(message)).decode()
 
 
 def plain(value: Any) -> Any:
-    """An argument or a result as JSON has it; an array is {"array": nested lists}, a tuple {"tuple": [...]}."""
+    """Return an argument or a result as JSON has it; an array is {"array": nested lists}, a tuple {"tuple": [...]}."""
     if isinstance(value, np.ndarray):
         return {"array": [plain(member) for member in value.tolist()]} if value.ndim else plain(value.item())
     if isinstance(value, tuple):
@@ -131,7 +134,7 @@ def plain(value: Any) -> Any:
 
 
 def array_of(value: Any) -> Any:
-    """The numbers that `plain` wrote."""
+    """Return the numbers that `plain` wrote."""
     return np.asarray(_argument(value), float)
 
 
@@ -146,7 +149,7 @@ def _argument(value: Any) -> Any:
 
 
 def part(result: Any, comparison: Mapping[str, Any]) -> Any:
-    """The part of a result that is compared: a member of a tuple, some of its columns."""
+    """Return the part of a result that is compared: a member of a tuple, some of its columns."""
     member, columns = comparison["member"], comparison["columns"]
     if columns is not None and isinstance(result, tuple | list) and np.ndim(result[0]) > 1:  # arrays along a motion
         result = np.hstack([np.reshape(np.asarray(array, float), (len(array), -1)) for array in result])

@@ -47,7 +47,7 @@ class Functions:
     depth: int = 0
 
     def stand_in(self) -> ModuleType:
-        """What the tests import in place of the student's module."""
+        """Return what the tests import in place of the student's module."""
         stand_in = ModuleType(self.module.__name__)
         stand_in.__dict__.update({k: v for k, v in vars(self.module).items() if k != "__builtins__"})
         for name in self.results:
@@ -79,7 +79,10 @@ class Functions:
         return wrapper
 
     def _result(self, name: str, function: Callable[..., Any], arguments: Arguments) -> Any:
-        """What the function returns, remembered while mistakes are tried. Fault if it is not what is promised."""
+        """Return what the function returns, remembered while mistakes are tried.
+
+        Fault if it is not what is promised.
+        """
         tight = self.mistake is not None and self.mistake.tight and self.mistake.function == name
         key = (name, tight, _contents(arguments))
         if self.mistake is None or key not in self.cache:
@@ -106,7 +109,7 @@ class Functions:
 
     @contextmanager
     def _fair(self, name: str) -> Iterator[None]:
-        """A call under the grader's rules. Fault where it breaks them; ValueError passes, for it may be asked for."""
+        """Call under the grader's rules. Fault where it breaks them; ValueError passes, for it may be asked for."""
         self.depth += 1
         try:
             with ExitStack() as rules:
@@ -153,12 +156,12 @@ class Functions:
 
 
 def _origin(value: Any) -> str:
-    """The module that a value is, or comes from."""
+    """Return the module that a value is, or comes from."""
     return value.__name__ if isinstance(value, ModuleType) else str(getattr(value, "__module__", None))
 
 
 def _last(error: BaseException, name: str) -> str:
-    """The function that raised."""
+    """Return the function that raised."""
     trace = error.__traceback__
     while trace is not None:
         name, trace = trace.tb_frame.f_code.co_name, trace.tb_next
@@ -166,7 +169,7 @@ def _last(error: BaseException, name: str) -> str:
 
 
 def _contents(arguments: Arguments) -> bytes:
-    """What the arguments hold now; what is not data, Matplotlib's Axes, is meant to change."""
+    """Return what the arguments hold now; what is not data, Matplotlib's Axes, is meant to change."""
     values = [*arguments[0], *(value for pair in arguments[1].items() for value in pair)]
     return b"\0".join(_bytes(value) for value in values)
 

@@ -63,7 +63,7 @@ class Mistake:
     tight: bool = False  # the function's integrators at TIGHT
 
     def applied(self, function: Callable[..., Any], args: Sequence[Any], kwargs: Mapping[str, Any]) -> Any:
-        """The function's result with the change."""
+        """Return the function's result with the change."""
         if self.argument is not None:
             args, kwargs = _changed(self.argument, args, dict(kwargs))
         result = function(*args, **kwargs)
@@ -71,7 +71,7 @@ class Mistake:
 
 
 def candidates(name: str, stub: Stub, returns: Promise) -> Iterator[Mistake]:
-    """The mistakes that a function of this form can have, the most telling first."""
+    """Yield the mistakes that a function of this form can have, the most telling first."""
     angles = {name for match in UNIT.finditer(stub.docstring) for name in match[1].split(", ")}
     if ["n"] in [member.get("array", [])[:1] for member in returns.get("group", [returns])]:
         yield Mistake(name, f"the tolerances rtol=1e-9, atol=1e-9 in {name}", tight=True)
@@ -157,7 +157,7 @@ def _unit(axis: Any) -> Any:
 
 
 def _changed(argument: tuple[str, Change], args: Sequence[Any], kwargs: dict[str, Any]) -> tuple[Any, dict[str, Any]]:
-    """The arguments with one of them changed, given by its place or by its name."""
+    """Return the arguments with one of them changed, given by its place or by its name."""
     position, _, name = argument[0].partition(":")
     if name in kwargs:
         return args, {**kwargs, name: argument[1](kwargs[name])}

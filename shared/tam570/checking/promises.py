@@ -16,7 +16,7 @@ STAND_INS = 1.25, 3.75  # for symbols that may cancel
 
 
 def complaint(returns: Promise, result: Any, name: str, arguments: Sequence[Any]) -> str | None:
-    """What is wrong with the form of a result; None if nothing is.
+    """Return what is wrong with the form of a result; None if nothing is.
 
     arguments : of the call; as many rows as the first has elements are promised by "n"
     """
@@ -64,7 +64,7 @@ def _array(returns: Promise, result: Any, name: str, arguments: Sequence[Any]) -
 
 
 def _diagram(dimension: int, result: Any, name: str) -> None:
-    """A list of pairs (point, direction) of so many numbers; the direction may be None."""
+    """Require a list of pairs (point, direction) of so many numbers; the direction may be None."""
     try:
         pairs = [(point, direction) for point, direction in result]
     except (TypeError, ValueError):
@@ -90,7 +90,7 @@ def _formula(symbols: Sequence[str], result: Any, name: str) -> None:
 
 
 def _value(expression: Any, unknown: set[Any], number: float) -> str:
-    """The value to ten digits where the strangers have this number, and the others 0.7."""
+    """Return the value to ten digits where the strangers have this number, and the others 0.7."""
     values = {symbol: number if symbol in unknown else 0.7 for symbol in expression.free_symbols}
     return f"{complex(expression.evalf(20, subs=values)):.10g}"
 

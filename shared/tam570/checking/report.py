@@ -19,7 +19,7 @@ RED, GREEN = 31, 32  # of ANSI terminals
 
 
 def untouched(slug: str, functions: Sequence[str]) -> None:
-    """An assignment of which nothing is written yet, in one line."""
+    """Print an assignment of which nothing is written yet, in one line."""
     count = f"{len(functions)} functions" if len(functions) > 1 else "1 function"
     print(f"{slug[:4]}: nothing is written yet; {count} to fill in, first {functions[0]}")
 
@@ -31,7 +31,7 @@ def trouble(slug: str, message: str) -> None:
 
 
 def imported(skipped: Iterable[str], printed: str, remark: str) -> None:
-    """What happened while the file was imported, and a note on the file itself."""
+    """Print what happened while the file was imported, and a note on the file itself."""
     if remark:
         print(_wrapped(remark))
     for cell in skipped:
@@ -41,7 +41,7 @@ def imported(skipped: Iterable[str], printed: str, remark: str) -> None:
 
 
 def failures(outcomes: Outcomes, explanation: Mapping[str, str]) -> None:
-    """Every failure once, with the tests that it ends; then, on one line, what is not written yet."""
+    """Print every failure once, with the tests that it ends; then, on one line, what is not written yet."""
     tests: dict[str, list[str]] = {}
     for test, failure in outcomes.failures.items():
         if not failure.unwritten:
@@ -67,13 +67,13 @@ def _failure(failure: Failure, explanation: str | None) -> None:
 
 
 def before(names: Sequence[str]) -> None:
-    """The tests that failed before and were not run again."""
+    """Print the tests that failed before and were not run again."""
     if names:
         print(_wrapped(f"As before, these fail: {', '.join(map(_words, names))}."))
 
 
 def slow(longest: Mapping[str, float], total: float) -> None:
-    """The functions that need much of the time that the grader gives a call, or all calls together."""
+    """Print the functions that need much of the time that the grader gives a call, or all calls together."""
     for name, seconds in longest.items():
         if seconds > SLOW * CALL:
             print(_wrapped(f"{name} takes {seconds:.1f} s of the {CALL:g} s that the grader gives a call.", "", "    "))
@@ -82,7 +82,7 @@ def slow(longest: Mapping[str, float], total: float) -> None:
 
 
 def progressed(slug: str, come: Progress, since: str) -> None:
-    """How far the student is, and what is next."""
+    """Print how far the student is, and what is next."""
     print(_coloured(f"{slug[:4]}: {said(come)}", RED if come["next"] else GREEN))
     done = "all done here; other inputs are hidden: --final says which"
     ahead = f"next: {come['next']}" if come["next"] else done
@@ -90,7 +90,7 @@ def progressed(slug: str, come: Progress, since: str) -> None:
 
 
 def terminal() -> int | None:
-    """A way to the terminal past what is captured; None where nobody looks."""
+    """Return a way to the terminal past what is captured; None where nobody looks."""
     return os.dup(2) if sys.stderr.isatty() else None
 
 
@@ -102,7 +102,7 @@ def cleared(where: int | None) -> None:
 
 
 def _coloured(text: str, colour: int) -> str:
-    """The text in colour on a terminal, unless NO_COLOR is set."""
+    """Return the text in colour on a terminal, unless NO_COLOR is set."""
     plain = os.environ.get("NO_COLOR") or not sys.stdout.isatty()
     return text if plain else f"\x1b[{colour}m{text}\x1b[0m"
 
@@ -113,13 +113,13 @@ def _names(tests: Sequence[str]) -> str:
 
 
 def _words(test: str) -> str:
-    """The name of a test as a sentence."""
+    """Return the name of a test as a sentence."""
     name, bracket, parameters = test.partition("[")
     return name.removeprefix("test_").replace("_", " ") + bracket.replace("[", " [") + parameters
 
 
 def _short(message: str) -> str:
-    """The first lines of a message, indented."""
+    """Return the first lines of a message, indented."""
     lines = [line.rstrip() for line in message.splitlines() if line.strip()]
     lines[MOST_LINES:] = ["..."] if len(lines) > MOST_LINES else []
     return "\n".join(_wrapped(line, "    ") for line in lines)
@@ -132,7 +132,7 @@ def _printed(text: str, what: str, indent: str) -> str:
 
 
 def _wrapped(text: str, indent: str = "", more: str | None = None) -> str:
-    """The text in lines of at most 80 columns."""
+    """Return the text in lines of at most 80 columns."""
     lines = []
     for line in text.splitlines():
         lead = indent + line[: len(line) - len(line.lstrip())]

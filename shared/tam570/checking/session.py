@@ -94,7 +94,7 @@ def check(
 def _chosen(
     tests: Sequence[Test], used: Mapping[str, set[str]], remembered: Remembered, functions: Collection[str]
 ) -> list[Test]:
-    """The tests to run: of these functions, and none whose outcome is known."""
+    """Return the tests to run: of these functions, and none whose outcome is known."""
     wanted = by_parameters(used, [test.name for test in tests])
     chosen = [test for test in tests if not functions or wanted[test.name] & set(functions)]
     chosen = [test for test in chosen if test.name not in remembered]
@@ -136,7 +136,7 @@ def _report(
 
 
 def _cause(test: str, outcomes: Outcomes, used: Mapping[str, set[str]], results: Mapping[str, str]) -> str | None:
-    """The function that is at fault: the one that raised, or the only one whose own tests do not all pass."""
+    """Return the function that is at fault: the one that raised, or the only one whose own tests do not all pass."""
     if function := outcomes.failures[test].function:
         return function
     alone = {name: [test for test, names in used.items() if names == {name}] for name in used.get(test, ())}
@@ -145,7 +145,7 @@ def _cause(test: str, outcomes: Outcomes, used: Mapping[str, set[str]], results:
 
 
 def run_tests(file: Path, slug: str, names: Sequence[str]) -> Outcomes:
-    """What becomes of these tests on a file. Trouble if it cannot be tested."""
+    """Return what becomes of these tests on a file. Trouble if it cannot be tested."""
     functions, _, _ = _functions(file, slug)
     outcomes = Outcomes(functions, None)
     outcomes.run([test for test in _collected(tests_of(file, slug)) if _function(test.name) in names])
@@ -153,7 +153,10 @@ def run_tests(file: Path, slug: str, names: Sequence[str]) -> Outcomes:
 
 
 def tests_of(file: Path, slug: str) -> list[Module]:
-    """The released tests, the examples, and the student's own: of a module beside the file those not released."""
+    """Return the released tests, the examples, and the student's own.
+
+    Of a module beside the file those not released.
+    """
     released, beside = (where / f"test_{slug}.py" for where in (folder(slug), file.parent))
     modules = [Module(released, released.read_text(encoding="utf-8"))] if released.exists() else []
     if examples := load_examples(folder(slug)):
@@ -166,7 +169,7 @@ def tests_of(file: Path, slug: str) -> list[Module]:
 
 
 def _collected(modules: Sequence[Module]) -> list[Test]:
-    """All tests, the released ones first. Trouble if there is none."""
+    """Return all tests, the released ones first. Trouble if there is none."""
     tests: dict[str, Test] = {}
     for number, module in enumerate(modules):
         try:
@@ -184,7 +187,7 @@ def _collected(modules: Sequence[Module]) -> list[Test]:
 
 
 def _functions(file: Path, slug: str) -> tuple[Functions, list[str], str]:
-    """The student's functions, the notebook's cells that were skipped, and what was printed. Trouble if none."""
+    """Return the student's functions, the notebook's cells that were skipped, and what was printed. Trouble if none."""
     agreed = contract(slug)
     banned = agreed["off_limits"].get("*", ())
     importing = guarded_import(slug, banned)
@@ -203,13 +206,13 @@ def _functions(file: Path, slug: str) -> tuple[Functions, list[str], str]:
 
 
 def _keys(file: Path, modules: Sequence[Module], slug: str) -> dict[str, str]:
-    """What the outcome of each test depends on."""
+    """Return what the outcome of each test depends on."""
     code = text_of(source_of(file), file.suffix)
     return {name: key for module in reversed(modules) for name, key in keys(module.text, code, slug).items()}
 
 
 def _untouched(file: Path, released: Mapping[str, Stub]) -> list[str]:
-    """The functions to be written, if all of them are and nothing is added; else nothing."""
+    """Return the functions to be written, if all of them are and nothing is added; else nothing."""
     with contextlib.suppress(SyntaxError, ValueError):
         written = stubs(file.read_bytes())
         if {name: stub.written for name, stub in written.items()} == {
@@ -220,7 +223,7 @@ def _untouched(file: Path, released: Mapping[str, Stub]) -> list[str]:
 
 
 def _function(test: str) -> str:
-    """The test's function, without its parameters."""
+    """Return the test's function, without its parameters."""
     return test.partition("[")[0]
 
 
@@ -264,7 +267,7 @@ def _known_mistakes(outcomes: Outcomes, examples: Examples, used: Mapping[str, s
 
 
 def _passes(outcomes: Outcomes, mistake: Mistake, test: str) -> bool:
-    """Whether a test passes with this change."""
+    """Return whether a test passes with this change."""
     import numpy as np
 
     outcomes.functions.mistake = mistake

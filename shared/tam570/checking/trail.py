@@ -24,7 +24,7 @@ class Trail:
 
 
 def last_step(file: Path) -> dict[str, str]:
-    """The step that a process was in at its end; all is "" where it had none."""
+    """Return the step that a process was in at its end; all is "" where it had none."""
     try:
         step: dict[str, str] = json.loads(file.read_bytes())
     except (OSError, ValueError):

@@ -97,7 +97,7 @@ class Outcomes:
                 return Failure(self._message(error), None, _line(error), printed.getvalue())
 
     def _message(self, error: BaseException) -> str:
-        """What a test says, or what an exception of it does."""
+        """Return what a test says, or what an exception of it does."""
         text = str(error).strip()
         if text.startswith("DID NOT RAISE"):
             return "It raises no ValueError here, and it should."
@@ -108,7 +108,7 @@ class Outcomes:
 
 
 def collect_tests(path: Path, text: str, names: Mapping[str, Any] | None = None) -> list[Test]:
-    """The tests in a module, in order, with their parameters. Whatever its import raises is passed on.
+    """Return the tests in a module, in order, with their parameters. Whatever its import raises is passed on.
 
     names : what the module finds besides Python's own
     """
@@ -125,7 +125,7 @@ def collect_tests(path: Path, text: str, names: Mapping[str, Any] | None = None)
 
 
 def _with_parameters(name: str, function: Callable[..., object]) -> Iterator[Test]:
-    """A test for each combination of its parameters."""
+    """Yield a test for each combination of its parameters."""
     marks = [mark for mark in getattr(function, "pytestmark", ()) if mark.name == "parametrize"]
     cases = [list(_cases(*mark.args[:2])) for mark in marks]
     for combination in itertools.product(*cases):
@@ -137,7 +137,7 @@ def _with_parameters(name: str, function: Callable[..., object]) -> Iterator[Tes
 
 
 def _cases(names: str | Sequence[str], values: Sequence[Any]) -> Iterator[tuple[dict[str, Any], str]]:
-    """The values of parameters, and how they are called."""
+    """Yield the values of parameters, and how they are called."""
     keys = [name.strip() for name in names.split(",")] if isinstance(names, str) else list(names)
     for index, value in enumerate(values):
         members = value.values if hasattr(value, "marks") else value if len(keys) > 1 else [value]  # of pytest.param
@@ -206,7 +206,7 @@ def _allclose(actual: Any, desired: Any, rtol: float = 1e-7, atol: float = 0.0, 
 
 
 def difference(actual: Any, expected: Any) -> str:
-    """What was returned and what is right: whole where it is short, else where it is furthest off."""
+    """Return what was returned and what is right: whole where it is short, else where it is furthest off."""
     import numpy as np
 
     try:
@@ -246,7 +246,7 @@ def _place(index: Sequence[Any]) -> str:
 
 
 def _line(error: BaseException) -> str:
-    """The last statement of a test that led to an error, on one line."""
+    """Return the last statement of a test that led to an error, on one line."""
     frames = [
         frame for frame in traceback.extract_tb(error.__traceback__) if Path(frame.filename).name.startswith("test_")
     ]

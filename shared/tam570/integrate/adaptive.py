@@ -75,11 +75,11 @@ class Run:
         return self.control.rtol
 
     def share(self, state: State) -> float:
-        """The part that is done, 1 where it goes no further."""
+        """Return the part that is done, 1 where it goes no further."""
         return 1.0 if state.row == len(self.rows) or state.halt else state.t / float(self.since[-1])
 
     def watch(self, too_many: int) -> Look:
-        """Whether the run is to be given up, so many steps left being too many."""
+        """Return whether the run is to be given up, so many steps left being too many."""
         rhs, end = self.engine.functions["rhs"], float(self.since[-1])
         return stiffness_watch(rhs, self.engine.constants, self.origin, end, self.engine.sign, too_many)
 
@@ -145,7 +145,7 @@ def _integrate(
 
 
 def start_run(engine: Engine, times: Array, start: Array, control: Control, estimate: Estimate | None = None) -> Run:
-    """A run whose first row is filled."""
+    """Return a run whose first row is filled."""
     rows = np.empty((len(times), len(start)))
     rows[0] = start
     run = Run(engine, float(times[0]), times - times[0], rows, control, estimate)
@@ -171,7 +171,7 @@ def _run_stretch(run: Run, how: str, a: Sequence[float]) -> None:
 
 
 def _trouble(run: Run, last: State) -> Exception:
-    """Why a run cannot go on."""
+    """Return why a run cannot go on."""
     engine, t = run.engine, run.origin + last.t
     where = f"at t = {engine.sign * t:.17g}"
     beyond = [t + 1e-13 * max(abs(t), float(run.since[-1])), t]
@@ -207,7 +207,7 @@ def _chained(error: Exception, cause: Exception) -> Exception:
 
 
 def step_n(run: Run, advance: Any, since: Any, look: Look, state: State, budget: int) -> State:
-    """The state after so many steps of `advance`; since : as its code wants them."""
+    """Return the state after so many steps of `advance`; since : as its code wants them."""
     last = state.steps + state.refusals + budget
     while run.share(state) < 1 and (remaining := last - state.steps - state.refusals) > 0:
         some = min(remaining, BETWEEN_LOOKS if run.estimate is None else run.estimate.due - run.estimate.steps)
@@ -260,7 +260,7 @@ def _run_compiled(run: Run, a: Sequence[float]) -> None:
 
 
 def _unscaled_state(run: Run, a: Sequence[float]) -> State:
-    """The state that Taylor's method begins with: what starts at zero has no tolerance yet."""
+    """Return the state that Taylor's method begins with: what starts at zero has no tolerance yet."""
     y, control = tuple(run.rows[0].tolist()), run.control
     a = tuple(control.atol) or tuple(a) or tuple(SHARE * control.rtol * abs(v) for v in y)
     h = control.first_step or float(run.since[-1]) / 100
@@ -269,7 +269,7 @@ def _unscaled_state(run: Run, a: Sequence[float]) -> State:
 
 
 def start_state(run: Run, a: Sequence[float] = ()) -> State:
-    """The state that `advance` begins with. a : the absolute tolerance so far, of an earlier stretch."""
+    """Return the state that `advance` begins with. a : the absolute tolerance so far, of an earlier stretch."""
     engine, origin, span, control = run.engine, run.origin, float(run.since[-1]), run.control
     y, c, rhs = tuple(run.rows[0].tolist()), engine.constants, engine.functions["rhs"]
     f = rhs(origin, y, c)
@@ -302,12 +302,12 @@ def start_state(run: Run, a: Sequence[float] = ()) -> State:
 
 
 def _doubling(origin: float, h: float, span: float) -> list[float]:
-    """Times ever later: a force may not be there yet."""
+    """Return times ever later: a force may not be there yet."""
     return [origin + h * 4.0**k for k in range(int(math.log(span / h, 4)) + 1)]
 
 
 def shortest_step(engine: Engine, times: Array, start: Array, control: Control) -> float:
-    """The shortest of the steps that this method takes once it has found its pace; s.
+    """Return the shortest of the steps that this method takes once it has found its pace; s.
 
     ValueError where the rates jump: steps grow as fast as they may, for long, where they were short for no reason.
     """

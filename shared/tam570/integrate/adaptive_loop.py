@@ -71,10 +71,13 @@ class State(NamedTuple):
 
 
 def first_step_with(rhs: Any, euler: Any) -> Callable[..., float]:
-    """The function that finds the first step of a run."""
+    """Return the function that finds the first step of a run."""
 
     def first_step(origin: Any, span: Any, y: Any, f: Any, c: Any) -> Any:
-        """A step across which the derivative changes little, found from above: a derivative of zero deceives nobody."""
+        """Return a step across which the derivative changes little, found from above.
+
+        A derivative of zero deceives nobody.
+        """
         h = span / 100 or span
         while h > 1e-9 * span:
             onward = euler(h, y, f)
@@ -89,7 +92,7 @@ def first_step_with(rhs: Any, euler: Any) -> Callable[..., float]:
 
 
 def _restless(h: float, y: Any, f: Any, g: Any, part: float) -> bool:
-    """Whether the derivative changes by more than a part of the state, or of itself, within h.
+    """Return whether the derivative changes by more than a part of the state, or of itself, within h.
 
     What starts at zero with zero rate has no scale to compare with and is left to the estimates of the steps.
     """
@@ -101,7 +104,7 @@ def _restless(h: float, y: Any, f: Any, g: Any, part: float) -> bool:
 
 
 def loop_with(*generated: Any) -> Callable[..., State]:
-    """The loop over the steps of a run."""
+    """Return the loop over the steps of a run."""
     return partial(advance, generated)
 
 
@@ -163,7 +166,7 @@ def advance(
 
 
 def _error(fifth: Any, third: Any, suspicious: Any) -> Any:
-    """The error of a step over what is allowed, from both estimates squared (Hairer, Norsett, Wanner, II.10)."""
+    """Return the error of a step over what is allowed, from both estimates squared (Hairer, Norsett, Wanner, II.10)."""
     error = fifth / sqrt(fifth + 0.01 * third) if fifth > 0 else fifth
     if error < 1:  # the fifth may pass through zero
         error = max(error, suspicious * third**1.125)
@@ -173,7 +176,7 @@ def _error(fifth: Any, third: Any, suspicious: Any) -> Any:
 def _sampled(
     dense: Any, at: Any, origin: Any, times: Any, out: Any, row: Any, t: Any, new: Any, h: Any, step: Any, c: Any
 ) -> Any:
-    """The next row, those that the step reaches being filled."""
+    """Return the next row, those that the step reaches being filled."""
     y, n, f, g, stages = step
     if times[row] < new:
         q = dense(origin + t, h, y, n, f, g, stages, c)
@@ -188,7 +191,7 @@ def _sampled(
 
 
 def _sets_in(y: Any, n: Any, a: Any) -> Any:
-    """Whether something begins to move that has no scale: it is to get one, as at a start."""
+    """Return whether something begins to move that has no scale: it is to get one, as at a start."""
     moves = False
     for i in range(len(n)):
         moves = moves or (a[i] <= NO_SCALE and y[i] == 0.0 and n[i] != 0.0)
@@ -196,7 +199,7 @@ def _sets_in(y: Any, n: Any, a: Any) -> Any:
 
 
 def _finite(n: Any) -> Any:
-    """Whether all is finite."""
+    """Return whether all is finite."""
     finite = True
     for i in range(len(n)):
         finite = finite and n[i] - n[i] == 0.0

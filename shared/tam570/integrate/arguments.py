@@ -16,7 +16,7 @@ SMALLEST_RTOL = 1e-16  # below that nothing but rounding is left to control
 
 
 def checked(t: ArrayLike, y0: ArrayLike, rtol: float, atol: ArrayLike | None) -> tuple[Any, ...]:
-    """Times and their sign, start, and what is asked of the steps."""
+    """Return times and their sign, start, and what is asked of the steps."""
     from tam570.integrate.adaptive import Control
 
     (times, sign), start, of_step = sample_times(t), initial_state(y0), of_one_step(tolerance(rtol))
@@ -24,7 +24,7 @@ def checked(t: ArrayLike, y0: ArrayLike, rtol: float, atol: ArrayLike | None) ->
 
 
 def positive(name: str, value: Any) -> float:
-    """A number above zero, infinity among them. ValueError with its name."""
+    """Return a number above zero, infinity among them. ValueError with its name."""
     if not isinstance(value, float | int | np.floating | np.integer) or not value > 0:
         raise ValueError(f"{name}: must be a number above zero, got {value!r}")
     return float(value)
@@ -75,14 +75,14 @@ def initial_state(y0: ArrayLike) -> Array:
 
 
 def tolerance(rtol: float) -> float:
-    """The tolerance as a number. ValueError unless 0 < rtol < 1."""
+    """Return the tolerance as a number. ValueError unless 0 < rtol < 1."""
     if not 0 < rtol < 1:
         raise ValueError(f"rtol: need 0 < rtol < 1, got {rtol!r}; 1e-10 is a good start")
     return float(rtol)
 
 
 def of_one_step(rtol: float) -> float:
-    """The tolerance of a step: beyond 13 digits it falls faster than what is asked for, as errors add up."""
+    """Return the tolerance of a step: beyond 13 digits it falls faster than what is asked for, as errors add up."""
     return max(min(rtol, rtol**3 * 1e26), SMALLEST_RTOL)
 
 

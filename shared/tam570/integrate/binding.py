@@ -52,7 +52,7 @@ def bound(rhs: Callable[..., Any], parameters: Mapping[str, Any] | None, name: s
 
 
 def reversed_rates(rates: Rates) -> Rates:
-    """The rates of the motion that runs back: with -t for the time."""
+    """Return the rates of the motion that runs back: with -t for the time."""
     return lambda t, y: [-rate for rate in rates(-t, y)]
 
 
@@ -69,7 +69,7 @@ def check_start(rates: Rates, t: float, y0: Array, sign: float) -> None:
 
 @lru_cache(maxsize=256)
 def _misfit(rhs: Callable[..., Any], names: tuple[str, ...]) -> str:
-    """Why rhs does not take t, y and these keywords; empty if it does, or if it has no signature to look at."""
+    """Return why rhs does not take t, y and these keywords; empty if it does, or if it has no signature to look at."""
     try:
         inspect.signature(rhs).bind(0.0, None, **dict.fromkeys(names))
     except TypeError as problem:
@@ -120,7 +120,10 @@ class CalledRates:
         self.breaks |= times
 
     def _compared(self, t: float, y: Array) -> set[float]:
-        """The times that a `Clock` notes, those that change with the state aside; none where t has to be a float."""
+        """Return the times that a `Clock` notes, those that change with the state aside.
+
+        None where t has to be a float.
+        """
         noted = []
         for state in (y, y * (1 + 1e-7) + 1e-12):
             seen: list[float] = []
@@ -160,7 +163,7 @@ def _floats(value: Any, size: int) -> Sequence[float]:
 
 
 def is_same(rates: Rates, written: Callable[..., Any], constants: tuple[float, ...], times: Array, y0: Array) -> bool:
-    """Whether `written(t, y, constants)` gives what `rates` gives: at the start, and at points around it.
+    """Return whether `written(t, y, constants)` gives what `rates` gives: at the start, and at points around it.
 
     Points that are not allowed are replaced by nearer ones, or left out: the answer is the code's, not the start's.
     """

@@ -25,7 +25,7 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 
 @lru_cache(maxsize=256)
 def breaks_of(graph: Graph, start: float, end: float) -> tuple[float, ...]:
-    """The times, in order, between start and end."""
+    """Return the times, in order, between start and end."""
     affine: dict[int, Affine] = {}
     timed: list[Symbol] = []
     numbers: set[int] = set()
@@ -77,7 +77,7 @@ def _affine(symbol: Symbol, affine: dict[int, Affine]) -> Affine | None:
 
 
 def _fastest(timed: list[Symbol], affine: dict[int, Affine]) -> float:
-    """The fastest of the sines, rad/s."""
+    """Return the fastest of the sines, rad/s."""
     waves = [s.arguments[0] for s in timed if s.name in ("sin", "cos", "tan")]
     return max((abs(affine[a.number][0]) for a in waves if isinstance(a, Symbol) and a.number in affine), default=0.0)
 
@@ -85,7 +85,7 @@ def _fastest(timed: list[Symbol], affine: dict[int, Affine]) -> float:
 def _zeros_and_turns(
     timed: list[Symbol], curved: list[Symbol], start: float, end: float, fastest: float
 ) -> list[float]:
-    """Times at which one of the functions of time passes zero or turns round, between the points of a grid."""
+    """Return times at which one of the functions of time passes zero or turns round, between the points of a grid."""
     points = POINTS + A_TURN * fastest * (end - start) / (2 * math.pi)
     grid = np.linspace(start, end, int(min(points, MOST)))
     values = _values(timed, grid)
@@ -102,7 +102,7 @@ def _zeros_and_turns(
 
 
 def _refined(timed: list[Symbol], symbol: Symbol, low: float, high: float, *, turns: bool) -> float:
-    """The zero or the turning point between two times, to a part in ten millions of their distance."""
+    """Return the zero or the turning point between two times, to a part in ten millions of their distance."""
     for _ in range(4):
         grid = np.linspace(low, high, 65)
         u = _values(timed, grid)[symbol.number]
@@ -112,7 +112,7 @@ def _refined(timed: list[Symbol], symbol: Symbol, low: float, high: float, *, tu
 
 
 def _values(timed: list[Symbol], t: Array) -> dict[int, Array]:
-    """What each function of time is at the times."""
+    """Return what each function of time is at the times."""
     numpy_names = {plain: name for name, plain in FUNCTIONS.items() if name.startswith("arc")}
     computed: dict[int, Array] = {}
 

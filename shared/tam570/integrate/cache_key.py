@@ -69,7 +69,7 @@ def cache_key(value: Any, functions: dict[int, int] | None = None) -> Hashable:
 
 
 def call_key(rhs: Any, parameters: Mapping[str, Any] | None) -> Hashable:
-    """The key of a right-hand side with its parameters. Raises `Changeable`."""
+    """Return the key of a right-hand side with its parameters. Raises `Changeable`."""
     functions: dict[int, int] = {}
     key = cache_key(rhs, functions)
     if parameters:
@@ -161,7 +161,7 @@ def _function(value: types.FunctionType, functions: dict[int, int]) -> Hashable:
 
 @lru_cache(maxsize=1024)
 def _looked_up(code: types.CodeType) -> tuple[tuple[str, ...], bool, str]:
-    """The global names of a code, whether it changes arrays or lists, and why it is not one of numbers alone."""
+    """Return the global names of a code, whether it changes arrays or lists, and why it is not one of numbers alone."""
     names, changes = set[str](), False
     for part in _parts(code):
         before, catching = None, False

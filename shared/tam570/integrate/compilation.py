@@ -43,11 +43,11 @@ class Estimate:
 
 
 def repays(steps: float, operations: int) -> bool:
-    """Whether so many steps of order 8 take longer in Python than compiling does, for one of some calls."""
+    """Return whether so many steps of order 8 take longer in Python than compiling does, for one of some calls."""
     in_python = IN_PYTHON * 12 * steps * (operations + BESIDE)
     return in_python * FIRST_OF > A_MODULE + AN_OPERATION * operations and available()
 
 
 def available() -> bool:
-    """Whether llvmlite is installed, and not forbidden by TAM570_COMPILED=0; it is not imported for that."""
+    """Return whether llvmlite is installed, and not forbidden by TAM570_COMPILED=0; it is not imported for that."""
     return os.environ.get("TAM570_COMPILED") != "0" and importlib.util.find_spec("llvmlite") is not None

@@ -42,7 +42,10 @@ def compile_run(engine: Engine, times: Array, control: Control) -> CompiledRun:
 def slot_of(
     method: str, rhs: Any, t: ArrayLike, y0: Any, parameters: Mapping[str, Any] | None, rtol: float, atol: Any
 ) -> Slot | None:
-    """Where a run with such arguments is kept; None where they may change unseen, or are not what they should be."""
+    """Return where a run with such arguments is kept.
+
+    None where they may change unseen, or are not what they should be.
+    """
     if method not in METHODS:
         return None
     try:

@@ -52,15 +52,17 @@ def functions(formulas: Formulas, sampled: bool = True, forgiving: bool = True) 
 
 
 def _forgiving(function: list[str], answer: str) -> list[str]:
-    """A function that answers thus to an overflow or the root of a negative number: the step was too long."""
+    """Return a function that answers thus to an overflow or the root of a negative number: the step was too long."""
     signature, *body = function
     rescue = ["except (ArithmeticError, ValueError, LookupError):", f"    return {answer}"]
     return [signature, "try:", *(f"    {line}" for line in body), *rescue]
 
 
 def _combination(row: Row, i: int) -> str:
-    """The sum over the stages: of the row's sum times k0, and the differences from k0. These are small: so are the
-    roundings of weights as large as 43, and what these lack themselves."""
+    """Return the sum over the stages: of the row's sum times k0, and the differences from k0.
+
+    These are small: so are the roundings of weights as large as 43, and what these lack themselves.
+    """
     return " + ".join(f"{a!r} * e{j}_{i}" for j, a in row.items() if j)
 
 
@@ -91,7 +93,7 @@ def _euler(formulas: Formulas) -> list[str]:
 
 
 def _roundoff(formulas: Formulas) -> list[str]:
-    """What rounding does to the error estimates of a step of h.
+    """Return what rounding does to the error estimates of a step of h.
 
     A running error bound (Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., 3.3): each operation adds
     its own rounding to the one that its arguments carry; time and state are known to half a unit in the last place.
@@ -113,7 +115,7 @@ def _roundoff(formulas: Formulas) -> list[str]:
 
 
 def _reach(formulas: Formulas) -> list[str]:
-    """The longest step in which no argument of exp, tanh and their like changes by more than half of itself, or REACH.
+    """Bound the step: no argument of exp, tanh and their like changes by more than half of itself, or REACH.
 
     Far from zero these functions are constant to rounding: an error estimate does not see what comes.
     """
@@ -164,7 +166,10 @@ def _error_norms(formulas: Formulas) -> list[str]:
 
 
 def _jump(formulas: Formulas) -> list[str]:
-    """How far a change of the rates moves the state within h, relative to it; what starts to move from zero aside."""
+    """Return how far a change of the rates moves the state within h, relative to it.
+
+    What starts to move from zero aside.
+    """
     lines = ["def jump(h, y, n, f, g, a, rtol):"]
     lines += unpacked(replace(formulas, constants=0), y="y", n="n", f="f", g="g", a="a")
     lines.append("largest = 0.0")
@@ -242,7 +247,7 @@ def _at(formulas: Formulas) -> list[str]:
 
 
 def compiled(formulas: Formulas, sampled: bool, called_function: Callable[..., Any] | None = None) -> dict[str, Any]:
-    """The functions by name; `given` is what formulas of `call_of` call."""
+    """Return the functions by name; `given` is what formulas of `call_of` call."""
     namespace: dict[str, Any] = {**vars(math), "given": called_function, "dense": None, "at": None}
     exec(_code(formulas, sampled), namespace)
     return namespace

@@ -49,7 +49,10 @@ class Engine:
         return self.graph is not None
 
     def next_break(self, t: float, begin: float, end: float, y: Array) -> float:
-        """Where a stretch from t on ends in a run from begin to end: where the rates may jump next, or at `end`."""
+        """Return where a stretch from t on ends in a run from begin to end.
+
+        Where the rates may jump next, or at `end`.
+        """
         if self.called_rates is None:
             if not self.formulas.timed:
                 return end
@@ -94,7 +97,7 @@ def engine(
 
 @lru_cache(maxsize=256)
 def _cache_slot(key: Hashable) -> list[Any]:
-    """Where the engine is kept that was made for this key, or why there is none."""
+    """Return where the engine is kept that was made for this key, or why there is none."""
     return []
 
 
@@ -109,7 +112,7 @@ class _Run(NamedTuple):
     sign: float
 
     def rates(self) -> Rates:
-        """The right-hand side, tried at the start."""
+        """Return the right-hand side, tried at the start."""
         rates = bound(self.rhs, self.parameters)
         rates = rates if self.sign > 0 else reversed_rates(rates)
         check_start(rates, float(self.times[0]), self.start, self.sign)
@@ -117,7 +120,7 @@ class _Run(NamedTuple):
 
 
 def _traced_engine(run: _Run) -> Engine | str:
-    """The engine of a traced right-hand side; or why it is not traced."""
+    """Return the engine of a traced right-hand side; or why it is not traced."""
     rates = run.rates()
     try:
         graph = traced(rates, len(run.start))
@@ -145,7 +148,7 @@ def _functions(formulas: Formulas, sampled: bool) -> dict[str, Any]:
 
 
 def _with_loop(functions: dict[str, Any]) -> dict[str, Any]:
-    """The generated functions and the loop around them."""
+    """Return the generated functions and the loop around them."""
     first_step = first_step_with(functions["rhs"], functions["euler"])
     advance = loop_with(*(functions[name] for name in GENERATED))
     return {**functions, "first_step": first_step, "advance": advance}

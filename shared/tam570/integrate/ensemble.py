@@ -31,7 +31,7 @@ def states(engine: Engine, times: Array, starts: Array, how: str, control: Contr
 
 
 def _is_smooth(engine: Engine, times: Array, control: Control) -> bool:
-    """Whether one stretch goes to the end, in steps of any length."""
+    """Return whether one stretch goes to the end, in steps of any length."""
     end = float(times[-1])
     plain = control.max_step == np.inf and control.first_step is None
     begin = float(times[0])

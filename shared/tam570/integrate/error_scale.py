@@ -41,7 +41,7 @@ def error_scale(
 def _driven_sizes(
     rhs: Rates, t: float, h: float, y: Sequence[float], f: Sequence[float], own_sizes: list[float], c: Any, later: Any
 ) -> list[float]:
-    """The sizes, those of zero replaced where the others or the time move them."""
+    """Return the sizes, those of zero replaced where the others or the time move them."""
     moved = _moved_by(rhs, t, h, y, f, own_sizes, c)
     sizes = [0.0 if size < EPS * most else size for size, most in zip(own_sizes, moved, strict=True)]
     forces, duration, best = [0.0] * len(sizes), LONG * h, sizes
@@ -65,7 +65,7 @@ def _driven_sizes(
 def _spread(
     rhs: Rates, t: float, duration: float, y: Sequence[float], f: Sequence[float], own_sizes: list[float], c: Any
 ) -> list[float] | None:
-    """What the sizes do to one another within so many s; None where that turns over one that is known."""
+    """Return what the sizes do to one another within so many s; None where that turns over one that is known."""
     sizes = [
         max(size, _finite(duration * rate)) if size > NO_SCALE else size
         for size, rate in zip(own_sizes, f, strict=True)

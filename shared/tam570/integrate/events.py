@@ -39,7 +39,7 @@ class StepInterpolant:
         return self.t + self.h
 
     def up_to(self, t: float) -> "StepInterpolant":
-        """The part of it that ends at t."""
+        """Return the part of it that ends at t."""
         part = min((t - self.t) / self.h, 1.0)
         return StepInterpolant(self.t, part * self.h, lambda x: self.state(part * x))
 
@@ -69,7 +69,7 @@ class Watch:
     steps: list[StepInterpolant]
 
     def on_step(self, step: StepInterpolant) -> bool:
-        """Whether the run goes on."""
+        """Return whether the run goes on."""
         if self.dense:
             self.steps.append(step)
         for x, which in self._crossings(step):
@@ -95,7 +95,7 @@ class Watch:
 
 
 def _located(event: Event, step: StepInterpolant, low: float, high: float, positive: bool) -> float:
-    """The fraction at which the event function takes its new sign: halved until no number is between."""
+    """Return the fraction at which the event function takes its new sign: halved until no number is between."""
     while True:
         middle = (low + high) / 2
         if not low < middle < high:
@@ -105,7 +105,10 @@ def _located(event: Event, step: StepInterpolant, low: float, high: float, posit
 
 
 def _event(which: int, function: Any, parameters: Mapping[str, Any] | None, sign: float) -> Event:
-    """An event with the attributes that solve_ivp knows; `sign` of the engine's clock. ValueError if they are wrong."""
+    """Return an event with the attributes that solve_ivp knows; `sign` of the engine's clock.
+
+    ValueError if they are wrong.
+    """
     name = f"events: event {which}"
     if not callable(function):
         raise ValueError(
@@ -138,7 +141,10 @@ def motion(
     dense: bool,
     how: str,
 ) -> Motion:
-    """The motion with its events, and as a function of time if it is to be `dense`; how: as in `adaptive.integrate`."""
+    """Return the motion with its events, and as a function of time if it is to be `dense`.
+
+    How: as in `adaptive.integrate`.
+    """
     if events is None and not dense:
         solution = adaptive.integrate(engine, times, start, how, control)
         return Motion(_signed(engine.sign, times), solution.rows, (), None, _report(engine, solution, control))
@@ -159,13 +165,13 @@ def motion(
 
 
 def _crossing(sign: float, which: int, watch: Watch, size: int) -> Crossing:
-    """The times at which one of the events was seen, and the states there."""
+    """Return the times at which one of the events was seen, and the states there."""
     times, states = ([x[index] for x in watch.seen if x[1] == which] for index in (0, 2))
     return Crossing(sign * np.array(times, dtype=float), np.array(states, dtype=float).reshape(len(states), size))
 
 
 def _report(engine: Engine, solution: adaptive.Solution, control: adaptive.Control) -> Report:
-    """How the run went that ended with this state."""
+    """Return how the run went that ended with this state."""
     last, name = solution.last, solution.engine
     evaluations = 12 * (last.steps + last.refusals) if name == "Python" else None
     return Report(name, engine.untraced_reason, last.steps, last.refusals, evaluations, np.array(last.a))
@@ -224,7 +230,7 @@ def step_by_step(run: adaptive.Run) -> None:
 
 
 def _projected(run: adaptive.Run, state: State, project: Callable[[Array], Any]) -> State:
-    """The state brought back to where it belongs, with the derivative there."""
+    """Return the state brought back to where it belongs, with the derivative there."""
     y = tuple(np.asarray(project(np.array(state.y)), dtype=float).tolist())
     f = run.engine.functions["rhs"](run.origin + state.t, y, run.engine.constants)
     return state._replace(y=y, r=(0.0,) * len(y), f=f)

@@ -17,7 +17,7 @@ class FixedState(NamedTuple):
 
 
 def fixed_loop_with(leap: Any) -> Callable[..., FixedState]:
-    """The loop over the steps of a run."""
+    """Return the loop over the steps of a run."""
 
     def march(origin: Any, times: Any, out: Any, state: Any, c: Any, h: Any, budget: Any) -> Any:
         """Fill the rows of `out` until none is left or `budget` steps are spent.

@@ -55,7 +55,7 @@ def states(method: str, engine: Engine, times: Array, start: Array, control: Con
 
 
 def _step(method: str, engine: Engine, times: Array, start: Array, control: Control, step: float | None) -> float:
-    """A step that divides the whole run, no longer than asked for."""
+    """Return a step that divides the whole run, no longer than asked for."""
     if step is not None and not 0 < step < math.inf:
         raise ValueError(f"step: must be positive and finite, got {step!r}")
     span = float(times[-1] - times[0])

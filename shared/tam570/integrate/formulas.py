@@ -38,14 +38,14 @@ class Formulas:
 
 
 def written(graph: Graph) -> tuple[Formulas, tuple[float, ...]]:
-    """The whole right-hand side, and the constants in it."""
+    """Return the whole right-hand side, and the constants in it."""
     constants: dict[float, str] = {}
     formulas = _written(graph.operations, graph.rates, constants)
     return _bounded(formulas, graph, constants), tuple(constants)
 
 
 def halves(graph: Graph) -> tuple[Formulas, Formulas, tuple[float, ...]]:
-    """The rates of the first half of the state and those of the second, and the constants of both."""
+    """Return the rates of the first half of the state and those of the second, and the constants of both."""
     constants: dict[float, str] = {}
     _written(graph.operations, graph.rates, constants)
     middle = len(graph.rates) // 2
@@ -56,14 +56,14 @@ def halves(graph: Graph) -> tuple[Formulas, Formulas, tuple[float, ...]]:
 
 
 def call_of(size: int) -> Formulas:
-    """The right-hand side that is a call of the function `given`."""
+    """Return the right-hand side that is a call of the function `given`."""
     rates = tuple(f"p{i}" for i in range(size))
     line = f"{tuple_of(rates)} = given(t, {tuple_of(names('s', size))})"
     return Formulas((line,), rates, 0, frozenset(range(size)), timed=True)
 
 
 def by_call(formulas: Formulas) -> Formulas:
-    """The same right-hand side, as a call of `rhs`: shorter, for a compiler that takes its time."""
+    """Return the same right-hand side, as a call of `rhs`: shorter, for a compiler that takes its time."""
     rates = tuple("0.0" if rate == "0.0" else f"p{i}" for i, rate in enumerate(formulas.rates))
     results = tuple_of(f"p{i}" for i in range(formulas.size))
     state = tuple_of(f"s{i}" if i in formulas.reads else "0.0" for i in range(formulas.size))
@@ -112,7 +112,10 @@ def _written(operations: Sequence[Symbol], rates: Sequence[Value], constants: di
 
 
 def _bounded(formulas: Formulas, graph: Graph, constants: dict[float, str]) -> Formulas:
-    """The formulas with a running error bound: of each operation, what it makes of its arguments' and its own."""
+    """Return the formulas with a running error bound.
+
+    Of each operation, what it makes of its arguments' and its own.
+    """
     uses = _uses(graph.operations, graph.rates)
     texts: dict[int, tuple[str, str]] = {}
     values: list[str] = []
@@ -147,7 +150,7 @@ def _bounded(formulas: Formulas, graph: Graph, constants: dict[float, str]) -> F
 
 
 def _moves_with_state(symbol: Symbol) -> bool:
-    """Whether it depends on more than time."""
+    """Return whether it depends on more than time."""
     pending, seen = [symbol], set[int]()
     while pending:
         part = pending.pop()
@@ -175,7 +178,7 @@ def _bound_of(name: str, z: str, arguments: list[tuple[str, str]]) -> str:
 
 
 def _uses(operations: Sequence[Symbol], rates: Sequence[Value]) -> list[int]:
-    """How often each symbol is needed; what nobody asks for counts zero."""
+    """Return how often each symbol is needed; what nobody asks for counts zero."""
     uses = [0] * len(operations)
     for value in rates:
         if isinstance(value, Symbol):

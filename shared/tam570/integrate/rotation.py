@@ -115,7 +115,7 @@ def _one_radian(state: Array) -> float:
 
 
 def _recentred(state: Array) -> Array:
-    """The same motion with exp(u) taken into R0; one Newton step keeps R0 from drifting by roundings."""
+    """Return the same motion with exp(u) taken into R0; one Newton step keeps R0 from drifting by roundings."""
     u, R = state[3:6], state[6:].reshape(3, 3)
     angle = np.sqrt(u @ u)
     hat = np.array([[0.0, -u[2], u[1]], [u[2], 0.0, -u[0]], [-u[1], u[0], 0.0]])

@@ -25,7 +25,10 @@ Changes = tuple[list[float], list[float]]  # the least and the largest of each r
 
 
 def roundoff_by_neighbours(rates: CalledRates) -> Callable[..., tuple[float, ...]]:
-    """The function `roundoff(start, h, y, f, b, c)`: what rounding does to the error estimates of a step of h."""
+    """Return the function `roundoff(start, h, y, f, b, c)`.
+
+    What rounding does to the error estimates of a step of h.
+    """
 
     def roundoff(start: float, h: float, y: Any, f: Any, b: Any, _: Any) -> tuple[float, ...]:
         rates.check_memory(start, y, f)

@@ -24,7 +24,9 @@ SWEEPS = 8  # of the power method, enough for a factor of two where one decay is
 def stiffness_watch(
     rhs: Callable[..., Sequence[float]], c: Any, origin: float, end: float, sign: float, too_many: int
 ) -> Look:
-    """look(t, y, m, steps so far), to be called now and then; t since `origin`, m the scale of each component.
+    """Return look(t, y, m, steps so far), to be called now and then.
+
+    t, m : the time since `origin`, the scale of each component
     sign : of the engine's clock
 
     Raises ArithmeticError when the run up to `end` is to be given up.
@@ -54,7 +56,7 @@ def _advice(t: float, h: float, remaining: float) -> str:
 
 
 def _decay(rhs: Any, t: float, y: Sequence[float], m: Sequence[float], c: Any) -> float:
-    """The rate of the fastest decay, by the power method; 0 if the fastest change is none."""
+    """Return the rate of the fastest decay, by the power method; 0 if the fastest change is none."""
     rates, along, back = rhs(t, tuple(y), c), [(-1.0 if i % 2 else 1.0) for i in range(len(y))], 0.0
     for _ in range(SWEEPS):
         size = sqrt(sum(a * a for a in along)) / PART

@@ -86,7 +86,7 @@ def _is(value: Any, number: float) -> bool:
 
 
 def _ordered(a: Any, b: Any) -> tuple[Any, Any]:
-    """a + b is b + a, to the last bit: one order for both."""
+    """Order the terms: a + b is b + a, to the last bit."""
     first, second = (x.number if isinstance(x, Symbol) else -1 for x in (a, b))
     return (a, b) if first <= second else (b, a)
 

@@ -39,7 +39,7 @@ class Graph:
 
 
 def traced(rates: Callable[..., Any], size: int, stand_ins: Mapping[str, Any] | None = None) -> Graph:
-    """What rates(t, y) computes. Raises Untraceable, with the reason.
+    """Return what rates(t, y) computes. Raises Untraceable, with the reason.
 
     stand_ins : by name, what functions find in the place of built-in ones, such as `float`
     """
@@ -54,7 +54,7 @@ def traced(rates: Callable[..., Any], size: int, stand_ins: Mapping[str, Any] | 
 
 
 def _refusal(answer: Exception) -> Exception:
-    """Why the function does not take symbols; another error than these is its own."""
+    """Return why the function does not take symbols; another error than these is its own."""
     cause: BaseException | None = answer
     while cause is not None:
         if isinstance(cause, Untraceable):  # the function may have made another error of it
@@ -98,7 +98,7 @@ def _checked_isinstance(value: Any, kinds: Any) -> bool:
 
 
 def _translated(value: Any, twins: dict[int | str, Any]) -> Any:
-    """`value` with math replaced by its symbolic kin, in all the functions that it calls."""
+    """Return `value` with math replaced by its symbolic kin, in all the functions that it calls."""
     if value is math:
         return _Mathematics()
     if isinstance(value, types.BuiltinFunctionType):

@@ -66,7 +66,7 @@ def motion(
 
 
 def _carried(expression: Expression, q: Sequence[Symbol], v: Sequence[Symbol], t: Symbol) -> Expression:
-    """The rate of an expression along the motion at constant velocities."""
+    """Return the rate of an expression along the motion at constant velocities."""
     return sum((sympy.diff(expression, x) * w for x, w in zip(q, v, strict=True)), sympy.diff(expression, t))
 
 
@@ -88,7 +88,7 @@ def _check_independence(matrix: Expression) -> None:
 
 
 def _check_pivots(mass: Expression, matrix: Expression) -> None:
-    """The written elimination exchanges no rows: an indefinite M must not have a zero where it divides."""
+    """Refuse an indefinite M with a zero where the written elimination, which exchanges no rows, divides."""
     M, A = _at_numbers(mass, matrix)
     for system in (M, A * M.inv() * A.T):
         if any(_rank(system[:k, :k]) < k for k in range(1, system.rows + 1)):
@@ -99,14 +99,14 @@ def _check_pivots(mass: Expression, matrix: Expression) -> None:
 
 
 def _at_numbers(*matrices: Expression) -> list[Expression]:
-    """The matrices at some numbers, in 30 digits."""
+    """Return the matrices at some numbers, in 30 digits."""
     symbols = sorted(set().union(*(matrix.free_symbols for matrix in matrices)), key=str)
     numbers = {symbol: sympy.Rational(17 + i, 13) for i, symbol in enumerate(symbols)}
     return [matrix.subs(numbers).evalf(30) for matrix in matrices]
 
 
 def _rank(matrix: Expression) -> int:
-    """The rank at some numbers."""
+    """Return the rank at some numbers."""
     (at_numbers,) = _at_numbers(matrix)
     negligible = 1e-20 * at_numbers.norm()  # far above the rounding of 30 digits
     return int(at_numbers.rank(iszerofunc=lambda x: abs(x) <= negligible))

@@ -22,7 +22,7 @@ System = list[list[Number]]
 
 
 def module(motion: Motion) -> str:
-    """The whole text."""
+    """Return the whole text."""
     _check_names(motion)
     functions = [
         _function(motion, "rhs", "The rates of the state.", _rates),
@@ -52,7 +52,7 @@ def _head(motion: Motion) -> str:
 
 
 def _function(motion: Motion, name: str, says: str, result: Any) -> str:
-    """A function's text; result(motion, lines) appends to its lines and gives what it returns."""
+    """Return a function's text; result(motion, lines) appends to its lines and gives what it returns."""
     parameters = ", ".join(["*", *map(str, motion.parameters)]) if motion.parameters else ""
     signature = ", ".join(filter(None, [str(motion.time), "state", parameters]))
     lines = [f"{', '.join(map(str, motion.coordinates + motion.velocities))} = state"]
@@ -84,7 +84,7 @@ def _solution(motion: Motion, lines: Lines) -> tuple[list[Number], list[Number]]
 
 
 def _cancelled(entries: Sequence[Expression], parameters: Sequence[Expression]) -> list[Expression]:
-    """The entries of M and F without the parameters that are factors of all of them, as a single mass is."""
+    """Return the entries of M and F without the parameters that are factors of all of them, as a single mass is."""
     factored = [sympy.factor_terms(entry) for entry in entries]
     powers = [entry.as_powers_dict() for entry in factored if entry != 0]
     common = [p ** _least([sympy.sympify(power.get(p, 0)) for power in powers]) for p in parameters]
@@ -114,12 +114,12 @@ def _solved(lines: Lines, matrix: System, columns: System) -> System:
 
 
 def _reduced(lines: Lines, row: list[Number], factor: Number, pivot_row: list[Number]) -> list[Number]:
-    """The row less factor times the pivot's."""
+    """Return the row less factor times the pivot's."""
     return _named(lines, [_less(a, _products([factor], [b])) for a, b in zip(row, pivot_row, strict=True)])
 
 
 def _products(left: Iterable[Number], right: Iterable[Number]) -> list[str]:
-    """The products that are not zero."""
+    """Return the products that are not zero."""
     pairs = [(a, b) for a, b in zip(left, right, strict=True) if a is not None and b is not None]
     return [b if a == "1" else a if b == "1" else f"{a}*{b}" for a, b in pairs]
 
@@ -146,7 +146,7 @@ def _named(lines: Lines, texts: Iterable[Number]) -> list[Number]:
 
 
 def _texts(lines: Lines, expressions: Sequence[Expression]) -> list[Number]:
-    """The expressions as text, after lines for what they have in common."""
+    """Return the expressions as text, after lines for what they have in common."""
     shared, results = sympy.cse(expressions, symbols=sympy.numbered_symbols(cls=sympy.Dummy))
     names: dict[Expression, Expression] = {}
     for symbol, expression in shared:
@@ -191,7 +191,7 @@ def _symbol(lines: Lines, text: str) -> Expression:
 
 
 def _name(lines: Lines, text: str) -> str:
-    """A new name for the number that the text computes."""
+    """Return a new name for the number that the text computes."""
     name = f"_{len(lines)}"
     lines.append(f"{name} = {text}")
     return name
@@ -208,7 +208,7 @@ def _rows(lines: Lines, matrix: Sequence[Sequence[Expression]]) -> str:
 
 
 def _check_names(motion: Motion) -> None:
-    """Every symbol becomes a name in the text."""
+    """Give every symbol a name in the text."""
     names = [str(s) for s in (motion.time, *motion.coordinates, *motion.velocities, *motion.parameters)]
     for name in names:
         if not name.isidentifier() or keyword.iskeyword(name) or name in ("math", "state") or name[0] == "_":

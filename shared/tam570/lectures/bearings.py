@@ -56,7 +56,7 @@ def _checked(inertia: ArrayLike) -> Array:
 
 
 def film(parameters: Mapping[str, Any]) -> Scene:
-    """The body, and one that is balanced: the same without the off-diagonal terms."""
+    """Return the body, and one that is balanced: the same without the off-diagonal terms."""
     matrix, spin, spin_rate = _checked(parameters["inertia"]), parameters["spin"], parameters["spin_rate"]
     finite(spin=spin, spin_rate=spin_rate)
     times = frame_times(8.0)

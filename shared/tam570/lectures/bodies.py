@@ -103,7 +103,7 @@ def _parts(state: ArrayLike, masses: Sequence[float], newton: float) -> tuple[Ar
 
 
 def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
-    """All of them with their paths."""
+    """Return all of them with their paths."""
     times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters)
     n = len(start) // 6

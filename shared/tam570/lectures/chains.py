@@ -84,7 +84,7 @@ def _check_share(supplied: float) -> None:
 
 
 def film(parameters: Mapping[str, float]) -> Scene:
-    """All three at once, each by its two limits; lifted and poured also with the share `supplied`."""
+    """Return all three at once, each by its two limits; lifted and poured also with the share `supplied`."""
     from tam570.show.scenes.chains import chains
 
     length, density, speed, gravity, supplied = (parameters[name] for name in EXAMPLE)

@@ -10,7 +10,7 @@ __all__ = ["is_lecture", "print_list", "show", "start"]
 
 
 def is_lecture(what: str) -> bool:
-    """Whether a name or a file means a lecture or a copy of one, and not an assignment."""
+    """Return whether a name or a file means a lecture or a copy of one, and not an assignment."""
     return what in catalogue() or Path(what).is_file() and heading(Path(what)) is not None
 
 

@@ -91,7 +91,7 @@ def _round(t: ArrayLike, out: float, up: float, rate: float) -> Array:
 
 
 def film(parameters: Mapping[str, float]) -> Scene:
-    """A slider makes a rod of the body, or a disk."""
+    """Return a slider makes a rod of the body, or a disk."""
 
     def make(axial: float) -> Scene:
         return _film({**parameters, "axial": axial})

@@ -61,7 +61,7 @@ def _triad(**vectors: ArrayLike) -> Array:
 
 
 def film(parameters: Mapping[str, Any]) -> Scene:
-    """A vector is turned: its components stay, their base vectors go from one triad to the other."""
+    """Return a vector is turned: its components stay, their base vectors go from one triad to the other."""
     before, vector = array((3, 3), before=parameters["before"]), numbers(3, vector=parameters["vector"])
     times = frame_times(SECONDS)
     share = np.sin(np.pi * times / SECONDS) ** 2  # there and back

@@ -143,7 +143,7 @@ def _check(mass: float, stiffness: float, spin: float) -> None:
 
 
 def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """The same motion from both sides, and a pendulum on a small fast Earth."""
+    """Return the same motion from both sides, and a pendulum on a small fast Earth."""
     from tam570.show.scenes import frames
 
     return frames.film(SimpleNamespace(**globals()), parameters, start, seconds)

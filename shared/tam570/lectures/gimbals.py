@@ -70,7 +70,7 @@ def _ring_axes(angles: ArrayLike, sequence: str) -> Array:
 
 
 def film(parameters: Mapping[str, Any]) -> Scene:
-    """A body that turns steadily past the lock; the rings turn as they must."""
+    """Return a body that turns steadily past the lock; the rings turn as they must."""
     sequence, miss = parameters["sequence"], parameters["miss"]
     one_of(SEQUENCES, sequence=sequence)
     positive(miss=miss)

@@ -81,7 +81,7 @@ def _symmetric(I: ArrayLike) -> Array:  # noqa: E741
 
 
 def film(parameters: Mapping[str, Any]) -> Scene:
-    """An axis turns from one principal axis to the next; H goes with omega on these alone."""
+    """Return an axis turns from one principal axis to the next; H goes with omega on these alone."""
     m = np.array(positives(masses=parameters["masses"]))
     matrix = inertia(parameters["points"], parameters["masses"])
     r = array((len(m), 3), points=parameters["points"])

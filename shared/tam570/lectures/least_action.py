@@ -57,7 +57,7 @@ def action(path: ArrayLike, duration: float, *, length: float, gravity: float) -
 
 
 def is_minimum(path: ArrayLike, duration: float, *, length: float, gravity: float) -> bool:
-    """Whether a path (n,), rad, is a motion and every neighbour between the same ends has more action."""
+    """Return whether a path (n,), rad, is a motion and every neighbour between the same ends has more action."""
     angles, h = _path(path, duration, length, gravity)
     if len(angles) == 2:
         return True
@@ -68,7 +68,7 @@ def is_minimum(path: ArrayLike, duration: float, *, length: float, gravity: floa
 
 
 def _path(path: ArrayLike, duration: float, length: float, gravity: float) -> tuple[Array, float]:
-    """The angles and the time between two of them; every argument checked."""
+    """Return the angles and the time between two of them; every argument checked."""
     positive(duration=duration, length=length)
     finite(gravity=gravity)
     angles = numbers(path=path)
@@ -92,7 +92,7 @@ def _newton(angles: Array, h: float, length: float, gravity: float, damping: flo
 
 
 def _eliminated(diagonal: Array, beside: float, rhs: Array) -> tuple[Array, float]:
-    """The solution of a symmetric system with equal numbers beside its diagonal, and the least pivot."""
+    """Return the solution of a symmetric system with equal numbers beside its diagonal, and the least pivot."""
     rows = [(1.0, 0.0)]
     for d, r, near in zip(diagonal.tolist(), rhs.tolist(), [0.0] + [beside] * len(rhs), strict=False):
         pivot, before = rows[-1]
@@ -104,7 +104,7 @@ def _eliminated(diagonal: Array, beside: float, rhs: Array) -> tuple[Array, floa
 
 
 def _descent(angles: Array, *, duration: float, length: float, gravity: float) -> Array:
-    """The step with the least damping that makes the action smaller."""
+    """Return the step with the least damping that makes the action smaller."""
     angles, h = _path(angles, duration, length, gravity)
     now = action(angles, duration, length=length, gravity=gravity)
     rounding = 1e-14 * (abs(now) + abs(gravity) * length * duration)
@@ -119,7 +119,7 @@ def _descent(angles: Array, *, duration: float, length: float, gravity: float) -
 
 
 def film(parameters: Mapping[str, Any]) -> Scene:
-    """A slider for the time in which the pendulum has to go from a to b."""
+    """Return a slider for the time in which the pendulum has to go from a to b."""
     from tam570.show.scenes.least_action import paths
 
     positive(length=parameters["length"], gravity=parameters["gravity"])
@@ -137,7 +137,7 @@ def film(parameters: Mapping[str, Any]) -> Scene:
 
 
 def _swing(angles: Array, duration: float, *, length: float, gravity: float) -> Array:
-    """The motion nearest to the small swing between the same ends, whether its action is least or not."""
+    """Return the motion nearest to the small swing between the same ends, whether its action is least or not."""
     w, times = sqrt(gravity / length), np.linspace(0.0, duration, len(angles))
     a, b, h = angles[0], angles[-1], duration / (len(angles) - 1)
     wave = sin(w * duration)

@@ -54,7 +54,7 @@ def angular_momentum(state: ArrayLike, about: ArrayLike, *, masses: Sequence[flo
 
 
 def balances(state: ArrayLike, forces: ArrayLike, *, masses: Sequence[float]) -> tuple[Array, Array, float]:
-    """What the system's balances miss if it moves by F = m a of each particle and nothing acts from outside.
+    """Return what the system's balances miss if it moves by F = m a of each particle and nothing acts from outside.
 
     state  : (6 n,)
     forces : (n, n, 3) N, [i, j] on particle i by particle j; the diagonal must be 0

@@ -77,7 +77,7 @@ def _symmetric(**matrices: ArrayLike) -> Array:
 
 
 def film(parameters: Mapping[str, Any]) -> Scene:
-    """Each mode alone, and the first mass let go alone, which is all of them at once."""
+    """Return each mode alone, and the first mass let go alone, which is all of them at once."""
     times, (M, K) = frame_times(SECONDS), chain(**parameters)
     squares, shapes = modes(M, K)
     frequencies = np.sqrt(squares)

@@ -84,7 +84,7 @@ def _check(mass: float, stiffness: float) -> None:
 
 
 def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """The solved motion on the ellipse that is known before it begins."""
+    """Return the solved motion on the ellipse that is known before it begins."""
     times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters)
     mass, w = states[:, :3], sqrt(parameters["stiffness"] / parameters["mass"])

@@ -112,7 +112,7 @@ def _halves(state: ArrayLike, gm: float) -> Array:
 
 
 def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """The orbit, and beside it Newton's polygon with more and more impulses."""
+    """Return the orbit, and beside it Newton's polygon with more and more impulses."""
     from tam570.show.scenes import planet
 
     return planet.film(rates, elements, parameters, start, seconds)

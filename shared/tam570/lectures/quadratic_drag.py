@@ -69,7 +69,7 @@ def _check(mass: float, drag: float, gravity: float) -> None:
 
 
 def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """How a cannon ball flies: as the Middle Ages thought, as a parabola, as it does; for several drags."""
+    """Return how a cannon ball flies: as the Middle Ages thought, as a parabola, as it does; for several drags."""
     drag = parameters["drag"]
     drags = [share * drag for share in SLIDER] if drag else []
     return with_slider(lambda c: _one({**parameters, "drag": c}, start, seconds), "drag", "kg/m", drags, drag)
@@ -126,7 +126,7 @@ def _flights(paths: Mapping[str, Array], colors: Mapping[str, int], *, labelled:
 
 
 def _shapes(paths: Mapping[str, Array], colors: Mapping[str, int]) -> list[Panel]:
-    """The paths, each as large as its range; no panel if one goes straight up."""
+    """Return the paths, each as large as its range; no panel if one goes straight up."""
     ranges = {name: path[-1, 0] - path[0, 0] for name, path in paths.items()}
     if not all(ranges.values()):
         return []

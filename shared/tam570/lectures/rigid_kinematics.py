@@ -61,7 +61,7 @@ def five_terms(
 
 
 def film(parameters: Mapping[str, float]) -> Scene:
-    """A bar whose end A goes to and fro, and a bead that slides out along it."""
+    """Return a bar whose end A goes to and fro, and a bead that slides out along it."""
     positive(length=parameters["length"])
     finite(**parameters)
     times = frame_times(SECONDS)
@@ -101,7 +101,7 @@ def _sway(times: Array, rate: float) -> tuple[Array, Array, Array]:
 
 
 def _slide(times: Array, rate: float) -> tuple[Array, Array, Array]:
-    """A share of the bar to and fro between .2 and 1, and its first and second derivative."""
+    """Return a share of the bar to and fro between .2 and 1, and its first and second derivative."""
     wave, first, second = _sway(times, rate)
     return 0.6 + 0.4 * wave, 0.4 * first, 0.4 * second
 
@@ -120,7 +120,7 @@ def _velocities(A: Array, arm: Array, v_a: Array, tip: Array) -> list[Shape]:
 
 
 def _polygon(bead: Array, parts: Mapping[str, Array], total: Array) -> list[Shape]:
-    """Each term begins where the one before it ends."""
+    """Return each term begins where the one before it ends."""
     unit = 1.1 / float(np.linalg.norm(total, axis=1).max())  # s^2
     arrows, end = {}, bead
     for name, term in parts.items():

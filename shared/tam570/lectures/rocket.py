@@ -46,7 +46,7 @@ def rates(
 def wrong_rates(
     t: float, state: Sequence[float], *, burn_rate: float, exhaust_speed: float, empty_mass: float, gravity: float
 ) -> tuple[float, float, float]:
-    """The same by d(m v)/dt = -m g, which is wrong."""
+    """Return the same by d(m v)/dt = -m g, which is wrong."""
     _check(burn_rate, exhaust_speed, empty_mass, gravity)
     sequence(3, state=state)
     return _moving(state, state[1], burn_rate, empty_mass, gravity)
@@ -127,7 +127,7 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
 
 
 def _rocket(states: Array, x: float, burning: NDArray[np.bool_], color: int, name: str) -> list[Shape]:
-    """A dot with its path, and a flame while it burns."""
+    """Return a dot with its path, and a flame while it burns."""
     positions = np.column_stack([np.full(len(states), x), states[:, 0]])
     flame = positions - np.outer(burning * 0.6 * abs(x), [0.0, 1.0])
     return [

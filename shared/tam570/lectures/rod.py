@@ -45,7 +45,7 @@ def _checked(forces: Sequence[float], masses: Sequence[float]) -> tuple[list[flo
 
 
 def film(parameters: Mapping[str, Any]) -> Scene:
-    """Forces that swing to and fro, and the tension that both ways find at each moment."""
+    """Return forces that swing to and fro, and the tension that both ways find at each moment."""
     times = frame_times(SECONDS)
     wave = np.cos(2 * np.pi * times / (SECONDS / 2))
     acceleration, tension = by_elimination(parameters["forces"], masses=parameters["masses"])

@@ -90,7 +90,7 @@ def _turned(since: Array, start: Array, k: float, offset: float) -> tuple[Array,
 
 
 def _panels(since: Array, start: Array, k: float, offset: float) -> Array:
-    """Times between which the path bends by no more than a radian or two."""
+    """Return times between which the path bends by no more than a radian or two."""
     V, first = _shape(start, k)
     bends = sorted((side * STRAIGHT - first) * k**2 / (offset * V) for side in (-1, 1))
     low, high = np.clip(bends, since.min(initial=0.0), since.max(initial=0.0))
@@ -110,7 +110,7 @@ def _gyration(mass: float, inertia: float, offset: float) -> float:
 
 
 def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """The sleigh turns round, at several speeds."""
+    """Return the sleigh turns round, at several speeds."""
     from tam570.show.scenes import sleigh
 
     return sleigh.film(rates, energy, parameters, start, seconds)

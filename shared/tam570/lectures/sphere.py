@@ -48,7 +48,7 @@ def _half(vector: Array) -> tuple[float, Array]:
 
 
 def film(parameters: Mapping[str, Any]) -> Scene:
-    """A triad turns twice; then from the start by the one turn that the triangle gives."""
+    """Return a triad turns twice; then from the start by the one turn that the triangle gives."""
     first, second = (numbers(3, **{name: parameters[name]}) for name in ("first", "second"))
     both = compose(first, second)
     times = frame_times(SECONDS)
@@ -98,7 +98,7 @@ def _arc(start: Array, end: Array) -> Array:
 
 
 def _trail(rotations: Array, color: int, name: str) -> list[Shape]:
-    """A mark on the sphere, where it has been, and the triangle between it and two more points of the body."""
+    """Return a mark on the sphere, where it has been, and the triangle between it and two more points of the body."""
     points = np.array([[0.85, -0.45, 0.27], [0.65, -0.55, 0.52], [0.92, -0.2, 0.33]])
     points = points / np.linalg.norm(points, axis=1)[:, None]
     turned = points @ np.swapaxes(rotations, 1, 2)

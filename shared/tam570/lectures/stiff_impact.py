@@ -64,7 +64,9 @@ def rebound(stiffness: float, *, mass: float, speed: float, gravity: float) -> t
 def two_contacts(
     stiffnesses: Sequence[float], *, mass: float, inertia: float, arms: Sequence[float], speed: float
 ) -> tuple[Array, Array]:
-    """What a rod does that falls level on two springs at `speed`, m/s: its motion afterwards, and their impulses.
+    """Return what a rod does that falls level on two springs at `speed`, m/s.
+
+    Its motion afterwards, and their impulses.
 
     stiffnesses : (2,) N/m; only their ratio matters
     inertia     : about the centre of mass G, kg m^2
@@ -107,7 +109,7 @@ def _check(mass: float, stiffness: float, gravity: float) -> None:
 
 
 def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """The ball; the pushes of ever stiffer floors; the impulses of a rod's two contacts."""
+    """Return the ball; the pushes of ever stiffer floors; the impulses of a rod's two contacts."""
     from tam570.show.scenes import stiff_impact
 
     finite(**parameters)

@@ -46,7 +46,7 @@ def by_centre_of_mass(
 def by_three_points(
     *, height: float, front: float, rear: float, friction: float, gravity: float, locked: str
 ) -> tuple[float, float, float]:
-    """The same by moments about both contacts, and about the point a wheelbase above G's height over the front one."""
+    """Solve the same by moments about both contacts, and a point a wheelbase above G's height over the front one."""
     mu_f, mu_r = _checked(height, front, rear, friction, gravity, locked)
     base = front + rear
     arm = height + base  # of the friction about the third point
@@ -57,7 +57,7 @@ def by_three_points(
 def by_one_point(
     *, height: float, front: float, rear: float, friction: float, gravity: float, locked: str
 ) -> tuple[float, float, float]:
-    """The same by the moment about where the forces of the ground meet; then the loads about the contacts.
+    """Return the same by the moment about where the forces of the ground meet; then the loads about the contacts.
 
     The force at a locked wheel leans back by its friction; it meets the free wheel's, which is upright, a height of
     (front + rear)/friction above the ground if the front is locked, and as far below if the rear is. With both locked
@@ -75,7 +75,7 @@ def by_one_point(
 def _checked(
     height: float, front: float, rear: float, friction: float, gravity: float, locked: str
 ) -> tuple[float, float]:
-    """The coefficients of the front and the rear wheels."""
+    """Return the coefficients of the front and the rear wheels."""
     nonnegative(height=height, front=front, rear=rear, friction=friction)
     positive(**{"gravity": gravity, "front and rear, together": front + rear})
     one_of(LOCKED, locked=locked)
@@ -91,7 +91,7 @@ def _solved(equations: list[list[float]], rhs: list[float]) -> tuple[float, floa
 
 
 def _on_the_ground(deceleration: float, front_load: float, rear_load: float) -> tuple[float, float, float]:
-    """The same; a load of 0 is not a rounding below it."""
+    """Return the same; a load of 0 is not a rounding below it."""
     return deceleration, max(front_load, 0.0), max(rear_load, 0.0)
 
 

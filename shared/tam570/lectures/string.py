@@ -99,7 +99,7 @@ def _on_the_table(
 
 
 def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
-    """The table from above and aside, the hanging mass below."""
+    """Return the table from above and aside, the hanging mass below."""
     positive(**{"start.r": start[0]})
     times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters)

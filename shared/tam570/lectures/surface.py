@@ -84,7 +84,7 @@ def _normal(
 
 
 def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
-    """The same start on all three surfaces, the chosen one first."""
+    """Return the same start on all three surfaces, the chosen one first."""
     one_of(SIGNS, surface=parameters["surface"])
     times = frame_times(seconds)
     names = sorted(SIGNS, key=lambda name: name != parameters["surface"])
@@ -118,7 +118,7 @@ def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) 
 
 
 def _sliding(states: Array, arguments: Mapping[str, Any]) -> list[Shape]:
-    """A net of the surface as far as the particle goes, the particle, the force on it."""
+    """Return a net of the surface as far as the particle goes, the particle, the force on it."""
     shape = {name: arguments[name] for name in ("surface", "curvature")}
     x, y = states[:, 0], states[:, 1]
     positions = np.column_stack([x, y, height(x, y, **shape)])

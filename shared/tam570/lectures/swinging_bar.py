@@ -86,7 +86,7 @@ def _jacobi(u: Array, modulus: float, other: float) -> tuple[Array, Array]:
 
 
 def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """The bar and the force of its hinge."""
+    """Return the bar and the force of its hinge."""
     times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters, rtol=1e-8)
     length = parameters["length"]

@@ -112,7 +112,7 @@ def classic_precession(
 
 
 def sleeps(spin: float, *, mass: float, distance: float, axial: float, transverse: float, gravity: float) -> bool:
-    """Whether the top stands upright stably at this spin, rad/s: (axial spin)^2 > 4 transverse m g d."""
+    """Return whether the top stands upright stably at this spin, rad/s: (axial spin)^2 > 4 transverse m g d."""
     weight = _weight(mass, distance, axial, transverse, gravity)
     finite(spin=spin)
     return (axial * spin) ** 2 > 4 * transverse * weight
@@ -126,7 +126,7 @@ def _weight(mass: float, distance: float, axial: float, transverse: float, gravi
 
 
 def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """The same top let go, precessing steadily and asleep, with a slider for the rate of its spin."""
+    """Return the same top let go, precessing steadily and asleep, with a slider for the rate of its spin."""
     from tam570.show.scenes.top import tops
 
     def make(spin: float) -> Scene:

@@ -120,7 +120,7 @@ def _parts(state: ArrayLike, masses: Any, bars: Any, lengths: Any, stiffness: fl
 
 
 def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
-    """The truss on the rigid body, for several stiffnesses."""
+    """Return the truss on the rigid body, for several stiffnesses."""
     from tam570.show.scenes import truss
 
     return truss.film(rates, rigid, parameters, start, seconds)

@@ -102,7 +102,7 @@ def _checked(masses: Sequence[float], stiffness: float, rest_length: float) -> t
 
 
 def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
-    """The masses and their centre of mass, which nothing disturbs."""
+    """Return the masses and their centre of mass, which nothing disturbs."""
     times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters)
     m1, m2 = parameters["masses"]

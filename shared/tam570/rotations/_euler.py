@@ -29,7 +29,7 @@ class Sequence:
 
 
 def sequences() -> dict[str, Sequence]:
-    """All twelve by name, "313" and so on."""
+    """Return all twelve by name, "313" and so on."""
     return {
         f"{i + 1}{j + 1}{last + 1}": Sequence(i, j, 3 - i - j, 1 if (j - i) % 3 == 1 else -1, last == i)
         for i in range(3)
@@ -40,7 +40,7 @@ def sequences() -> dict[str, Sequence]:
 
 
 def matrix_of_angles(order: Sequence) -> Formula:
-    """The formula of the rotation matrix of three angles."""
+    """Return the formula of the rotation matrix of three angles."""
 
     def formula(f: Functions, a: Component, b: Component, c: Component) -> Numbers:
         i, j, k, s = order.i, order.j, order.k, order.s
@@ -62,7 +62,7 @@ def _times(s: int, vector: dict[int, Component]) -> dict[int, Component]:
 
 
 def angles_of_matrix(order: Sequence) -> Formula:
-    """The formula of the three angles of a rotation matrix.
+    """Return the formula of the three angles of a rotation matrix.
 
     The first angle is read off, its rotation is undone, and the last angle is read off what remains: near
     gimbal lock, where the two are ill determined one by one, they still belong together and rebuild R.
@@ -87,7 +87,7 @@ def angles_of_matrix(order: Sequence) -> Formula:
 
 
 def rates(order: Sequence) -> Formula:
-    """The formula of the three rates, omega in body axes, and of what vanishes in gimbal lock."""
+    """Return the formula of the three rates, omega in body axes, and of what vanishes in gimbal lock."""
 
     def formula(f: Functions, a: Component, b: Component, c: Component, *omega: Component) -> Numbers:
         s = order.s

@@ -67,7 +67,7 @@ def evaluate(
     *arguments: tuple[str, Kind, ArrayLike],
     stacked: Stacked | None = None,
 ) -> Array:
-    """`formula` of the arguments' components, for every rotation in the batch; results of `shape` each.
+    """Return `formula` of the arguments' components, for every rotation in the batch; results of `shape` each.
 
     within    : least and greatest measure (the formula's first result) of input that needs no second look
     arguments : name, kind and value of each
@@ -100,7 +100,7 @@ def _evaluate_single(
 
 
 def _by_component(formula: Formula) -> Stacked:
-    """A formula on stacks: component by component."""
+    """Return a formula on stacks: component by component."""
 
     def stacked(tables: list[Array]) -> tuple[Array, Array]:
         measure, *columns = formula(ARRAYS, *_columns(tables))
@@ -142,7 +142,7 @@ def _block(
 
 
 def _tables(names: list[str], kinds: list[Kind], values: list[Array]) -> tuple[tuple[int, ...], list[Array]]:
-    """The batch's shape, and each argument as rows (n, k)."""
+    """Return the batch's shape, and each argument as rows (n, k)."""
     batches = list(map(_batch, names, kinds, values))
     try:
         batch = batches[0] if len(set(batches)) == 1 else np.broadcast_shapes(*batches)
@@ -157,7 +157,7 @@ def _rows(value: Array, batch: tuple[int, ...], shape: tuple[int, ...]) -> Array
 
 
 def _batch(name: str, kind: Kind, value: Array) -> tuple[int, ...]:
-    """The leading axes."""
+    """Return the leading axes."""
     rank = value.ndim - len(kind.shape)
     if value.shape[rank:] != kind.shape or rank < 0:
         wanted = ", ".join(["...", *map(str, kind.shape)])
@@ -166,12 +166,12 @@ def _batch(name: str, kind: Kind, value: Array) -> tuple[int, ...]:
 
 
 def _columns(stacks: Iterable[Array]) -> list[Array]:
-    """The components of all arguments, each contiguous."""
+    """Return the components of all arguments, each contiguous."""
     return [column for stack in stacks for column in np.ascontiguousarray(stack)]
 
 
 def _mended(name: str, kind: Kind, rows: Array) -> Array:
-    """The rows of an argument, lengths brought into range; ValueError if one is not what it must be."""
+    """Return the rows of an argument, lengths brought into range; ValueError if one is not what it must be."""
     holds = kind.holds(rows)
     if not holds.all():
         wrong = rows[np.argmin(holds)].reshape(kind.shape)

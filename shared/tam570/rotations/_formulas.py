@@ -13,7 +13,7 @@ Numbers = tuple[Component, ...]
 
 
 def square(*components: Component) -> Component:
-    """The sum of squares."""
+    """Return the sum of squares."""
     total = components[0] * components[0]
     for c in components[1:]:
         total = total + c * c
@@ -64,7 +64,7 @@ def matrix_of_vector(f: Functions, x: Component, y: Component, z: Component) -> 
 
 
 def quaternion_direction(f: Functions, *R: Component) -> Numbers:
-    """The quaternion times a number of at least 2, scalar part not negative (Shepperd 1978).
+    """Return the quaternion times a number of at least 2, scalar part not negative (Shepperd 1978).
 
     The outer product 4 q q^T is linear in R; of its four columns the one of a large enough component of q is
     taken, so that nothing cancels.
@@ -84,14 +84,14 @@ def quaternion_direction(f: Functions, *R: Component) -> Numbers:
 
 
 def quaternion_of_matrix(f: Functions, *R: Component) -> Numbers:
-    """Unit quaternion of a rotation matrix, w >= 0."""
+    """Return unit quaternion of a rotation matrix, w >= 0."""
     w, x, y, z = quaternion_direction(f, *R)
     s = 1 / f.sqrt(square(w, x, y, z))
     return defect(*R), s * w, s * x, s * y, s * z
 
 
 def axis_angle_of_matrix(f: Functions, *R: Component) -> Numbers:
-    """Unit axis and angle in [0, pi]; the x axis where the angle is 0."""
+    """Return unit axis and angle in [0, pi]; the x axis where the angle is 0."""
     w, x, y, z = quaternion_direction(f, *R)
     length = f.norm(x, y, z)
     still = length == 0
@@ -109,7 +109,7 @@ def vector_of_matrix(f: Functions, *R: Component) -> Numbers:
 
 
 def to_length(f: Functions, length: Component, x: Component, y: Component, z: Component) -> Numbers:
-    """A vector whose length is off by a few roundings, brought to `length`: near pi each of them would count."""
+    """Return a vector whose length is off by a few roundings, brought to `length`: near pi each of them would count."""
     grid = 2.0**28 * length
     excess: Component = 0.0
     rest: Component = 0.0
@@ -135,18 +135,18 @@ def product_of_quaternions(f: Functions, *pq: Component) -> Numbers:
 
 
 def skew_of_vector(f: Functions, x: Component, y: Component, z: Component) -> Numbers:
-    """The matrix of the cross product."""
+    """Return the matrix of the cross product."""
     zero = nothing(x, y, z)
     return zero, zero, -z, y, z, zero, -x, -y, x, zero
 
 
 def vector_of_skew(f: Functions, *S: Component) -> Numbers:
-    """The vector of the antisymmetric part."""
+    """Return the vector of the antisymmetric part."""
     return nothing(*S), 0.5 * (S[7] - S[5]), 0.5 * (S[2] - S[6]), 0.5 * (S[3] - S[1])
 
 
 def nearest_rotation(f: Functions, *M: Component) -> Numbers:
-    """The orthogonal factor of M by Newton's iteration, X <- (X + X^-T)/2, and the last step's square.
+    """Return the orthogonal factor of M by Newton's iteration, X <- (X + X^-T)/2, and the last step's square.
 
     Five steps suffice for singular values within a factor of ten (Higham 1986); a left-handed M has none.
     """
@@ -163,7 +163,7 @@ def nearest_rotation(f: Functions, *M: Component) -> Numbers:
 
 
 def cofactors(*X: Component) -> tuple[Numbers, Component]:
-    """The cofactors of a matrix, det(X) X^-T, and its determinant."""
+    """Return the cofactors of a matrix, det(X) X^-T, and its determinant."""
     a, b, c, d, e, g, h, k, m = X
     p, q, r = e * m - g * k, g * h - d * m, d * k - e * h
     of_rest = (c * k - b * m, a * m - c * h, b * h - a * k, b * g - c * e, c * d - a * g, a * e - b * d)
@@ -171,7 +171,7 @@ def cofactors(*X: Component) -> tuple[Numbers, Component]:
 
 
 def defect(*R: Component) -> Component:
-    """How far the rows of R are from a right-handed orthonormal triad (sum of squared errors)."""
+    """Return how far the rows of R are from a right-handed orthonormal triad (sum of squared errors)."""
     a, b, c, d, e, g, h, k, m = R
     return square(
         a * a + b * b + c * c - 1,

@@ -31,7 +31,7 @@ def _is_rotation(rows: Array) -> NDArray[np.bool_]:
 
 
 def _has_one_nearest(rows: Array) -> NDArray[np.bool_]:
-    """Whether the two smaller stretches, the last one negative for a left-handed matrix, do not cancel."""
+    """Return whether the two smaller stretches, the last one negative for a left-handed matrix, do not cancel."""
     finite = _is_finite(rows)
     matrices = np.where(finite[:, None], rows, 0.0).reshape(-1, 3, 3)
     U, stretch, Vt = np.linalg.svd(matrices)

@@ -152,7 +152,7 @@ def present(scene: Scene, where: Path | None, name: str) -> int:
 
 
 def _opened(page: Path) -> bool:
-    """Whether a browser opens the page; none of those is asked that would take over a terminal."""
+    """Return whether a browser opens the page; none of those is asked that would take over a terminal."""
     import os
     import sys
     import webbrowser

@@ -26,7 +26,7 @@ TRACK, FIXED, MIXED = range(3)  # kinds of points; a point's number is 3 * index
 
 
 def packed(scene: Scene) -> dict[str, Any]:
-    """The scene as the player reads it: numbers, strings, lists."""
+    """Return the scene as the player reads it: numbers, strings, lists."""
     slider = scene.slider
     if slider is None:
         return _packed(scene, [_frame([panel]) for panel in scene.panels])
@@ -74,12 +74,12 @@ class _Points:
         self._known: dict[bytes, int] = {}
 
     def still(self, point: Array) -> int:
-        """The number of a point (dim,) that stands still."""
+        """Return the number of a point (dim,) that stands still."""
         position = np.rint(point).astype(int)
         return self._number(position.tobytes(), self.fixed, FIXED, position.tolist)
 
     def moving(self, track: Array) -> int:
-        """The number of a point with this track (n, dim)."""
+        """Return the number of a point with this track (n, dim)."""
         if np.ptp(track, axis=0).max() < 1.0:
             return self.still(track[0])
         return self._number(np.rint(track).tobytes(), self.tracks, TRACK, lambda: track)
@@ -91,7 +91,7 @@ class _Points:
         return self._known[key]
 
     def body(self, tracks: Array) -> list[int]:
-        """The numbers of points with these tracks (n, m, dim), most of which may move as one body."""
+        """Return the numbers of points with these tracks (n, m, dim), most of which may move as one body."""
         base, weights = _affine_base(tracks)
         numbers = {i: self.moving(tracks[:, i]) for i in base}
         for i in range(tracks.shape[1]):
@@ -128,7 +128,7 @@ def _affine_base(tracks: Array) -> tuple[list[int], Array]:
 
 
 def kept_samples(tracks: Array, tolerance: float = STEPS / 2) -> NDArray[np.int64]:
-    """The samples (n, k) between which linear interpolation gives all others to `within` (Douglas and Peucker)."""
+    """Choose the samples (n, k) between which linear interpolation gives all others (Douglas and Peucker)."""
     n = len(tracks)
     chosen, intervals = {0, n - 1}, [(0, n - 1)]
     while intervals:
@@ -235,7 +235,7 @@ def _packed_time_plot(time_plot: TimePlot) -> dict[str, Any]:
 
 
 def _differences(values: NDArray[Any]) -> list[int]:
-    """Rounded, and each but the first less the one before: short numbers."""
+    """Return rounded, and each but the first less the one before: short numbers."""
     total: list[int] = np.diff(np.rint(values).astype(np.int64), prepend=0).tolist()
     return total
 

@@ -51,7 +51,7 @@ def force_shapes(
 
 
 def _read(diagram: Iterable[Any], dim: int) -> Forces:
-    """The pairs of a diagram, directions of length one; an arrow of no length draws nothing."""
+    """Return the pairs of a diagram, directions of length one; an arrow of no length draws nothing."""
     try:
         pairs = [(np.array(point, float), None if way is None else np.array(way, float)) for point, way in diagram]
     except (TypeError, ValueError):
@@ -66,7 +66,7 @@ def _read(diagram: Iterable[Any], dim: int) -> Forces:
 
 
 def _steady(frames: Sequence[Sequence[Array]]) -> list[Array]:
-    """Each place over all frames, (n, m, dim); where a frame has fewer, the place shrinks to a point."""
+    """Return each place over all frames, (n, m, dim); where a frame has fewer, the place shrinks to a point."""
     count = max(map(len, frames), default=0)
     full = next((frame for frame in frames if len(frame) == count), [])
     padded = [

@@ -20,7 +20,7 @@ def unit_circle(count: int) -> Array:
 
 
 def circle(centre: ArrayLike, first: ArrayLike, other: ArrayLike, count: int = 61) -> Array:
-    """Closed path of points about a centre, of the semi-axes given: (..., count, dim) of (..., dim) each."""
+    """Return closed path of points about a centre, of the semi-axes given: (..., count, dim) of (..., dim) each."""
     c, s = unit_circle(count).T[..., None]
     centre, first, other = (np.asarray(vector)[..., None, :] for vector in (centre, first, other))
     path: Array = centre + c * first + s * other
@@ -39,7 +39,7 @@ def coil(start: Array, end: Array, width: float, turns: int = 8) -> Array:
 
 
 def axes(length: float, *, origin: ArrayLike = (0.0, 0.0, 0.0)) -> list[Shape]:
-    """The axes x, y, z of space, from the origin."""
+    """Return the axes x, y, z of space, from the origin."""
     start, ends = np.asarray(origin, dtype=float), length * np.eye(3)
     tails = np.stack([np.broadcast_to(start, (3, 3)), start + ends], axis=1).reshape(6, 3)
     names = [Shape("text", (start + end)[None], GREY, words=name) for name, end in zip("xyz", ends, strict=True)]
@@ -77,7 +77,7 @@ def brick(rotations: Array, size: ArrayLike, color: int, name: str = "") -> list
 
 
 def cone(rim: Array, color: int, name: str) -> list[Shape]:
-    """A rim, (m, 3) still or (n, m, 3) moving, and lines to it from the origin."""
+    """Return a rim, (m, 3) still or (n, m, 3) moving, and lines to it from the origin."""
     spokes = rim[..., ::3, :]
     lines = np.stack([np.zeros_like(spokes), spokes], axis=-2).reshape(*rim.shape[:-2], -1, 3)
     return [Shape("path", rim, color, name, width=2), Shape("lines", lines, color, width=1)]

@@ -22,7 +22,7 @@ LONGEST = 600.0  # s, of a scene
 
 
 def lecture_module(what: str) -> Any:
-    """The lecture of this name, or the copy of one in a file. Unknown or Trouble if there is none."""
+    """Return the lecture of this name, or the copy of one in a file. Unknown or Trouble if there is none."""
     file = Path(what)
     if not file.is_file() or what in catalogue():
         return load(what)
@@ -33,7 +33,7 @@ def lecture_module(what: str) -> Any:
 
 
 def settings(texts: Sequence[str]) -> dict[str, Any]:
-    """The numbers in "mass=2", "start.speed=3", "masses=1,2", by name. Unknown says which text is none."""
+    """Return the numbers in "mass=2", "start.speed=3", "masses=1,2", by name. Unknown says which text is none."""
     result = {}
     for text in texts:
         name, equals, value = text.partition("=")

@@ -65,7 +65,7 @@ class Live:
 
 
 def live_if_written(make: Callable[[], Live]) -> Live | None:
-    """The live scene; None if a function that it needs is not there."""
+    """Return the live scene; None if a function that it needs is not there."""
     try:
         return make()
     except Trouble:
@@ -172,7 +172,7 @@ class _Writer:
         return traced(flat, self.k + self.m + 3, {"float": _Float})
 
     def _known(self, numbers: Sequence[Any]) -> dict[str, Any]:
-        """The parameters, those with sliders replaced."""
+        """Return the parameters, those with sliders replaced."""
         parameters = dict(self.live.parameters)
         for (name, i, _), number in zip(self.sliders, numbers, strict=True):
             if i is None:
@@ -293,7 +293,7 @@ def _expression(name: str, arguments: list[str]) -> str:
 
 
 def _evaluated(graph: Graph, inputs: Sequence[float]) -> list[float]:
-    """The results at t = 0 and these numbers, by Python."""
+    """Return the results at t = 0 and these numbers, by Python."""
     values: dict[int, float] = {}
 
     def number(value: Value) -> float:

@@ -17,7 +17,7 @@ HERE = Path(__file__).parent / "player"
 
 
 def page(scene: Scene) -> str:
-    """The page. What comes from a student is data in it, never markup or code."""
+    """Return the page. What comes from a student is data in it, never markup or code."""
     program = written(scene.live) if scene.live else None
     data = {**packed(scene), "live": program.data if program else None}
     return Template(_read("page.html")).substitute(
@@ -40,7 +40,7 @@ def _listed(settings: Mapping[str, Any]) -> str:
 
 
 def framed(document: str, title: str, height: int) -> str:
-    """A page inside another, a notebook say; it cannot reach out of its frame."""
+    """Return a page inside another, a notebook say; it cannot reach out of its frame."""
     style = f"width:100%;height:{height}px;border:0"
     return (
         f'<iframe title="{html.escape(title)}" style="{style}" sandbox="allow-scripts" '

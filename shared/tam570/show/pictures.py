@@ -44,7 +44,7 @@ def write(scene: Scene, file: Path) -> None:
 
 
 def frames(scene: Scene, suffix: str) -> range:
-    """The samples that become frames of a file of this kind."""
+    """Return the samples that become frames of a file of this kind."""
     return range(0, len(scene.times), EVERY[suffix])
 
 
@@ -58,7 +58,7 @@ def _writer(suffix: str) -> AbstractMovieWriter:
 
 @cache
 def _palette() -> tuple[str, ...]:
-    """The colours of the page in light, INK and GREY last, as their numbers have it."""
+    """Return the colours of the page in light, INK and GREY last, as their numbers have it."""
     parameters = dict(reversed(CSS_COLOUR.findall((HERE / "page.css").read_text(encoding="utf-8"))))
     return tuple(parameters[name] for name in ("c0", "c1", "c2", "c3", "c4", "c5", "soft", "ink"))
 
@@ -104,7 +104,7 @@ def _panel(ax: Axes, panel: Panel, scene: Scene) -> list[Update]:
 
 
 def _is_wide(panel: Panel) -> bool:
-    """Whether it is much wider than high, so that panels go below each other."""
+    """Return whether it is much wider than high, so that panels go below each other."""
     rows = np.concatenate([shape.points.reshape(-1, shape.points.shape[-1]) for shape in panel.shapes])
     sides = np.ptp(rows, axis=0)
     return bool(sides[0] > 2.0 * sides[-1])

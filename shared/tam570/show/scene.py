@@ -150,7 +150,7 @@ class Slider:
 
 
 def with_slider(make: Callable[[float], Scene], name: str, unit: str, values: Sequence[float], first: float) -> Scene:
-    """The scene for the value `first`, with a slider that changes to those for others."""
+    """Return the scene for the value `first`, with a slider that changes to those for others."""
     several = sorted({*values, first})
     scenes = [make(value) for value in several]
     chosen = several.index(first)
@@ -163,7 +163,7 @@ def frame_times(seconds: float) -> Array:
 
 
 def plot_samples(times: Array) -> NDArray[np.int64]:
-    """Which of the times a time plot needs."""
+    """Return which of the times a time plot needs."""
     count = min(len(times), PLOT_SAMPLES + 1)
     return np.rint(np.linspace(0, len(times) - 1, count)).astype(np.int64)
 
@@ -249,7 +249,7 @@ def value_plot(
 
 
 def _drawable(time_plot: TimePlot) -> TimePlot:
-    """The time plot, if its numbers have a size that can be drawn. Trouble if not."""
+    """Return the time plot, if its numbers have a size that can be drawn. Trouble if not."""
     if not max(map(abs, time_plot.span)) < LARGEST:
         raise Trouble(f"{time_plot.title}: the numbers are too large to be drawn")
     return time_plot

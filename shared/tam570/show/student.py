@@ -20,7 +20,7 @@ Made = TypeVar("Made")
 
 
 def load_student(file: Path, slug: str) -> ModuleType:
-    """The module in a file or notebook, imported under the assignment's name. Trouble if it cannot be."""
+    """Return the module in a file or notebook, imported under the assignment's name. Trouble if it cannot be."""
     module, _ = load_file(file, slug)
     module.__file__ = str(file)
     sys.modules[slug] = module
@@ -28,7 +28,7 @@ def load_student(file: Path, slug: str) -> ModuleType:
 
 
 def make_each(notes: list[str], *makers: Callable[[], Made]) -> list[Made]:
-    """What can be made of what a scene shows beside the motion; why the rest cannot is added to the notes."""
+    """Return what can be made of what a scene shows beside the motion; why the rest cannot is added to the notes."""
     shapes = []
     for maker in makers:
         try:
@@ -46,25 +46,25 @@ class Student:
         self._file = str(getattr(module, "__file__", None) or "")
 
     def function(self, name: str) -> Callable[..., Any]:
-        """The student's function itself. Trouble if there is none."""
+        """Return the student's function itself. Trouble if there is none."""
         function = getattr(self._module, name, None)
         if not callable(function):
             raise Trouble(f"there is no function {name}{f' in {self._file}' if self._file else ''}")
         return function  # type: ignore[no-any-return]
 
     def __call__(self, name: str, *arguments: Any, shape: Sequence[int] | None = None, **parameters: Any) -> Array:
-        """What the function returns, as an array of this shape. Trouble if it does not, or is not finite."""
+        """Return what the function returns, as an array of this shape. Trouble if it does not, or is not finite."""
         return self._finite(name, numbers(name, self._raw(name, *arguments, **parameters), shape))
 
     def group(self, name: str, *arguments: Any, shapes: Sequence[Sequence[int]], **parameters: Any) -> list[Array]:
-        """The arrays that the function returns together, each of its shape."""
+        """Return the arrays that the function returns together, each of its shape."""
         result = self._raw(name, *arguments, **parameters)
         if not isinstance(result, Sequence | np.ndarray) or len(result) != len(shapes):
             raise Trouble(f"{name} gives {_short(result)}; {len(shapes)} results are asked for")
         return [self._finite(name, numbers(name, part, shape)) for part, shape in zip(result, shapes, strict=True)]
 
     def _raw(self, name: str, *arguments: Any, **parameters: Any) -> Any:
-        """What the function returns, whatever it is."""
+        """Return what the function returns, whatever it is."""
         return self._guarded(name, lambda function: function(*arguments, **parameters))
 
     def each(self, name: str, *rows: Any, shape: Sequence[int] = (), **parameters: Any) -> Array:
@@ -79,7 +79,7 @@ class Student:
         return self._finite(name, numbers(name, values, (len(results), *shape)))
 
     def returned(self, name: str, *rows: Any, **parameters: Any) -> list[Any]:
-        """What the function returns for row i of every argument in turn, whatever it is."""
+        """Return what the function returns for row i of every argument in turn, whatever it is."""
         calls = [*zip(*rows, strict=True)]
         return [*self._guarded(name, lambda function: [function(*row, **parameters) for row in calls])]
 
@@ -103,7 +103,7 @@ class Student:
 
 
 def numbers(name: str, result: Any, shape: Sequence[int] | None) -> Array:
-    """A result as an array of this shape, any if None. Trouble if it is not one, in words for a student."""
+    """Return a result as an array of this shape, any if None. Trouble if it is not one, in words for a student."""
     try:
         values = np.asarray(result)
         if values.dtype.kind == "O":  # of SymPy, say

@@ -41,7 +41,7 @@ def shown() -> Iterator[None]:
 
 
 def animation(t: Any, wires: Any, label: str = "animation of the motion") -> Any:
-    """The wires moving, drawn in the plane in real time; of three coordinates, y and z are seen, x a little.
+    """Return the wires moving, drawn in the plane in real time; of three coordinates, y and z are seen, x a little.
 
     t     : (n,) s, evenly spaced
     wires : (n, k, 2, 2) or (n, k, 2, 3) line segments at these times
@@ -98,7 +98,7 @@ def tests(*names: str, points: float, functions: Sequence[str] = ()) -> float:
 
 
 def _stubs(module: Path) -> set[str]:
-    """The functions of a module that only say that they are not written."""
+    """Return the functions of a module that only say that they are not written."""
     try:
         body = ast.parse(module.read_text(encoding="utf-8")).body
     except SyntaxError:
@@ -108,7 +108,7 @@ def _stubs(module: Path) -> set[str]:
 
 
 def _said(error: Exception) -> str:
-    """What is missing or wrong, and where in the student's module."""
+    """Return what is missing or wrong, and where in the student's module."""
     calls = traceback.extract_tb(error.__traceback__)
     own = [call for call in calls if Path(call.filename).name.startswith("hw")]
     if isinstance(error, NotImplementedError):

@@ -48,7 +48,7 @@ UNSET = (0,) * (taylor_memory.NUMBERS - 13)
 
 @lru_cache(maxsize=256)
 def analytic(graph: Graph) -> tuple[Recurrences, tuple[float, ...]] | None:
-    """The recurrences of a graph and their constants, if it has any."""
+    """Return the recurrences of a graph and their constants, if it has any."""
     try:
         return recurrences(graph)
     except NotAnalytic:
@@ -85,7 +85,7 @@ class Motion(NamedTuple):
 
 @lru_cache(maxsize=256)
 def motion_of(graph: Graph) -> Motion | None:
-    """Its compiled code; None without a series."""
+    """Return its compiled code; None without a series."""
     analysed = analytic(graph)
     if analysed is None:
         return None
@@ -95,7 +95,9 @@ def motion_of(graph: Graph) -> Motion | None:
 
 
 def taylor_run(run: Run, look: Look, state: State, *, is_fresh: bool = False) -> State:
-    """The state at the end of the stretch, or where Taylor's method cannot go on; as it was if there is no series.
+    """Return the state at the end of the stretch, or where Taylor's method cannot go on.
+
+    As it was if there is no series.
 
     look     : taken now and then
     is_fresh : whether the sizes of the components are those of the start
@@ -198,7 +200,7 @@ def until_done(some: Callable[[int], bool]) -> None:
 
 
 def by_moments(run: Callable[[Any, int], Any], share: Callable[[Any], float], state: Any) -> Any:
-    """The state at the end of run(state, budget), called again and again."""
+    """Return the state at the end of run(state, budget), called again and again."""
 
     def some(budget: int) -> bool:
         nonlocal state
@@ -211,7 +213,7 @@ def by_moments(run: Callable[[Any, int], Any], share: Callable[[Any], float], st
 
 @lru_cache(maxsize=256)
 def dop853(formulas: Formulas) -> Callable[..., State]:
-    """`advance` of adaptive_loop, compiled."""
+    """Return `advance` of adaptive_loop, compiled."""
     zeros = (0.0,) * formulas.size
     like = State(0, 0.0, 0.0, zeros, zeros, zeros, zeros, zeros, zeros, 0.0, 0, 0, 0, 0)
     generated = functions(formulas, forgiving=False)
@@ -220,7 +222,7 @@ def dop853(formulas: Formulas) -> Callable[..., State]:
 
 @lru_cache(maxsize=256)
 def fixed(source: str, size: int, stages: int, constants: int) -> Callable[..., FixedState]:
-    """`march` of fixed_loop, compiled."""
+    """Return `march` of fixed_loop, compiled."""
     like = FixedState(0, 0, (0.0,) * size, (0.0,) * size, (0.0,) * stages)
     return _loop(fixed_loop, source, "march", like, constants)
 
@@ -228,7 +230,7 @@ def fixed(source: str, size: int, stages: int, constants: int) -> Callable[..., 
 def _loop(
     loop: ModuleType, generated: str, entry: str, like: Any, constants: int, handed: tuple[str, ...] = ()
 ) -> Callable[..., Any]:
-    """A loop of the Python engine, compiled, that takes and gives what it does in Python."""
+    """Return a loop of the Python engine, compiled, that takes and gives what it does in Python."""
     key = repr((loop.__name__, generated, constants))
     march = function(key, lambda: loops.loop_text(loop, generated, entry, like, constants, handed), entry, loops.KINDS)
 

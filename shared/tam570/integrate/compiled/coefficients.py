@@ -37,7 +37,7 @@ class Layout:
 
 
 def sums_of(series: int, r: Recurrence) -> list[tuple[Factor, Factor]]:
-    """The sums over j = 1 ... n - 1 of x_j y_(n - j) that a recurrence needs."""
+    """Return the sums over j = 1 ... n - 1 of x_j y_(n - j) that a recurrence needs."""
     of = r.of
     if r.rule in ("*", "square"):
         return [((of[0], False), (of[-1], False))]
@@ -98,7 +98,7 @@ class Coefficients(Writer):
         return self.emit(self.ir_type, f"load {self.ir_type}, ptr {pointer}, align 8").text
 
     def function(self, name: str, arguments: list[str]) -> str:
-        """A function of each lane."""
+        """Return a function of each lane."""
         if name == "sqrt":
             return self.emit(
                 self.ir_type, f"call {self.ir_type} @llvm.sqrt.{self.suffix}({self.ir_type} {arguments[0]})"
@@ -140,7 +140,10 @@ class Coefficients(Writer):
         return self.emit(self.ir_type, f"call {self.ir_type} @llvm.fabs.{self.suffix}({self.ir_type} {a})").text
 
     def bounds(self) -> dict[int, str]:
-        """A running error bound of the coefficients of order 0: what each makes of its arguments' and its own."""
+        """Return a running error bound of the coefficients of order 0.
+
+        What each makes of its arguments' and its own.
+        """
         zero = self.constant(0.0)
         bounds = dict.fromkeys(range(-self.laws.constants, 0), zero)
         for i, r in enumerate(self.laws.series):
@@ -191,7 +194,7 @@ class Coefficients(Writer):
         raise NotImplementedError
 
     def coefficient(self, i: int, r: Recurrence, one_over_n: str, sums: list[str]) -> str:
-        """The coefficient of order n: what is known before, and multiples of others of order n."""
+        """Return the coefficient of order n: what is known before, and multiples of others of order n."""
         of = [self.now.get(j, "") for j in r.of]  # empty where it comes later, and is not asked for
         if r.rule in ("+", "-"):
             return self.op("add" if r.rule == "+" else "sub", of[0], of[1])
@@ -207,7 +210,7 @@ class Coefficients(Writer):
         return earlier
 
     def earlier(self, i: int, r: Recurrence, one_over_n: str, sums: list[str]) -> str:
-        """What of it follows from earlier orders."""
+        """Return what of it follows from earlier orders."""
         if not sums:
             return ""
         total = sums[0]
@@ -220,7 +223,7 @@ class Coefficients(Writer):
         return total if r.rule in ("*", "square", "/", "sqrt") else self.op("mul", total, one_over_n)
 
     def prepared(self) -> None:
-        """What is the same for all orders: factors of other coefficients and of the sums."""
+        """Write what is the same for all orders: factors of other coefficients and of the sums."""
         single = self.constant(1.0)
         self.multiples: dict[int, list[tuple[int, str]]] = {}
         self.scales: dict[int, str] = {}
@@ -262,7 +265,7 @@ class Coefficients(Writer):
         self.multiples[i] = [(1, factor if "y^2" not in r.rule else self.op("add", single, factor))]
 
     def states(self, n: str, one_over_n: str, slots: list[str]) -> None:
-        """The state's coefficients of order n, from the rates' of order n - 1."""
+        """Write the state's coefficients of order n, from the rates' of order n - 1."""
         for i, r in enumerate(self.laws.series):
             if r.rule == "state":
                 rate = self.emit(self.ir_type, f"load {self.ir_type}, ptr {slots[r.of[0]]}").text
@@ -270,7 +273,7 @@ class Coefficients(Writer):
                 self.keep(r.of[0], n, self.now[i])
 
     def orders(self, n: str, slots: list[str], sums: list[list[str]], numbers: tuple[str, str]) -> None:
-        """All coefficients of order n; numbers: n and 1 / n."""
+        """Write all coefficients of order n; numbers: n and 1 / n."""
         zero = self.constant(0.0)
         self.now = dict.fromkeys(range(-self.laws.constants, 0), zero)
         self.states(n, numbers[1], slots)

@@ -107,7 +107,7 @@ class Expressions(Writer):
         )
 
     def of_Compare(self, names: Names, node: ast.Compare) -> Any:
-        """a < b < c: all parts are evaluated, as they have no side effects."""
+        """Compare a < b < c: all parts are evaluated, as they have no side effects."""
         values = [self.value(names, part) for part in (node.left, *node.comparators)]
         tests = [self.compared(sign, a, b) for sign, a, b in zip(node.ops, values, values[1:], strict=False)]
         result = tests[0]
@@ -124,7 +124,7 @@ class Expressions(Writer):
         return self.emit("i1", f"fcmp {floats} double {self.text(left, 'double')}, {self.text(right, 'double')}")
 
     def of_BoolOp(self, names: Names, node: ast.BoolOp) -> Any:
-        """What comes second is looked at only where the first leaves it open: an index may be beyond the end."""
+        """Return what comes second is looked at only where the first leaves it open: an index may be beyond the end."""
         slot, (after,) = self.allocated("i1"), self.labels("after")
         for part in node.values:
             test = self.value(names, part)

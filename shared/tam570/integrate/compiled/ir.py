@@ -37,7 +37,7 @@ class Slot:
 
 
 def number(value: float) -> str:
-    """A double as LLVM writes it, to the last bit."""
+    """Return a double as LLVM writes it, to the last bit."""
     return f"0x{struct.unpack('<Q', struct.pack('<d', value))[0]:016X}"
 
 
@@ -50,13 +50,13 @@ class Writer:
         self.count = 0
 
     def emit(self, ir_type: str, text: str) -> Value:
-        """A new register with what the instruction gives."""
+        """Return a new register with what the instruction gives."""
         self.count += 1
         self.lines.append(f"  %v{self.count} = {text}")
         return Value(ir_type, f"%v{self.count}")
 
     def do(self, text: str) -> None:
-        """An instruction without a result."""
+        """Write an instruction without a result."""
         self.lines.append(f"  {text}")
 
     def labels(self, *stems: str) -> list[str]:
@@ -73,7 +73,7 @@ class Writer:
         self.do(f"br i1 {self.text(test, 'i1')}, label %{yes}, label %{no}")
 
     def text(self, value: Any, ir_type: str) -> str:
-        """The value as an operand of that kind."""
+        """Return the value as an operand of that kind."""
         if not isinstance(value, Value):
             return _literal(value, ir_type)
         if value.ir_type == ir_type:
@@ -95,7 +95,7 @@ class Writer:
         self.do(f"store {slot.ir_type} {self.text(value, slot.ir_type)}, ptr {slot.text}")
 
     def element(self, array: str, index: Any) -> str:
-        """The address of a double in memory."""
+        """Return the address of a double in memory."""
         return self.emit("ptr", f"getelementptr double, ptr {array}, i64 {self.text(index, 'i64')}").text
 
 

@@ -20,7 +20,7 @@ _KIND = re.compile(r"(<\d+ x double>|\b(?:double|ptr|i64|i1)\b)[^,]*")
 
 
 def assembled(lines: list[str]) -> str:
-    """A module: these lines, and declarations of what they call and do not define."""
+    """Return a module: these lines, and declarations of what they call and do not define."""
     text = "\n".join(lines) + "\n"
     defined = set(_DEFINED.findall(text))
     declared = {}
@@ -43,13 +43,13 @@ def _binding() -> tuple[Any, str]:
 
 
 def _machine(binding: Any, effort: int) -> Any:
-    """A new one each time: the engine that is given it disposes of it."""
+    """Return a new one each time: the engine that is given it disposes of it."""
     name, features = binding.get_host_cpu_name(), binding.get_host_cpu_features().flatten()
     return binding.Target.from_default_triple().create_target_machine(name, features, opt=effort, jit=True)
 
 
 def function(key: str, text: Callable[[], str], entry: str, kinds: tuple[Any, ...], effort: int = 2) -> Any:
-    """`entry` as a function from Python; other threads run while it does.
+    """Return `entry` as a function from Python; other threads run while it does.
 
     key    : what the text follows from, together with the source of this package; it is written if it is not kept
     effort : of the code generator, 0 to 3
@@ -70,7 +70,7 @@ def function(key: str, text: Callable[[], str], entry: str, kinds: tuple[Any, ..
 
 @cache
 def _source() -> str:
-    """What identifies the engine itself, of which the compiled code is a part."""
+    """Return what identifies the engine itself, of which the compiled code is a part."""
     files = sorted(Path(__file__).parents[1].rglob("*.py"))
     return hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
 
@@ -91,7 +91,7 @@ def _compiled(binding: Any, text: str, effort: int) -> bytes:
 
 
 def folder() -> Path:
-    """The user's folder for compiled code. OSError where there is none to be had."""
+    """Return the user's folder for compiled code. OSError where there is none to be had."""
     base = os.environ.get("XDG_CACHE_HOME")
     cache_folder = (Path(base) if base else Path.home() / ".cache") / "tam570"
     cache_folder.mkdir(mode=0o700, parents=True, exist_ok=True)
@@ -101,7 +101,7 @@ def folder() -> Path:
 
 
 def _kept(name: str) -> bytes | None:
-    """The object code of that name, if what the file holds is what was written."""
+    """Return the object code of that name, if what the file holds is what was written."""
     try:
         content = (folder() / f"{name}.o").read_bytes()
     except (OSError, RuntimeError):

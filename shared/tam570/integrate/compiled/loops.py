@@ -20,12 +20,15 @@ entry:"""
 
 
 def flat(state: Any) -> list[float]:
-    """The numbers of a state, a tuple of numbers and tuples."""
+    """Return the numbers of a state, a tuple of numbers and tuples."""
     return [x for part in state for x in (flat(part) if isinstance(part, tuple) else [float(part)])]
 
 
 def unflat(numbers: Any, like: Any) -> Any:
-    """The tuples that `flat` was given, from an iterator over its numbers; whole where they are whole in `like`."""
+    """Return the tuples that `flat` was given, from an iterator over its numbers.
+
+    Whole where they are whole in `like`.
+    """
     parts = [unflat(numbers, part) if isinstance(part, tuple) else type(part)(next(numbers)) for part in like]
     return type(like)(*parts) if hasattr(like, "_fields") else tuple(parts)
 
@@ -33,7 +36,7 @@ def unflat(numbers: Any, like: Any) -> Any:
 def loop_text(
     loop: ModuleType, generated: str, entry: str, like: Any, constants: int, handed: tuple[str, ...] = ()
 ) -> str:
-    """A module with `entry` of (origin, times, out, state, c, x, budget), a function somewhere in `loop`.
+    """Return a module with `entry` of (origin, times, out, state, c, x, budget), a function somewhere in `loop`.
 
     generated : source of the functions that it calls; a call of `rhs` among them stays a call
     like      : a state

@@ -44,7 +44,7 @@ class Recurrences:
 
 
 def recurrences(graph: Graph) -> tuple[Recurrences, tuple[float, ...]]:
-    """The recurrences, and the constants in them. Raises NotAnalytic."""
+    """Return the recurrences, and the constants in them. Raises NotAnalytic."""
     making = _Making()
     places: dict[int, int] = {}
 
@@ -119,7 +119,7 @@ class _Making:
         return self.add("square", a) if a == b else self.add("*", a, b)
 
     def quotient(self, a: int, b: int) -> int:
-        """A factor is taken out: two bodies that pull at each other share the quotient."""
+        """Return a factor is taken out: two bodies that pull at each other share the quotient."""
         if b >= 0:
             listed = self.listed[a] if a >= 0 else None
             if listed and listed.rule == "scale":

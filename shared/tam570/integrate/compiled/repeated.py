@@ -72,7 +72,7 @@ def _place(motion: Motion, run: Run) -> Place:
 
 
 def _head(run: Run) -> list[float]:
-    """The first numbers of the memory of a run that has not begun."""
+    """Return the first numbers of the memory of a run that has not begun."""
     fresh_numbers = [0.0] * taylor_memory.NUMBERS
     fresh_numbers[taylor_memory.ROW], fresh_numbers[taylor_memory.STATUS] = 1.0, taylor_loop.FRESH
     fresh_numbers[taylor_memory.LONGEST] = run.since[-1] / 100

@@ -30,7 +30,7 @@ def layout(laws: Recurrences, lanes: int) -> Layout:
 
 
 def series_text(laws: Recurrences, memory_layout: Layout) -> list[str]:
-    """The functions `coefficients`, `rates`, `roundoff` of (work, constants, time, order), order 0 in work."""
+    """Return the functions `coefficients`, `rates`, `roundoff` of (work, constants, time, order), order 0 in work."""
     single = InRegisters if _sums(laws) <= FEW else InMemory
     sums_class = single if memory_layout.lanes == 1 else OfEight
     names = ["coefficients", "rates", "roundoff", *(["reach"] if exponents(laws) else [])]
@@ -39,7 +39,7 @@ def series_text(laws: Recurrences, memory_layout: Layout) -> list[str]:
 
 @lru_cache(maxsize=256)
 def exponents(laws: Recurrences) -> list[int]:
-    """The arguments of exp, tanh and their like that depend on the state."""
+    """Return the arguments of exp, tanh and their like that depend on the state."""
     moving = set[int]()
     for i, r in enumerate(laws.series):
         if r.rule == "state" or moving & {*r.of, *r.arguments}:
@@ -48,8 +48,11 @@ def exponents(laws: Recurrences) -> list[int]:
 
 
 def _written(series: Coefficients, name: str) -> list[str]:
-    """Coefficients up to %order; or of the state up to order 1 only; in their place what rounding does to them; or in
-    the place of the first, the longest step for the arguments of exp and its like."""
+    """Write the coefficients up to %order, or of the state up to order 1 only.
+
+    In their place what rounding does to them; or in the place of the first, the longest step for the arguments of exp
+    and its like.
+    """
     series.values()
     if name in ("coefficients", "reach"):
         slots = [series.allocated(series.ir_type).text for _ in series.laws.rates]

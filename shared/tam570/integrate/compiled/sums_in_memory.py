@@ -64,7 +64,7 @@ class OfEight(Coefficients):
                 self.keep(row, n, self.op("mul", numbers[0], self.now[i]) if sloped else self.now[i])
 
     def totals(self, pairs: list[tuple[Factor, Factor]], n: str) -> list[str]:
-        """Sums of eight motions each, in one loop over the terms."""
+        """Return sums of eight motions each, in one loop over the terms."""
         before, test, body_label, after = self.labels("before", "test", "inside", "after")
         self.jump(before)
         self.start(before)

@@ -60,7 +60,10 @@ class InRegisters(Coefficients):
                 self.do(f"store double {new}, ptr {slot}")
 
     def _gathered(self, n: str, recent: dict[Factor, list[str]], registers: int) -> list[dict[Factor, list[str]]]:
-        """The registers with order n - 2 in its place: x_2, x_3, ... forwards, y_(n - 2), y_(n - 3), ... backwards."""
+        """Return the registers with order n - 2 in its place: x_2, x_3, ... forwards, y_(n - 2), y_(n - 3), ...
+
+        Backwards.
+        """
         lane = self.emit("i64", f"sub i64 {n}, 4").text
         masks = [self._mask(lane, k) for k in range(registers)]
         forward: dict[Factor, list[str]] = {}
@@ -101,7 +104,7 @@ class InRegisters(Coefficients):
         ).text
 
     def _sum(self, x: list[str], y: list[str], of_x: list[str], of_y: list[str], second: str) -> str:
-        """The registers' products, and those of orders 1 and n - 1; at n = 2 these are one and the same."""
+        """Return the registers' products, and those of orders 1 and n - 1; at n = 2 these are one and the same."""
         total = ""
         for a, b in zip(x, y, strict=True):
             product = self.emit(VECTOR, f"fmul {FAST} {VECTOR} {a}, {b}").text

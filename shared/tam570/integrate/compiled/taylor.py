@@ -31,7 +31,7 @@ BUDGET = struct.Struct("=q")  # its last
 
 @lru_cache(maxsize=64)
 def order_for(rtol: float) -> int:
-    """The order that costs least: Jorba and Zou have 0.5, for work that grows as its square; ours grows less.
+    """Return the order that costs least: Jorba and Zou have 0.5, for work that grows as its square; ours grows less.
 
     Below LOWEST, what a step costs in any case is most of it: 8 takes 0.86 of the time that 6 does at 1e-3 (median).
     The next odd order reaches an error in 0.97 of the time (mean of the public problems, at 1e-6 and 1e-9).
@@ -41,7 +41,7 @@ def order_for(rtol: float) -> int:
 
 @lru_cache(maxsize=256)
 def taylor_text(laws: Recurrences, lanes: int = 1) -> str:
-    """The module: the series, and the loop over the steps."""
+    """Return the module: the series, and the loop over the steps."""
     memory_layout, size = layout(laws, lanes), len(laws.rates)
     integers = {"SIZE": size, "STRIDE": memory_layout.stride, "DOUBLES": memory_layout.doubles, "ORDER": "%order"}
     names: dict[str, Any] = {

@@ -75,7 +75,7 @@ def advance(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, origin: 
 
 
 def start_motion(z: Any, out: Any) -> Any:
-    """The first row, and the magnitudes of a start that nobody has looked at."""
+    """Return the first row, and the magnitudes of a start that nobody has looked at."""
     z[STATUS] = RUNNING
     for i in range(SIZE):
         out[0, i] = z[at(Y, i)]
@@ -89,7 +89,7 @@ def start_motion(z: Any, out: Any) -> Any:
 def advance_all(
     z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, members: Any, origin: Any, rtol: Any, budget: Any
 ) -> Any:
-    """The same for many motions, as many at a time as there are lanes.
+    """Write the same for many motions, as many at a time as there are lanes.
 
     members : what a motion starts with, a row each: its first step at most, y, m; and as it ends, its status
     Memory behind all z: how many motions were begun, and how many are under way.
@@ -132,7 +132,7 @@ def begin(z: Any, work: Any, members: Any, who: Any, lane: Any) -> Any:
     return 0
 
 
-def settle(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, lane: Any, rtol: Any, share: Any) -> Any:
+def settle(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, lane: Any, rtol: Any, share: Any) -> Any:  # noqa: C901  one function, for it is compiled as a whole
     """Judge the step that was tried, and try the next: `work` holds the coefficients at the state in z."""
     limit = inf
     if SATURATES:
@@ -180,7 +180,7 @@ def settle(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, lane: Any
 
 
 def refused(z: Any, work: Any, time: Any, c: Any, lane: Any, rtol: Any) -> Any:
-    """Whether the derivative at the end of the step is not the polynomial's; what is but rounding passes."""
+    """Return whether the derivative at the end of the step is not the polynomial's; what is but rounding passes."""
     limit = TOLERATED * (ORDER + 1) * max(rtol, 2.0**-52)
     if not off(z, work, lane, limit, 0.0):
         return False
@@ -192,7 +192,7 @@ def refused(z: Any, work: Any, time: Any, c: Any, lane: Any, rtol: Any) -> Any:
 
 
 def off(z: Any, work: Any, lane: Any, limit: Any, roundings: Any) -> Any:
-    """Whether an error of a derivative times the step is more than is allowed, or not a number."""
+    """Return whether an error of a derivative times the step is more than is allowed, or not a number."""
     h = z[H]
     wrong = False
     for i in range(SIZE):
@@ -206,7 +206,7 @@ def off(z: Any, work: Any, lane: Any, limit: Any, roundings: Any) -> Any:
 
 
 def take_step(z: Any, times: Any, out: Any) -> Any:
-    """Samples of the step that proved right; what had no scale has one now."""
+    """Return samples of the step that proved right; what had no scale has one now."""
     row = int(z[ROW])
     while row < len(times) and times[row] <= z[NEW]:
         x = times[row] - z[T]
@@ -237,7 +237,9 @@ def evaluate(z: Any, i: Any, x: Any) -> Any:
 
 
 def longest(z: Any, work: Any, lane: Any, share: Any) -> Any:
-    """The step from the last coefficients, the whole state together; infinite where all are zero, 0 if none will do.
+    """Return the step from the last coefficients, the whole state together.
+
+    Infinite where all are zero, 0 if none will do.
 
     share : the logarithm, to base 2, of the step over the distance to the singularity
     """
@@ -263,12 +265,12 @@ def longest(z: Any, work: Any, lane: Any, share: Any) -> Any:
 
 
 def larger(a: Any, b: Any) -> Any:
-    """The larger, and what is not a number rather than either."""
+    """Return the larger, and what is not a number rather than either."""
     return a if a >= b else b
 
 
 def attempt(z: Any, work: Any, times: Any, lane: Any, h: Any) -> Any:
-    """The state and the polynomial's derivative at the end of a step of about h."""
+    """Return the state and the polynomial's derivative at the end of a step of about h."""
     t = z[T]
     end = times[len(times) - 1]
     remaining = end - t

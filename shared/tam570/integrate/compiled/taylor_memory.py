@@ -66,5 +66,5 @@ def memory(size: int) -> int:
 
 
 def at(part: Any, i: Any) -> Any:
-    """Where in z that part of component i is, or the first coefficient of its polynomial."""
+    """Return where in z that part of component i is, or the first coefficient of its polynomial."""
     return NUMBERS + part * SIZE + i * (HIGHEST + 1 if part == POLYNOMIAL else 1)

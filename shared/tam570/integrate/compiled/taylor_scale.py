@@ -16,7 +16,7 @@ STILL = 0.1  # times it, where nothing turns over
 
 
 def lacking(z: Any, work: Any, lane: Any) -> Any:
-    """Whether something is zero, and so is its rate: its scale follows from others, one after the other."""
+    """Return whether something is zero, and so is its rate: its scale follows from others, one after the other."""
     is_found = False
     for i in range(SIZE):
         if z[at(M, i)] <= NO_SCALE and work[(i * STRIDE + 1) * LANES + lane] == 0.0:
@@ -25,7 +25,7 @@ def lacking(z: Any, work: Any, lane: Any) -> Any:
 
 
 def sized(z: Any, work: Any, time: Any, c: Any, lane: Any, h: Any) -> Any:
-    """Whether all that lacks a size has one now, or no later time can give it one; in steps of about h."""
+    """Return whether all that lacks a size has one now, or no later time can give it one; in steps of about h."""
     for i in range(SIZE):
         z[at(BASE, i)] = work[(i * STRIDE + 1) * LANES + lane]
     duration, is_found = LONG * h, False
@@ -46,7 +46,7 @@ def sized(z: Any, work: Any, time: Any, c: Any, lane: Any, h: Any) -> Any:
 
 
 def moves(work: Any, i: Any, lane: Any) -> Any:
-    """Whether one of the further coefficients of component i is not zero."""
+    """Return whether one of the further coefficients of component i is not zero."""
     is_found = False
     for n in range(2, ORDER + 1):
         is_found = is_found or abs(work[(i * STRIDE + n) * LANES + lane]) > NO_SCALE
@@ -54,7 +54,10 @@ def moves(work: Any, i: Any, lane: Any) -> Any:
 
 
 def spread(z: Any, work: Any, time: Any, c: Any, lane: Any, duration: Any) -> Any:
-    """What the sizes do to one another within so many s, in the place of SLOPE; whether none is turned over by that."""
+    """Return what the sizes do to one another within so many s, in the place of SLOPE.
+
+    Whether none is turned over by that.
+    """
     for i in range(SIZE):
         z[at(SLOPE, i)] = max(z[at(M, i)], abs(z[at(Y, i)]), duration * abs(z[at(BASE, i)]))
     more = SIZE + 1
@@ -81,7 +84,7 @@ def spread(z: Any, work: Any, time: Any, c: Any, lane: Any, duration: Any) -> An
 
 
 def changed(z: Any, work: Any, time: Any, c: Any, lane: Any, part: Any) -> Any:
-    """The rates where each component is changed by a part of its size."""
+    """Return the rates where each component is changed by a part of its size."""
     sign = 1.0
     for i in range(SIZE):
         work[i * STRIDE * LANES + lane] = z[at(Y, i)] + part * z[at(SLOPE, i)] * sign

@@ -17,7 +17,7 @@ BRANCHING = ast.If | ast.For | ast.While
 
 
 def functions_of(source: str) -> dict[str, ast.FunctionDef]:
-    """The functions that a source defines, those inside of others too, by name."""
+    """Return the functions that a source defines, those inside of others too, by name."""
     return {node.name: node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.FunctionDef)}
 
 
@@ -48,7 +48,7 @@ class Translator(Expressions):
         return call
 
     def _straight(self, names: Names, body: Sequence[ast.stmt]) -> Any:
-        """A function without branches: its variables need no memory."""
+        """Return a function without branches: its variables need no memory."""
         for statement in body:
             if isinstance(statement, ast.Return):
                 return self.value(names, statement.value) if statement.value else ()
@@ -82,7 +82,7 @@ class Translator(Expressions):
             names[target.id] = self.stored(names.get(target.id), value)
 
     def stored(self, slot: Any, value: Any) -> Any:
-        """The place of a variable that now has this value."""
+        """Return the place of a variable that now has this value."""
         if isinstance(value, tuple):
             places = slot if isinstance(slot, tuple) and len(slot) == len(value) else [None] * len(value)
             return tuple(self.stored(p, v) for p, v in zip(places, value, strict=True))
@@ -94,7 +94,7 @@ class Translator(Expressions):
         return slot
 
     def body(self, names: Names, statements: Sequence[ast.stmt]) -> bool:
-        """Whether the end of the statements is reached."""
+        """Return whether the end of the statements is reached."""
         return all(self.statement(names, statement) for statement in statements)
 
     def statement(self, names: Names, node: ast.stmt) -> bool:
@@ -190,7 +190,7 @@ class Translator(Expressions):
         return True
 
     def _over_table(self, names: Names, node: ast.For, rows: tuple[Any, ...]) -> bool:
-        """A loop over numbers that are known: they are kept in memory, column by column."""
+        """Return a loop over numbers that are known: they are kept in memory, column by column."""
         columns = list(zip(*rows, strict=True)) if isinstance(rows[0], tuple) else [rows]
         targets = node.target.elts if isinstance(node.target, ast.Tuple) else [node.target]
 
@@ -217,7 +217,7 @@ class Translator(Expressions):
         return False
 
     def constants(self) -> list[str]:
-        """The tables' definitions."""
+        """Return the tables' definitions."""
         return [
             f"{name} = internal constant [{len(table)} x double] [{', '.join(f'double {number(x)}' for x in table)}]"
             for table, name in self.tables.items()

@@ -82,14 +82,14 @@ def chains(
 
 
 def _arrow(x: float, foot: Array, size: Array, name: str) -> Shape:
-    """An arrow upwards at x, from (n,) m, of the length (n,) m."""
+    """Return an arrow upwards at x, from (n,) m, of the length (n,) m."""
     across = np.full_like(foot, x)
     tail, tip = np.column_stack([across, foot]), np.column_stack([across, foot + size])
     return Shape("arrow", moving(tail, tip), 3, name, width=3)
 
 
 def _upright(x: float, height: Array, share: Array, length: float, color: int, name: str) -> list[Shape]:
-    """A chain from the ground up to its end at (n,) m, and the (n,) share of it that lies in a heap."""
+    """Return a chain from the ground up to its end at (n,) m, and the (n,) share of it that lies in a heap."""
     foot = np.array([x, 0.0])
     size = HEAP * length * np.sqrt(np.maximum(share, 0.0))[:, None, None]
     heap = foot + size * np.array([[-1.0, 0.0], [-0.5, 0.8], [0.0, 1.0], [0.5, 0.8], [1.0, 0.0]])
@@ -98,7 +98,7 @@ def _upright(x: float, height: Array, share: Array, length: float, color: int, n
 
 
 def _fold(fallen: Array, color: int, shift: float, length: float) -> list[Shape]:
-    """A chain hung at one end, its other end fallen by (n,) m."""
+    """Return a chain hung at one end, its other end fallen by (n,) m."""
     still, side = np.zeros(len(fallen)), DISTANCE * length
     bottom = -(length + fallen) / 2
     corners = [(still, still), (still, bottom), (still + side, bottom), (still + side, -fallen)]

@@ -84,7 +84,7 @@ def _balls(angles: Array) -> list[Shape]:
 
 
 def _rod(times: Array, collide: Callable[..., Any]) -> tuple[list[Shape], Array, Array]:
-    """The picture, the angular momentum about the peg, of G and about G (n, 2), kg m^2/s, and the energy, J."""
+    """Return the picture, the angular momentum about the peg, of G and about G (n, 2), kg m^2/s, and the energy, J."""
     mass, inertia = ROD["mass"], ROD["mass"] * ROD["length"] ** 2 / 12
     before = np.array([[-0.15, -FALL, TURN], [0.0, 0.0, 0.0]])
     arms = np.array([[ARM, 0.0], [0.0, 0.0]])  # the peg is the second body's own place

@@ -36,7 +36,7 @@ def film(
     start: Sequence[float],
     seconds: float,
 ) -> Scene:
-    """The right equations and the wrong ones from one start."""
+    """Return the right equations and the wrong ones from one start."""
     times = frame_times(seconds)
     correct, wrong = (solve(rates, times, start, parameters=parameters, rtol=1e-9) for rates in equations)
     lengths = parameters["lengths"]
@@ -72,7 +72,7 @@ def _pendulum(states: Array, lengths: Sequence[float], color: int, name: str) ->
 
 
 def _orders(errors: Callable[..., Any]) -> list[Shape]:
-    """A line for each method and equation, in logarithms: its slope is the order."""
+    """Return a line for each method and equation, in logarithms: its slope is the order."""
     curves = {method: np.log10(errors(method, STEPS)) for method in METHODS}
     steps = np.log10(STEPS)
     axes, to_points = graph(

@@ -28,7 +28,7 @@ SPOKES = np.arange(6) * np.pi / 3  # rad
 
 
 def film(frames: Any, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """A spring pulls a particle to the centre of a turntable, on which nothing rubs.
+    """Return a spring pulls a particle to the centre of a turntable, on which nothing rubs.
 
     frames : the lecture's functions
     """
@@ -72,7 +72,7 @@ def _table(times: Array, states: Array, parameters: Mapping[str, float], rim: fl
 
 
 def _forces(frames: Any, seen: Array, parameters: Mapping[str, float], rim: float) -> list[Shape]:
-    """The forces that only the observer on the turntable adds."""
+    """Return the forces that only the observer on the turntable adds."""
     forces = {
         name: np.array([force(state, **parameters) for state in seen])
         for name, force in (("Coriolis", frames.coriolis), ("centrifugal", frames.centrifugal))

@@ -19,7 +19,7 @@ LARGE = 1e-3  # of the range: a pixel
 
 
 def film(student: Student, parameters: Mapping[str, Any]) -> Scene:
-    """Each ball flies until it is back at launch height."""
+    """Return each ball flies until it is back at launch height."""
     speed, ball = parameters["speed"], {name: parameters[name] for name in ("mass", "drag", "gravity")}
     best = float(student("best_angle", speed, **ball, shape=()))
     angles = sorted([*map(math.radians, ANGLES), best])

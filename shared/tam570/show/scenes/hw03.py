@@ -92,7 +92,7 @@ def _points(r_p: Array, r_c: Array) -> list[Shape]:
 
 
 def _arrow(tail: Array, vector: Array, all_of_them: dict[str, Array], color: int, name: str, width: float = 3) -> Shape:
-    """An arrow; the longest of all of them has 3 m."""
+    """Return an arrow; the longest of all of them has 3 m."""
     longest = max(float(np.linalg.norm(vectors, axis=1).max()) for vectors in all_of_them.values()) or 1.0
     return Shape("arrow", moving(tail, tail + 3.0 * vector / longest), color, name, width=width)
 
@@ -109,7 +109,7 @@ def _discrepancies(student: Student, times: Array, motion: list[Array], mass: fl
 
 
 def _checked(student: Student, times: Array, rates: dict[str, Array], mass: float) -> TimePlot:
-    """The rates beside differences of the student's own angular momentum."""
+    """Return the rates beside differences of the student's own angular momentum."""
     shown = plot_samples(times)
     scale = max(float(np.linalg.norm(rate, axis=1).max()) for rate in rates.values()) or 1.0
     off = {

@@ -34,7 +34,7 @@ VIEWS = {"by project(), along x": (0.0, 0.0), "by project(), from above": (-pi /
 
 
 def film(student: Student, spring: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
-    """The mass in space, and two projections of it at right angles."""
+    """Return the mass in space, and two projections of it at right angles."""
     times, notes = frame_times(seconds), list[str]()
     r, v = np.array(start[:3]), np.array(start[3:])
     states = student("simulate", times, r, v, **spring, shape=(len(times), 6))

@@ -91,7 +91,7 @@ def _live(student: Student, parameters: Mapping[str, Any], start: Sequence[float
 
 
 def _forces(student: Student, states: Array, parameters: Mapping[str, Any]) -> list[Shape]:
-    """The force of the rod, and the weight beside it."""
+    """Return the force of the rod, and the weight beside it."""
     weight = parameters["mass"] * parameters["gravity"] * np.array([0.0, -1.0])
     force = student.each("constraint_force", states, **parameters, shape=(2,))
     unit, point = ARROW * parameters["length"] / (np.linalg.norm(weight) or 1.0), states[:, :2]  # m/N
@@ -110,7 +110,7 @@ def _energy(student: Student, times: Array, states: Array, parameters: Mapping[s
 
 
 def _rod(student: Student, times: Array, states: Array, parameters: Mapping[str, Any]) -> TimePlot:
-    """The pull of the rod, below 0 where it pushes; and whether the particle stays on its circle."""
+    """Return the pull of the rod, below 0 where it pushes; and whether the particle stays on its circle."""
     shown = plot_samples(times)
     force = student.each("constraint_force", states[shown], **parameters, shape=(2,))
     distance = np.hypot(*states[shown, :2].T)

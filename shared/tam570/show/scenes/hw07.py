@@ -33,7 +33,7 @@ SECONDS = 20.0
 
 
 def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
-    """The motion of part (d)."""
+    """Return the motion of part (d)."""
     times, notes = frame_times(seconds), list[str]()
     arguments = {name: np.array(value) for name, value in parameters.items() if name != "gravity"}
     arguments["gravity"] = parameters["gravity"]
@@ -63,7 +63,7 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
 
 
 def _forces(notes: list[str], student: Student, states: Array, parameters: Mapping[str, Any]) -> list[Shape]:
-    """The forces that the student draws on either bar."""
+    """Return the forces that the student draws on either bar."""
     size, shapes = 0.3 * float(np.mean(parameters["lengths"])), list[Shape]()
     for bar in (1, 2):
         shapes += force_shapes(

@@ -66,7 +66,7 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
 
 
 def _live(student: Student, inertia: Array, size: Array, spin: Array) -> Live:
-    """The state is R, row by row, and omega in the body; a hand takes the tip of omega."""
+    """Return the state is R, row by row, and omega in the body; a hand takes the tip of omega."""
     euler, attitude, energy = (student.function(name) for name in ("euler_equations", "attitude_rate", "energy"))
     reach = 1.5 / float(np.linalg.norm(spin))  # m per rad/s
     names = [f"R{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
@@ -169,7 +169,10 @@ def _ellipsoids(student: Student, omegas: Array, inertia: Array) -> Panel:
 
 
 def _meeting(energy: float, momentum: float, inertia: Array) -> list[Array]:
-    """The two closed curves (n, 3) on which omega has this energy and this |H|; in squares they are straight lines."""
+    """Return the two closed curves (n, 3) on which omega has this energy and this |H|.
+
+    In squares they are straight lines.
+    """
     order = np.argsort(inertia)
     a, b, c = inertia[order]
     if c - a < 1e-9 * c:

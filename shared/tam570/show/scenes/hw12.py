@@ -32,7 +32,7 @@ ARROW = 0.4  # m, of the weight
 
 
 def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
-    """The bead, and the forces on it as a polygon that closes with m a."""
+    """Return the bead, and the forces on it as a polygon that closes with m a."""
     times, notes = frame_times(seconds), list[str]()
     wire = {name: parameters[name] for name in ("curvature", "gravity")}
     states = student("simulate", times, *start, **wire, shape=(len(times), 2))

@@ -101,7 +101,7 @@ def _naive(student: Student, times: Array, start: Sequence[float], parameters: M
 
 
 def _forces(notes: list[str], student: Student, phi: Array, parameters: Mapping[str, Any]) -> list[Shape]:
-    """The forces that the student draws, in axes down the ramp and off it from the centre of the cylinder."""
+    """Return the forces that the student draws, in axes down the ramp and off it from the centre of the cylinder."""
     slope, radius = parameters["slope"], parameters["radius"]
     axes = np.array([[np.cos(slope), -np.sin(slope)], [np.sin(slope), np.cos(slope)]])
     arguments = {name: parameters[name] for name in ("mass", "radius", "offset", "slope", "gravity")}

@@ -43,7 +43,7 @@ LARGE = 1e-3  # of the radius, between the two simulations
 
 
 def film(student: Student, disk: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
-    """A disk that is rolled off with a lean."""
+    """Return a disk that is rolled off with a lean."""
     times, notes = frame_times(seconds), list[str]()
     states = student("simulate_euler", times, np.array(start), **disk, shape=(len(times), 8))
     frame = student.each("wireframe", states, radius=disk["radius"], sides=SIDES, shape=(SIDES + 2, 2, 3))
@@ -121,7 +121,7 @@ def _energy(student: Student, times: Array, states: Array, disk: Mapping[str, An
 
 
 def _tilt(student: Student, times: Array, states_by_angles: Array, frame: Array, disk: Mapping[str, Any]) -> TimePlot:
-    """The tilt; and the centre by the matrices beside that by the Euler angles, the middle of a diameter."""
+    """Return the tilt; and the centre by the matrices beside that by the Euler angles, the middle of a diameter."""
     first = student("matrix_state", states_by_angles[0], radius=disk["radius"], shape=(15,))
     states = student("simulate_matrix", times, first, **disk, shape=(len(times), 15))
     shown = plot_samples(times)

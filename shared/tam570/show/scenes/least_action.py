@@ -15,7 +15,7 @@ SAME = 1e-3  # rad, between two paths that are one
 
 
 def paths(least: Array, swing: Array, duration: float, action: Callable[[Array], float]) -> Scene:
-    """The swing, which is a motion, among its neighbours; and the path of least action.
+    """Return the swing, which is a motion, among its neighbours; and the path of least action.
 
     least, swing : (n,) rad at even times over duration, s
     action       : of such a path, m^2/s
@@ -52,7 +52,7 @@ def paths(least: Array, swing: Array, duration: float, action: Callable[[Array],
 
 
 def _actions(times: Array, least: Array, swing: Array, action: Callable[[Array], float]) -> Panel:
-    """The action over the size of a bump that is added to the swing: a minimum at 0, or none."""
+    """Return the action over the size of a bump that is added to the swing: a minimum at 0, or none."""
     sizes, bump = np.linspace(-1.0, 1.0, 41), np.sin(np.pi * times / times[-1])
     values = np.array([action(swing + size * bump) for size in sizes])
     axes, to_points = graph(sizes, values, ("size of the bump (rad)", "action"))

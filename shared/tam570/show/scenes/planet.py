@@ -27,7 +27,7 @@ FIRST = 18
 
 
 def film(rates: Any, elements: Any, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """All in the plane of the orbit, its x axis towards the planet at the start."""
+    """Return all in the plane of the orbit, its x axis towards the planet at the start."""
     times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters, rtol=1e-9)
     period = min(elements(start, **parameters)["period"], seconds)
@@ -85,7 +85,7 @@ def _polygon(start: Array, step: float, count: int, gm: float) -> Array:
 
 
 def _scene(corners: Array, count: int, last: NDArray[np.int64], planet: Array, color: int, name: str) -> list[Shape]:
-    """The planet, rays to the corners, and the area that has been swept since the last of them."""
+    """Return the planet, rays to the corners, and the area that has been swept since the last of them."""
     seen = corners[: count + 1]  # of the first orbit
     rays = np.stack([np.zeros_like(seen), seen], axis=1).reshape(-1, 2)
     return [

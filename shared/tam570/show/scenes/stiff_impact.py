@@ -30,7 +30,7 @@ RATIOS = (0.05, 1.0, 20.0)  # of the second spring's stiffness to the first
 
 
 def film(lecture: Any, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """The ball bounces in its own time; beside it is what does not depend on time.
+    """Return the ball bounces in its own time; beside it is what does not depend on time.
 
     lecture : its functions
     """
@@ -91,7 +91,7 @@ def _pushes(lecture: Any, parameters: Mapping[str, float], speed: float) -> list
 
 
 def _impulses(lecture: Any) -> list[Shape]:
-    """The plane of both impulses: the ellipse that keeps the energy, and the way there for each ratio."""
+    """Return the plane of both impulses: the ellipse that keeps the energy, and the way there for each ratio."""
     ways = [lecture.rod_states((1.0, ratio), **ROD)[:, 4:] for ratio in RATIOS]
     ellipse = _ellipse()
     both = np.concatenate([ellipse, *ways])

@@ -15,7 +15,7 @@ WHEEL = 0.3  # m
 
 
 def film(by_one_point: Any, parameters: Mapping[str, Any]) -> Scene:
-    """What cannot brake without lifting an axle is a note."""
+    """Return what cannot brake without lifting an axle is a note."""
     result: dict[str, tuple[float, float, float]] = {}
     notes = []
     for locked in LOCKED:
@@ -77,7 +77,7 @@ def _car(times: Array, motion: tuple[float, float, float], parameters: Mapping[s
 
 
 def _nice_point(at: Array, tips: Mapping[str, Array], locked: str, friction: float) -> list[Shape]:
-    """Where the line of the locked axle's force meets the upright one of the free axle's."""
+    """Return where the line of the locked axle's force meets the upright one of the free axle's."""
     free = "rear" if locked == "front" else "front"
     height = (tips[locked][0] - tips[free][0]) / friction
     point = at + tips[free] + [0.0, height]

@@ -20,7 +20,10 @@ Shapes: TypeAlias = list[Shape]
 
 
 def live_lecture(module: Any, name: str, parameters: Parameters, start: Sequence[float], scene: Scene) -> Live | None:
-    """The lecture of this name as equations, by the functions of a module, which may be a copy; None if it has none."""
+    """Return the lecture of this name as equations, by the functions of a module, which may be a copy.
+
+    None if it has none.
+    """
     if name not in DRAWN:
         return None
     draw, handles, at_rest = DRAWN[name](scene)
@@ -33,7 +36,7 @@ def live_lecture(module: Any, name: str, parameters: Parameters, start: Sequence
 
 
 def _energies(module: Any, at_rest: int) -> dict[str, Callable[..., Any]]:
-    """The lecture's energy, and what of it is left if the state's numbers from `at_rest` on are 0."""
+    """Return the lecture's energy, and what of it is left if the state's numbers from `at_rest` on are 0."""
     energy = getattr(module, "energy", None)
     if energy is None:
         name, law = next(iter(module.INVARIANTS.items()))
@@ -50,7 +53,7 @@ Drawn: TypeAlias = tuple[Callable[[State, Parameters], Shapes], list[Handle], in
 
 
 def _throw(first: int, count: int, panel: int = 0) -> Handle:
-    """A hand that moves the coordinates from `first` on and keeps all else."""
+    """Return a hand that moves the coordinates from `first` on and keeps all else."""
     return Handle(
         lambda state, **parameters: state[first : first + count],
         lambda point, state, **parameters: [*state[:first], *point[:count], *state[first + count :]],
@@ -304,7 +307,7 @@ def _stiff_impact(scene: Scene) -> Drawn:
 
 
 def _turning(scene: Scene) -> Drawn:
-    """A free body by its matrix; a hand takes the tip of omega, whose components are in space or in the body."""
+    """Return a free body by its matrix; a hand takes the tip of omega, whose components are in space or in the body."""
     in_space = scene.title.startswith("Drifting")
     moments = np.array(scene.settings["inertia"])
     size = np.sqrt(np.maximum(moments.sum() / 2 - moments, 0.05 * moments.max()))

@@ -87,7 +87,7 @@ def _ground() -> list[Shape]:
 
 
 def _top(states: Array, color: int, name: str) -> list[Shape]:
-    """The axis, its disk and where its end has been; states (n, 6)."""
+    """Return the axis, its disk and where its end has been; states (n, 6)."""
     psi, theta, phi = states[:, :3].T
     node = np.column_stack([np.cos(psi), np.sin(psi), 0 * psi])
     axis = np.column_stack([np.sin(theta) * np.sin(psi), -np.sin(theta) * np.cos(psi), np.cos(theta)])

@@ -25,7 +25,7 @@ SHARES = (0.1, 0.3, 1.0, 4.0)  # of the stiffness
 
 
 def film(rates: Any, rigid: Any, parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
-    """A truss that is thrown and turns."""
+    """Return a truss that is thrown and turns."""
     times = frame_times(seconds)
     body = rigid(times, start, **parameters)
     stiffness = parameters["stiffness"]
