@@ -149,7 +149,7 @@ def grade(zygotes):
         source = Source(text.encode() if isinstance(text, str) else text, notebook)
         zygote = zygotes(slug, limits or ResourceLimits(), source.text)
         return graded(
-            "someone", source, assignments.assignment(COURSE, slug), zygote, seed, asked=CheckOptions(naming=naming)
+            "someone", source, assignments.assignment(COURSE, slug), zygote, seed, options=CheckOptions(naming=naming)
         )
 
     return grade

@@ -44,7 +44,7 @@ def tried(grading: Grading, recorder: Recorder | None = None) -> Result:
     needs = sorted({*assignment.needs, *imported(source.text)})
     asked = CheckOptions(grading.enough, recorder, grading.naming)
     return pool.tried(
-        lambda zygote, _: graded(grading.name, source, assignment, zygote, grading.seed, asked=asked),
+        lambda zygote, _: graded(grading.name, source, assignment, zygote, grading.seed, options=asked),
         needs,
         grading.limits,
         [grading.course],

@@ -80,7 +80,7 @@ def grade(paths: Iterable[str | Path], config: RunConfig) -> Iterator[Result]:
     """Yield the results of what is at these paths: see `tam570_grader.grade`."""
     places = [Path(path) for path in paths]
     everyone = submissions(places, assignments.slugs(config.course))
-    hidden = [config.course, *config.hidden, *(place.resolve() for place in places)]
+    hidden = [config.course, *config.hidden, *(folder.resolve() for folder in places)]
     for record in records(replace(config, submissions=everyone, hidden=hidden)):
         yield result_records.read(record)
 
@@ -99,15 +99,18 @@ def outcomes(
 ) -> Iterator[CachedResult | Record]:
     """Yield the same as `records`, but what is known is not read."""
     places = (*old, *([store] if store is not None else ()))
-    known = {
-        line.digest: CachedResult(place, key) for place in places for key, line in place.lines.items() if line.scored
+    cached = {
+        line.digest: CachedResult(results, key)
+        for results in places
+        for key, line in results.lines.items()
+        if line.scored
     }
     engine = _engine_digest(config)
     fresh, held, users = list[tuple[Submission, GradeTask | None]](), 0, Counter[str]()
     for submission in config.submissions:
         task = _task(config, engine, submission)
-        if task.digest in known:
-            yield _noted(known[task.digest], store)
+        if task.digest in cached:
+            yield _noted(cached[task.digest], store)
             continue
         text = task.source.text if isinstance(task.source, Source) else b""
         users.update(imported(text))
@@ -130,11 +133,11 @@ def digests(config: RunConfig) -> Iterator[tuple[str, str, str]]:
         yield submission.student, submission.slug, _task(config, engine, submission).digest
 
 
-def _noted(known: CachedResult, store: ResultStore | None) -> CachedResult:
+def _noted(cached: CachedResult, store: ResultStore | None) -> CachedResult:
     """Return a result that is known already, in the book too."""
-    if store is not None and known.place is not store:
-        store.add(known.record)
-    return known
+    if store is not None and cached.place is not store:
+        store.add(cached.record)
+    return cached
 
 
 def lines(config: RunConfig, tasks: Iterable[GradeTask], count: int, preload: Sequence[str] = ()) -> Iterator[bytes]:
@@ -144,15 +147,15 @@ def lines(config: RunConfig, tasks: Iterable[GradeTask], count: int, preload: Se
         if not count:
             return
         if config.cluster:
-            slugs = sorted({one.slug for one in config.submissions})
+            slugs = sorted({submission.slug for submission in config.submissions})
             executor = stack.enter_context(config.cluster.executor(config.course, slugs, config.jobs))
         else:
             executor = stack.enter_context(crew_here(jobs))
         conditions = WorkerConfig(
             config.limits, _hidden(config), tuple(preload), config.speed, _shared(config, jobs, stack)
         )
-        asked = (replace(task, conditions=conditions) for task in tasks)
-        for _, task, line in finished(executor, supervisor.line, asked, count):
+        configured = (replace(task, conditions=conditions) for task in tasks)
+        for _, task, line in finished(executor, supervisor.line, configured, count):
             yield supervisor.lost(task, str(line)) if isinstance(line, WorkerLost) else line
 
 
@@ -187,9 +190,9 @@ def _source(submission: Submission) -> Source | CannotRead:
 def _digest(engine: bytes, config: RunConfig, submission: Submission, source: Source | CannotRead) -> str:
     """Return a name for all that the result depends on."""
     text = source.text if isinstance(source, Source) else str(source).encode()
-    kind = type(source).__name__ + (".ipynb" if isinstance(source, Source) and source.notebook else "")
+    kind_name = type(source).__name__ + (".ipynb" if isinstance(source, Source) and source.notebook else "")
     parts = (  # each with its length: no two lists of them are the same text
-        kind.encode(),
+        kind_name.encode(),
         submission.student.encode(),
         submission.slug.encode(),
         text,
@@ -202,7 +205,7 @@ def _digest(engine: bytes, config: RunConfig, submission: Submission, source: So
 
 def _engine_digest(config: RunConfig) -> bytes:
     """Of the limits, of what keeps submissions apart, and of all code but the assignment's."""
-    asked = (
+    names = (
         config.limits,
         config.cluster.isolation if config.cluster else isolation(),
         sys.version,
@@ -210,9 +213,9 @@ def _engine_digest(config: RunConfig) -> bytes:
         _installed(),
         *(("speed",) if config.speed else ()),
     )
-    return hashlib.sha256(repr(asked).encode() + assignments.engine_digest()).digest()
+    return hashlib.sha256(repr(names).encode() + assignments.engine_digest()).digest()
 
 
 def _installed() -> list[str]:
     """Names and versions of the libraries, by their folders: importlib.metadata takes longer."""
-    return sorted(found.name for folder in sys.path if folder for found in Path(folder).glob("*-info"))
+    return sorted(info.name for folder in sys.path if folder for info in Path(folder).glob("*-info"))

@@ -114,8 +114,8 @@ def _security(folder: Path | None) -> Any:
 
     assert folder is not None
     certificate, key = files(folder)
-    told = {"tls_ca_file": certificate, "tls_client_cert": certificate, "tls_client_key": key}
-    return importlib.import_module("distributed").Security(require_encryption=True, **told)
+    tls = {"tls_ca_file": certificate, "tls_client_cert": certificate, "tls_client_key": key}
+    return importlib.import_module("distributed").Security(require_encryption=True, **tls)
 
 
 def _must_fit(client: Any, name: str, address: str) -> None:

@@ -50,7 +50,11 @@ class Course(WorkerPlugin):
     def _refusal(self) -> str:
         """Return why this worker would not grade as the head asks, and the remedy; "" if it would."""
         mine = _kind()
-        other = [f"{what} {mine[what]}, not {head}" for what, head in self.head.items() if mine[what] != head]
+        other = [
+            f"{what} {mine[what]}, not {coordinators}"
+            for what, coordinators in self.head.items()
+            if mine[what] != coordinators
+        ]
         if other:
             return f"it has {'; '.join(other)}: install there what the machine has that hands out"
         if isolation() != "bubblewrap" and not self.unconfined:
@@ -63,8 +67,8 @@ def course_for(root: Path, slugs: Sequence[str], unconfined: bool) -> Course:
     paths = [root / "solutions" / f"{slug}.py" for slug in slugs]
     for slug in slugs:
         paths += [path for path in assignments.checks_folder(root, slug).rglob("*") if path.is_file()]
-    kept = [path for path in paths if "__pycache__" not in path.parts]
-    return Course({path.relative_to(root).as_posix(): path.read_bytes() for path in sorted(kept)}, unconfined)
+    sources = [path for path in paths if "__pycache__" not in path.parts]
+    return Course({path.relative_to(root).as_posix(): path.read_bytes() for path in sorted(sources)}, unconfined)
 
 
 def refusal(name: str) -> str:

@@ -71,7 +71,7 @@ def finished(
     tasks : read only when they can be handed out
     count : how many there are, if known; many are handed out in bunches, which become smaller towards the end
     """
-    left, waiting = enumerate(tasks), dict[Future[list[Outcome]], tuple[list[tuple[int, Task]], int]]()
+    remaining, waiting = enumerate(tasks), dict[Future[list[Outcome]], tuple[list[tuple[int, Task]], int]]()
     sent, ended = partial(_each, executor.sent(work)), SimpleQueue[Future[list[Outcome]]]()
 
     def hand_out(chunk: list[tuple[int, Task]], tries: int = 1) -> int:
@@ -82,7 +82,7 @@ def finished(
 
     while True:
         while len(waiting) < (prefetch := executor.prefetch()) and (
-            chunk := [*islice(left, _together(count, prefetch))]
+            chunk := [*islice(remaining, _together(count, prefetch))]
         ):
             count -= hand_out(chunk)
         if not waiting:
@@ -115,9 +115,9 @@ def _each(work: Callable[[Task], Outcome], tasks: Sequence[Task]) -> list[Outcom
     return [work(task) for task in tasks]
 
 
-def _together(left: int, prefetch: int) -> int:
+def _together(remaining: int, prefetch: int) -> int:
     """Return how many of the tasks that are left to hand out now: the processes shall end at the same time."""
-    return max(1, min(CHUNK, left // (2 * prefetch))) if prefetch > 1 else 1
+    return max(1, min(CHUNK, remaining // (2 * prefetch))) if prefetch > 1 else 1
 
 
 def in_order(executor: TaskExecutor, work: Callable[[Task], Outcome], tasks: Iterable[Task]) -> Iterator[Outcome]:

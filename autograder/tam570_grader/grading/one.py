@@ -58,7 +58,7 @@ def graded(
     seed: int,
     yardstick: Yardstick | None = None,
     attempt: Attempt = ONLY,
-    asked: CheckOptions = CheckOptions(),  # noqa: B008  it is frozen
+    options: CheckOptions = CheckOptions(),  # noqa: B008  it is frozen
 ) -> Result:
     """Grade one submission of the student `name`; the same submission and seed give the same score.
 
@@ -68,33 +68,33 @@ def graded(
     student = Student(source, assignment, zygote, attempt)
     check_results: dict[str, CheckResult] = {}
     causes: dict[str, Cause] = {}
-    status, note, speed = "graded", "", None
+    status, message, speed = "graded", "", None
     try:
         student.load()
         for check in assignment.checks:
             if (
-                not asked.enough
-                or sum(check_result.outcome == "failed" for check_result in check_results.values()) < asked.enough
+                not options.enough
+                or sum(check_result.outcome == "failed" for check_result in check_results.values()) < options.enough
             ):
                 check_results[check.name] = _check_result(
-                    check, student, assignment, seed, check_results, causes, asked
+                    check, student, assignment, seed, check_results, causes, options
                 )
-        note = _skipped(student.skipped)
+        message = _skipped(student.skipped)
         speed = yardstick.speed(student, assignment, zygote) if yardstick else None
-        if not asked.enough:
+        if not options.enough:
             _judge_consequences(student, assignment, seed, check_results, causes)
     except (NotLoaded, BudgetSpent) as ended:
-        status, note = ended.status, str(ended)
+        status, message = ended.status, str(ended)
     finally:
         student.leave()
-    rest = tuple(check_results.get(check.name) or _not_run(check, note) for check in assignment.checks)
-    return replace(_result(name, assignment, status, seed, rest, note, time.perf_counter() - started), speed=speed)
+    rest = tuple(check_results.get(check.name) or _not_run(check, message) for check in assignment.checks)
+    return replace(_result(name, assignment, status, seed, rest, message, time.perf_counter() - started), speed=speed)
 
 
-def not_graded(name: str, assignment: LoadedAssignment, status: str, note: str, seed: int) -> Result:
+def not_graded(name: str, assignment: LoadedAssignment, status: str, message: str, seed: int) -> Result:
     """Return the result of a submission that is missing or cannot be read: score 0, no check run."""
-    check_results = tuple(_not_run(check, note) for check in assignment.checks)
-    return _result(name, assignment, status, seed, check_results, note)
+    check_results = tuple(_not_run(check, message) for check in assignment.checks)
+    return _result(name, assignment, status, seed, check_results, message)
 
 
 def failed_by_us(name: str, assignment: LoadedAssignment, error: str, seed: int) -> Result:
@@ -114,13 +114,13 @@ def _result(
     status: str,
     seed: int,
     check_results: tuple[CheckResult, ...],
-    note: str,
+    message: str,
     seconds: float = 0.0,
 ) -> Result:
     points = [check_result.points for check_result in check_results]
     score = None if None in points else round(sum(p for p in points if p is not None), 6)
-    most, taken = assignment.max_score, round(seconds, 3)
-    return Result(name, assignment.slug, status, score, most, seed, taken, isolation(), check_results, note)
+    most, elapsed = assignment.max_score, round(seconds, 3)
+    return Result(name, assignment.slug, status, score, most, seed, elapsed, isolation(), check_results, message)
 
 
 def _check_result(
@@ -130,19 +130,19 @@ def _check_result(
     seed: int,
     check_results: dict[str, CheckResult],
     causes: dict[str, Cause],
-    asked: CheckOptions,
+    options: CheckOptions,
 ) -> CheckResult:
     """Run one check, unless one that it builds on is wrong or missing."""
     missing = [other.name for other in check.after if not check_results[other.name].unlocks_dependents]
     if missing:
         return _not_run(check, f"Not run: it needs “{_line(assignment.checks, missing[0])}” to pass first.")
-    listens = asked.recorder and partial(asked.recorder, check.name)
+    listens = options.recorder and partial(options.recorder, check.name)
     try:
         _judge(check, student, assignment, seed, listens)
     except NotWritten as unwritten:
         return _not_run(check, student.describe_missing(str(unwritten)), unwritten=str(unwritten))
     except Failed as failed:
-        cause, fault = _cause(check, student, assignment, seed, causes) if asked.naming else (None, "")
+        cause, fault = _cause(check, student, assignment, seed, causes) if options.naming else (None, "")
         if cause:
             causes[check.name] = cause
         return _failed(check, failed, cause, fault)
@@ -189,7 +189,7 @@ def _cause(
 
 def _earlier(causes: Mapping[str, Cause]) -> list[Cause]:
     """Return the causes from which something may follow, by the functions in which they were named first."""
-    return [replace(one, function=one.follows_from or one.function) for one in causes.values() if one.answers]
+    return [replace(cause, function=cause.follows_from or cause.function) for cause in causes.values() if cause.answers]
 
 
 def _following(
@@ -222,7 +222,7 @@ def _judge_consequences(
     """
     for check in assignment.checks if causes else ():
         before = {other.name: check_results[other.name] for other in check.after}
-        ready = all(one.unlocks_dependents or name in causes for name, one in before.items())
+        ready = all(check_result.unlocks_dependents or name in causes for name, check_result in before.items())
         if check_results[check.name].outcome == "not_run" and ready and not check_results[check.name].unwritten:
             functions = {causes[name].follows_from or causes[name].function for name in before if name in causes}
             try:
@@ -254,8 +254,8 @@ def _consequence(
         raise
     except Exception:  # it was not run before, and is not now
         return None
-    called = {call.name for call in student.calls} or {check.function}
-    return _passed(check) if any(name not in functions for name in called) else None
+    function_names = {call.name for call in student.calls} or {check.function}
+    return _passed(check) if any(name not in functions for name in function_names) else None
 
 
 def _is_drawn(assignment: LoadedAssignment, call: Called) -> bool:
@@ -269,15 +269,15 @@ def _passed(check: Check) -> CheckResult:
 
 def _failed(check: Check, failed: Failed, cause: Cause | None, fault: str = "") -> CheckResult:
     suspect, follows_from = (cause.message or None, cause.follows_from) if cause else (None, "")
-    own = cause is None or follows_from in ("", cause.function)
-    share = failed.share if own else max(failed.share, FOLLOWING_SHARE)
+    is_cause = cause is None or follows_from in ("", cause.function)
+    share = failed.share if is_cause else max(failed.share, FOLLOWING_SHARE)
     failure = failed.failure.named(suspect, follows_from, fault or failed.failure.fault)
     points, message = round(share * check.points, 6), full_message(failure)
     return CheckResult(check.name, check.part, points, check.points, "failed", message, suspect, failure)
 
 
-def _not_run(check: Check, note: str, unwritten: str = "") -> CheckResult:
-    return CheckResult(check.name, check.part, 0.0, check.points, "not_run", note, unwritten=unwritten)
+def _not_run(check: Check, message: str, unwritten: str = "") -> CheckResult:
+    return CheckResult(check.name, check.part, 0.0, check.points, "not_run", message, unwritten=unwritten)
 
 
 def _grader_error(check: Check, error: str) -> CheckResult:

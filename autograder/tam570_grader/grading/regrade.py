@@ -34,7 +34,7 @@ def change(old: Record | None, new: Record) -> Change | None:
 
 
 def gone(
-    old: Mapping[Key, Record], found: Sequence[Submission], paths: Iterable[Path], asked: Container[str]
+    old: Mapping[Key, Record], submissions: Sequence[Submission], paths: Iterable[Path], slugs: Container[str]
 ) -> list[Change]:
     """Return what was handed in and is no longer.
 
@@ -44,14 +44,14 @@ def gone(
     asked : the assignments that are graded
     """
     folders = {path.absolute() for path in paths}
-    inside = [one for one in found if one.tree.parent in folders]
-    is_tree = any(slug_of(one.tree.name, [one.slug]) is None for one in inside)
-    students = {one.student for one in inside}
-    here = {(one.student, one.slug) for one in found}
+    present = [submission for submission in submissions if submission.tree.parent in folders]
+    is_tree = any(slug_of(submission.tree.name, [submission.slug]) is None for submission in present)
+    students = {submission.student for submission in present}
+    here = {(submission.student, submission.slug) for submission in submissions}
     return [
         Change(record["student"], record["assignment"], record["score"], None, ("no longer handed in",))
         for record in old.values()
-        if key_of(record) not in here and record["assignment"] in asked and (is_tree or record["student"] in students)
+        if key_of(record) not in here and record["assignment"] in slugs and (is_tree or record["student"] in students)
     ]
 
 
@@ -82,19 +82,19 @@ def _check_result(check_result: Record | None) -> str:
 
 def table(changes: Iterable[Change], compared: int) -> str:
     """Return the changes for a terminal, the largest first."""
-    ordered = sorted(changes, key=lambda one: (-abs(_difference(one)), one.assignment, one.student))
+    ordered = sorted(changes, key=lambda change: (-abs(_difference(change)), change.assignment, change.student))
     if not ordered:
         return f"no score changes ({compared} compared)"
     lines = [f"{len(ordered)} of {compared} scores change"]
-    for one in ordered:
-        gain = f"{_difference(one):+g}" if None not in (one.old, one.new) else "?"
-        lines.append(f"{one.student}  {one.assignment}  {_number(one.old)} -> {_number(one.new)}  ({gain})")
-        lines += [f"    {why}" for why in one.because]
+    for change in ordered:
+        gain = f"{_difference(change):+g}" if None not in (change.old, change.new) else "?"
+        lines.append(f"{change.student}  {change.assignment}  {_number(change.old)} -> {_number(change.new)}  ({gain})")
+        lines += [f"    {why}" for why in change.because]
     return "\n".join(lines)
 
 
-def _difference(one: Change) -> float:
-    return round((one.new or 0.0) - (one.old or 0.0), 6)
+def _difference(change: Change) -> float:
+    return round((change.new or 0.0) - (change.old or 0.0), 6)
 
 
 def _number(points: float | None) -> str:

@@ -72,18 +72,20 @@ def people(path: Path) -> list[Person]:
     """
     rows = table(path)
     lower = [_heading(text) for text in rows[0]]
-    known = {*IDS, *NAMES, *(part for pair in PARTS for part in pair)}
-    if not known & set(lower):
+    headings = {*IDS, *NAMES, *(part for pair in PARTS for part in pair)}
+    if not headings & set(lower):
         if len(rows[0]) > 1:
             raise UsageError(
                 f"{path} has the headings {', '.join(rows[0])[:300]}; none is known. Export it in English, or rename "
-                f"them: {', '.join(sorted(known))}"
+                f"them: {', '.join(sorted(headings))}"
             )
         lower, rows = ["login"], [["login"], *rows]
     padded = ([*row, *[""] * (len(lower) - len(row))] for row in rows[1:])
-    found = [_person(dict(zip(rows[0], row, strict=False)), dict(zip(lower, row, strict=False))) for row in padded]
+    persons = [_person(dict(zip(rows[0], row, strict=False)), dict(zip(lower, row, strict=False))) for row in padded]
     is_canvas = {"id", "section"} <= set(lower)
-    return [one for one in found if one.keys and not (is_canvas and letters(one.name) == letters(NOT_PEOPLE))]
+    return [
+        person for person in persons if person.keys and not (is_canvas and letters(person.name) == letters(NOT_PEOPLE))
+    ]
 
 
 def _heading(text: str) -> str:
@@ -95,12 +97,14 @@ def _person(row: Mapping[str, str], cells: Mapping[str, str]) -> Person:
     name = next((cells[key].strip() for key in NAMES if cells.get(key, "").strip()), "")
     joined = (" ".join(cells[part].strip() for part in pair) for pair in PARTS if set(pair) <= cells.keys())
     name = name or next(joined, "").strip()
-    own = [("login", "student")] if "student" in cells and "section" not in cells else []  # in Canvas's it is a name
+    extra = [("login", "student")] if "student" in cells and "section" not in cells else []  # in Canvas's it is a name
     if "github_username" in cells and "identifier" in cells:  # the roster of GitHub Classroom
-        own.append(("login", "identifier"))
-    columns = own + [(kind, key) for key, kind in IDS.items() if key in cells and key not in {used for _, used in own}]
-    found = [(kind, cells[key].strip().removeprefix(PARTICIPANT).lstrip("#")) for kind, key in columns]
-    keys = [pair for pair in found if pair[1]] if columns else [("login", name)] * bool(name)
+        extra.append(("login", "identifier"))
+    columns = extra + [
+        (id_kind, key) for key, id_kind in IDS.items() if key in cells and key not in {used for _, used in extra}
+    ]
+    pairs = [(id_kind, cells[key].strip().removeprefix(PARTICIPANT).lstrip("#")) for id_kind, key in columns]
+    keys = [pair for pair in pairs if pair[1]] if columns else [("login", name)] * bool(name)
     group = next((cells[key].strip() for key in GROUPS if cells.get(key, "").strip()), "")
     return Person(tuple(dict.fromkeys(keys)), name, row, group, cells.get(WHEN, "").strip())
 
@@ -123,12 +127,12 @@ class Directory:
         self.people = list(everyone)
         self._by: dict[tuple[str, str], list[Person]] = {}
         self._names: dict[str, list[Person]] = {}
-        for one in self.people:
-            for kind, value in one.keys:
-                self._by.setdefault((kind, _plain(value)), []).append(one)
-            if letters(one.name):
-                self._names.setdefault(letters(one.name), []).append(one)
-        self.kinds = {kind for kind, _ in self._by}
+        for person in self.people:
+            for id_kind, value in person.keys:
+                self._by.setdefault((id_kind, _plain(value)), []).append(person)
+            if letters(person.name):
+                self._names.setdefault(letters(person.name), []).append(person)
+        self.kinds = {id_kind for id_kind, _ in self._by}
 
     def owner(self, keys: Iterable[tuple[str, str]], name: str, *, must_agree: bool) -> Person | str:
         """Return whose ids these are; else a sentence on why they are nobody's, empty if they are on no row.
@@ -138,9 +142,9 @@ class Directory:
         must_agree : an id counts only if the name that comes with it is its owner's
         """
         keys = list(keys)
-        fits = list({id(one): one for key in keys for one in self._of(key)}.values())
+        fits = list({id(person): person for key in keys for person in self._of(key)}.values())
         if len(fits) > 1:
-            return f"its ids are those of {' and of '.join(sorted(one.ids[0] for one in fits))}: who is it?"
+            return f"its ids are those of {' and of '.join(sorted(person.ids[0] for person in fits))}: who is it?"
         if fits and must_agree and letters(name) and letters(fits[0].name) not in ("", letters(name)):
             return (
                 f"its number is {fits[0].ids[0]}'s, whose name is another; a group's work needs --groups, and Moodle's "
@@ -148,29 +152,29 @@ class Directory:
             )
         if fits:
             return fits[0]
-        named = self._names.get(letters(name), []) if not self.kinds & {kind for kind, _ in keys} else []
-        return named[0] if len(named) == 1 else ""
+        namesakes = self._names.get(letters(name), []) if not self.kinds & {id_kind for id_kind, _ in keys} else []
+        return namesakes[0] if len(namesakes) == 1 else ""
 
     def _of(self, key: tuple[str, str]) -> list[Person]:
         return self._by.get((key[0], _plain(key[1])), [])
 
     def number_of(self, keys: Iterable[tuple[str, str]]) -> list[Person]:
         """Everyone whom these ids fit, whatever their names."""
-        return [one for key in keys for one in self._of(key)]
+        return [person for key in keys for person in self._of(key)]
 
     @cached_property
     def by_folder(self) -> dict[str, Person]:
         """The person of each name that a folder may have: a login goes before a number of somebody else."""
-        found: dict[str, Person | None] = {}
-        for kind in KINDS:
+        by_name: dict[str, Person | None] = {}
+        for id_kind in KINDS:
             owners: dict[str, list[Person]] = {}
-            for (own, _), everyone in self._by.items():
-                for one in everyone if own == kind else ():
-                    for name in {folder_of(value) for key, value in one.keys if key == kind}:
-                        owners.setdefault(name, []).append(one)
+            for (key_kind, _), everyone in self._by.items():
+                for person in everyone if key_kind == id_kind else ():
+                    for name in {folder_of(value) for key, value in person.keys if key == id_kind}:
+                        owners.setdefault(name, []).append(person)
             for name, those in owners.items():
-                found.setdefault(name, those[0] if len({id(one) for one in those}) == 1 else None)
-        return {name: one for name, one in found.items() if one is not None}
+                by_name.setdefault(name, those[0] if len({id(person) for person in those}) == 1 else None)
+        return {name: person for name, person in by_name.items() if person is not None}
 
 
 def _plain(value: str) -> str:
@@ -179,32 +183,32 @@ def _plain(value: str) -> str:
 
 def groups(path: Path, everyone: Directory) -> dict[str, list[Person]]:
     """Read the members of each group, by `group_key`, from a table with a column of GROUPS and one of ids or names."""
-    found: dict[str, list[Person]] = {}
+    members: dict[str, list[Person]] = {}
     for row in people(path):
         if row.group:
             who = everyone.owner(row.keys, row.name, must_agree=False)
             if isinstance(who, str):
                 raise UsageError(f"{path}: {row.name or row.ids[0]} of group {row.group} is on no row of the roster")
-            found.setdefault(group_key(row.group), []).append(who)
-    return found
+            members.setdefault(group_key(row.group), []).append(who)
+    return members
 
 
-def students(path: Path, known: Collection[str] = ()) -> list[str]:
+def students(path: Path, folders: Collection[str] = ()) -> list[str]:
     """Return the students on a roster, as their folders are named.
 
     By the id that is known already, else by their login.
     """
     everyone = Directory(people(path))
-    here = {id(everyone.by_folder[name]): name for name in known if name in everyone.by_folder}
-    return [here.get(id(one), one.folder) for one in everyone.people]
+    here = {id(everyone.by_folder[name]): name for name in folders if name in everyone.by_folder}
+    return [here.get(id(person), person.folder) for person in everyone.people]
 
 
 def folders(path: Path) -> set[str]:
     """Return the names that the folders of the students on a roster may have."""
-    return {folder_of(value) for one in people(path) for value in one.ids}
+    return {folder_of(value) for person in people(path) for value in person.ids}
 
 
 def names(path: Path) -> dict[str, str]:
     """Return the name of each student on a roster, by every name that their folder may have; a bare list has none."""
-    found = Directory(people(path)).by_folder
-    return {folder: one.name for folder, one in found.items() if one.name and one.name not in one.ids}
+    owners = Directory(people(path)).by_folder
+    return {folder: person.name for folder, person in owners.items() if person.name and person.name not in person.ids}

@@ -16,12 +16,12 @@ SHORTEST_KEY = 16  # bytes
 OTHERS = 0o077  # of a file's mode: what others may do with it
 
 
-def seed(given: int | None, earlier: list[Any], key: bytes | None) -> int:
+def seed(chosen: int | None, earlier: list[Any], key: bytes | None) -> int:
     """Return the seed asked for, else that of the results that are there, else any."""
-    if key is not None or given is not None:
-        return given or 0
-    found = common_seed(one.seed for one in earlier if one)
-    return new_seed() if found is None else found
+    if key is not None or chosen is not None:
+        return chosen or 0
+    shared = common_seed(results.seed for results in earlier if results)
+    return new_seed() if shared is None else shared
 
 
 def new_seed() -> int:

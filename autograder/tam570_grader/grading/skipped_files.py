@@ -17,49 +17,49 @@ REMEDY = "name it after its assignment, as hw08.py, or name the assignment with 
 
 
 def skipped_files(
-    paths: Iterable[Path], found: Sequence[Submission], known: Sequence[str], students: Collection[str] = ()
+    paths: Iterable[Path], work: Sequence[Submission], slugs: Sequence[str], students: Collection[str] = ()
 ) -> Iterator[str]:
     """Yield a sentence for everything at these paths that no submission accounts for; it names the remedy.
 
     students : names of folders that are students', by a roster
     """
-    trees, graded = {one.tree for one in found}, {one.path for one in found}
+    trees, graded = {submission.tree for submission in work}, {submission.path for submission in work}
     for folder in paths:
         if not folder.is_dir() or folder.resolve() in trees:
             continue
-        is_class = holds_students(folder.absolute(), known, students)
+        is_class = holds_students(folder.absolute(), slugs, students)
         for entry, is_folder in entries(folder.absolute()):
-            is_students = is_folder and (is_class or not slug_of(entry.name, known))
+            is_students = is_folder and (is_class or not slug_of(entry.name, slugs))
             if entry in trees and is_students:
-                yield from _beside(entry, graded, known)
-            elif entry not in trees and entry not in graded and (is_students or not _names_another(entry, known)):
+                yield from _beside(entry, graded, slugs)
+            elif entry not in trees and entry not in graded and (is_students or not _names_another(entry, slugs)):
                 yield f"{_shown(entry)}{_holding(entry)} is not graded: no name in it tells the assignment; {REMEDY}"
 
 
-def _beside(own: Path, graded: set[Path | None], known: Sequence[str]) -> Iterator[str]:
+def _beside(folder: Path, graded: set[Path | None], slugs: Sequence[str]) -> Iterator[str]:
     """Yield what else a student's own folder holds that could be work."""
     try:
-        held = entries(own)
+        held = entries(folder)
     except BadPath:  # it has a row that says so
         return
     for entry, is_folder in held:
-        if entry in graded or GIVEN.fullmatch(entry.stem) or _names_another(entry, known):
+        if entry in graded or GIVEN.fullmatch(entry.stem) or _names_another(entry, slugs):
             continue
         if is_folder or form(entry.name) or entry.suffix.lower() in PACKED:
             yield f"{_shown(entry)} is not graded; {REMEDY}"
 
 
-def _names_another(entry: Path, known: Sequence[str]) -> bool:
+def _names_another(entry: Path, slugs: Sequence[str]) -> bool:
     """Return whether it is work on an assignment that was not asked for, or that has a row."""
     return bool(
-        slug_of(entry.name, known) or (not os.path.isdir(entry) and form(entry.name) and of_name(entry.name, known))
+        slug_of(entry.name, slugs) or (not os.path.isdir(entry) and form(entry.name) and of_name(entry.name, slugs))
     )
 
 
 def _holding(entry: Path) -> str:
     """Return the first files of a folder, in brackets."""
     try:
-        names = [printable(one.name[:80]) for one, _ in entries(entry)] if os.path.isdir(entry) else []
+        names = [printable(inner.name[:80]) for inner, _ in entries(entry)] if os.path.isdir(entry) else []
     except BadPath as closed:
         return f" ({closed})"
     more = ", ..." if len(names) > MOST_NAMES else ""
@@ -70,14 +70,14 @@ def _shown(entry: Path) -> str:
     return printable("/".join(entry.parts[-2:]))
 
 
-def not_handed_in(path: Path, found: Sequence[Submission]) -> list[Submission]:
+def not_handed_in(path: Path, work: Sequence[Submission]) -> list[Submission]:
     """Return a row without a file for everyone on the roster, for each assignment that others have handed in."""
-    here = {(one.student, one.slug) for one in found}
-    students = roster.students(path, {one.student for one in found})
-    slugs = sorted({one.slug for one in found})
-    note = "no module or notebook was collected"
+    here = {(submission.student, submission.slug) for submission in work}
+    students = roster.students(path, {submission.student for submission in work})
+    slugs = sorted({submission.slug for submission in work})
+    message = "no module or notebook was collected"
     return [
-        Submission(student, slug, None, Path(), note)
+        Submission(student, slug, None, Path(), message)
         for student in students
         for slug in slugs
         if (student, slug) not in here

@@ -67,8 +67,8 @@ class Yardstick:
 
 def _point(student: Student, scene: dict[str, Any]) -> tuple[float, float] | None:
     """CPU seconds of a call, the passing of arguments and result included, and its error at the end."""
-    arguments = [_as_promised(one) for one in scene["arguments"]]
-    keywords = {key: _as_promised(one) for key, one in scene["keywords"].items()}
+    arguments = [_as_promised(argument) for argument in scene["arguments"]]
+    keywords = {key: _as_promised(argument) for key, argument in scene["keywords"].items()}
     try:
         student.load()
         before = student.seconds()

@@ -64,7 +64,7 @@ class Submission:
 
 
 def submissions(
-    paths: Iterable[Path], known: Sequence[str], given: str | None = None, students: Collection[str] = ()
+    paths: Iterable[Path], slugs: Sequence[str], slug: str | None = None, students: Collection[str] = ()
 ) -> list[Submission]:
     """Return all submissions at these paths: modules, notebooks, their folders, or trees `<student>/<assignment>/`.
 
@@ -72,15 +72,15 @@ def submissions(
     given    : the assignment, where names do not tell
     students : names of folders that are students', by a roster; without it the shape of a tree decides
     """
-    found: list[Submission] = []
+    work: list[Submission] = []
     for path in paths:
         if not path.exists():
             raise BadPath(f"{path} does not exist")
-        here = [_of_file(path, known, given)] if path.is_file() else _in_folder(path.absolute(), known, given, students)
+        here = [_of_file(path, slugs, slug)] if path.is_file() else _in_folder(path.absolute(), slugs, slug, students)
         if not here:
-            raise BadPath(f"{path} holds no submission: there is no folder or file named like {known[0][:4]} in it")
-        found += here
-    return _told_apart(found)
+            raise BadPath(f"{path} holds no submission: there is no folder or file named like {slugs[0][:4]} in it")
+        work += here
+    return _told_apart(work)
 
 
 def handed_in(folder: Path, slug: str) -> Submission:
@@ -96,8 +96,8 @@ def handed_in(folder: Path, slug: str) -> Submission:
         deeper = [entry for entry, is_folder in held if is_folder and not entry.is_symlink()][:MOST_FILES]
         candidates += [of_folder(entry, folder.name, slug, tree) for entry in deeper]
     there = [one for one in candidates if one.path]
-    named = [one for one in there if one.path and of_name(one.path.name, [slug])]
-    return next(iter(named or there), first)
+    named_after = [one for one in there if one.path and of_name(one.path.name, [slug])]
+    return next(iter(named_after or there), first)
 
 
 def read(submission: Submission) -> Source:
@@ -150,91 +150,99 @@ def _is_plainly_in(path: str, tree: str) -> bool:
     return not any(map(os.path.islink, itertools.accumulate(names, "{}/{}".format, initial=tree)))
 
 
-def _of_file(path: Path, known: Sequence[str], given: str | None) -> Submission:
+def _of_file(path: Path, slugs: Sequence[str], chosen: str | None) -> Submission:
     if not form(path.name):
         raise BadPath(f"{path} is neither a Python module (.py) nor a notebook (.ipynb)")
-    slug = given or slug_of(path.stem, known) or slug_of(path.absolute().parent.name, known)
+    slug = chosen or slug_of(path.stem, slugs) or slug_of(path.absolute().parent.name, slugs)
     if slug is None:
-        raise BadPath(f"cannot tell which assignment {path} is: name it with --assignment, one of {', '.join(known)}")
+        raise BadPath(f"cannot tell which assignment {path} is: name it with --assignment, one of {', '.join(slugs)}")
     return Submission(_name(path.stem), slug, path, path.resolve())
 
 
-def _in_folder(folder: Path, known: Sequence[str], given: str | None, students: Collection[str]) -> list[Submission]:
+def _in_folder(folder: Path, slugs: Sequence[str], chosen: str | None, students: Collection[str]) -> list[Submission]:
     is_students = _name(folder.name) in students
-    slug = None if is_students else given or slug_of(folder.name, known)
+    slug = None if is_students else chosen or slug_of(folder.name, slugs)
     if is_students:
-        return list(_of_student(folder, known, given))
+        return list(_of_student(folder, slugs, chosen))
     holds_work = any(form(entry.name) for entry, is_folder in entries(folder) if not is_folder)
-    found = [] if slug and holds_work else _trees(folder, known, given, students)
-    return found or ([of_folder(folder, folder.parent.name, slug, folder.resolve())] if slug else [])
+    work = [] if slug and holds_work else _trees(folder, slugs, chosen, students)
+    return work or ([of_folder(folder, folder.parent.name, slug, folder.resolve())] if slug else [])
 
 
-def _trees(folder: Path, known: Sequence[str], given: str | None, students: Collection[str]) -> list[Submission]:
+def _trees(folder: Path, all_slugs: Sequence[str], chosen: str | None, students: Collection[str]) -> list[Submission]:
     """Submissions in `<student>/<assignment>/`, `<student>/<assignment>.py`, `<assignment>/` and `<assignment>.py`."""
-    found, closed, own_folders = [], {}, collections.defaultdict(list)
-    is_class = holds_students(folder, known, students)
+    work, closed, own_folders = [], {}, collections.defaultdict(list)
+    is_class = holds_students(folder, all_slugs, students)
     for entry, is_folder in entries(folder):
-        slug = None if is_folder and is_class else _chosen(entry, is_folder, known, given)
+        slug = None if is_folder and is_class else _chosen(entry, is_folder, all_slugs, chosen)
         if slug and is_folder:
             own_folders[slug].append(entry)
         elif slug:
-            found.append(Submission(_name(entry.stem), slug, entry, entry))
+            work.append(Submission(_name(entry.stem), slug, entry, entry))
         elif is_folder:
             try:
-                found += _of_student(entry, known, given)
+                work += _of_student(entry, all_slugs, chosen)
             except BadPath as unreadable:
                 closed[entry] = str(unreadable)
-    found += [_of_folders(each, folder, slug) for slug, each in own_folders.items()]
-    if closed and not found:
+    work += [_of_folders(each, folder, slug) for slug, each in own_folders.items()]
+    if closed and not work:
         raise BadPath(next(iter(closed.values())))
-    slugs = sorted({one.slug for one in found})  # what the others have handed in
-    lost = [Submission(_name(own.name), slug, None, own, note) for own, note in closed.items() for slug in slugs]
-    return _modules_first(found) + lost
+    slugs = sorted({submission.slug for submission in work})  # what the others have handed in
+    lost = [
+        Submission(_name(folder_of_student.name), slug, None, folder_of_student, message)
+        for folder_of_student, message in closed.items()
+        for slug in slugs
+    ]
+    return _modules_first(work) + lost
 
 
-def holds_students(folder: Path, known: Sequence[str], students: Collection[str]) -> bool:
+def holds_students(folder: Path, slugs: Sequence[str], students: Collection[str]) -> bool:
     """Return whether the folders in a folder are students', not the assignments of one: a login may be named hw7.
 
     The roster tells; without one, whether at least as many of them hold assignments as are named like one.
     """
-    named = [entry for entry, is_folder in entries(folder) if is_folder]
-    if any(_name(entry.name) in students for entry in named):
+    folders = [entry for entry, is_folder in entries(folder) if is_folder]
+    if any(_name(entry.name) in students for entry in folders):
         return True
-    like = [slug_of(entry.name, known) is not None for entry in named]
-    holding = [_holds_assignments(entry, known, files=not own) for entry, own in zip(named, like, strict=True)]
-    return any(holding) and sum(holding) >= sum(own and not holds for own, holds in zip(like, holding, strict=True))
+    like = [slug_of(entry.name, slugs) is not None for entry in folders]
+    holding = [
+        _holds_assignments(entry, slugs, files=not is_student) for entry, is_student in zip(folders, like, strict=True)
+    ]
+    return any(holding) and sum(holding) >= sum(
+        is_student and not holds for is_student, holds in zip(like, holding, strict=True)
+    )
 
 
-def _holds_assignments(folder: Path, known: Sequence[str], *, files: bool) -> bool:
+def _holds_assignments(folder: Path, slugs: Sequence[str], *, files: bool) -> bool:
     """Return whether a folder holds folders, or files too, that are named like assignments."""
     try:
         held = entries(folder, MOST_FILES)
     except BadPath:
         return False
-    return any((is_folder or files) and _chosen(entry, is_folder, known, None) for entry, is_folder in held)
+    return any((is_folder or files) and _chosen(entry, is_folder, slugs, None) for entry, is_folder in held)
 
 
-def _of_student(own: Path, known: Sequence[str], given: str | None) -> Iterator[Submission]:
+def _of_student(home: Path, slugs: Sequence[str], chosen: str | None) -> Iterator[Submission]:
     """Yield what is in a student's own folder: for each assignment a folder, or files."""
-    work, told = collections.defaultdict(list), collections.defaultdict(list)
-    held = entries(own, MOST_FILES)
+    work, messages = collections.defaultdict(list), collections.defaultdict(list)
+    held = entries(home, MOST_FILES)
     for entry, is_folder in held:
-        if slug := _chosen(entry, is_folder, known, given):
+        if slug := _chosen(entry, is_folder, slugs, chosen):
             work[slug].append((entry, is_folder))
-        elif not is_folder and (slug := of_name(entry.name, known)):
-            told[slug].append(entry)
-    for slug, packed in told.items():  # or misnamed: the reading of one says so
-        if slug not in work and given in (None, slug):
-            note = f"hand in one module or notebook, unpacked; there are {_listed(packed)}" if packed[1:] else ""
-            yield Submission(_name(own.name), slug, packed[0], own, note)
-    if given and not work and not told and not any(slug_of(entry.name, known) for entry, _ in held):
-        yield of_folder(own, own.name, given, own)
+        elif not is_folder and (slug := of_name(entry.name, slugs)):
+            messages[slug].append(entry)
+    for slug, packed in messages.items():  # or misnamed: the reading of one says so
+        if slug not in work and chosen in (None, slug):
+            message = f"hand in one module or notebook, unpacked; there are {_listed(packed)}" if packed[1:] else ""
+            yield Submission(_name(home.name), slug, packed[0], home, message)
+    if chosen and not work and not messages and not any(slug_of(entry.name, slugs) for entry, _ in held):
+        yield of_folder(home, home.name, chosen, home)
     for slug, own_work in work.items():
         (first, is_folder), *others = own_work
         if is_folder and not others:
-            yield of_folder(first, own.name, slug, own)
+            yield of_folder(first, home.name, slug, home)
         else:
-            yield _of_files(own_work, own.name, slug, own)
+            yield _of_files(own_work, home.name, slug, home)
 
 
 def entries(folder: Path, most: int | None = None) -> list[tuple[Path, bool]]:
@@ -278,8 +286,8 @@ def _shortened(name: str) -> str:
     """No longer than the name of a file may be."""
     if len(name.encode()) <= LONGEST_NAME:
         return name
-    mark = _mark(name)
-    return f"{name.encode()[: LONGEST_NAME - 1 - len(mark)].decode(errors='ignore')}-{mark}"
+    suffix = _mark(name)
+    return f"{name.encode()[: LONGEST_NAME - 1 - len(suffix)].decode(errors='ignore')}-{suffix}"
 
 
 def _mark(name: str) -> str:
@@ -287,18 +295,18 @@ def _mark(name: str) -> str:
     return hashlib.sha256(name.encode(errors="surrogatepass")).hexdigest()[:12]
 
 
-def _chosen(entry: Path, is_folder: bool, known: Sequence[str], given: str | None) -> str | None:
+def _chosen(entry: Path, is_folder: bool, slugs: Sequence[str], chosen: str | None) -> str | None:
     """Return the assignment that a folder, module or notebook in a tree is work on."""
     name_of = slug_of if is_folder else of_name
-    slug = name_of(entry.name, known) if is_folder or form(entry.name) else None
-    return slug if given in (None, slug) else None
+    slug = name_of(entry.name, slugs) if is_folder or form(entry.name) else None
+    return slug if chosen in (None, slug) else None
 
 
-def of_name(name: str, known: Sequence[str]) -> str | None:
+def of_name(name: str, slugs: Sequence[str]) -> str | None:
     """Return the assignment that a file's name tells: hw08.py, hw08.py.txt, or axis_angle-2.py, by its title."""
     stem = name.split(".")[0]
-    titles = (slug for slug in known if re.fullmatch(rf"{slug[5:]}(?:[ _-]?\(?\d+\)?)?", stem, re.IGNORECASE))
-    return slug_of(name, known) or next(titles, None)
+    titles = (slug for slug in slugs if re.fullmatch(rf"{slug[5:]}(?:[ _-]?\(?\d+\)?)?", stem, re.IGNORECASE))
+    return slug_of(name, slugs) or next(titles, None)
 
 
 def of_folder(folder: Path, student: str, slug: str, tree: Path) -> Submission:
@@ -306,17 +314,17 @@ def of_folder(folder: Path, student: str, slug: str, tree: Path) -> Submission:
     try:
         if _own(folder, tree):
             return _of_files(entries(folder, MOST_FILES), student, slug, tree)
-        note = f"{printable(folder.name)} is a link to a place outside of the submission"
+        message = f"{printable(folder.name)} is a link to a place outside of the submission"
     except BadPath as unreadable:
-        note = str(unreadable)
-    return Submission(_name(student), slug, None, tree, note)
+        message = str(unreadable)
+    return Submission(_name(student), slug, None, tree, message)
 
 
 def _of_folders(folders: Sequence[Path], student: Path, slug: str) -> Submission:
     """Return what is in the only folder of an assignment that a student has; of several a note."""
     if len(folders) == 1:
         return of_folder(folders[0], student.name, slug, folders[0])
-    return _of_files([(one, True) for one in folders], student.name, slug, student)
+    return _of_files([(folder, True) for folder in folders], student.name, slug, student)
 
 
 def _of_files(held: Sequence[tuple[Path, bool]], student: str, slug: str, tree: Path) -> Submission:
@@ -332,11 +340,11 @@ def _of_files(held: Sequence[tuple[Path, bool]], student: str, slug: str, tree: 
         lambda entry: form(entry.name) == ".ipynb",
         lambda entry: form(entry.name) == ".py" and not GIVEN.fullmatch(entry.stem),
     )
-    chosen = next(filter(None, ([*filter(one, files)] for one in fits)), [])
+    chosen = next(filter(None, ([*filter(is_chosen, files)] for is_chosen in fits)), [])
     if len(chosen) == 1:
         return Submission(_name(student), slug, chosen[0], tree)
-    note = f"there is no {slug}.py in the folder; it holds {_listed(entry for entry, _ in held) or 'no file'}"
-    return Submission(_name(student), slug, None, tree, note)
+    message = f"there is no {slug}.py in the folder; it holds {_listed(entry for entry, _ in held) or 'no file'}"
+    return Submission(_name(student), slug, None, tree, message)
 
 
 def _listed(files: Iterable[Path]) -> str:
@@ -358,26 +366,34 @@ def _untouched(module: Path, tree: Path) -> bool:
     return 0 < functions == texts[0].count(b"raise NotImplementedError") and bool(re.search(rb'("|\\n)def ', texts[1]))
 
 
-def _modules_first(found: list[Submission]) -> list[Submission]:
+def _modules_first(work: list[Submission]) -> list[Submission]:
     """Of a module and a notebook side by side, the module."""
 
-    def is_module(one: Submission) -> bool:
-        return one.path is not None and form(one.path.name) == ".py"
+    def is_module(submission: Submission) -> bool:
+        return submission.path is not None and form(submission.path.name) == ".py"
 
-    modules = {(one.student, one.slug) for one in found if is_module(one)}
-    return [one for one in found if (one.student, one.slug) not in modules or one.path is None or is_module(one)]
-
-
-def _told_apart(found: list[Submission]) -> list[Submission]:
-    """Students whose names would be the same, `a/hw07.py` and `b/hw07.py`, go by their folders'."""
-    count = collections.Counter((one.student, one.slug) for one in found)
-    named = [
-        replace(one, student=_shortened(f"{_name(one.path.absolute().parent.name)}-{one.student}"))
-        if one.path and count[one.student, one.slug] > 1
-        else one
-        for one in found
+    modules = {(submission.student, submission.slug) for submission in work if is_module(submission)}
+    return [
+        submission
+        for submission in work
+        if (submission.student, submission.slug) not in modules or submission.path is None or is_module(submission)
     ]
-    doubles = [key for key, n in collections.Counter((one.student, one.slug) for one in named).items() if n > 1]
+
+
+def _told_apart(work: list[Submission]) -> list[Submission]:
+    """Students whose names would be the same, `a/hw07.py` and `b/hw07.py`, go by their folders'."""
+    count = collections.Counter((submission.student, submission.slug) for submission in work)
+    renamed = [
+        replace(submission, student=_shortened(f"{_name(submission.path.absolute().parent.name)}-{submission.student}"))
+        if submission.path and count[submission.student, submission.slug] > 1
+        else submission
+        for submission in work
+    ]
+    doubles = [
+        key
+        for key, n in collections.Counter((submission.student, submission.slug) for submission in renamed).items()
+        if n > 1
+    ]
     if doubles:
         raise BadPath(f"two submissions of {doubles[0][1]} by {doubles[0][0]}: give each student a folder of their own")
-    return named
+    return renamed

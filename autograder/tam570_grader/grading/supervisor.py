@@ -56,8 +56,8 @@ def lost(task: GradeTask, error: str) -> bytes:
 
 def _line(task: GradeTask, result: Result) -> bytes:
     notebook = isinstance(task.source, Source) and task.source.notebook
-    whole = replace(result, digest=task.digest, notebook=notebook)
-    return json.dumps(whole.record(), allow_nan=False).encode() + b"\n"
+    complete = replace(result, digest=task.digest, notebook=notebook)
+    return json.dumps(complete.record(), allow_nan=False).encode() + b"\n"
 
 
 def result(task: GradeTask) -> Result:
@@ -66,12 +66,12 @@ def result(task: GradeTask) -> Result:
     if isinstance(task.source, CannotRead):
         status = "missing" if task.missing else "unreadable"
         return not_graded(task.student, assignment, status, str(task.source), task.seed)
-    asked = task.conditions
-    hidden = [*dict.fromkeys([task.course, *asked.hidden])]
-    preload = sorted({*assignment.needs, *asked.preload}.difference(assignment.forbidden.get("*", ())))
+    conditions = task.conditions
+    hidden = [*dict.fromkeys([task.course, *conditions.hidden])]
+    preload = sorted({*assignment.needs, *conditions.preload}.difference(assignment.forbidden.get("*", ())))
     try:
-        with expected.sharing(asked.shared):
-            return tried(functools.partial(_graded, task), preload, asked.limits, hidden)
+        with expected.sharing(conditions.shared):
+            return tried(functools.partial(_graded, task), preload, conditions.limits, hidden)
     except NotConfined as why:
         raise UsageError(NO_JAIL.format(why=why)) from None
     except UsageError:

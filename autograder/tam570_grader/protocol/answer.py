@@ -31,11 +31,11 @@ def answer(module: ModuleType, request: Mapping[str, Any], args: list[Any], kwar
     try:
         function = getattr(module, request["function"])
         before = _contents(args, kwargs)
-        own = _stood_in(module, request)
+        replaced = _stood_in(module, request)
         try:
             value = MODES[request["mode"]](function, args, kwargs, request)
         finally:
-            for owner, name, was in own:
+            for owner, name, was in replaced:
                 setattr(owner, name, was)
         return {"value": value, "changed": _contents(args, kwargs) != before}
     except BaseException as error:
@@ -54,7 +54,11 @@ def error_report(error: BaseException) -> dict[str, Any]:
         trace = trace.tb_next
     if isinstance(error, SyntaxError):
         line = error.lineno or 0
-    return {"kinds": [kind.__name__[:50] for kind in type(error).__mro__[:20]], "text": _text(error), "line": line}
+    return {
+        "kinds": [error_class.__name__[:50] for error_class in type(error).__mro__[:20]],
+        "text": _text(error),
+        "line": line,
+    }
 
 
 def _stood_in(module: ModuleType, request: Mapping[str, Any]) -> list[Change]:
@@ -62,15 +66,15 @@ def _stood_in(module: ModuleType, request: Mapping[str, Any]) -> list[Change]:
 
     The function that is called stays, though it be a refused one by another name. What was there, to be put back.
     """
-    called = getattr(module, request["function"])
-    names = (name for name in request["refused"] if getattr(module, name, called) is not called)
-    changes = [one for name in names for one in refused(module, name, Unusable(name, IN_ONE))]
+    target = getattr(module, request["function"])
+    names = (name for name in request["refused"] if getattr(module, name, target) is not target)
+    changes = [change for name in names for change in refused(module, name, Unusable(name, IN_ONE))]
     if name := request.get("moved"):
         changes += everywhere(module, function := getattr(module, name), partial(_moved, function))
-    own = [(owner, attribute, getattr(owner, attribute)) for owner, attribute, _ in changes]
+    originals = [(owner, attribute, getattr(owner, attribute)) for owner, attribute, _ in changes]
     for owner, attribute, value in changes:
         setattr(owner, attribute, value)
-    return own
+    return originals
 
 
 def _moved(function: Callable[..., Any], *args: Any, **kwargs: Any) -> Any:
@@ -93,8 +97,8 @@ def _text(error: BaseException) -> str:
 
 def _contents(args: list[Any], kwargs: dict[str, Any]) -> list[Any]:
     """Return what the arguments hold now; of an array the bytes, for a NaN is not equal to itself."""
-    given = [*args, *kwargs.values()]
-    return [one.tobytes() if isinstance(one, np.ndarray) else repr(one) for one in given]
+    arguments = [*args, *kwargs.values()]
+    return [argument.tobytes() if isinstance(argument, np.ndarray) else repr(argument) for argument in arguments]
 
 
 def _value(function: Callable[..., Any], args: list[Any], kwargs: dict[str, Any], request: Any) -> Any:
@@ -115,21 +119,21 @@ def _formula(function: Callable[..., Any], args: list[Any], kwargs: dict[str, An
     expression = sympy.sympify(expression).doit()
     if unknown := expression.atoms(AppliedUndef):
         return {"strangers": sorted(map(str, unknown))}
-    strangers = sorted({symbol.name for symbol in expression.free_symbols} - set(request["symbols"]))
-    values = _values(expression, request, strangers, STAND_INS[0])
-    if not strangers:
+    unexpected = sorted({symbol.name for symbol in expression.free_symbols} - set(request["symbols"]))
+    values = _values(expression, request, unexpected, STAND_INS[0])
+    if not unexpected:
         return [portable(value) for value in values]
-    others = _values(expression, request, strangers, STAND_INS[1])
+    others = _values(expression, request, unexpected, STAND_INS[1])
     cancels = all(abs(a - b) <= max(CANCELLED * abs(a), NOTHING) for a, b in zip(values, others, strict=True))
-    return [portable(value) for value in values] if cancels else {"strangers": strangers}
+    return [portable(value) for value in values] if cancels else {"strangers": unexpected}
 
 
-def _values(expression: Any, request: Any, strangers: list[str], stand_in: float) -> list[complex]:
+def _values(expression: Any, request: Any, unexpected: list[str], stand_in: float) -> list[complex]:
     """At each point, the strange symbols being numbers from the stand-in on."""
-    others = {name: stand_in + number for number, name in enumerate(strangers)}
-    named = {symbol: symbol.name for symbol in expression.free_symbols}
+    others = {name: stand_in + number for number, name in enumerate(unexpected)}
+    names = {symbol: symbol.name for symbol in expression.free_symbols}
     return [
-        complex(expression.evalf(25, subs={s: {**others, **point}[name] for s, name in named.items()}))
+        complex(expression.evalf(25, subs={s: {**others, **point}[name] for s, name in names.items()}))
         for point in request["points"]
     ]
 

@@ -18,10 +18,10 @@ CUT = "\n\n(cut: this is too long to show)"
 SILENT = (tokenize.ENCODING, tokenize.COMMENT, tokenize.NL, tokenize.INDENT, tokenize.DEDENT)
 SHOWN = ("text/plain", "image/png", "image/jpeg")
 
-Cell = dict[str, Any]
+CellRecord = dict[str, Any]
 
 
-def plain_cells(source: bytes) -> list[Cell]:
+def plain_cells(source: bytes) -> list[CellRecord]:
     """Return the cells of a notebook of format 4 or 3.
 
     {"kind", "source", "id", "grade_id", "outputs", "attachments"}.
@@ -31,11 +31,11 @@ def plain_cells(source: bytes) -> list[Cell]:
     plain = [_plain(cell) for cell in cells[:MOST_CELLS]]
     if len(cells) > MOST_CELLS:
         plain.append({**_plain({}), "source": f"({len(cells) - MOST_CELLS} more cells are left out)"})
-    left = MOST_TEXT
+    remaining = MOST_TEXT
     for cell in plain:
         if cell["kind"] == "markdown":
-            cell["source"] = _cut(cell["source"], min(left, LONGEST_TEXT))
-            left = max(0, left - len(cell["source"]))
+            cell["source"] = _cut(cell["source"], min(remaining, LONGEST_TEXT))
+            remaining = max(0, remaining - len(cell["source"]))
     return plain
 
 
@@ -61,7 +61,7 @@ def statements(source: bytes) -> str:
     return "".join(f"{' '.join(line)}\n" for line in lines if line and not (len(line) == 1 and line[0][-1] in "'\""))
 
 
-def _plain(cell: Any) -> Cell:
+def _plain(cell: Any) -> CellRecord:
     code = cell.get("cell_type") == "code"
     source = _text(cell["source"] if "source" in cell else cell.get("input", ""))
     noted = cell.get("metadata", {}).get("nbgrader")
@@ -72,23 +72,24 @@ def _plain(cell: Any) -> Cell:
         "source": _cut(source, LONGEST_CODE),
         "id": _text(cell.get("id", ""))[:100],
         "grade_id": _text(name)[:100],
-        "outputs": [shown for one in outputs[:MOST_OUTPUTS] if (shown := _output(one))],
+        "outputs": [shown for output in outputs[:MOST_OUTPUTS] if (shown := _output(output))],
         "attachments": {
-            str(key)[:100]: _bundle(one) for key, one in list((cell.get("attachments") or {}).items())[:MOST_OUTPUTS]
+            str(key)[:100]: _bundle(output)
+            for key, output in list((cell.get("attachments") or {}).items())[:MOST_OUTPUTS]
         },
     }
 
 
-def _output(one: Any) -> Cell | None:
+def _output(output: Any) -> CellRecord | None:
     """Return an output in nbformat's terms; None for one that is none."""
-    if not isinstance(one, dict):
+    if not isinstance(output, dict):
         return None
-    if one.get("output_type") == "stream":
-        return {"output_type": "stream", "text": _cut(_text(one.get("text")), LONGEST_OUTPUT)}
-    if one.get("output_type") == "error":
-        told = {key: _cut(_text(one.get(key)), LONGEST_OUTPUT) for key in ("ename", "evalue")}
-        return {"output_type": "error", **told}
-    return {"output_type": "display_data", "data": _bundle(one.get("data"))}
+    if output.get("output_type") == "stream":
+        return {"output_type": "stream", "text": _cut(_text(output.get("text")), LONGEST_OUTPUT)}
+    if output.get("output_type") == "error":
+        texts = {key: _cut(_text(output.get(key)), LONGEST_OUTPUT) for key in ("ename", "evalue")}
+        return {"output_type": "error", **texts}
+    return {"output_type": "display_data", "data": _bundle(output.get("data"))}
 
 
 def _bundle(data: Any) -> dict[str, str]:
@@ -103,9 +104,9 @@ def _text(value: Any) -> str:
 
 
 def _strings(value: Any) -> Iterator[str]:
-    for one in value if isinstance(value, list) else [value]:
-        if isinstance(one, str):
-            yield one.encode("utf-8", "replace").decode()  # half of a surrogate pair crosses no boundary
+    for text in value if isinstance(value, list) else [value]:
+        if isinstance(text, str):
+            yield text.encode("utf-8", "replace").decode()  # half of a surrogate pair crosses no boundary
 
 
 def _cut(text: str, most: int) -> str:

@@ -178,11 +178,11 @@ def _own_files(limits: Limits) -> None:
 
 def _protect(folder: str) -> None:
     """Make each mount in a folder read only: the times of the system's own devices would be a note to all."""
-    for place in (os.path.join(folder, name) for name in os.listdir(folder)):
-        if os.path.ismount(place):
-            kept = os.statvfs(place).f_flag & (NO_PROGRAMS | NO_DEVICES | NO_SUID)
-            flags = REMOUNT | BIND | READ_ONLY | kept
-            _must(LIBC.mount(None, place.encode(), None, flags, None), f"protect {place}")
+    for path in (os.path.join(folder, name) for name in os.listdir(folder)):
+        if os.path.ismount(path):
+            mount_flags = os.statvfs(path).f_flag & (NO_PROGRAMS | NO_DEVICES | NO_SUID)
+            flags = REMOUNT | BIND | READ_ONLY | mount_flags
+            _must(LIBC.mount(None, path.encode(), None, flags, None), f"protect {path}")
 
 
 def _hide(module: str) -> None:
@@ -216,15 +216,15 @@ def _limit(limits: Limits) -> None:
         _at_most(resource.RLIMIT_NPROC, limits.processes)
 
 
-def _at_most(what: int, most: int, promised: str = "") -> None:
+def _at_most(what: int, most: int, expected: str = "") -> None:
     """Set a limit; where the teacher's own is lower, that is kept, unless a submission was promised more."""
     try:
         resource.setrlimit(what, (most, most))
     except ValueError:
         hard = resource.getrlimit(what)[1]
-        if promised:
+        if expected:
             raise OSError(
-                f"a submission may use {most} {promised}, and this shell's own limit is {hard}: "
+                f"a submission may use {most} {expected}, and this shell's own limit is {hard}: "
                 "raise it (ulimit -H), or allow submissions less"
             ) from None
         resource.setrlimit(what, (hard, hard))

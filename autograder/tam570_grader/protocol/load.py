@@ -12,12 +12,12 @@ from tam570.bans import HERE, IN_ONE, Unusable, must_be_allowed, must_be_there
 
 __all__ = ["compiled", "load"]
 
-Piece = tuple[str, CodeType]  # a notebook's cell, or "", and its code
+CodeCell = tuple[str, CodeType]  # a notebook's cell, or "", and its code
 
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
 
 
-def compiled(source: bytes, name: str, *, notebook: bool, piecewise: bool) -> tuple[list[Piece], list[str]]:
+def compiled(source: bytes, name: str, *, notebook: bool, piecewise: bool) -> tuple[list[CodeCell], list[str]]:
     """Return what is to be run, and the notebook cells that are no Python, as "cell 3: SyntaxError".
 
     Nothing has run yet.
@@ -33,7 +33,7 @@ def compiled(source: bytes, name: str, *, notebook: bool, piecewise: bool) -> tu
 
 
 def load(
-    pieces: Sequence[Piece], name: str, *, notebook: bool, forbidden: Sequence[str], uncallable: Sequence[str]
+    pieces: Sequence[CodeCell], name: str, *, notebook: bool, forbidden: Sequence[str], uncallable: Sequence[str]
 ) -> tuple[ModuleType, list[str]]:
     """Load the student's module, and name the notebook cells that raised and were skipped, as "cell 3: NameError".
 
@@ -59,14 +59,14 @@ def load(
     return module, skipped if notebook else []
 
 
-def _statements(source: bytes, file: str) -> list[Piece]:
+def _statements(source: bytes, file: str) -> list[CodeCell]:
     statements = ast.parse(source).body
-    future = [one for one in statements if isinstance(one, ast.ImportFrom) and one.module == "__future__"]
+    future = [node for node in statements if isinstance(node, ast.ImportFrom) and node.module == "__future__"]
     alone = (ast.Module([*future, statement], type_ignores=[]) for statement in statements)
-    return [("", compile(one, file, "exec", dont_inherit=True)) for one in alone]
+    return [("", compile(node, file, "exec", dont_inherit=True)) for node in alone]
 
 
-def _compiled_cells(cells: list[tuple[int, str]]) -> tuple[list[Piece], list[str]]:
+def _compiled_cells(cells: list[tuple[int, str]]) -> tuple[list[CodeCell], list[str]]:
     pieces, skipped = [], []
     for number, text in cells:
         name = f"cell {number}"
@@ -84,7 +84,7 @@ def _in_words(error: BaseException) -> str:
         return type(error).__name__
 
 
-def _builtins_without(forbidden: Sequence[str], own: str) -> dict[str, Any]:
+def _builtins_without(forbidden: Sequence[str], module_name: str) -> dict[str, Any]:
     """Return the built-in functions with an import that refuses the forbidden modules, and what is not promised."""
     import_module = builtins.__import__
 
@@ -95,7 +95,7 @@ def _builtins_without(forbidden: Sequence[str], own: str) -> dict[str, Any]:
         if stand_in := notebooks.kernel_module(name):
             return cast(ModuleType, stand_in)
         if not level:
-            must_be_there(name, own)
+            must_be_there(name, module_name)
         try:
             return import_module(name, globals, locals, fromlist, level)
         finally:
@@ -119,7 +119,7 @@ def _without_windows() -> None:
 
 
 def _with_agg(choose: Callable[[str], Any]) -> Callable[..., None]:
-    def use(*asked: Any, **how: Any) -> None:
+    def use(*names: Any, **how: Any) -> None:
         choose("agg")
 
     return use

@@ -139,8 +139,8 @@ def _printed(canvas: Any) -> Any:
     return colours[..., :3]
 
 
-def _ink(one: Any, other: Any) -> Any:
-    red, green, blue = np.moveaxis(np.abs(one - other) > CONTRAST, 2, 0)
+def _ink(first: Any, other: Any) -> Any:
+    red, green, blue = np.moveaxis(np.abs(first - other) > CONTRAST, 2, 0)
     return red | green | blue
 
 
@@ -154,14 +154,14 @@ def _shown(axes: Any, points: Any, alone: Any, empty: Any) -> dict[str, float]:
     with np.errstate(all="ignore"):
         places = axes.transData.transform(points)
     places = places[np.isfinite(places).all(axis=1)]
-    box, one = axes.bbox, 1.0  # pixel
-    within = (places >= [box.x0 - one, box.y0 - one]) & (places <= [box.x1 + one, box.y1 + one])
-    inside = places[within.all(axis=1)]
-    if not len(inside):
+    box, margin = axes.bbox, 1.0  # pixel
+    is_inside = (places >= [box.x0 - margin, box.y0 - margin]) & (places <= [box.x1 + margin, box.y1 + margin])
+    visible = places[is_inside.all(axis=1)]
+    if not len(visible):
         return nothing
-    near = _near(_ink(alone, empty), inside)
-    extent = np.ptp(inside, axis=0).max() / PRINTED
-    return {"shows": float(near.sum() / len(points)), "within": len(inside) / len(points), "extent": float(extent)}
+    near = _near(_ink(alone, empty), visible)
+    extent = np.ptp(visible, axis=0).max() / PRINTED
+    return {"shows": float(near.sum() / len(points)), "within": len(visible) / len(points), "extent": float(extent)}
 
 
 def _near(ink: Any, places: Any) -> Any:

@@ -135,7 +135,7 @@ LOAD, EQUAL, AT_LEAST, ANY_BIT, RETURN = 0x20, 0x15, 0x35, 0x45, 0x06
 NUMBER, MACHINE, ARGUMENTS = 0, 4, 16
 STEP = struct.Struct("=HBBI")
 NEXT, REFUSE, ABSENT, ALLOW = 0, -2, -1, -3  # where a comparison leads: on, or to one of the last three
-PASS, FORBIDDEN, UNKNOWN = 0x7FFF0000, 0x50001, 0x50026  # what a filter returns: yes, EPERM, ENOSYS
+PASS, FORBIDDEN, NO_SUCH_CALL = 0x7FFF0000, 0x50001, 0x50026  # what a filter returns: yes, EPERM, ENOSYS
 Steps = list[tuple[int, int, int, int]]
 
 
@@ -169,7 +169,7 @@ def _steps(calls: Calls, more: Sequence[int]) -> Steps:
         steps += _judged(number, argument, [(EQUAL, value, ALLOW, NEXT) for value in values], REFUSE)
     steps += _judged(calls.clone, 0, [(ANY_BIT, NAMESPACES, REFUSE, NEXT)], ALLOW)
     steps += _judged(calls.prctl, 0, [(EQUAL, SECCOMP, REFUSE, NEXT)], ALLOW)
-    return [*steps, *((RETURN, verdict, NEXT, NEXT) for verdict in (PASS, FORBIDDEN, UNKNOWN))]
+    return [*steps, *((RETURN, verdict, NEXT, NEXT) for verdict in (PASS, FORBIDDEN, NO_SUCH_CALL))]
 
 
 def _judged(number: int, argument: int, tests: Steps, otherwise: int) -> Steps:

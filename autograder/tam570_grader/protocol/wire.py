@@ -65,12 +65,12 @@ def packed(message: Any) -> bytes:
 
 def request(calls: Sequence[bytes], **fields: Any) -> bytes:
     """Bytes of a message of these fields and of "calls", which are packed already."""
-    head = msgpack.Packer(default=_extension, autoreset=False)
-    head.pack_map_header(1 + len(fields))
+    packer = msgpack.Packer(default=_extension, autoreset=False)
+    packer.pack_map_header(1 + len(fields))
     for item in chain(*fields.items(), ["calls"]):
-        head.pack(item)
-    head.pack_array_header(len(calls))
-    return bytes(head.bytes() + b"".join(calls))
+        packer.pack(item)
+    packer.pack_array_header(len(calls))
+    return bytes(packer.bytes() + b"".join(calls))
 
 
 class ItemBudget:
@@ -141,15 +141,15 @@ def portable(value: Any, depth: int = 0) -> Any:
 
 def stacked(values: Sequence[Any]) -> Any:
     """Several portable values as one array, where they are numbers or arrays alike; else None."""
-    kind, first = type(values[0]), values[0]
-    if any(type(value) is not kind for value in values):
+    value_type, first = type(values[0]), values[0]
+    if any(type(value) is not value_type for value in values):
         return None
-    if kind is ndarray:
+    if value_type is ndarray:
         fits = first.dtype.kind == "f" and first.nbytes * len(values) <= LARGEST_ARRAY
-        alike = fits and all(value.dtype == first.dtype and value.shape == first.shape for value in values)
+        same_form = fits and all(value.dtype == first.dtype and value.shape == first.shape for value in values)
     else:
-        alike = kind is float
-    return array(values) if alike else None
+        same_form = value_type is float
+    return array(values) if same_form else None
 
 
 def _real(number: Any) -> Any:
@@ -181,8 +181,8 @@ def _extension(value: Any) -> msgpack.ExtType:
 
 def _known(code: int, data: bytes) -> Any:
     if code == FOREIGN:
-        kind = data.decode()
-        return Foreign(kind if kind in KINDS else "an object")
+        text = data.decode()
+        return Foreign(text if text in KINDS else "an object")
     (dimensions,) = unpack_from("<q", data)
     if code not in TYPES or not 0 <= dimensions <= MOST_DIMENSIONS + 1:
         raise Unreadable(f"extension {code}")

@@ -14,7 +14,7 @@ from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed, NotWritten, get_context
 from tam570_grader.checks.plots import readable
 from tam570_grader.checks.returns import Drawing, Formula, FreeBodyDiagram, result, results_alike
-from tam570_grader.sandbox.imports import misdeed, misused, python_class
+from tam570_grader.sandbox.imports import misused, python_class, sentence_of_ban
 from tam570_grader.sandbox.replies import error_of, strings
 
 __all__ = ["Call", "Function"]
@@ -66,9 +66,9 @@ class Function:
     def each(self, calls: Iterable[Case]) -> Iterator[tuple[Case, Any]]:
         """Yield every call with its result; the one at hand is the trial's case, for what `expect` says of it."""
         calls = list(calls)
-        for call, found in zip(calls, self.many(calls), strict=True):
+        for call, value in zip(calls, self.many(calls), strict=True):
             get_context().judge(self.name, call)
-            yield call, found
+            yield call, value
 
     def many(self, calls: Sequence[Case]) -> list[Any]:
         """Return the results of many calls, made in one round trip.
@@ -107,7 +107,7 @@ class Function:
             refused = "ValueError" in error_of(reply)["kinds"]
             with self._judging(call, any_input=True):
                 if not refused:
-                    self._must_be_fair(reply, promised=", not ValueError")
+                    self._must_be_fair(reply, expected=", not ValueError")
             yield call, refused
 
     def at(self, points: Sequence[Mapping[str, float]]) -> np.ndarray:
@@ -115,8 +115,8 @@ class Function:
         if not isinstance(self.returns, Formula):
             raise TypeError(f"{self.name} does not promise a formula")
         symbols = list(self.returns.symbols)
-        asked = {"symbols": symbols, "points": [dict(point) for point in points]}
-        reply = self.student.replies(self.name, [Case()], "formula", **asked)[0]
+        request = {"symbols": symbols, "points": [dict(point) for point in points]}
+        reply = self.student.replies(self.name, [Case()], "formula", **request)[0]
         with self._judging(case := Case(list(points))):
             self._must_be_fair(reply)
             numbers = self._values(reply["value"], len(points))
@@ -163,7 +163,7 @@ class Function:
             failed.failure = replace(failed.failure, function=self.name, label=label, at=call)
             raise
 
-    def _must_be_fair(self, reply: dict[str, Any], promised: str = "") -> None:
+    def _must_be_fair(self, reply: dict[str, Any], expected: str = "") -> None:
         """Raise NotWritten or Failed for an exception, and for arguments changed in place.
 
         promised : what else it must raise
@@ -172,17 +172,17 @@ class Function:
             error = error_of(reply)
             if error["kinds"][:1] == ["NotImplementedError"]:
                 raise NotWritten(self.name)
-            raise Failed(f"{self.name} {self._did(error, promised)}", actual=error["text"])
+            raise Failed(f"{self.name} {self._did(error, expected)}", actual=error["text"])
         if reply.get("changed"):
             raise Failed(f"{self.name} changes the arrays it is given", hint="Work on copies")
 
-    def _did(self, error: dict[str, Any], promised: str) -> str:
+    def _did(self, error: dict[str, Any], expected: str) -> str:
         """Return what it did instead of returning, in words of ours."""
         if "Forbidden" in error["kinds"]:
             return f"uses what is off limits in it: {misused(error, self.banned)}"
         if error["kinds"][:1] == ["TypeError"] and error["line"] == 0 and MISCALLED.fullmatch(error["text"]):
             return f"must take ({self.student.takes(self.name)})"
-        return misdeed(error["text"]) or f"raised {python_class(error)}{promised}"
+        return sentence_of_ban(error["text"]) or f"raised {python_class(error)}{expected}"
 
 
 def _strangers(value: Any, source: str) -> str:

@@ -14,7 +14,7 @@ from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.errors import Over, printable
 from tam570_grader.sandbox.replies import error_of
 
-__all__ = ["NotLoaded", "misdeed", "misused", "not_compiled", "not_imported", "python_class", "skipped_cells"]
+__all__ = ["NotLoaded", "sentence_of_ban", "misused", "not_compiled", "not_imported", "python_class", "skipped_cells"]
 
 MOST_CELLS = 3  # of a notebook, that are named: which ones is the notebook's to choose
 LONGEST_WORD = 60
@@ -68,17 +68,17 @@ def not_compiled(reply: Any) -> NotLoaded:
     return _unreadable(error_of(reply), PLACE.sub("", error_of(reply)["text"]))
 
 
-def not_imported(reply: Any, text: bytes, assignment: LoadedAssignment, again: bool) -> NotLoaded:
+def not_imported(reply: Any, text: bytes, assignment: LoadedAssignment, informed: bool) -> NotLoaded:
     """Return why it could not be imported; of one that is tried again, not even that."""
     error = error_of(reply)
-    if again:
+    if informed:
         return NotLoaded("unreadable", "Your file could not be imported a second time: what does it do at import?")
     if "Forbidden" in error["kinds"] and (used := misused(error, assignment.forbidden.get("*", ()))):
         return NotLoaded("unreadable", f"Your file was not graded: it imports {used}, which is off limits")
     line = error["line"] if error["line"] <= text.count(b"\n") + 1 else 0
     if "SystemExit" in error["kinds"]:
         return NotLoaded("crashed", f"Your file ends itself{_at(line)}: is there a sys.exit() outside its functions?")
-    if done := misdeed(error["text"], line):
+    if done := sentence_of_ban(error["text"], line):
         return NotLoaded("unreadable", f"Your file {done}")
     return _unreadable({**error, "line": line}, _own_words(error["text"], text))
 
@@ -88,27 +88,29 @@ def misused(error: dict[str, Any], names: Sequence[str]) -> str:
 
     All where that is not told: the text is the submission's.
     """
-    return " or ".join([one for one in names if error["text"].startswith(f"{one} ")] or names)
+    return " or ".join([name for name in names if error["text"].startswith(f"{name} ")] or names)
 
 
-def misdeed(said: str, line: int = 0) -> str:
+def sentence_of_ban(said: str, line: int = 0) -> str:
     """Return what was done, where these words of an exception are the system's about what nobody may do; else ""."""
     return next((done.format(_at(line)) for words, done in MISDEEDS.items() if re.fullmatch(words, said)), "")
 
 
 def python_class(error: dict[str, Any]) -> str:
     """Return the exception's first class that is Python's own: a name that a student chose could carry an input out."""
-    return next((kind for kind in error["kinds"] if _is_python(kind)), "an exception")
+    return next((class_name for class_name in error["kinds"] if _is_python(class_name)), "an exception")
 
 
-def skipped_cells(told: Sequence[str], text: bytes) -> list[str]:
+def skipped_cells(reports: Sequence[str], text: bytes) -> list[str]:
     """Return the first cells that were skipped, and why, by what ran in them."""
-    found = [_skipped(match, text) for one in told if (match := SKIPPED.fullmatch(one)) and _may_be_named(match[2])]
-    return [*found[:MOST_CELLS], *(["and others"] if len(found) > MOST_CELLS else [])]
+    sentences = [
+        _skipped(match, text) for report in reports if (match := SKIPPED.fullmatch(report)) and _may_be_named(match[2])
+    ]
+    return [*sentences[:MOST_CELLS], *(["and others"] if len(sentences) > MOST_CELLS else [])]
 
 
 def _skipped(match: re.Match[str], text: bytes) -> str:
-    words = misdeed((match[3] or "").strip()) or _own_words(match[3] or "", text)
+    words = sentence_of_ban((match[3] or "").strip()) or _own_words(match[3] or "", text)
     return f"cell {match[1]}: {match[2]}{': ' + words if words else ''}"
 
 
@@ -121,20 +123,20 @@ def _at(line: int) -> str:
     return f" at line {line}" if line > 0 else ""
 
 
-def _is_python(kind: str) -> bool:
-    return isinstance(getattr(builtins, kind, None), type)
+def _is_python(class_name: str) -> bool:
+    return isinstance(getattr(builtins, class_name, None), type)
 
 
-def _may_be_named(kind: str) -> bool:
-    return _is_python(kind) or kind == "Forbidden"
+def _may_be_named(class_name: str) -> bool:
+    return _is_python(class_name) or class_name == "Forbidden"
 
 
 def _own_words(said: str, text: bytes) -> str:
     """Return a message of the interpreter's about words of the file; "" for any other."""
     said = FROM_FILE.sub(r"\1 (unknown location)", said.strip())
     matches = filter(None, (message.fullmatch(said) for message in MESSAGES))
-    known = any(all(_stands_in(word, text) for word in match.groups()) for match in matches)
-    return printable(said.removesuffix(" (unknown location)")) if known else ""
+    is_python_text = any(all(_stands_in(word, text) for word in match.groups()) for match in matches)
+    return printable(said.removesuffix(" (unknown location)")) if is_python_text else ""
 
 
 def _stands_in(word: str, text: bytes) -> bool:

@@ -59,7 +59,7 @@ def isolation() -> str:
         return "processes"
     trial = ["bwrap", "--unshare-all", "--ro-bind", "/", "/", "true"]
     tries = (subprocess.run(trial, capture_output=True, timeout=20, check=False) for _ in range(TRIALS))
-    works = any(one.returncode == 0 for one in tries)
+    works = any(attempt.returncode == 0 for attempt in tries)
     return "bubblewrap" if works else "processes"
 
 
@@ -94,7 +94,7 @@ def plain_command() -> tuple[list[str], list[str]]:
 def _must_be_readable(folders: Sequence[str]) -> None:
     """Under root, submissions run as a user that owns nothing: what they import must be open to everyone."""
     for folder in map(Path, folders):
-        closed = [place for place in (folder, *folder.parents) if not os.stat(place).st_mode & stat.S_IXOTH]
+        closed = [parent for parent in (folder, *folder.parents) if not os.stat(parent).st_mode & stat.S_IXOTH]
         if closed:
             raise UsageError(
                 f"without bubblewrap, submissions run as another user than root, who may not enter {closed[-1]}: "
@@ -131,9 +131,9 @@ def jailed_command(hidden: Sequence[Path]) -> tuple[list[str], list[str]]:
 def other_packages(sites: Sequence[str]) -> list[Path]:
     """Return packages of other interpreters in what is shown: a ban is kept in our own folders alone."""
     ours = set(map(os.path.realpath, sites))
-    found = [path for folder in _python_folders() for path in Path(folder).glob("python3*/*-packages")]
-    linked = [path for path in found if path.is_symlink() or path.parent.is_symlink()]
-    return [path for path in found if path not in linked and path.is_dir() and os.path.realpath(path) not in ours]
+    packages = [path for folder in _python_folders() for path in Path(folder).glob("python3*/*-packages")]
+    linked = [path for path in packages if path.is_symlink() or path.parent.is_symlink()]
+    return [path for path in packages if path not in linked and path.is_dir() and os.path.realpath(path) not in ours]
 
 
 def _python_folders() -> list[str]:

@@ -56,7 +56,7 @@ class SandboxProcess:
         data = request if isinstance(request, bytes) else packed(request)
         self._budget, self._room = ItemBudget(), LARGEST_REPLY
         unsent = memoryview(LENGTH.pack(len(data)) + data)
-        asked, started = time.monotonic(), self._clock()
+        sent_at, started = time.monotonic(), self._clock()
         try:
             while unsent:
                 if not self._ready(select.POLLOUT, self.limit):
@@ -67,7 +67,7 @@ class SandboxProcess:
             raise ProcessLost from None
         finally:
             self.lasted += self._clock() - started
-        self._waited += time.monotonic() - asked
+        self._waited += time.monotonic() - sent_at
 
     def receive(self, form: Callable[[Any], T]) -> T:
         """Return the next reply in its form, or raise CellLost or CellTimeout.
@@ -95,7 +95,7 @@ class SandboxProcess:
 
     def _awaited(self, started: float) -> bytes:
         """Return the bytes of the next reply."""
-        asked, patience = time.monotonic(), self.limit
+        sent_at, patience = time.monotonic(), self.limit
         while (data := self._message()) is None:
             if self._ready(select.POLLIN, started + patience - self._clock()):
                 self._read()
@@ -103,7 +103,7 @@ class SandboxProcess:
                 raise ProcessTimeout
             else:
                 patience += min(RECONSIDER, self.limit)
-        self._waited += time.monotonic() - asked
+        self._waited += time.monotonic() - sent_at
         return data
 
     def seconds(self) -> float:

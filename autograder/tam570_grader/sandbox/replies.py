@@ -111,7 +111,7 @@ def _values(value: Any) -> Any:
     if isinstance(value, dict):
         return {"strangers": value["strangers"]} if strings(value.get("strangers")) else {"strangers": []}
     if isinstance(value, list):
-        return [one if _is_number(one) else Foreign("an object") for one in value]
+        return [item if _is_number(item) else Foreign("an object") for item in value]
     return _numbers(value)
 
 
@@ -124,19 +124,23 @@ def _drawing(value: Any) -> Drawing | None:
     if not isinstance(value, dict) or not isinstance(value.get("lines"), list) or len(value["lines"]) > MOST_LINES:
         return None
     lines = [_line(line) for line in value["lines"]]
-    whole = [line for line in lines if line is not None]
-    if len(whole) < len(lines) or sum(len(line.points) for line in whole) > MOST_POINTS:
+    complete = [line for line in lines if line is not None]
+    if len(complete) < len(lines) or sum(len(line.points) for line in complete) > MOST_POINTS:
         return None
     labels = _label(value, "xlabel"), _label(value, "ylabel")
-    showing, scales = (_pair(value.get(key), kind) for key, kind in (("labels_show", bool), ("scales", float)))
+    showing, scales = (
+        _pair(value.get(key), item_type) for key, item_type in (("labels_show", bool), ("scales", float))
+    )
     if showing is None or scales is None or type(bent := value.get("bent")) is not float:
         return None
-    return Drawing(tuple(whole), *labels, showing, scales, bent)
+    return Drawing(tuple(complete), *labels, showing, scales, bent)
 
 
-def _pair(value: Any, kind: type) -> Any:
+def _pair(value: Any, item_type: type) -> Any:
     """Return the two members of a list, both of this very type."""
-    return tuple(value) if isinstance(value, list) and [type(one) for one in value] == [kind, kind] else None
+    return (
+        tuple(value) if isinstance(value, list) and [type(item) for item in value] == [item_type, item_type] else None
+    )
 
 
 def _line(line: Any) -> Line | None:

@@ -193,12 +193,12 @@ class Student:
         except ProcessLost:
             how = "it exited, crashed or used too much memory"
             raise NotLoaded("crashed", f"Your file ended its process at import: {how}") from None
-        text, again = self._source.text, self._informed
+        text, informed = self._source.text, self._informed
         if "error" in compiled:
             raise not_compiled(compiled)
         if "error" in reply:
-            raise not_imported(reply, text, self._assignment, again)
+            raise not_imported(reply, text, self._assignment, informed)
         self._defined = set(reply["names"])
-        if not again:
+        if not informed:
             self.skipped = [*map(printable, compiled["names"]), *skipped_cells(reply["skipped"], text)]
         self._informed = True

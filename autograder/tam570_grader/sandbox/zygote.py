@@ -61,20 +61,20 @@ class Zygote:
     def __init__(self, preload: Sequence[str], limits: ResourceLimits, hidden: Sequence[Path] = ()) -> None:
         self.limits = limits
         self._errors = tempfile.TemporaryFile()  # noqa: SIM115  closed with the worker
-        self._control, inside = socket.socketpair()
+        self._control, child_end = socket.socketpair()
         self.jail_limits = _limits(limits)
-        settings = {"limits": self.jail_limits, "control": inside.fileno(), "preload": list(preload)}
+        settings = {"limits": self.jail_limits, "control": child_end.fileno(), "preload": list(preload)}
         command, path = jailed_command(hidden) if isolation() == "bubblewrap" else plain_command()
         self._process = subprocess.Popen(
             [*command, json.dumps(settings), json.dumps(path)],
-            pass_fds=[inside.fileno()],
+            pass_fds=[child_end.fileno()],
             env=environment(),
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
             stderr=self._errors,
             start_new_session=True,
         )
-        inside.close()
+        child_end.close()
         self._ready = False
 
     def process(self, cpu: float, hidden: Sequence[str] = ()) -> SandboxProcess:
@@ -203,7 +203,9 @@ def _maps_users() -> bool:
     In a rootless container it may be alone.
     """
     maps = (Path("/proc/self/uid_map"), Path("/proc/self/gid_map"))
-    return all(not one.exists() or any(_holds(line) for line in one.read_text().splitlines()) for one in maps)
+    return all(
+        not map_file.exists() or any(_holds(line) for line in map_file.read_text().splitlines()) for map_file in maps
+    )
 
 
 def _holds(line: str) -> bool:
