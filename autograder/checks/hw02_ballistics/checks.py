@@ -102,7 +102,7 @@ def rates_without_drag_or_gravity(student, rng):
 
 
 def of_ground(motion):
-    ends = motion.found[:, 1].min() >= -1e-6 > motion.expected[:, 1].min()
+    ends = motion.actual[:, 1].min() >= -1e-6 > motion.expected[:, 1].min()
     return "There is no ground: the path goes on below y = 0." if ends else ""
 
 

@@ -172,7 +172,7 @@ def it_stays_on_the_circle(student, rng):
     (motion,) = compare_trajectory(
         student.simulate, reference, cases.long(rng), tolerance=COARSELY, hint=LEAVES, near_miss_credit=False
     )
-    (x, y, vx, vy), length = motion.found.T, motion.case.kwargs["length"]
+    (x, y, vx, vy), length = motion.actual.T, motion.case.kwargs["length"]
     off = (x**2 + y**2) / length**2 - 1
     out = (x * vx + y * vy) / (length * speed(motion.case, motion.expected))
     words = {**drift(off, out), "unit": "of its size", "t": motion.t, "partial": {1e-7: 0.5, 1e-5: 0.25}}

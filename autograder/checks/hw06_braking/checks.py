@@ -149,7 +149,7 @@ def by_rates(student):
 
 def of_run(motion):
     """What to say of a motion that ends early, goes straight on, or does not stay where it stops."""
-    result, expected = motion.found, motion.expected
+    result, expected = motion.actual, motion.expected
     rests = ~expected[:, 3:].any(axis=1)
     after = result[rests]
     if not result[~rests, 3:].any(axis=1).all():

@@ -154,7 +154,7 @@ def wrong_attitude(student):
 
     def hint(motion):
         turning = np.allclose(
-            motion.found[:, :3], motion.expected[:, :3], rtol=0, atol=1e-3 * np.abs(motion.expected[:, :3]).max()
+            motion.actual[:, :3], motion.expected[:, :3], rtol=0, atol=1e-3 * np.abs(motion.expected[:, :3]).max()
         )
         return of_rotations(motion) or (by_attitude.hint(motion) if turning else "")
 
@@ -163,7 +163,7 @@ def wrong_attitude(student):
 
 def of_rotations(motion):
     """What is wrong with the rotations, if they tell."""
-    rotations, expected = rotations_of(motion.found), rotations_of(motion.expected)
+    rotations, expected = rotations_of(motion.actual), rotations_of(motion.expected)
     transposes = rotations.transpose(0, 2, 1)
     flaws = {
         SHORT: motion.case.label == cases.FAST_AND_FAR,
@@ -227,8 +227,8 @@ FOLLOWS = omega_follows_elliptic_functions, attitude_follows_the_motion
     "simulate", points=0.5, part="a", after=FOLLOWS, line="R^T R = I, H in space and the energy over many fast turns."
 )
 def invariants_stay_over_many_turns(student, rng):
-    kept = ROTATES, KEEPS_MOMENTUM, KEEPS_ENERGY
-    check_conserved(student.simulate, reference.motion, cases.many_turns(rng), *kept, partial=SHARES, **TURNS)
+    conserved = ROTATES, KEEPS_MOMENTUM, KEEPS_ENERGY
+    check_conserved(student.simulate, reference.motion, cases.many_turns(rng), *conserved, partial=SHARES, **TURNS)
 
 
 @check(

@@ -121,9 +121,9 @@ def _module(text: str) -> ModuleType:
 def _mutants(assignment: LoadedAssignment) -> Iterator[Wrong]:
     """Yield the mutants, and each in its function alone where others call that."""
     solution = assignment.solution
-    calls, within = _calls(assignment), reached(solution)
+    calls, reachable = _calls(assignment), reached(solution)
     for mutant in mutants(assignment.slug, solution):
-        reach = frozenset(name for name, names in within.items() if mutant.function in names)
+        reach = frozenset(name for name, names in reachable.items() if mutant.function in names)
         yield Wrong(f"mutant {mutant.name}", mutant.text, reach, _calling(calls, reach))
         if mutant.function in assignment.results and len(reach) > 1:
             itself = frozenset({mutant.function})
@@ -132,11 +132,11 @@ def _mutants(assignment: LoadedAssignment) -> Iterator[Wrong]:
 
 def _mistakes(assignment: LoadedAssignment) -> Iterator[Wrong]:
     """Yield each mistake at the check that it must fail first."""
-    within = reached(assignment.solution)
+    reachable = reached(assignment.solution)
     for mistake in mistakes(assignments.checks_folder(assignment.root, assignment.slug)):
         function = ast.parse(mistake.text).body[-1]
         assert isinstance(function, ast.FunctionDef)
-        reach = frozenset(name for name, names in within.items() if function.name in names)
+        reach = frozenset(name for name, names in reachable.items() if function.name in names)
         text = f"{assignment.solution}\n\n{mistake.text}"
         yield Wrong(f"mistake {mistake.name}", text, reach, frozenset({mistake.first_fails}))
 
@@ -231,7 +231,9 @@ def report(cases: CaseReport) -> list[str]:
     ]
     check = ""
     for (name, _, label), (count, needed, catches) in _rows(cases).items():
-        told = ", ".join(f"{number} {kind}{'s' * (number > 1)}" for kind, number in sorted(catches.items()))
-        lines.append(f"| {name if name != check else ''} | {label} | {count} | {needed or ''} | {told} |")
+        summary = ", ".join(
+            f"{number} {catch_kind}{'s' * (number > 1)}" for catch_kind, number in sorted(catches.items())
+        )
+        lines.append(f"| {name if name != check else ''} | {label} | {count} | {needed or ''} | {summary} |")
         check = name
     return [*lines, ""]

@@ -60,18 +60,20 @@ def diagnoses(course: Path, slug: str, executor: TaskExecutor, quick: bool) -> l
     for (name, text), (style, other) in zip(wrong.items(), cycle(styles.items())):
         tasks.append(Grading(course, slug, f"{name}{ON}{style}", other + _taken(solution, text), SEED, naming=True))
     results = progress(in_order(executor, tried, tasks), len(tasks), "submission")
-    known = {one.name: one for one in mistakes(assignments.checks_folder(course, slug))}
-    messages = {one.message for one in known.values()}
-    found = [diagnosis(result, known[result.student.partition(ON)[0]], messages) for result in results]
-    return [one for one in found if one.messages or ON not in one.name]  # another style may not call what is wrong
+    known_mistakes = {mistake.name: mistake for mistake in mistakes(assignments.checks_folder(course, slug))}
+    messages = {mistake.message for mistake in known_mistakes.values()}
+    results_told = [diagnosis(result, known_mistakes[result.student.partition(ON)[0]], messages) for result in results]
+    return [
+        mistake for mistake in results_told if mistake.messages or ON not in mistake.name
+    ]  # another style may not call what is wrong
 
 
-def _taken(solution: str, slip: str) -> str:
+def _taken(solution: str, changed: str) -> str:
     """Code that takes the mistaken functions from the solution with the slip, whose helpers stay its own."""
-    own, public = reached(slip), sorted(exported(ast.parse(solution)))
-    wrong = [name for name in public if name in own]
-    wrong = wrong or [name for name in public if reached(f"{solution}\n\n{slip}")[name] & own.keys()]
-    return TAKEN.format(text=f"{solution}\n\n{slip}", names=wrong)
+    changed_names, public = reached(changed), sorted(exported(ast.parse(solution)))
+    wrong = [name for name in public if name in changed_names]
+    wrong = wrong or [name for name in public if reached(f"{solution}\n\n{changed}")[name] & changed_names.keys()]
+    return TAKEN.format(text=f"{solution}\n\n{changed}", names=wrong)
 
 
 def diagnosis(result: Result, mistake: Mistake, known: Container[str]) -> Diagnosis:
@@ -84,38 +86,38 @@ def diagnosis(result: Result, mistake: Mistake, known: Container[str]) -> Diagno
     messages = tuple(check_result.message for check_result in failed)
     expected = mistake.message if mistake.compared else ""
     named = not mistake.compared or expected in suspects  # else its check says what it is
-    misled = any(one in known and one != expected for one in suspects)
+    misled = any(message in known and message != expected for message in suspects)
     return Diagnosis(result.student, expected, named, suspects, messages, misled)
 
 
-def faults(found: Sequence[Diagnosis]) -> int:
+def faults(diagnosed: Sequence[Diagnosis]) -> int:
     """Wrong names, and one more if too few mistakes are named."""
-    return sum(one.misled for one in found) + (share(found) < ENOUGH)
+    return sum(diagnosis_of.misled for diagnosis_of in diagnosed) + (share(diagnosed) < ENOUGH)
 
 
-def share(found: Sequence[Diagnosis]) -> float:
+def share(diagnosed: Sequence[Diagnosis]) -> float:
     """Of the mistakes that are named."""
-    return sum(one.named for one in found) / len(found)
+    return sum(each.named for each in diagnosed) / len(diagnosed)
 
 
-def as_json(slug: str, found: Sequence[Diagnosis]) -> dict[str, Any]:
+def as_json(slug: str, diagnosed: Sequence[Diagnosis]) -> dict[str, Any]:
     """Return the report as plain data."""
     return {
         "assignment": slug,
-        "wrong": len(found),
-        "named": sum(one.named for one in found),
-        "unnamed": [one.name for one in found if not one.named],
-        "misled": [one.name for one in found if one.misled],
+        "wrong": len(diagnosed),
+        "named": sum(each.named for each in diagnosed),
+        "unnamed": [each.name for each in diagnosed if not each.named],
+        "misled": [each.name for each in diagnosed if each.misled],
     }
 
 
-def report(slug: str, found: Sequence[Diagnosis]) -> list[str]:
+def report(slug: str, diagnosed: Sequence[Diagnosis]) -> list[str]:
     """Return the lines to print: the share, what is said of a mistake that is not named, and where a wrong one is."""
-    named = sum(one.named for one in found)
-    lines = [f"{slug}: {named} of {len(found)} mistakes are named ({share(found):.0%})"]
-    for one in found:
-        if not one.named:
-            lines.append(f"  {one.name}: {'; '.join(one.messages)}")
-        if one.misled:
-            lines.append(f"  MISLED {one.name}: {'; '.join(one.suspects)}")
+    count_named = sum(each.named for each in diagnosed)
+    lines = [f"{slug}: {count_named} of {len(diagnosed)} mistakes are named ({share(diagnosed):.0%})"]
+    for each in diagnosed:
+        if not each.named:
+            lines.append(f"  {each.name}: {'; '.join(each.messages)}")
+        if each.misled:
+            lines.append(f"  MISLED {each.name}: {'; '.join(each.suspects)}")
     return lines

@@ -27,7 +27,7 @@ def equivalents(course: Path, slug: str) -> dict[Slip, str]:
     """Return the proofs by slip."""
     path = assignments.checks_folder(course, slug) / "equivalent.toml"
     tables = _tables(path) if path.exists() else {}
-    return {(function, slip): proof for function, slips in tables.items() for slip, proof in slips.items()}
+    return {(function, change): proof for function, slips in tables.items() for change, proof in slips.items()}
 
 
 def _tables(path: Path) -> dict[str, dict[str, str]]:
@@ -47,14 +47,14 @@ def entry(mutant: Mutant) -> str:
     return f'[{mutant.function}]\n{json.dumps(mutant.slip, ensure_ascii=False)} = ""'
 
 
-def idle(listed: Mapping[Slip, str], made: Container[Slip], killed: Container[Slip]) -> dict[Slip, str]:
+def idle(listed: Mapping[Slip, str], mutants: Container[Slip], killed: Container[Slip]) -> dict[Slip, str]:
     """Return what is wrong with lines that list in vain."""
     faults = {}
-    for slip, proof in listed.items():
-        if slip not in made:
-            faults[slip] = "there is no such mutant"
-        elif slip in killed:
-            faults[slip] = "it loses points"
+    for change, proof in listed.items():
+        if change not in mutants:
+            faults[change] = "there is no such mutant"
+        elif change in killed:
+            faults[change] = "it loses points"
         elif not proof.strip():
-            faults[slip] = "it has no proof"
+            faults[change] = "it has no proof"
     return faults

@@ -42,18 +42,18 @@ def fair(course: Path, slug: str, seeds: int, executor: TaskExecutor, keep: Path
         **submissions(course, slug, "alternatives"),
     }
     digests = {name: _digest(course, slug, text) for name, text in texts.items()}
-    asked = range(FIRST_SEED, FIRST_SEED + seeds)
-    known = {
+    all_seeds = range(FIRST_SEED, FIRST_SEED + seeds)
+    earlier = {
         (line["submission"], line["seed"]): line
         for line in _kept(keep)
-        if line["digest"] == digests.get(line["submission"]) and line["seed"] in asked
+        if line["digest"] == digests.get(line["submission"]) and line["seed"] in all_seeds
     }
     tasks = []
-    for seed in asked:
-        fresh = {name: text for name, text in texts.items() if (name, seed) not in known}
+    for seed in all_seeds:
+        fresh = {name: text for name, text in texts.items() if (name, seed) not in earlier}
         if fresh:
             tasks.append(Class(course, slug, seed, fresh, digests))
-    lines = [*known.values()]
+    lines = [*earlier.values()]
     for graded in progress(in_order(executor, _graded, tasks), len(tasks), "seed"):
         _add(keep, graded)
         lines += graded
@@ -126,8 +126,8 @@ def upper_bound(failures: int, runs: int) -> float:
 def as_json(slug: str, lines: Sequence[Line]) -> dict[str, Any]:
     """Return the report as plain data."""
     fails, bound = _rate(lines)
-    found = {"assignment": slug, "runs": len(lines), "false_fails": fails, "upper_bound": bound}
-    return {**found, "lines": lines}
+    counts = {"assignment": slug, "runs": len(lines), "false_fails": fails, "upper_bound": bound}
+    return {**counts, "lines": lines}
 
 
 def _rate(lines: Sequence[Line]) -> tuple[int, float]:
@@ -146,7 +146,7 @@ def report(lines: Sequence[Line]) -> list[str]:
         of_it = [line for line in lines if line["submission"] == name]
         shown.append(f"  {name:<32}{counted(of_it)}")
         for line in of_it:
-            shown += [f"    seed {line['seed']}: {check}: {says}" for check, says in line["fails"]]
+            shown += [f"    seed {line['seed']}: {check}: {message}" for check, message in line["fails"]]
     return [f"{lines[0]['assignment']}: {counted(lines)}", *shown]
 
 

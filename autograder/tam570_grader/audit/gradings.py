@@ -37,14 +37,14 @@ def tried(grading: Grading, recorder: Recorder | None = None) -> Result:
     """Return the result of a grading, on a worker of this process."""
     assignment = assignments.assignment(grading.course, grading.slug)
     if grading.checks is not None:
-        kept = tuple(check for check in assignment.checks if check.name in grading.checks)
-        free = (replace(check, after=tuple(set(check.after) & set(kept))) for check in kept)
+        chosen = tuple(check for check in assignment.checks if check.name in grading.checks)
+        free = (replace(check, after=tuple(set(check.after) & set(chosen))) for check in chosen)
         assignment = replace(assignment, checks=tuple(free))
     source = Source(grading.text.encode())
     needs = sorted({*assignment.needs, *imported(source.text)})
-    asked = CheckOptions(grading.enough, recorder, grading.naming)
+    options = CheckOptions(grading.enough, recorder, grading.naming)
     return pool.tried(
-        lambda zygote, _: graded(grading.name, source, assignment, zygote, grading.seed, options=asked),
+        lambda zygote, _: graded(grading.name, source, assignment, zygote, grading.seed, options=options),
         needs,
         grading.limits,
         [grading.course],
@@ -58,9 +58,9 @@ def progress(outcomes: Iterable[Outcome], total: int, unit: str) -> Iterator[Out
     yield from tqdm(outcomes, total=total, unit=unit, leave=False, disable=None)
 
 
-def submissions(course: Path, slug: str, kind: str) -> dict[str, str]:
+def submissions(course: Path, slug: str, folder: str) -> dict[str, str]:
     """Return the texts of the alternatives or mistakes of an assignment, by name."""
-    if kind == "mistakes":
+    if folder == "mistakes":
         return overlays(assignments.checks_folder(course, slug))
-    paths = sorted((assignments.checks_folder(course, slug) / kind).glob("*.py"))
+    paths = sorted((assignments.checks_folder(course, slug) / folder).glob("*.py"))
     return {path.stem: path.read_text(encoding="utf-8") for path in paths}

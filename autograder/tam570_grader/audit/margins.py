@@ -58,17 +58,17 @@ def _errors(grading: Grading) -> dict[str, float]:
     Infinite if it fails otherwise.
     """
     assert grading.checks is not None
-    found = {check: _largest(replace(grading, checks=frozenset({check}))) for check in sorted(grading.checks)}
-    return {check: error for check, error in found.items() if error is not None}
+    by_check = {check: _largest(replace(grading, checks=frozenset({check}))) for check in sorted(grading.checks)}
+    return {check: error for check, error in by_check.items() if error is not None}
 
 
 def _largest(grading: Grading) -> float | None:
     """Return the largest error over its limit of a grading of one check; None if it passes without a comparison."""
-    found: list[float] = []
-    result = tried(grading, lambda _, error: found.append(error))
-    largest = max(found, default=0.0)
+    shares: list[float] = []
+    result = tried(grading, lambda _, error: shares.append(error))
+    largest = max(shares, default=0.0)
     passed = all(check_result.outcome == "passed" for check_result in result.checks)
-    if not found and passed:
+    if not shares and passed:
         return None
     return largest if passed or largest > 1 else np.inf
 
@@ -79,27 +79,28 @@ def margins(course: Path, slug: str, seeds: int, executor: TaskExecutor) -> list
     checks = _simulating(course, slug, text)
     if not checks:
         return []
-    wrong = {known.name: known for known in mistakes(assignments.checks_folder(course, slug))}
+    wrong = {mistake.name: mistake for mistake in mistakes(assignments.checks_folder(course, slug))}
     sources = [(method, _careful(text, method), checks) for method in METHODS]
     sources += [
-        (name, f"{text}\n\n{known.text}", checks & _not_passed(course, slug, known)) for name, known in wrong.items()
+        (name, f"{text}\n\n{mistake.text}", checks & _not_passed(course, slug, mistake))
+        for name, mistake in wrong.items()
     ]
     tasks = [
-        Grading(course, slug, name, source, seed, checks=asked)
-        for name, source, asked in sources
-        if asked
+        Grading(course, slug, name, source, seed, checks=checks_asked)
+        for name, source, checks_asked in sources
+        if checks_asked
         for seed in range(FIRST_SEED, FIRST_SEED + seeds)
     ]
     errors = progress(in_order(executor, _errors, tasks), len(tasks), "grading")
-    found = [(grading.name, one) for grading, one in zip(tasks, errors, strict=True)]
+    named_errors = [(grading.name, by_check) for grading, by_check in zip(tasks, errors, strict=True)]
     order = [check.name for check in assignments.assignment(course, slug).checks]
-    return [one for check in order if (one := margin(check, found, wrong))]
+    return [by_check for check in order if (by_check := margin(check, named_errors, wrong))]
 
 
-def _not_passed(course: Path, slug: str, known: Mistake) -> frozenset[str]:
+def _not_passed(course: Path, slug: str, mistake: Mistake) -> frozenset[str]:
     """Return the checks that a wrong submission may not pass: from the first that fails on."""
     order = [check.name for check in assignments.assignment(course, slug).checks]
-    return frozenset(order[order.index(known.first_fails) :])
+    return frozenset(order[order.index(mistake.first_fails) :])
 
 
 def _careful(text: str, method: str) -> str:
@@ -110,54 +111,56 @@ def _careful(text: str, method: str) -> str:
 def _simulating(course: Path, slug: str, text: str) -> frozenset[str]:
     """Return the checks that call what integrates."""
     reach = reached(_careful(text, METHODS[0]))
-    within = {name for name, reachable in reach.items() if "solve" in reachable}
+    integrating = {name for name, reachable in reach.items() if "solve" in reachable}
     calls, _ = calls_of_checks(course, slug, text)
-    return frozenset(name for name, asked in calls.items() if asked & within)
+    return frozenset(name for name, called_functions in calls.items() if called_functions & integrating)
 
 
-def margin(check: str, found: Sequence[tuple[str, Mapping[str, float]]], slips: Mapping[str, Mistake]) -> Margin | None:
+def margin(
+    check: str, named_errors: Sequence[tuple[str, Mapping[str, float]]], slips: Mapping[str, Mistake]
+) -> Margin | None:
     """Return the margin of a check; None if nothing that a careful student integrates is compared in it.
 
     A check that comes after a failed one need not tell that mistake, too: what passes it there is left out, and what
     does not pass counts only where no wrong physics fails this check in its own right.
     """
-    errors = [(name, one[check]) for name, one in found if check in one]
+    errors = [(name, pair[check]) for name, pair in named_errors if check in pair]
     careful = [error for name, error in errors if name in METHODS]
     if not careful:
         return None
     wrong = [(name, error) for name, error in errors if name in slips and error < np.inf]
-    told = [(name, error) for name, error in wrong if error > 1 or check == slips[name].first_fails]
-    inaccurate = [one for one in told if slips[one[0]].numerics]
-    physics = [one for one in told if one not in inaccurate]
-    own = [one for one in physics if check == slips[one[0]].first_fails]
-    return Margin(check, max(careful), _smallest(own or physics), _smallest(inaccurate))
+    caught = [(name, error) for name, error in wrong if error > 1 or check == slips[name].first_fails]
+    inaccurate = [pair for pair in caught if slips[pair[0]].numerics]
+    physics = [pair for pair in caught if pair not in inaccurate]
+    first = [pair for pair in physics if check == slips[pair[0]].first_fails]
+    return Margin(check, max(careful), _smallest(first or physics), _smallest(inaccurate))
 
 
 def _smallest(errors: Sequence[tuple[str, float]]) -> tuple[str, float] | None:
-    return min(errors, key=lambda one: one[1], default=None)
+    return min(errors, key=lambda pair: pair[1], default=None)
 
 
-def faults(found: Sequence[Margin]) -> int:
+def faults(all_margins: Sequence[Margin]) -> int:
     """Margins that are too small."""
-    return sum(one.small for one in found)
+    return sum(margin_of.small for margin_of in all_margins)
 
 
-def as_json(slug: str, found: Sequence[Margin]) -> dict[str, Any]:
+def as_json(slug: str, all_margins: Sequence[Margin]) -> dict[str, Any]:
     """Return the report as plain data."""
-    checks = {one.check: [one.careful, one.physics, one.numerics] for one in found}
+    checks = {each.check: [each.careful, each.physics, each.numerics] for each in all_margins}
     return {"assignment": slug, "checks": checks}
 
 
-def report(slug: str, found: Sequence[Margin]) -> list[str]:
+def report(slug: str, all_margins: Sequence[Margin]) -> list[str]:
     """Return the lines to print."""
-    lines = [f"{slug}: {len(found)} checks of simulations, {faults(found)} margins below {ENOUGH}"]
-    for one in found:
-        room = f"careful {1 / one.careful:.1e} below" if one.careful else "careful exact"
-        wrong = _told("physics", one.physics) if one.physics else "no wrong number"
-        wrong += f", {_told('numerics', one.numerics)}" if one.numerics else ""
-        lines.append(f"  {one.check:<48}{room}, {wrong}" + ("  TOO SMALL" if one.small else ""))
+    lines = [f"{slug}: {len(all_margins)} checks of simulations, {faults(all_margins)} margins below {ENOUGH}"]
+    for each in all_margins:
+        text = f"careful {1 / each.careful:.1e} below" if each.careful else "careful exact"
+        wrong = _told("physics", each.physics) if each.physics else "no wrong number"
+        wrong += f", {_told('numerics', each.numerics)}" if each.numerics else ""
+        lines.append(f"  {each.check:<48}{text}, {wrong}" + ("  TOO SMALL" if each.small else ""))
     return lines
 
 
-def _told(kind: str, wrong: tuple[str, float]) -> str:
-    return f"wrong {kind} {wrong[1]:.1e} above ({wrong[0]})"
+def _told(text: str, wrong: tuple[str, float]) -> str:
+    return f"wrong {text} {wrong[1]:.1e} above ({wrong[0]})"

@@ -38,14 +38,14 @@ class Mutant:
 
 def mutants(slug: str, source: str) -> list[Mutant]:
     """Return all mutants of a solution's source, in the order of the source."""
-    found: dict[str, Mutant] = {}
+    by_text: dict[str, Mutant] = {}
     for function in (node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)):
         count: collections.Counter[tuple[str, str]] = collections.Counter()
-        for node, operator, slip in changed_expressions(function):
-            was, now = ast.unparse(node), ast.unparse(slip)
-            if was == now or (text := replaced(source, node, now)) in found:
+        for node, operator, change in changed_expressions(function):
+            was, now = ast.unparse(node), ast.unparse(change)
+            if was == now or (text := replaced(source, node, now)) in by_text:
                 continue
             count[was, now] += 1
-            lines = (whole.splitlines()[node.lineno - 1] for whole in (source, text))
-            found[text] = Mutant(slug, function.name, operator, node.lineno, was, now, count[was, now], text, *lines)
-    return list(found.values())
+            lines = (text_of.splitlines()[node.lineno - 1] for text_of in (source, text))
+            by_text[text] = Mutant(slug, function.name, operator, node.lineno, was, now, count[was, now], text, *lines)
+    return list(by_text.values())

@@ -58,29 +58,31 @@ class Fates:
 def fates(course: Path, slug: str, executor: TaskExecutor, quick: bool, functions: Sequence[str]) -> Fates:
     """Grade the mutants of an assignment: all, or a fixed sample; of all functions, or of some."""
     text = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
-    made, listed = mutants(slug, text), equivalents(course, slug)
-    asked = [mutant for mutant in made if not functions or mutant.function in functions]
-    chosen = asked[:: max(1, len(asked) // QUICK)] if quick else asked
+    all_mutants, listed = mutants(slug, text), equivalents(course, slug)
+    wanted = [mutant for mutant in all_mutants if not functions or mutant.function in functions]
+    chosen = wanted[:: max(1, len(wanted) // QUICK)] if quick else wanted
     calls, longest = calls_of_checks(course, slug, text)
     call = max(SHORTEST, SLOWER * longest)
     # a second failure tells that the first check is not needed
     grading = partial(Grading, course, slug, seed=SEED, limits=ResourceLimits(cpu=CALLS * call, call=call), enough=2)
-    within = reached(text)
-    tasks = [grading(mutant.name, mutant.text, checks=_concerned(calls, within, mutant.function)) for mutant in chosen]
+    reachable = reached(text)
+    tasks = [
+        grading(mutant.name, mutant.text, checks=_concerned(calls, reachable, mutant.function)) for mutant in chosen
+    ]
     tasks += [
         grading(f"{mutant.name} alone", alone(text, mutant, calls), checks=_calling(calls, mutant.function))
         for mutant in chosen
-        if _is_shared(mutant.function, calls, within)
+        if _is_shared(mutant.function, calls, reachable)
     ]
     results = {result.student: result for result in progress(in_order(executor, tried, tasks), len(tasks), "mutant")}
     slips = {mutant.name: (mutant.function, mutant.slip) for mutant in chosen}
     fate = {
-        name: _fate([results[one] for one in (name, f"{name} alone") if one in results], slip in listed)
-        for name, slip in slips.items()
+        name: _fate([results[run] for run in (name, f"{name} alone") if run in results], change in listed)
+        for name, change in slips.items()
     }
-    killed = {slip for name, slip in slips.items() if fate[name] == KILLED}
-    vain = idle(listed, {(mutant.function, mutant.slip) for mutant in made}, killed)
-    return Fates(slug, chosen, fate, {name: _failed(one) for name, one in results.items()}, list(calls), vain)
+    killed = {change for name, change in slips.items() if fate[name] == KILLED}
+    vain = idle(listed, {(mutant.function, mutant.slip) for mutant in all_mutants}, killed)
+    return Fates(slug, chosen, fate, {name: _failed(run) for name, run in results.items()}, list(calls), vain)
 
 
 def _fate(results: Sequence[Result], listed: bool) -> str:
@@ -99,19 +101,19 @@ exec({slipped!r}, _slipped)
 """
 
 
-def alone(right: str, mutant: Mutant, calls: Mapping[str, set[str]]) -> str:
+def alone(solution: str, mutant: Mutant, calls: Mapping[str, set[str]]) -> str:
     """Return a module whose slip is in one exported function alone; what other functions call is right.
 
     A check of the others would else catch the slip, and a hole in the checks of this one stay unseen.
     """
     exports = "\n".join(f"{name} = _right[{name!r}]" for name in sorted(set().union(*calls.values())))
-    return ALONE.format(right=right, slipped=mutant.text, exports=exports, function=mutant.function)
+    return ALONE.format(right=solution, slipped=mutant.text, exports=exports, function=mutant.function)
 
 
-def _is_shared(function: str, calls: Mapping[str, set[str]], within: Mapping[str, set[str]]) -> bool:
+def _is_shared(function: str, calls: Mapping[str, set[str]], reachable: Mapping[str, set[str]]) -> bool:
     """Return whether it is exported, and other functions may call it."""
-    exported = any(function in asked for asked in calls.values())
-    return exported and any(function in reach for name, reach in within.items() if name != function)
+    exported = any(function in functions for functions in calls.values())
+    return exported and any(function in reach for name, reach in reachable.items() if name != function)
 
 
 def _failed(result: Result) -> list[str]:
@@ -152,65 +154,71 @@ def calls_of_checks(course: Path, slug: str, text: str) -> tuple[dict[str, set[s
     return calls, student.longest
 
 
-def _concerned(calls: Mapping[str, set[str]], within: Mapping[str, set[str]], function: str) -> frozenset[str]:
+def _concerned(calls: Mapping[str, set[str]], reachable: Mapping[str, set[str]], function: str) -> frozenset[str]:
     """Return the checks that a slip in a function can change: they call one within whose reach it is."""
-    return frozenset(check for check, asked in calls.items() if any(function in within[name] for name in asked))
+    return frozenset(
+        check for check, functions in calls.items() if any(function in reachable[name] for name in functions)
+    )
 
 
 def _calling(calls: Mapping[str, set[str]], function: str) -> frozenset[str]:
     """Return the checks that call a function themselves."""
-    return frozenset(check for check, asked in calls.items() if function in asked)
+    return frozenset(check for check, functions in calls.items() if function in functions)
 
 
-def catches(found: Fates) -> dict[str, tuple[int, int]]:
+def catches(fates_of_all: Fates) -> dict[str, tuple[int, int]]:
     """For each check the number of mutants that it is the first to catch, and that it alone catches."""
-    failed = [names for names in found.failed.values() if names]
+    failed = [names for names in fates_of_all.failed.values() if names]
     first = Counter(names[0] for names in failed)
     alone = Counter(names[0] for names in failed if len(names) == 1)
-    return {name: (first[name], alone[name]) for name in found.checks}
+    return {name: (first[name], alone[name]) for name in fates_of_all.checks}
 
 
-def as_json(found: Fates) -> dict[str, Any]:
+def as_json(fates_of_all: Fates) -> dict[str, Any]:
     """Return the report as plain data."""
-    counts = Counter(found.fate.values())
+    counts = Counter(fates_of_all.fate.values())
     return {
-        "assignment": found.slug,
-        "mutants": len(found.chosen),
+        "assignment": fates_of_all.slug,
+        "mutants": len(fates_of_all.chosen),
         **{fate: counts[fate] for fate in FATES},
-        "functions": {name: dict(fate) for name, fate in _by_function(found).items()},
-        "checks": {name: {"first": f, "alone": a} for name, (f, a) in catches(found).items()},
+        "functions": {name: dict(fate) for name, fate in _by_function(fates_of_all).items()},
+        "checks": {name: {"first": f, "alone": a} for name, (f, a) in catches(fates_of_all).items()},
         "survivors": [
-            {"function": one.function, "slip": one.slip, "line": one.line, "operator": one.operator}
-            for one in found.survivors
+            {"function": mutant.function, "slip": mutant.slip, "line": mutant.line, "operator": mutant.operator}
+            for mutant in fates_of_all.survivors
         ],
-        "crashing": [{"function": one.function, "slip": one.slip, "line": one.line} for one in found.crashing],
-        "in_vain": [{"function": name, "slip": slip, "fault": fault} for (name, slip), fault in found.in_vain.items()],
+        "crashing": [
+            {"function": mutant.function, "slip": mutant.slip, "line": mutant.line} for mutant in fates_of_all.crashing
+        ],
+        "in_vain": [
+            {"function": name, "slip": change, "fault": fault} for (name, change), fault in fates_of_all.in_vain.items()
+        ],
     }
 
 
-def _by_function(found: Fates) -> dict[str, Counter[str]]:
+def _by_function(fates_of_all: Fates) -> dict[str, Counter[str]]:
     counts: dict[str, Counter[str]] = {}
-    for mutant in found.chosen:
-        counts.setdefault(mutant.function, Counter())[found.fate[mutant.name]] += 1
+    for mutant in fates_of_all.chosen:
+        counts.setdefault(mutant.function, Counter())[fates_of_all.fate[mutant.name]] += 1
     return counts
 
 
-def report(found: Fates) -> list[str]:
+def report(fates_of_all: Fates) -> list[str]:
     """Return the lines to print: counts by function and check, the checks that no mutant needs, and the faults."""
-    counts = Counter(found.fate.values())
-    told = [counted(len(found.chosen), "mutant"), *(f"{counts[fate]} {fate}" for fate in FATES)]
-    lines = [f"{found.slug}: {', '.join(told)}"]
-    for function, fate in _by_function(found).items():
-        lines.append(f"  {function:<48}" + "".join(f"{fate[one]:>6} {one}" for one in FATES if fate[one]))
-    for check, (first, alone) in catches(found).items():
+    counts = Counter(fates_of_all.fate.values())
+    summary = [counted(len(fates_of_all.chosen), "mutant"), *(f"{counts[fate]} {fate}" for fate in FATES)]
+    lines = [f"{fates_of_all.slug}: {', '.join(summary)}"]
+    for function, fate in _by_function(fates_of_all).items():
+        lines.append(f"  {function:<48}" + "".join(f"{fate[name]:>6} {name}" for name in FATES if fate[name]))
+    for check, (first, alone) in catches(fates_of_all).items():
         needless = "" if alone else "; no mutant tried needs it"
         lines.append(f"  {check:<48}{first:>6} caught first, {alone} by it alone{needless}")
-    for mutant in found.survivors:
+    for mutant in fates_of_all.survivors:
         lines += _shown(mutant)
-    for mutant in found.crashing:
+    for mutant in fates_of_all.crashing:
         lines.append(f"  CRASHES A CHECK {mutant.function}: {mutant.slip}")
-    for (function, slip), fault in found.in_vain.items():
-        lines.append(f"  LISTED IN VAIN {function}: {slip}: {fault}")
+    for (function, change), fault in fates_of_all.in_vain.items():
+        lines.append(f"  LISTED IN VAIN {function}: {change}: {fault}")
     return lines
 
 

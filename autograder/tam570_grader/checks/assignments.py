@@ -87,18 +87,18 @@ class LoadedAssignment:
         return round(sum(check.points for check in self.checks), 6)
 
 
-def find(given: str | Path | None = None) -> Path:
+def find(root: str | Path | None = None) -> Path:
     """Return the checkout: as given, else that of an editable install."""
-    places = INSTALLED if given is None else (Path(given).resolve(),)
-    if found := next(filter(is_checkout, places), None):
-        return found
-    where = f"{given} does not hold a course" if given is not None else "no course is installed"
+    places = INSTALLED if root is None else (Path(root).resolve(),)
+    if checkout := next(filter(is_checkout, places), None):
+        return checkout
+    where = f"{root} does not hold a course" if root is not None else "no course is installed"
     raise UsageError(f"{where}: no autograder/checks and solutions; name a checkout of the course with --root")
 
 
-def is_checkout(place: Path) -> bool:
+def is_checkout(folder: Path) -> bool:
     """Return whether a folder holds checks and solutions."""
-    return (place / "autograder" / "checks").is_dir() and (place / "solutions").is_dir()
+    return (folder / "autograder" / "checks").is_dir() and (folder / "solutions").is_dir()
 
 
 def slugs(root: Path) -> list[str]:
@@ -111,28 +111,28 @@ def checks_folder(root: Path, slug: str) -> Path:
     return root / "autograder" / "checks" / slug
 
 
-def slug_of(name: str, known: Sequence[str]) -> str | None:
+def slug_of(name: str, slugs: Sequence[str]) -> str | None:
     """Return the assignment that a file's or folder's name stands for: hw07, HW7, homework 7, hw07-final, ..."""
-    if name in known:
+    if name in slugs:
         return name
     number = re.match(r"(?:hw|homework)[ _-]*(\d{1,2})(?!\d)", name, re.IGNORECASE)
-    return next((slug for slug in known if number and slug.startswith(f"hw{int(number[1]):02}_")), None)
+    return next((slug for slug in slugs if number and slug.startswith(f"hw{int(number[1]):02}_")), None)
 
 
-def named(names: Iterable[str], known: Sequence[str]) -> list[str]:
+def named(names: Iterable[str], slugs: Sequence[str]) -> list[str]:
     """Return the assignments that these names on the command line stand for.
 
     All that are known if there are no names.
     """
-    found = [(name, slug_of(name, known)) for name in names]
-    if unknown := [name for name, slug in found if slug is None]:
-        raise UsageError(f"there is no assignment {unknown[0]!r}; there are: {', '.join(known)}")
-    return [slug for _, slug in found if slug] or list(known)
+    matches = [(name, slug_of(name, slugs)) for name in names]
+    if unknown := [name for name, slug in matches if slug is None]:
+        raise UsageError(f"there is no assignment {unknown[0]!r}; there are: {', '.join(slugs)}")
+    return [slug for _, slug in matches if slug] or list(slugs)
 
 
-def one_named(name: str | None, known: Sequence[str]) -> str | None:
+def one_named(name: str | None, slugs: Sequence[str]) -> str | None:
     """Return the assignment that the option --assignment names; None without it."""
-    return named([name], known)[0] if name else None
+    return named([name], slugs)[0] if name else None
 
 
 @functools.cache
@@ -147,29 +147,34 @@ def assignment(root: Path, slug: str) -> LoadedAssignment:
     rubric = load_rubric(root / "assignments" / slug)
     if unknown := [check.name for check in checks if check.function not in stated.returns]:
         raise UsageError(f"{slug}: the check {unknown[0]} is about no function of the assignment")
-    found = LoadedAssignment(slug, checks, stated.returns, stated.needs, stated.forbidden, source, rubric, root)
-    return _adapted(found, folder) if (folder / f"{ADAPTED}.py").exists() else found
+    loaded = LoadedAssignment(slug, checks, stated.returns, stated.needs, stated.forbidden, source, rubric, root)
+    return _adapted(loaded, folder) if (folder / f"{ADAPTED}.py").exists() else loaded
 
 
-def _adapted(given: LoadedAssignment, folder: Path) -> LoadedAssignment:
+def _adapted(original: LoadedAssignment, folder: Path) -> LoadedAssignment:
     """Return an assignment with the points, parts and checks of a course of one's own."""
     change = importlib.import_module(f"_checks_{folder.name}.{ADAPTED}")
-    own = importlib.import_module(f"_checks_{folder.name}.{OWN}") if (folder / f"{OWN}.py").exists() else None
-    checks = {check.name: replace(check, points=change.POINTS.get(check.name, check.points)) for check in given.checks}
-    kept = {name: check for name, check in checks.items() if check.part not in change.LEAVE_OUT and check.points}
-    kept |= {check.name: check for check in (_named_checks(own) if own else ())}
+    added = importlib.import_module(f"_checks_{folder.name}.{OWN}") if (folder / f"{OWN}.py").exists() else None
+    checks = {
+        check.name: replace(check, points=change.POINTS.get(check.name, check.points)) for check in original.checks
+    }
+    chosen = {name: check for name, check in checks.items() if check.part not in change.LEAVE_OUT and check.points}
+    chosen |= {check.name: check for check in (_named_checks(added) if added else ())}
     forbidden = {
-        where: [name for name in names if name not in change.ALLOW] for where, names in given.forbidden.items()
+        where: [name for name in names if name not in change.ALLOW] for where, names in original.forbidden.items()
     }
     return replace(
-        given,
+        original,
         checks=tuple(
-            replace(check, after=tuple(kept[one.name] for one in check.after if one.name in kept))
-            for check in kept.values()
+            replace(
+                check,
+                after=tuple(chosen[check_before.name] for check_before in check.after if check_before.name in chosen),
+            )
+            for check in chosen.values()
         ),
-        results={**given.results, **(_stated(own).returns if own and hasattr(own, "ASSIGNMENT") else {})},
+        results={**original.results, **(_stated(added).returns if added and hasattr(added, "ASSIGNMENT") else {})},
         forbidden={where: names for where, names in forbidden.items() if names},
-        rubric={letter: part for letter, part in given.rubric.items() if letter not in change.LEAVE_OUT},
+        rubric={letter: part for letter, part in original.rubric.items() if letter not in change.LEAVE_OUT},
     )
 
 

@@ -103,16 +103,16 @@ def once(compute: Callable[..., T], most: int = MOST_KNOWN) -> Callable[..., T]:
     The generator is left as the computation left it, so a check draws the same numbers with and without it.
     What is returned is shared between students: do not change it. `most` is how many values are kept.
     """
-    known = Memory(most)
+    memory = Memory(most)
 
     @functools.wraps(compute)
-    def remembered(rng: np.random.Generator, *args: Any, **named: Any) -> T:
+    def remembered(rng: np.random.Generator, *args: Any, **keywords: Any) -> T:
         def computed() -> tuple[Any, Any]:
-            value = compute(rng, *args, **named)
+            value = compute(rng, *args, **keywords)
             return list(value) if isinstance(value, Iterator) else value, rng.bit_generator.state
 
-        key = (repr(rng.bit_generator.state), *args, *named.items())
-        value, rng.bit_generator.state = known.value(key, computed) if _is_hashable(key) else computed()
+        key = (repr(rng.bit_generator.state), *args, *keywords.items())
+        value, rng.bit_generator.state = memory.value(key, computed) if _is_hashable(key) else computed()
         return value  # type: ignore[no-any-return]
 
     return remembered

@@ -247,7 +247,7 @@ def is_right(function: Any, reference: Reference, cases: Iterable[Case]) -> bool
 
 def first_wrong(reference: Reference, case: Case, *functions: Any) -> Callable[[], str]:
     """Make a question for the first of a student's functions that is wrong for a case: its name, or ""."""
-    return lambda: next((one.name for one in functions if not is_right(one, reference, [case])), "")
+    return lambda: next((function.name for function in functions if not is_right(function, reference, [case])), "")
 
 
 def _numbers(result: Any) -> Any:
@@ -285,25 +285,25 @@ _signature = functools.lru_cache(maxsize=256)(inspect.signature)
 def describe(function: Any, name: str) -> Any:
     """One of the words in which `Assignment.returns` speaks of a result, or of each member of a tuple."""
     words = getattr(getattr(function, "returns", None), "description", Description())
-    return [getattr(one, name) for one in words] if isinstance(words, list) else getattr(words, name)
+    return [getattr(word, name) for word in words] if isinstance(words, list) else getattr(words, name)
 
 
-def _hint(hint: Any, case: Case, found: Any, reference: Any, one: Any, expected: Any) -> str:
+def _hint(hint: Any, case: Case, actual: Any, reference: Any, member: Any, expected: Any) -> str:
     """Return what right numbers have lost, else the hint of the case, else that of the check."""
-    return digits_lost(one, expected) or case.hint or (hint(case, found, reference) if callable(hint) else hint)
+    return digits_lost(member, expected) or case.hint or (hint(case, actual, reference) if callable(hint) else hint)
 
 
-def digits_lost(found: Any, expected: Any) -> str:
+def digits_lost(actual: Any, expected: Any) -> str:
     """Return a sentence for the right numbers in single precision, or rounded.
 
     Numbers that have few digits do not tell.
     """
-    found, expected = np.asarray(found, float), np.asarray(expected, float)
-    off = float(np.max(np.abs(found - expected), initial=0.0))
-    exact = [places for places in PLACES if np.array_equal(found, np.round(found, places))]
+    actual, expected = np.asarray(actual, float), np.asarray(expected, float)
+    off = float(np.max(np.abs(actual - expected), initial=0.0))
+    exact = [places for places in PLACES if np.array_equal(actual, np.round(actual, places))]
     if exact and exact[0] != PLACES[0] and off <= 10.0 ** -exact[0]:
         return f"The numbers are rounded to {exact[0]} places: return all digits"
-    if not exact and off <= SINGLE * np.max(np.abs(expected)) and np.array_equal(found, found.astype(np.float32)):
+    if not exact and off <= SINGLE * np.max(np.abs(expected)) and np.array_equal(actual, actual.astype(np.float32)):
         return "The numbers are in single precision: use float64"
     return ""
 
@@ -356,11 +356,11 @@ def _size(column: Column, case: Case, expected: Array) -> Any:
     return (column.scale(case, expected) if column.scale else np.max(np.abs(expected[..., column.where]))) or 1.0
 
 
-def _members(found: Any, expected: Any, words: Any, case: Case, only: Only) -> Iterable[tuple[Any, ...]]:
+def _members(actual: Any, expected: Any, words: Any, case: Case, only: Only) -> Iterable[tuple[Any, ...]]:
     """(member, found, expected, of, unit, scale) of each member of a result."""
-    several = isinstance(found, tuple)
-    pairs = list(zip(found, expected, strict=True)) if several else [(found, expected)]
-    for index, (one, other) in enumerate(pairs):
+    several = isinstance(actual, tuple)
+    pairs = list(zip(actual, expected, strict=True)) if several else [(actual, expected)]
+    for index, (part, other) in enumerate(pairs):
         if only is not None and index not in np.atleast_1d(only):
             continue
         what, its_unit, its_scale = (_of(index, said) for said in words)
@@ -368,7 +368,7 @@ def _members(found: Any, expected: Any, words: Any, case: Case, only: Only) -> I
         member = index if several else None
         yield (
             member,
-            one,
+            part,
             other,
             what,
             its_unit,

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["BITS", "Curve", "curve", "kept"]
+__all__ = ["BITS", "Curve", "curve", "conserved_curve"]
 
 # plain data: quantity, unit, tolerance, scale ("log" or "linear"), values along the motion; keeps: another
 Curve = dict[str, Any]
@@ -42,14 +42,14 @@ def curve(
     t, rows, sizes = t[motion], rows[motion], sizes[motion]
     if len(t) < 3:
         return None
-    stays = rows.shape[1] == 1 and np.ptp(np.broadcast_to(expected, signed.shape)[motion]) == 0
+    is_constant = rows.shape[1] == 1 and np.ptp(np.broadcast_to(expected, signed.shape)[motion]) == 0
     slots = _slots(t, sizes)
-    values = _steps(rows[:, 0], slots) if stays else _levels(sizes, slots, tolerance)
-    scaled = "linear" if stays else "log"
+    values = _steps(rows[:, 0], slots) if is_constant else _levels(sizes, slots, tolerance)
+    scaled = "linear" if is_constant else "log"
     return {"quantity": quantity, "unit": unit, "tolerance": tolerance, "scale": scaled, "values": values}
 
 
-def kept(t: Any, values: Any, *, tolerance: float, quantity: str, unit: str = "") -> Curve | None:
+def conserved_curve(t: Any, values: Any, *, tolerance: float, quantity: str, unit: str = "") -> Curve | None:
     """Return what becomes of a number that the right motion keeps, along the student's, from its first value on."""
     values = np.asarray(values, float)
     return curve(

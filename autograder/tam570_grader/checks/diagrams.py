@@ -127,9 +127,9 @@ def compare_diagrams(function: Any, reference: Any, cases: Iterable[Case]) -> No
     """Fail unless the student draws, in every case, the forces of the `FreeBody` that `reference` returns."""
     for _, arrows, body in call_cases(function, reference, cases):
         if message := complaint(body, arrows):
-            right = [_arrow_of(force) for force in body.forces if force.acts]
+            expected = [_arrow_of(force) for force in body.forces if force.acts]
             wrong = f"the free body diagram of {body.name} is wrong"
-            fail(wrong, hint=message, sketch=_sketch(body, arrows), expected=_sketch(body, right))
+            fail(wrong, hint=message, sketch=_sketch(body, arrows), expected=_sketch(body, expected))
 
 
 def _arrow_of(force: Force) -> Arrow:
@@ -141,8 +141,8 @@ def complaint(body: FreeBody, arrows: Sequence[Arrow]) -> str:
     near = SAME * max(float(np.linalg.norm(np.asarray(force.point, float))) for force in body.forces)
     if _is_drawn(body.forces, arrows, near) or not any(match := _best_match(body, arrows, near)):
         return ""
-    named = _misplaced(*match, near), _not_a_force(body, arrows, match, near), *_general(body, *match, near)
-    return next(filter(None, named))
+    complaints = _misplaced(*match, near), _not_a_force(body, arrows, match, near), *_general(body, *match, near)
+    return next(filter(None, complaints))
 
 
 def _sketch(body: FreeBody, arrows: Sequence[Arrow]) -> dict[str, Any]:
@@ -167,7 +167,7 @@ def _sketch(body: FreeBody, arrows: Sequence[Arrow]) -> dict[str, Any]:
     drawn = [[*placed(point, GRID), angle] for point, angle in zip(points, angles, strict=True)]
     return {
         "body": body.name,
-        "outline": [[*placed(one, 1), *placed(other, 1)] for one, other in outline],
+        "outline": [[*placed(start, 1), *placed(other, 1)] for start, other in outline],
         "arrows": sorted(drawn, key=str)[:SHOWN],
     }
 
@@ -178,12 +178,12 @@ def _angle(direction: Vector) -> int:
 
 def _is_drawn(forces: Sequence[Force], arrows: Sequence[Arrow], near: float) -> bool:
     """Return whether each force has an arrow of its own, the first that draws it, and no arrow is left."""
-    left = list(arrows)
+    unmatched = list(arrows)
     for force in forces:
-        if not (drawn := next((arrow for arrow in left if force.drawn_by([arrow], near)), None)):
+        if not (drawn := next((arrow for arrow in unmatched if force.drawn_by([arrow], near)), None)):
             return False
-        left = [arrow for arrow in left if arrow is not drawn]
-    return not left
+        unmatched = [arrow for arrow in unmatched if arrow is not drawn]
+    return not unmatched
 
 
 Match = tuple[list[Force], list[Arrow]]  # what is missing, and the arrows that draw no force
@@ -226,9 +226,9 @@ def _ways(force: Force, arrows: Sequence[Arrow], near: float) -> Iterator[tuple[
 
 def _misplaced(missing: Sequence[Force], extra: Sequence[Arrow], near: float) -> str:
     """Return a force of known sense that is drawn in the other one, at another point, or by its components."""
-    for force, arrow in itertools.product([one for one in missing if one.sense], extra):
-        here = [one for one in extra if one is not arrow and _at(force, one, near)]
-        if _at(force, arrow, near) and any(_perpendicular([arrow, one]) for one in here):
+    for force, arrow in itertools.product([other for other in missing if other.sense], extra):
+        here = [other for other in extra if other is not arrow and _at(force, other, near)]
+        if _at(force, arrow, near) and any(_perpendicular([arrow, other]) for other in here):
             return f"You drew components of {force.name}; draw the force as one arrow."
         if _at(force, arrow, near) and _same_line(force, arrow):
             return force.reversed or f"You drew {force.name} in the wrong sense."
@@ -287,8 +287,8 @@ def _same_line(force: Force, arrow: Arrow, sense: bool = False) -> bool:
 
 def _parallel(direction: Vector, along: ArrayLike, sense: bool) -> bool:
     """Return whether two vectors have the same direction; without `sense`, or the opposite one."""
-    one, other = _unit(direction), _unit(along)
-    apart = math.dist(one, other) if sense else min(math.dist(one, other), math.dist(one, -other))
+    first, other = _unit(direction), _unit(along)
+    apart = math.dist(first, other) if sense else min(math.dist(first, other), math.dist(first, -other))
     return apart <= SAME
 
 

@@ -67,8 +67,8 @@ def compile_counted(text: str | bytes, name: str, *, in_python: bool = False) ->
     in_python : let `tam570.integrate.solve` run in Python, where it calls what counts
     """
     tree = _Counted(in_python).visit(ast.parse(text))
-    place = next((i for i, node in enumerate(tree.body) if not _is_head(node)), len(tree.body))
-    tree.body[place:place] = ast.parse(PROLOGUE).body
+    index = next((i for i, node in enumerate(tree.body) if not _is_head(node)), len(tree.body))
+    tree.body[index:index] = ast.parse(PROLOGUE).body
     return compile(ast.fix_missing_locations(tree), name, "exec", dont_inherit=True)
 
 
@@ -85,8 +85,8 @@ class _Counted(ast.NodeTransformer):
 
     def _with_count(self, node: Any) -> Any:
         self.generic_visit(node)
-        place = 1 if isinstance(node, ast.FunctionDef) and ast.get_docstring(node) else 0
-        node.body.insert(place, ast.parse("_count()").body[0])
+        index = 1 if isinstance(node, ast.FunctionDef) and ast.get_docstring(node) else 0
+        node.body.insert(index, ast.parse("_count()").body[0])
         return node
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> Any:  # noqa: N802
@@ -109,7 +109,7 @@ class _Counted(ast.NodeTransformer):
         return node
 
 
-def solve(rhs: Callable[..., Any], *args: Any, **known: Any) -> Any:
+def solve(rhs: Callable[..., Any], *args: Any, **keywords: Any) -> Any:
     """Return `tam570.integrate.solve`, which calls `rhs` at every stage."""
     from tam570.integrate import solve
 
@@ -117,7 +117,7 @@ def solve(rhs: Callable[..., Any], *args: Any, **known: Any) -> Any:
         count()
         return rhs(float(t), y, **parameters)  # a symbol is no number: it is not traced
 
-    return solve(rates, *args, **known)
+    return solve(rates, *args, **keywords)
 
 
 class _Loader(importlib.machinery.SourceFileLoader):

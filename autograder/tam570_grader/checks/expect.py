@@ -90,7 +90,7 @@ class CheckContext:
     def end(self) -> None:
         """Raise the failure that leaves the smallest share."""
         if self.failures:
-            raise self._explained(*min(self.failures, key=lambda one: one[0].share))
+            raise self._explained(*min(self.failures, key=lambda failure_and_check: failure_and_check[0].share))
 
     def _explained(self, failed: Failed, hint: Hint) -> Failed:
         """Return the one failure that is told, with its hint, which may take long to find."""
@@ -108,9 +108,9 @@ def get_context() -> CheckContext:
 
 
 @contextmanager
-def check_context(**known: Any) -> Iterator[CheckContext]:
+def check_context(**fields: Any) -> Iterator[CheckContext]:
     """Run a check; at its end the smallest share of the points counts. `known` are fields of the Trial."""
-    running = CheckContext(**known)
+    running = CheckContext(**fields)
     token = _current.set(running)
     try:
         yield running
@@ -144,7 +144,7 @@ def expect(
                NEARLY_SHARE is left
     kind, at : the kind of input and the input, where they are not those of the call that was judged last
     gradual  : False where an error of a few limits is no sign that the physics is right
-    keeps    : `kept(...)`, asked for on failure: what becomes of an invariant along the student's motion
+    keeps    : `conserved_curve(...)`, asked for on failure: what becomes of an invariant along the student's motion
     """
     actual, expected = np.asarray(actual, float), np.asarray(expected, float)
     errors = distance(actual, expected) / scale
@@ -176,8 +176,8 @@ def fail(
 ) -> None:
     """Fail with `message`; with a share the check goes on."""
     running = get_context()
-    known = running.case
-    fields |= {"label": (known.label if known and label == "" else label) or "", "at": known if at is None else at}
+    case = running.case
+    fields |= {"label": (case.label if case and label == "" else label) or "", "at": case if at is None else at}
     running.fail(Failed(message, function=running.function, share=share, **fields), hint)
 
 
@@ -213,8 +213,8 @@ def _share(error: float, tolerance: float, partial: Mapping[float, float] | Call
     """Of the points, for an error beyond the limit."""
     if callable(partial):
         return NEAR_MISS_SHARE if error <= NEAR_MISS * tolerance else partial(error)
-    known = {**(partial or {}), NEAR_MISS * tolerance: NEAR_MISS_SHARE}
-    return max((share for limit, share in known.items() if error <= limit), default=0.0)
+    shares = {**(partial or {}), NEAR_MISS * tolerance: NEAR_MISS_SHARE}
+    return max((share for limit, share in shares.items() if error <= limit), default=0.0)
 
 
 def _curve(
@@ -222,10 +222,10 @@ def _curve(
 ) -> Any:
     if t is None:
         return None
-    found = curve(t, actual, expected, scale, tolerance=tolerance, quantity=quantity, unit=unit)
-    if found and keeps:
-        found["keeps"] = keeps()
-    return found
+    plotted = curve(t, actual, expected, scale, tolerance=tolerance, quantity=quantity, unit=unit)
+    if plotted and keeps:
+        plotted["keeps"] = keeps()
+    return plotted
 
 
 def _time(t: Any, errors: Any, worst: int) -> float | None:

@@ -58,14 +58,14 @@ class Figure:
 
     def svg(self) -> str:
         """Return the drawing as SVG, with its title and description."""
-        head = (
+        opening = (
             f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {self.height}" width="{WIDTH}" '
             f'height="{self.height}" role="img" aria-labelledby="t d">\n'
             f'<title id="t">{escape(self.title)}</title>\n<desc id="d">{escape(self.description)}</desc>\n'
             f"<style>{STYLE}</style>\n"
             f'<rect width="{WIDTH}" height="{self.height}" rx="8"/>\n'
         )
-        return head + "\n".join(self._parts) + "\n</svg>\n"
+        return opening + "\n".join(self._parts) + "\n</svg>\n"
 
     # Vocabulary
 
@@ -116,21 +116,21 @@ class Figure:
         """Mark the distance from a to b by a line beside it, `aside` px to the left of the way from a to b."""
         start, end = self._on_paper([a, b])
         along = (end - start) / math.dist(start, end)
-        left = aside * np.array([along[1], -along[0]])
-        for place in (start, end) if aside else ():
-            self._path([place + left * 0.15, place + left * 1.12], "soft")
-        self._path([start + left, end + left], "soft")
-        self._head(start + left, end + left, "soft")
-        self._head(end + left, start + left, "soft")
+        offset = aside * np.array([along[1], -along[0]])
+        for point in (start, end) if aside else ():
+            self._path([point + offset * 0.15, point + offset * 1.12], "soft")
+        self._path([start + offset, end + offset], "soft")
+        self._head(start + offset, end + offset, "soft")
+        self._head(end + offset, start + offset, "soft")
         side = math.copysign(14.0, aside or 1.0) * np.array([along[1], -along[0]])
-        middle = (start + end) / 2 + left
+        middle = (start + end) / 2 + offset
         self._text(middle, label, (side[0], -side[1]), "thin")
 
     def point(self, name: str, at: ArrayLike, by: tuple[float, float] = (13, 12), size: float = 4.0) -> None:
         """Draw a point with its name, which the SVG has as data-name."""
-        (place,) = self._on_paper([at])
-        self._parts.append(f'<circle cx="{place[0]:.2f}" cy="{place[1]:.2f}" r="{size:g}" data-name="{escape(name)}"/>')
-        self._text(place, name, by, "thin")
+        (paper,) = self._on_paper([at])
+        self._parts.append(f'<circle cx="{paper[0]:.2f}" cy="{paper[1]:.2f}" r="{size:g}" data-name="{escape(name)}"/>')
+        self._text(paper, name, by, "thin")
 
     def label(self, at: ArrayLike, text: str, by: tuple[float, float] = (0, 0), style: str = "thin") -> None:
         """Write a text."""
@@ -173,7 +173,7 @@ class Figure:
         return np.asarray((np.array(points, float) - self._corner) * [self.scale, -self.scale])
 
     def _path(self, places: Sequence[Vector] | Vector, style: str, closed: bool = False) -> None:
-        ways = "L".join(_xy(place) for place in places)
+        ways = "L".join(_xy(point) for point in places)
         self._parts.append(f'<path class="{style}" d="M{ways}{"Z" if closed else ""}"/>')
 
     def _head(self, before: Vector, tip: Vector, style: str) -> None:
@@ -181,9 +181,9 @@ class Figure:
         side, base = SLIM * HEAD * np.array([-along[1], along[0]]), tip - HEAD * along
         self._parts.append(f'<path class="h {style}" d="M{_xy(tip)}L{_xy(base + side)}L{_xy(base - side)}Z"/>')
 
-    def _text(self, place: Vector, text: str, by: tuple[float, float], style: str) -> None:
+    def _text(self, point: Vector, text: str, by: tuple[float, float], style: str) -> None:
         if text:
-            x, y = place[0] + by[0], place[1] - by[1]
+            x, y = point[0] + by[0], point[1] - by[1]
             words = SUBSCRIPT.sub(r'<tspan dy="6" font-size="13">\1</tspan>', escape(text))
             self._parts.append(f'<text class="{style}" x="{x:.1f}" y="{y:.1f}">{words}</text>')
 
@@ -201,5 +201,5 @@ def seen_from(azimuth: float, elevation: float) -> Callable[[ArrayLike], Vector]
     return lambda points: np.asarray(np.asarray(points, float) @ right_and_up.T)
 
 
-def _xy(place: Vector) -> str:
-    return f"{place[0]:.1f} {place[1]:.1f}"
+def _xy(point: Vector) -> str:
+    return f"{point[0]:.1f} {point[1]:.1f}"

@@ -36,11 +36,11 @@ def from_own_lagrangian(student: Any, cases: Sequence[Case], otherwise: str) -> 
 
     def hint(*_: Any) -> str:
         try:
-            found = equation.at([{name: point[name] for name in equation.returns.symbols} for point in points])
-            own = _accelerations(lagrangian, points, *lagrangian.returns.symbols[:2])
+            values = equation.at([{name: point[name] for name in equation.returns.symbols} for point in points])
+            accelerations = _accelerations(lagrangian, points, *lagrangian.returns.symbols[:2])
         except (Failed, NotWritten):
             return otherwise
-        follows = np.max(np.abs(found - own) / np.abs(own)) <= FOLLOWS
+        follows = np.max(np.abs(values - accelerations) / np.abs(accelerations)) <= FOLLOWS
         return "It follows from your Lagrangian, which is wrong." if follows else otherwise
 
     return hint

@@ -46,11 +46,11 @@ class Motion:
     """A case, the student's rows, the right ones, the scale of each column."""
 
     case: Case
-    found: Array
+    actual: Array
     expected: Array
     scales: Array
     function: Any
-    right: Callable[..., Any]
+    reference: Callable[..., Any]
     restart: Callable[[Array], tuple[Any, ...]] | None = None
 
     @property
@@ -60,7 +60,7 @@ class Motion:
     @cached_property
     def errors(self) -> Array:
         """(n, k) of the scales; a NaN is larger than any."""
-        errors = np.abs(self.found - self.expected) / self.scales
+        errors = np.abs(self.actual - self.expected) / self.scales
         return np.where(np.isnan(errors), np.inf, errors)
 
     @property
@@ -69,10 +69,10 @@ class Motion:
 
     def near(self, rows: Any, quantity: Any = None) -> bool:
         """Return whether the student's rows, or some of them, are these, and not as well the right ones."""
-        found, tolerance = self.found if quantity is None else quantity, min(ALIKE, BETTER * self.error)
-        return np.shape(rows) == found.shape and bool(np.max(np.abs(rows - found) / self.scales) <= tolerance)
+        actual, tolerance = self.actual if quantity is None else quantity, min(ALIKE, BETTER * self.error)
+        return np.shape(rows) == actual.shape and bool(np.max(np.abs(rows - actual) / self.scales) <= tolerance)
 
-    def again(self, t: Array) -> Array | None:
+    def repeated_at(self, t: Array) -> Array | None:
         """Return the student's rows when other times are asked for; None where there are none."""
         try:
             return flat(self.function.aside(self.case.replace(t)))
@@ -82,7 +82,7 @@ class Motion:
     def truly(self, t: Array, *start: Any) -> Array:
         """Return the right rows at other times, or from another start."""
         case = self.case.replace(t, *start)
-        return flat(expected_result(self.right, case))
+        return flat(expected_result(self.reference, case))
 
 
 def diagnosed(
@@ -99,9 +99,9 @@ def diagnosed(
     """
     with np.errstate(all="ignore"):
         moves = np.max(np.ptp(motion.expected, axis=0) / motion.scales) > ALIKE  # what rests is the same at any times
-        told = next((says for tells, says in _tells(motion, motions, turns) if moves and tells()), "")
-        if told or not (motion.error <= near_miss or obeys(motion)):
-            return told
+        message = next((sentence for is_so, sentence in _tells(motion, motions, turns) if moves and is_so()), "")
+        if message or not (motion.error <= near_miss or obeys(motion)):
+            return message
         share = _explained(motion)
         if share >= EXPLAINS:
             return ""
@@ -111,16 +111,16 @@ def diagnosed(
 
 TIGHT = "The physics is right: tighten rtol and atol, or take smaller steps"
 NEARLY_FOLLOWS = "Each row nearly follows from the row before: is a term wrong, or are rtol and atol loose?"
-Tell = tuple[Callable[[], bool], str]
+Rule = tuple[Callable[[], bool], str]
 
 
-def _tells(motion: Motion, motions: Sequence[Motion], turns: Sequence[int]) -> list[Tell]:
+def _tells(motion: Motion, motions: Sequence[Motion], turns: Sequence[int]) -> list[Rule]:
     """Return the questions in order: what is cheap and certain comes first."""
-    inner, expected = motion.found[1:-1], motion.expected
+    inner, expected = motion.actual[1:-1], motion.expected
     return [
         (lambda: _still(motion), "Every row is the start"),
-        (lambda: not motion.found.any(), "Every number is zero"),
-        (lambda: len(inner) > 0 and motion.near(expected[2:], inner), AHEAD),
+        (lambda: not motion.actual.any(), "Every number is zero"),
+        (lambda: len(inner) > 0 and motion.near(expected[2:], inner), ONE_ROW_AHEAD),
         (lambda: len(inner) > 0 and motion.near(expected[:-2], inner), BEHIND),
         (lambda: motion.errors[0].max() > ALIKE >= motion.errors[1:].max(), "Row 0 is not the start"),
         (lambda: _turned(motion, turns), "Only whole turns are missing: never wrap angles"),
@@ -134,7 +134,7 @@ def _tells(motion: Motion, motions: Sequence[Motion], turns: Sequence[int]) -> l
     ]
 
 
-AHEAD = "Row i is the state at t[i+1], not at t[i]"
+ONE_ROW_AHEAD = "Row i is the state at t[i+1], not at t[i]"
 BEHIND = "Row i is the state at t[i-1], not at t[i]"
 JOINED = (
     "This row is accurate when requested alone: do you interpolate linearly between steps, or at a loose tolerance?"
@@ -143,14 +143,14 @@ SAMPLED = "With more times in between the same rows are accurate: take smaller s
 
 
 def _still(motion: Motion) -> bool:
-    return bool((motion.found == motion.found[0]).all()) and bool(motion.errors[0].max() <= ALIKE)
+    return bool((motion.actual == motion.actual[0]).all()) and bool(motion.errors[0].max() <= ALIKE)
 
 
 def _turned(motion: Motion, turns: Sequence[int]) -> bool:
-    off = np.zeros_like(motion.found)
+    off = np.zeros_like(motion.actual)
     columns = list(turns)
-    off[:, columns] = 2 * np.pi * np.round((motion.found - motion.expected)[:, columns] / (2 * np.pi))
-    return bool(off.any()) and motion.near(motion.expected, quantity=motion.found - off)
+    off[:, columns] = 2 * np.pi * np.round((motion.actual - motion.expected)[:, columns] / (2 * np.pi))
+    return bool(off.any()) and motion.near(motion.expected, quantity=motion.actual - off)
 
 
 def _even(motion: Motion) -> bool:
@@ -164,7 +164,7 @@ def _even(motion: Motion) -> bool:
 
 def _at_other_times(motion: Motion) -> bool:
     """Return whether the rows are those at even times of another step, such as one of the student's own."""
-    moved = np.max(np.ptp(motion.found, axis=0) / motion.scales)
+    moved = np.max(np.ptp(motion.actual, axis=0) / motion.scales)
     if len(motion.t) < 3 or not ROUGHLY < moved <= ABSURD or motion.errors[0].max() > ALIKE:
         return False
     start, count = motion.t[0], np.arange(len(motion.t))
@@ -183,9 +183,9 @@ def _steps(motion: Motion) -> Iterator[float]:
 
     def missed(step: float) -> float:
         row = motion.truly(np.array([start, start + step]))[-1]
-        return float(np.sum(((row - motion.found[1]) / motion.scales) ** 2))
+        return float(np.sum(((row - motion.actual[1]) / motion.scales) ** 2))
 
-    off = np.max(np.abs(motion.truly(start + later) - motion.found[1]) / motion.scales, axis=1)
+    off = np.max(np.abs(motion.truly(start + later) - motion.actual[1]) / motion.scales, axis=1)
     closest = (off[1:-1] <= off[:-2]) & (off[1:-1] <= off[2:]) & (off[1:-1] < ROUGHLY)
     for index in np.flatnonzero(closest)[:MOST_STEPS]:
         yield float(minimize_scalar(missed, bounds=later[[index, index + 2]], method="bounded").x)
@@ -198,7 +198,7 @@ def _from_zero(motion: Motion) -> bool:
     if t[0] == 0 or not after.any():
         return False
     try:
-        return motion.near(motion.truly(np.append(0.0, t[after]))[1:], quantity=motion.found[after])
+        return motion.near(motion.truly(np.append(0.0, t[after]))[1:], quantity=motion.actual[after])
     except (ValueError, ArithmeticError):
         return False
 
@@ -206,14 +206,16 @@ def _from_zero(motion: Motion) -> bool:
 def _reordered(motion: Motion) -> bool:
     from scipy.optimize import linear_sum_assignment
 
-    columns = motion.found.T[:, :, None] - motion.expected[None]  # each of the student's less each of the right ones
+    columns = motion.actual.T[:, :, None] - motion.expected[None]  # each of the student's less each of the right ones
     off = np.fmin(np.abs(columns / motion.scales).max(axis=1), 1.0)  # a NaN, too, is as far off as can be
     return motion.near(motion.expected[:, linear_sum_assignment(off)[1]])
 
 
 def _another(motion: Motion, motions: Sequence[Motion]) -> bool:
-    others = [one for one in motions if one is not motion and one.expected.shape == motion.expected.shape]
-    return any(motion.near(one.expected) and not motion.near(one.expected, quantity=motion.expected) for one in others)
+    others = [other for other in motions if other is not motion and other.expected.shape == motion.expected.shape]
+    return any(
+        motion.near(other.expected) and not motion.near(other.expected, quantity=motion.expected) for other in others
+    )
 
 
 def _joined(motion: Motion) -> bool:
@@ -221,18 +223,18 @@ def _joined(motion: Motion) -> bool:
     row = int(np.argmax(motion.errors.max(axis=1)))
     if row == 0 or len(motion.t) < 3 or not DENSE < motion.error < 1:
         return False
-    again = motion.again(motion.t[[0, row]])
-    return again is not None and _left(motion, again[-1:], row) <= BETTER * motion.error
+    repeated = motion.repeated_at(motion.t[[0, row]])
+    return repeated is not None and _left(motion, repeated[-1:], row) <= BETTER * motion.error
 
 
 def _denser(motion: Motion) -> bool:
     """Return whether times in between bring the rows right, which cannot be the equation's fault."""
     t, between = motion.t, max(2, DENSER // len(motion.t))
     fine = np.append(np.linspace(t[:-1], t[1:], between, endpoint=False).T.ravel(), t[-1])
-    again = motion.again(fine)
-    if again is None:
+    repeated = motion.repeated_at(fine)
+    if repeated is None:
         return False
-    return bool(np.max(np.abs(again[::between] - motion.expected) / motion.scales) <= BETTER * motion.error)
+    return bool(np.max(np.abs(repeated[::between] - motion.expected) / motion.scales) <= BETTER * motion.error)
 
 
 def _left(motion: Motion, rows: Array, row: int) -> float:
@@ -255,7 +257,7 @@ def obeys(motion: Motion, *, everywhere: bool = False) -> bool:
             off = _lost(motion, rows)
     except (ValueError, ArithmeticError, Exhausted):
         return False
-    moved = np.abs(motion.found[rows + 1] - motion.found[rows]) / motion.scales
+    moved = np.abs(motion.actual[rows + 1] - motion.actual[rows]) / motion.scales
     return bool(np.quantile(off, 1.0 if everywhere else 0.9) <= OBEYED * np.median(moved.max(axis=1)))
 
 
@@ -266,8 +268,8 @@ def _some(motion: Motion, count: int = TRIED) -> NDArray[np.int_]:
 
 def _lost(motion: Motion, rows: NDArray[np.int_]) -> Array:
     """Return how far the right motion from each of these rows passes from the row after it, of the scale."""
-    led = [motion.truly(motion.t[row : row + 2], *_restart(motion, motion.found[row]))[-1] for row in rows]
-    return np.asarray(np.max(np.abs(np.array(led) - motion.found[rows + 1]) / motion.scales, axis=1))
+    led = [motion.truly(motion.t[row : row + 2], *_restart(motion, motion.actual[row]))[-1] for row in rows]
+    return np.asarray(np.max(np.abs(np.array(led) - motion.actual[rows + 1]) / motion.scales, axis=1))
 
 
 def _explained(motion: Motion) -> float:
@@ -277,10 +279,10 @@ def _explained(motion: Motion) -> float:
     """
     rows, shares = _some(motion), list[float]()
     try:
-        made = _lost(motion, rows) / (motion.t[rows + 1] - motion.t[rows])
-        starts = list(_worst(motion, rows[np.argsort(-made)]))
+        lost = _lost(motion, rows) / (motion.t[rows + 1] - motion.t[rows])
+        starts = list(_worst(motion, rows[np.argsort(-lost)]))
         for instant in INSTANTS:
-            shares.append(_apart(motion, starts, instant) / made.max())
+            shares.append(_apart(motion, starts, instant) / lost.max())
             if shares[-1] <= EXPLAINED:
                 return shares[-1]
     except (Failed, NotWritten, ValueError, ArithmeticError, Exhausted):
@@ -294,9 +296,9 @@ def _worst(motion: Motion, rows: NDArray[np.int_]) -> Iterator[tuple[float, Arra
     A row that breaks a constraint is taken as the right motion takes it.
     """
     for row in rows[:ASKED]:
-        yield motion.t[row], motion.truly(motion.t[row : row + 2], *_restart(motion, motion.found[row]))[0]
+        yield motion.t[row], motion.truly(motion.t[row : row + 2], *_restart(motion, motion.actual[row]))[0]
     times = np.linspace(motion.t[rows[0]], motion.t[rows[0] + 1], ASKED + 1)
-    yield from zip(times[1:], motion.truly(times, *_restart(motion, motion.found[rows[0]]))[1:], strict=True)
+    yield from zip(times[1:], motion.truly(times, *_restart(motion, motion.actual[rows[0]]))[1:], strict=True)
 
 
 def _apart(motion: Motion, starts: Sequence[tuple[float, Array]], instant: float) -> float:
@@ -304,8 +306,8 @@ def _apart(motion: Motion, starts: Sequence[tuple[float, Array]], instant: float
     rates = list[float]()
     for at, state in starts:
         t, start = at + (motion.t[-1] - motion.t[0]) * np.array([0, instant]), _restart(motion, state)
-        found = flat(motion.function.aside(motion.case.replace(t, *start)))
-        off = np.diff((found - motion.truly(t, *start)) / motion.scales, axis=0)
+        result = flat(motion.function.aside(motion.case.replace(t, *start)))
+        off = np.diff((result - motion.truly(t, *start)) / motion.scales, axis=0)
         rates.append(float(np.max(np.abs(off)) / np.ptp(t)))
     return max(rates)
 
@@ -314,9 +316,9 @@ def _restart(motion: Motion, row: Array) -> tuple[Any, ...]:
     """Return the arguments behind t that begin the motion at a row; ValueError where the row does not tell them."""
     if motion.restart:
         return motion.restart(row)
-    starts = [one for one in motion.case.args[1:] if not isinstance(one, str)]
-    ends = np.cumsum([np.size(one) for one in starts])
+    starts = [value for value in motion.case.args[1:] if not isinstance(value, str)]
+    ends = np.cumsum([np.size(value) for value in starts])
     if not starts or ends[-1] != len(row):
         raise ValueError("the row is not a start")
     pairs = zip(np.split(row, ends[:-1]), starts, strict=True)
-    return tuple(part.reshape(np.shape(one)) if np.ndim(one) else float(part[0]) for part, one in pairs)
+    return tuple(part.reshape(np.shape(value)) if np.ndim(value) else float(part[0]) for part, value in pairs)

@@ -113,15 +113,15 @@ def path_drawn(
     """
     size, drawn = float(np.ptp(path, axis=0).max()), along(line, path)
     limit = tolerance * size
-    told = partial(_other_path, drawn, path, others or {}, limit, wrong_source)
-    known: dict[str, Any] = {"unit": "m", "hint": told, "near_miss_credit": near_miss_credit}
-    expect(drawn[[0, -1]], path[[0, -1]], tolerance=limit, quantity=f"an end of {quantity}", **known)
-    for points, polygon, what, room in (
+    hint = partial(_other_path, drawn, path, others or {}, limit, wrong_source)
+    options: dict[str, Any] = {"unit": "m", "hint": hint, "near_miss_credit": near_miss_credit}
+    expect(drawn[[0, -1]], path[[0, -1]], tolerance=limit, quantity=f"an end of {quantity}", **options)
+    for points, polygon, what, near in (
         (drawn, path, f"a point of {quantity}", limit),
         (path, drawn, f"a point that {quantity} passes", fewer * limit),  # the curve may have fewer points
     ):
-        if get_context().listens or not _is_along(points, polygon, room):
-            expect(distances(points, polygon), 0.0, tolerance=room, quantity=what, **known)
+        if get_context().listens or not _is_along(points, polygon, near):
+            expect(distances(points, polygon), 0.0, tolerance=near, quantity=what, **options)
     # a curve through the same points in another order is longer; one of fewer points is shorter
     in_order = line.scatter or _arc_length(drawn) < 1.05 * _arc_length(path)
     expect_that(
@@ -133,7 +133,7 @@ def _other_path(drawn: Array, path: Array, others: Mapping[str, ArrayLike], near
     """Return which other path has the ends of the drawn one, if one has."""
     for message, paths in others.items():
         each = np.reshape(paths, (-1, *np.shape(paths)[-2:]))
-        if any(np.allclose(drawn[[0, -1]], one[[0, -1]], rtol=0, atol=near) for one in each):
+        if any(np.allclose(drawn[[0, -1]], candidate[[0, -1]], rtol=0, atol=near) for candidate in each):
             return message
     first, last = np.linalg.norm(drawn[[0, -1]] - path[[0, -1]], axis=1)
     if first < near < last and distances(drawn, path).max() < near:
@@ -185,24 +185,24 @@ def judge_axes_of_lengths(
     across, up : the words that name either axis, the usual one first
     from_below : whether the picture may be seen from behind the paper, one axis turned round or both exchanged
     """
-    judge = partial(expect_that, label=None)
+    require = partial(expect_that, label=None)
     for label, shows, axis in zip((picture.xlabel, picture.ylabel), picture.labels_show, "xy", strict=True):
-        judge(METRES & words(label), "the axes are not labelled with their unit, as in x (m)")
-        judge(shows, f"the label of the axis of {axis} cannot be seen")
-    wrong, (one, other) = exchanged(picture, across, up), (names.split()[0] for names in (across, up))
-    judge(not any(wrong) or (from_below and all(wrong)), f"the label of {one} stands at the axis of {other}")
-    judge(picture.bent <= STRAIGHT, "the axes are not linear: equal lengths must look equal")
+        require(METRES & words(label), "the axes are not labelled with their unit, as in x (m)")
+        require(shows, f"the label of the axis of {axis} cannot be seen")
+    wrong, (first, other) = exchanged(picture, across, up), (names.split()[0] for names in (across, up))
+    require(not any(wrong) or (from_below and all(wrong)), f"the label of {first} stands at the axis of {other}")
+    require(picture.bent <= STRAIGHT, "the axes are not linear: equal lengths must look equal")
     backwards = [scale < 0 for scale in picture.scales]
-    judge(not any(backwards) or (from_below and not all(backwards)), "the picture is upside down")
+    require(not any(backwards) or (from_below and not all(backwards)), "the picture is upside down")
     width, height = np.abs(picture.scales)
-    judge(abs(width - height) <= 0.01 * height, f"{one} and {other} are not drawn at the same scale")
+    require(abs(width - height) <= 0.01 * height, f"{first} and {other} are not drawn at the same scale")
 
 
 def exchanged(picture: Drawing, across: str = "x", up: str = "y") -> tuple[bool, bool]:
     """Return whether the label of x, and that of y, has a name of the other axis and none of its own."""
     along_x, along_y = (set(re.findall("[a-z]+", label.lower())) for label in (picture.xlabel, picture.ylabel))
-    right, upwards = set(across.split()), set(up.split())
-    return not along_x & right and bool(along_x & upwards), not along_y & upwards and bool(along_y & right)
+    rightward, upwards = set(across.split()), set(up.split())
+    return not along_x & rightward and bool(along_x & upwards), not along_y & upwards and bool(along_y & rightward)
 
 
 METRES = {"m", "metre", "metres", "meter", "meters"}
@@ -220,15 +220,15 @@ def words(label: str) -> set[str]:
 def judge_boxes(function: Any, cases: Iterable[tuple[Array, Array, str]], tolerance: float) -> None:
     """Require the twelve edges of boxes R, size=size around the origin, each of a kind in words."""
     for R, size, label in cases:
-        (found,) = function.many([Case(R, size=size).labelled(label)])
+        (edges,) = function.many([Case(R, size=size).labelled(label)])
         expect(
-            _mismatch(found, _edges(R, size)),
+            _mismatch(edges, _edges(R, size)),
             0.0,
             tolerance=tolerance,
             scale=max(size),
             quantity="an edge",
             unit="of the longest edge",
-            hint=partial(_mistake, found, R, size, tolerance),
+            hint=partial(_mistake, edges, R, size, tolerance),
         )
 
 
@@ -239,15 +239,15 @@ def _edges(R: Array, size: Array) -> Array:
     return np.asarray((signs[np.array(pairs)] * size / 2) @ R.T)
 
 
-def _astray(found: Array, right: Array) -> float:
+def _astray(actual: Array, expected: Array) -> float:
     """Return the largest distance of an edge that is there to the nearest right one, in any direction."""
-    both_ways = [np.abs(found[:, None] - one_way).max(axis=(2, 3)) for one_way in (right, right[:, ::-1])]
+    both_ways = [np.abs(actual[:, None] - one_way).max(axis=(2, 3)) for one_way in (expected, expected[:, ::-1])]
     return float(np.minimum(*both_ways).min(axis=1).max())
 
 
-def _mismatch(found: Array, right: Array) -> float:
+def _mismatch(actual: Array, expected: Array) -> float:
     """Return how far two boxes' edges are apart, in any order and direction: no edge may be astray, nor be missing."""
-    return max(_astray(found, right), _astray(right, found))
+    return max(_astray(actual, expected), _astray(expected, actual))
 
 
 MISTAKEN_BOXES: dict[str, Callable[[Array, Array], Array]] = {
@@ -260,10 +260,10 @@ MISTAKEN_BOXES: dict[str, Callable[[Array, Array], Array]] = {
 }
 
 
-def _mistake(found: Array, R: Array, size: Array, tolerance: float) -> str:
+def _mistake(actual: Array, R: Array, size: Array, tolerance: float) -> str:
     """Return what is wrong, if it is a known mistake, else what to look at."""
     near = tolerance * max(size)
-    known = [message for message, box in MISTAKEN_BOXES.items() if _mismatch(found, box(R, size)) < near]
-    if not known and _astray(found, _edges(R, size)) < near:
+    named = [message for message, box in MISTAKEN_BOXES.items() if _mismatch(actual, box(R, size)) < near]
+    if not named and _astray(actual, _edges(R, size)) < near:
         return "Each drawn edge is an edge of the box: is one drawn twice, and another missing?"
-    return known[0] if known else "Three edges meet at each of the eight corners; the centre is the origin"
+    return named[0] if named else "Three edges meet at each of the eight corners; the centre is the origin"

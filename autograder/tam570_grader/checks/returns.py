@@ -175,15 +175,15 @@ def result(returns: Array | Group | FreeBodyDiagram, value: Any, name: str, call
         return _arrows(returns, value, name)
     if isinstance(returns, Group):
         return _members(returns, value, name, call)
-    found = _array(value, name)
+    numbers = _array(value, name)
     shape = tuple(len(call.args[0]) if size == "n" else size for size in returns.shape)
-    if not _fits(found.shape, shape):
-        message = f"{name} returned {_shaped(found.shape)}, not {_shaped(shape)}"
-        actual = found if found.size <= LONGEST_TOLD else None  # of a size that no check asked for
-        raise Failed(message, hint=_cut_short(returns, found.shape, shape), actual=actual)
-    if not np.isfinite(found).all() and (not returns.infinite or np.isnan(found).any()):
-        raise Failed(f"{name} returned NaN or infinity", actual=found)
-    return found if found.ndim else float(found)
+    if not _fits(numbers.shape, shape):
+        message = f"{name} returned {_shaped(numbers.shape)}, not {_shaped(shape)}"
+        actual = numbers if numbers.size <= LONGEST_TOLD else None  # of a size that no check asked for
+        raise Failed(message, hint=_cut_short(returns, numbers.shape, shape), actual=actual)
+    if not np.isfinite(numbers).all() and (not returns.infinite or np.isnan(numbers).any()):
+        raise Failed(f"{name} returned NaN or infinity", actual=numbers)
+    return numbers if numbers.ndim else float(numbers)
 
 
 def results_alike(returns: ReturnSpec, values: Sequence[Any]) -> list[Any] | None:
@@ -195,18 +195,18 @@ def results_alike(returns: ReturnSpec, values: Sequence[Any]) -> list[Any] | Non
         if not all(_is_sequence(value) and len(value) == len(returns.members) for value in values):
             return None
         members = [results_alike(*pair) for pair in zip(returns.members, zip(*values, strict=True), strict=False)]
-        return None if not values or any(one is None for one in members) else list(zip(*members, strict=True))
+        return None if not values or any(member is None for member in members) else list(zip(*members, strict=True))
     if not values or not isinstance(returns, Array) or "n" in returns.shape:
         return None
     try:
-        found = np.array(values)
+        numbers = np.array(values)
     except ValueError:  # they differ in shape
         return None
-    if found.dtype.kind not in "fiub" or not _fits(found.shape[1:], returns.shape):
+    if numbers.dtype.kind not in "fiub" or not _fits(numbers.shape[1:], returns.shape):
         return None
-    if np.isnan(found).any() if returns.infinite else not np.isfinite(found).all():
+    if np.isnan(numbers).any() if returns.infinite else not np.isfinite(numbers).all():
         return None
-    return list(found.astype(np.float64)) if returns.shape else found.astype(np.float64).tolist()
+    return list(numbers.astype(np.float64)) if returns.shape else numbers.astype(np.float64).tolist()
 
 
 def _members(returns: Group, value: Any, name: str, call: Case) -> tuple[Any, ...]:
@@ -215,8 +215,8 @@ def _members(returns: Group, value: Any, name: str, call: Case) -> tuple[Any, ..
         came = f"{_size(len(value))} results" if several else _kind(value)
         raise Failed(f"{name} returned {came}, not a tuple of {len(returns.members)} results")
     return tuple(
-        result(member, one, f"{name} (result {index})", call)
-        for index, (member, one) in enumerate(zip(returns.members, value, strict=True), start=1)
+        result(member, item, f"{name} (result {index})", call)
+        for index, (member, item) in enumerate(zip(returns.members, value, strict=True), start=1)
     )
 
 
@@ -238,44 +238,44 @@ def _arrow(returns: FreeBodyDiagram, pair: Any, name: str) -> Arrow:
     if not _is_sequence(pair) or len(pair) != 2:
         raise Failed(f"{name} is not a pair (point, direction)")
     point, direction = pair
-    unknown = direction is None or (isinstance(direction, list) and all(one is None for one in direction))
+    unknown = direction is None or (isinstance(direction, list) and all(component is None for component in direction))
     return Arrow(_vector(returns, point, name), None if unknown else _vector(returns, direction, name))
 
 
 def _vector(returns: FreeBodyDiagram, value: Any, name: str) -> np.ndarray:
     """Return a vector of the diagram's dimension; in a plane a third component of zero does no harm."""
-    found = _array(value, name)
-    if returns.dimension == 2 and found.shape == (3,) and found[2] == 0:
-        found = found[:2]
-    if found.shape != (returns.dimension,):
-        shapes = _shaped(found.shape), _shaped((returns.dimension,))
+    numbers = _array(value, name)
+    if returns.dimension == 2 and numbers.shape == (3,) and numbers[2] == 0:
+        numbers = numbers[:2]
+    if numbers.shape != (returns.dimension,):
+        shapes = _shaped(numbers.shape), _shaped((returns.dimension,))
         raise Failed(f"{name} has {shapes[0]} as its point or direction, not {shapes[1]}")
-    if not np.isfinite(found).all():
-        raise Failed(f"{name} holds NaN or infinity", actual=found)
-    return found
+    if not np.isfinite(numbers).all():
+        raise Failed(f"{name} holds NaN or infinity", actual=numbers)
+    return numbers
 
 
 def _array(value: Any, name: str) -> np.ndarray:
     """Return the value as float64; complex numbers, objects, strings and ragged lists are none."""
     try:
-        found = np.asarray(value)
+        numbers = np.asarray(value)
     except ValueError:
         raise Failed(f"{name} returned a list whose rows differ in length") from None
-    if found.dtype.kind not in "fiub":
+    if numbers.dtype.kind not in "fiub":
         raise Failed(f"{name} returned {_kind(value)}, not real numbers")
-    return found.astype(np.float64)
+    return numbers.astype(np.float64)
 
 
-def _fits(found: tuple[int, ...], wanted: tuple[Any, ...]) -> bool:
-    sizes = zip(found, wanted, strict=False)
-    return len(found) == len(wanted) and all(
+def _fits(shape: tuple[int, ...], wanted: tuple[Any, ...]) -> bool:
+    sizes = zip(shape, wanted, strict=False)
+    return len(shape) == len(wanted) and all(
         have == want if want is not None else 0 < have <= LONGEST for have, want in sizes
     )
 
 
-def _cut_short(returns: Array, found: tuple[int, ...], wanted: tuple[Any, ...]) -> str:
+def _cut_short(returns: Array, shape: tuple[int, ...], wanted: tuple[Any, ...]) -> str:
     """Return a row may be forgotten; where several are missing, an integrator gave up."""
-    rows_missing = returns.shape[:1] == ("n",) and found[1:] == wanted[1:] and found[:1] < (wanted[0] - 1,)
+    rows_missing = returns.shape[:1] == ("n",) and shape[1:] == wanted[1:] and shape[:1] < (wanted[0] - 1,)
     return "Rows are missing: did the integration stop early?" if rows_missing else ""
 
 

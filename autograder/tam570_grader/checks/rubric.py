@@ -42,7 +42,7 @@ class ManualPart:
     @property
     def line(self) -> str:
         """Its claims on one line: "0.5 gives a reason; 1 draws it"."""
-        return "; ".join(f"{points:g} {says}" for points, says in self.claims)
+        return "; ".join(f"{points:g} {claim}" for points, claim in self.claims)
 
 
 def load_rubric(released: Path) -> dict[str, ManualPart]:
@@ -53,7 +53,7 @@ def load_rubric(released: Path) -> dict[str, ManualPart]:
     path = released / FILE
     parts = tomllib.loads(path.read_text(encoding="utf-8"))["parts"] if path.exists() else {}
     claimed = {
-        letter: tuple((float(points), str(says)) for points, says in part.pop("claims", ()))
+        letter: tuple((float(points), str(claim)) for points, claim in part.pop("claims", ()))
         for letter, part in parts.items()
     }
     return {letter: ManualPart(claims=claimed[letter], **part) for letter, part in parts.items()}
@@ -61,7 +61,7 @@ def load_rubric(released: Path) -> dict[str, ManualPart]:
 
 def rubric_table(part: ManualPart) -> str:
     """Return the claims of a part as a Markdown table."""
-    rows = (f"| {points:g} | {says} |" for points, says in part.claims)
+    rows = (f"| {points:g} | {claim} |" for points, claim in part.claims)
     return "\n".join(["| points | your answer |", "|---|---|", *rows])
 
 

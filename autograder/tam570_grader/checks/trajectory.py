@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.compare import Batch, Column, Reference, find_reference, is_right
-from tam570_grader.checks.curves import kept
+from tam570_grader.checks.curves import conserved_curve
 from tam570_grader.checks.expect import NEAR_MISS, NEAR_MISS_SHARE, UNLOCKING_SHARE, expect, get_context
 from tam570_grader.checks.motions import ROUGHLY, Motion, diagnosed, flat, obeys
 
@@ -52,17 +52,17 @@ class OwnRates:
     reference: Reference
     arguments: Callable[[float, Array], tuple[Any, ...]]
 
-    def right(self, motion: Motion) -> bool:
+    def are_right(self, motion: Motion) -> bool:
         """Return whether they are right at some rows of the right motion."""
         rows = list(zip(motion.t, motion.expected, strict=True))[:: max(1, len(motion.t) // ASKED)]
-        words = [one for one in motion.case.args if isinstance(one, str)]
+        words = [word for word in motion.case.args if isinstance(word, str)]
         cases = [Case(*self.arguments(t, row), *words, **motion.case.kwargs) for t, row in rows]
         return is_right(self.function, self.reference, cases)
 
     def hint(self, motion: Motion) -> str:
         """Say where to look."""
         name = self.function.name
-        if self.right(motion):
+        if self.are_right(motion):
             return f"{name} is right along this motion: integrate it, with the given parameters, from t[0] on"
         return f"{name} is wrong along this motion, too: look there first"
 
@@ -166,8 +166,8 @@ def compare_invariants(
         start = invariant.value(motion.expected[:1], **case.kwargs)
         get_context().judge(function.name, case)
         expect(
-            invariant.value(motion.found, **case.kwargs),
-            np.broadcast_to(start, (len(motion.found), *np.shape(start)[1:])),
+            invariant.value(motion.actual, **case.kwargs),
+            np.broadcast_to(start, (len(motion.actual), *np.shape(start)[1:])),
             tolerance=invariant.tolerance,
             scale=invariant.size(case, motion.expected),
             quantity=invariant.quantity,
@@ -213,7 +213,7 @@ def _note(motion: Motion, columns: Sequence[Column], tolerance: float) -> None:
 
 def _telling(tolerance: float, motion: Motion) -> tuple[bool, int, float]:
     hopeless = motion.error > NEAR_MISS * tolerance
-    return hopeless, len(motion.found) if hopeless else 0, motion.error
+    return hopeless, len(motion.actual) if hopeless else 0, motion.error
 
 
 def _scales(columns: Sequence[Column], case: Case, expected: Array) -> Array:
@@ -239,7 +239,7 @@ def _compare(
     worst = int(np.argmax([np.max(motion.errors[:, place], initial=0.0) for place in where]))
     size, column = float(np.max(motion.scales[where[worst]])), columns[worst]
     expect(
-        motion.found[:, column.where],
+        motion.actual[:, column.where],
         motion.expected[:, column.where],
         tolerance=tolerance * size,
         quantity=column.quantity,
@@ -258,10 +258,10 @@ def loose_tolerance_share(motion: Motion, tolerance: float, size: float, error: 
     """Right physics at a loose tolerance keeps a share that falls with the error; a NaN keeps nothing."""
     if not (error <= ROUGHLY * size and obeys(motion)):
         return 0.0
-    known = {NEAR_MISS * tolerance: NEAR_MISS_SHARE} | {
+    shares = {NEAR_MISS * tolerance: NEAR_MISS_SHARE} | {
         limit: share for limit, share in LOOSE_SHARES.items() if limit > NEAR_MISS * tolerance
     }
-    return round(float(np.interp(np.log(error / size), np.log(list(known)), list(known.values()))), 2)
+    return round(float(np.interp(np.log(error / size), np.log(list(shares)), list(shares.values()))), 2)
 
 
 def _hint(
@@ -272,15 +272,15 @@ def _hint(
     hint: Any,
     own_rates: OwnRates | None,
 ) -> str:
-    rates_are_right = partial(own_rates.right, motion) if own_rates else None
+    rates_are_right = partial(own_rates.are_right, motion) if own_rates else None
     said = diagnosed(motion, motions, turns, near_miss, rates_are_right) or (hint(motion) if callable(hint) else "")
-    if not said and own_rates and not (isinstance(hint, str) and hint and own_rates.right(motion)):
+    if not said and own_rates and not (isinstance(hint, str) and hint and own_rates.are_right(motion)):
         return own_rates.hint(motion)
     return said or ("" if callable(hint) else hint)
 
 
 def _along(invariant: Invariant, motion: Motion) -> Any:
-    values = invariant.value(motion.found, **motion.case.kwargs) / invariant.size(motion.case, motion.expected)
-    return kept(
+    values = invariant.value(motion.actual, **motion.case.kwargs) / invariant.size(motion.case, motion.expected)
+    return conserved_curve(
         motion.case.args[0], values, tolerance=invariant.tolerance, quantity=invariant.quantity, unit=invariant.unit
     )

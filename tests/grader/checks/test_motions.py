@@ -127,7 +127,7 @@ class Rates:
 def test_a_hint_tells_whether_the_students_own_rates_are_right(factor, right):
     rows = swings(T, RESTED)
     own_rates = OwnRates(Rates(factor), lambda row: np.flip(row), lambda t, row: (row,))
-    assert own_rates.right(Motion(Case(T, RESTED), rows, rows, np.ones(2), None, swings)) == right
+    assert own_rates.are_right(Motion(Case(T, RESTED), rows, rows, np.ones(2), None, swings)) == right
 
 
 def test_where_the_function_cannot_be_asked_nobody_is_told_that_the_physics_is_right():
