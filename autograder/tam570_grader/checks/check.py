@@ -10,6 +10,7 @@ arrays, or ends the check with a message; `student.f.each([Case(...), ...])` mak
 is a random generator that belongs to the check and is the same for every student of a run.
 """
 
+import copy
 import functools
 import inspect
 import threading
@@ -101,7 +102,8 @@ def once(compute: Callable[..., T], most: int = MOST_KNOWN) -> Callable[..., T]:
     """Compute `compute(rng, ...)` a single time a run, however many students are graded; a list of what it yields.
 
     The generator is left as the computation left it, so a check draws the same numbers with and without it.
-    What is returned is shared between students: do not change it. `most` is how many values are kept.
+    Cases are shared between students; of arrays, which a function of cases may go on to change, each call has its own.
+    `most` is how many values are kept.
     """
     memory = Memory(most)
 
@@ -113,9 +115,16 @@ def once(compute: Callable[..., T], most: int = MOST_KNOWN) -> Callable[..., T]:
 
         key = (repr(rng.bit_generator.state), *args, *keywords.items())
         value, rng.bit_generator.state = memory.value(key, computed) if _is_hashable(key) else computed()
-        return value  # type: ignore[no-any-return]
+        return copy.deepcopy(value) if _can_be_altered(value) else value  # type: ignore[no-any-return]
 
     return remembered
+
+
+def _can_be_altered(value: Any) -> bool:
+    """Return whether a value is, or holds, what can be changed in place; a case cannot."""
+    if isinstance(value, list | tuple):
+        return any(map(_can_be_altered, value))
+    return isinstance(value, np.ndarray | dict)
 
 
 def _is_hashable(key: Any) -> bool:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tam570_grader.checks.case import Case
-from tam570_grader.checks.check import check
+from tam570_grader.checks.check import check, once
 from tam570_grader.checks.compare import check_domain, compare
 from tam570_grader.checks.expect import Failed, check_context
 from tam570_grader.checks.returns import number
@@ -87,3 +87,11 @@ def test_the_hint_of_a_case_goes_before_that_of_the_check(mine, said):
         calls = [Case(4.0).labelled("a root of 4", mine)]
         compare(student(lambda x: -root(x)).root, root, calls, tolerance=1e-9, hint="Look at y^2.")
     assert failed.value.failure.hint == said
+
+
+def test_an_array_that_is_drawn_once_a_run_may_be_changed_in_place():
+    axis = once(lambda rng: rng.normal(size=3))
+    drawn = axis(np.random.default_rng(5))
+    changed = axis(np.random.default_rng(5))
+    changed[0] = 7.0
+    assert (axis(np.random.default_rng(5)) == drawn).all() and drawn[0] != 7.0
