@@ -232,7 +232,7 @@ def slow_speeds(rng):
 
 
 def huge_speeds(rng):
-    """Minimising the range on a logarithmic scale is good to 1e-4 of the angle up to 1e6; on a linear one, up to 3e5."""
+    """Minimising the range is good to 1e-4 of the angle up to 1e6 on a logarithmic scale, up to 3e5 on a linear one."""
     return [at_speed(swiftness, "a huge speed", parameters(rng)) for swiftness in 10.0 ** rng.uniform((4, 5.5), (5, 6))]
 
 
