@@ -176,7 +176,7 @@ def of_lift(rng, lift, label, angle=None, hint=""):
 
 def landings_of_little_drag(rng):
     """No drag, and b below 1e-1, most often where Lambert's W is off by 1e-16/b^2."""
-    lifts = [*10.0 ** rng.uniform(-16, -8, 2), *LITTLE]
+    lifts = [*10.0 ** rng.uniform((-16, -13.5), (-13.5, -8)), *LITTLE]
     lifts += [*10.0 ** ((np.arange(5) + rng.uniform(0, 1, 5)) * 0.6 - 8)]
     return [of_lift(rng, 0.0, "no drag"), *(of_lift(rng, lift, "very little drag") for lift in lifts)]
 

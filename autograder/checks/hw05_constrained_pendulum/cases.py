@@ -95,8 +95,8 @@ def with_gravity(rng):
 
 
 def without_gravity(rng):
-    rate = -rng.uniform(1, 4)  # clockwise: a speed without a sign is another
-    turns = motion(rng, "no gravity", -0.37 / rate, 12, rng.uniform(-3, 3), rate, gravity=0.0)
+    rate = -rng.uniform(1, 4)  # clockwise, as a speed without a sign is not; from below to above
+    turns = motion(rng, "no gravity", -0.37 / rate, 12, rng.uniform(-1.0, 0.2), rate, gravity=0.0)
     still = motion(rng, "a particle at rest, no gravity, at two times", 0.5, 2, 1.0, 0.0, gravity=0.0)
     return [turns, still]
 

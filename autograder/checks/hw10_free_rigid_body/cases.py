@@ -161,9 +161,10 @@ def special_motions(rng):
 
 
 def wheels(rng):
-    """(omega, inertia=...) with A = B"""
+    """(omega, inertia=...) with A = B; p of both signs, which arctan(q/p) does not tell apart."""
     label = "a random body with A = B"
-    omegas = [(random_omega(rng), label) for _ in range(3)] + [(random_omega(rng) * [0.01, 0.01, 1], label)]
+    omegas = [(np.copysign(random_omega(rng), (sign, *rng.choice([-1, 1], 2))), label) for sign in (-1, 1, -1)]
+    omegas.append((random_omega(rng) * [0.01, 0.01, 1], label))
     return [Case(omega, inertia=random_wheel(rng)).labelled(label) for omega, label in omegas + plain_omegas(rng)]
 
 

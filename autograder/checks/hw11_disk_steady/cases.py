@@ -1,5 +1,6 @@
 """Hidden inputs of hw11: disks, hoops, wheels, rollers and coins, leaning in- and outwards, upright and almost flat."""
 
+import itertools
 import math
 
 import numpy as np
@@ -63,8 +64,9 @@ def telling_first(cases):
 
 def members(rng):
     """Leans and precessions of both signs."""
+    signs = itertools.cycle((1, -1))
     cases = [
-        Case(a_lean(rng), rng.choice([-1, 1]) * usual(disk) * rng.uniform(0.3, 3), **disk).labelled(label)
+        Case(a_lean(rng), next(signs) * usual(disk) * rng.uniform(0.3, 3), **disk).labelled(label)
         for label, disk in disks(rng, *WHEELS, COIN)
     ]
     return telling_first([*cases, cases[0].replace(**cases[1].kwargs).labelled(AGAIN, KEPT)])
