@@ -81,8 +81,8 @@ def turns_by_size(rng, lengths=((1.0, ""),) * 4):
 
 
 def lengths(rng):
-    """Lengths of axes, long and short in turn, and their names; beyond 1e150 the square of a length overflows."""
-    powers = rng.uniform((50, -50, 10, -100), (100, -20, 50, -50))
+    """Lengths of axes, long and short in turn, and their names; 1e150 squared overflows, 1e80 to the fourth, too."""
+    powers = rng.uniform((80, -50, 10, -100), (100, -20, 50, -85))
     return [(10.0**power, f", a very {'long' if power > 0 else 'short'} axis") for power in powers]
 
 
