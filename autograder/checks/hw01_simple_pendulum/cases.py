@@ -124,8 +124,8 @@ def over_the_top(rng):
 
 
 def weightless(rng):
-    """Turning evenly from the bottom, and at rest anywhere, without gravity."""
-    t, rate = uneven(rng, 8.0, 30), rng.uniform(-0.4, -0.3)
+    """Turning evenly from the bottom, and at rest anywhere, without gravity, all before t = 0."""
+    t, rate = uneven(rng, 8.0, 30, -rng.uniform(9.0, 12.0)), rng.uniform(-0.4, -0.3)
     turns = Case(t, 0.0, rate, **rod(rng, gravity=0.0)).labelled("gravity 0, from the bottom")
     return [turns, turns.replace(t[:2], rng.uniform(0.5, 1), 0.0).labelled("gravity 0, at rest")]
 
