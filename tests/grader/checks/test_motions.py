@@ -9,7 +9,7 @@ from scipy.integrate import solve_ivp
 
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed
-from tam570_grader.checks.motions import AHEAD, BEHIND, NEARLY_FOLLOWS, TIGHT, Motion, diagnosed, obeys
+from tam570_grader.checks.motions import BEHIND, NEARLY_FOLLOWS, ONE_ROW_AHEAD, TIGHT, Motion, diagnosed, obeys
 from tam570_grader.checks.trajectory import OwnRates
 
 LOOSE = """
@@ -142,8 +142,8 @@ def test_where_the_function_cannot_be_asked_nobody_is_told_that_the_physics_is_r
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (lambda rows: np.vstack([rows[1:], rows[-1:]]), AHEAD),
-        (lambda rows: np.vstack([rows[:1], rows[2:], rows[-1:]]), AHEAD),
+        (lambda rows: np.vstack([rows[1:], rows[-1:]]), ONE_ROW_AHEAD),
+        (lambda rows: np.vstack([rows[:1], rows[2:], rows[-1:]]), ONE_ROW_AHEAD),
         (lambda rows: np.vstack([rows[:1], rows[:-1]]), BEHIND),
         (lambda rows: rows[:, ::-1], "The columns are in another order"),
         (lambda rows: 0 * rows, "Every number is zero"),
