@@ -137,13 +137,13 @@ def expect(
 ) -> None:
     """Fail unless every abs(actual - expected) / scale is at most `tolerance`; a NaN fails.
 
-    of, unit : what is compared and its unit, for the message; with a scale the unit says of what ("of the energy")
+    quantity, unit : what is compared, for the message; with a scale the unit says of what ("of the energy")
     hint     : where to look; a function is asked on failure alone
     t        : times along the first axis of actual; the message names the time of the largest error
     partial  : {limit: share of the points} for larger errors, or a function of the error; up to ten limits
-               NEARLY_SHARE is left
-    kind, at : the kind of input and the input, where they are not those of the call that was judged last
-    gradual  : False where an error of a few limits is no sign that the physics is right
+               NEAR_MISS_SHARE is left
+    label, at : the label of the input and the input, where they are not those of the call that was compared last
+    near_miss_credit : False where an error of a few limits is no sign that the physics is right
     keeps    : `conserved_curve(...)`, asked for on failure: what becomes of an invariant along the student's motion
     """
     actual, expected = np.asarray(actual, float), np.asarray(expected, float)

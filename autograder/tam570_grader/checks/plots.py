@@ -106,7 +106,7 @@ def path_drawn(
 ) -> None:
     """Require that a line is the path, from its first point to its last and in its order.
 
-    within : of the path's extent, for the line's points
+    tolerance : of the path's extent, for the line's points
     fewer  : how many times as much for the path between fewer points
     others : {hint: path, or several} of what else a line is that has its ends
     wrong_source : the name of a wrong function whose results are to be drawn; empty if all are right

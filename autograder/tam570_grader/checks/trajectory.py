@@ -84,15 +84,15 @@ def compare_trajectory(
 ) -> list[Motion]:
     """Fail unless the student's simulation follows the right motion in every case; the motions, for further checks.
 
-    right   : right(t, *start, **parameters) -> rows, or several arrays of them; or the module, as for `compare`
+    reference : reference(t, *start, **parameters) -> rows, or several arrays of them; or the module, as for `compare`
     columns : left out, as `Assignment.returns` has them
-    within  : of the scale of each column
+    tolerance : of the scale of each column
     hint    : where to look, or a function of the motion that says it, if the rows themselves tell nothing
     keeps   : an invariant whose course the student's page draws beside the error
     own_rates : the student's rates, of which the hint tells if the rows and `hint` tell nothing
     restart : restart(row) -> the arguments behind t that begin the motion there; default: the row, cut as these are
-    gradual : False where an error of a few limits is no sign that the physics is right
-    loose   : False where wrong physics, too, nearly obeys the equations: a tenth of an error is then no sign
+    near_miss_credit : False where an error of a few limits is no sign that the physics is right
+    loose_tolerance_credit : False where wrong physics nearly obeys the equations: a tenth of an error is no sign
     chaotic : a motion in which each row leads to the next has followed, too, however far its errors have grown
     """
     columns = columns or function.returns.columns

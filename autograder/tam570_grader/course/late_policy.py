@@ -107,7 +107,7 @@ def apply_late_policy(
 ) -> tuple[ManualAdjustments, list[str], list[str]]:
     """Return what was added by hand with the rows that the terms make, sentences on what they leave open, and notes.
 
-    found     : the results, which tell what was graded: of a module and a notebook the time of one counts
+    results   : tell what was graded: of a module and a notebook the time of one counts
     collected : the table that `collect` wrote, whose times tell who is late
     """
     from tam570_grader.results.collected import listed

@@ -40,8 +40,8 @@ def gone(
 
     By anybody if a path is a tree, else by those whose folders are graded.
 
-    found : what there is now at the paths
-    asked : the assignments that are graded
+    submissions : what there is now at the paths
+    slugs : the assignments that are graded
     """
     folders = {path.absolute() for path in paths}
     present = [submission for submission in submissions if submission.tree.parent in folders]

@@ -68,8 +68,8 @@ def submissions(
 ) -> list[Submission]:
     """Return all submissions at these paths: modules, notebooks, their folders, or trees `<student>/<assignment>/`.
 
-    known    : the course's assignments
-    given    : the assignment, where names do not tell
+    slugs    : the course's assignments
+    slug     : the assignment, where names do not tell
     students : names of folders that are students', by a roster; without it the shape of a tree decides
     """
     work: list[Submission] = []

@@ -60,7 +60,7 @@ def run(
 ) -> int:
     """Collect a download; the exit code is 1 if anything is left that needs the instructor.
 
-    given  : the assignment, where names of files do not tell; a download is of one
+    slug_given : the assignment, where names of files do not tell; a download is of one
     roster : all students, by whose logins folders are named
     groups : who is in which group, where one member hands in for all; a roster with a column Group does, too
     times  : when work came, where the download does not tell: Moodle's worksheet or log

@@ -81,7 +81,7 @@ def _title(folder: Path, slug: str) -> str:
 def page(result: Result, info: AssignmentInfo, adjusted: AdjustedScore | None = None) -> str:
     """Return a student's feedback on one assignment: one HTML file that needs nothing else.
 
-    settled : the score with what was added by hand
+    adjusted : the score with what was added by hand
     """
     adjusted = adjusted or AdjustedScore(result.score, result.max_score)
     parts = [_part(letter, result, info) for letter in sorted({check_result.part for check_result in result.checks})]

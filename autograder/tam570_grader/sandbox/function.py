@@ -166,7 +166,7 @@ class Function:
     def _must_be_fair(self, reply: dict[str, Any], expected: str = "") -> None:
         """Raise NotWritten or Failed for an exception, and for arguments changed in place.
 
-        promised : what else it must raise
+        expected : ", not ValueError", say: what else it must raise
         """
         if "error" in reply:
             error = error_of(reply)
