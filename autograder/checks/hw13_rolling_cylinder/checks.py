@@ -26,7 +26,7 @@ from . import cases, reference
 FORMULA = 1e-9  # of the largest term: solving for the forces costs a few digits of 1e-16; wrong terms are off by .1
 # solve_ivp at rtol = atol = 1e-9, whatever its method, stays below 1e-7 on these runs; wrong physics is off by .1.
 TRAJECTORY = 1e-6
-ENERGY = 5e-6  # the same integrators drift by up to 4e-7 on the longer runs
+ENERGY = 5e-6  # the same integrators drift by up to 4e-7 on the longer run
 ROCKING = 5e-4  # of the amplitude: solve_ivp at 1e-9 is off by 4e-5, the square of the amplitude by 3e-5
 
 
@@ -249,7 +249,7 @@ def simulate_rolls_and_rocks(student, rng):
     compare_trajectory(
         student.simulate,
         reference.simulate,
-        cases.runs(rng, 60),
+        cases.runs(rng),
         tolerance=TRAJECTORY,
         own_rates=by_rates(student),
         keeps=KEPT,
@@ -288,6 +288,9 @@ def simulate_rocks_at_the_linear_frequency(student, rng):
     compare_trajectory(student.simulate, reference.small_rocking, cases.small_rocking(rng), hint=ABSOLUTE, **SMALL)
 
 
+COARSELY = (
+    1e-3  # of the angle turned; solve_ivp at 1e-9 is off by less than 1e-4, states at other times by 3e-2 or more
+)
 SHARES = {1e-4: 0.6, 1e-2: 0.3}  # of the drift of the energy
 
 
@@ -296,7 +299,7 @@ SHARES = {1e-4: 0.6, 1e-2: 0.3}  # of the drift of the energy
     points=0.25,
     part="b",
     after=simulate_rolls_and_rocks,
-    line="the energy stays what it was over many turns, with and without gravity.",
+    line="the energy stays what it was over many turns.",
 )
 def simulate_keeps_the_energy(student, rng):
     check_conserved(
@@ -304,6 +307,7 @@ def simulate_keeps_the_energy(student, rng):
         reference.simulate,
         cases.many_turns(rng),
         KEPT,
+        coarsely=COARSELY,
         partial=SHARES,
         hint=ANY_DURATION,
         own_rates=by_rates(student),

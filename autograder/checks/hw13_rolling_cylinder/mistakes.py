@@ -235,7 +235,7 @@ def energy(reference, phi, phi_dot, **c):
 
 
 @mistake(
-    "You measure the height of G from the ramp; measure it from the place of the centre at phi = 0.",
+    "You measure the height of G from the contact at phi = 0; measure it from the centre there.",
     first_fails=energy_of_G_and_of_turning,
 )
 def energy(reference, phi, phi_dot, **c):
@@ -264,13 +264,13 @@ def simulate(reference, t, phi, phi_dot, **cylinder):
 
 
 @mistake(
-    "You take two hundred Runge-Kutta steps to each time, however far; limit the size of a step.",
+    "You take a hundred Runge-Kutta steps to each time, however far; limit the size of a step.",
     first_fails=simulate_needs_no_dense_times,
     compared=False,
     numerics=True,
 )
 def simulate(reference, t, phi, phi_dot, **cylinder):
-    return runge_kutta(t, (phi, phi_dot), [200] * (len(t) - 1), cylinder)
+    return runge_kutta(t, (phi, phi_dot), [100] * (len(t) - 1), cylinder)
 
 
 @mistake(
@@ -297,11 +297,11 @@ def simulate(reference, t, phi, phi_dot, **c):
 
 
 @mistake(
-    "You take a thousand Runge-Kutta steps, however long the motion; limit the size of a step.",
+    "You take three hundred Runge-Kutta steps, however long the motion; limit the size of a step.",
     first_fails=simulate_keeps_the_energy,
     compared=False,
     numerics=True,
 )
 def simulate(reference, t, phi, phi_dot, **cylinder):
     shares = np.diff(t) / (t[-1] - t[0])
-    return runge_kutta(t, (phi, phi_dot), [math.ceil(1000 * share) for share in shares], cylinder)
+    return runge_kutta(t, (phi, phi_dot), [math.ceil(300 * share) for share in shares], cylinder)

@@ -37,7 +37,8 @@ TRAJECTORY = 5e-6  # 5e-7
 KEPT = 1e-6  # 8e-8, of what does not change: omega along e2 and e3, and the height
 AGREED = 2e-5  # 2e-6, of two simulations over a longer time
 ROTATION = 2e-5  # 1.2e-6, of R^T R over that time
-ENERGY = 5e-6  # 4.3e-7, over 8 sqrt(a/g)
+ENERGY = 5e-6  # 4.3e-7, over a longer time
+COARSELY = 1e-3  # 1e-6 over that time; the centre in the place of the contact is off by 3e-2 or more
 
 
 def euler_of(case):
@@ -220,10 +221,6 @@ def by_rates(rates):
     return OwnRates(rates, reference, lambda t, row: (t, row))
 
 
-LONG = partial(cases.motions, count=1, span=6.0, samples=4)
-LONGER = partial(cases.motions, count=1, span=8.0, samples=6)
-
-
 @check(
     "simulate_euler",
     points=0.5,
@@ -234,7 +231,7 @@ def euler_simulation_follows_the_motion(student, rng):
     compare_trajectory(
         student.simulate_euler,
         reference.simulate_euler,
-        cases.simulated_by_euler(rng),
+        cases.simulated(rng),
         tolerance=TRAJECTORY,
         keeps=ENERGY_KEPT,
         own_rates=by_rates(student.euler_state_derivative),
@@ -246,10 +243,18 @@ def euler_simulation_follows_the_motion(student, rng):
     points=0.5,
     part="b",
     after=euler_simulation_follows_the_motion,
-    line="omega along e2 and e3 depends only on the tilt, at any times.",
+    line="over a long time the energy stays, and omega along e2 and e3 depends only on the tilt.",
 )
-def euler_simulation_keeps_two_integrals(student, rng):
-    check_conserved(student.simulate_euler, reference.simulate_euler, LONG(rng), INTEGRALS, partial={1e-4: 0.5})
+def euler_simulation_keeps_energy_and_two_integrals(student, rng):
+    kept, shares = (INTEGRALS, ENERGY_KEPT), {1e-4: 0.5}
+    check_conserved(
+        student.simulate_euler,
+        reference.simulate_euler,
+        cases.long_motion(rng),
+        *kept,
+        coarsely=COARSELY,
+        partial=shares,
+    )
 
 
 @check(
@@ -276,14 +281,13 @@ BOTH = euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion
     points=0.5,
     part="c",
     after=BOTH,
-    line="simulate_matrix, simulate_euler: a long motion on the ground, R a rotation.",
+    line="simulate_matrix agrees with it over a long time; the disk stays on the ground, R a rotation.",
 )
 def both_simulations_agree(student, rng):
     motions = compare_trajectory(
         student.simulate_matrix, reference.simulate_matrix, cases.by_matrix(cases.long_motion)(rng), tolerance=AGREED
     )
     compare_invariants(student.simulate_matrix, motions, ROTATES, HEIGHT)
-    compare_trajectory(student.simulate_euler, reference.simulate_euler, cases.long_motion(rng), tolerance=AGREED)
 
 
 # (d) Steady circles
@@ -356,25 +360,9 @@ def rest_or_rates(case, result, expected):
     return "At rest it is right: look at the speed of the centre and the turning about it."
 
 
-@check("energy", points=0.5, part="f", line="energy adds what moves, what turns and what is high.")
+@check("energy", points=0.75, part="f", line="energy adds what moves, what turns and what is high.")
 def energy_is_kinetic_and_potential(student, rng):
     compare(student.energy, reference.energy, cases.resting_first(rng), tolerance=POINTWISE, hint=rest_or_rates)
-
-
-NEEDED = euler_simulation_follows_the_motion, energy_is_kinetic_and_potential
-
-
-@check(
-    "energy",
-    points=0.25,
-    part="f",
-    after=NEEDED,
-    line="along simulate_euler's motion it stays what it was, over a long time.",
-)
-def energy_is_conserved(student, rng):
-    check_conserved(
-        student.simulate_euler, reference.simulate_euler, LONGER(rng), ENERGY_KEPT, partial={1e-4: 0.6, 1e-3: 0.3}
-    )
 
 
 def wrong_force(case, result, expected):

@@ -23,6 +23,7 @@ __all__ = ["ENOUGH", "SEEDS", "Margin", "as_json", "faults", "margin", "margins"
 ENOUGH = 10  # times: below the limit for a careful student, above it for wrong physics
 SEEDS = 5
 FIRST_SEED = 700
+IMPORTED = "    from tam570.integrate import solve\n"  # in a function
 METHODS = "DOP853", "RK45", "LSODA"
 CAREFUL = """
 
@@ -104,8 +105,8 @@ def _not_passed(course: Path, slug: str, mistake: Mistake) -> frozenset[str]:
 
 
 def _careful(text: str, method: str) -> str:
-    """Return the solution, whose `solve` is another from here on: that of a careful student."""
-    return text + CAREFUL.format(method=method)
+    """Return the solution, whose `solve` is another, wherever it is imported: that of a careful student."""
+    return text.replace(IMPORTED, "") + CAREFUL.format(method=method)
 
 
 def _simulating(course: Path, slug: str, text: str) -> frozenset[str]:
