@@ -17,10 +17,11 @@ from numpy.typing import ArrayLike, NDArray
 Array = NDArray[np.float64]
 Component = Any  # a float, or an array of floats with one entry per rotation
 Formula = Callable[..., tuple[Component, ...]]
-Stacked = Callable[[list[Array]], tuple[Array, Array]]  # of arguments (k, n): measure (n,), results (n, m)
+Stacked = Callable[[list[Array], Array, Array], Array]  # of arguments (k, n), workspace, results (n, m): measure (n,)
 
 BLOCK = 4096  # rotations evaluated together: their components fit in the second-level cache
-STACK = 1024  # fewer where they are stacked: larger arrays go back to the system block by block, at a price
+STACK = 6000  # where they are stacked: below 4097 numbers, NumPy takes products with one row row by row
+ROWS = 16  # of the workspace
 
 
 @dataclass(frozen=True)
@@ -102,9 +103,10 @@ def _evaluate_single(
 def _by_component(formula: Formula) -> Stacked:
     """Return a formula on stacks: component by component."""
 
-    def stacked(tables: list[Array]) -> tuple[Array, Array]:
+    def stacked(tables: list[Array], _: Array, results: Array) -> Array:
         measure, *columns = formula(ARRAYS, *_columns(tables))
-        return measure, np.concatenate(columns).reshape(len(columns), -1).T
+        results[...] = np.concatenate(columns).reshape(len(columns), -1).T
+        return np.asarray(measure)
 
     return stacked
 
@@ -120,25 +122,16 @@ def _evaluate_batch(
 ) -> Array:
     batch, tables = _tables(names, kinds, values)
     count = math.prod(batch)
+    results, workspace = np.empty((count, math.prod(shape))), np.empty((ROWS, min(count, block)))
     with np.errstate(all="ignore"):  # what is not a number is refused by name; underflow is harmless
-        if 0 < count <= block:
-            results = np.ascontiguousarray(_block(formula, within, names, kinds, tables))
-        else:
-            results = np.empty((count, math.prod(shape)))
-            for start in range(0, count, block):
-                rows = [table[start : start + block] for table in tables]
-                results[start : start + block] = _block(formula, within, names, kinds, rows)
+        for start in range(0, count, block):
+            rows, part = [table[start : start + block] for table in tables], results[start : start + block]
+            measure = formula([table.T for table in rows], workspace[:, : len(part)], part)
+            least, greatest = measure[measure.argmin()], measure[measure.argmax()]  # no number if one is none
+            if not (least >= within[0] and greatest <= within[1]):
+                mended = [_mended(*each).T for each in zip(names, kinds, rows, strict=True)]
+                formula(mended, workspace[:, : len(part)], part)
     return results.reshape(batch + shape)
-
-
-def _block(
-    formula: Stacked, within: tuple[float, float], names: list[str], kinds: list[Kind], rows: list[Array]
-) -> Array:
-    measure, results = formula([table.T for table in rows])
-    least, greatest = measure[measure.argmin()], measure[measure.argmax()]  # no number if one is none
-    if not (least >= within[0] and greatest <= within[1]):
-        _, results = formula([_mended(*each).T for each in zip(names, kinds, rows, strict=True)])
-    return results
 
 
 def _tables(names: list[str], kinds: list[Kind], values: list[Array]) -> tuple[tuple[int, ...], list[Array]]:
