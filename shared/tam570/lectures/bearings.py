@@ -14,19 +14,8 @@ from numpy.typing import ArrayLike
 
 from tam570.given import array, finite
 from tam570.rotations import matrix_from_axis_angle
-from tam570.show.scene import (
-    GREY,
-    INK,
-    Array,
-    Panel,
-    Scene,
-    Shape,
-    drift_note,
-    frame_times,
-    moving,
-    plot_samples,
-    value_plot,
-)
+from tam570.show.plots import drift_note, plot_samples, value_plot
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 
 __all__ = ["film", "moment"]
 

@@ -14,7 +14,8 @@ from numpy.typing import ArrayLike
 
 from tam570.given import divisors, nonnegative, numbers, positives, sequence
 from tam570.integrate import solve
-from tam570.show.scene import Array, Panel, Scene, Shape, energy_plot, frame_times, plot_samples
+from tam570.show.plots import energy_plot, plot_samples
+from tam570.show.scene import Array, Panel, Scene, Shape, frame_times
 
 __all__ = ["angular_momentum", "energy", "film", "momentum", "rates"]
 

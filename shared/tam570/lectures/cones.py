@@ -14,19 +14,8 @@ from numpy.typing import ArrayLike
 
 from tam570.given import array, finite, positive
 from tam570.show.drawing import circle, cone
-from tam570.show.scene import (
-    GREY,
-    Array,
-    Panel,
-    Scene,
-    Shape,
-    drift_note,
-    frame_times,
-    moving,
-    plot_samples,
-    value_plot,
-    with_slider,
-)
+from tam570.show.plots import drift_note, plot_samples, value_plot
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving, with_slider
 
 __all__ = ["axis", "body_cone", "body_rate", "film", "omega", "precession_rate", "space_cone"]
 

@@ -16,7 +16,8 @@ from tam570.given import numbers, positives, sequence
 from tam570.integrate import solve, solve_rotation
 from tam570.invariants import rotation_defect
 from tam570.show.drawing import brick
-from tam570.show.scene import Array, Panel, Scene, drift_plot, frame_times, plot_samples, value_plot
+from tam570.show.plots import drift_plot, plot_samples, value_plot
+from tam570.show.scene import Array, Panel, Scene, frame_times
 
 __all__ = ["angular_momentum", "energy", "film", "rates"]
 

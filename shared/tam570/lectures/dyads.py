@@ -13,7 +13,8 @@ from numpy.typing import ArrayLike
 
 from tam570.given import array, numbers
 from tam570.rotations import exp, log
-from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving, plot_samples, value_plot
+from tam570.show.plots import plot_samples, value_plot
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 
 __all__ = ["dyad", "film", "nine", "rotation"]
 

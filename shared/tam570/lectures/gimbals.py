@@ -16,18 +16,8 @@ from numpy.typing import ArrayLike
 from tam570.given import numbers, one_of, positive
 from tam570.rotations import euler_from_matrix, matrix_from_axis_angle
 from tam570.show.drawing import circle
-from tam570.show.scene import (
-    GREY,
-    Array,
-    Panel,
-    Scene,
-    Shape,
-    drift_note,
-    frame_times,
-    moving,
-    plot_samples,
-    value_plot,
-)
+from tam570.show.plots import drift_note, plot_samples, value_plot
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
 
 __all__ = ["angular_velocity", "euler_rates", "film", "rings"]
 

@@ -16,19 +16,8 @@ from numpy.typing import ArrayLike
 
 from tam570.given import array, numbers, positives
 from tam570.integrate import solve
-from tam570.show.scene import (
-    GREY,
-    INK,
-    Array,
-    Panel,
-    Scene,
-    Shape,
-    drift_note,
-    frame_times,
-    moving,
-    plot_samples,
-    value_plot,
-)
+from tam570.show.plots import drift_note, plot_samples, value_plot
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 
 __all__ = ["angular_momentum", "balances", "film", "kinetic"]
 

@@ -13,7 +13,8 @@ from numpy.typing import ArrayLike
 
 from tam570.given import array, finite, positive, whole
 from tam570.show.drawing import coil
-from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, drift_note, frame_times, plot_samples, value_plot
+from tam570.show.plots import drift_note, plot_samples, value_plot
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times
 
 __all__ = ["chain", "film", "inverted_pendulum", "modes", "pendulum", "saddle"]
 

@@ -12,18 +12,8 @@ import numpy as np
 
 from tam570.given import nonnegative, positive, sequence
 from tam570.integrate import solve
-from tam570.show.scene import (
-    GREY,
-    Array,
-    Panel,
-    Scene,
-    Shape,
-    TimePlot,
-    frame_times,
-    plot_samples,
-    value_plot,
-    with_slider,
-)
+from tam570.show.plots import plot_samples, value_plot
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, with_slider
 
 __all__ = ["film", "hodograph", "rates", "terminal_speed"]
 

@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 
 from tam570.given import numbers
-from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, moving, plot_samples, value_plot
+from tam570.show.plots import plot_samples, value_plot
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 
 __all__ = ["by_constraint", "by_elimination", "film"]
 

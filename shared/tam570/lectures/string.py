@@ -15,19 +15,8 @@ from numpy.typing import ArrayLike
 from tam570.given import finite, numbers, positive, positives, sequence
 from tam570.integrate import solve
 from tam570.show.drawing import unit_circle
-from tam570.show.scene import (
-    GREY,
-    INK,
-    Panel,
-    Scene,
-    Shape,
-    drift_note,
-    energy_plot,
-    frame_times,
-    moving,
-    plot_samples,
-    value_plot,
-)
+from tam570.show.plots import drift_note, energy_plot, plot_samples, value_plot
+from tam570.show.scene import GREY, INK, Panel, Scene, Shape, frame_times, moving
 
 __all__ = ["angular_momentum", "by_lagrange", "by_newton", "energy", "film", "rates"]
 

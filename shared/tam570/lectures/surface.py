@@ -13,18 +13,8 @@ from numpy.typing import ArrayLike
 
 from tam570.given import finite, numbers, one_of, positive, sequence
 from tam570.integrate import solve
-from tam570.show.scene import (
-    GREY,
-    Array,
-    Panel,
-    Scene,
-    Shape,
-    drift_note,
-    frame_times,
-    moving,
-    plot_samples,
-    value_plot,
-)
+from tam570.show.plots import drift_note, plot_samples, value_plot
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
 
 __all__ = ["constraint_force", "energy", "film", "height", "rates"]
 

@@ -15,7 +15,8 @@ from numpy.typing import ArrayLike
 
 from tam570.given import numbers, positive, sequence
 from tam570.integrate import solve
-from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, energy_plot, frame_times, moving, plot_samples
+from tam570.show.plots import energy_plot, plot_samples
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 
 __all__ = ["energy", "exact", "film", "hinge_force", "rates"]
 

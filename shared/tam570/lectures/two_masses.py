@@ -15,18 +15,8 @@ from numpy.typing import ArrayLike
 from tam570.given import finite, nonnegative, numbers, positive, positives, sequence
 from tam570.integrate import solve
 from tam570.show.drawing import coil
-from tam570.show.scene import (
-    GREY,
-    Array,
-    Panel,
-    Scene,
-    Shape,
-    energy_plot,
-    frame_times,
-    moving,
-    plot_samples,
-    value_plot,
-)
+from tam570.show.plots import energy_plot, plot_samples, value_plot
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
 
 __all__ = ["energy", "exact", "film", "momentum", "rates", "spring_energy", "tension"]
 

@@ -16,7 +16,8 @@ from numpy.typing import ArrayLike
 from tam570.given import numbers, positives, sequence
 from tam570.integrate import solve
 from tam570.show.drawing import brick
-from tam570.show.scene import Array, Panel, Scene, Shape, drift_note, frame_times, moving, plot_samples, value_plot
+from tam570.show.plots import drift_note, plot_samples, value_plot
+from tam570.show.scene import Array, Panel, Scene, Shape, frame_times, moving
 
 __all__ = ["angular_momentum", "energy", "film", "rates", "wrong_rates"]
 

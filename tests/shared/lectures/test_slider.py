@@ -5,7 +5,8 @@ import pytest
 
 from tam570.show.compact import packed
 from tam570.show.page import page
-from tam570.show.scene import Panel, Scene, Shape, frame_times, value_plot, with_slider
+from tam570.show.plots import value_plot
+from tam570.show.scene import Panel, Scene, Shape, frame_times, with_slider
 
 
 def grown(size):

@@ -21,7 +21,8 @@ from tam570.lectures import load
 from tam570.show import Trouble, load_student, pictures, save, show
 from tam570.show.compact import PIXELS, STEPS, kept_samples, packed
 from tam570.show.page import page
-from tam570.show.scene import Panel, Scene, Shape, drift_plot, frame_times
+from tam570.show.plots import drift_plot
+from tam570.show.scene import Panel, Scene, Shape, frame_times
 from tam570.show.scenes import hw11, hw13
 from tam570.show.student import Student
 from tam570_grader.checks import assignments

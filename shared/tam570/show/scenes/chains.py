@@ -5,19 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from tam570.show.scene import (
-    GREY,
-    INK,
-    Array,
-    Panel,
-    Scene,
-    Shape,
-    TimePlot,
-    drift_plot,
-    moving,
-    plot_samples,
-    value_plot,
-)
+from tam570.show.plots import drift_plot, plot_samples, value_plot
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, moving
 
 __all__ = ["chains"]
 

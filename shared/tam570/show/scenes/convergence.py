@@ -7,19 +7,8 @@ import numpy as np
 
 from tam570.integrate import solve
 from tam570.show.drawing import graph
-from tam570.show.scene import (
-    INK,
-    Array,
-    Panel,
-    Scene,
-    Shape,
-    TimePlot,
-    drift_note,
-    frame_times,
-    moving,
-    plot_samples,
-    value_plot,
-)
+from tam570.show.plots import drift_note, plot_samples, value_plot
+from tam570.show.scene import INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 
 __all__ = ["film"]
 

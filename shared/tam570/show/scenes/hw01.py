@@ -8,20 +8,8 @@ import numpy as np
 from tam570.show.diagrams import force_shapes
 from tam570.show.drawing import graph, unit_circle
 from tam570.show.live import Handle, Live, live_if_written
-from tam570.show.scene import (
-    GREY,
-    INK,
-    Array,
-    Panel,
-    Scene,
-    Shape,
-    TimePlot,
-    energy_plot,
-    frame_times,
-    moving,
-    plot_samples,
-    value_plot,
-)
+from tam570.show.plots import energy_plot, plot_samples, value_plot
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student, make_each
 
 __all__ = ["film"]

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 
 from tam570.show.diagrams import force_shapes
-from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, plot_samples, value_plot
+from tam570.show.plots import plot_samples, value_plot
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times
 from tam570.show.student import Student, Trouble
 
 __all__ = ["film"]

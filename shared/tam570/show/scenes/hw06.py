@@ -7,19 +7,8 @@ import numpy as np
 
 from tam570.show.diagrams import force_shapes
 from tam570.show.live import Handle, Live, live_if_written
-from tam570.show.scene import (
-    GREY,
-    INK,
-    Array,
-    Panel,
-    Scene,
-    Shape,
-    TimePlot,
-    drift_note,
-    frame_times,
-    plot_samples,
-    value_plot,
-)
+from tam570.show.plots import drift_note, plot_samples, value_plot
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times
 from tam570.show.student import Student, Trouble, make_each
 
 __all__ = ["film"]

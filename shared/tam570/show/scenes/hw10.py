@@ -8,20 +8,8 @@ import numpy as np
 from tam570.given import positive, positives
 from tam570.show.drawing import box_face, brick, circle, cone
 from tam570.show.live import Handle, Live, live_if_written
-from tam570.show.scene import (
-    GREY,
-    INK,
-    Array,
-    Panel,
-    Scene,
-    Shape,
-    TimePlot,
-    drift_note,
-    frame_times,
-    moving,
-    plot_samples,
-    value_plot,
-)
+from tam570.show.plots import drift_note, plot_samples, value_plot
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student, Trouble, make_each
 
 __all__ = ["film"]

@@ -7,18 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tam570.integrate import solve
-from tam570.show.scene import (
-    GREY,
-    Array,
-    Panel,
-    Scene,
-    Shape,
-    drift_plot,
-    frame_times,
-    moving,
-    plot_samples,
-    with_slider,
-)
+from tam570.show.plots import drift_plot, plot_samples
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving, with_slider
 
 __all__ = ["film"]
 

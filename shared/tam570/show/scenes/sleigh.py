@@ -8,19 +8,8 @@ import numpy as np
 
 from tam570.integrate import solve
 from tam570.show.drawing import graph, unit_circle
-from tam570.show.scene import (
-    GREY,
-    Array,
-    Panel,
-    Scene,
-    Shape,
-    TimePlot,
-    drift_note,
-    frame_times,
-    plot_samples,
-    value_plot,
-    with_slider,
-)
+from tam570.show.plots import drift_note, plot_samples, value_plot
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, with_slider
 
 __all__ = ["film"]
 

@@ -7,19 +7,8 @@ import numpy as np
 
 from tam570.integrate import solve
 from tam570.show.drawing import coil, graph, unit_circle
-from tam570.show.scene import (
-    GREY,
-    INK,
-    Array,
-    Panel,
-    Scene,
-    Shape,
-    energy_plot,
-    frame_times,
-    moving,
-    plot_samples,
-    value_plot,
-)
+from tam570.show.plots import energy_plot, plot_samples, value_plot
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 
 __all__ = ["film"]
 

@@ -5,20 +5,8 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 
 from tam570.show.drawing import circle
-from tam570.show.scene import (
-    FASTEST,
-    GREY,
-    INK,
-    Array,
-    Panel,
-    Scene,
-    Shape,
-    drift_note,
-    frame_times,
-    moving,
-    plot_samples,
-    value_plot,
-)
+from tam570.show.plots import drift_note, plot_samples, value_plot
+from tam570.show.scene import FASTEST, GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 
 __all__ = ["tops"]
 
