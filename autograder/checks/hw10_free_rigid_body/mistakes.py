@@ -204,13 +204,13 @@ def simulate(reference, t, R, omega, *, inertia):
 
 
 @mistake(
-    "You take 36 Runge-Kutta steps to each time, however far; limit the size of a step.",
+    "You take 30 Runge-Kutta steps to each time, however far; limit the size of a step.",
     first_fails=invariants_stay_over_many_turns,
     compared=False,
     numerics=True,
 )
 def simulate(reference, t, R, omega, *, inertia):
-    return runge_kutta(t, R, omega, inertia, 36)
+    return runge_kutta(t, R, omega, inertia, 30)
 
 
 @mistake(

@@ -88,19 +88,19 @@ close = rides(0.02, 0.025, 2, 5.0, "two times, the bead let go at rest, close to
 
 
 def few_times(rng):
-    """Three times, most of the run and its sharp turns between two; two times, let go at rest, and at rest."""
+    """Three times, most of the run and its sharp turns between two; two times, at rest."""
     sharp = ride(rng, 4.3, 5.0, 2, 21.0, "a few times, far apart")
     first, last = sharp.args[0]
     between = last - 1.5 / math.sqrt(2 * sharp.kwargs["gravity"] * sharp.kwargs["curvature"])
-    starts = {"the bead let go at rest": (-1.0, 0.0), "a bead at rest at the bottom, where it stays": (0.0, 0.0)}
-    plain = [ride(rng, 0.4, 1.0, 2, 5.0, f"two times, {label}", start) for label, start in starts.items()]
-    return [sharp.replace(np.array([first, between, last])), *plain]
+    label = "two times, a bead at rest at the bottom, where it stays"
+    return [sharp.replace(np.array([first, between, last])), ride(rng, 0.4, 1.0, 2, 5.0, label, (0.0, 0.0))]
 
 
 def weightless(rng):
-    """A motion with gravity; like it, at other times, from the bottom, and without gravity."""
+    """A motion with gravity; the same at other times; from the same start, on another wire without gravity."""
     case = ride(rng, 0.4, 1.0, 5, 3.0, "an amplitude near 1/c")
-    return [case, *repeated_calls(rng, case, start=(0.0, -case.args[2]), gravity=0.0)]
+    other_times, _, other_wire = repeated_calls(rng, case, gravity=0.0)
+    return [case, other_times, other_wire]
 
 
 def periods(label, low, high, count, decades=(-1, 1)):

@@ -260,7 +260,7 @@ def simulate(reference, t, x, v, *, curvature, gravity):
 )
 def simulate(reference, t, x, v, **wire):
     shares = np.diff(t) / (t[-1] - t[0])
-    return runge_kutta(t, x, v, [math.ceil(1800 * share) for share in shares], wire)
+    return runge_kutta(t, x, v, [math.ceil(1000 * share) for share in shares], wire)
 
 
 @mistake(
@@ -271,7 +271,7 @@ def simulate(reference, t, x, v, **wire):
 )
 def simulate(reference, t, x, v, *, curvature, gravity):
     rate = np.sqrt(2 * curvature * (gravity or 10.0))
-    step = (0.002 if (t[-1] - t[0]) * rate < 70 else 0.25) / rate
+    step = (0.002 if (t[-1] - t[0]) * rate < 47 else 0.25) / rate
     steps = [math.ceil(span / step) for span in np.diff(t)]
     return runge_kutta(t, x, v, steps, {"curvature": curvature, "gravity": gravity})
 
