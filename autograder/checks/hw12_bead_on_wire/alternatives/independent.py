@@ -45,7 +45,7 @@ def energy(x, v, *, mass, curvature, gravity):
 def simulate(t, x, v, *, curvature, gravity):
     sol = solve_ivp(
         lambda _, z: [z[1], _acc(z[0], z[1], curvature, gravity)],
-        (t[0], t[-1]), [x, v], t_eval=t, rtol=1e-9, atol=1e-9,
+        (t[0], t[-1]), [x, v], t_eval=t, method="DOP853", rtol=1e-9, atol=1e-9,
     )
     return sol.y.T
 

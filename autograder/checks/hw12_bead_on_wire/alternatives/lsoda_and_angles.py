@@ -1,4 +1,4 @@
-"""Show that the angle of the wire as the variable passes, odeint, and a quadrature singular at its end."""
+"""Show that the wire's angle as variable, positive symbols, another zero level, odeint, a singular quadrature pass."""
 
 import math
 
@@ -7,9 +7,9 @@ from scipy.integrate import odeint, quad
 
 
 def lagrangian():
-    x, v, m, c, g = sympy.symbols("x v m c g")
+    (x, v), (m, c, g) = sympy.symbols("x v", real=True), sympy.symbols("m c g", positive=True)
     angle = sympy.atan(2 * c * x)
-    return m / 2 * (v / sympy.cos(angle)) ** 2 - m * g * c * x**2
+    return m / 2 * (v / sympy.cos(angle)) ** 2 - m * g * c * x**2 + 3 * m * g / c
 
 
 def lagrange_equation():

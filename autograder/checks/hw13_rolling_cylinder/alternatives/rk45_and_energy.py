@@ -47,10 +47,10 @@ def energy(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
 
 
 def simulate(t, phi, phi_dot, **c):
-    found = solve_ivp(
+    motion = solve_ivp(
         lambda s, y: (y[1], acceleration(*y, **c)), (t[0], t[-1]), (phi, phi_dot), rtol=1e-9, atol=1e-9, t_eval=t
     )
-    return tuple(zip(*found.y))
+    return tuple(zip(*motion.y))
 
 
 def free_body_diagram(phi, *, mass, radius, offset, slope, gravity):

@@ -1,7 +1,7 @@
-"""Show that Lagrange's equations with five coordinates and two constraints pass, with odeint."""
+"""Show that Lagrange's equations with five coordinates and two constraints pass, with odeint and an implicit method."""
 
 import numpy as np
-from scipy.integrate import odeint
+from scipy.integrate import odeint, solve_ivp
 from scipy.spatial.transform import Rotation
 
 
@@ -31,14 +31,14 @@ def solved(state, mass, radius, inertia, gravity):
 
 def euler_state_derivative(t, state, *, mass, radius, inertia, gravity):
     _, _, yaw, _, _, p, q, r = state
-    found = solved(state, mass, radius, inertia, gravity)
-    return [-radius * r * np.cos(yaw), -radius * r * np.sin(yaw), p, q, r, *found[2:5]]
+    solution = solved(state, mass, radius, inertia, gravity)
+    return [-radius * r * np.cos(yaw), -radius * r * np.sin(yaw), p, q, r, *solution[2:5]]
 
 
 def contact_force(state, *, mass, radius, inertia, gravity):
-    found = solved(state, mass, radius, inertia, gravity)
-    lifted = radius * (np.cos(state[3]) * found[3] - np.sin(state[3]) * state[6] ** 2)
-    return [found[5], found[6], mass * (gravity + lifted)]
+    solution = solved(state, mass, radius, inertia, gravity)
+    lifted = radius * (np.cos(state[3]) * solution[3] - np.sin(state[3]) * state[6] ** 2)
+    return [solution[5], solution[6], mass * (gravity + lifted)]
 
 
 def matrix_state(state, *, radius):
@@ -85,7 +85,8 @@ def simulate_euler(t, state, **disk):
 
 
 def simulate_matrix(t, state, **disk):
-    return odeint(lambda y, s: rates_of_matrix(y, disk), state, t, rtol=1e-9, atol=1e-9, mxstep=10000)
+    ends, settings = (t[0], t[-1]), {"method": "BDF", "rtol": 1e-9, "atol": 1e-9}
+    return solve_ivp(lambda _, y: rates_of_matrix(y, disk), ends, state, t_eval=t, **settings).y.T
 
 
 def energy(state, *, mass, radius, inertia, gravity):
@@ -131,7 +132,7 @@ def wireframe(state, *, radius, sides):
 
 
 def free_body_diagram(state, *, mass, radius, gravity):
-    x, y, yaw, tilt = (float(one) for one in state[:4])
+    x, y, yaw, tilt = map(float, state[:4])
     up = [-np.sin(yaw) * np.cos(tilt), np.cos(yaw) * np.cos(tilt), np.sin(tilt)]
     centre = [x + radius * up[0], y + radius * up[1], radius * up[2]]
     return [[[x, y, 0], None], [centre, [0, 0, -mass * gravity]]]

@@ -149,7 +149,7 @@ def wireframe(state, *, radius, sides):
 
 
 def free_body_diagram(state, *, mass, radius, gravity):
-    x, y, yaw, tilt = (float(one) for one in state[:4])
+    x, y, yaw, tilt = map(float, state[:4])
     up = [-np.sin(yaw) * np.cos(tilt), np.cos(yaw) * np.cos(tilt), np.sin(tilt)]
     centre = [x + radius * up[0], y + radius * up[1], radius * up[2]]
     return [[[x, y, 0], None], [centre, [0, 0, -mass * gravity]]]
