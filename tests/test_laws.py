@@ -13,7 +13,6 @@ from tam570_grader.audit.diagnosis import diagnosis
 from tam570_grader.checks import assignments
 from tam570_grader.checks.expect import check_context
 from tam570_grader.checks.returns import Array, Drawing, Formula, FreeBodyDiagram, Group
-from tam570_grader.course.contract import with_points
 from tam570_grader.diagnosis.mistakes import candidates, mistakes, named_mistake
 from tam570_grader.release.stubs import stub
 from tam570_grader.sandbox.student import Source, Student
@@ -21,12 +20,10 @@ from tam570_grader.sandbox.zygote import ResourceLimits
 
 COURSE = assignments.find()
 CHECKS = [(slug, check) for slug in SLUGS for check in assignments.assignment(COURSE, slug).checks]
-
-
 FOLDERS = {slug: assignments.checks_folder(COURSE, slug) for slug in SLUGS}
 ALTERNATIVES = [(slug, path) for slug, folder in FOLDERS.items() for path in sorted(folder.glob("alternatives/*.py"))]
 PARTS = {(slug, check.name): check.part for slug, check in CHECKS}
-MISTAKES = [(slug, one) for slug, folder in FOLDERS.items() for one in mistakes(folder)]
+MISTAKES = [(slug, mistake) for slug, folder in FOLDERS.items() for mistake in mistakes(folder)]
 
 
 def first_of_each(cases, key):
@@ -42,24 +39,15 @@ def first_of_each(cases, key):
     }
 
 
-def slug_alone(slug, _):
-    return slug
-
-
 def outcomes(result, outcome):
-    return {mark.name for mark in result.checks if mark.outcome == outcome}
+    return {check.name for check in result.checks if check.outcome == outcome}
 
 
 def failures(result):
-    return [(mark.name, mark.outcome, mark.message) for mark in result.checks if mark.outcome != "passed"]
+    return [(check.name, check.outcome, check.message) for check in result.checks if check.outcome != "passed"]
 
 
 # What is released
-
-
-def test_the_stub_is_current(slug, course, solution_text):
-    path = course / "assignments" / slug / f"{slug}.py"
-    assert path.read_text() == stub(solution_text(slug)), "run: tam570-grader stubs"
 
 
 def test_the_stub_keeps_every_signature_and_no_body(slug, solution_text):
@@ -93,20 +81,20 @@ def test_there_are_hints_for_every_function(slug, course, solution_text):
     assert all(steps and all(step.strip() for step in steps) for steps in hints.values())
 
 
+def test_notation_explains_every_parameter_in_its_meaning(slug, course, solution_text):
+    written, explained = functions(solution_text(slug)), set()
+    for row in re.findall(r"^\|[^|]*\|([^|]*`[^|]*)\|[^|]*\|([^|]*)\|$", (course / "NOTATION.md").read_text(), re.M):
+        if slug[:4] in row[1] or not re.search(r"hw\d\d", row[1]):
+            explained |= set(re.findall(r"`(\w+)`", row[0]))
+    arguments = [written[name].args for name in exported(solution_text(slug))]
+    assert {item.arg for of in arguments for item in (*of.args, *of.kwonlyargs)} <= explained
+
+
 def test_the_checks_promise_every_function_and_ten_points(slug, course, solution_text):
     assignment = assignments.assignment(course, slug)
     assert set(assignment.results) == set(exported(solution_text(slug)))
     assert assignment.max_score == 10.0
     assert all(check.line and check.points > 0 for check in assignment.checks)
-
-
-def test_a_row_of_the_readme_has_the_points_of_the_checks_that_are_about_its_function(slug, course):
-    readme, worth = (
-        (course / "assignments" / slug / "README.md").read_text(),
-        assignments.assignment(course, slug).worth,
-    )
-    assert with_points(readme, worth) == readme, "run: tam570-grader stubs"
-    assert with_points(readme, dict.fromkeys(worth, 0.125)).count("| 0.125 |") == len(worth)
 
 
 # Right answers pass
@@ -117,7 +105,7 @@ def test_the_solution_has_full_marks(slug, seed, grade, solution_text):
     assert result.score == result.max_score, failures(result)
 
 
-@pytest.mark.parametrize(("slug", "path"), **first_of_each(ALTERNATIVES, slug_alone))
+@pytest.mark.parametrize(("slug", "path"), **first_of_each(ALTERNATIVES, lambda slug, _: slug))
 def test_right_answers_in_other_styles_have_full_marks(slug, path, seed, grade):
     result = grade(slug, path.read_text(), seed)
     assert result.score == result.max_score, failures(result)
@@ -127,7 +115,7 @@ def test_right_answers_in_other_styles_have_full_marks(slug, path, seed, grade):
 
 
 @pytest.mark.parametrize(
-    ("slug", "mistake"), **first_of_each(MISTAKES, lambda slug, one: (slug, PARTS[slug, one.first_fails]))
+    ("slug", "mistake"), **first_of_each(MISTAKES, lambda slug, mistake: (slug, PARTS[slug, mistake.first_fails]))
 )
 def test_a_wrong_submission_loses_points_at_its_check_whatever_the_inputs(
     slug, mistake, input_seed, grade, solution_text
@@ -137,38 +125,35 @@ def test_a_wrong_submission_loses_points_at_its_check_whatever_the_inputs(
     assert not outcomes(result, "grader_error"), failures(result)
     assert not any(check.failure.fault for check in failed), "the search for a name raised"
     assert failed and failed[0].name == mistake.first_fails and result.score < 10, failures(result)
-    found = diagnosis(result, mistake, {one.message for one in mistakes(FOLDERS[slug])})
-    assert found.named or not mistake.compared, failures(result)
-    assert not found.misled, failures(result)
+    cause = diagnosis(result, mistake, {item.message for item in mistakes(FOLDERS[slug])})
+    assert (cause.named or not mistake.compared) and not cause.misled, failures(result)
 
 
 @pytest.mark.parametrize(("slug", "check"), **first_of_each(CHECKS, lambda slug, check: (slug, check.name)))
 def test_every_check_has_a_mistake_that_it_catches(slug, check, grade, solution_text):
     """First of all checks, or beside others: what is wrong in one function may be wrong in those that call it."""
-    named_mistake = mistakes(FOLDERS[slug])
 
-    def caught(one):
-        result = grade(slug, f"{solution_text(slug)}\n\n{one.text}", naming=False)
-        return any(
-            mark.name == check.name and mark.outcome == "failed" and not mark.failure.follows_from
-            for mark in result.checks
-        )
+    def is_caught(mistake):
+        result = grade(slug, f"{solution_text(slug)}\n\n{mistake.text}", naming=False)
+        failed = [item for item in result.checks if item.name == check.name and item.outcome == "failed"]
+        return any(not item.failure.follows_from for item in failed)
 
-    assert any(check.name == one.first_fails for one in named_mistake) or any(map(caught, named_mistake))
+    of_assignment = mistakes(FOLDERS[slug])
+    assert any(check.name == item.first_fails for item in of_assignment) or any(map(is_caught, of_assignment))
 
 
-@pytest.mark.parametrize(("slug", "check"), **first_of_each(CHECKS, slug_alone))
+@pytest.mark.parametrize(("slug", "check"), **first_of_each(CHECKS, lambda slug, _: slug))
 def test_the_inputs_of_a_check_tell_its_mistakes_from_the_truth(slug, check, zygotes, solution_text):
     assignment = assignments.assignment(COURSE, slug)
     student = Student(Source(solution_text(slug).encode()), assignment, zygotes(slug, ResourceLimits()))
     with check_context():
         check.run(student, np.random.default_rng(5))
     student.leave()
-    called = {call.name for call in student.calls}
+    names = {call.name for call in student.calls}
     compared = [call for call in student.calls if not isinstance(assignment.results[call.name], FreeBodyDiagram)]
     suspects = candidates(solution_text(slug), FOLDERS[slug], {call.name for call in compared})
     assert named_mistake(solution_text(slug), suspects, compared) is None
-    assert not called or called & set(re.findall(r"\w+", check.title)), "its title names none that it calls"
+    assert not names or names & set(re.findall(r"\w+", check.title)), "its title names none that it calls"
 
 
 # Nothing scores nothing
@@ -223,11 +208,11 @@ def test_an_endless_loop_scores_nothing(slug, grade, course):
 
 
 @pytest.fixture(scope="module")
-def called(zygotes, solution_text):
-    """`called(slug)` -> {check: the functions that it calls}, as the record of the sandbox has them."""
+def called_functions(zygotes, solution_text):
+    """`called_functions(slug)` -> {check: the functions that it calls}, as the record of the sandbox has them."""
 
     @cache
-    def called(slug):
+    def called_functions(slug):
         assignment = assignments.assignment(COURSE, slug)
         student, names = Student(Source(solution_text(slug).encode()), assignment, zygotes(slug, ResourceLimits())), {}
         for check in assignment.checks:
@@ -238,16 +223,16 @@ def called(zygotes, solution_text):
         student.leave()
         return names
 
-    return called
+    return called_functions
 
 
 @pytest.mark.parametrize("slug", first(2, SLUGS))
-def test_every_check_calls_what_is_recorded(slug, called):
-    promises = assignments.assignment(COURSE, slug).results
-    undrawn = {name for name, returns in promises.items() if not isinstance(returns, Drawing)}
-    silent = {name for name, names in called(slug).items() if not names and "refuse" not in name}
-    assert undrawn <= set().union(*called(slug).values()), "a function that no check calls"
-    assert len(silent) <= len(promises) - len(undrawn), f"they call nothing but what draws: {silent}"
+def test_every_check_calls_what_is_recorded(slug, called_functions):
+    results = assignments.assignment(COURSE, slug).results
+    undrawn = {name for name, returns in results.items() if not isinstance(returns, Drawing)}
+    silent = {name for name, names in called_functions(slug).items() if not names and "refuse" not in name}
+    assert undrawn <= set().union(*called_functions(slug).values()), "a function that no check calls"
+    assert len(silent) <= len(results) - len(undrawn), f"they call nothing but what draws: {silent}"
 
 
 WRAPPERS = {
@@ -260,12 +245,12 @@ WRAPPERS = {
 
 @pytest.mark.parametrize("slug", first(4, SLUGS))
 @pytest.mark.parametrize("what", first(1, WRAPPERS))
-def test_right_numbers_in_a_wrong_form_score_nothing(slug, what, grade, course, solution_text, called):
+def test_right_numbers_in_a_wrong_form_score_nothing(slug, what, grade, course, solution_text, called_functions):
     results = assignments.assignment(course, slug).results
     numeric = {name for name, returns in results.items() if isinstance(returns, Array | Group)}
     result = grade(slug, solution_text(slug) + wrapped(results, WRAPPERS[what]), naming=False)
-    kept = {mark.name for mark in result.checks if mark.points}
-    assert not {name for name in kept if called(slug)[name] & numeric}, failures(result)
+    earning = {check.name for check in result.checks if check.points}
+    assert not {name for name in earning if called_functions(slug)[name] & numeric}, failures(result)
 
 
 @pytest.mark.parametrize("slug", first(2, SLUGS))

@@ -6,6 +6,7 @@ import pytest
 from classes import HW08, hand_in
 
 from tam570_grader import cli
+from tam570_grader.grading import supervisor
 
 
 @pytest.fixture
@@ -25,6 +26,19 @@ def tree(tmp_path, solution_text):
     """A class of three: right, half done, and not handed in."""
     (tmp_path / "submitted" / "cora" / HW08).mkdir(parents=True)
     return hand_in(tmp_path / "submitted", {"ada": solution_text(HW08), "ben": "def skew(v): return None\n"})
+
+
+@pytest.fixture
+def graded_works(monkeypatch):
+    """The submissions that were run, by student and assignment."""
+    works, graded = [], supervisor.graded
+
+    def noted(name, source, assignment, *rest, **more):
+        works.append((name, assignment.slug))
+        return graded(name, source, assignment, *rest, **more)
+
+    monkeypatch.setattr(supervisor, "graded", noted)
+    return works
 
 
 @pytest.fixture(scope="session")

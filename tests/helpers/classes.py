@@ -10,10 +10,10 @@ __all__ = ["HW08", "hand_in", "notebook", "outcome", "packed", "results", "rows"
 HW08 = "hw08_axis_angle"
 
 
-def hand_in(folder, texts, slug=HW08):
+def hand_in(folder, texts, slug=HW08, file="{0}/{0}.py"):
     """Write the texts of a class, by student, each in a folder of the assignment; return the folder."""
     for student, text in texts.items():
-        path = folder / student / slug / f"{slug}.py"
+        path = folder / student / file.format(slug)
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(text if isinstance(text, bytes) else text.encode())
     return folder

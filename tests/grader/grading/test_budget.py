@@ -49,12 +49,12 @@ def evaluated(course, zygotes, solution_text, monkeypatch):
     return evaluated
 
 
-@pytest.mark.parametrize(("run", "says"), [(compiled(ENDLESS)["endless"], "work"), (grows, "memory")])
-def test_a_check_that_does_not_end_fails_alone(run, says, evaluated, course):
+@pytest.mark.parametrize(("run", "words"), [(compiled(ENDLESS)["endless"], "work"), (grows, "memory")])
+def test_a_check_that_does_not_end_fails_alone(run, words, evaluated, course):
     check = assignments.assignment(course, SLUG).checks[-1]
     result = evaluated(run, check.name)
     assert result.status == "graded" and result.score == 10 - check.points
-    assert says in result.checks[-1].message
+    assert words in result.checks[-1].message
     assert evaluated().score == 10
 
 

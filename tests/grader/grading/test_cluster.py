@@ -41,8 +41,8 @@ def tree(tmp_path_factory, solution_text):
 def alone(tree, tmp_path_factory):
     """The results of one machine."""
     out = tmp_path_factory.mktemp("alone")
-    with grading(tree, out) as head:
-        assert head.wait() == 0
+    with grading(tree, out) as coordinator:
+        assert coordinator.wait() == 0
     return outcome(out)
 
 
@@ -68,12 +68,12 @@ class Net:
         self._tls = ["--tls-ca-file", keys / "certificate.pem", "--tls-cert", keys / "certificate.pem"]
         self._tls += ["--tls-key", keys / "key.pem"]
         self.folder, self._file = folder, folder / "scheduler.json"
-        self.asked = ["--certificates", keys]
+        self._options = ["--certificates", keys]
 
     def scheduler(self, port=0):
         self._file.unlink(missing_ok=True)
-        place = ["--host", "127.0.0.1", "--port", port, "--protocol", "tls", "--no-dashboard"]
-        return started("dask", "scheduler", *place, "--scheduler-file", self._file, *self._tls)
+        address = ["--host", "127.0.0.1", "--port", port, "--protocol", "tls", "--no-dashboard"]
+        return started("dask", "scheduler", *address, "--scheduler-file", self._file, *self._tls)
 
     @property
     def address(self):
@@ -85,7 +85,7 @@ class Net:
         return started("dask", "worker", self.address, *options, *self._tls, **more)
 
     def grading(self, tree, out, *more):
-        return grading(tree, out, "--cluster", self.address, *self.asked, *more)
+        return grading(tree, out, "--cluster", self.address, *self._options, *more)
 
 
 @pytest.fixture
@@ -106,30 +106,30 @@ def graded(out):
 
 def test_a_worker_that_is_killed_and_one_that_joins_late_change_nothing(net, tree, tmp_path, alone):
     out = tmp_path / "out"
-    with net.scheduler(), net.worker() as first, net.grading(tree, out) as head:
+    with net.scheduler(), net.worker() as first, net.grading(tree, out) as coordinator:
         wait_for(lambda: graded(out) >= 3)
         first.kill()
         with net.worker():
-            assert head.wait() == 0, head.stderr.read()
+            assert coordinator.wait() == 0, coordinator.stderr.read()
     assert outcome(out) == alone
 
 
 def test_a_head_that_is_killed_and_a_scheduler_that_is_lost_change_nothing(net, tree, tmp_path, alone):
     out = tmp_path / "out"
     with net.scheduler() as scheduler, net.worker():
-        with net.grading(tree, out) as head:
+        with net.grading(tree, out) as coordinator:
             wait_for(lambda: graded(out) >= 3)
-            head.kill()
+            coordinator.kill()
         before = graded(out)
-        with net.grading(tree, out) as head:
+        with net.grading(tree, out) as coordinator:
             wait_for(lambda: graded(out) >= before + 3)
             scheduler.kill()
-            assert head.wait() == 1
-            said = head.stderr.read()
+            assert coordinator.wait() == 1
+            said = coordinator.stderr.read()
             assert "the scheduler at tls://" in said and "results kept" in said and "Traceback" not in said
     assert 6 <= graded(out) < STUDENTS
-    with net.scheduler(), net.worker(), net.grading(tree, out) as head:
-        assert head.wait() == 0, head.stderr.read()
+    with net.scheduler(), net.worker(), net.grading(tree, out) as coordinator:
+        assert coordinator.wait() == 0, coordinator.stderr.read()
     assert outcome(out) == alone
 
 
@@ -141,11 +141,11 @@ def test_who_has_no_certificate_is_kept_out(net, tree, tmp_path, capsys):
         request = ["grade", str(tree), "--out", str(tmp_path / "out")]
         assert cli.main([*request, "--cluster", plain]) == 2
         assert "certificates DIR" in capsys.readouterr().err
-        with net.grading(tree, tmp_path / "out", "--certificates", others) as head:
-            assert head.wait() == 2
-            assert "no scheduler lets us in" in head.stderr.read()
-        with started("tam570_grader", "certificates", others) as again:
-            assert again.wait() == 2  # nobody's keys are overwritten
+        with net.grading(tree, tmp_path / "out", "--certificates", others) as coordinator:
+            assert coordinator.wait() == 2
+            assert "no scheduler lets us in" in coordinator.stderr.read()
+        with started("tam570_grader", "certificates", others) as repeated:
+            assert repeated.wait() == 2  # nobody's keys are overwritten
 
 
 def test_a_worker_without_bubblewrap_refuses_unless_told_otherwise(net, tree, tmp_path):
@@ -153,11 +153,11 @@ def test_a_worker_without_bubblewrap_refuses_unless_told_otherwise(net, tree, tm
     bare = tmp_path / "bin"
     bare.mkdir()
     with net.scheduler(), net.worker(env={**os.environ, "PATH": str(bare)}):
-        with net.grading(item, tmp_path / "out") as head:
-            assert head.wait() == 2
-            assert "no bubblewrap" in head.stderr.read()
-        with net.grading(item, tmp_path / "out", "--unconfined") as head:
-            code, said = head.wait(), head.stderr.read()
+        with net.grading(item, tmp_path / "out") as coordinator:
+            assert coordinator.wait() == 2
+            assert "no bubblewrap" in coordinator.stderr.read()
+        with net.grading(item, tmp_path / "out", "--unconfined") as coordinator:
+            code, said = coordinator.wait(), coordinator.stderr.read()
     if os.geteuid() == 0 and "may not enter" in said:
         pytest.skip("root without bubblewrap cannot grade from a closed folder, on a cluster or off it")
     assert code == 0, said
@@ -166,10 +166,10 @@ def test_a_worker_without_bubblewrap_refuses_unless_told_otherwise(net, tree, tm
 
 def test_a_cluster_on_this_machine_gives_the_same(tree, tmp_path, alone):
     out = tmp_path / "out"
-    with grading(tree, out, "--cluster", "local") as head:
-        assert head.wait() == 0, head.stderr.read()
+    with grading(tree, out, "--cluster", "local") as coordinator:
+        assert coordinator.wait() == 0, coordinator.stderr.read()
     assert outcome(out) == alone
-    with grading(tree, tmp_path / "ended", "--cluster", "local") as head:
+    with grading(tree, tmp_path / "ended", "--cluster", "local") as coordinator:
         wait_for(lambda: graded(tmp_path / "ended") >= 3)
-        head.send_signal(signal.SIGINT)
-        assert head.wait() == 130, head.stderr.read()
+        coordinator.send_signal(signal.SIGINT)
+        assert coordinator.wait() == 130, coordinator.stderr.read()

@@ -6,7 +6,7 @@ from tam570_grader.grading.skipped_files import skipped_files
 from tam570_grader.grading.submissions import submissions
 
 SLUG = "hw08_axis_angle"
-KNOWN = ["hw07_double_pendulum", SLUG]
+SLUGS = ["hw07_double_pendulum", SLUG]
 GRADED = (
     f"ada/{SLUG}/{SLUG}.py",
     f"ben/{SLUG}/solution.py",
@@ -34,7 +34,7 @@ def class_of(tmp_path):
 
 
 def test_files_are_known_by_number_by_title_and_alone(class_of):
-    actual = {item.student: item for item in submissions([class_of(GRADED)], KNOWN)}
+    actual = {item.student: item for item in submissions([class_of(GRADED)], SLUGS)}
     assert sorted(actual) == sorted(name.split("/")[0] for name in GRADED)
     assert all(item.path and item.slug == SLUG for item in actual.values())
 
@@ -55,22 +55,22 @@ def test_what_cannot_be_told_is_one_row_that_says_why_and_holds_up_nobody(class_
     assert all(name in said[student] for student in ("bob", "dan", "kim") for name in odd[student])
 
 
-@pytest.mark.parametrize("name", ["ida/work.py", "ida/final.zip", "ida/mine/a.py", "loose.zip", "ida/notes.pdf"])
+@pytest.mark.parametrize("name", ["ida/work.py", "ida/final.zip", "ida/mine/a.py", "lone.zip", "ida/notes.pdf"])
 def test_what_tells_no_assignment_is_warned_of(class_of, name):
     tree = class_of([GRADED[0], name])
-    (says,) = skipped_files([tree], submissions([tree], KNOWN), KNOWN)
-    assert all(part in says for part in name.split("/")[:2]) and "--assignment" in says
+    (warning,) = skipped_files([tree], submissions([tree], SLUGS), SLUGS)
+    assert all(part in warning for part in name.split("/")[:2]) and "--assignment" in warning
 
 
 def test_a_file_beside_a_graded_one_is_warned_of(class_of):
     tree = class_of(["ada/hw08.py", "ada/scratch.py", "ada/test_mine.py", "ada/notes.md"])
-    (says,) = skipped_files([tree], submissions([tree], KNOWN), KNOWN)
-    assert says.startswith("ada/scratch.py is not graded")
+    (warning,) = skipped_files([tree], submissions([tree], SLUGS), SLUGS)
+    assert warning.startswith("ada/scratch.py is not graded")
 
 
 def test_a_named_assignment_takes_lone_files_and_leaves_those_of_others(class_of):
     tree = class_of(["ada/work.py", "ben/hw07.py", "cho/hw08.py"])
-    actual = submissions([tree], KNOWN, SLUG)
+    actual = submissions([tree], SLUGS, SLUG)
     assert {item.student for item in actual} == {"ada", "cho"} and all(item.path for item in actual)
 
 

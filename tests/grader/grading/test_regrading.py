@@ -9,23 +9,10 @@ from classes import HW08, hand_in, results
 
 from tam570_grader import cli
 from tam570_grader.checks import assignments
-from tam570_grader.grading import batch, regrade, supervisor
+from tam570_grader.grading import batch, regrade
 
 OTHER = "hw03_angular_momentum_rate"
 WRONG = "def skew(v): return [[0.0] * 3] * 3\n"
-
-
-@pytest.fixture
-def graded(monkeypatch):
-    """The submissions that were run, by student and assignment."""
-    done, real = [], supervisor.graded
-
-    def counted(name, source, assignment, *rest, **more):
-        done.append((name, assignment.slug))
-        return real(name, source, assignment, *rest, **more)
-
-    monkeypatch.setattr(supervisor, "graded", counted)
-    return done
 
 
 @pytest.fixture
@@ -44,20 +31,20 @@ def grade(*arguments):
     return cli.main(["grade", *map(str, arguments)])
 
 
-def test_only_what_changed_is_run_again_and_told(tree, tmp_path, capsys, graded, solution_text):
+def test_only_what_changed_is_run_again_and_told(tree, tmp_path, capsys, graded_works, solution_text):
     assert grade(tree, "--out", tmp_path / "old", "--seed", 7) == 0
-    graded.clear()
+    graded_works.clear()
     capsys.readouterr()
     assert grade(tree, "--against", tmp_path / "old") == 0
-    assert graded == [] and "no score changes (4 compared)" in capsys.readouterr().out
+    assert graded_works == [] and "no score changes (4 compared)" in capsys.readouterr().out
     hand_in(tree, {"ben": solution_text(HW08)})
     assert grade(tree, "--against", tmp_path / "old", "--out", tmp_path / "new") == 0
     out = capsys.readouterr().out
-    assert graded == [("ben", HW08)] and "1 of 4 scores change" in out and f"ben  {HW08}" in out
+    assert graded_works == [("ben", HW08)] and "1 of 4 scores change" in out and f"ben  {HW08}" in out
     assert seeds(tmp_path / "new") == {7}
 
 
-def test_a_changed_check_is_named_with_whose_score_it_changes(tree, tmp_path, capsys, graded, course):
+def test_a_changed_check_is_named_with_whose_score_it_changes(tree, tmp_path, capsys, graded_works, course):
     copy = tmp_path / "course"
     for part in ("assignments", "solutions", "autograder/checks"):
         shutil.copytree(course / part, copy / part)
@@ -67,10 +54,10 @@ def test_a_changed_check_is_named_with_whose_score_it_changes(tree, tmp_path, ca
     easy = f'@check("skew", points=1, part="a", line="anything.")\ndef {name}(student, rng):\n    pass\n'
     with open(copy / "autograder" / "checks" / HW08 / "checks.py", "a") as checks:
         checks.write(f"\n\nfrom tam570_grader import check\n\n\n{easy}")
-    graded.clear()
+    graded_works.clear()
     capsys.readouterr()
     assert grade(tree, "--against", tmp_path / "old" / "results.jsonl", "--root", copy, "--json") == 0
-    assert sorted(graded) == [("ada", HW08), ("ben", HW08)]
+    assert sorted(graded_works) == [("ada", HW08), ("ben", HW08)]
     lines = map(json.loads, capsys.readouterr().out.splitlines())
     changes = {(line["student"], line["assignment"]): line["change"] for line in lines}
     changed = changes.pop(("ben", HW08))
@@ -79,19 +66,19 @@ def test_a_changed_check_is_named_with_whose_score_it_changes(tree, tmp_path, ca
 
 
 @pytest.mark.parametrize("what", ["isolation", "_installed"])
-def test_all_is_run_again_where_something_else_runs_it(what, tree, tmp_path, graded, monkeypatch):
+def test_all_is_run_again_where_something_else_runs_it(what, tree, tmp_path, graded_works, monkeypatch):
     assert grade(tree, "--out", tmp_path / "old") == 0
-    graded.clear()
+    graded_works.clear()
     monkeypatch.setattr(batch, what, lambda: "another")
     assert grade(tree, "--out", tmp_path / "old") == 0
-    assert len(graded) == 4
+    assert len(graded_works) == 4
 
 
 GONE = {"checks": [{"name": "gone", "points": 1.0, "max_points": 1.0, "outcome": "passed"}]}
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "says"),
+    ("old", "new", "words"),
     [
         (None, {}, "not in the old results"),
         (GONE, {}, "gone: passed 1/1 -> no such check"),
@@ -99,11 +86,11 @@ GONE = {"checks": [{"name": "gone", "points": 1.0, "max_points": 1.0, "outcome":
         ({}, {"score": None}, "none"),
     ],
 )
-def test_every_kind_of_change_is_told(old, new, says):
+def test_every_kind_of_change_is_told(old, new, words):
     record = {"student": "ada", "assignment": HW08, "status": "graded", "score": 5.0, "checks": []}
     before = None if old is None else {**record, "score": 6.0, **old}
     reported = regrade.table([regrade.change(before, {**record, **new})], 1)
-    assert says in reported and "1 of 1 scores change" in reported
+    assert words in reported and "1 of 1 scores change" in reported
 
 
 def test_what_is_no_longer_handed_in_is_told(tree, tmp_path, capsys):
@@ -125,15 +112,15 @@ def test_what_is_no_longer_handed_in_is_told(tree, tmp_path, capsys):
 # Inputs of one's own
 
 
-def test_each_student_has_a_seed_of_the_key(tree, tmp_path, graded):
+def test_each_student_has_a_seed_of_the_key(tree, tmp_path, graded_works):
     key, out = tmp_path / "key", tmp_path / "out"
     assert grade(tree, "--vary", key, "--out", out) == 0
     assert key.stat().st_mode & 0o777 == 0o600 and len(seeds(out)) == 4
     assert {record["score"] for record in results(out) if record["student"] == "ada"} == {10.0}
-    assert grade(tree, "--vary", key, "--out", tmp_path / "again", "--jobs", 1) == 0
-    assert seeds(tmp_path / "again") == seeds(out)
-    graded.clear()
-    assert grade(tree, "--vary", key, "--out", out) == 0 and graded == []
+    assert grade(tree, "--vary", key, "--out", tmp_path / "repeated", "--jobs", 1) == 0
+    assert seeds(tmp_path / "repeated") == seeds(out)
+    graded_works.clear()
+    assert grade(tree, "--vary", key, "--out", out) == 0 and graded_works == []
 
 
 def test_feedback_tells_no_seed(tree, tmp_path):

@@ -10,19 +10,16 @@ from tam570_grader import cli
 from tam570_grader.checks import assignments
 from tam570_grader.diagnosis.mistakes import mistakes
 
+HW04, HW12 = "hw04_hanging_spring", "hw12_bead_on_wire"
 FAILURES = {  # what is appended to the solution, and what `now` says
     "raises": (HW08, "def skew(v):\n    raise KeyError(v)", "skew raised KeyError"),
     "none": (HW08, "def skew(v):\n    return None", "skew returned None, not real numbers"),
     "nan": (HW08, "def skew(v):\n    return np.full((3, 3), np.nan)", "skew returned NaN"),
     "accepts": (HW08, "def rotation_matrix(axis, angle):\n    return np.eye(3)", "np.array([[1.0, 0.0, 0.0]"),
-    "formula": ("hw12_bead_on_wire", "def lagrange_equation():\n    return sympy.Symbol('x')", "np.array(["),
-    "symbol": ("hw12_bead_on_wire", "def lagrange_equation():\n    return sympy.Symbol('q')", "SymPy expression"),
-    "drawing": (
-        "hw04_hanging_spring",
-        "def plot_projection(ax, *_, **__):\n    ax.plot(range(20), range(20))",
-        "19.0]",
-    ),
-    "undrawn": ("hw04_hanging_spring", "def plot_projection(ax, *_, **__):\n    ax.no()", "raised AttributeError"),
+    "formula": (HW12, "def lagrange_equation():\n    return sympy.Symbol('x')", "np.array(["),
+    "symbol": (HW12, "def lagrange_equation():\n    return sympy.Symbol('q')", "SymPy expression"),
+    "drawing": (HW04, "def plot_projection(ax, *_, **__):\n    ax.plot(range(20), range(20))", "19.0]"),
+    "undrawn": (HW04, "def plot_projection(ax, *_, **__):\n    ax.no()", "raised AttributeError"),
     "hangs": (HW08, "def skew(v):\n    while True: pass", "skew did not return"),  # ten seconds
 }
 SPOKEN = {
@@ -37,13 +34,10 @@ SPOKEN = {
 def graded(tmp_path_factory, course):
     """A class with a failure of each form, every second one in a notebook; ada's matrix has a wrong sign."""
     folder = tmp_path_factory.mktemp("failures")
-    for place, (name, (slug, slip, _)) in enumerate(FAILURES.items()):
-        text = f"{(course / 'solutions' / f'{slug}.py').read_text()}\nimport sympy\n\n{slip}\n"
-        if place % 2:
-            (folder / "submitted" / name / slug).mkdir(parents=True)
-            (folder / "submitted" / name / slug / f"{slug}.ipynb").write_text(notebook(text))
-        else:
-            hand_in(folder / "submitted", {name: text}, slug)
+    for number, (name, (slug, wrong, _)) in enumerate(FAILURES.items()):
+        text = f"{(course / 'solutions' / f'{slug}.py').read_text()}\nimport sympy\n\n{wrong}\n"
+        text, suffix = (notebook(text), "ipynb") if number % 2 else (text, "py")
+        hand_in(folder / "submitted", {name: text}, slug, "{0}/{0}." + suffix)
     solution = (course / "solutions" / f"{HW08}.py").read_text()
     hand_in(folder / "submitted", {"ada": f"{solution}\n\n{subtracted(course).text}"})
     (folder / "right.py").write_text(solution)
@@ -85,14 +79,12 @@ def test_the_call_is_printed_whole_and_made_again(graded, course, replayed):
 
 @pytest.mark.parametrize("name", first(len(FAILURES) - 1, FAILURES))
 def test_every_form_of_failure_is_made_again(graded, replayed, name):
-    slug, slip, says = FAILURES[name]
-    marks = next(record["checks"] for record in results(graded / "out") if record["student"] == name)
-    function = re.match(r"def (\w+)", slip)[1]
-    check = [
-        check_result["name"] for check_result in marks if check_result.get("failure", {}).get("function") == function
-    ][-1]
-    said = replayed(name, check, next((graded / "submitted" / name / slug).iterdir()))
-    assert f"\n{function}(" in said and says in said.rpartition("now:")[2]
+    slug, wrong, words = FAILURES[name]
+    checks = next(record["checks"] for record in results(graded / "out") if record["student"] == name)
+    function = re.match(r"def (\w+)", wrong)[1]
+    failed = [check["name"] for check in checks if check.get("failure", {}).get("function") == function]
+    said = replayed(name, failed[-1], next((graded / "submitted" / name / slug).iterdir()))
+    assert f"\n{function}(" in said and words in said.rpartition("now:")[2]
 
 
 @pytest.mark.parametrize("text", SPOKEN)

@@ -63,9 +63,7 @@ def test_what_runs_in_a_kernel_runs_in_the_grader(grade, solution_text, cell):
 def test_the_error_of_a_cell_is_told(grade, solution_text, form):
     text = notebook(solution_text(HW08), "whatever")
     if form == 3:
-        cells = [
-            {"cell_type": "code", "language": "python", "input": cell} for cell in ("", solution_text(HW08), "whatever")
-        ]
+        cells = [{"cell_type": "code", "input": cell} for cell in ("", solution_text(HW08), "whatever")]
         text = json.dumps({"worksheets": [{"cells": cells}], "nbformat": 3})
     result = grade(HW08, text, notebook=True)
     assert result.score == 10.0 and "cell 3: NameError: name 'whatever' is not defined" in result.message
@@ -100,8 +98,8 @@ def test_a_cell_that_tries_what_is_off_limits_costs_only_what_needs_it(grade, so
 
 def test_what_a_later_import_says_reaches_no_page(grade, solution_text):
     """A file is imported again where a function has bans of its own, and may know hidden inputs by then."""
-    again = "import scipy.integrate\nif type(scipy.integrate).__name__ != 'module': raise ValueError('8.41470984')"
-    result = grade("hw02_ballistics", notebook(solution_text("hw02_ballistics"), again, "1 / 0"), notebook=True)
+    second = "import scipy.integrate\nif type(scipy.integrate).__name__ != 'module': raise ValueError('8.41470984')"
+    result = grade("hw02_ballistics", notebook(solution_text("hw02_ballistics"), second, "1 / 0"), notebook=True)
     assert result.score == 10.0 and result.message.endswith("cell 4: ZeroDivisionError: division by zero")
     assert "8.41470984" not in json.dumps(result.record())
 

@@ -2,47 +2,89 @@
 
 import csv
 
+import classes
 import pytest
-from classes import HW08
+from classes import HW08, packed
 
 from tam570_grader import cli
+from tam570_grader.results.records import FORMAT
+from tam570_grader.results.store import RESULT_FIELDS, ResultStore
 
 
 class Desk:
-    """`desk(*command)` -> exit code and what was said; tables are written and read as spreadsheets do."""
+    """`desk(*command)` -> exit code and what was printed; tables are written and read as spreadsheets do."""
 
-    def __init__(self, place, course, capsys):
-        self.place, self._course, self._capsys = place, course, capsys
+    def __init__(self, folder, course, capsys):
+        self.folder, self._capsys, self._root = folder, capsys, ["--root", str(course)]
 
-    def __call__(self, *command, root=None):
-        code = cli.main(["--root", str(root or self._course), *map(str, command)])
+    def __call__(self, *command):
+        code = cli.main([*self._root, *map(str, command)])
         return code, "".join(self._capsys.readouterr())
+
+    def trust(self, text):
+        """Write and trust course.toml, which the commands obey from now on."""
+        self.write("course.toml", text)
+        self._root = []
+        assert self("trust")[0] == 0
 
     def write(self, name, content):
         if isinstance(content, bytes):
-            (self.place / name).write_bytes(content)
+            (self.folder / name).write_bytes(content)
         elif isinstance(content, str):
-            (self.place / name).write_text(content)
+            (self.folder / name).write_text(content)
         else:
-            with open(self.place / name, "w", newline="", encoding="utf-8-sig") as file:
+            with open(self.folder / name, "w", newline="", encoding="utf-8-sig") as file:
                 csv.writer(file).writerows(content)
 
     def read(self, name):
-        with open(self.place / name, newline="", encoding="utf-8-sig") as file:
+        with open(self.folder / name, newline="", encoding="utf-8-sig") as file:
             return list(csv.reader(file))
+
+    def rows(self, name):
+        return classes.rows(self.folder / name)
 
     def write_grades(self, scores, slug=HW08):
         """Write grades.csv: {student: score}, of ten points."""
         rows = [(student, slug, "graded", score, 10) for student, score in scores.items()]
         self.write("grades.csv", [("student", "assignment", "status", "score", "max_score"), *rows])
 
+    def write_results(self, scores):
+        """Write results of no checks: {(student, assignment): score}, of ten points."""
+        store = ResultStore(self.folder / "results")
+        for (student, slug), score in scores.items():
+            fields = {"student": student, "assignment": slug, "status": "graded", "score": score, "max_score": 10.0}
+            store.add({**dict.fromkeys(RESULT_FIELDS, 0), "format": FORMAT, **fields, "checks": [], "seed": 1})
+        store.close()
+
+    def scores(self, slug=HW08):
+        """{student: score} of an assignment, by results/grades.csv."""
+        return {
+            row["student"]: float(row["score"]) for row in self.rows("results/grades.csv") if row["assignment"] == slug
+        }
+
     @property
     def collected(self):
-        """The text of each student's module of hw08."""
-        return {path.parts[-3]: path.read_text() for path in (self.place / "submitted").glob(f"*/{HW08}/*.py")}
+        """The text of each student's module of hw08, beside which nothing is collected."""
+        files = [path for path in (self.folder / "submitted").glob(f"*/{HW08}/*")]
+        assert {path.name for path in files} <= {f"{HW08}.py"}
+        return {path.parts[-3]: path.read_text() for path in files}
 
 
 @pytest.fixture
 def desk(tmp_path, monkeypatch, course, capsys):
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("TAM570_HOME", str(tmp_path / "home"))
     return Desk(tmp_path, course, capsys)
+
+
+@pytest.fixture
+def download(desk):
+    """`download(system, files, roster, *more)` -> exit code and what was printed, of a download of these files."""
+
+    def download(system, files, roster=None, *more):
+        desk.write("a.zip", packed(files))
+        if roster:
+            desk.write("roster.csv", roster)
+        return desk("collect", "a.zip", "--from", system, *["--roster", "roster.csv"] * bool(roster), *more)
+
+    return download

@@ -8,7 +8,7 @@ import tracemalloc
 import zipfile
 
 import pytest
-from classes import HW08, packed
+from classes import packed
 from parameters import first
 
 from tam570.notebooks import LARGEST
@@ -41,48 +41,29 @@ submission_2:
 """
 
 
-@pytest.fixture
-def collect(desk):
-    """`collect(system, files, roster)` -> exit code, texts of the files collected, what was said."""
-
-    def collect(system, files, roster=ROSTER, *options):
-        desk.write("roster.csv", roster)
-        desk.write("download.zip", packed(files))
-        code, said = desk("collect", "download.zip", "--from", system, "--roster", "roster.csv", *options)
-        folder = desk.place / "submitted"
-        actual = {p.relative_to(folder).as_posix(): p.read_text() for p in sorted(folder.rglob("*")) if p.is_file()}
-        return code, actual, said
-
-    return collect
-
-
-def module(student):
-    return f"{student}/{HW08}/{HW08}.py"
-
-
-def test_the_newest_counts_and_packed_ones_are_unpacked(collect, desk):
+def test_the_newest_counts_and_packed_ones_are_unpacked(download, desk):
     files = {
         "adamsann_17_500_hw08_axis_angle.py": "old",
         "adamsann_17_600_hw08_axis_angle-2.py": "new",
         "brownbo_LATE_18_550_axis_angle.py": "late",
         "chency_19_560_hw08.zip": packed({"mine/hw08.py": "packed", "__MACOSX/._hw08.py": "no"}),
     }
-    code, actual, said = collect("canvas", files)
-    assert code == 0 and actual == {module("aadams"): "new", module("bbrown"): "late", module("cchen"): "packed"}
+    code, said = download("canvas", files, ROSTER)
+    assert code == 0 and desk.collected == {"aadams": "new", "bbrown": "late", "cchen": "packed"}
     reported = {(row[0], row[5], row[7]) for row in desk.read("collected.csv")[1:]}
     assert reported == {("aadams", "", "older"), ("aadams", "", ""), ("bbrown", "LATE", ""), ("cchen", "", "")}
     assert "3 students, 1 late" in said
 
 
 @pytest.mark.parametrize("times", first(1, [1, 80_000]))
-def test_gradescope_by_its_metadata_groups_too(collect, times):
+def test_gradescope_by_its_metadata_groups_too(desk, download, times):
     """It writes every output into the table; none of that is held as a tree."""
     long = "  :results:\n    output: '" + "x" * 100 + "'\n"
     table = "".join(line + long * times * line.startswith("  :created_at") for line in METADATA.splitlines(True))
     works = {"export/submission_1/work.py": "ab", "export/submission_2/hw08.py": "c"}
     files = {"export/submission_metadata.yml": table, **works}
-    code, actual, _ = collect("gradescope", files, ROSTER, "--assignment", "hw08")
-    assert code == 0 and actual == {module("aadams"): "ab", module("bbrown"): "ab", module("cchen"): "c"}
+    code, _ = download("gradescope", files, ROSTER, "--assignment", "hw08")
+    assert code == 0 and desk.collected == {"aadams": "ab", "bbrown": "ab", "cchen": "c"}
     assert (len(table) > LARGEST) == (times > 1)
 
 
@@ -91,7 +72,7 @@ LINK.create_system, LINK.external_attr = 3, (stat.S_IFLNK | 0o777) << 16
 
 
 @pytest.mark.parametrize(
-    ("name", "data", "says"),
+    ("name", "data", "words"),
     [
         ("chency_19_9_work.py", "x", "--assignment"),
         ("chency_19_9_hw08.docx", "x", "neither a module"),
@@ -105,9 +86,9 @@ LINK.create_system, LINK.external_attr = 3, (stat.S_IFLNK | 0o777) << 16
     ],
     ids=lambda value: value if isinstance(value, str) and len(value) < 50 else "x",
 )
-def test_what_cannot_be_placed_is_named_and_the_code_is_1(collect, name, data, says):
-    code, actual, said = collect("canvas", {"adamsann_17_5_hw08.py": "a", name: data})
-    assert code == 1 and says in said and actual[module("aadams")] == "a" and module("cchen") not in actual
+def test_what_cannot_be_placed_is_named_and_the_code_is_1(desk, download, name, data, words):
+    code, said = download("canvas", {"adamsann_17_5_hw08.py": "a", name: data}, ROSTER)
+    assert code == 1 and words in said and desk.collected["aadams"] == "a" and "cchen" not in desk.collected
 
 
 def spoilt(method=zipfile.ZIP_DEFLATED, central=None, stream=None):
@@ -136,31 +117,30 @@ def spoilt(method=zipfile.ZIP_DEFLATED, central=None, stream=None):
     ],
     ids=["deflate", "lzma", "bzip2", "version", "name", "offset", "size"],
 )
-def test_a_malformed_zip_file_is_named_and_the_rest_is_collected(collect, data):
-    code, actual, said = collect("canvas", {"adamsann_17_5_hw08.py": "a", "chency_19_9_hw08.zip": data})
-    assert code == 1 and actual == {module("aadams"): "a"} and "it cannot be unpacked" in said
+def test_a_malformed_zip_file_is_named_and_the_rest_is_collected(desk, download, data):
+    code, said = download("canvas", {"adamsann_17_5_hw08.py": "a", "chency_19_9_hw08.zip": data}, ROSTER)
+    assert code == 1 and desk.collected == {"aadams": "a"} and "it cannot be unpacked" in said
     assert "handed in nothing: bbrown" in said, "it is not true of cchen"
 
 
-@pytest.mark.parametrize(("name", "says"), [("hw08_{}.py", "more than 20 MiB"), ("{}.dat", "neither a module")])
-def test_a_zip_file_that_unpacks_to_much_takes_no_memory(collect, name, says):
+@pytest.mark.parametrize(("name", "words"), [("hw08_{}.py", "more than 20 MiB"), ("{}.dat", "neither a module")])
+def test_a_zip_file_that_unpacks_to_much_takes_no_memory(desk, download, name, words):
     bomb = packed({name.format(k): bytes(LARGEST) for k in range(10)})
     tracemalloc.start()
-    code, actual, said = collect("canvas", {"adamsann_17_5_hw08.py": "a", "chency_19_9_hw08.zip": bomb})
+    code, said = download("canvas", {"adamsann_17_5_hw08.py": "a", "chency_19_9_hw08.zip": bomb}, ROSTER)
     most = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
-    assert code == 1 and list(actual) == [module("aadams")] and says in said
-    assert most < 3 * LARGEST
+    assert code == 1 and [*desk.collected] == ["aadams"] and words in said and most < 3 * LARGEST
 
 
-def test_a_disk_that_is_full_cuts_no_module_short(collect, desk, monkeypatch):
+def test_a_disk_that_is_full_cuts_no_module_short(download, desk, monkeypatch):
     def full(file):
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    collect("canvas", {"adamsann_17_5_hw08.py": "first"})
+    download("canvas", {"adamsann_17_5_hw08.py": "first"}, ROSTER)
     monkeypatch.setattr(os, "fsync", full)
-    code, actual, _ = collect("canvas", {"adamsann_17_6_hw08.py": "second"})
-    assert code == 2 and actual == {module("aadams"): "first"}
+    assert download("canvas", {"adamsann_17_6_hw08.py": "second"}, ROSTER)[0] == 2
+    assert desk.collected == {"aadams": "first"}
 
 
 # What a student names a file is nobody's name
@@ -176,22 +156,21 @@ def test_a_disk_that_is_full_cuts_no_module_short(collect, desk, monkeypatch):
         ("canvas", "submissions_2026_09_14/adamsann_17_500_hw08.py"),
     ],
 )
-def test_the_first_name_is_the_students(collect, system, path):
+def test_the_first_name_is_the_students(desk, download, system, path):
     roster = PARTICIPANTS if system == "moodle" else ROSTER
-    code, actual, said = collect(system, {path: "mine"}, roster, "--assignment", "hw08")
-    assert code == 0, said
-    assert actual == {module("aadams"): "mine"}
+    code, said = download(system, {path: "mine"}, roster, "--assignment", "hw08")
+    assert (code, desk.collected) == (0, {"aadams": "mine"}), said
 
 
-def test_a_table_that_a_student_hands_in_is_not_the_classs(collect):
+def test_a_table_that_a_student_hands_in_is_not_the_classs(desk, download):
     files = {
         "export/submission_1/submission_metadata.yml": "submission_1:\n  :submitters:\n  - :sid: A2\n",
         "export/submission_1/submission_2/hw08.py": "of Ann and Bo",
         "export/submission_metadata.yml": METADATA,
         "export/submission_2/hw08.py": "of Cy",
     }
-    code, actual, said = collect("gradescope", files)
-    assert actual == {module("aadams"): "of Ann and Bo", module("bbrown"): "of Ann and Bo", module("cchen"): "of Cy"}
+    code, said = download("gradescope", files, ROSTER)
+    assert desk.collected == {"aadams": "of Ann and Bo", "bbrown": "of Ann and Bo", "cchen": "of Cy"}
     assert code == 1 and "submission_1/submission_metadata.yml of aadams is not collected" in said
 
 
@@ -212,12 +191,11 @@ NOT_TABLES = {
 
 
 @pytest.mark.parametrize("what", first(len(NOT_TABLES) - 1, NOT_TABLES))
-def test_a_table_that_gradescope_did_not_write_is_refused(desk, what):
-    place = "export/submission_1/" if what == "in a submission" else "export/"
-    files = {f"{place}submission_metadata.yml": NOT_TABLES[what], "export/submission_1/hw08.py": "x"}
-    desk.write("a.zip", packed(files))
-    code, said = desk("collect", "a.zip", "--from", "gradescope")
-    assert code == 2 and "submission_metadata.yml" in said and not (desk.place / "submitted").exists()
+def test_a_table_that_gradescope_did_not_write_is_refused(desk, download, what):
+    folder = "export/submission_1" if what == "in a submission" else "export"
+    files = {f"{folder}/submission_metadata.yml": NOT_TABLES[what], "export/submission_1/hw08.py": "x"}
+    code, said = download("gradescope", files)
+    assert code == 2 and "submission_metadata.yml" in said and not (desk.folder / "submitted").exists()
 
 
 # Names with anything in them
@@ -240,17 +218,17 @@ def test_names_that_are_no_text_are_told_as_text_and_kept_whole(course, tmp_path
 @pytest.mark.parametrize(
     "login", ["../../up", "a\0b", "\x1b[2J", "x" * 300, "__main", ".ssh", "-rf", "*", "a/b", "o'brien"]
 )
-def test_a_login_is_one_folder_and_the_same_student_on_the_roster(collect, desk, login):
+def test_a_login_is_one_folder_and_the_same_student_on_the_roster(download, desk, login):
     roster = f'Student,ID,SIS Login ID,Section\n"Adams, Ann",17,"{login}",570\n'
-    _, (path,), _ = collect("canvas", {"adamsann_17_5_hw08.py": "def skew(v:"}, roster)
-    name = path.split("/")[0]
-    assert not (desk.place.parent / "up").exists() and len(name.encode()) <= 255 and name.isprintable()
+    download("canvas", {"adamsann_17_5_hw08.py": "def skew(v:"}, roster)
+    (name,) = desk.collected
+    assert not (desk.folder.parent / "up").exists() and len(name.encode()) <= 255 and name.isprintable()
     assert (name == login) == (login == "o'brien")
     desk("grade", "submitted", "--roster", "roster.csv", "--seed", "1", "--out", "results")
-    assert [row[0] for row in desk.read("results/grades.csv")[1:]] == [name]
+    assert [*desk.scores()] == [name]
 
 
-def test_two_logins_are_two_folders(collect):
+def test_two_logins_are_two_folders(desk, download):
     roster = 'Student,ID,SIS Login ID,Section\n"Adams, Ann",17,a/b,570\n"Brown, Bo",18,a:b,570\n'
-    _, actual, _ = collect("canvas", {"adamsann_17_5_hw08.py": "a", "brownbo_18_6_hw08.py": "b"}, roster)
-    assert sorted(actual.values()) == ["a", "b"]
+    download("canvas", {"adamsann_17_5_hw08.py": "a", "brownbo_18_6_hw08.py": "b"}, roster)
+    assert sorted(desk.collected.values()) == ["a", "b"]

@@ -24,28 +24,24 @@ from tam570_grader.results import store, tables
 FORMATS = {"text", "html", "simple_format", "md", "ansi"}
 VISIBLE = {"hidden", "after_due_date", "after_published", "visible"}
 # The specification of Gradescope, "Output format": each field and what it may hold.
-KINDS = {
+TYPES = {
     int | float: ("score", "max_score", "execution_time"),
     str: ("output", "name", "number"),
     dict: ("extra_data",),
     list: ("tests", "leaderboard", "tags"),
 }
 CHOICES = {
-    "output_format": FORMATS,
-    "test_output_format": FORMATS,
-    "test_name_format": FORMATS,
-    "name_format": FORMATS,
-    "visibility": VISIBLE,
-    "stdout_visibility": VISIBLE,
+    **dict.fromkeys(("output_format", "test_output_format", "test_name_format", "name_format"), FORMATS),
+    **dict.fromkeys(("visibility", "stdout_visibility"), VISIBLE),
     "status": {"passed", "failed"},
 }
 
 
 def violations(record):
     """The fields that the specification does not know, or not with such a value."""
-    kinds = {name: kind for kind, names in KINDS.items() for name in names}
+    types = {name: of for of, names in TYPES.items() for name in names}
     for name, value in record.items():
-        if not (value in CHOICES[name] if name in CHOICES else name in kinds and isinstance(value, kinds[name])):
+        if not (value in CHOICES[name] if name in CHOICES else name in types and isinstance(value, types[name])):
             yield name
 
 
@@ -66,28 +62,20 @@ def submission(tmp_path, solution_text):
     return folder
 
 
-@pytest.fixture
-def graded(desk, submission):
-    """`graded()` -> exit code and what the command prints for Gradescope."""
-
-    def graded():
-        return desk("grade", submission, "--assignment", HW08, "--seed", "3", "--format", "gradescope")
-
-    return graded
-
-
-def of_json(said):
-    return said[: said.rindex("}") + 1]
+def for_gradescope(desk, submission):
+    """Return the exit code and what the command prints for Gradescope."""
+    code, said = desk("grade", submission, "--assignment", HW08, "--seed", "3", "--format", "gradescope")
+    return code, said[: said.rfind("}") + 1]
 
 
 @pytest.mark.parametrize("what", ["solution", "stub", "transposed", "no_syntax"])
-def test_results_are_what_gradescope_accepts(course, graded, submission, solution_text, what):
+def test_results_are_what_gradescope_accepts(course, desk, submission, solution_text, what):
     solution = solution_text(HW08)
     wrong = overlays(assignments.checks_folder(course, HW08))["square_subtracted"]
     texts = {"solution": solution, "stub": stub(solution), "transposed": solution + wrong, "no_syntax": "def f(:"}
     (submission / f"{HW08}.py").write_text(texts[what])
-    code, said = graded()
-    record = as_gradescope_reads_it(of_json(said))
+    code, printed = for_gradescope(desk, submission)
+    record = as_gradescope_reads_it(printed)
     assert code == 0 and sum(test["max_score"] for test in record["tests"]) == 10
     assert (record["score"] == 10) == (what == "solution") and (record["score"] == 0) == (what in ("stub", "no_syntax"))
     assert all(test["output"] for test in record["tests"] if test["status"] == "failed")
@@ -103,28 +91,27 @@ def test_results_hold_nothing_hidden(course, grade, solution_text):
     assert hidden and not any(json.dumps(text)[1:-1] in page for text in hidden)
 
 
-def test_a_failure_of_ours_leaves_no_results(course, graded, monkeypatch):
+def test_a_failure_of_ours_leaves_no_results(course, desk, submission, monkeypatch):
     broken = failed_by_us("s", assignments.assignment(course, HW08), "a bug", 3).record()
     monkeypatch.setattr("tam570_grader.grading.batch.outcomes", lambda plan, book, old: iter([broken]))
-    code, said = graded()
-    assert code == 1 and "{" not in said
+    assert for_gradescope(desk, submission) == (1, "")
 
 
 @pytest.mark.parametrize("more", ["", "hw08_axis_angle/notes.txt", "docs/plan.md", "hw07_double_pendulum/hw07.py"])
-@pytest.mark.parametrize("place", ["", "homework", "a/b"])
-def test_a_folder_beside_the_work_costs_no_result(graded, submission, place, more):
-    (submission / place).mkdir(parents=True, exist_ok=True)
-    (submission / f"{HW08}.py").rename(submission / place / f"{HW08}.py")
+@pytest.mark.parametrize("folder", ["", "homework", "a/b"])
+def test_a_folder_beside_the_work_costs_no_result(desk, submission, folder, more):
+    (submission / folder).mkdir(parents=True, exist_ok=True)
+    (submission / f"{HW08}.py").rename(submission / folder / f"{HW08}.py")
     if more:
         (submission / more).parent.mkdir(exist_ok=True)
         (submission / more).write_text("x = 1\n")
-    assert as_gradescope_reads_it(of_json(graded()[1]))["score"] == 10
+    assert as_gradescope_reads_it(for_gradescope(desk, submission)[1])["score"] == 10
 
 
 def test_the_archive_grades_by_itself(desk, submission):
     """A folder laid out as Gradescope's /autograder, with the archive unpacked and a submission in it."""
     assert desk("gradescope", ".", HW08)[0] == 0
-    source = desk.place / "source"
+    source = desk.folder / "source"
     with zipfile.ZipFile(f"{HW08}.zip") as archive:
         archive.extractall(source)
         assert all(archive.getinfo(name).external_attr >> 16 & 0o111 for name in ("setup.sh", "run_autograder"))
@@ -140,7 +127,7 @@ def test_the_archive_grades_by_itself(desk, submission):
         ["sh", source / "run_autograder"], cwd="/", env=environment, capture_output=True, text=True, check=False
     )
     assert done.returncode == 0, done.stderr
-    assert as_gradescope_reads_it((desk.place / "results" / "results.json").read_text())["score"] == 10
+    assert as_gradescope_reads_it((desk.folder / "results" / "results.json").read_text())["score"] == 10
 
 
 SCORES = {("ann", "hw07_x"): ("9.5", "10.0"), ("ben", "hw07_x"): ("", "10.0"), ("ann", "hw08_y"): ("10.0", "10.0")}

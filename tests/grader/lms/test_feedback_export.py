@@ -22,14 +22,14 @@ def hand_back(desk):
     """`hand_back(system, rows, *more)` -> exit code, and name: text of what is in the zip file."""
     desk.write_grades({"ann": 9, "bo": 8})
     for student in ("ann", "bo"):
-        (desk.place / "feedback" / student).mkdir(parents=True)
+        (desk.folder / "feedback" / student).mkdir(parents=True)
         desk.write(f"feedback/{student}/{SLUG}.html", f"page of {student}")
 
     def hand_back(system, rows, *more):
         desk.write("collected.csv", HEADING + "".join(f"{row}\n" for row in rows))
         pages = ["--pages", "pages.zip", "--collected", "collected.csv", "--out", "table.csv"]
         code, _ = desk("lms", "grades.csv", "--to", system, *pages, *more)
-        if not (desk.place / "pages.zip").exists():
+        if not (desk.folder / "pages.zip").exists():
             return code, {}
         with zipfile.ZipFile("pages.zip") as archive:
             return code, {name: archive.read(name).decode() for name in archive.namelist()}
@@ -46,9 +46,9 @@ def hand_back(desk):
 )
 def test_a_page_goes_to_who_handed_in(hand_back, desk, system, rows, ann, bo):
     assert hand_back(system, rows) == (0, {ann: "page of ann", bo: "page of bo"})
-    (desk.place / "pages.zip").unlink()
+    (desk.folder / "pages.zip").unlink()
     assert hand_back(system, MOODLE if rows is CANVAS else CANVAS) == (2, {})
-    (desk.place / "feedback" / "bo" / f"{SLUG}.html").unlink()
+    (desk.folder / "feedback" / "bo" / f"{SLUG}.html").unlink()
     assert hand_back(system, rows) == (1, {ann: "page of ann"})
 
 
@@ -87,4 +87,4 @@ cy,hw01_x,missing,8.0,12.0
 def test_who_is_absent_has_zero_or_a_blank(desk, table, more, lines):
     desk.write("grades.csv", table)
     assert desk("lms", "grades.csv", "--to", "moodle", "--out", "up.csv", *more)[0] == 0
-    assert (desk.place / "up.csv").read_text().splitlines() == lines
+    assert (desk.folder / "up.csv").read_text().splitlines() == lines

@@ -17,10 +17,10 @@ SLUG = "hw07_double_pendulum"
 @pytest.fixture(scope="module")
 def graded_stubs(tmp_path_factory, course):
     """What ann and ben handed in, stubs, and the results."""
-    place, stub = tmp_path_factory.mktemp("points"), course / "assignments" / SLUG / f"{SLUG}.py"
-    hand_in(place / "submitted", dict.fromkeys(("ann", "ben"), stub.read_text()), SLUG)
-    graded(place)
-    return place
+    folder, stub = tmp_path_factory.mktemp("points"), course / "assignments" / SLUG / f"{SLUG}.py"
+    hand_in(folder / "submitted", dict.fromkeys(("ann", "ben"), stub.read_text()), SLUG)
+    graded(folder)
+    return folder
 
 
 @pytest.fixture
@@ -70,7 +70,7 @@ def test_a_check_has_the_points_given_by_hand_whatever_it_earned_and_keeps_them(
 
 
 @pytest.mark.parametrize(
-    ("row", "says"),
+    ("row", "words"),
     [
         ("ann,hw07,c,3,", "from 0 to 2 points, not 3"),
         ("ann,hw07,c,many,", "'many', not a number"),
@@ -87,9 +87,9 @@ def test_a_check_has_the_points_given_by_hand_whatever_it_earned_and_keeps_them(
         ("ann,hw07", ""),
     ],
 )
-def test_a_wrong_row_is_named_and_nothing_is_written(results, capsys, row, says):
+def test_a_wrong_row_is_named_and_nothing_is_written(results, capsys, row, words):
     assert points(results, "ben,hw07,c,1,", row) == 2
-    assert says in (err := capsys.readouterr().err) and "line 3" in err
+    assert words in (err := capsys.readouterr().err) and "line 3" in err
     assert not (results / "by_hand.csv").exists() and scores(results)["ben"] == ("0.0", "10.0")
 
 
@@ -126,13 +126,13 @@ def test_the_template_has_a_row_for_each_part_with_what_is_known(results):
 # What rows come to
 
 
-def settled(score, **items):
+def adjusted(score, **items):
     entries = [Entry("ann", SLUG, item.replace("_", " "), points, None, "why") for item, points in items.items()]
     return ManualAdjustments(entries).adjust(("ann", SLUG), score, 10.0, dict).score
 
 
 @pytest.mark.parametrize(
-    ("score", "items", "left"),
+    ("score", "items", "rest"),
     [
         (8.0, {"late": 3, "extension": 1, "off_a_day": 0.1}, 6.4),
         (8.0, {"late": 0.5, "off_a_day": 0.1}, 7.2),  # a day that has begun counts
@@ -144,15 +144,15 @@ def settled(score, **items):
         (0.5, {"adjust": -2}, 0.0),
     ],
 )
-def test_days_beyond_an_extension_cost_their_share_and_a_total_stands_for_all(score, items, left):
-    assert settled(score, **items) == (left if left is None else pytest.approx(left))
+def test_days_beyond_an_extension_cost_their_share_and_a_total_stands_for_all(score, items, rest):
+    assert adjusted(score, **items) == (rest if rest is None else pytest.approx(rest))
 
 
 TERM = ("hw01_a", "hw02_b", "hw03_c")
 
 
 @pytest.mark.parametrize(
-    ("rows", "left"),
+    ("rows", "rest"),
     [
         ([], [8.0, 7.2, 6.4]),
         ([("ann", "*", "extension", 2.0)], [10.0, 9.0, 8.0]),
@@ -164,12 +164,14 @@ TERM = ("hw01_a", "hw02_b", "hw03_c")
         ([("ann", TERM[1], "excused", 1.0, None, "She was ill.")], [8.0, "EX", 6.4]),
     ],
 )
-def test_rows_of_the_term_hold_in_every_assignment(rows, left):
+def test_rows_of_the_term_hold_in_every_assignment(rows, rest):
     """Ann's work has 10, 9 and 8 points and is two days late in each, half a point off a day."""
     late = [Entry("ann", slug, "late", 2.0) for slug in TERM]
-    hand = ManualAdjustments([*late, Entry("*", "*", "off a day", 0.1), *(Entry(*row) for row in rows)])
-    table = hand.table(hand.row(("ann", slug, "graded", 10.0 - n, 10.0), dict) for n, slug in enumerate(TERM))
-    assert [row[3] for row in table] == [score if score == "EX" else pytest.approx(score) for score in left]
+    adjustments = ManualAdjustments([*late, Entry("*", "*", "off a day", 0.1), *(Entry(*row) for row in rows)])
+    table = adjustments.table(
+        adjustments.row(("ann", slug, "graded", 10.0 - n, 10.0), dict) for n, slug in enumerate(TERM)
+    )
+    assert [row[3] for row in table] == [score if score == "EX" else pytest.approx(score) for score in rest]
 
 
 @pytest.mark.parametrize("item", [*manual_points.WORDS, "skew_is_the_cross_product"])

@@ -2,6 +2,7 @@
 
 import json
 import tracemalloc
+import unicodedata
 
 import pytest
 from classes import HW08, packed
@@ -19,6 +20,8 @@ CLASS = [
     ("ann2", "18", "Lee", "Ann", "Team 8"),
     ("hw7", "19", "Zoë", "Ærøskøbing", "Team 9"),
     ("juan@pol.una.py", "20", "Pérez", "Juan", "Team 9"),
+    ("lixl", "21", "李", "小龙", "Team 9"),
+    ("jm-1", "22", *(unicodedata.normalize("NFD", name) for name in ("Müller", "Jürgen")), "Team 9"),
 ]
 LOGINS = [login for login, *_ in CLASS]
 CANVAS_LAYOUTS = [  # gradebook_exporter.rb, csv_data: with and without the SIS ids, with more ids, with split names
@@ -66,53 +69,67 @@ def worksheet(when="Monday, 14 September 2026, 11:59 PM", *, groups=False):
     return [[*heading, "Last modified (submission)"], *rows]
 
 
+@pytest.fixture
+def upload(desk):
+    """`upload(system, *more)` -> exit code, what was printed, and the table for a system, by the same roster."""
+
+    def upload(system, *more, roster=("--roster", "roster.csv")):
+        (desk.folder / "up.csv").unlink(missing_ok=True)
+        code, printed = desk("lms", "grades.csv", "--to", system, *roster, "--out", "up.csv", *more)
+        return code, printed, desk.read("up.csv") if (desk.folder / "up.csv").exists() else []
+
+    return upload
+
+
 def of_everybody(name):
     """What is to be collected, and the files of a download."""
     texts = {login: f"# of {login}" for login in LOGINS}
     return texts, {name(n): texts[login] for n, login in enumerate(LOGINS)}
 
 
-@pytest.mark.parametrize("layout", CANVAS_LAYOUTS)
-def test_a_class_from_canvas_to_canvas(desk, layout):
+@pytest.mark.parametrize("layout", CANVAS_LAYOUTS, ids=lambda layout: f"{len(layout)} from {layout[0]}")
+def test_a_class_from_canvas_to_canvas(desk, download, upload, layout):
     expected, files = of_everybody(lambda n: f"{canvas_name(n)}_hw08.py")
-    desk.write("a.zip", packed(files))
-    desk.write("gradebook.csv", gradebook(layout, cells={"obrien": "EX"}))
-    code, said = desk("collect", "a.zip", "--from", "canvas", "--roster", "gradebook.csv")
-    assert (code, desk.collected) == (0, expected), said
+    code, printed = download("canvas", files, gradebook(layout, cells={"obrien": "EX"}))
+    assert (code, desk.collected) == (0, expected), printed
     desk.write_grades({login: n + 0.5 for n, login in enumerate(LOGINS)})
-    lms = ["lms", "grades.csv", "--to", "canvas", "--roster", "gradebook.csv", "--out", "up.csv"]
-    code, said = desk(*lms)
-    assert code == 2 and "HW 8: Rotations (810001)" in said and not (desk.place / "up.csv").exists()
+    code, printed, rows = upload("canvas")
+    assert code == 2 and "HW 8: Rotations (810001)" in printed and not rows
     for text in ('canvas = "HW 8: Rotations (810001)"', "canvas = 810001", 'canvas = "HW 8: Rotations"'):
-        desk.write("course.toml", f"[hw08]\n{text}\n")
-        assert desk(*lms, root=desk.place)[0] == 0
-        heading, possible, *rows = desk.read("up.csv")
+        desk.trust(f"[hw08]\n{text}\n")
+        code, _, (heading, possible, *rows) = upload("canvas")
         before = {row[list(layout).index("ID")]: row[: len(layout)] for row in gradebook(layout)[3:-1]}
-        assert heading == [*layout, "HW 8: Rotations (810001)"] and possible[-1] == "10"
+        assert code == 0 and heading == [*layout, "HW 8: Rotations (810001)"] and possible[-1] == "10"
         after = {row[list(layout).index("ID")]: row for row in rows}
         assert {key: row[:-1] for key, row in after.items()} == before  # the test student is nobody
         points = [after[number][-1] for _, number, *_ in CLASS]
         assert points == ["EX", *(f"{n + 0.5}" for n in range(1, len(CLASS)))]
 
 
-def test_a_score_that_was_changed_in_the_gradebook_stays_and_is_named(desk):
-    desk.write("gradebook.csv", gradebook(column=f"{HW08} (5)", cells={"ann": "9", "ann2": "4.00", "hw7": "N/A"}))
+def test_a_score_that_was_changed_in_the_gradebook_stays_and_is_named(desk, upload):
+    desk.write("roster.csv", gradebook(column=f"{HW08} (5)", cells={"ann": "9", "ann2": "4.00", "hw7": "N/A"}))
     desk.write_grades(dict.fromkeys(LOGINS, 4.0))
     for more, code, ann in (([], 1, "9"), (["--overwrite"], 0, "4.0")):
-        lms = ["lms", "grades.csv", "--to", "canvas", "--roster", "gradebook.csv", "--out", "up.csv"]
-        actual, said = desk(*lms, *more)
-        points = {row[3]: row[-1] for row in desk.read("up.csv")[2:]}
+        actual, printed, rows = upload("canvas", *more)
+        points = {row[3]: row[-1] for row in rows[2:]}
         assert actual == code and (points["ann"], points["hw7"], points["obrien"]) == (ann, "N/A", "4.0")
-        assert ("Lee, Ann keeps 9" in said) == (code == 1)
+        assert ("Lee, Ann keeps 9" in printed) == (code == 1)
 
 
 @pytest.mark.parametrize("form", ["{}/hw08.py", "{}_/hw08.py", "{}_hw08.py"])  # downloader.php, and before 4.1
-def test_a_class_from_moodle(desk, form):
+def test_a_class_from_moodle(desk, download, form):
     expected, files = of_everybody(lambda n: form.format(moodle_name(n)))
-    desk.write("a.zip", packed(files))
-    desk.write("worksheet.csv", worksheet())
-    code, said = desk("collect", "a.zip", "--from", "moodle", "--roster", "worksheet.csv")
-    assert (code, desk.collected) == (0, expected), said
+    code, printed = download("moodle", files, worksheet())
+    assert (code, desk.collected) == (0, expected), printed
+
+
+@pytest.mark.parametrize("system", ["canvas", "moodle"])
+def test_who_is_left_out_is_named_and_the_code_is_1(desk, upload, system):
+    desk.write("roster.csv", gradebook(column=f"{HW08} (5)") if system == "canvas" else worksheet())
+    desk.write_grades(dict.fromkeys([*LOGINS[:1], *LOGINS[2:], "ghost"], 9))
+    code, printed, _ = upload(system)
+    assert code == 1 and printed.count("warning: ") == 2
+    assert "ghost has scores and is on no row of the roster" in printed and "(garcia) has no score in hw08" in printed
 
 
 LATE = "[late]\noff_a_day = 0.5\n[hw08]\ndue = 2026-09-14T23:59:00\n"
@@ -133,17 +150,14 @@ ON_TIME, TOO_LATE = "Monday, 14 September 2026, 11:58 PM", "Tuesday, 15 Septembe
     ],
     ids=["nothing", "worksheet", "late worksheet", "log"],
 )
-def test_moodles_zip_tells_no_time(desk, roster, more, late, solution_text):
+def test_moodles_zip_tells_no_time(desk, download, roster, more, late):
     """Every file has the date of the download: a worksheet or a log knows better; without one nobody is late."""
-    desk.write("a.zip", packed({f"{moodle_name(n)}/hw08.py": solution_text(HW08) for n in range(2)}))
     desk.write("log.csv", LOG)
-    desk.write("roster.csv", roster)
-    assert desk("collect", "a.zip", "--from", "moodle", "--roster", "roster.csv", *more)[0] == 0
-    desk.write("course.toml", LATE)
-    assert desk("grade", "submitted", "--out", "results", "--seed", "1", root=desk.place)[0] == 0
-    assert desk("points", "results", "--collected", "collected.csv", root=desk.place)[0] == 0
-    scores = {row[0]: float(row[3]) for row in desk.read("results/grades.csv")[1:]}
-    assert scores == {who: 5.0 if who in late else 10.0 for who in ("garcia", "obrien")}
+    assert download("moodle", {f"{moodle_name(n)}/hw08.py": "" for n in range(2)}, roster, *more)[0] == 0
+    desk.trust(LATE)
+    desk.write_results(dict.fromkeys((("garcia", HW08), ("obrien", HW08)), 10.0))
+    assert desk("points", "results", "--collected", "collected.csv")[0] == 0
+    assert desk.scores() == {login: 5.0 if login in late else 10.0 for login in ("garcia", "obrien")}
 
 
 # Groups and numbers
@@ -151,21 +165,28 @@ def test_moodles_zip_tells_no_time(desk, roster, more, late, solution_text):
 TEAMS = [("group", "login"), *((group, login) for login, *_, group in CLASS)]
 
 
-@pytest.mark.parametrize("how", ["moodle, worksheet", "moodle, table", "canvas, table"])
-def test_everybody_of_a_group_gets_its_work(desk, how):
-    """Moodle's folders have the group's number, Canvas's files the number of one member."""
-    names = {"Team 7": "Team 7_7", "Team 8": "Team 8_17", "Team 9": "Team 9_900"}
-    files = {f"{name}_assignsubmission_file/hw08.py": f"# {team}" for team, name in names.items()}
-    if how.startswith("canvas"):
+@pytest.mark.parametrize("way", ["moodle, worksheet", "moodle, table", "canvas, table", "gradescope"])
+def test_everybody_of_a_group_gets_its_work(desk, download, way):
+    """Moodle's folders have the group's number, Canvas's files the number of one member, Gradescope's table all."""
+    system, more = way.split(",")[0], ["--groups", "groups.csv"] if way.endswith("table") else []
+    folders = {"Team 7": "Team 7_7", "Team 8": "Team 8_17", "Team 9": "Team 9_900"}
+    files = {f"{folder}_assignsubmission_file/hw08.py": f"# {team}" for team, folder in folders.items()}
+    roster = worksheet(groups=way.endswith("worksheet"))
+    if system == "canvas":
         members = {"Team 7": "7", "Team 8": "17", "Team 9": "20"}
         files = {f"{words(team)}_{number}_500_hw08.py": f"# {team}" for team, number in members.items()}
-    system = how.split(",")[0]
-    desk.write("a.zip", packed(files))
+        roster = gradebook()
+    if system == "gradescope":
+        people = {team: [] for team in folders}
+        for login, _, last, first, team in CLASS:
+            people[team].append({":name": f"{first} {last}", ":sid": login, ":email": f"{login}@x.edu"})
+        table = {f"submission_{team[-1]}": {":submitters": group} for team, group in people.items()}
+        files = {f"export/submission_{team[-1]}/hw08.py": f"# {team}" for team in folders}
+        files["export/submission_metadata.yml"] = json.dumps(table)
+        roster = [("Name", "SID", "Email"), *((f"{first} {last}", login, "") for login, _, last, first, _ in CLASS)]
     desk.write("groups.csv", TEAMS)
-    desk.write("roster.csv", worksheet(groups=how.endswith("worksheet")) if system == "moodle" else gradebook())
-    collect = ["collect", "a.zip", "--from", system, "--roster", "roster.csv"]
-    code, said = desk(*collect, *(["--groups", "groups.csv"] if how.endswith("table") else []))
-    assert (code, desk.collected) == (0, {login: f"# {group}" for login, *_, group in CLASS}), said
+    code, printed = download(system, files, roster, *more)
+    assert (code, desk.collected) == (0, {login: f"# {group}" for login, *_, group in CLASS}), printed
 
 
 @pytest.mark.parametrize(
@@ -176,140 +197,115 @@ def test_everybody_of_a_group_gets_its_work(desk, how):
         ("canvas", "team8_7_500_hw08.py", ["--groups", "groups.csv"]),
     ],
 )
-def test_a_number_whose_name_disagrees_is_not_believed(desk, system, name, more):
+def test_a_number_whose_name_disagrees_is_not_believed(desk, download, system, name, more):
     """Number 7 is somebody of another team."""
-    desk.write("a.zip", packed({name: "# of team 8"}))
-    desk.write("roster.csv", worksheet() if system == "moodle" else gradebook())
     desk.write("groups.csv", TEAMS)
-    code, _ = desk("collect", "a.zip", "--from", system, "--roster", "roster.csv", *more)
+    code, _ = download(system, {name: "# of team 8"}, worksheet() if system == "moodle" else gradebook(), *more)
     assert code == 1 and desk.collected == {}
 
 
-def test_a_stranger_of_the_same_name_takes_nobodys_place(desk):
+def test_a_stranger_of_the_same_name_takes_nobodys_place(desk, download):
     people = [{":name": "Ann Lee", ":email": "ann@else.org"}, {":name": "Ann Lee", ":email": "ann@x.edu", ":sid": "A1"}]
     table = {f"submission_{n}": {":submitters": [who], ":created_at": ""} for n, who in enumerate(people)}
     works = {"submission_0/hw08.py": "# stranger", "submission_1/hw08.py": "# Ann"}
-    desk.write("a.zip", packed({"submission_metadata.yml": json.dumps(table), **works}))
-    desk.write("roster.csv", [("First Name", "Last Name", "SID", "Email"), ("Ann", "Lee", "A1", "ann@x.edu")])
-    code, said = desk("collect", "a.zip", "--from", "gradescope", "--roster", "roster.csv")
-    assert code == 1 and desk.collected["A1"] == "# Ann" and "on no row of the roster" in said
+    roster = [("First Name", "Last Name", "SID", "Email"), ("Ann", "Lee", "A1", "ann@x.edu")]
+    code, printed = download("gradescope", {"submission_metadata.yml": json.dumps(table), **works}, roster)
+    assert code == 1 and desk.collected["A1"] == "# Ann" and "on no row of the roster" in printed
 
 
-def test_a_login_is_no_number(desk):
+def test_a_login_is_no_number(desk, download, upload):
     """Somebody's login is 17, and user 17 is on no row."""
-    desk.write("roster.csv", [row for row in gradebook(column=f"{HW08} (5)") if row[1] != "17"])
-    desk.write("a.zip", packed({"smithal_17_5_hw08.py": "# a stranger", "delacruzana_12_6_hw08.py": "# Ana"}))
-    code, _ = desk("collect", "a.zip", "--from", "canvas", "--roster", "roster.csv")
+    roster = [row for row in gradebook(column=f"{HW08} (5)") if row[1] != "17"]
+    code, _ = download("canvas", {"smithal_17_5_hw08.py": "# a stranger", "delacruzana_12_6_hw08.py": "# Ana"}, roster)
     assert code == 1 and desk.collected == {"17": "# Ana"}
     desk.write("roster.csv", gradebook(column=f"{HW08} (5)"))
     desk.write_grades({"17": 9.0})
-    desk("lms", "grades.csv", "--to", "canvas", "--roster", "roster.csv", "--out", "up.csv")
-    assert {row[3]: row[-1] for row in desk.read("up.csv")[2:] if row[-1]} == {"17": "9.0"}
+    assert {row[3]: row[-1] for row in upload("canvas")[2][2:] if row[-1]} == {"17": "9.0"}
 
 
-def test_a_download_is_of_one_assignment(desk):
+def test_a_download_is_of_one_assignment(desk, download):
     """hw08 handed in again in the dropbox of hw07 replaces nothing; what a download replaces is named."""
-    desk.write("roster.csv", gradebook())
-    collect = ["--from", "canvas", "--roster", "roster.csv"]
-    desk.write("a.zip", packed({f"{canvas_name(n)}_hw08.py": f"# {n}" for n in range(4)}))
-    assert desk("collect", "a.zip", *collect)[0] == 0
+    assert download("canvas", {f"{canvas_name(n)}_hw08.py": f"# {n}" for n in range(4)}, gradebook())[0] == 0
     before = desk.collected
     files = {f"{canvas_name(n, 600)}_hw07.py": f"# {n}" for n in range(3)}
-    desk.write("b.zip", packed({**files, f"{canvas_name(3, 600)}_hw08.py": "# again, and late"}))
-    code, said = desk("collect", "b.zip", *collect)
-    assert code == 1 and desk.collected == before and "is named after hw08" in said
-    assert not (desk.place / "submitted" / "ann" / OTHER).exists()
-    desk.write("c.zip", packed({f"{canvas_name(3, 700)}_hw08.py": "# newer"}))
-    code, said = desk("collect", "c.zip", *collect)
-    assert code == 0 and "is replaced by" in said and desk.collected == {**before, "ann": "# newer"}
+    code, printed = download("canvas", {**files, f"{canvas_name(3, 600)}_hw08.py": "# again, and late"}, gradebook())
+    assert code == 1 and desk.collected == before and "is named after hw08" in printed
+    assert not (desk.folder / "submitted" / "ann" / OTHER).exists()
+    code, printed = download("canvas", {f"{canvas_name(3, 700)}_hw08.py": "# newer"}, gradebook())
+    assert code == 0 and "is replaced by" in printed and desk.collected == {**before, "ann": "# newer"}
 
 
 # Hostile downloads
 
+ANA = {"delacruzana_12_6_hw08.py": "# Ana"}
 
-def test_a_student_fills_no_memory(desk):
+
+def test_a_student_fills_no_memory(download):
     bomb = packed({f"{n}/hw08.py": bytes(10 * 2**20) for n in range(2)})
-    files = {f"leeann_17_{n}_hw08.zip": bomb for n in range(60)}
-    desk.write("a.zip", packed(files | {"delacruzana_12_6_hw08.py": "# Ana"}))
     tracemalloc.start()
-    code, said = desk("collect", "a.zip", "--from", "canvas")
+    code, printed = download("canvas", {f"leeann_17_{n}_hw08.zip": bomb for n in range(60)} | ANA)
     most = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
-    assert code == 1 and most < 60 * 2**20 and said.count("warning") < 20
+    assert code == 1 and most < 60 * 2**20 and printed.count("warning") < 20
 
 
-@pytest.mark.parametrize(
-    "name",
-    [
-        "leeann_17_5_" + "\x1b" * 40_000 + ".py",
-        "leeann_" + "1" * 4400 + "_5_hw08.py",
-        f"leeann_17_{'9' * 4400}_hw08.py",
-    ],
-    ids=["control characters", "user", "attachment"],
-)
-def test_a_long_name_spoils_no_table(desk, name):
-    desk.write("a.zip", packed({name: "# x", "delacruzana_12_6_hw08.py": "# Ana"}))
+LONG = {"letters": "17_5_" + "\x1b" * 40_000, "user": "1" * 4400 + "_5", "file": "17_" + "9" * 4400}
+
+
+@pytest.mark.parametrize("name", LONG.values(), ids=LONG)
+def test_a_long_name_spoils_no_table(desk, download, name):
     for _ in range(2):
-        code, said = desk("collect", "a.zip", "--from", "canvas")
-        assert code == 1 and desk.collected["12"] == "# Ana" and len(said) < 20_000
+        code, printed = download("canvas", {f"leeann_{name}_hw08.py": "# x"} | ANA)
+        assert code == 1 and desk.collected["12"] == "# Ana" and len(printed) < 20_000
 
 
-def test_a_zip_file_of_many_names_is_refused_unread(desk):
-    many = packed({f"{n:06}": "" for n in range(30_000)})
-    desk.write("a.zip", packed({"leeann_17_5_hw08.zip": many, "delacruzana_12_6_hw08.py": "# Ana"}))
-    code, said = desk("collect", "a.zip", "--from", "canvas")
-    assert code == 1 and "more than 1000 files" in said and desk.collected == {"12": "# Ana"}
+def test_a_zip_file_of_many_names_is_refused_unread(desk, download):
+    code, printed = download("canvas", {"leeann_17_5_hw08.zip": packed({f"{n:06}": "" for n in range(30_000)})} | ANA)
+    assert code == 1 and "more than 1000 files" in printed and desk.collected == {"12": "# Ana"}
 
 
 # The other systems
 
 
-def test_blackboard_and_back(desk):
+def test_blackboard_and_back(desk, download, upload):
     rows = [(f"Last{n}", f"First{n}", login, number) for n, (login, number, *_) in enumerate(CLASS)]
     heading = ("Last Name", "First Name", "Username", "Student ID", f"{HW08} [Total Pts: 10 Score] |664617")
-    desk.write("gradebook.csv", [heading, *((*row, "") for row in rows)])
     files = {f"HW 8_{login}_attempt_2026-09-14-23-58-00_hw08.py": f"# of {login}" for login in LOGINS}
     files |= {f"HW 8_{login}_attempt_2026-09-14-23-58-00.txt": "Name: x" for login in LOGINS}
-    desk.write("a.zip", packed(files))
-    code, said = desk("collect", "a.zip", "--from", "blackboard", "--roster", "gradebook.csv")
-    assert (code, desk.collected) == (0, {login: f"# of {login}" for login in LOGINS}), said
+    code, printed = download("blackboard", files, [heading, *((*row, "") for row in rows)])
+    assert (code, desk.collected) == (0, {login: f"# of {login}" for login in LOGINS}), printed
     assert desk.read("collected.csv")[1][4] == "2026-09-14 23:58:00"
     desk.write_grades({login: n for n, login in enumerate(LOGINS)})
-    lms = ["lms", "grades.csv", "--to", "blackboard", "--roster", "gradebook.csv", "--out", "up.csv"]
-    assert desk(*lms)[0] == 0
-    assert desk.read("up.csv") == [[*heading], *([*row, str(n)] for n, row in enumerate(rows))]
+    code, _, table = upload("blackboard")
+    assert code == 0 and table == [[*heading], *([*row, str(n)] for n, row in enumerate(rows))]
 
 
-def test_brightspace_and_back(desk):
+def test_brightspace_and_back(desk, download, upload):
     people = [(login, first, last) for login, _, last, first, _ in CLASS if last != "Lee"]
     grade, end = "HW 8 Points Grade <Numeric MaxPoints:10>", "End-of-Line Indicator"
     heading = ("OrgDefinedId", "Username", "Last Name", "First Name", grade, end)
     rows = [(f"#{n}", f"#{login}", last, first, "", "#") for n, (login, first, last) in enumerate(people)]
-    desk.write("gradebook.csv", [heading, *rows])
     names = [f"{first} {last}" for _, first, last in people]
     files = {f"123-{n} - {name} - Sep 14, 2026 1158 PM/hw08.py": f"# {n}" for n, name in enumerate(names)}
-    desk.write("a.zip", packed({**files, "index.html": ""}))
-    code, _ = desk("collect", "a.zip", "--from", "brightspace", "--roster", "gradebook.csv")
+    code, _ = download("brightspace", {**files, "index.html": ""}, [heading, *rows])
     assert desk.collected == {login: f"# {n}" for n, (login, *_) in enumerate(people)} and code == 1  # index.html
     desk.write_grades({login: n for n, (login, *_) in enumerate(people)})
-    desk.write("course.toml", '[hw08]\nbrightspace = "HW 8"\n')
-    lms = ["lms", "grades.csv", "--to", "brightspace", "--roster", "gradebook.csv", "--out", "up.csv"]
-    assert desk(*lms, root=desk.place)[0] == 0
-    first, *uploaded = desk.read("up.csv")
-    assert first == [*heading[:2], grade, end] and uploaded[2] == [*rows[2][:2], "2", "#"]
+    desk.trust('[hw08]\nbrightspace = "HW 8"\n')
+    code, _, (first, *uploaded) = upload("brightspace")
+    assert code == 0 and first == [*heading[:2], grade, end] and uploaded[2] == [*rows[2][:2], "2", "#"]
 
 
 def test_github_classroom(desk):
     logins = {"ann": "octo-cat", "bo": "hubot", "cy": "mona"}
     for n, user in enumerate(logins.values()):
-        folder = desk.place / "repositories" / f"hw08-{user}"
+        folder = desk.folder / "repositories" / f"hw08-{user}"
         (folder / ".git").mkdir(parents=True)
         (folder / ".git" / "config.py").write_text("# no work")
         (folder / f"{HW08}.py").write_text(f"# {n}")
     rows = [(login, user, "", "") for login, user in logins.items()]
     desk.write("roster.csv", [("identifier", "github_username", "github_id", "name"), *rows])
-    code, said = desk("collect", "repositories", "--from", "github", "--roster", "roster.csv")
-    assert (code, desk.collected) == (0, {"ann": "# 0", "bo": "# 1", "cy": "# 2"}), said
+    code, printed = desk("collect", "repositories", "--from", "github", "--roster", "roster.csv")
+    assert (code, desk.collected) == (0, {"ann": "# 0", "bo": "# 1", "cy": "# 2"}), printed
 
 
 @pytest.mark.parametrize("name", SYSTEMS)
@@ -321,19 +317,18 @@ def test_what_a_system_lacks_is_a_sentence(desk, name):
         with pytest.raises(SystemExit):
             desk("lms", "grades.csv", "--to", name)
     else:
-        code, said = desk("lms", "grades.csv", "--to", name)
-        assert code == 0 and "9" in said
+        code, printed = desk("lms", "grades.csv", "--to", name)
+        assert code == 0 and "9" in printed
         pages = ["--pages", "p.zip", "--collected", "collected.csv"]
         assert desk("lms", "grades.csv", "--to", name, *pages)[0] == 2
     assert (name in COLUMNS) == bool(system.table and system.table.must_match)
 
 
 @pytest.mark.parametrize("system", ["canvas", "moodle"])
-def test_who_is_excused_is_so_in_the_words_of_the_system(desk, system):
-    desk.write("canvas.csv", gradebook(column=f"{HW08} (5)"))
-    desk.write("moodle.csv", worksheet())
+def test_who_is_excused_is_so_in_the_words_of_the_system(desk, upload, system):
+    desk.write("roster.csv", gradebook(column=f"{HW08} (5)") if system == "canvas" else worksheet())
     desk.write_grades({login: "EX" if login == "ann" else 9 for login in LOGINS})
-    for roster in ([], ["--roster", f"{system}.csv"]):
-        code, said = desk("lms", "grades.csv", "--to", system, *roster, "--out", "up.csv")
-        reported = {row[0 if system == "moodle" else 3]: row[-1] for row in desk.read("up.csv")}
-        assert code == 0 and reported["ann"] == ("EX" if system == "canvas" else "") and reported["ann2"] == "9", said
+    for roster in ([], ["--roster", "roster.csv"]):
+        code, printed, rows = upload(system, roster=roster)
+        grades = {row[0 if system == "moodle" else 3]: row[-1] for row in rows}
+        assert code == 0 and grades["ann"] == ("EX" if system == "canvas" else "") and grades["ann2"] == "9", printed
