@@ -96,9 +96,10 @@ def _must_be_readable(folders: Sequence[str]) -> None:
     for folder in map(Path, folders):
         closed = [parent for parent in (folder, *folder.parents) if not os.stat(parent).st_mode & stat.S_IXOTH]
         if closed:
+            have = "let bubblewrap make namespaces here" if shutil.which("bwrap") else "install bubblewrap"
             raise UsageError(
                 f"without bubblewrap, submissions run as another user than root, who may not enter {closed[-1]}: "
-                "install bubblewrap, or grade as an ordinary user"
+                f"{have}, move the course to a folder that everyone may enter, or grade as an ordinary user"
             )
 
 
