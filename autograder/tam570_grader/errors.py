@@ -25,9 +25,9 @@ def printable(text: str) -> str:
     )
 
 
-def warn(message: str, kind: str = "warning: ") -> None:
+def warn(message: str, prefix: str = "warning: ") -> None:
     """Tell the instructor a sentence; names of files and students in it may hold anything."""
-    print(f"tam570-grader: {kind}{printable(message)}", file=sys.stderr)  # noqa: T201  names are escaped here
+    print(f"tam570-grader: {prefix}{printable(message)}", file=sys.stderr)  # noqa: T201  names are escaped here
 
 
 def say(text: str, *, error: bool = False) -> None:
@@ -41,11 +41,11 @@ def counted(n: int, word: str) -> str:
 
 
 @contextmanager
-def writing(place: Path) -> Iterator[None]:
-    """Tell what cannot be written to a place that was asked for is bad usage."""
+def writing(path: Path) -> Iterator[None]:
+    """Tell what cannot be written to a path that was asked for is bad usage."""
     try:
         yield
     except OSError as error:
         raise UsageError(
-            f"cannot write to {place}: {error.strerror or error}; name another place, or make its folder first"
+            f"cannot write to {path}: {error.strerror or error}; name another path, or make its folder first"
         ) from None

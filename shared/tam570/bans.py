@@ -4,7 +4,7 @@ import builtins
 import sys
 from collections.abc import Iterable
 from types import FunctionType, ModuleType
-from typing import Any
+from typing import NoReturn
 
 __all__ = [
     "HERE",
@@ -24,7 +24,7 @@ __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # a submission 
 # what a student's file may import besides Python itself, by `check`, in the grader's sandbox and on Gradescope
 LIBRARIES = ("numpy", "scipy", "sympy", "mpmath", "matplotlib", "mpl_toolkits", "tam570", "IPython")
 HERE, IN_ONE = "in this assignment", "in this function"  # where something is off limits
-Change = tuple[Any, str, Any]  # owner, attribute, value
+Change = tuple[object, str, object]  # owner, attribute, value
 
 
 class Forbidden(ImportError):
@@ -57,12 +57,12 @@ class Unusable(ModuleType):
         super().__init__(name)
         self._what = what
 
-    def __getattr__(self, attribute: str) -> Any:
+    def __getattr__(self, attribute: str) -> "Unusable":
         if attribute.startswith("__"):
             raise AttributeError(attribute)
         return Unusable(self.__name__, self._what)
 
-    def __call__(self, *args: Any, **kwargs: Any) -> Any:
+    def __call__(self, *args: object, **kwargs: object) -> NoReturn:
         raise Forbidden(f"{self.__name__} is off limits {self._what}")
 
 
@@ -78,10 +78,10 @@ def refused(module: ModuleType, name: str, unusable: Unusable) -> list[Change]:
     return [(function, "__code__", code), (function, "__kwdefaults__", {"_unusable": unusable})]
 
 
-def _refusing(*args: Any, _unusable: Unusable, **kwargs: Any) -> Any:
+def _refusing(*args: object, _unusable: Unusable, **kwargs: object) -> NoReturn:
     _unusable()
 
 
-def everywhere(module: ModuleType, function: Any, stand_in: Any) -> list[Change]:
+def everywhere(module: ModuleType, function: object, stand_in: object) -> list[Change]:
     """Return the function replaced by every name that it has in the module."""
     return [(module, name, stand_in) for name, value in vars(module).items() if value is function]

@@ -17,6 +17,7 @@ from tam570.handin import HOW, hand_in
 from tam570.lectures import commands as lectures
 from tam570.predictions import ask_for_predictions
 from tam570.progress import hints_given, recalled, remember_hints
+from tam570.values import Json
 
 __all__ = ["main"]
 
@@ -148,7 +149,7 @@ def _list(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _state(file: Path | None, recalled_progress: tuple[dict[str, Any], bool] | None) -> str:
+def _state(file: Path | None, recalled_progress: tuple[Json, bool] | None) -> str:
     """Return how far the work on one assignment is, by the tests as they were run last; nothing is run for it."""
     if recalled_progress is None:
         return "started" if file else ""

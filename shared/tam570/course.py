@@ -6,7 +6,8 @@ import re
 from dataclasses import dataclass
 from difflib import get_close_matches
 from pathlib import Path
-from typing import Any
+
+from tam570.values import Json
 
 __all__ = ["Stub", "Unknown", "assignments", "contract", "folder", "named", "stubs", "title"]
 
@@ -90,12 +91,12 @@ def title(slug: str) -> str:
         return file.readline().lstrip("# ").partition(": ")[2].strip()
 
 
-def contract(slug: str) -> dict[str, Any]:
+def contract(slug: str) -> Json:
     """Return what the functions of an assignment return, and what is off limits: {"results".
 
     ..., "off_limits": ...}.
     """
-    data: dict[str, Any] = json.loads((folder(slug) / "contract.json").read_text(encoding="utf-8"))
+    data: Json = json.loads((folder(slug) / "contract.json").read_text(encoding="utf-8"))
     return data
 
 

@@ -1,6 +1,6 @@
 """What students return in the place of a SymPy expression, told apart in the same way by `check` and by the grader."""
 
-from typing import Any
+from tam570.values import Numbers
 
 __all__ = ["REMEDIES", "form_of"]
 
@@ -15,12 +15,12 @@ REMEDIES = {  # what to do instead
 }
 
 
-def form_of(result: Any) -> str:
+def form_of(result: Numbers) -> str:
     """Return which of REMEDIES a result is, or another object; "" for an expression or a number."""
     import sympy
     from sympy.core.relational import Relational
 
-    kinds: dict[str, Any] = {
+    kinds: dict[str, type | tuple[type, ...]] = {
         "an equation": Relational,
         "a list": (list, tuple, set, sympy.Tuple, sympy.Set),
         "a matrix": (sympy.MatrixBase, sympy.MatrixExpr),

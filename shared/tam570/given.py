@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Collection, Sequence
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -49,7 +48,7 @@ def whole(least: int, **named: int) -> None:
             raise ValueError(f"{name}: must be a whole number of {least} or more, got {value!r}")
 
 
-def one_of(choices: Collection[str], **named: Any) -> None:
+def one_of(choices: Collection[str], **named: object) -> None:
     """Refuses what is not among the choices."""
     for name, value in named.items():
         if not (isinstance(value, str) and value in choices):
@@ -90,23 +89,23 @@ def numbers(count: int | None = None, **named: ArrayLike) -> NDArray[np.float64]
     return array((count,), **named)
 
 
-def _is_symbol(value: Any) -> bool:
+def _is_symbol(value: object) -> bool:
     """Return whether it stands for a number that a trace does not know yet."""
     return hasattr(value, "tape")
 
 
-def _is_real(value: Any) -> bool:
+def _is_real(value: object) -> bool:
     return isinstance(value, float | int | np.floating | np.integer)
 
 
-def _shape(name: str, value: Any) -> tuple[int, ...]:
+def _shape(name: str, value: ArrayLike) -> tuple[int, ...]:
     try:
         return np.shape(value)
     except ValueError:  # rows of different lengths
         raise ValueError(f"{name}: must be numbers in equal rows, got {value!r}") from None
 
 
-def _floats(name: str, value: Any) -> NDArray[np.float64]:
+def _floats(name: str, value: ArrayLike) -> NDArray[np.float64]:
     if np.iscomplexobj(value):
         raise ValueError(f"{name}: must be real, got {value!r}")
     try:
@@ -117,7 +116,7 @@ def _floats(name: str, value: Any) -> NDArray[np.float64]:
         raise ValueError(f"{name}: must be numbers, got {value!r}") from None
 
 
-def divisors(values: NDArray[Any]) -> None:
+def divisors(values: NDArray[np.generic]) -> None:
     """Raise ZeroDivisionError where a number is zero, as Python does and NumPy does not; symbols pass."""
     if values.dtype != object and not values.all():
         raise ZeroDivisionError

@@ -1,7 +1,6 @@
 """What must not change along a motion, and how fast an error shrinks or grows."""
 
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,7 +10,7 @@ __all__ = ["drift", "growth_exponent", "observed_order", "rotation_defect", "vio
 Array = NDArray[np.float64]
 
 
-def drift(invariant: Callable[[Any], Any], states: ArrayLike) -> Array:
+def drift(invariant: Callable[[Array], ArrayLike], states: ArrayLike) -> Array:
     """Measure how far an invariant moves from its first value, relative to its largest magnitude.
 
     Parameters
@@ -39,7 +38,7 @@ def drift(invariant: Callable[[Any], Any], states: ArrayLike) -> Array:
     return moved
 
 
-def violation(constraint: Callable[[Any], Any], states: ArrayLike) -> Array:
+def violation(constraint: Callable[[Array], ArrayLike], states: ArrayLike) -> Array:
     """Measure how far each state is from satisfying constraint(state) = 0, by its largest component.
 
     Parameters

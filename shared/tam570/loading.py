@@ -9,15 +9,16 @@ from contextlib import contextmanager, redirect_stdout
 from contextvars import ContextVar
 from pathlib import Path
 from types import ModuleType
-from typing import Any, cast
+from typing import cast
 
 from tam570.bans import LIBRARIES, Forbidden, Unusable, must_be_allowed, must_be_there
 from tam570.notebooks import KERNEL, LARGEST, code_cells, compiled, in_utf8, kernel_module, run, without_outputs
+from tam570.values import Json
 
 __all__ = ["SUFFIXES", "Trouble", "guarded_import", "loaded", "not_utf8", "replaced", "said", "source_of"]
 
 SUFFIXES = (".py", ".ipynb")
-Builtins = Mapping[str, Any]
+Builtins = Mapping[str, object]
 _loading: ContextVar[frozenset[Path]] = ContextVar("loading", default=frozenset())  # files that are being run
 
 
@@ -92,7 +93,9 @@ def guarded_import(slug: str, banned: Sequence[str]) -> Callable[..., ModuleType
     """Return an import that knows what is off limits and which libraries the grader has."""
     import_module = builtins.__import__
 
-    def guarded(name: str, globals: Any = None, locals: Any = None, fromlist: Any = (), level: int = 0) -> ModuleType:
+    def guarded(
+        name: str, globals: Json | None = None, locals: Json | None = None, fromlist: Sequence[str] = (), level: int = 0
+    ) -> ModuleType:
         must_be_allowed(name, fromlist, banned)
         if stand_in := kernel_module(name):
             return cast(ModuleType, stand_in)
@@ -110,7 +113,7 @@ def guarded_import(slug: str, banned: Sequence[str]) -> Callable[..., ModuleType
     return guarded
 
 
-def _no_window(*backend: Any, **how: Any) -> None:
+def _no_window(*backend: object, **how: object) -> None:
     """Keep figures closed: where work is graded nothing is shown on a screen."""
 
 

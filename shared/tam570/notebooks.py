@@ -8,7 +8,8 @@ import json
 import re
 import tokenize
 from types import CodeType
-from typing import Any
+
+from tam570.values import Json
 
 __all__ = [
     "KERNEL",
@@ -73,7 +74,7 @@ def without_outputs(source: bytes) -> bytes:
 
 def code_cells(source: bytes) -> Cells:
     """Return the code cells that are Python, in a notebook of format 4 or 3. ValueError if it is not a notebook."""
-    book: dict[str, Any] = json.loads(in_utf8(source))
+    book: Json = json.loads(in_utf8(source))
     cells = book["cells"] if "cells" in book else [c for sheet in book["worksheets"] for c in sheet["cells"]]
     code = [
         (n, _cleaned("".join(cell.get("source") or cell.get("input") or "")))
@@ -113,7 +114,7 @@ def compiled(text: str, name: str) -> CodeType:
     return code
 
 
-def run(code: CodeType, names: dict[str, Any]) -> None:
+def run(code: CodeType, names: Json) -> None:
     """Run what was compiled, and wait for what it awaits outside of functions."""
     awaited = eval(code, names)
     if code.co_flags & inspect.CO_COROUTINE:
@@ -155,13 +156,13 @@ def _python(magic: re.Match[str]) -> str:
 class _Kernel:
     """In place of a notebook's kernel: does nothing, whatever is asked of it."""
 
-    def __getattr__(self, attribute: str) -> Any:
+    def __getattr__(self, attribute: str) -> "_Kernel":
         return self
 
-    def __call__(self, *args: Any, **kwargs: Any) -> Any:
+    def __call__(self, *args: object, **kwargs: object) -> "_Kernel":
         return self
 
-    def __contains__(self, item: Any) -> bool:
+    def __contains__(self, item: object) -> bool:
         return False
 
 
@@ -172,6 +173,6 @@ KERNEL = {
 COLAB = "google.colab"
 
 
-def kernel_module(name: str) -> Any:
+def kernel_module(name: str) -> object:
     """Return what an import of a notebook's service gives: something that does nothing; None for any other module."""
     return KERNEL["get_ipython"] if name == COLAB or name.startswith(f"{COLAB}.") else None

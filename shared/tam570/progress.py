@@ -6,9 +6,9 @@ import os
 import re
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
 
 from tam570.course import folder
+from tam570.values import Json
 
 __all__ = [
     "FAILED",
@@ -28,7 +28,7 @@ PASSED, FAILED = "passed", "failed"
 PROGRESS, HINTS = "progress.json", "hints.json"  # the files in which it is kept
 ROW = re.compile(r"^\| `(\w+)\(.*?\| *([\d.]+) *\|", re.MULTILINE)
 TESTED = re.compile(r"^\| `(\w+)\(.*\| *(.+?) *\|$", re.MULTILINE)
-Progress = dict[str, Any]  # points, most, passed, tests, missing, next: plain data
+Progress = Json  # points, most, passed, tests, missing, next: plain data
 
 
 def _home() -> Path:
@@ -122,7 +122,7 @@ def _digest(file: Path) -> str:
     return hashlib.sha256(file.read_bytes()).hexdigest()
 
 
-def _read(name: str) -> dict[str, Any]:
+def _read(name: str) -> Json:
     """Return what is remembered under this name; nothing where it cannot be read."""
     try:
         data = json.loads((_home() / name).read_text())
@@ -131,7 +131,7 @@ def _read(name: str) -> dict[str, Any]:
     return data if isinstance(data, dict) else {}
 
 
-def _keep(name: str, key: str, value: Any) -> bool:
+def _keep(name: str, key: str, value: object) -> bool:
     """Remember this too; whether it can be kept."""
     data = _read(name) | {key: value}
     try:

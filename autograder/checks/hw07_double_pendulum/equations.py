@@ -41,7 +41,7 @@ def agree_in_equations(function: Any, cases: Sequence[Case], *, tolerance: float
         student.calls[call] = replace(student.calls[call], result=result)
     for index, result in brought.items():
         case = student.calls[calls - len(cases) + index].case
-        get_context().judge(function.name, case)
+        get_context().set_call(function.name, case)
         expect(
             result, true[index], tolerance=tolerance * sizes[index], quantity=words.quantity, unit=words.unit, hint=hint
         )

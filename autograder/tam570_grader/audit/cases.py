@@ -13,6 +13,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from tam570.values import Json
 from tam570_grader.audit.gradings import progress
 from tam570_grader.audit.local import Key, LocalStudent, Replies, failed_cases
 from tam570_grader.audit.mutate import mutants
@@ -44,7 +45,7 @@ class Wrong:
 
 
 @dataclass(frozen=True)
-class Trial:
+class CaseRun:
     """Wrong submissions to judge with one seed."""
 
     course: Path
@@ -69,39 +70,36 @@ def report_cases(course: Path, slug: str, executor: TaskExecutor, seeds: int) ->
     """Judge mutants and mistakes with so many seeds, and choose the fewest cases that catch them all."""
     assignment = assignments.assignment(course, slug)
     wrong = [*_mutants(assignment), *_mistakes(assignment)]
-    trials = [
-        Trial(course, slug, SEED + seed, wrong[start::CHUNKS], start == 0)
+    runs = [
+        CaseRun(course, slug, SEED + seed, wrong[start::CHUNKS], start == 0)
         for seed in range(seeds)
         for start in range(CHUNKS)
     ]
     seconds, caught = dict[Key, float](), dict[Subject, frozenset[Key]]()
-    for costs, keys in progress(in_order(executor, judged_cases, trials), len(trials), "chunk"):
+    for costs, keys in progress(in_order(executor, judged_cases, runs), len(runs), "chunk"):
         caught |= keys
         for key, spent in costs.items():
             seconds[key] = max(spent, seconds.get(key, 0.0))
     return CaseReport(slug, seeds, seconds, caught, fewest(caught, seconds))
 
 
-def judged_cases(trial: Trial) -> tuple[dict[Key, float], dict[Subject, frozenset[Key]]]:
+def judged_cases(run: CaseRun) -> tuple[dict[Key, float], dict[Subject, frozenset[Key]]]:
     """Return the seconds of each case, and the cases that catch each subject."""
-    assignment, solution = (
-        assignments.assignment(trial.course, trial.slug),
-        _solution(trial.course, trial.slug, trial.seed),
-    )
+    assignment, solution = (assignments.assignment(run.course, run.slug), _solution(run.course, run.slug, run.seed))
     seconds, caught = dict[Key, float](), dict[str, frozenset[Key]]()
-    for check in assignment.checks if trial.first else ():
+    for check in assignment.checks if run.first else ():
         student = LocalStudent(assignment, check, solution, solution)
-        failed = failed_cases(student, check, trial.seed, trial.slug)
+        failed = failed_cases(student, check, run.seed, run.slug)
         assert not failed, failed
         seconds |= {key: solution.seconds.get((key.function, case.packed), 0.0) for key, case in student.cases.items()}
         caught.update(_told_apart(assignment, check, student))
-    for wrong in trial.wrong:
+    for wrong in run.wrong:
         replies = Replies(_module(wrong.text), solution, wrong.reach)
         checks = [check for check in assignment.checks if check.name in wrong.checks]
         students = [(LocalStudent(assignment, check, solution, replies), check) for check in checks]
-        failures = (failed_cases(student, check, trial.seed, trial.slug) for student, check in students)
+        failures = (failed_cases(student, check, run.seed, run.slug) for student, check in students)
         caught[wrong.name] = frozenset(key for keys in failures for key in keys)
-    return seconds, {(trial.seed, name): keys for name, keys in caught.items() if keys}
+    return seconds, {(run.seed, name): keys for name, keys in caught.items() if keys}
 
 
 @cache
@@ -205,14 +203,14 @@ def fewest(caught: Mapping[Subject, frozenset[Key]], seconds: Mapping[Key, float
 def _rows(cases: CaseReport) -> dict[tuple[str, str, str], tuple[int, int, Counter[str]]]:
     """For each check, function and label: the cases, those needed, and what these alone catch, by kind."""
     count, needed = (Counter(key[:3] for key in keys) for keys in (cases.seconds, cases.needed))
-    catches = defaultdict[Any, set[str]](set)
+    catches = defaultdict[tuple[str, str, str], set[str]](set)
     for (_, subject), keys in cases.caught.items():
         if len(labels := {key[:3] for key in keys}) == 1:
             catches[labels.pop()].add(subject)
     return {row: (count[row], needed[row], Counter(name.split()[0] for name in catches[row])) for row in count}
 
 
-def as_json(cases: CaseReport) -> dict[str, Any]:
+def as_json(cases: CaseReport) -> Json:
     """Return the report as plain data."""
     labels = [
         {"check": key[0], "function": key[1], "label": key[2], "cases": count, "needed": needed, "alone": dict(alone)}

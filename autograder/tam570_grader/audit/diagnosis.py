@@ -9,8 +9,8 @@ from collections.abc import Container, Sequence
 from dataclasses import dataclass
 from itertools import cycle
 from pathlib import Path
-from typing import Any
 
+from tam570.values import Json
 from tam570_grader.audit.gradings import Grading, progress, submissions, tried
 from tam570_grader.checks import assignments
 from tam570_grader.diagnosis.mistakes import Mistake, mistakes
@@ -41,7 +41,7 @@ class Diagnosis:
 
     name: str
     expected: str  # "" if no number is compared
-    named: bool
+    is_named: bool
     suspects: tuple[str, ...]
     messages: tuple[str, ...]
     misled: bool  # another known mistake was named
@@ -76,18 +76,18 @@ def _taken(solution: str, changed: str) -> str:
     return TAKEN.format(text=f"{solution}\n\n{changed}", names=wrong)
 
 
-def diagnosis(result: Result, mistake: Mistake, known: Container[str]) -> Diagnosis:
+def diagnosis(result: Result, mistake: Mistake, listed: Container[str]) -> Diagnosis:
     """Return what the feedback of a wrong submission says, beside what it must say.
 
-    known : what known mistakes say; what is found by trying says what the numbers are, and misleads nobody
+    listed : what known mistakes say; what is found by trying says what the numbers are, and misleads nobody
     """
     failed = [check_result for check_result in result.checks if check_result.outcome == "failed"]
     suspects = tuple(check_result.suspect for check_result in failed if check_result.suspect)
     messages = tuple(check_result.message for check_result in failed)
     expected = mistake.message if mistake.compared else ""
-    named = not mistake.compared or expected in suspects  # else its check says what it is
-    misled = any(message in known and message != expected for message in suspects)
-    return Diagnosis(result.student, expected, named, suspects, messages, misled)
+    is_named = not mistake.compared or expected in suspects  # else its check says what it is
+    misled = any(message in listed and message != expected for message in suspects)
+    return Diagnosis(result.student, expected, is_named, suspects, messages, misled)
 
 
 def faults(diagnosed: Sequence[Diagnosis]) -> int:
@@ -97,26 +97,26 @@ def faults(diagnosed: Sequence[Diagnosis]) -> int:
 
 def share(diagnosed: Sequence[Diagnosis]) -> float:
     """Of the mistakes that are named."""
-    return sum(each.named for each in diagnosed) / len(diagnosed)
+    return sum(each.is_named for each in diagnosed) / len(diagnosed)
 
 
-def as_json(slug: str, diagnosed: Sequence[Diagnosis]) -> dict[str, Any]:
+def as_json(slug: str, diagnosed: Sequence[Diagnosis]) -> Json:
     """Return the report as plain data."""
     return {
         "assignment": slug,
         "wrong": len(diagnosed),
-        "named": sum(each.named for each in diagnosed),
-        "unnamed": [each.name for each in diagnosed if not each.named],
+        "named": sum(each.is_named for each in diagnosed),
+        "unnamed": [each.name for each in diagnosed if not each.is_named],
         "misled": [each.name for each in diagnosed if each.misled],
     }
 
 
 def report(slug: str, diagnosed: Sequence[Diagnosis]) -> list[str]:
     """Return the lines to print: the share, what is said of a mistake that is not named, and where a wrong one is."""
-    count_named = sum(each.named for each in diagnosed)
+    count_named = sum(each.is_named for each in diagnosed)
     lines = [f"{slug}: {count_named} of {len(diagnosed)} mistakes are named ({share(diagnosed):.0%})"]
     for each in diagnosed:
-        if not each.named:
+        if not each.is_named:
             lines.append(f"  {each.name}: {'; '.join(each.messages)}")
         if each.misled:
             lines.append(f"  MISLED {each.name}: {'; '.join(each.suspects)}")

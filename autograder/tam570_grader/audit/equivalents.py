@@ -44,7 +44,7 @@ def _tables(path: Path) -> dict[str, dict[str, str]]:
 
 def entry(mutant: Mutant) -> str:
     """Return the line that lists a mutant, but for the proof."""
-    return f'[{mutant.function}]\n{json.dumps(mutant.slip, ensure_ascii=False)} = ""'
+    return f'[{mutant.function}]\n{json.dumps(mutant.change, ensure_ascii=False)} = ""'
 
 
 def idle(listed: Mapping[Slip, str], mutants: Container[Slip], killed: Container[Slip]) -> dict[Slip, str]:

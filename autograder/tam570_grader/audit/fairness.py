@@ -6,8 +6,8 @@ import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
+from tam570.values import Json
 from tam570_grader.audit.gradings import Grading, progress, submissions, tried
 from tam570_grader.checks import assignments
 from tam570_grader.errors import UsageError, writing
@@ -17,7 +17,7 @@ __all__ = ["as_json", "fair", "report", "upper_bound"]
 
 FIRST_SEED = 5000
 CONFIDENCE = 0.95
-Line = dict[str, Any]  # with FIELDS; "fails": [[check, message], ...]
+Line = Json  # with FIELDS; "fails": [[check, message], ...]
 FIELDS = {"assignment", "submission", "digest", "seed", "fails"}
 
 
@@ -123,7 +123,7 @@ def upper_bound(failures: int, runs: int) -> float:
     return 1.0 if failures == runs else float(beta.ppf(CONFIDENCE, failures + 1, runs - failures))
 
 
-def as_json(slug: str, lines: Sequence[Line]) -> dict[str, Any]:
+def as_json(slug: str, lines: Sequence[Line]) -> Json:
     """Return the report as plain data."""
     fails, bound = _rate(lines)
     counts = {"assignment": slug, "runs": len(lines), "false_fails": fails, "upper_bound": bound}

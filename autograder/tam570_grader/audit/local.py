@@ -8,13 +8,14 @@ import contextlib
 import signal
 import time
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from types import ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from tam570.values import Json, Numbers
 from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.check import Check
@@ -24,7 +25,7 @@ from tam570_grader.checks.returns import Array, FreeBodyDiagram, Group, result
 from tam570_grader.grading.one import generator
 from tam570_grader.protocol.answer import answer
 from tam570_grader.protocol.wire import packed, unpacked
-from tam570_grader.sandbox.function import Call, Function
+from tam570_grader.sandbox.function import Call, SandboxFunction
 from tam570_grader.sandbox.replies import checked
 
 __all__ = ["Key", "LocalStudent", "Replies", "failed_cases"]
@@ -33,7 +34,7 @@ SLOWEST = 2.0  # s of processor time of a call
 STEPS = 2_000_000  # of a call, in functions that count them
 TOO_SLOW = {"error": {"kinds": ["SlowCall"], "text": "", "line": 0}}
 
-Reply = dict[str, Any]
+Reply = Json
 
 
 class Key(NamedTuple):
@@ -57,7 +58,7 @@ class Replies:
         self._replies: dict[Any, Reply] = {}
         self.seconds: dict[tuple[str, bytes], float] = {}
 
-    def reply(self, name: str, case: Case, mode: str, fields: Mapping[str, Any]) -> Reply:
+    def reply(self, name: str, case: Case, mode: str, fields: Json) -> Reply:
         if self._solution and name not in self._reach:
             return self._solution.reply(name, case, mode, fields)
         key = name, case.packed, mode, repr(fields)
@@ -68,7 +69,7 @@ class Replies:
         return self._replies[key]
 
 
-def _answered(module: ModuleType, name: str, case: Case, mode: str, fields: Mapping[str, Any]) -> Reply:
+def _answered(module: ModuleType, name: str, case: Case, mode: str, fields: Json) -> Reply:
     args, kwargs = unpacked(case.packed)
     request = {"function": name, "mode": mode, "refused": (), **fields}
     try:
@@ -79,7 +80,7 @@ def _answered(module: ModuleType, name: str, case: Case, mode: str, fields: Mapp
     return checked(unpacked(packed({"replies": [reply]})), mode)[0]
 
 
-def _copied(argument: Any) -> Any:
+def _copied(argument: Numbers) -> Any:
     """As the sandbox gives it: a writable array, a list of tuples."""
     if isinstance(argument, list):
         return [tuple(item) if isinstance(item, list) else item for item in argument]
@@ -90,7 +91,7 @@ def _copied(argument: Any) -> Any:
 def _clock() -> Iterator[None]:
     """Raise SlowCall in a block that takes long."""
 
-    def end(*_: Any) -> None:
+    def end(*_: object) -> None:
         raise SlowCall
 
     before = signal.signal(signal.SIGPROF, end)
@@ -112,10 +113,10 @@ class LocalStudent:
         self.replaced: set[Key] = set()  # cases whose replies are the solution's
         self.start()
 
-    def __getattr__(self, name: str) -> Function:
+    def __getattr__(self, name: str) -> SandboxFunction:
         if name not in self._assignment.results:
             raise AttributeError(name)
-        return Function(self, name, self._assignment.results[name])
+        return SandboxFunction(self, name, self._assignment.results[name])
 
     def start(self) -> None:
         """Begin the check, or begin it again."""
@@ -144,7 +145,7 @@ class LocalStudent:
     def replies(self, name: str, calls: Sequence[Case], mode: str = "value", **more: Any) -> list[Reply]:
         return [self._reply(name, case, mode, more) for case in calls]
 
-    def _reply(self, name: str, case: Case, mode: str, fields: Mapping[str, Any]) -> Reply:
+    def _reply(self, name: str, case: Case, mode: str, fields: Json) -> Reply:
         expected = partial(self._solution.reply, name, case, mode, fields)
         if mode == "formula":  # one call for all points
             key = Key(self._check.name, name, "", 1)

@@ -7,10 +7,10 @@ likes. It is told apart.
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
+from tam570.values import Json
 from tam570_grader.audit.gradings import Grading, progress, tried
 from tam570_grader.audit.mutation import calls_of_checks
 from tam570_grader.checks import assignments
@@ -146,7 +146,7 @@ def faults(all_margins: Sequence[Margin]) -> int:
     return sum(margin_of.small for margin_of in all_margins)
 
 
-def as_json(slug: str, all_margins: Sequence[Margin]) -> dict[str, Any]:
+def as_json(slug: str, all_margins: Sequence[Margin]) -> Json:
     """Return the report as plain data."""
     checks = {each.check: [each.careful, each.physics, each.numerics] for each in all_margins}
     return {"assignment": slug, "checks": checks}

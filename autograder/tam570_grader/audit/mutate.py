@@ -26,14 +26,14 @@ class Mutant:
     after: str
 
     @property
-    def slip(self) -> str:
+    def change(self) -> str:
         """What was done in the function; it reads the same as long as the expression does."""
         return f"{self.was} -> {self.now}" + (f" #{self.nth}" if self.nth > 1 else "")
 
     @property
     def name(self) -> str:
         """A short name among all mutants."""
-        return f"{self.slug[:4]}.{self.function}.{hashlib.sha256(self.slip.encode()).hexdigest()[:8]}"
+        return f"{self.slug[:4]}.{self.function}.{hashlib.sha256(self.change.encode()).hexdigest()[:8]}"
 
 
 def mutants(slug: str, source: str) -> list[Mutant]:

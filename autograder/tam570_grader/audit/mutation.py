@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from tam570.values import Json, Numbers
 from tam570_grader.audit.equivalents import Slip, entry, equivalents, idle
 from tam570_grader.audit.gradings import Grading, progress, tried
 from tam570_grader.audit.mutate import Mutant, mutants
@@ -75,13 +76,13 @@ def fates(course: Path, slug: str, executor: TaskExecutor, quick: bool, function
         if _is_shared(mutant.function, calls, reachable)
     ]
     results = {result.student: result for result in progress(in_order(executor, tried, tasks), len(tasks), "mutant")}
-    slips = {mutant.name: (mutant.function, mutant.slip) for mutant in chosen}
+    slips = {mutant.name: (mutant.function, mutant.change) for mutant in chosen}
     fate = {
         name: _fate([results[run] for run in (name, f"{name} alone") if run in results], change in listed)
         for name, change in slips.items()
     }
     killed = {change for name, change in slips.items() if fate[name] == KILLED}
-    vain = idle(listed, {(mutant.function, mutant.slip) for mutant in all_mutants}, killed)
+    vain = idle(listed, {(mutant.function, mutant.change) for mutant in all_mutants}, killed)
     return Fates(slug, chosen, fate, {name: _failed(run) for name, run in results.items()}, list(calls), vain)
 
 
@@ -94,7 +95,7 @@ def _fate(results: Sequence[Result], listed: bool) -> str:
 
 
 ALONE = """_right, _slipped = {{}}, {{}}
-exec({right!r}, _right)
+exec({solution!r}, _right)
 exec({slipped!r}, _slipped)
 {exports}
 {function} = _slipped[{function!r}]
@@ -107,7 +108,7 @@ def alone(solution: str, mutant: Mutant, calls: Mapping[str, set[str]]) -> str:
     A check of the others would else catch the slip, and a hole in the checks of this one stay unseen.
     """
     exports = "\n".join(f"{name} = _right[{name!r}]" for name in sorted(set().union(*calls.values())))
-    return ALONE.format(right=solution, slipped=mutant.text, exports=exports, function=mutant.function)
+    return ALONE.format(solution=solution, slipped=mutant.text, exports=exports, function=mutant.function)
 
 
 def _is_shared(function: str, calls: Mapping[str, set[str]], reachable: Mapping[str, set[str]]) -> bool:
@@ -123,17 +124,17 @@ def _failed(result: Result) -> list[str]:
 class _Watched(Student):
     """A student of whom we note which functions are called, and for how long."""
 
-    def __init__(self, *args: Any) -> None:
+    def __init__(self, *args: Numbers) -> None:
         super().__init__(*args)
-        self.asked: set[str] = set()
+        self.functions: set[str] = set()
         self.longest = 0.0  # s
 
-    def replies(self, name: str, calls: Sequence[Case], mode: str = "value", **more: Any) -> list[dict[str, Any]]:
+    def replies(self, name: str, calls: Sequence[Case], mode: str = "value", **more: Any) -> list[Json]:
         started = time.perf_counter()
         try:
             return super().replies(name, calls, mode, **more)
         finally:
-            self.asked.add(name)
+            self.functions.add(name)
             self.longest = max(self.longest, (time.perf_counter() - started) / max(1, len(calls)))
 
 
@@ -145,9 +146,9 @@ def calls_of_checks(course: Path, slug: str, text: str) -> tuple[dict[str, set[s
     calls = {}
     try:
         for check in assignment.checks:
-            student.asked = set()
+            student.functions = set()
             check.run(student, generator(SEED, slug, check))
-            calls[check.name] = student.asked
+            calls[check.name] = student.functions
     finally:
         student.leave()
         zygote.close()
@@ -174,7 +175,7 @@ def catches(fates_of_all: Fates) -> dict[str, tuple[int, int]]:
     return {name: (first[name], alone[name]) for name in fates_of_all.checks}
 
 
-def as_json(fates_of_all: Fates) -> dict[str, Any]:
+def as_json(fates_of_all: Fates) -> Json:
     """Return the report as plain data."""
     counts = Counter(fates_of_all.fate.values())
     return {
@@ -184,14 +185,16 @@ def as_json(fates_of_all: Fates) -> dict[str, Any]:
         "functions": {name: dict(fate) for name, fate in _by_function(fates_of_all).items()},
         "checks": {name: {"first": f, "alone": a} for name, (f, a) in catches(fates_of_all).items()},
         "survivors": [
-            {"function": mutant.function, "slip": mutant.slip, "line": mutant.line, "operator": mutant.operator}
+            {"function": mutant.function, "change": mutant.change, "line": mutant.line, "operator": mutant.operator}
             for mutant in fates_of_all.survivors
         ],
         "crashing": [
-            {"function": mutant.function, "slip": mutant.slip, "line": mutant.line} for mutant in fates_of_all.crashing
+            {"function": mutant.function, "change": mutant.change, "line": mutant.line}
+            for mutant in fates_of_all.crashing
         ],
         "in_vain": [
-            {"function": name, "slip": change, "fault": fault} for (name, change), fault in fates_of_all.in_vain.items()
+            {"function": name, "change": change, "fault": fault}
+            for (name, change), fault in fates_of_all.in_vain.items()
         ],
     }
 
@@ -216,7 +219,7 @@ def report(fates_of_all: Fates) -> list[str]:
     for mutant in fates_of_all.survivors:
         lines += _shown(mutant)
     for mutant in fates_of_all.crashing:
-        lines.append(f"  CRASHES A CHECK {mutant.function}: {mutant.slip}")
+        lines.append(f"  CRASHES A CHECK {mutant.function}: {mutant.change}")
     for (function, change), fault in fates_of_all.in_vain.items():
         lines.append(f"  LISTED IN VAIN {function}: {change}: {fault}")
     return lines

@@ -11,9 +11,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from types import ModuleType
-from typing import Any
 
 import tam570
+from tam570.values import Numbers
 from tam570_grader.checks.assignment import Assignment
 from tam570_grader.checks.check import Check, draw_once
 from tam570_grader.checks.effort import Finder
@@ -23,9 +23,9 @@ from tam570_grader.checks.rubric import ManualPart, load_rubric
 from tam570_grader.errors import UsageError
 
 __all__ = [
-    "ADAPTED",
+    "OVERRIDES",
     "INSTALLED",
-    "OWN",
+    "ADDITIONS",
     "LoadedAssignment",
     "assignment",
     "manual_parts",
@@ -35,8 +35,8 @@ __all__ = [
     "figure",
     "find",
     "is_checkout",
-    "named",
-    "one_named",
+    "match_slugs",
+    "match_slug",
     "slug_of",
     "slugs",
     "solution",
@@ -45,7 +45,10 @@ __all__ = [
 INSTALLED = tuple(Path(tam570.__file__).resolve().parents[1:3])  # where an editable install has the course
 PACKAGES = "_checks_"  # how the names of the packages of checks begin
 sys.meta_path.insert(0, Finder(PACKAGES))  # what they spend is counted
-ADAPTED, OWN = "adapted", "own"  # modules beside `checks` in a course of one's own: what it changes, what it adds
+OVERRIDES, ADDITIONS = (
+    "adapted",
+    "own",
+)  # modules beside `checks` in a course of one's own: what it changes, what it adds
 
 
 @dataclass(frozen=True)
@@ -119,7 +122,7 @@ def slug_of(name: str, slugs: Sequence[str]) -> str | None:
     return next((slug for slug in slugs if number and slug.startswith(f"hw{int(number[1]):02}_")), None)
 
 
-def named(names: Iterable[str], slugs: Sequence[str]) -> list[str]:
+def match_slugs(names: Iterable[str], slugs: Sequence[str]) -> list[str]:
     """Return the assignments that these names on the command line stand for.
 
     All that are known if there are no names.
@@ -130,15 +133,15 @@ def named(names: Iterable[str], slugs: Sequence[str]) -> list[str]:
     return [slug for _, slug in matches if slug] or list(slugs)
 
 
-def one_named(name: str | None, slugs: Sequence[str]) -> str | None:
+def match_slug(name: str | None, slugs: Sequence[str]) -> str | None:
     """Return the assignment that the option --assignment names; None without it."""
-    return named([name], slugs)[0] if name else None
+    return match_slugs([name], slugs)[0] if name else None
 
 
 @functools.cache
 def assignment(root: Path, slug: str) -> LoadedAssignment:
     """Return the assignment's checks and promises, loaded from its checks file."""
-    (slug,) = named([slug], slugs(root))
+    (slug,) = match_slugs([slug], slugs(root))
     folder = checks_folder(root, slug)
     module = _checks(folder)
     source = (folder / "checks.py").read_bytes()
@@ -148,13 +151,15 @@ def assignment(root: Path, slug: str) -> LoadedAssignment:
     if unknown := [check.name for check in checks if check.function not in stated.returns]:
         raise UsageError(f"{slug}: the check {unknown[0]} is about no function of the assignment")
     loaded = LoadedAssignment(slug, checks, stated.returns, stated.needs, stated.forbidden, source, rubric, root)
-    return _adapted(loaded, folder) if (folder / f"{ADAPTED}.py").exists() else loaded
+    return _adapted(loaded, folder) if (folder / f"{OVERRIDES}.py").exists() else loaded
 
 
 def _adapted(original: LoadedAssignment, folder: Path) -> LoadedAssignment:
     """Return an assignment with the points, parts and checks of a course of one's own."""
-    change = importlib.import_module(f"_checks_{folder.name}.{ADAPTED}")
-    added = importlib.import_module(f"_checks_{folder.name}.{OWN}") if (folder / f"{OWN}.py").exists() else None
+    change = importlib.import_module(f"_checks_{folder.name}.{OVERRIDES}")
+    added = (
+        importlib.import_module(f"_checks_{folder.name}.{ADDITIONS}") if (folder / f"{ADDITIONS}.py").exists() else None
+    )
     checks = {
         check.name: replace(check, points=change.POINTS.get(check.name, check.points)) for check in original.checks
     }
@@ -184,18 +189,18 @@ def manual_parts(root: Path, slug: str) -> Mapping[str, tuple[float, str]]:
     No checks are loaded, if none change.
     """
     folder = checks_folder(root, slug)
-    if (folder / f"{ADAPTED}.py").exists():
+    if (folder / f"{OVERRIDES}.py").exists():
         return assignment(root, slug).manual
     return {letter: (part.points, part.asks) for letter, part in load_rubric(root / "assignments" / slug).items()}
 
 
-def solution(slug: str, root: Path | None = None) -> Any:
+def solution(slug: str, root: Path | None = None) -> ModuleType:
     """Return the reference solution as a module of its own."""
     return _loaded((root or find()) / "solutions" / f"{slug}.py", f"_solution_{slug}")
 
 
 @functools.cache
-def figure(root: Path, slug: str, **parameters: Any) -> Figure | None:
+def figure(root: Path, slug: str, **parameters: Numbers) -> Figure | None:
     """Draw the figure of an assignment by its reference functions, None where it has none.
 
     parameters : other values of what the figure shows

@@ -1,10 +1,10 @@
 """A case: the arguments of one call, and what the student is told of them."""
 
 import functools
-from typing import Any
 
 import numpy as np
 
+from tam570.values import Numbers
 from tam570_grader.protocol.wire import packed
 
 __all__ = ["Case"]
@@ -18,7 +18,7 @@ class Case:
     Equal if arguments, label and hint are. Not changed once it is made.
     """
 
-    def __init__(self, /, *args: Any, **kwargs: Any) -> None:
+    def __init__(self, /, *args: Numbers, **kwargs: Numbers) -> None:
         self.args, self.kwargs, self.label, self.hint = args, kwargs, "", ""
 
     def __eq__(self, other: object) -> bool:
@@ -28,7 +28,7 @@ class Case:
         arguments = ", ".join([*map(repr, self.args), *(f"{name}={value!r}" for name, value in self.kwargs.items())])
         return f"Case({arguments})" + (f".labelled({self.label!r})" if self.label else "")
 
-    def _fields(self) -> tuple[Any, ...]:
+    def _fields(self) -> tuple[Numbers, ...]:
         return self.args, self.kwargs, self.label, self.hint
 
     @functools.cached_property
@@ -42,17 +42,17 @@ class Case:
         case.label, case.hint = label, hint
         return case
 
-    def replace(self, *args: Any, **kwargs: Any) -> "Case":
+    def replace(self, *args: Numbers, **kwargs: Numbers) -> "Case":
         """Return the same call with other leading arguments, or other parameters."""
         changed = Case(*args, *self.args[len(args) :], **{**self.kwargs, **kwargs})
         return changed.labelled(self.label, self.hint)
 
-    def with_leading(self, *args: Any) -> "Case":
+    def with_leading(self, *args: Numbers) -> "Case":
         """Return the same call with more arguments before its own."""
         return Case(*args, *self.args, **self.kwargs).labelled(self.label, self.hint)
 
 
-def _sent(value: Any) -> Any:
+def _sent(value: Numbers) -> Numbers:
     """Return an argument as it is sent: any sequence of numbers is a float64 array, as the contract promises."""
     if isinstance(value, np.generic):
         return value.item()

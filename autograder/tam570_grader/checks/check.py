@@ -14,12 +14,14 @@ import copy
 import functools
 import inspect
 import threading
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from types import ModuleType
-from typing import Any, TypeVar
+from typing import Any, Generic, TypeVar
 
 import numpy as np
+
+from tam570.values import Function, Numbers
 
 __all__ = ["Check", "Memory", "check", "draw_once", "needed", "once"]
 
@@ -27,17 +29,17 @@ T = TypeVar("T")
 MOST_KNOWN = 64  # values that `once` keeps; with inputs of its own for each student a run makes thousands
 
 
-class Memory:
+class Memory(Generic[T]):
     """The last values computed, by their keys: each is computed for whoever asks first.
 
     most : how many are kept; or how many bytes, if `size` tells those of a value
     """
 
-    def __init__(self, most: int, size: Callable[[Any], int] = lambda value: 1) -> None:
+    def __init__(self, most: int, size: Callable[[T], int] = lambda value: 1) -> None:
         self._most, self._size, self._held = most, size, 0
-        self._known, self._lock = dict[Any, Any](), threading.RLock()
+        self._known, self._lock = dict[object, T](), threading.RLock()
 
-    def value(self, key: Any, compute: Callable[[], Any]) -> Any:
+    def value(self, key: object, compute: Callable[[], T]) -> T:
         """Return the value of this key; what is returned is shared, and not to be changed."""
         with self._lock:
             if key in self._known:
@@ -105,29 +107,30 @@ def once(compute: Callable[..., T], most: int = MOST_KNOWN) -> Callable[..., T]:
     Cases are shared between students; of arrays, which a function of cases may go on to change, each call has its own.
     `most` is how many values are kept.
     """
-    memory = Memory(most)
+    memory = Memory[tuple[T, Mapping[str, object]]](most)
 
     @functools.wraps(compute)
-    def remembered(rng: np.random.Generator, *args: Any, **keywords: Any) -> T:
-        def computed() -> tuple[Any, Any]:
-            value = compute(rng, *args, **keywords)
-            return list(value) if isinstance(value, Iterator) else value, rng.bit_generator.state
+    def remembered(rng: np.random.Generator, *args: Numbers, **keywords: Numbers) -> T:
+        def computed() -> tuple[T, Mapping[str, object]]:
+            value: Any = compute(rng, *args, **keywords)
+            value = list(value) if isinstance(value, Iterator) else value
+            return value, rng.bit_generator.state
 
         key = (repr(rng.bit_generator.state), *args, *keywords.items())
         value, rng.bit_generator.state = memory.value(key, computed) if _is_hashable(key) else computed()
-        return copy.deepcopy(value) if _can_be_altered(value) else value  # type: ignore[no-any-return]
+        return copy.deepcopy(value) if _can_be_altered(value) else value
 
     return remembered
 
 
-def _can_be_altered(value: Any) -> bool:
+def _can_be_altered(value: object) -> bool:
     """Return whether a value is, or holds, what can be changed in place; a case cannot."""
     if isinstance(value, list | tuple):
         return any(map(_can_be_altered, value))
     return isinstance(value, np.ndarray | dict)
 
 
-def _is_hashable(key: Any) -> bool:
+def _is_hashable(key: object) -> bool:
     try:
         hash(key)
     except TypeError:
@@ -143,16 +146,16 @@ def draw_once(module: ModuleType) -> None:
             setattr(module, name, once(value) if _takes_rng(value) else _drawing_once(value))
 
 
-def _takes_rng(value: Any) -> bool:
+def _takes_rng(value: object) -> bool:
     return inspect.isfunction(value) and inspect.getfullargspec(value).args[:1] == ["rng"]
 
 
-def _drawing_once(make: Callable[..., Any]) -> Callable[..., Any]:
+def _drawing_once(make: Function) -> Function:
     """Return a function whose results, where they are functions of `rng`, draw a single time a run."""
-    drawing = Memory(MOST_KNOWN)
+    drawing = Memory[Function](MOST_KNOWN)
 
     @functools.wraps(make)
-    def remembered(*args: Any, **kwargs: Any) -> Any:
+    def remembered(*args: Numbers, **kwargs: Numbers) -> Numbers:
         result, key = make(*args, **kwargs), (args, *kwargs.items())
         return drawing.value(key, lambda: once(result)) if _takes_rng(result) and _is_hashable(key) else result
 

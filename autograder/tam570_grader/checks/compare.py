@@ -5,16 +5,17 @@ import inspect
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from types import ModuleType
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tam570.values import Function, Json, Numbers
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.check import Memory
 from tam570_grader.checks.expect import Failed, NotWritten, distance, expect, expect_that, fail, get_context
 from tam570_grader.checks.expected import expected_result
 from tam570_grader.checks.returns import Description, Scale
+from tam570_grader.checks.student import StudentFunction
 
 __all__ = [
     "Batch",
@@ -42,7 +43,7 @@ class Column:
     unit: str
     where: slice | Sequence[int]
     turns: bool = False  # angles, which are never wrapped
-    scale: Callable[[Case, Any], float] | None = None  # scale(case, right result); default: the largest number
+    scale: Callable[[Case, Numbers], float] | None = None  # scale(case, right result); default: the largest number
 
 
 PLACES = range(2, 13)  # after the point, to which people round; what has two or fewer may be exact
@@ -60,12 +61,14 @@ MOST_BATCHES = 1000  # that are remembered; the fourteen assignments have some 6
 
 Array = NDArray[np.float64]
 Only = int | Sequence[int] | None
-Members = Callable[[Case, Any], Iterable[tuple[Any, ...]]]
-Reference = Callable[..., Any] | ModuleType
+Shapes = Sequence[tuple[int, ...]]
+Members = Callable[[Case, Numbers], Iterable[tuple[Numbers, ...]]]
+Reference = Function | ModuleType
+HintOfCase = str | Callable[[Case, Numbers, Numbers], str]  # of a case, the result and the right one
 
 
 def compare(
-    function: Any,
+    function: StudentFunction,
     reference: Reference,
     cases: Iterable[Case],
     *,
@@ -73,11 +76,11 @@ def compare(
     quantity: str | Sequence[str] | None = None,
     unit: str | Sequence[str] | None = None,
     scale: Scale | Sequence[Scale] | None = None,
-    hint: str | Callable[[Case, Any, Any], str] = "",
+    hint: HintOfCase = "",
     partial: Mapping[float, float] | None = None,
     only: Only = None,
     near_miss_credit: bool = True,
-) -> list[Any]:
+) -> list[Numbers]:
     """Fail unless the student's `function` gives what `reference` gives, in every case; return its results.
 
     reference : the right function, or the module in which it has the name of the student's
@@ -90,9 +93,9 @@ def compare(
     overrides = zip(DESCRIPTIONS, (quantity, unit, scale), strict=True)
     words = [describe(function, name) if override is None else override for name, override in overrides]
     batch = Batch.of(find_reference(reference, function), cases).distinct
-    results: list[Any] = function.many(batch.cases)
+    results: list[Numbers] = function.many(batch.cases)
 
-    def members(case: Case, expected: Any) -> Iterator[tuple[Any, ...]]:
+    def members(case: Case, expected: Numbers) -> Iterator[tuple[Numbers, ...]]:
         return ((member[0], member[2], member[5]) for member in _members(expected, expected, words, case, only))
 
     scales = words[2] if isinstance(words[2], list | tuple) else [words[2]]
@@ -102,13 +105,15 @@ def compare(
         for member, part, right_part, what, its_unit, size in _members(result, expected, words, case, only):
             ask = functools.partial(_hint, hint, case, result, expected, part, right_part)
             limits = _limits(size, tolerance, partial or {}) | {"near_miss_credit": near_miss_credit}
-            get_context().note(function, case, member, None, right_part, quantity=what, scale=size, tolerance=tolerance)
+            get_context().add_example(
+                function, case, member, None, right_part, quantity=what, scale=size, tolerance=tolerance
+            )
             _infinite_alike(part, right_part, what, ask)
             expect(part, right_part, quantity=what, unit=its_unit, hint=ask, **limits)
     return results
 
 
-def _limits(size: Any, tolerance: float, partial: Mapping[float, float]) -> dict[str, Any]:
+def _limits(size: Numbers, tolerance: float, partial: Mapping[float, float]) -> dict[str, Numbers]:
     """In the unit of the result; where its numbers have scales of their own, relative to these."""
     if np.ndim(size):
         return {"tolerance": tolerance, "scale": size, "partial": partial}
@@ -116,7 +121,7 @@ def _limits(size: Any, tolerance: float, partial: Mapping[float, float]) -> dict
     return {"tolerance": tolerance * size, "partial": {limit * size: share for limit, share in partial.items()}}
 
 
-def _infinite_alike(result: Any, expected: Any, what: str, hint: Callable[[], str]) -> None:
+def _infinite_alike(result: Numbers, expected: Numbers, what: str, hint: Callable[[], str]) -> None:
     """Of infinity nothing is wrong by some limit."""
     if np.isfinite(result).all() and np.isfinite(expected).all():
         return
@@ -124,12 +129,12 @@ def _infinite_alike(result: Any, expected: Any, what: str, hint: Callable[[], st
     expect_that(np.array_equal(np.isinf(result), np.isinf(expected)), message, hint=hint)
 
 
-def absolute(*_: Any) -> float:
+def absolute(*_: Numbers) -> float:
     """Return the scale of what is judged in its own unit."""
     return 1.0
 
 
-def largest(_: Any, expected: Any) -> float:
+def largest(_: Numbers, expected: Numbers) -> float:
     """Return the scale of what is judged by its largest number, as all is that has no other scale."""
     return float(np.max(np.abs(np.asarray(expected, float)), initial=0.0))
 
@@ -138,16 +143,15 @@ def largest(_: Any, expected: Any) -> float:
 class Batch:
     """Cases, cut to what the right function takes, with the right results: the same for a class."""
 
-    reference: Callable[..., Any]
+    reference: Function
     uncut: Sequence[Case]  # while they are held, no other case has their identity
-    _known: dict[Any, Any] = field(default_factory=dict)
+    _known: dict[object, Numbers] = field(default_factory=dict)
 
     @staticmethod
-    def of(reference: Callable[..., Any], cases: Iterable[Case]) -> "Batch":
+    def of(reference: Function, cases: Iterable[Case]) -> "Batch":
         """Return the batch of these very cases."""
         uncut = tuple(cases)
-        batch: Batch = _batches.value((reference, *map(id, uncut)), lambda: Batch(reference, uncut))
-        return batch
+        return _batches.value((reference, *map(id, uncut)), lambda: Batch(reference, uncut))
 
     @functools.cached_property
     def cases(self) -> list[Case]:
@@ -164,22 +168,24 @@ class Batch:
         return self if len(cases) == len(self.uncut) else Batch(self.reference, cases)
 
     @functools.cached_property
-    def expected(self) -> list[Any]:
+    def expected(self) -> list[Numbers]:
         return [expected_result(self.reference, case) for case in self.cases]
 
-    def remembered(self, key: Any, compute: Callable[[], Any]) -> Any:
+    def remembered(self, key: object, compute: Callable[[], Numbers]) -> Numbers:
         """Return what follows from the cases and the right results alone, computed a single time."""
         if key not in self._known:
             self._known[key] = compute()
         return self._known[key]
 
-    def compared(self, function: Any, results: Iterable[Any]) -> Iterator[tuple[Case, Any, Any]]:
+    def compared(
+        self, function: StudentFunction, results: Iterable[Numbers]
+    ) -> Iterator[tuple[Case, Numbers, Numbers]]:
         """Yield each case with the student's result and the right one, while the two are compared."""
         for case, result, expected in zip(self.cases, results, self.expected, strict=True):
-            get_context().judge(function.name, case)
+            get_context().set_call(function.name, case)
             yield case, result, expected
 
-    def includes(self, results: list[Any], tolerance: float, key: Any, members: Members) -> bool:
+    def includes(self, results: list[Numbers], tolerance: float, key: object, members: Members) -> bool:
         """Return whether all results are within the tolerance; False where that takes a look at each.
 
         members : members(case, right result) -> (member or None, right, scale) of all that is judged
@@ -192,7 +198,7 @@ class Batch:
             for member, shapes, numbers, sizes in scaled
         )
 
-    def _scales(self, members: Members) -> list[tuple[Any, ...]] | None:
+    def _scales(self, members: Members) -> list[tuple[Numbers, ...]] | None:
         """(member, shapes of the right results, their numbers, the scale of each); None where one is infinite."""
         per_case = [[*members(case, expected)] for case, expected in zip(self.cases, self.expected, strict=True)]
         scaled = []
@@ -207,31 +213,33 @@ class Batch:
         return scaled
 
 
-def _part(result: Any, member: int | None) -> Any:
+def _part(result: Numbers, member: int | None) -> Numbers:
     return result if member is None else result[member]
 
 
-def _is_near(results: Sequence[Any], shapes: Any, expected: Array, limits: Array) -> bool:
+def _is_near(results: Sequence[Numbers], shapes: Shapes, expected: Array, limits: Array) -> bool:
     if [getattr(result, "shape", ()) for result in results] != shapes:
         return False
     return bool((distance(_flat(results, shapes), expected) <= limits).all())
 
 
-def _flat(values: Sequence[Any], shapes: Sequence[Any]) -> Array:
+def _flat(values: Sequence[Numbers], shapes: Shapes) -> Array:
     """Return all numbers of the values."""
     return np.array(values).ravel() if len(set(shapes)) == 1 else np.concatenate([np.ravel(value) for value in values])
 
 
-_batches = Memory(MOST_BATCHES)
+_batches = Memory[Batch](MOST_BATCHES)
 
 
-def call_cases(function: Any, reference: Reference, cases: Iterable[Case]) -> Iterator[tuple[Case, Any, Any]]:
+def call_cases(
+    function: StudentFunction, reference: Reference, cases: Iterable[Case]
+) -> Iterator[tuple[Case, Numbers, Numbers]]:
     """Yield each case, cut to what the right function takes, with the student's result and the right one."""
     batch = Batch.of(find_reference(reference, function), cases).distinct
     yield from batch.compared(function, function.many(batch.cases))
 
 
-def is_right(function: Any, reference: Reference, cases: Iterable[Case]) -> bool:
+def is_right(function: StudentFunction, reference: Reference, cases: Iterable[Case]) -> bool:
     """Whether a student's function gives the right results in calls that no check judges, to choose a hint by."""
     true = find_reference(reference, function)
     try:
@@ -245,23 +253,23 @@ def is_right(function: Any, reference: Reference, cases: Iterable[Case]) -> bool
         return False
 
 
-def first_wrong(reference: Reference, case: Case, *functions: Any) -> Callable[[], str]:
+def first_wrong(reference: Reference, case: Case, *functions: StudentFunction) -> Callable[[], str]:
     """Make a question for the first of a student's functions that is wrong for a case: its name, or ""."""
     return lambda: next((function.name for function in functions if not is_right(function, reference, [case])), "")
 
 
-def _numbers(result: Any) -> Any:
+def _numbers(result: Numbers) -> Numbers:
     """Return all numbers of a result, or of the members of a tuple, one after another."""
     return np.hstack([np.ravel(part) for part in (result if isinstance(result, tuple) else [result])])
 
 
-def find_reference(reference: Reference, function: Any) -> Callable[..., Any]:
+def find_reference(reference: Reference, function: StudentFunction) -> Function:
     """Return the right function; of a module, the one that has the name of the student's."""
-    true: Callable[..., Any] = reference if callable(reference) else getattr(reference, function.name)
+    true: Function = reference if callable(reference) else getattr(reference, function.name)
     return true
 
 
-def trim_to_signature(reference: Callable[..., Any], cases: Iterable[Case]) -> list[Case]:
+def trim_to_signature(reference: Function, cases: Iterable[Case]) -> list[Case]:
     """Trim cases to the parameters and arguments of the right function.
 
     So the same cases serve functions that are given more or less of the same thing.
@@ -269,7 +277,7 @@ def trim_to_signature(reference: Callable[..., Any], cases: Iterable[Case]) -> l
     return Batch.of(reference, cases).cases
 
 
-def _trimmed(reference: Callable[..., Any], case: Case) -> Case:
+def _trimmed(reference: Function, case: Case) -> Case:
     parameters = _signature(reference).parameters
     kinds = [parameter.kind for parameter in parameters.values()]
     kwargs = {name: case.kwargs[name] for name in case.kwargs if name in parameters or KEYWORDS in kinds}
@@ -282,18 +290,18 @@ def _trimmed(reference: Callable[..., Any], case: Case) -> Case:
 _signature = functools.lru_cache(maxsize=256)(inspect.signature)
 
 
-def describe(function: Any, name: str) -> Any:
+def describe(function: StudentFunction, name: str) -> Numbers:
     """One of the words in which `Assignment.returns` speaks of a result, or of each member of a tuple."""
     words = getattr(getattr(function, "returns", None), "description", Description())
     return [getattr(word, name) for word in words] if isinstance(words, list) else getattr(words, name)
 
 
-def _hint(hint: Any, case: Case, actual: Any, reference: Any, member: Any, expected: Any) -> str:
+def _hint(hint: HintOfCase, case: Case, actual: Numbers, reference: Numbers, member: Numbers, expected: Numbers) -> str:
     """Return what right numbers have lost, else the hint of the case, else that of the check."""
     return digits_lost(member, expected) or case.hint or (hint(case, actual, reference) if callable(hint) else hint)
 
 
-def digits_lost(actual: Any, expected: Any) -> str:
+def digits_lost(actual: Numbers, expected: Numbers) -> str:
     """Return a sentence for the right numbers in single precision, or rounded.
 
     Numbers that have few digits do not tell.
@@ -309,13 +317,13 @@ def digits_lost(actual: Any, expected: Any) -> str:
 
 
 def compare_columns(
-    function: Any,
+    function: StudentFunction,
     reference: Reference,
     cases: Iterable[Case],
     columns: Sequence[Column] = (),
     *,
     tolerance: float,
-    hint: str | Callable[[Case, Any, Any], str] = "",
+    hint: HintOfCase = "",
     near_miss_credit: bool = True,
 ) -> None:
     """As `compare`, for a state or rows of them, whose numbers have different units: each column is judged in its own.
@@ -325,7 +333,7 @@ def compare_columns(
     columns, batch = columns or function.returns.columns, Batch.of(find_reference(reference, function), cases).distinct
     results = function.many(batch.cases)
 
-    def members(case: Case, expected: Any) -> Iterator[tuple[Any, ...]]:
+    def members(case: Case, expected: Numbers) -> Iterator[tuple[Numbers, ...]]:
         expected = np.asarray(expected, float)
         sizes = np.full(expected.shape, np.inf)  # of what is not compared
         for column in columns:
@@ -341,8 +349,8 @@ def compare_columns(
             size = _size(column, case, expected)
             where = np.arange(expected.shape[-1])[column.where].tolist()
             limits = {"quantity": column.quantity, "scale": size, "tolerance": tolerance}
-            get_context().note(function, case, None, where, right_numbers, **limits)
-            words: dict[str, Any] = {
+            get_context().add_example(function, case, None, where, right_numbers, **limits)
+            words: Json = {
                 "quantity": column.quantity,
                 "unit": column.unit,
                 "t": t,
@@ -352,11 +360,13 @@ def compare_columns(
             expect(numbers, right_numbers, tolerance=tolerance * size, **words)
 
 
-def _size(column: Column, case: Case, expected: Array) -> Any:
+def _size(column: Column, case: Case, expected: Array) -> Numbers:
     return (column.scale(case, expected) if column.scale else np.max(np.abs(expected[..., column.where]))) or 1.0
 
 
-def _members(actual: Any, expected: Any, words: Any, case: Case, only: Only) -> Iterable[tuple[Any, ...]]:
+def _members(
+    actual: Numbers, expected: Numbers, words: Numbers, case: Case, only: Only
+) -> Iterable[tuple[Numbers, ...]]:
     """(member, found, expected, of, unit, scale) of each member of a result."""
     several = isinstance(actual, tuple)
     pairs = list(zip(actual, expected, strict=True)) if several else [(actual, expected)]
@@ -376,20 +386,26 @@ def _members(actual: Any, expected: Any, words: Any, case: Case, only: Only) -> 
         )
 
 
-def _of(index: int, said: Any) -> Any:
+def _of(index: int, said: Numbers) -> Numbers:
     return said[index] if isinstance(said, list | tuple) else said
 
 
-def check_raises(function: Any, cases: Iterable[Case], *, hint: str = "") -> None:
+def check_raises(function: StudentFunction, cases: Iterable[Case], *, hint: str = "") -> None:
     """Fail unless the function raises ValueError in every case."""
     for case, refused in function.refusals(cases):
-        get_context().note(function, case, None, None, None, raises=True)
+        get_context().add_example(function, case, None, None, None, raises=True)
         if not refused:
             fail(f"{function.name} does not raise ValueError", label=case.label, hint=hint, at=case)
 
 
 def check_domain(
-    function: Any, reference: Reference, cases: Sequence[Case], *, tolerance: float, allowed: int = 1, hint: str = ""
+    function: StudentFunction,
+    reference: Reference,
+    cases: Sequence[Case],
+    *,
+    tolerance: float,
+    allowed: int = 1,
+    hint: str = "",
 ) -> None:
     """Fail unless the function is right in the first `allowed` cases, and raises ValueError in all others."""
     compare(function, reference, cases[:allowed], tolerance=tolerance, hint="This input is allowed")

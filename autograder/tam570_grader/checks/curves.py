@@ -5,15 +5,16 @@ at most BITS of them into one picture, and nothing about the times.
 """
 
 import math
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tam570.values import Json, Numbers
+
 __all__ = ["BITS", "Curve", "curve", "conserved_curve"]
 
 # plain data: quantity, unit, tolerance, scale ("log" or "linear"), values along the motion; keeps: another
-Curve = dict[str, Any]
+Curve = Json
 Array = NDArray[np.float64]
 
 SLOTS = 16  # of the duration, the largest error in each
@@ -26,7 +27,7 @@ BITS = math.ceil(SLOTS * math.log2(max(LEVELS * (CEILING - FLOOR), 2 * STEPS) + 
 
 
 def curve(
-    t: Any, actual: Any, expected: Any, scale: Any, *, tolerance: float, quantity: str, unit: str
+    t: Numbers, actual: Numbers, expected: Numbers, scale: Numbers, *, tolerance: float, quantity: str, unit: str
 ) -> Curve | None:
     """Return the error along the times t, None if there is no course of it to draw.
 
@@ -49,7 +50,7 @@ def curve(
     return {"quantity": quantity, "unit": unit, "tolerance": tolerance, "scale": scaled, "values": values}
 
 
-def conserved_curve(t: Any, values: Any, *, tolerance: float, quantity: str, unit: str = "") -> Curve | None:
+def conserved_curve(t: Numbers, values: Numbers, *, tolerance: float, quantity: str, unit: str = "") -> Curve | None:
     """Return what becomes of a number that the right motion keeps, along the student's, from its first value on."""
     values = np.asarray(values, float)
     return curve(

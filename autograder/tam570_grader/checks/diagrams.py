@@ -14,16 +14,17 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tam570.values import Function, Json, Numbers
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.compare import call_cases
 from tam570_grader.checks.expect import fail
 from tam570_grader.checks.figures import seen_from
 from tam570_grader.checks.returns import Arrow
+from tam570_grader.checks.student import StudentFunction
 
 __all__ = ["CENTRIFUGAL", "INERTIAL", "Force", "FreeBody", "NotAForce", "compare_diagrams", "complaint", "weight"]
 
@@ -123,7 +124,7 @@ def weight(point: ArrayLike, where: str, gravity: float, down: ArrayLike = (0.0,
     return Force("the weight", point, where, down, sense=True, acts=gravity != 0, reversed=reversed)
 
 
-def compare_diagrams(function: Any, reference: Any, cases: Iterable[Case]) -> None:
+def compare_diagrams(function: StudentFunction, reference: Function, cases: Iterable[Case]) -> None:
     """Fail unless the student draws, in every case, the forces of the `FreeBody` that `reference` returns."""
     for _, arrows, body in call_cases(function, reference, cases):
         if message := complaint(body, arrows):
@@ -145,7 +146,7 @@ def complaint(body: FreeBody, arrows: Sequence[Arrow]) -> str:
     return next(filter(None, complaints))
 
 
-def _sketch(body: FreeBody, arrows: Sequence[Arrow]) -> dict[str, Any]:
+def _sketch(body: FreeBody, arrows: Sequence[Arrow]) -> Json:
     """Return what the student drew beside the body, so coarse that it can carry no hidden input: 14 bits an arrow.
 
     outline : lines [x1, y1, x2, y2], 0 to SHEET, y up
@@ -158,7 +159,7 @@ def _sketch(body: FreeBody, arrows: Sequence[Arrow]) -> dict[str, Any]:
     middle = (seen.max(axis=0) + seen.min(axis=0)) / 2 if len(seen) else np.zeros(2)
     size = max(float(np.ptp(seen, axis=0).max()) if len(seen) else 0.0, 1e-300)
 
-    def placed(at: ArrayLike, grid: int) -> Any:
+    def placed(at: ArrayLike, grid: int) -> Numbers:
         with np.errstate(all="ignore"):  # a student's point may be anywhere
             share = np.nan_to_num((np.asarray(at) - middle) / size)
         return (grid * np.rint(np.clip(share / 2 + 0.5, 0, 1) * SHEET / grid)).astype(int).tolist()

@@ -10,11 +10,13 @@ in the code that counts, and nowhere else.
 
 import ast
 import importlib.machinery
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
+from importlib.machinery import ModuleSpec
 from types import CodeType, ModuleType
-from typing import Any
+
+from tam570.values import Function, Numbers
 
 __all__ = ["Exhausted", "Finder", "Meter", "compile_counted", "count", "limited"]
 
@@ -29,10 +31,10 @@ class Exhausted(Exception):
 class Meter:
     """Steps that are left."""
 
-    __slots__ = ("left",)
+    __slots__ = ("remaining",)
 
-    def __init__(self, left: int) -> None:
-        self.left = left
+    def __init__(self, remaining: int) -> None:
+        self.remaining = remaining
 
 
 _meter: ContextVar[Meter | None] = ContextVar("meter", default=None)
@@ -42,7 +44,7 @@ _meter: ContextVar[Meter | None] = ContextVar("meter", default=None)
 def limited(steps: int) -> Iterator[Meter]:
     """Raise Exhausted in this block beyond so many steps; they also count in a block around it."""
     outer = _meter.get()
-    most = min(steps, outer.left) if outer else steps
+    most = min(steps, outer.remaining) if outer else steps
     meter = Meter(most)
     token = _meter.set(meter)
     try:
@@ -50,14 +52,14 @@ def limited(steps: int) -> Iterator[Meter]:
     finally:
         _meter.reset(token)
         if outer:
-            outer.left -= most - meter.left
+            outer.remaining -= most - meter.remaining
 
 
 def count(steps: int = 1) -> None:
     """Spend steps of the innermost block."""
     if meter := _meter.get():
-        meter.left -= steps
-        if meter.left < 0:
+        meter.remaining -= steps
+        if meter.remaining < 0:
             raise Exhausted
 
 
@@ -79,41 +81,44 @@ def _is_head(node: ast.stmt) -> bool:
     )
 
 
+Block = ast.FunctionDef | ast.While | ast.For
+
+
 class _Counted(ast.NodeTransformer):
     def __init__(self, in_python: bool) -> None:
         self.in_python = in_python
 
-    def _with_count(self, node: Any) -> Any:
+    def _with_count(self, node: Block) -> Block:
         self.generic_visit(node)
         index = 1 if isinstance(node, ast.FunctionDef) and ast.get_docstring(node) else 0
         node.body.insert(index, ast.parse("_count()").body[0])
         return node
 
-    def visit_FunctionDef(self, node: ast.FunctionDef) -> Any:  # noqa: N802
+    def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.stmt:  # noqa: N802
         return self._with_count(node)
 
-    def visit_While(self, node: ast.While) -> Any:  # noqa: N802
+    def visit_While(self, node: ast.While) -> ast.stmt:  # noqa: N802
         return self._with_count(node)
 
-    def visit_For(self, node: ast.For) -> Any:  # noqa: N802
+    def visit_For(self, node: ast.For) -> ast.stmt:  # noqa: N802
         return self._with_count(node)
 
-    def visit_Lambda(self, node: ast.Lambda) -> Any:  # noqa: N802
+    def visit_Lambda(self, node: ast.Lambda) -> ast.expr:  # noqa: N802
         self.generic_visit(node)
         node.body = ast.BoolOp(ast.Or(), [ast.parse("_count()", mode="eval").body, node.body])
         return node
 
-    def visit_ImportFrom(self, node: ast.ImportFrom) -> Any:  # noqa: N802
+    def visit_ImportFrom(self, node: ast.ImportFrom) -> ast.stmt:  # noqa: N802
         if self.in_python and node.module == INTEGRATE:
             node.module = __name__
         return node
 
 
-def solve(rhs: Callable[..., Any], *args: Any, **keywords: Any) -> Any:
+def solve(rhs: Function, *args: Numbers, **keywords: Numbers) -> Numbers:
     """Return `tam570.integrate.solve`, which calls `rhs` at every stage."""
     from tam570.integrate import solve
 
-    def rates(t: float, y: Any, **parameters: Any) -> Any:
+    def rates(t: float, y: Numbers, **parameters: Numbers) -> Numbers:
         count()
         return rhs(float(t), y, **parameters)  # a symbol is no number: it is not traced
 
@@ -131,7 +136,9 @@ class Finder:
     def __init__(self, prefix: str) -> None:
         self.prefix = prefix
 
-    def find_spec(self, name: str, path: Sequence[str] | None = None, target: ModuleType | None = None) -> Any:
+    def find_spec(
+        self, name: str, path: Sequence[str] | None = None, target: ModuleType | None = None
+    ) -> ModuleSpec | None:
         spec = importlib.machinery.PathFinder.find_spec(name, path) if name.startswith(self.prefix) else None
         if spec and isinstance(spec.loader, importlib.machinery.SourceFileLoader):
             spec.loader = _Loader(name, spec.loader.path)

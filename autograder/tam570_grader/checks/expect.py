@@ -4,18 +4,21 @@ Both speak to the trial that is running: it knows the input at hand and its kind
 and it goes on behind an error that leaves a share of the points, for the smallest share of all cases counts.
 """
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 from contextvars import ContextVar
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from tam570.values import Json, Numbers
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.curves import Curve, curve
 from tam570_grader.checks.effort import Exhausted
 from tam570_grader.checks.failure import Failure
+from tam570_grader.checks.student import StudentFunction
 from tam570_grader.errors import Over
 
 __all__ = [
@@ -64,20 +67,28 @@ class CheckContext:
     failures: list[tuple[Failed, Hint]] = field(default_factory=list)
     recorder: Callable[[float], None] | None = None  # told every error over its limit; nothing fails then
     aside: Callable[[], AbstractContextManager[None]] = nullcontext  # in which calls are made that choose the words
-    examples: list[dict[str, Any]] | None = None  # what is compared is noted here, call by call, if it is a list
+    examples: list[Json] | None = None  # what is compared is noted here, call by call, if it is a list
 
     @property
     def listens(self) -> bool:
         """Whether each comparison is to be told of."""
         return self.recorder is not None or self.examples is not None
 
-    def note(self, function: Any, case: Case, member: int | None, columns: Any, expected: Any, **limits: Any) -> None:
+    def add_example(
+        self,
+        function: StudentFunction,
+        case: Case,
+        member: int | None,
+        columns: Sequence[int] | None,
+        expected: Numbers,
+        **limits: Numbers,
+    ) -> None:
         """Note what a result of a student's function is compared with, for the examples that students have."""
         if self.examples is not None:
             part = {"member": member, "columns": columns, "expected": expected, **limits}
             self.examples.append({"function": function.name, "case": case, "compare": part})
 
-    def judge(self, function: str, case: Case) -> None:
+    def set_call(self, function: str, case: Case) -> None:
         """From now on the result of this call is judged."""
         self.function, self.case = function, case
 
@@ -120,18 +131,18 @@ def check_context(**fields: Any) -> Iterator[CheckContext]:
 
 
 def expect(
-    actual: Any,
-    expected: Any,
+    actual: Numbers,
+    expected: Numbers,
     *,
     tolerance: float,
     quantity: str = "the result",
     unit: str = "",
     hint: Hint = "",
-    scale: Any = 1.0,
-    t: Any = None,
+    scale: Numbers = 1.0,
+    t: Numbers = None,
     partial: Mapping[float, float] | Callable[[float], float] | None = None,
     label: str = "",
-    at: Any = None,
+    at: object = None,
     keeps: Callable[[], Curve | None] | None = None,
     near_miss_credit: bool = True,
 ) -> None:
@@ -164,7 +175,7 @@ def expect(
 
 
 def expect_that(
-    holds: Any, message: str, *, hint: Hint = "", label: str | None = "", at: Any = None, share: float = 0.0
+    holds: object, message: str, *, hint: Hint = "", label: str | None = "", at: object = None, share: float = 0.0
 ) -> None:
     """Fail with `message` (what is wrong) unless the condition holds; a label of None means: for any input."""
     if not holds:
@@ -172,7 +183,7 @@ def expect_that(
 
 
 def fail(
-    message: str, *, hint: Hint = "", label: str | None = "", at: Any = None, share: float = 0.0, **fields: Any
+    message: str, *, hint: Hint = "", label: str | None = "", at: object = None, share: float = 0.0, **fields: Any
 ) -> None:
     """Fail with `message`; with a share the check goes on."""
     running = get_context()
@@ -203,7 +214,7 @@ def _in_limits(error: float, tolerance: float) -> float:
     return error / tolerance if tolerance else np.inf if error else 0.0
 
 
-def distance(actual: Any, expected: Any) -> Any:
+def distance(actual: Numbers, expected: Numbers) -> Numbers:
     """Return the size of the difference; zero where both are infinite: infinity may be right."""
     with np.errstate(invalid="ignore"):
         return np.where(actual == expected, 0.0, np.abs(actual - expected))
@@ -218,8 +229,15 @@ def _share(error: float, tolerance: float, partial: Mapping[float, float] | Call
 
 
 def _curve(
-    t: Any, actual: Any, expected: Any, scale: Any, tolerance: float, quantity: str, unit: str, keeps: Any
-) -> Any:
+    t: Numbers,
+    actual: Numbers,
+    expected: Numbers,
+    scale: Numbers,
+    tolerance: float,
+    quantity: str,
+    unit: str,
+    keeps: Callable[[], Curve | None] | None,
+) -> Curve | None:
     if t is None:
         return None
     plotted = curve(t, actual, expected, scale, tolerance=tolerance, quantity=quantity, unit=unit)
@@ -228,7 +246,7 @@ def _curve(
     return plotted
 
 
-def _time(t: Any, errors: Any, worst: int) -> float | None:
+def _time(t: Numbers, errors: NDArray[np.float64], worst: int) -> float | None:
     if t is None:
         return None
     row = int(np.unravel_index(worst, errors.shape)[0])

@@ -12,10 +12,10 @@ import time
 from collections.abc import Callable, Iterator
 from contextvars import ContextVar
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
+from tam570.values import Function, Numbers
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.check import Memory
 from tam570_grader.protocol.wire import packed, unpacked
@@ -25,16 +25,16 @@ __all__ = ["expected_result", "shared", "sharing"]
 MOST_KNOWN = 3000  # answers; with inputs of its own for each student a run makes thousands
 EXPENSIVE = 0.05  # s of processor time, from which an answer is shared
 
-_known = Memory(MOST_KNOWN)
+_known = Memory[Numbers](MOST_KNOWN)
 _place: ContextVar[Path | None] = ContextVar("place", default=None)  # the folder, while there is one
 _expensive = set[str]()  # functions that have given a dear answer here; of the others nobody is asked
 
 
-def expected_result(reference: Callable[..., Any], case: Case) -> Any:
+def expected_result(reference: Function, case: Case) -> Numbers:
     """right(*args, **kwargs) of a case; it is shared, and not to be changed."""
     inputs = case.packed
 
-    def computed() -> Any:
+    def computed() -> Numbers:
         return shared(reference.__name__, _name(reference), inputs, lambda: reference(*case.args, **case.kwargs))
 
     return _known.value((reference, inputs), computed)
@@ -50,7 +50,7 @@ def sharing(folder: Path | None) -> Iterator[None]:
         _place.reset(token)
 
 
-def shared(function: str, name: str, inputs: bytes, compute: Callable[[], Any]) -> Any:
+def shared(function: str, name: str, inputs: bytes, compute: Callable[[], Numbers]) -> Numbers:
     """Return what `compute` gives, from whoever computed it first where that took long.
 
     function : whose other answers are likely to be as dear
@@ -72,7 +72,7 @@ def shared(function: str, name: str, inputs: bytes, compute: Callable[[], Any]) 
     return value
 
 
-def _keep(path: Path, value: Any) -> None:
+def _keep(path: Path, value: object) -> None:
     """Leave a value where the others look; a full disk costs them the time to compute it."""
     with contextlib.suppress(OSError):
         draft = path.with_suffix(f".{os.getpid()}")
@@ -80,7 +80,7 @@ def _keep(path: Path, value: Any) -> None:
         draft.rename(path)
 
 
-def _name(reference: Callable[..., Any]) -> str:
+def _name(reference: Function) -> str:
     """Return a function's, if the module holds it by this name: a closure may be another in the next process."""
     module, name = reference.__module__, getattr(reference, "__qualname__", "")
     return f"{module}.{name}" if getattr(sys.modules.get(module), name, None) is reference else ""
@@ -94,14 +94,14 @@ def _only_one(path: Path) -> Iterator[None]:
         yield
 
 
-def _is_data(value: Any) -> bool:
+def _is_data(value: object) -> bool:
     parts = value if type(value) is tuple else (value,)
     return all(type(part) is np.ndarray and part.dtype == np.float64 for part in parts)
 
 
-def _written(value: Any) -> Any:
+def _written(value: object) -> object:
     return {"parts": [*value]} if type(value) is tuple else value
 
 
-def _restored(value: Any) -> Any:
+def _restored(value: Numbers) -> Numbers:
     return tuple(part.copy() for part in value["parts"]) if isinstance(value, dict) else value.copy()

@@ -1,7 +1,8 @@
 """Why a check failed, as a record that travels from the check to the page."""
 
 from dataclasses import dataclass, replace
-from typing import Any
+
+from tam570.values import Json, Numbers
 
 __all__ = ["WHOLE", "Failure"]
 
@@ -27,14 +28,14 @@ class Failure:
     suspect: str | None = None  # the known mistake
     follows_from: str = ""  # the function with the mistake that explains this result
     near_miss: bool = False  # off by a loose tolerance, at most: what builds on it is judged all the same
-    curve: dict[str, Any] | None = None  # the error along a motion
-    sketch: dict[str, Any] | None = None  # a free body diagram as the student drew it
-    expected: Any = None
-    actual: Any = None
-    at: Any = None
+    curve: Json | None = None  # the error along a motion
+    sketch: Json | None = None  # a free body diagram as the student drew it
+    expected: Numbers = None
+    actual: Numbers = None
+    at: Numbers = None
     function: str = ""  # that was called at this input
     fault: str = ""  # of ours, in looking for a name
 
-    def named(self, suspect: str | None, follows_from: str = "", fault: str = "") -> "Failure":
+    def with_mistake(self, suspect: str | None, follows_from: str = "", fault: str = "") -> "Failure":
         """Add the known mistake, or where it was made, or with what kept us from finding one."""
         return replace(self, suspect=suspect, follows_from=follows_from, fault=fault)

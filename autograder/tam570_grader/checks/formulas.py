@@ -1,13 +1,14 @@
 """Formulas in plain symbols: their values, and whether an equation of motion follows from one's own Lagrangian."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tam570.values import Numbers
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed, NotWritten
+from tam570_grader.checks.student import StudentFunction, StudentModule
 
 __all__ = ["from_own_lagrangian", "in_symbols"]
 
@@ -25,7 +26,7 @@ def in_symbols(cases: Iterable[Case], *symbols: str) -> list[Case]:
     ]
 
 
-def from_own_lagrangian(student: Any, cases: Sequence[Case], otherwise: str) -> Callable[..., str]:
+def from_own_lagrangian(student: StudentModule, cases: Sequence[Case], otherwise: str) -> Callable[..., str]:
     """Return a hint for `lagrange_equation`.
 
     Whether a wrong x'' is that of the student's own `lagrangian` of x, v and more.
@@ -34,7 +35,7 @@ def from_own_lagrangian(student: Any, cases: Sequence[Case], otherwise: str) -> 
     """
     equation, lagrangian, points = student.lagrange_equation, student.lagrangian, [dict(case.kwargs) for case in cases]
 
-    def hint(*_: Any) -> str:
+    def hint(*_: Numbers) -> str:
         try:
             values = equation.at([{name: point[name] for name in equation.returns.symbols} for point in points])
             accelerations = _accelerations(lagrangian, points, *lagrangian.returns.symbols[:2])
@@ -46,7 +47,7 @@ def from_own_lagrangian(student: Any, cases: Sequence[Case], otherwise: str) -> 
     return hint
 
 
-def _accelerations(lagrangian: Any, points: list[dict[str, float]], x: str, v: str) -> NDArray[np.float64]:
+def _accelerations(lagrangian: StudentFunction, points: list[dict[str, float]], x: str, v: str) -> NDArray[np.float64]:
     """x'' = (L_x - L_vx v) / L_vv by central differences."""
     shifts = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
     moved = [{**p, x: p[x] * (1 + i * STEP), v: p[v] * (1 + j * STEP)} for p in points for i, j in shifts]

@@ -3,22 +3,24 @@
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tam570.values import Function, Numbers
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.effort import Exhausted, limited
 from tam570_grader.checks.expect import Failed, NotWritten
 from tam570_grader.checks.expected import expected_result
+from tam570_grader.checks.student import StudentFunction
 
 __all__ = ["ROUGHLY", "Motion", "diagnosed", "flat", "obeys"]
 
 Array = NDArray[np.float64]
+Restart = Callable[[Array], tuple[Numbers, ...]]  # the arguments behind t that begin the motion at a row
 
 
-def flat(rows: Any) -> Array:
+def flat(rows: Numbers) -> Array:
     """(n, k) of rows, or of several arrays of them side by side."""
     parts = rows if isinstance(rows, tuple) else (rows,)
     return np.hstack([np.reshape(part, (len(part), -1)) for part in parts])
@@ -49,9 +51,9 @@ class Motion:
     actual: Array
     expected: Array
     scales: Array
-    function: Any
-    reference: Callable[..., Any]
-    restart: Callable[[Array], tuple[Any, ...]] | None = None
+    function: StudentFunction
+    reference: Function
+    restart: Restart | None = None
 
     @property
     def t(self) -> Array:
@@ -67,7 +69,7 @@ class Motion:
     def error(self) -> float:
         return float(self.errors.max())
 
-    def near(self, rows: Any, quantity: Any = None) -> bool:
+    def near(self, rows: Numbers, quantity: Numbers = None) -> bool:
         """Return whether the student's rows, or some of them, are these, and not as well the right ones."""
         actual, tolerance = self.actual if quantity is None else quantity, min(ALIKE, BETTER * self.error)
         return np.shape(rows) == actual.shape and bool(np.max(np.abs(rows - actual) / self.scales) <= tolerance)
@@ -79,7 +81,7 @@ class Motion:
         except (Failed, NotWritten):
             return None
 
-    def truly(self, t: Array, *start: Any) -> Array:
+    def truly(self, t: Array, *start: Numbers) -> Array:
         """Return the right rows at other times, or from another start."""
         case = self.case.replace(t, *start)
         return flat(expected_result(self.reference, case))
@@ -312,7 +314,7 @@ def _apart(motion: Motion, starts: Sequence[tuple[float, Array]], instant: float
     return max(rates)
 
 
-def _restart(motion: Motion, row: Array) -> tuple[Any, ...]:
+def _restart(motion: Motion, row: Array) -> tuple[Numbers, ...]:
     """Return the arguments behind t that begin the motion at a row; ValueError where the row does not tell them."""
     if motion.restart:
         return motion.restart(row)

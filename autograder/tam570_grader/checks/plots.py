@@ -4,14 +4,15 @@ import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from functools import partial
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tam570.values import Json
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import expect, expect_that, fail, get_context
 from tam570_grader.checks.returns import Drawing, Line
+from tam570_grader.checks.student import StudentFunction
 
 __all__ = [
     "along",
@@ -25,6 +26,7 @@ __all__ = [
 ]
 
 Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]  # points of the plane
 
 SEEN, WITHIN, EXTENT = 0.5, 0.9, 0.02  # of a curve's points, of them, of the figure: a curve with less is not seen
 STRAIGHT = 1e-3  # of the axes: a logarithmic one over a tenth of a decade is bent by .03
@@ -85,7 +87,7 @@ def _is_along(points: ArrayLike, polygon: ArrayLike, limit: float) -> bool:
     return bool((_apart(places[:, None], corners[starts], corners[starts + 1]).min(axis=1) <= limit).all())
 
 
-def _apart(places: Any, starts: Any, ends: Any) -> Array:
+def _apart(places: Complex, starts: Complex, ends: Complex) -> Array:
     """Distance from each place to the side between the two points beside it, in the complex plane."""
     sides = ends - starts
     sides[sides == 0] = 1e-300
@@ -114,7 +116,7 @@ def path_drawn(
     size, drawn = float(np.ptp(path, axis=0).max()), along(line, path)
     limit = tolerance * size
     hint = partial(_other_path, drawn, path, others or {}, limit, wrong_source)
-    options: dict[str, Any] = {"unit": "m", "hint": hint, "near_miss_credit": near_miss_credit}
+    options: Json = {"unit": "m", "hint": hint, "near_miss_credit": near_miss_credit}
     expect(drawn[[0, -1]], path[[0, -1]], tolerance=limit, quantity=f"an end of {quantity}", **options)
     for points, polygon, what, near in (
         (drawn, path, f"a point of {quantity}", limit),
@@ -129,7 +131,9 @@ def path_drawn(
     )
 
 
-def _other_path(drawn: Array, path: Array, others: Mapping[str, ArrayLike], near: float, wrong_source: Any) -> str:
+def _other_path(
+    drawn: Array, path: Array, others: Mapping[str, ArrayLike], near: float, wrong_source: Callable[[], str]
+) -> str:
     """Return which other path has the ends of the drawn one, if one has."""
     for message, paths in others.items():
         each = np.reshape(paths, (-1, *np.shape(paths)[-2:]))
@@ -147,7 +151,7 @@ def _arc_length(path: Array) -> float:
     return float(np.sum(np.linalg.norm(np.diff(path, axis=0), axis=1)))
 
 
-def _some(points: ArrayLike, most: int) -> NDArray[Any]:
+def _some(points: ArrayLike, most: int) -> Complex:
     """Return every kth of the points, so that there are `most` or fewer, in the complex plane."""
     points = np.asarray(points, float)
     x, y = points[:: -(-len(points) // most)].T
@@ -217,7 +221,7 @@ def words(label: str) -> set[str]:
     return {word if len(word) == 1 else word.lower() for word in stripped}
 
 
-def judge_boxes(function: Any, cases: Iterable[tuple[Array, Array, str]], tolerance: float) -> None:
+def judge_boxes(function: StudentFunction, cases: Iterable[tuple[Array, Array, str]], tolerance: float) -> None:
     """Require the twelve edges of boxes R, size=size around the origin, each of a kind in words."""
     for R, size, label in cases:
         (edges,) = function.many([Case(R, size=size).labelled(label)])
@@ -263,7 +267,7 @@ MISTAKEN_BOXES: dict[str, Callable[[Array, Array], Array]] = {
 def _mistake(actual: Array, R: Array, size: Array, tolerance: float) -> str:
     """Return what is wrong, if it is a known mistake, else what to look at."""
     near = tolerance * max(size)
-    named = [message for message, box in MISTAKEN_BOXES.items() if _mismatch(actual, box(R, size)) < near]
-    if not named and _astray(actual, _edges(R, size)) < near:
+    mistaken = [message for message, box in MISTAKEN_BOXES.items() if _mismatch(actual, box(R, size)) < near]
+    if not mistaken and _astray(actual, _edges(R, size)) < near:
         return "Each drawn edge is an edge of the box: is one drawn twice, and another missing?"
-    return named[0] if named else "Three edges meet at each of the eight corners; the centre is the origin"
+    return mistaken[0] if mistaken else "Three edges meet at each of the eight corners; the centre is the origin"

@@ -12,10 +12,12 @@ accepted is what `numpy.asarray` turns into that shape: lists, tuples and NumPy 
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import TypeGuard
 
 import numpy as np
+from numpy.typing import NDArray
 
+from tam570.values import Numbers
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed
 from tam570_grader.protocol.wire import Foreign
@@ -43,7 +45,8 @@ __all__ = [
 ]
 
 
-Scale = Callable[[Case, Any], Any]  # scale(case, right result) -> what an error is relative to
+Sizes = tuple[int | str | None, ...]
+Scale = Callable[[Case, Numbers], Numbers]  # scale(case, right result) -> what an error is relative to
 
 
 @dataclass(frozen=True)
@@ -61,7 +64,7 @@ class Array:
 
     shape: tuple[int | str | None, ...]
     infinite: bool = False  # may be math.inf
-    columns: Sequence[Any] = field(default=(), compare=False)  # each a `Column`
+    columns: Sequence[Numbers] = field(default=(), compare=False)  # each a `Column`
     description: Description = field(default=Description(), compare=False)
 
     def described(self, quantity: str, unit: str = "", scale: Scale | None = None) -> "Array":
@@ -76,7 +79,7 @@ class Group:
     members: tuple["Array | Group", ...]
 
     @property
-    def description(self) -> list[Any]:
+    def description(self) -> list[Numbers]:
         return [member.description for member in self.members]
 
 
@@ -141,12 +144,12 @@ drawing = Drawing()
 ReturnSpec = Array | Group | Formula | Drawing | FreeBodyDiagram
 
 
-def array(*shape: int | str | None, infinite: bool = False, columns: Sequence[Any] = ()) -> Array:
+def array(*shape: int | str | None, infinite: bool = False, columns: Sequence[Numbers] = ()) -> Array:
     """Describe an array of this shape."""
     return Array(shape, infinite, columns)
 
 
-def rows(*shape: int, columns: Sequence[Any] = ()) -> Array:
+def rows(*shape: int, columns: Sequence[Numbers] = ()) -> Array:
     """One row for each element of the first argument: `(n, *shape)`."""
     return Array(("n", *shape), columns=columns)
 
@@ -166,7 +169,7 @@ def free_body_diagram(dimension: int) -> FreeBodyDiagram:
     return FreeBodyDiagram(dimension)
 
 
-def result(returns: Array | Group | FreeBodyDiagram, value: Any, name: str, call: Case) -> Any:
+def result(returns: Array | Group | FreeBodyDiagram, value: object, name: str, call: Case) -> Numbers:
     """Return the student's result in the promised form.
 
     A float, an array, or a tuple of these or of arrows; else Failed.
@@ -186,7 +189,7 @@ def result(returns: Array | Group | FreeBodyDiagram, value: Any, name: str, call
     return numbers if numbers.ndim else float(numbers)
 
 
-def results_alike(returns: ReturnSpec, values: Sequence[Any]) -> list[Any] | None:
+def results_alike(returns: ReturnSpec, values: Sequence[Numbers]) -> list[Numbers] | None:
     """Return the results of several calls, as `result` makes each, where all are as promised.
 
     None where one may not be.
@@ -209,10 +212,9 @@ def results_alike(returns: ReturnSpec, values: Sequence[Any]) -> list[Any] | Non
     return list(numbers.astype(np.float64)) if returns.shape else numbers.astype(np.float64).tolist()
 
 
-def _members(returns: Group, value: Any, name: str, call: Case) -> tuple[Any, ...]:
-    several = _is_sequence(value)
-    if not several or len(value) != len(returns.members):
-        came = f"{_size(len(value))} results" if several else _kind(value)
+def _members(returns: Group, value: object, name: str, call: Case) -> tuple[Numbers, ...]:
+    if not _is_sequence(value) or len(value) != len(returns.members):
+        came = f"{_size(len(value))} results" if _is_sequence(value) else _kind(value)
         raise Failed(f"{name} returned {came}, not a tuple of {len(returns.members)} results")
     return tuple(
         result(member, item, f"{name} (result {index})", call)
@@ -220,11 +222,11 @@ def _members(returns: Group, value: Any, name: str, call: Case) -> tuple[Any, ..
     )
 
 
-def _is_sequence(value: Any) -> bool:
+def _is_sequence(value: object) -> TypeGuard[list[Numbers] | NDArray[np.generic]]:
     return isinstance(value, list) or (isinstance(value, np.ndarray) and value.ndim > 0)
 
 
-def _arrows(returns: FreeBodyDiagram, value: Any, name: str) -> tuple[Arrow, ...]:
+def _arrows(returns: FreeBodyDiagram, value: object, name: str) -> tuple[Arrow, ...]:
     """Return the arrows of a diagram; one of length zero draws nothing."""
     if not _is_sequence(value):
         raise Failed(f"{name} returned {_kind(value)}, not a list of pairs (point, direction)")
@@ -234,7 +236,7 @@ def _arrows(returns: FreeBodyDiagram, value: Any, name: str) -> tuple[Arrow, ...
     return tuple(arrow for arrow in arrows if arrow.direction is None or arrow.direction.any())
 
 
-def _arrow(returns: FreeBodyDiagram, pair: Any, name: str) -> Arrow:
+def _arrow(returns: FreeBodyDiagram, pair: object, name: str) -> Arrow:
     if not _is_sequence(pair) or len(pair) != 2:
         raise Failed(f"{name} is not a pair (point, direction)")
     point, direction = pair
@@ -242,7 +244,7 @@ def _arrow(returns: FreeBodyDiagram, pair: Any, name: str) -> Arrow:
     return Arrow(_vector(returns, point, name), None if unknown else _vector(returns, direction, name))
 
 
-def _vector(returns: FreeBodyDiagram, value: Any, name: str) -> np.ndarray:
+def _vector(returns: FreeBodyDiagram, value: object, name: str) -> np.ndarray:
     """Return a vector of the diagram's dimension; in a plane a third component of zero does no harm."""
     numbers = _array(value, name)
     if returns.dimension == 2 and numbers.shape == (3,) and numbers[2] == 0:
@@ -255,7 +257,7 @@ def _vector(returns: FreeBodyDiagram, value: Any, name: str) -> np.ndarray:
     return numbers
 
 
-def _array(value: Any, name: str) -> np.ndarray:
+def _array(value: object, name: str) -> np.ndarray:
     """Return the value as float64; complex numbers, objects, strings and ragged lists are none."""
     try:
         numbers = np.asarray(value)
@@ -266,20 +268,25 @@ def _array(value: Any, name: str) -> np.ndarray:
     return numbers.astype(np.float64)
 
 
-def _fits(shape: tuple[int, ...], wanted: tuple[Any, ...]) -> bool:
+def _fits(shape: tuple[int, ...], wanted: Sizes) -> bool:
     sizes = zip(shape, wanted, strict=False)
     return len(shape) == len(wanted) and all(
         have == want if want is not None else 0 < have <= LONGEST for have, want in sizes
     )
 
 
-def _cut_short(returns: Array, shape: tuple[int, ...], wanted: tuple[Any, ...]) -> str:
+def _cut_short(returns: Array, shape: tuple[int, ...], wanted: Sizes) -> str:
     """Return a row may be forgotten; where several are missing, an integrator gave up."""
-    rows_missing = returns.shape[:1] == ("n",) and shape[1:] == wanted[1:] and shape[:1] < (wanted[0] - 1,)
+    rows_missing = (
+        returns.shape[:1] == ("n",)
+        and shape[1:] == wanted[1:]
+        and isinstance(wanted[0], int)
+        and shape[0] < wanted[0] - 1
+    )
     return "Rows are missing: did the integration stop early?" if rows_missing else ""
 
 
-def _shaped(shape: tuple[Any, ...]) -> str:
+def _shaped(shape: Sizes) -> str:
     if not shape:
         return "a single number"
     if 0 in shape:
@@ -290,14 +297,14 @@ def _shaped(shape: tuple[Any, ...]) -> str:
     return f"an array of shape ({sizes}{',' if len(shape) == 1 else ''})"
 
 
-def _size(size: Any) -> str:
+def _size(size: int | str) -> str:
     """Return a length in words: a long one could be an input, written out."""
     return "many" if isinstance(size, int) and size > LONGEST_TOLD else str(size)
 
 
-def _kind(value: Any) -> str:
+def _kind(value: object) -> str:
     if isinstance(value, Foreign):
-        return value.kind
+        return value.type_name
     if isinstance(value, np.ndarray) and value.dtype.kind == "c":
         return "complex numbers"
     if value is None:

@@ -1,10 +1,9 @@
 """The times of simulations: uneven ones for every check, and cases that follow one another."""
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
+from tam570.values import Numbers
 from tam570_grader.checks.case import Case
 
 __all__ = ["SOME_TIMES", "repeated_calls", "uneven"]
@@ -24,7 +23,7 @@ def uneven(rng: np.random.Generator, span: float, count: int, start: float | Non
     return np.asarray(start + span * steps / steps[-1])
 
 
-def repeated_calls(rng: np.random.Generator, case: Case, *, start: Any = None, **parameters: Any) -> list[Case]:
+def repeated_calls(rng: np.random.Generator, case: Case, *, start: Numbers = None, **parameters: Numbers) -> list[Case]:
     """Return the simulation of a case at other times, from another start, and with other parameters.
 
     Nothing may be kept.
@@ -45,7 +44,7 @@ def repeated_calls(rng: np.random.Generator, case: Case, *, start: Any = None, *
     return [other.labelled("a call like the one before", KEPT) for other in changed]
 
 
-def _other(rng: np.random.Generator, value: Any) -> Any:
+def _other(rng: np.random.Generator, value: Numbers) -> Numbers:
     """Return a value that differs: of several numbers only the first, for what grows alike may change nothing."""
     if isinstance(value, str):
         return None

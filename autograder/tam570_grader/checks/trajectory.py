@@ -4,16 +4,17 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import product
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tam570.values import Numbers
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.compare import Batch, Column, Reference, find_reference, is_right
-from tam570_grader.checks.curves import conserved_curve
+from tam570_grader.checks.curves import Curve, conserved_curve
 from tam570_grader.checks.expect import NEAR_MISS, NEAR_MISS_SHARE, UNLOCKING_SHARE, expect, get_context
-from tam570_grader.checks.motions import ROUGHLY, Motion, diagnosed, flat, obeys
+from tam570_grader.checks.motions import ROUGHLY, Motion, Restart, diagnosed, flat, obeys
+from tam570_grader.checks.student import StudentFunction
 
 __all__ = ["Invariant", "OwnRates", "check_conserved", "compare_invariants", "compare_trajectory"]
 
@@ -48,9 +49,9 @@ class OwnRates:
     arguments : (t, row) -> what the rates are asked for there; words of the motion's case follow
     """
 
-    function: Any
+    function: StudentFunction
     reference: Reference
-    arguments: Callable[[float, Array], tuple[Any, ...]]
+    arguments: Callable[[float, Array], tuple[Numbers, ...]]
 
     def are_right(self, motion: Motion) -> bool:
         """Return whether they are right at some rows of the right motion."""
@@ -68,7 +69,7 @@ class OwnRates:
 
 
 def compare_trajectory(
-    function: Any,
+    function: StudentFunction,
     reference: Reference,
     cases: Iterable[Case],
     columns: Sequence[Column] = (),
@@ -77,7 +78,7 @@ def compare_trajectory(
     hint: str | Callable[[Motion], str] = "",
     keeps: Invariant | None = None,
     own_rates: OwnRates | None = None,
-    restart: Callable[[Array], tuple[Any, ...]] | None = None,
+    restart: Restart | None = None,
     near_miss_credit: bool = True,
     loose_tolerance_credit: bool = True,
     chaotic: bool = False,
@@ -109,7 +110,7 @@ def compare_trajectory(
     for motion in sorted(motions, key=order, reverse=True):
         if chaotic and motion.error > tolerance and obeys(motion, everywhere=True):
             continue
-        get_context().judge(function.name, motion.case)
+        get_context().set_call(function.name, motion.case)
         if not chaotic:
             _note(motion, columns, tolerance)
         _compare(
@@ -125,7 +126,7 @@ def compare_trajectory(
 
 
 def check_conserved(
-    function: Any,
+    function: StudentFunction,
     reference: Reference,
     cases: Iterable[Case],
     *invariants: Invariant,
@@ -154,7 +155,7 @@ def check_conserved(
 
 
 def compare_invariants(
-    function: Any,
+    function: StudentFunction,
     motions: Iterable[Motion],
     *invariants: Invariant,
     partial: dict[float, float] | None = None,
@@ -164,7 +165,7 @@ def compare_invariants(
     for invariant, motion in product(invariants, motions):
         case = motion.case
         start = invariant.value(motion.expected[:1], **case.kwargs)
-        get_context().judge(function.name, case)
+        get_context().set_call(function.name, case)
         expect(
             invariant.value(motion.actual, **case.kwargs),
             np.broadcast_to(start, (len(motion.actual), *np.shape(start)[1:])),
@@ -179,7 +180,12 @@ def compare_invariants(
 
 
 def _motions(
-    function: Any, reference: Reference, cases: Iterable[Case], columns: Sequence[Column], restart: Any, hopeless: float
+    function: StudentFunction,
+    reference: Reference,
+    cases: Iterable[Case],
+    columns: Sequence[Column],
+    restart: Restart | None,
+    hopeless: float,
 ) -> list[Motion]:
     """Return the student's motions, the longest first; where its error is hopeless, the others are not asked for."""
     motions, true = list[Motion](), find_reference(reference, function)
@@ -195,7 +201,7 @@ def _motions(
     return motions
 
 
-def _scaled_rows(batch: Batch, columns: Sequence[Column]) -> tuple[Any, list[tuple[Array, Array]]]:
+def _scaled_rows(batch: Batch, columns: Sequence[Column]) -> tuple[Sequence[Column], list[tuple[Array, Array]]]:
     """Return the right rows of each case and their scales; with the columns, by which they are remembered."""
     rows = map(flat, batch.expected)
     pairs = zip(batch.cases, rows, strict=True)
@@ -208,7 +214,7 @@ def _note(motion: Motion, columns: Sequence[Column], tolerance: float) -> None:
         where = np.arange(motion.expected.shape[1])[column.where].tolist()
         scale = float(np.max(motion.scales[where]))
         limits = {"quantity": column.quantity, "scale": scale, "tolerance": tolerance}
-        get_context().note(motion.function, motion.case, None, where, motion.expected[:, where], **limits)
+        get_context().add_example(motion.function, motion.case, None, where, motion.expected[:, where], **limits)
 
 
 def _telling(tolerance: float, motion: Motion) -> tuple[bool, int, float]:
@@ -229,14 +235,14 @@ def _compare(
     motion: Motion,
     columns: Sequence[Column],
     tolerance: float,
-    hint: Any,
+    hint: Callable[[], str],
     keeps: Invariant | None,
     near_miss_credit: bool,
     loose_tolerance_credit: bool,
 ) -> None:
     """Judge the column that is off most, in its own unit."""
     where = [column.where for column in columns]
-    worst = int(np.argmax([np.max(motion.errors[:, place], initial=0.0) for place in where]))
+    worst = int(np.argmax([np.max(motion.errors[:, indices], initial=0.0) for indices in where]))
     size, column = float(np.max(motion.scales[where[worst]])), columns[worst]
     expect(
         motion.actual[:, column.where],
@@ -269,7 +275,7 @@ def _hint(
     motions: Sequence[Motion],
     turns: Sequence[int],
     near_miss: float,
-    hint: Any,
+    hint: str | Callable[[Motion], str],
     own_rates: OwnRates | None,
 ) -> str:
     rates_are_right = partial(own_rates.are_right, motion) if own_rates else None
@@ -279,7 +285,7 @@ def _hint(
     return said or ("" if callable(hint) else hint)
 
 
-def _along(invariant: Invariant, motion: Motion) -> Any:
+def _along(invariant: Invariant, motion: Motion) -> Curve | None:
     values = invariant.value(motion.actual, **motion.case.kwargs) / invariant.size(motion.case, motion.expected)
     return conserved_curve(
         motion.case.args[0], values, tolerance=invariant.tolerance, quantity=invariant.quantity, unit=invariant.unit

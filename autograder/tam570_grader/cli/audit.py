@@ -4,17 +4,17 @@ import argparse
 import json
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any
 
+from tam570.values import Function
 from tam570_grader.cli.options import Commands, add_cluster, positive
 from tam570_grader.errors import UsageError, say
-from tam570_grader.grading.executor import cores
+from tam570_grader.grading.executor import TaskExecutor, cores
 
 __all__ = ["add_audit"]
 
 QUICK_SEEDS = 2
-Answer = tuple[Any, list[str], int]  # plain data, lines to print, faults
-Question = Callable[[Path, str, Any, argparse.Namespace], Answer]
+Answer = tuple[object, list[str], int]  # plain data, lines to print, faults
+Question = Callable[[Path, str, TaskExecutor, argparse.Namespace], Answer]
 
 
 def add_audit(commands: Commands) -> argparse.ArgumentParser:
@@ -41,7 +41,7 @@ def add_audit(commands: Commands) -> argparse.ArgumentParser:
     return audit
 
 
-def _add_questions(add: Callable[..., Any]) -> None:
+def _add_questions(add: Function) -> None:
     """Choose what is asked instead of what becomes of mutants."""
     add(
         "--fairness",
@@ -72,7 +72,7 @@ def _audit(arguments: argparse.Namespace) -> int:
     if not arguments.cluster:
         warn_of_isolation()
     faults = 0
-    slugs = assignments.named(arguments.assignments, assignments.slugs(course))
+    slugs = assignments.match_slugs(arguments.assignments, assignments.slugs(course))
     slugs = _with_functions(course, slugs, arguments.function) if arguments.function else slugs
     with executor_of(arguments, course, slugs) as executor:
         for slug in slugs:
@@ -103,14 +103,14 @@ def _with_functions(course: Path, slugs: Sequence[str], names: Sequence[str]) ->
     return [slug for slug in slugs if there[slug] & set(names)]
 
 
-def _mutation(course: Path, slug: str, executor: Any, arguments: argparse.Namespace) -> Answer:
+def _mutation(course: Path, slug: str, executor: TaskExecutor, arguments: argparse.Namespace) -> Answer:
     from tam570_grader.audit import mutation
 
     fates = mutation.fates(course, slug, executor, arguments.quick, arguments.function)
     return mutation.as_json(fates), mutation.report(fates), fates.faults
 
 
-def _fairness(course: Path, slug: str, executor: Any, arguments: argparse.Namespace) -> Answer:
+def _fairness(course: Path, slug: str, executor: TaskExecutor, arguments: argparse.Namespace) -> Answer:
     from tam570_grader.audit import fairness
 
     seeds = QUICK_SEEDS if arguments.quick else arguments.fairness
@@ -119,21 +119,21 @@ def _fairness(course: Path, slug: str, executor: Any, arguments: argparse.Namesp
     return counts, fairness.report(lines), counts["false_fails"]
 
 
-def _diagnosis(course: Path, slug: str, executor: Any, arguments: argparse.Namespace) -> Answer:
+def _diagnosis(course: Path, slug: str, executor: TaskExecutor, arguments: argparse.Namespace) -> Answer:
     from tam570_grader.audit import diagnosis
 
     diagnoses = diagnosis.diagnoses(course, slug, executor, arguments.quick)
     return diagnosis.as_json(slug, diagnoses), diagnosis.report(slug, diagnoses), diagnosis.faults(diagnoses)
 
 
-def _margins(course: Path, slug: str, executor: Any, arguments: argparse.Namespace) -> Answer:
+def _margins(course: Path, slug: str, executor: TaskExecutor, arguments: argparse.Namespace) -> Answer:
     from tam570_grader.audit import margins
 
     by_check = margins.margins(course, slug, QUICK_SEEDS if arguments.quick else margins.SEEDS, executor)
     return margins.as_json(slug, by_check), margins.report(slug, by_check), margins.faults(by_check)
 
 
-def _cases(course: Path, slug: str, executor: Any, arguments: argparse.Namespace) -> Answer:
+def _cases(course: Path, slug: str, executor: TaskExecutor, arguments: argparse.Namespace) -> Answer:
     from tam570_grader.audit import cases
 
     seeds = arguments.seeds or (QUICK_SEEDS if arguments.quick else cases.SEEDS)

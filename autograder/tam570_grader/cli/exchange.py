@@ -194,7 +194,7 @@ def _ungraded(folder: Path, course: Path, only: Sequence[str]) -> list[str]:
         here = [
             (record["student"], record["assignment"]) for record in graded.values() if record["status"] != "missing"
         ]
-    for slug in assignments.named(only, sorted({slug for _, slug in here})):
+    for slug in assignments.match_slugs(only, sorted({slug for _, slug in here})):
         for part in assignments.manual_parts(course, slug) if slug in slugs else ():
             waiting = [who for who, which in here if which == slug and adjustments.points_of(who, slug, part) is None]
             if waiting:
@@ -243,4 +243,4 @@ def _course_and_slug(arguments: argparse.Namespace, graded: Sequence[Path]) -> t
 
     course = course_config.course_of(arguments.root, graded)
     slugs = assignments.slugs(course)
-    return course, slugs, assignments.one_named(arguments.assignment, slugs)
+    return course, slugs, assignments.match_slug(arguments.assignment, slugs)

@@ -7,12 +7,21 @@ import zlib
 from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 from tam570_grader.cli.options import Commands, add_cluster, natural, positive
 from tam570_grader.cli.run import RunSummary, whole_run
 from tam570_grader.errors import UsageError, counted, say, warn
 from tam570_grader.grading.executor import cores
+
+if TYPE_CHECKING:
+    from contextlib import AbstractContextManager
+
+    from tam570_grader.grading.batch import RunConfig
+    from tam570_grader.grading.cluster import Cluster
+    from tam570_grader.grading.executor import TaskExecutor
+    from tam570_grader.grading.submissions import Submission
+    from tam570_grader.results.store import Results
 
 __all__ = ["add_grade", "executor_of", "warn_of_isolation"]
 
@@ -105,7 +114,7 @@ def _what_is_kept(out: Path | None, summary: RunSummary) -> str:
     return f"{counted(len(summary.store or ()), 'result')} kept in {out}; the same command goes on from there"
 
 
-def _print_results(arguments: argparse.Namespace, course: Path, config: Any, summary: RunSummary) -> int:
+def _print_results(arguments: argparse.Namespace, course: Path, config: "RunConfig", summary: RunSummary) -> int:
     """Print what was asked for; the exit code."""
     from tam570_grader.grading import regrade
 
@@ -118,7 +127,9 @@ def _print_results(arguments: argparse.Namespace, course: Path, config: Any, sum
     return _warn_of_faults(summary)
 
 
-def _config(arguments: argparse.Namespace, course: Path, chosen: list[Any], earlier: list[Any]) -> Any:
+def _config(
+    arguments: argparse.Namespace, course: Path, chosen: "list[Submission]", earlier: "list[Results]"
+) -> "RunConfig":
     """Return what is graded and how; of the results that are there it takes the seed."""
     from tam570_grader.course import course_config
     from tam570_grader.grading import seeds
@@ -144,7 +155,7 @@ def _folders(course: Path) -> list[Path]:
     return [course, (course / "shared").resolve().parent, course.parents[1]]
 
 
-def _cluster(arguments: argparse.Namespace) -> Any:
+def _cluster(arguments: argparse.Namespace) -> "Cluster | None":
     """Return the cluster that was named; None for this machine alone."""
     from tam570_grader.grading.cluster import Cluster
 
@@ -155,7 +166,9 @@ def _cluster(arguments: argparse.Namespace) -> Any:
     return Cluster(arguments.cluster, arguments.certificates, arguments.unconfined)
 
 
-def executor_of(arguments: argparse.Namespace, course: Path, slugs: Sequence[str]) -> Any:
+def executor_of(
+    arguments: argparse.Namespace, course: Path, slugs: Sequence[str]
+) -> "AbstractContextManager[TaskExecutor]":
     """Return who does the work, by the options --jobs and --cluster."""
     from tam570_grader.grading.executor import executor
 
@@ -163,7 +176,7 @@ def executor_of(arguments: argparse.Namespace, course: Path, slugs: Sequence[str
     return cluster.executor(course, slugs, arguments.jobs) if cluster else executor(arguments.jobs)
 
 
-def _print_tables(summary: RunSummary, config: Any) -> None:
+def _print_tables(summary: RunSummary, config: "RunConfig") -> None:
     from tam570_grader.reports import feedback
 
     say(feedback.table(sorted(summary.rows, key=lambda row: (row[1], row[0]))))
@@ -173,7 +186,7 @@ def _print_tables(summary: RunSummary, config: Any) -> None:
         say(f"the points that you give by hand are not in it yet: {lacking}")
 
 
-def _missing_points(summary: RunSummary, config: Any) -> str:
+def _missing_points(summary: RunSummary, config: "RunConfig") -> str:
     """Return how many points of which assignments were not given by hand yet."""
     from tam570_grader.checks import assignments
 
@@ -210,14 +223,14 @@ def _shard(text: str) -> tuple[int, int]:
     return int(k), int(n)
 
 
-def _submissions(arguments: argparse.Namespace, slugs: list[str]) -> list[Any]:
+def _submissions(arguments: argparse.Namespace, slugs: list[str]) -> "list[Submission]":
     from tam570_grader.checks import assignments
     from tam570_grader.grading import roster
     from tam570_grader.grading.skipped_files import not_handed_in, skipped_files
     from tam570_grader.grading.submissions import handed_in, submissions
 
-    slug = assignments.one_named(arguments.assignment, slugs)
-    only = assignments.named(arguments.only or (), slugs)
+    slug = assignments.match_slug(arguments.assignment, slugs)
+    only = assignments.match_slugs(arguments.only or (), slugs)
     students = roster.folders(arguments.roster) if arguments.roster else ()
     if slug and arguments.format == "gradescope" and len(arguments.paths) == 1 and arguments.paths[0].is_dir():
         return [handed_in(arguments.paths[0], slug)]

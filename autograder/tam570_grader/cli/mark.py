@@ -7,7 +7,7 @@ from pathlib import Path
 from tam570_grader.cli.options import Commands, natural
 from tam570_grader.errors import UsageError, say
 from tam570_grader.grading.submissions import submissions
-from tam570_grader.lms.mark import Desk, Sheet, serve
+from tam570_grader.lms.mark import Desk, StudentWork, serve
 from tam570_grader.results import manual_points
 from tam570_grader.results.store import ResultStore, results
 
@@ -46,12 +46,12 @@ def _mark(arguments: argparse.Namespace) -> int:
     slugs = assignments.slugs(course)
     with contextlib.closing(results(folder)) as graded:
         keys = sorted((record["assignment"], record["student"]) for record in graded.values())
-    chosen = assignments.named(arguments.only, sorted({slug for slug, _ in keys}))
+    chosen = assignments.match_slugs(arguments.only, sorted({slug for slug, _ in keys}))
     rubrics = {slug: assignments.assignment(course, slug).rubric for slug in chosen if slug in slugs}
     work = (
         {(submission.student, submission.slug): submission for submission in submissions(tree, slugs)} if tree else {}
     )
-    sheets = [Sheet(who, slug, rubrics[slug], work.get((who, slug))) for slug, who in keys if rubrics.get(slug)]
+    sheets = [StudentWork(who, slug, rubrics[slug], work.get((who, slug))) for slug, who in keys if rubrics.get(slug)]
     if not sheets:
         raise UsageError(f"no assignment in {folder} has a part that is graded by hand")
     server, address = serve(Desk(folder, sheets, anonymous=arguments.anonymous), arguments.port)

@@ -1,9 +1,10 @@
 """What the commands' options have in common."""
 
 import argparse
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
+
+from tam570.values import Function
 
 __all__ = ["Commands", "add_cluster", "natural", "positive"]
 
@@ -24,7 +25,7 @@ def positive(text: str) -> int:
     return int(text)
 
 
-def add_cluster(add: Callable[..., Any]) -> None:
+def add_cluster(add: Function) -> None:
     """Add the options of what may run on other machines."""
     add(
         "--cluster",

@@ -38,7 +38,7 @@ def add_points(commands: Commands) -> argparse.ArgumentParser:
     add(
         "--template",
         action="store_true",
-        help="write the table to fill in, with what is known, to CSV instead, a new file",
+        help="write the table to fill in, with what is slugs, to CSV instead, a new file",
     )
     times = "collected.csv, which `collect` wrote: who is late by the dates in course.toml"
     add("--collected", type=Path, metavar="CSV", help=times)
@@ -55,8 +55,8 @@ def _points(arguments: argparse.Namespace) -> int:
         raise UsageError(f"there are no results in {folder}; make them with: tam570-grader grade ... --out {folder}")
     with contextlib.closing(results(folder)) as graded:
         slugs = sorted({slug for _, slug in graded})
-        known = assignments.slugs(course)
-        here = {slug: assignments.assignment(course, slug) for slug in slugs if slug in known}
+        offered = assignments.slugs(course)
+        here = {slug: assignments.assignment(course, slug) for slug in slugs if slug in offered}
         manual = {slug: here[slug].manual if slug in here else {} for slug in slugs}
         checks = {slug: {check.name: check.points for check in assignment.checks} for slug, assignment in here.items()}
         policies = late_policy.policies_of(course)

@@ -105,4 +105,4 @@ def _course_and_slugs(arguments: argparse.Namespace) -> tuple[Path, Path, list[s
     from tam570_grader.course import course_config
 
     course = course_config.course_of(arguments.root)
-    return course, arguments.folder, assignments.named(arguments.assignments, assignments.slugs(course))
+    return course, arguments.folder, assignments.match_slugs(arguments.assignments, assignments.slugs(course))

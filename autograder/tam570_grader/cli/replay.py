@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from tam570.values import Json
 from tam570_grader.checks.failure import Failure
 from tam570_grader.cli.options import Commands
 from tam570_grader.errors import Over, UsageError, say
@@ -27,7 +28,7 @@ def add_replay(commands: Commands) -> argparse.ArgumentParser:
     add("student", metavar="STUDENT")
     add("check", metavar="CHECK", help="the name of the check, as in results.jsonl")
     add("file", nargs="?", type=Path, metavar="FILE", help="a module or notebook, to make the call again")
-    add("--assignment", metavar="SLUG", help="which one it is, where two have a check of this name")
+    add("--assignment", metavar="SLUG", help="which value it is, where two have a check of this name")
     return replay
 
 
@@ -37,24 +38,24 @@ def _replay(arguments: argparse.Namespace) -> int:
     slug, why = _failure(arguments.results, arguments.student, arguments.check, arguments.assignment)
     say(f"{arguments.student}, {slug}, {arguments.check}: {describe_failure(why)}")
     if why.function:
-        call: dict[str, Any] = why.at
+        call: Json = why.at
         keywords = [f"{name}={_digits(_numbers(value))}" for name, value in call["kwargs"].items()]
-        say(f"\n{why.function}({', '.join([*(_digits(_numbers(one)) for one in call['args']), *keywords])})")
+        say(f"\n{why.function}({', '.join([*(_digits(_numbers(value)) for value in call['args']), *keywords])})")
     say(f"\nexpected: {_digits(why.expected)}\nactual:   {_digits(why.actual)}")
     if arguments.file:
         say(f"now:      {_again(arguments, slug, why)}")
     return 0
 
 
-def _failure(results: Path, student: str, check: str, given: str | None) -> tuple[str, Failure]:
-    """Return the assignment and the failure; UsageError where there is none, or more than one."""
-    from tam570_grader.checks.assignments import named
+def _failure(results: Path, student: str, check: str, assignment: str | None) -> tuple[str, Failure]:
+    """Return the assignment and the failure; UsageError where there is none, or more than value."""
+    from tam570_grader.checks.assignments import match_slugs
     from tam570_grader.results import records, store
 
     lines = [line for line in store.read(results) if line["student"] == student]
     if not lines:
         raise UsageError(f"{results} has no result of {student}")
-    slugs = named([given] if given else [], [line["assignment"] for line in lines])
+    slugs = match_slugs([assignment] if assignment else [], [line["assignment"] for line in lines])
     check_results = [
         (result.assignment, check_result) for result in map(records.read, lines) for check_result in result.checks
     ]
@@ -68,7 +69,7 @@ def _failure(results: Path, student: str, check: str, given: str | None) -> tupl
         return failures[0]
     if failures:
         both = _listed((slug, check) for slug, _ in failures)
-        raise UsageError(f"{student} failed {check} of several assignments: {both}; choose one with --assignment")
+        raise UsageError(f"{student} failed {check} of several assignments: {both}; choose value with --assignment")
     failed = (
         _listed((slug, check_result.name) for slug, check_result in check_results if check_result.failure) or "none"
     )
@@ -120,7 +121,7 @@ def _again(arguments: argparse.Namespace, slug: str, why: Failure) -> str:
         zygote.close()
 
 
-def _result(function: Any, at: dict[str, Any]) -> str:
+def _result(function: Any, at: Json) -> str:
     """Return what a function gives: numbers, the values of a formula, or the curves of a drawing."""
     from tam570_grader.checks.case import Case
     from tam570_grader.checks.returns import Drawing, Formula
@@ -140,7 +141,7 @@ def _result(function: Any, at: dict[str, Any]) -> str:
     return _digits(function(*args, **kwargs))
 
 
-def _numbers(value: Any) -> Any:
+def _numbers(value: object) -> Any:
     """Return a list of numbers as the array that it was; any other list as it is."""
     try:
         return np.array(value) if isinstance(value, list) and np.array(value).dtype.kind in "fi" else value
@@ -148,7 +149,7 @@ def _numbers(value: Any) -> Any:
         return value
 
 
-def _digits(value: Any) -> str:
+def _digits(value: object) -> str:
     """Return a value as Python, with all digits."""
     if isinstance(value, np.ndarray):
         return f"np.array({value.tolist()})"

@@ -7,13 +7,22 @@ import sys
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, TypeVar
 
+from tam570.values import Json
 from tam570_grader.errors import say
+
+if TYPE_CHECKING:
+    from tam570_grader.grading.batch import RunConfig
+    from tam570_grader.grading.regrade import Change
+    from tam570_grader.results.manual_points import ManualAdjustments
+    from tam570_grader.results.store import Results, ResultStore
 
 __all__ = ["RunSummary", "whole_run"]
 
-Record = dict[str, Any]  # a result line
+T = TypeVar("T")
+
+Record = Json  # a result line
 
 
 @dataclass
@@ -21,17 +30,17 @@ class RunSummary:
     """What is kept of the results of a run until its end: not the results."""
 
     rows: list[tuple[str, ...]] = field(default_factory=list)  # of the table
-    adjustments: Any = None  # what was added by hand
+    adjustments: "ManualAdjustments | None" = None  # what was added by hand
     faults: list[str] = field(default_factory=list)
-    changes: list[Any] = field(default_factory=list)
+    changes: "list[Change]" = field(default_factory=list)
     compared: int = 0
     last: Record = field(default_factory=dict)
-    store: Any = None  # the results in --out
+    store: "ResultStore | None" = None  # the results in --out
 
 
 def whole_run(
-    arguments: argparse.Namespace, course: Path, config_of: Callable[[list[Any]], Any], summary: RunSummary
-) -> Any:
+    arguments: argparse.Namespace, course: Path, config_of: "Callable[[list[Results]], RunConfig]", summary: RunSummary
+) -> "RunConfig":
     """Grade all, write the pages, and note what the end of the run needs; the plan, made of earlier results."""
     from tam570_grader.reports import feedback
     from tam570_grader.results import manual_points
@@ -61,7 +70,13 @@ def whole_run(
     return config
 
 
-def _run(config: Any, store: Any, old: list[Any], summary: RunSummary, arguments: argparse.Namespace) -> None:
+def _run(
+    config: "RunConfig",
+    store: "ResultStore | None",
+    old: "list[Results]",
+    summary: RunSummary,
+    arguments: argparse.Namespace,
+) -> None:
     """Grade, and note of each result what the end of the run will need."""
     from tam570_grader.grading.batch import CachedResult, outcomes
     from tam570_grader.reports.feedback import row
@@ -80,7 +95,7 @@ def _run(config: Any, store: Any, old: list[Any], summary: RunSummary, arguments
             say(json.dumps({**record, **change}, allow_nan=False))
 
 
-def _change(old: Any, record: Record, summary: RunSummary) -> dict[str, Any]:
+def _change(old: "Results", record: Record, summary: RunSummary) -> Json:
     """Return what became of the old score, as `--json` has it."""
     from tam570_grader.grading import regrade
     from tam570_grader.results.store import key_of
@@ -91,13 +106,13 @@ def _change(old: Any, record: Record, summary: RunSummary) -> dict[str, Any]:
     return {"change": change and asdict(change)}
 
 
-def _gone(old: Any, config: Any, arguments: argparse.Namespace) -> list[Any]:
+def _gone(old: "Results", config: "RunConfig", arguments: argparse.Namespace) -> "list[Change]":
     """Return the changes of those who are no longer there; they count among what is compared."""
     from tam570_grader.checks import assignments
     from tam570_grader.grading import regrade
 
     names = arguments.only or filter(None, [arguments.assignment])
-    slugs = assignments.named(names, assignments.slugs(config.course))
+    slugs = assignments.match_slugs(names, assignments.slugs(config.course))
     return regrade.gone(old, config.submissions, arguments.paths, slugs)
 
 
@@ -108,7 +123,7 @@ def _faults(record: Record) -> list[str]:
     return [f"the grader failed on {record['student']} {record['assignment']}: {'; '.join(errors)}"]
 
 
-def _with_progress(records: Iterable[Any], total: int) -> Iterator[Any]:
+def _with_progress(records: Iterable[T], total: int) -> Iterator[T]:
     """Yield the records, with a bar on a terminal."""
     if not sys.stderr.isatty():
         yield from records

@@ -3,8 +3,8 @@
 import json
 import re
 from collections.abc import Mapping
-from typing import Any
 
+from tam570.values import Json
 from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.checks.returns import Drawing, Formula, FreeBodyDiagram, Group, ReturnSpec
 
@@ -26,7 +26,7 @@ def contract(assignment: LoadedAssignment) -> str:
     return '{\n "results": {\n' + ",\n".join(results) + '\n },\n "off_limits": ' + banned + "\n}\n"
 
 
-def _plain(returns: ReturnSpec) -> dict[str, Any]:
+def _plain(returns: ReturnSpec) -> Json:
     """Return a promise as plain data."""
     if isinstance(returns, Group):
         return {"group": [_plain(member) for member in returns.members]}

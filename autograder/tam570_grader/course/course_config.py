@@ -14,10 +14,10 @@ import tempfile
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from pathlib import Path
-from typing import Any
 
+from tam570.values import Json
 from tam570_grader.checks import assignments
-from tam570_grader.checks.assignments import ADAPTED, OWN, LoadedAssignment
+from tam570_grader.checks.assignments import ADDITIONS, OVERRIDES, LoadedAssignment
 from tam570_grader.checks.rubric import with_rubric
 from tam570_grader.course import late_policy
 from tam570_grader.course.contract import contract, with_points
@@ -197,35 +197,35 @@ def _make(path: Path, base: Path, parts: Mapping[str, Changes], new: Path) -> No
         folder = assignments.checks_folder(new, slug)
         if part != Changes({}) or limits(new) != STANDARD:
             said = "".join(f"{name.upper()} = {value!r}\n" for name, value in vars(part).items() if name != "checks")
-            written(folder / f"{ADAPTED}.py", f'"""What {FILE} changes."""\n\n{said}')
+            written(folder / f"{OVERRIDES}.py", f'"""What {FILE} changes."""\n\n{said}')
             if part.checks:
-                shutil.copyfile(path.parent / part.checks, folder / f"{OWN}.py")
+                shutil.copyfile(path.parent / part.checks, folder / f"{ADDITIONS}.py")
             _rewrite_readme(path, assignments.assignment(new, slug), part, new / "assignments" / slug)
 
 
-def _parts(path: Path, given: Mapping[str, Any], slugs: Sequence[str]) -> dict[str, Changes]:
+def _parts(path: Path, settings: Json, slugs: Sequence[str]) -> dict[str, Changes]:
     """Return what changes of each assignment that the course has."""
-    tables = {key: value for key, value in given.items() if re.match(r"hw\d", key)}
-    no_other(path, "", given.keys() - tables, ("assignments", "limits", "late"))
-    must(path, isinstance(given.get("limits", {}), dict), "limits must be a table: write [limits] above its lines")
-    no_other(path, "[limits] ", given.get("limits", {}), [*STANDARD])
-    for name, value in given.get("limits", {}).items():
+    tables = {key: value for key, value in settings.items() if re.match(r"hw\d", key)}
+    no_other(path, "", settings.keys() - tables, ("assignments", "limits", "late"))
+    must(path, isinstance(settings.get("limits", {}), dict), "limits must be a table: write [limits] above its lines")
+    no_other(path, "[limits] ", settings.get("limits", {}), [*STANDARD])
+    for name, value in settings.get("limits", {}).items():
         is_positive = isinstance(value, int) and not isinstance(value, bool) and value > 0
         must(path, is_positive, f"[limits] {name} is {value!r}; write a whole number from 1 on")
-    names = given.get("assignments", [])
+    names = settings.get("assignments", [])
     must(path, _are_texts(names), 'assignments is a list of names, as in ["hw01", "hw07"]')
     for name in (*names, *tables):
         must(path, assignments.slug_of(name, slugs) is not None, f"there is no assignment {name!r}")
-    chosen = assignments.named(names, slugs)
+    chosen = assignments.match_slugs(names, slugs)
     changed = by_slug(path, tables, slugs)
     for slug, (key, _) in changed.items():
         must(path, slug in chosen, f"[{key}] is not among the assignments: add it there, or leave it out")
     parts = {slug: _part(path, *changed[slug]) if slug in changed else Changes({}) for slug in chosen}
-    late_policy.policies(path, given, chosen)
+    late_policy.policies(path, settings, chosen)
     return parts
 
 
-def _part(path: Path, key: str, table: Any) -> Changes:
+def _part(path: Path, key: str, table: Json) -> Changes:
     must(path, isinstance(table, dict), f"{key} must be a table: write [{key}] above its lines")
     no_other(path, f"[{key}] ", table, [*(field.name for field in fields(Changes)), *late_policy.KEYS, *COLUMNS])
     for name in ("leave_out", "allow"):
@@ -254,7 +254,7 @@ def _check(path: Path, assignment: LoadedAssignment, part: Changes) -> None:
     no_other(path, f"[{key}] allow: ", part.allow, forbidden)
 
 
-def _are_texts(value: Any) -> bool:
+def _are_texts(value: object) -> bool:
     return isinstance(value, list) and all(isinstance(item, str) for item in value)
 
 

@@ -2,10 +2,11 @@
 
 import difflib
 import tomllib
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
+from tam570.values import Json
 from tam570_grader.checks.assignments import slug_of
 from tam570_grader.errors import UsageError
 
@@ -16,7 +17,7 @@ COLUMNS = ("canvas", "blackboard", "brightspace")  # systems with a gradebook: w
 COPY = "made-by-course.toml"  # what it said, in the course that was made by it: no command makes another of that
 
 
-def toml(path: Path) -> dict[str, Any]:
+def toml(path: Path) -> Json:
     """Return the tables of the file; UsageError if it cannot be read."""
     try:
         return tomllib.loads(path.read_text(encoding="utf-8"))
@@ -38,7 +39,7 @@ def no_other(path: Path, where: str, names: Iterable[str], allowed: Iterable[str
         raise UsageError(f"{path}: {where}{name} is not known; do you mean {near[0]}?")
 
 
-def by_slug(path: Path, tables: Mapping[str, Any], slugs: Sequence[str]) -> dict[str, tuple[str, Any]]:
+def by_slug(path: Path, tables: Json, slugs: Sequence[str]) -> dict[str, tuple[str, Any]]:
     """Return the tables of assignments, each with the name that it has in the file; UsageError if one has two."""
     tables_by_slug: dict[str, tuple[str, Any]] = {}
     for key, table in tables.items():

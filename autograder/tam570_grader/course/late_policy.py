@@ -10,9 +10,9 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import date, datetime, time, timedelta, tzinfo
 from pathlib import Path
-from typing import Any
 from zoneinfo import ZoneInfo
 
+from tam570.values import Json
 from tam570_grader.course.course_toml import COPY, FILE, by_slug, must, no_other, toml
 from tam570_grader.errors import UsageError, counted
 from tam570_grader.results.collected import form
@@ -60,22 +60,22 @@ def policies_of(course: Path) -> dict[str, LatePolicy]:
     return policies(path, toml(path), assignments.slugs(course)) if path.is_file() else {}
 
 
-def policies(path: Path, given: Mapping[str, Any], slugs: Sequence[str]) -> dict[str, LatePolicy]:
+def policies(path: Path, table: Json, slugs: Sequence[str]) -> dict[str, LatePolicy]:
     """Return the terms of these assignments; UsageError, with its key, for what does not fit."""
-    rules = given.get("late", {})
+    rules = table.get("late", {})
     must(path, isinstance(rules, dict), "late must be a table: write [late] above its lines")
     no_other(path, "[late] ", rules, (*RULES, "zone"))
     for name, largest in zip(RULES, (1, 1, 24 * 60), strict=True):
         good = _is_number(rules.get(name, 0)) and 0 <= rules.get(name, 0) <= largest
         must(path, good, f"[late] {name} is {rules.get(name)!r}; write a number from 0 to {largest}")
     off, most, grace = rules.get("off_a_day", 0.0), rules.get("most_off", 1.0), timedelta(minutes=rules.get("grace", 0))
-    tables = by_slug(path, given, slugs)
-    own = {slug: _of_assignment(path, *tables[slug]) if slug in tables else (None, {}) for slug in slugs}
+    tables = by_slug(path, table, slugs)
+    terms_of = {slug: _of_assignment(path, *tables[slug]) if slug in tables else (None, {}) for slug in slugs}
     zone = _zone(path, rules.get("zone"))
-    return {slug: LatePolicy(*policy, off, most, grace, zone) for slug, policy in own.items()}
+    return {slug: LatePolicy(*policy, off, most, grace, zone) for slug, policy in terms_of.items()}
 
 
-def _zone(path: Path, name: Any) -> tzinfo | None:
+def _zone(path: Path, name: str | None) -> tzinfo | None:
     """Return the zone of the course's clocks; None for this computer's."""
     try:
         return None if name is None else ZoneInfo(name)
@@ -84,7 +84,7 @@ def _zone(path: Path, name: Any) -> tzinfo | None:
         raise
 
 
-def _of_assignment(path: Path, key: str, table: Mapping[str, Any]) -> tuple[datetime | None, dict[str, float]]:
+def _of_assignment(path: Path, key: str, table: Json) -> tuple[datetime | None, dict[str, float]]:
     """Return when an assignment is due, and the days that students have beyond."""
     due, days = table.get("due"), table.get("extension", {})
     good = due is None or isinstance(due, date)
@@ -98,7 +98,7 @@ def _of_assignment(path: Path, key: str, table: Mapping[str, Any]) -> tuple[date
     return due, days
 
 
-def _is_number(value: Any) -> bool:
+def _is_number(value: object) -> bool:
     return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
 
 

@@ -2,8 +2,9 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Protocol
 
+from tam570.values import Numbers
 from tam570_grader.checks.case import Case
 
 __all__ = ["Answer", "Called", "Cause"]
@@ -17,10 +18,10 @@ class Called(Protocol):
     @property
     def case(self) -> Case: ...
     @property
-    def result(self) -> Any: ...  # None where the call raised, or returned what was not promised
+    def result(self) -> Numbers: ...  # None where the call raised, or returned what was not promised
 
 
-Answer = Callable[[Called], Any]  # of the whole solution with a mistake in it, to a call of any function
+Answer = Callable[[Called], Numbers]  # of the whole solution with a mistake in it, to a call of any function
 
 
 @dataclass(frozen=True)

@@ -3,10 +3,11 @@
 import functools
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from tam570.values import Numbers
 from tam570_grader.checks.case import Case
 from tam570_grader.diagnosis.cause import Called
 from tam570_grader.diagnosis.mistakes import OF_MOTIONS, has_numbers, is_motion, parts
@@ -27,10 +28,10 @@ class ComparedCall:
 
     name: str
     case: Case
-    result: Any
-    expected: Any
+    result: Numbers
+    expected: Numbers
 
-    def fits(self, answer: Any) -> bool:
+    def fits(self, answer: Numbers) -> bool:
         """Return whether an answer has the student's numbers."""
         return has_numbers(self.result, answer)
 
@@ -47,14 +48,14 @@ class ComparedCall:
 class Rows(ComparedCall):
     """The first rows of a motion, to where it is clearly wrong: what comes later tells no more, and takes longer."""
 
-    def fits(self, answer: Any) -> bool:
+    def fits(self, answer: Numbers) -> bool:
         """Return whether it explains what is wrong in every column; a motion that is nearly right, it must leave so."""
         if answer is None or _shapes(answer) != _shapes(self.expected):
             return False
         return bool((_off(self.result, answer) <= self._left).all())
 
     @functools.cached_property
-    def _left(self) -> Any:
+    def _left(self) -> Numbers:
         """(columns,) what may be left of the error."""
         off = _off(self.result, self.expected).max(axis=0)
         if off.max() <= OF_MOTIONS:
@@ -65,7 +66,7 @@ class Rows(ComparedCall):
         return {row.tobytes() for row in _table(self.result)}
 
 
-def compared_call(call: Called, expected: Any) -> ComparedCall:
+def compared_call(call: Called, expected: Numbers) -> ComparedCall:
     """Return a call beside the right answer; of a motion the rows that tell."""
     if not is_motion(call) or _shapes(call.result) != _shapes(expected):
         return ComparedCall(call.name, call.case, call.result, expected)
@@ -82,16 +83,16 @@ def count_informative(calls: Sequence[ComparedCall]) -> int:
     return len(set().union(*(call.numbers() for call in calls)))
 
 
-def _shapes(answer: Any) -> list[tuple[int, ...]]:
+def _shapes(answer: Numbers) -> list[tuple[int, ...]]:
     return [np.shape(part) for part in parts(answer)]
 
 
-def _table(motion: Any) -> Any:
+def _table(motion: Numbers) -> NDArray[np.float64]:
     """Return the motion as (rows, columns)."""
     return np.hstack([np.reshape(part, (len(part), -1)) for part in parts(motion)])
 
 
-def _off(result: Any, expected: Any) -> Any:
+def _off(result: Numbers, expected: Numbers) -> NDArray[np.float64]:
     """(rows, columns) how far a motion is off, of the size of each column; infinite where it is no number."""
     result, expected = _table(result), _table(expected)
     size = np.abs(expected).max(axis=0)

@@ -21,10 +21,11 @@ from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from types import CodeType, ModuleType
-from typing import Any, TypeVar
+from typing import TypeVar
 
 import numpy as np
 
+from tam570.values import Function, Json, Numbers
 from tam570_grader.checks.check import Check, Memory
 from tam570_grader.checks.effort import compile_counted
 from tam570_grader.checks.expected import shared
@@ -88,7 +89,7 @@ class Mistake:
         return frozenset(node.name for node in ast.parse(self.text).body if isinstance(node, ast.FunctionDef))
 
 
-Function = TypeVar("Function", bound=Callable[..., Any])
+Body = TypeVar("Body", bound=Function)
 
 
 def mistake(
@@ -100,7 +101,7 @@ def mistake(
     label: str = "",
     compared: bool = True,
     numerics: bool = False,
-) -> Callable[[Function], Function]:
+) -> Callable[[Body], Body]:
     """Note a known mistake in a function of the solution.
 
     Parameters
@@ -146,7 +147,7 @@ def _decorated(text: str) -> Iterator[Mistake]:
             assert isinstance(node, ast.FunctionDef)
             count[function := node.name] += 1
             wrong = ast.unparse(ast.FunctionDef(**{**vars(node), "name": "_mistaken", "decorator_list": []}))
-            fields: dict[str, Any] = {str(field.arg): _value(field.value) for field in decorator.keywords}
+            fields: Json = {str(field.arg): _value(field.value) for field in decorator.keywords}
             fields["name"] = fields.get("name") or function + (f"_{count[function]}" if count[function] > 1 else "")
             overlay = OVERLAY.format(besides=besides, function=function, wrong=wrong)
             yield Mistake(message=ast.literal_eval(decorator.args[0]), text=overlay, **fields)
@@ -168,7 +169,7 @@ def _is_of_the_grader(node: ast.stmt) -> bool:
     return imported or (isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant))
 
 
-def _value(node: ast.expr) -> Any:
+def _value(node: ast.expr) -> object:
     """Return a literal; a check by its name."""
     return node.id if isinstance(node, ast.Name) else ast.literal_eval(node)
 
@@ -190,7 +191,7 @@ def named_mistake(solution: str, suspects: Iterable[Mistake], calls: Sequence[Ca
     """
     short_first = sorted(calls, key=lambda call: len(call.case.packed))  # most are told by a motion of a few rows
     groups = {name: [call for call in short_first if call.name == name] for name in {call.name for call in calls}}
-    mistake = next((suspect for suspect in suspects if _explains_all(solution, suspect, groups)), None)
+    mistake = next((candidate for candidate in suspects if _explains_all(solution, candidate, groups)), None)
     if mistake is None:
         return None
     wrong = [call.name for call in calls if _changed(solution, mistake.text, call, tolerance_of(call))]
@@ -238,12 +239,12 @@ def is_motion(call: Called) -> bool:
     return isinstance(times, np.ndarray) and len(shape) > 1 and shape[0] == len(times) != shape[-1]
 
 
-def has_numbers(result: Any, wrong: Any) -> bool:
+def has_numbers(result: Numbers, wrong: Numbers) -> bool:
     """Return whether a result has a variant's numbers; None has none."""
     return result is not None and wrong is not None and same(result, wrong, WITHIN)
 
 
-def right_answer(solution: str, call: Called) -> Any:
+def right_answer(solution: str, call: Called) -> Numbers:
     """Return the solution's answer to a call; None where it has none."""
     value = answer(solution, "", call)
     return None if value is NoValue else value
@@ -253,19 +254,19 @@ class NoValue:
     """In the place of an answer: a wrong formula may have none where the right one has one."""
 
 
-def _bytes(answer: Any) -> int:
+def _bytes(answer: Numbers) -> int:
     return OF_AN_ANSWER + sum(int(np.size(part)) * 8 for part in parts(answer))
 
 
-_answers = Memory(MOST_ANSWERS, _bytes)
-_changes = Memory(MOST_CHANGES)
+_answers = Memory[Numbers](MOST_ANSWERS, _bytes)
+_changes = Memory[bool](MOST_CHANGES)
 
 
-def answer(solution: str, text: str, call: Called) -> Any:
+def answer(solution: str, text: str, call: Called) -> Numbers:
     """Return the answer of the solution with a mistake, computed a single time for all who are given the same input."""
     name, message = _named(solution, text), call.case.packed
 
-    def compute() -> Any:
+    def compute() -> Numbers:
         return shared(
             call.name, name, packed(call.name) + message, lambda: computed(solution_with(solution, text), call)
         )
@@ -280,7 +281,7 @@ def _changed(solution: str, text: str, call: Called, tolerance: float) -> bool:
     def compute() -> bool:
         return not same(answer(solution, "", call), answer(solution, text, call), tolerance)
 
-    return bool(_changes.value(key, compute))
+    return _changes.value(key, compute)
 
 
 @functools.lru_cache(maxsize=256)
@@ -288,7 +289,7 @@ def _named(solution: str, text: str) -> str:
     return hashlib.sha256(f"{solution}\0{text}".encode()).hexdigest()
 
 
-def computed(module: ModuleType, call: Called) -> Any:
+def computed(module: ModuleType, call: Called) -> Numbers:
     """Return the answer of a module's function to a call; `NoValue` where its formula has none."""
     function, case = getattr(module, call.name), call.case
     try:
@@ -300,7 +301,7 @@ def computed(module: ModuleType, call: Called) -> Any:
         return NoValue
 
 
-def _values(formula: Any, points: list[dict[str, float]]) -> Any:
+def _values(formula: Numbers, points: list[dict[str, float]]) -> Numbers:
     """Of a formula in plain symbols, at each of the points."""
     import sympy
 
@@ -322,7 +323,7 @@ def _code(text: str) -> CodeType:
     return compile_counted(text, "<mistake>")
 
 
-def same(result: Any, wrong: Any, tolerance: float) -> bool:
+def same(result: Numbers, wrong: Numbers, tolerance: float) -> bool:
     if any(np.iscomplexobj(part) for part in parts(wrong)):
         return False  # a root of something negative; results are real
     if result is None or result is NoValue or wrong is NoValue:
@@ -333,16 +334,16 @@ def same(result: Any, wrong: Any, tolerance: float) -> bool:
     return len(parts(result)) == len(parts(wrong)) and all(_close(first, other, tolerance) for first, other in pairs)
 
 
-def parts(result: Any) -> list[Any]:
+def parts(result: Numbers) -> list[Numbers]:
     """Return the results of a call."""
     return list(result) if isinstance(result, tuple) else [result]
 
 
-def _finite(result: Any) -> bool:
+def _finite(result: Numbers) -> bool:
     return all(bool(np.all(np.isfinite(np.asarray(part, float)))) for part in parts(result))
 
 
-def _close(result: Any, expected: Any, tolerance: float) -> bool:
+def _close(result: Numbers, expected: Numbers, tolerance: float) -> bool:
     result, expected = np.asarray(result, float), np.asarray(expected, float)
     if result.shape != expected.shape:
         return False

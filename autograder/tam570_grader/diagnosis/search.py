@@ -16,10 +16,10 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
 from types import CodeType, ModuleType
-from typing import Any
 
 import numpy as np
 
+from tam570.values import Function, Numbers
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.effort import Exhausted, compile_counted, count, limited
 from tam570_grader.diagnosis.cause import Answer, Called, Cause
@@ -40,7 +40,7 @@ FEWEST = 2  # wrong answers: one may agree by chance
 MOST = 1_000_000  # steps of all variants, about a second; what is named takes a third of them
 OF_ONE = 100_000  # steps of one variant in one call: a mutant may go round for ever
 ELEMENTS = 1000  # of a result, that are compared in a step
-Transform = Callable[[ComparedCall], Any]
+Transform = Callable[[ComparedCall], Numbers]
 
 
 def general(solution: str, calls: Sequence[Called]) -> Cause | None:
@@ -98,7 +98,7 @@ def _first(family: Iterator[tuple[str, Transform]], calls: Sequence[ComparedCall
 
 
 def _for_one_word(
-    solution: str, name: str, reference: Any, calls: Sequence[ComparedCall], every_call: Sequence[Called]
+    solution: str, name: str, reference: Function, calls: Sequence[ComparedCall], every_call: Sequence[Called]
 ) -> Cause | None:
     """Return the one wrong argument, where a function is wrong for one value alone of an argument that is a word."""
     wrong, keys = [call for call in calls if not call.fits(call.expected)], [*inspect.signature(reference).parameters]
@@ -115,7 +115,7 @@ def _for_one_word(
     return None
 
 
-def _word(call: ComparedCall, index: int) -> Any:
+def _word(call: ComparedCall, index: int) -> Numbers:
     return call.case.args[index] if index < len(call.case.args) else None
 
 
@@ -127,7 +127,7 @@ class _Where:
     word: str
     transform: Transform
 
-    def __call__(self, call: ComparedCall) -> Any:
+    def __call__(self, call: ComparedCall) -> Numbers:
         return self.transform(call) if _word(call, self.index) == self.word else call.expected
 
 
@@ -154,7 +154,7 @@ def _with_variant(solution: str, name: str, transform: Transform) -> tuple[Answe
     return (_InPlace(solution, name, transform),)
 
 
-def _everywhere(solution: str, wrong: WrongArgument, call: Called) -> Any:
+def _everywhere(solution: str, wrong: WrongArgument, call: Called) -> Numbers:
     function = getattr(solution_with(solution, ""), call.name)
     case = Case(**wrong.arguments(function, call.case))
     return answer(solution, "", ComparedCall(call.name, case, None, None))
@@ -168,7 +168,7 @@ class _InPlace:
     name: str
     transform: Transform
 
-    def __call__(self, call: Called) -> Any:
+    def __call__(self, call: Called) -> Numbers:
         try:
             return computed(self._module, call)
         except (LookupError, TypeError, AttributeError):
@@ -179,7 +179,7 @@ class _InPlace:
         module = solution_with.__wrapped__(self.solution, "")  # its own
         reference = getattr(module, self.name)
 
-        def varied(*args: Any, **kwargs: Any) -> Any:
+        def varied(*args: Numbers, **kwargs: Numbers) -> Numbers:
             return self.transform(ComparedCall(self.name, Case(*args, **kwargs), None, reference(*args, **kwargs)))
 
         setattr(module, self.name, varied)
@@ -195,7 +195,7 @@ def _explains(transform: Transform, calls: Sequence[ComparedCall]) -> bool:
     return all(call.fits(_quietly(transform, call)) for call in calls)
 
 
-def _quietly(transform: Transform, call: ComparedCall) -> Any:
+def _quietly(transform: Transform, call: ComparedCall) -> Numbers:
     """Return the answer of a variant; None where it has none, whatever is in its way."""
     count(1 + sum(map(np.size, parts(call.expected))) // ELEMENTS)
     try:
@@ -233,7 +233,7 @@ def _mutant(
     return f"In {name}, {words.format(f' with {term}' if term else '')}", list(by_term.values())
 
 
-def _called(module: ModuleType, call: ComparedCall) -> Any:
+def _called(module: ModuleType, call: ComparedCall) -> Numbers:
     return getattr(module, call.name)(*call.case.args, **call.case.kwargs)
 
 

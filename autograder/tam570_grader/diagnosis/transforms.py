@@ -3,14 +3,15 @@
 import inspect
 import math
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import combinations, permutations, product
-from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from tam570.values import Function, Numbers, Parameters
 from tam570_grader.checks.case import Case
 from tam570_grader.diagnosis.compared_call import ComparedCall
 from tam570_grader.diagnosis.mistakes import parts
@@ -22,7 +23,7 @@ ORDINALS = ("first ", "second ", "third ", "fourth ", "fifth ", "sixth ")  # res
 AXES = {1: ("component",), 2: ("row", "column"), 3: ("segment", "end", "component")}  # of an array, by their number
 SHARE = 1e-4  # of what a motion starts from: its result is linear in it to 1e-8
 MOST = 8  # along an axis, of which one, or two, may be wrong
-Transform = tuple[str, Callable[[ComparedCall], Any]]  # what to say, and the wrong answer
+Transform = tuple[str, Callable[[ComparedCall], Numbers]]  # what to say, and the wrong answer
 FACTORS = {
     "has the opposite sign": -1.0,
     "is twice as large as the right one": 2.0,
@@ -37,11 +38,11 @@ FACTORS = {
 }
 
 
-def _into_turn(turn: float, angle: Any) -> Any:
+def _into_turn(turn: float, angle: Numbers) -> Numbers:
     return angle - turn * np.round(np.asarray(angle) / turn)
 
 
-POWERS: dict[str, Callable[[Any], Any]] = {
+POWERS: dict[str, Callable[[Numbers], Numbers]] = {
     "is the square of the right one": np.square,
     "is the square root of the right one": np.sqrt,
     "is one over the right one": np.reciprocal,
@@ -52,7 +53,7 @@ POWERS: dict[str, Callable[[Any], Any]] = {
     "is wrapped to less than half a turn either way": partial(_into_turn, 2 * math.pi),
 }
 GRAVITY = 9.81  # m/s^2
-THIN: dict[str, Callable[[Any], Any]] = {
+THIN: dict[str, Callable[[Numbers], Numbers]] = {
     "{} is that of a thin disk, A = C/2, whatever A is": lambda inertia: (inertia[1] / 2, inertia[1]),
     "{} is that of a thin disk, C = 2 A, whatever C is": lambda inertia: (inertia[0], 2 * inertia[0]),
 }
@@ -64,14 +65,14 @@ INERTIA = re.compile("inertia$")
 class WrongArgument:
     """The right function with another value of one argument."""
 
-    reference: Callable[..., Any]
+    reference: Function
     key: str
-    change: Callable[[Any], Any]
+    change: Callable[[Numbers], Numbers]
 
-    def __call__(self, call: ComparedCall) -> Any:
+    def __call__(self, call: ComparedCall) -> Numbers:
         return self.reference(**self.arguments(self.reference, call.case))
 
-    def arguments(self, function: Callable[..., Any], case: Case) -> dict[str, Any]:
+    def arguments(self, function: Function, case: Case) -> dict[str, Numbers]:
         """Return what a function gets in its place; unchanged where it does not take this argument."""
         values = _named(list(inspect.signature(function).parameters), case)
         return {name: self.change(value) if name == self.key else value for name, value in values.items()}
@@ -96,7 +97,7 @@ def other_results(name: str, example: ComparedCall, vary: bool) -> Iterator[Tran
         yield f"The results of {name} have the opposite sign", _reversed
 
 
-def other_arguments(name: str, reference: Callable[..., Any], example: ComparedCall) -> Iterator[Transform]:
+def other_arguments(name: str, reference: Function, example: ComparedCall) -> Iterator[Transform]:
     """Yield an argument of the wrong sign, in degrees, ignored, or in another's place."""
     names = list(inspect.signature(reference).parameters)
     values = _named(names, example.case)
@@ -113,7 +114,7 @@ def other_arguments(name: str, reference: Callable[..., Any], example: ComparedC
             yield f"In {name}, {first} and {other} are exchanged", partial(_exchanged, reference, names, first, other)
 
 
-def other_forms(name: str, reference: Callable[..., Any], example: ComparedCall) -> Iterator[Transform]:
+def other_forms(name: str, reference: Function, example: ComparedCall) -> Iterator[Transform]:
     """Yield a result that is linear in what it starts from, or one of several results; components of both exchanged."""
     names = list(inspect.signature(reference).parameters)
     values = _named(names, example.case)
@@ -134,11 +135,11 @@ def other_forms(name: str, reference: Callable[..., Any], example: ComparedCall)
 
 
 def _linearised(
-    reference: Callable[..., Any], names: Sequence[str], keys: Sequence[str], which: int | None, call: ComparedCall
-) -> Any:
+    reference: Function, names: Sequence[str], keys: Sequence[str], which: int | None, call: ComparedCall
+) -> Numbers:
     values = _named(names, call.case)
 
-    def at(share: float) -> list[Any]:
+    def at(share: float) -> list[Numbers]:
         changed = {key: np.multiply(values[key], share) for key in keys}
         return [np.asarray(part, float) for part in parts(reference(**{**values, **changed}))]
 
@@ -147,7 +148,7 @@ def _linearised(
     return tuple(results) if isinstance(call.expected, tuple) else results[0]
 
 
-def _other_points(name: str, reference: Any, names: Sequence[str], values: Mapping[str, Any]) -> Iterator[Transform]:
+def _other_points(name: str, reference: Function, names: Sequence[str], values: Parameters) -> Iterator[Transform]:
     """Yield a moment of inertia about another point than the right one."""
     lengths = [key for key in values if key in LENGTHS and "mass" in values]
     for key, length, power in product(filter(INERTIA.search, values), lengths, (1, -1)):
@@ -157,7 +158,7 @@ def _other_points(name: str, reference: Any, names: Sequence[str], values: Mappi
             yield f"In {name}, {which} {words}", partial(_about_another_point, reference, names, key, k, length, power)
 
 
-def other_products(name: str, reference: Callable[..., Any], example: ComparedCall) -> Iterator[Transform]:
+def other_products(name: str, reference: Function, example: ComparedCall) -> Iterator[Transform]:
     """Yield a factor that is missing beside an argument, or one too many."""
     names = list(inspect.signature(reference).parameters)
     values = {key: np.asarray(value) for key, value in _named(names, example.case).items()}
@@ -169,7 +170,7 @@ def other_products(name: str, reference: Callable[..., Any], example: ComparedCa
             yield f"In {name}, {key} has a factor {other} too many", extra
 
 
-def _changes(result: Any, numbers: Sequence[str]) -> Iterator[tuple[str, Callable[[Any, Case], Any]]]:
+def _changes(result: Numbers, numbers: Sequence[str]) -> Iterator[tuple[str, Callable[[Numbers, Case], Numbers]]]:
     """Yield what may be wrong with a result."""
     for words, factor in FACTORS.items():
         yield words, partial(_scaled, factor)
@@ -185,7 +186,7 @@ def _changes(result: Any, numbers: Sequence[str]) -> Iterator[tuple[str, Callabl
         yield words, partial(_changed, change)
 
 
-def _constants(result: Any, expected: Any) -> Iterator[tuple[str, Callable[[Any, Case], Any]]]:
+def _constants(result: Numbers, expected: Numbers) -> Iterator[tuple[str, Callable[[Numbers, Case], Numbers]]]:
     """Yield what one result is of the right one, given that it is so for any input."""
     if result.shape == expected.shape and expected.any():
         largest = np.unravel_index(np.argmax(np.abs(expected)), expected.shape)
@@ -195,19 +196,19 @@ def _constants(result: Any, expected: Any) -> Iterator[tuple[str, Callable[[Any,
             yield f"is off by {shift:.4g} for any input", partial(_changed, partial(np.add, shift))
 
 
-def _scaled(factor: float, value: Any, case: Case) -> Any:
+def _scaled(factor: float, value: Numbers, case: Case) -> Numbers:
     return value * factor
 
 
-def _times(key: str, power: int, value: Any, case: Case) -> Any:
+def _times(key: str, power: int, value: Numbers, case: Case) -> Numbers:
     return value * case.kwargs[key] ** power
 
 
-def _changed(change: Callable[[Any], Any], value: Any, case: Case) -> Any:
+def _changed(change: Callable[[Numbers], Numbers], value: Numbers, case: Case) -> Numbers:
     return change(value)
 
 
-def _components(result: Any) -> Iterator[tuple[str, Callable[[Any], Any]]]:
+def _components(result: Numbers) -> Iterator[tuple[str, Callable[[Numbers], Numbers]]]:
     """One component of a vector, one row or column, of the wrong sign; two exchanged."""
     for axis, (what, count) in enumerate(zip(AXES.get(result.ndim, ()), result.shape, strict=False)):
         numbers = range(count if count <= MOST else 0)
@@ -219,16 +220,16 @@ def _components(result: Any) -> Iterator[tuple[str, Callable[[Any], Any]]]:
             yield f"has {what}s {j + 1} and {k + 1} exchanged", partial(_ordered, order, axis)
 
 
-def _negated(which: int, axis: int, value: Any) -> Any:
+def _negated(which: int, axis: int, value: Numbers) -> Numbers:
     signs = np.where(np.arange(np.shape(value)[axis]) == which, -1.0, 1.0)
     return np.moveaxis(np.moveaxis(np.asarray(value), axis, -1) * signs, -1, axis)
 
 
-def _ordered(order: Any, axis: int, value: Any) -> Any:
+def _ordered(order: NDArray[np.int_], axis: int, value: Numbers) -> Numbers:
     return np.take(value, order, axis)
 
 
-VALUES: dict[str, Callable[[Any], Any]] = {
+VALUES: dict[str, Callable[[Numbers], Numbers]] = {
     "{} has the opposite sign": np.negative,
     "{} is converted to degrees": np.degrees,
     "{} is read as degrees": np.radians,
@@ -238,7 +239,7 @@ VALUES: dict[str, Callable[[Any], Any]] = {
 }
 
 
-def _other_values(value: Any) -> Iterator[tuple[str, Callable[[Any], Any]]]:
+def _other_values(value: Numbers) -> Iterator[tuple[str, Callable[[Numbers], Numbers]]]:
     """Yield what an argument may be taken for."""
     if value.dtype.kind not in "fiu":
         return
@@ -252,45 +253,43 @@ def _other_values(value: Any) -> Iterator[tuple[str, Callable[[Any], Any]]]:
         yield f"{{}} {words}", change
 
 
-def _with_result(which: int, count: int, change: Any, call: ComparedCall) -> Any:
+def _with_result(which: int, count: int, change: Callable[[Numbers, Case], Numbers], call: ComparedCall) -> Numbers:
     results = parts(call.expected) if count > 1 else [call.expected]  # a vector may be a tuple of numbers
     results[which] = change(np.asarray(results[which]), call.case)
     return tuple(results) if count > 1 else results[0]
 
 
-def _reversed(call: ComparedCall) -> Any:
+def _reversed(call: ComparedCall) -> Numbers:
     return tuple(np.negative(part) for part in parts(call.expected))
 
 
 def _with_product(
-    reference: Callable[..., Any], names: Sequence[str], key: str, other: str, power: int, call: ComparedCall
-) -> Any:
+    reference: Function, names: Sequence[str], key: str, other: str, power: int, call: ComparedCall
+) -> Numbers:
     values = _named(names, call.case)
     return reference(**{**values, key: np.asarray(values[key]) * float(values[other]) ** power})
 
 
 def _about_another_point(
-    reference: Callable[..., Any], names: Sequence[str], key: str, k: int, length: str, power: int, call: ComparedCall
-) -> Any:
+    reference: Function, names: Sequence[str], key: str, k: int, length: str, power: int, call: ComparedCall
+) -> Numbers:
     values = _named(names, call.case)
     inertia = np.array(values[key], float)
     inertia.flat[k] += power * float(values["mass"]) * float(values[length]) ** 2
     return reference(**{**values, key: inertia if inertia.ndim else float(inertia)})
 
 
-def _relabelled(
-    reference: Callable[..., Any], names: Sequence[str], key: str, pair: list[int], call: ComparedCall
-) -> Any:
+def _relabelled(reference: Function, names: Sequence[str], key: str, pair: list[int], call: ComparedCall) -> Numbers:
     values = _named(names, call.case)
     order = np.arange(len(values[key]))
     order[pair] = pair[::-1]
     return np.take(reference(**{**values, key: np.take(values[key], order)}), order)
 
 
-def _exchanged(reference: Callable[..., Any], names: Sequence[str], first: str, other: str, call: ComparedCall) -> Any:
+def _exchanged(reference: Function, names: Sequence[str], first: str, other: str, call: ComparedCall) -> Numbers:
     values = _named(names, call.case)
     return reference(**{**values, first: values[other], other: values[first]})
 
 
-def _named(names: Sequence[str], case: Case) -> dict[str, Any]:
+def _named(names: Sequence[str], case: Case) -> dict[str, Numbers]:
     return {**dict(zip(names, case.args, strict=False)), **case.kwargs}

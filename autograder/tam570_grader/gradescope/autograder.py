@@ -5,8 +5,8 @@ import zipfile
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from string import Template
-from typing import Any
 
+from tam570.values import Json
 from tam570_grader.course.course_toml import COPY
 from tam570_grader.errors import counted, say, writing
 from tam570_grader.grading.seeds import new_seed
@@ -21,7 +21,7 @@ EXECUTABLE, PRIVATE = 0o755 << 16, 0o600 << 16  # of a file in an archive
 ENGINE = ("pyproject.toml", "README.md", "LICENSE", "shared/tam570", "autograder/tam570_grader")
 
 
-def results(record: Record, lines: Mapping[str, str]) -> dict[str, Any]:
+def results(record: Record, lines: Mapping[str, str]) -> Json:
     """Return `results.json` of one submission (gradescope-autograders.readthedocs.io, "Autograder Specifications").
 
     Every check is a test that the student sees; nothing of the hidden inputs is in it.
@@ -36,7 +36,7 @@ def results(record: Record, lines: Mapping[str, str]) -> dict[str, Any]:
     }
 
 
-def _test(check_result: Mapping[str, Any], lines: Mapping[str, str]) -> dict[str, Any]:
+def _test(check_result: Json, lines: Mapping[str, str]) -> Json:
     passed = check_result["outcome"] == "passed"
     return {
         "score": check_result["points"],

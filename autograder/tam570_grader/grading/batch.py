@@ -19,8 +19,8 @@ from typing import Any
 from tam570_grader.checks import assignments
 from tam570_grader.grading import supervisor
 from tam570_grader.grading.cluster import Cluster
-from tam570_grader.grading.executor import WorkerLost, cores, finished
-from tam570_grader.grading.executor import executor as crew_here
+from tam570_grader.grading.executor import WorkerLost, cores, run_tasks
+from tam570_grader.grading.executor import executor as local_executor
 from tam570_grader.grading.seeds import derive, new_seed
 from tam570_grader.grading.submissions import CannotRead, Submission, read, submissions
 from tam570_grader.grading.supervisor import GradeTask, WorkerConfig
@@ -63,17 +63,17 @@ class RunConfig:
 class CachedResult:
     """A result that is there already; it is read if it is asked for."""
 
-    place: Results
+    results: Results
     key: Key
 
     @property
     def summary_row(self) -> Any:
         """What was noted of it when its file was read."""
-        return self.place.lines[self.key].summary_row
+        return self.results.lines[self.key].summary_row
 
     @property
     def record(self) -> Record:
-        return self.place[self.key]
+        return self.results[self.key]
 
 
 def grade(paths: Iterable[str | Path], config: RunConfig) -> Iterator[Result]:
@@ -135,7 +135,7 @@ def digests(config: RunConfig) -> Iterator[tuple[str, str, str]]:
 
 def _noted(cached: CachedResult, store: ResultStore | None) -> CachedResult:
     """Return a result that is known already, in the book too."""
-    if store is not None and cached.place is not store:
+    if store is not None and cached.results is not store:
         store.add(cached.record)
     return cached
 
@@ -150,12 +150,12 @@ def lines(config: RunConfig, tasks: Iterable[GradeTask], count: int, preload: Se
             slugs = sorted({submission.slug for submission in config.submissions})
             executor = stack.enter_context(config.cluster.executor(config.course, slugs, config.jobs))
         else:
-            executor = stack.enter_context(crew_here(jobs))
+            executor = stack.enter_context(local_executor(jobs))
         conditions = WorkerConfig(
             config.limits, _hidden(config), tuple(preload), config.speed, _shared(config, jobs, stack)
         )
         configured = (replace(task, conditions=conditions) for task in tasks)
-        for _, task, line in finished(executor, supervisor.line, configured, count):
+        for _, task, line in run_tasks(executor, supervisor.line, configured, count):
             yield supervisor.lost(task, str(line)) if isinstance(line, WorkerLost) else line
 
 
@@ -180,7 +180,7 @@ def _task(config: RunConfig, engine: bytes, submission: Submission) -> GradeTask
 
 def _source(submission: Submission) -> Source | CannotRead:
     if submission.path is None:
-        return CannotRead(submission.note)
+        return CannotRead(submission.reason)
     try:
         return read(submission)
     except CannotRead as error:

@@ -28,22 +28,22 @@ class Course(WorkerPlugin):
 
     def __init__(self, files: Mapping[str, bytes], unconfined: bool) -> None:
         self.name = f"tam570-{hashlib.sha256(repr((sorted(files.items()), unconfined)).encode()).hexdigest()[:16]}"
-        self.files, self.unconfined, self.head = files, unconfined, _kind()
-        self.place, self.refuses = Path(), ""
+        self.files, self.unconfined, self.coordinator = files, unconfined, _kind()
+        self.folder, self.refuses = Path(), ""
 
     def setup(self, worker: Worker) -> None:
         self.refuses = self._refusal()
-        self.place = Path(worker.local_directory) / self.name
-        self.place.mkdir(mode=0o700, exist_ok=True)
+        self.folder = Path(worker.local_directory) / self.name
+        self.folder.mkdir(mode=0o700, exist_ok=True)
         for name, content in self.files.items():
-            path = self.place / name
+            path = self.folder / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_bytes(content)
         _courses[self.name] = self
 
     def teardown(self, worker: Worker) -> None:
         _courses.pop(self.name, None)
-        shutil.rmtree(self.place, ignore_errors=True)
+        shutil.rmtree(self.folder, ignore_errors=True)
         with sandboxes():
             pass
 
@@ -52,7 +52,7 @@ class Course(WorkerPlugin):
         mine = _kind()
         other = [
             f"{what} {mine[what]}, not {coordinators}"
-            for what, coordinators in self.head.items()
+            for what, coordinators in self.coordinator.items()
             if mine[what] != coordinators
         ]
         if other:
@@ -81,7 +81,7 @@ def there(name: str, work: Callable[[Any], Any], task: Any) -> Any:
     course = _courses[name]
     if course.refuses:
         raise UsageError(f"the worker on {platform.node()} cannot grade: {course.refuses}")
-    return work(replace(task, course=course.place))
+    return work(replace(task, course=course.folder))
 
 
 @functools.cache

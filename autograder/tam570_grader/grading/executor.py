@@ -21,17 +21,18 @@ from itertools import islice
 from queue import Empty, SimpleQueue
 from typing import Any, TypeVar
 
+from tam570.values import Function
 from tam570_grader.sandbox.launch import hide_from_submissions
 from tam570_grader.sandbox.pool import TRIES, sandboxes
 
-__all__ = ["PREFETCH", "TaskExecutor", "WorkerLost", "cores", "executor", "finished", "in_order", "serve"]
+__all__ = ["PREFETCH", "TaskExecutor", "WorkerLost", "cores", "executor", "in_order", "run_tasks", "serve"]
 
 PREFETCH = 2  # bunches of tasks a job that are handed out: one is worked on, one waits
 CHUNK = 8  # tasks at most: to hand one out costs the head more than to read it
 SERVE = "from tam570_grader.grading.executor import serve; serve()"
 HEARD = 0.5  # s, in which an interrupt is heard
 PATIENCE = 5  # s, for a process to end by itself
-Task = TypeVar("Task")
+T = TypeVar("T")
 Outcome = TypeVar("Outcome")
 
 
@@ -61,9 +62,9 @@ def executor(jobs: int) -> Iterator[TaskExecutor]:
         yield TaskExecutor(pool, lambda: PREFETCH * jobs if jobs > 1 else 1)
 
 
-def finished(
-    executor: TaskExecutor, work: Callable[[Task], Outcome], tasks: Iterable[Task], count: int = 0
-) -> Iterator[tuple[int, Task, Outcome | WorkerLost]]:
+def run_tasks(
+    executor: TaskExecutor, work: Callable[[T], Outcome], tasks: Iterable[T], count: int = 0
+) -> Iterator[tuple[int, T, Outcome | WorkerLost]]:
     """Yield each task with its number and its outcome, as soon as that is there.
 
     The tasks of a lost process are repeated.
@@ -71,10 +72,10 @@ def finished(
     tasks : read only when they can be handed out
     count : how many there are, if known; many are handed out in bunches, which become smaller towards the end
     """
-    remaining, waiting = enumerate(tasks), dict[Future[list[Outcome]], tuple[list[tuple[int, Task]], int]]()
+    remaining, waiting = enumerate(tasks), dict[Future[list[Outcome]], tuple[list[tuple[int, T]], int]]()
     sent, ended = partial(_each, executor.sent(work)), SimpleQueue[Future[list[Outcome]]]()
 
-    def hand_out(chunk: list[tuple[int, Task]], tries: int = 1) -> int:
+    def hand_out(chunk: list[tuple[int, T]], tries: int = 1) -> int:
         future = executor.pool.submit(sent, [task for _, task in chunk])
         waiting[future] = chunk, tries
         future.add_done_callback(ended.put)
@@ -93,8 +94,8 @@ def finished(
             outcomes: list[Outcome | WorkerLost] = [*future.result()]
         except executor.lost as lost:
             if len(chunk) > 1:  # it shows which of them it was
-                for one in chunk:
-                    hand_out([one])
+                for item in chunk:
+                    hand_out([item])
                 continue
             if tries < TRIES:
                 hand_out(chunk, tries + 1)
@@ -111,7 +112,7 @@ def _next(ended: SimpleQueue[Outcome]) -> Outcome:
             return ended.get(timeout=HEARD)
 
 
-def _each(work: Callable[[Task], Outcome], tasks: Sequence[Task]) -> list[Outcome]:
+def _each(work: Callable[[T], Outcome], tasks: Sequence[T]) -> list[Outcome]:
     return [work(task) for task in tasks]
 
 
@@ -120,10 +121,10 @@ def _together(remaining: int, prefetch: int) -> int:
     return max(1, min(CHUNK, remaining // (2 * prefetch))) if prefetch > 1 else 1
 
 
-def in_order(executor: TaskExecutor, work: Callable[[Task], Outcome], tasks: Iterable[Task]) -> Iterator[Outcome]:
+def in_order(executor: TaskExecutor, work: Callable[[T], Outcome], tasks: Iterable[T]) -> Iterator[Outcome]:
     """Yield what the work makes of each task, in the tasks' order; Lost where processes died."""
     early, due = dict[int, Outcome](), 0
-    for number, _, outcome in finished(executor, work, tasks):
+    for number, _, outcome in run_tasks(executor, work, tasks):
         if isinstance(outcome, WorkerLost):
             raise outcome
         early[number] = outcome
@@ -135,7 +136,7 @@ def in_order(executor: TaskExecutor, work: Callable[[Task], Outcome], tasks: Ite
 class _Here(Executor):
     """Does a task at once, in this thread."""
 
-    def submit(self, work: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+    def submit(self, work: Function, /, *args: Any, **kwargs: Any) -> Future[Any]:
         future = Future[Any]()
         try:
             future.set_result(work(*args, **kwargs))
@@ -155,7 +156,7 @@ class _Processes(ThreadPoolExecutor):
         super().__init__(jobs)
         self._mine, self._all, self._lock, self._over = threading.local(), list[_Process](), threading.Lock(), False
 
-    def submit(self, work: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+    def submit(self, work: Function, /, *args: Any, **kwargs: Any) -> Future[Any]:
         return super().submit(self._done_there, (work, args, kwargs))
 
     def _done_there(self, order: Any) -> Any:
@@ -189,12 +190,12 @@ class _Process:
     """A process of ours that does what it is told, one thing at a time."""
 
     def __init__(self) -> None:
-        self._socket, inside = socket.socketpair()
+        self._socket, child_end = socket.socketpair()
         self._file = self._socket.makefile("rwb")
-        with inside:
+        with child_end:
             self._process = subprocess.Popen(
-                [sys.executable, "-c", SERVE, str(inside.fileno())],
-                pass_fds=[inside.fileno()],
+                [sys.executable, "-c", SERVE, str(child_end.fileno())],
+                pass_fds=[child_end.fileno()],
                 env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))},
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL,

@@ -4,7 +4,6 @@ import time
 from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any
 
 import numpy as np
 
@@ -157,7 +156,13 @@ def _check_result(
     return _passed(check)
 
 
-def _judge(check: Check, student: Student, assignment: LoadedAssignment, seed: int, recorder: Any = None) -> None:
+def _judge(
+    check: Check,
+    student: Student,
+    assignment: LoadedAssignment,
+    seed: int,
+    recorder: Callable[[float], None] | None = None,
+) -> None:
     """Run a check; the student's calls are then its own."""
     student.calls.clear()
     with budget(), np.errstate(all="ignore"), check_context(recorder=recorder, aside=student.aside):
@@ -271,7 +276,7 @@ def _failed(check: Check, failed: Failed, cause: Cause | None, fault: str = "") 
     suspect, follows_from = (cause.message or None, cause.follows_from) if cause else (None, "")
     is_cause = cause is None or follows_from in ("", cause.function)
     share = failed.share if is_cause else max(failed.share, FOLLOWING_SHARE)
-    failure = failed.failure.named(suspect, follows_from, fault or failed.failure.fault)
+    failure = failed.failure.with_mistake(suspect, follows_from, fault or failed.failure.fault)
     points, message = round(share * check.points, 6), full_message(failure)
     return CheckResult(check.name, check.part, points, check.points, "failed", message, suspect, failure)
 

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from tam570_grader.checks import assignments
-from tam570_grader.checks.assignments import OWN
+from tam570_grader.checks.assignments import ADDITIONS
 from tam570_grader.course.course_config import limits
 from tam570_grader.errors import UsageError
 
@@ -25,13 +25,13 @@ def prove(root: Path, slugs: Sequence[str]) -> None:
     from tam570_grader.sandbox.zygote import ResourceLimits
 
     for slug in slugs:
-        added, proved = assignments.checks_folder(root, slug) / f"{OWN}.py", root / f".proved-{slug}"
+        added, proved = assignments.checks_folder(root, slug) / f"{ADDITIONS}.py", root / f".proved-{slug}"
         if not added.is_file() or proved.exists():
             continue
         most = limits(root)
         config = WorkerConfig(ResourceLimits(most["memory"] * 2**20, most["cpu"], most["call"]), (root,))
         assignment = assignments.assignment(root, slug)
-        added_names = {check.name for check in assignment.checks if check.run.__module__.endswith(f".{OWN}")}
+        added_names = {check.name for check in assignment.checks if check.run.__module__.endswith(f".{ADDITIONS}")}
         texts = {
             "solution": assignment.solution,
             "stub": (root / "assignments" / slug / f"{slug}.py").read_text("utf-8"),

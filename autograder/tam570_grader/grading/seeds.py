@@ -3,11 +3,11 @@
 import hmac
 import os
 import secrets
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 from tam570_grader.errors import UsageError, warn, writing
-from tam570_grader.results.store import common_seed
+from tam570_grader.results.store import Results, common_seed
 
 __all__ = ["derive", "key", "new_seed", "seed"]
 
@@ -16,11 +16,11 @@ SHORTEST_KEY = 16  # bytes
 OTHERS = 0o077  # of a file's mode: what others may do with it
 
 
-def seed(chosen: int | None, earlier: list[Any], key: bytes | None) -> int:
+def seed(chosen: int | None, earlier: Sequence[Results], key: bytes | None) -> int:
     """Return the seed asked for, else that of the results that are there, else any."""
     if key is not None or chosen is not None:
         return chosen or 0
-    shared = common_seed(results.seed for results in earlier if results)
+    shared = common_seed(line.seed for results in earlier for line in results.lines.values())
     return new_seed() if shared is None else shared
 
 

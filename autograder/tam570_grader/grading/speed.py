@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from tam570.values import Json
 from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.checks.expect import Failed, NotWritten
 from tam570_grader.results.run_time import Speed, scenes, time_to
@@ -65,7 +66,7 @@ class Yardstick:
         return point[0] / (time_to(max(point[1], curve[-1][1]), curve) or curve[-1][0])
 
 
-def _point(student: Student, scene: dict[str, Any]) -> tuple[float, float] | None:
+def _point(student: Student, scene: Json) -> tuple[float, float] | None:
     """CPU seconds of a call, the passing of arguments and result included, and its error at the end."""
     arguments = [_as_promised(argument) for argument in scene["arguments"]]
     keywords = {key: _as_promised(argument) for key, argument in scene["keywords"].items()}

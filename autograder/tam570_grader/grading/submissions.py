@@ -60,7 +60,7 @@ class Submission:
     slug: str
     path: Path | None
     tree: Path  # the student's own folder, or file: links may not lead out of it
-    note: str = ""
+    reason: str = ""
 
 
 def submissions(
@@ -92,19 +92,19 @@ def handed_in(folder: Path, slug: str) -> Submission:
     first = of_folder(deeper[0], folder.name, slug, tree)
     candidates = [first]
     for _ in range(DEEPEST):
-        held = [entry for one in deeper for entry in entries(one, MOST_FILES)]
+        held = [entry for parent in deeper for entry in entries(parent, MOST_FILES)]
         deeper = [entry for entry, is_folder in held if is_folder and not entry.is_symlink()][:MOST_FILES]
         candidates += [of_folder(entry, folder.name, slug, tree) for entry in deeper]
-    there = [one for one in candidates if one.path]
-    named_after = [one for one in there if one.path and of_name(one.path.name, [slug])]
+    there = [submission for submission in candidates if submission.path]
+    named_after = [submission for submission in there if submission.path and of_name(submission.path.name, [slug])]
     return next(iter(named_after or there), first)
 
 
 def read(submission: Submission) -> Source:
     """Return the submission's text, or CannotRead: no links to elsewhere, no devices, nothing huge."""
     assert submission.path is not None
-    if submission.note:
-        raise CannotRead(submission.note)
+    if submission.reason:
+        raise CannotRead(submission.reason)
     name = printable(submission.path.name)
     if not form(submission.path.name):
         raise CannotRead(f"{name} is neither a module (.py) nor a notebook (.ipynb): unpack it, or rename it")

@@ -16,12 +16,23 @@ import time
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
-from typing import Any
 
+from tam570.values import Json
+from tam570_grader.checks import assignments
+from tam570_grader.course import course_config
 from tam570_grader.errors import UsageError, counted, warn
+from tam570_grader.grading import seeds, supervisor
+from tam570_grader.grading.executor import TaskExecutor, WorkerLost, run_tasks
 from tam570_grader.grading.submissions import CannotRead, Submission, of_folder, read, submissions
+from tam570_grader.grading.supervisor import GradeTask, WorkerConfig
+from tam570_grader.reports import feedback
+from tam570_grader.reports.feedback import AssignmentInfo
 from tam570_grader.results.collected import form
+from tam570_grader.results.records import read as result_of
+from tam570_grader.results.store import ResultStore
 from tam570_grader.results.tables import written
+from tam570_grader.sandbox.student import Source
+from tam570_grader.sandbox.zygote import ResourceLimits
 
 __all__ = ["Arrival", "Policy", "Queue", "Desk"]
 
@@ -51,7 +62,7 @@ class Arrival:
     at: float
     copy: str
     origin: str
-    note: str = ""
+    reason: str = ""
 
     @property
     def key(self) -> tuple[str, str]:
@@ -65,7 +76,7 @@ class Queue:
     folder: Path
     policy: Policy
     arrivals: list[Arrival] = field(default_factory=list)  # not graded yet, in order
-    graded: dict[tuple[str, str], list[dict[str, Any]]] = field(default_factory=dict)  # the attempts of each
+    graded: dict[tuple[str, str], list[Json]] = field(default_factory=dict)  # the attempts of each
     newest: dict[tuple[str, str], str] = field(default_factory=dict)  # digest of what arrived last
     longest: float = 0.0  # s that somebody waited
 
@@ -78,10 +89,10 @@ class Queue:
         if lines and not lines[-1].endswith(b"\n"):  # a power cut
             written(path, b"".join(lines[:-1]))
 
-    def _apply(self, event: dict[str, Any]) -> None:
+    def _apply(self, event: Json) -> None:
         key = event["student"], event["slug"]
         if event["event"] == "arrived":
-            arrival = Arrival(**{name: event[name] for name in Arrival.__dataclass_fields__})
+            arrival = Arrival(**{name: event.get(name, "") for name in Arrival.__dataclass_fields__})
             self.arrivals.append(arrival)
             self.newest[key] = arrival.digest
         else:
@@ -92,7 +103,7 @@ class Queue:
                 self.graded.setdefault(key, []).append(event)
                 self.longest = max(self.longest, event["waited"])
 
-    def note(self, event: str, arrival: Arrival, **more: Any) -> dict[str, Any]:
+    def log(self, event: str, arrival: Arrival, **more: object) -> Json:
         """Write down what happened; when this returns, it is on the disk."""
         entry = {"event": event, **asdict(arrival), **more}
         with open(self.folder / JOURNAL, "ab") as file:
@@ -102,7 +113,7 @@ class Queue:
         self._apply(entry)
         return entry
 
-    def opens(self, arrival: Arrival) -> float:
+    def opening_time(self, arrival: Arrival) -> float:
         """Return when it may be graded, in s since 1970: infinity if no attempt is left."""
         attempts = self.graded.get(arrival.key, [])
         if len(attempts) >= self.policy.attempts:
@@ -112,23 +123,25 @@ class Queue:
     def take(self, arrival: Arrival) -> None:
         """Add what arrived; it goes before an earlier one of the same student that has to wait."""
         for earlier in [
-            earlier for earlier in self.arrivals if earlier.key == arrival.key and self.opens(earlier) > arrival.at
+            earlier
+            for earlier in self.arrivals
+            if earlier.key == arrival.key and self.opening_time(earlier) > arrival.at
         ]:
-            self.note("replaced", earlier)
-        self.note("arrived", arrival)
-        if self.opens(arrival) == math.inf:
-            self.note("refused", arrival)
+            self.log("replaced", earlier)
+        self.log("arrived", arrival)
+        if self.opening_time(arrival) == math.inf:
+            self.log("refused", arrival)
             warn(f"{arrival.student} has no attempt left in {arrival.slug}: the new work is not graded")
 
     def ready(self, now: float) -> list[Arrival]:
         """Return what may be graded now, in the order in which it came, one of a student and assignment."""
         first: dict[tuple[str, str], Arrival] = {}
         for arrival in self.arrivals:
-            if self.opens(arrival) <= now:
+            if self.opening_time(arrival) <= now:
                 first.setdefault(arrival.key, arrival)
         return [*first.values()]
 
-    def counting(self, key: tuple[str, str]) -> dict[str, Any]:
+    def counting(self, key: tuple[str, str]) -> Json:
         """Return the attempt that counts."""
         attempts = self.graded[key]
         if self.policy.count == "last":
@@ -146,24 +159,22 @@ class Desk:
         source: Path,
         course: Path,
         queue: Queue,
-        store: Any,
-        executor: Any,
+        store: ResultStore,
+        executor: TaskExecutor,
         secret: bytes,
         *,
         assignment: str | None = None,
         jobs: int = 1,
         once: bool = False,
     ) -> None:
-        from tam570_grader.checks import assignments
-
         self.source: Path = source.absolute()
         self.course, self.queue, self.store, self.executor, self.secret = course, queue, store, executor, secret
         self.jobs, self.once = jobs, once
         self.is_exchange = (self.source / "inbound").is_dir()
-        self.known = assignments.slugs(course)
-        self.given = assignments.one_named(assignment, self.known)
+        self.slugs = assignments.slugs(course)
+        self.slug = assignments.match_slug(assignment, self.slugs)
         self._stamps: dict[Path, tuple[int, int, int]] = {}
-        self._infos: dict[str, Any] = {}
+        self._infos: dict[str, AssignmentInfo] = {}
 
     def work(self) -> None:
         """Grade until there is an end: of the command, or with --once of what may be graded."""
@@ -171,7 +182,7 @@ class Desk:
             self.store.add(self.queue.counting(key)["record"])
             self.hand_back(self.queue.graded[key][-1])
         if not self.once:
-            self.warm()
+            self.start_workers()
         for _ in self.ticks():
             self.look()
             while batch := self.queue.ready(time.time())[: CHUNK * self.jobs]:
@@ -179,15 +190,11 @@ class Desk:
                 self.look()
             self.show()
 
-    def warm(self) -> None:
+    def start_workers(self) -> None:
         """Start the supervisors and their sandboxes: who hands in first waits no longer than the others."""
-        from tam570_grader.grading import supervisor
-        from tam570_grader.grading.executor import finished
-        from tam570_grader.sandbox.student import Source
-
-        idle = Arrival("", self.given or self.known[0], "", 0.0, "", "", "nothing")
+        idle = Arrival("", self.slug or self.slugs[0], "", 0.0, "", "", "nothing")
         task = replace(self._task(idle), source=Source(b"", notebook=False))
-        for _ in finished(self.executor, supervisor.line, [task] * self.jobs):
+        for _ in run_tasks(self.executor, supervisor.line, [task] * self.jobs):
             pass
 
     def ticks(self) -> Iterator[None]:
@@ -210,7 +217,7 @@ class Desk:
             if submission.path is not None and (stamp is None or stamp == self._stamps.get(submission.path)):
                 continue
             try:
-                source: Any = read(submission) if submission.path else CannotRead(submission.note)
+                source: Source | CannotRead = read(submission) if submission.path else CannotRead(submission.reason)
             except CannotRead as why:
                 source = why
             text = source.text if not isinstance(source, CannotRead) else str(source).encode()
@@ -241,19 +248,19 @@ class Desk:
         """Yield what is in the folder, and in an exchange the name of each hand-in, which is an attempt."""
         if not self.is_exchange:
             with contextlib.suppress(UsageError):  # nobody has handed in anything yet
-                for submission in submissions([self.source], self.known, self.given):
-                    if submission.path is not None or submission.note:
+                for submission in submissions([self.source], self.slugs, self.slug):
+                    if submission.path is not None or submission.reason:
                         yield submission, ""
             return
         for entry in sorted(os.scandir(self.source / "inbound"), key=_in_time):
             match = HANDED_IN.fullmatch(entry.name)
-            if match and match["slug"] in self.known and entry.is_dir(follow_symlinks=False):
+            if match and match["slug"] in self.slugs and entry.is_dir(follow_symlinks=False):
                 folder = Path(entry.path)
                 if (folder / "submission_secret.txt").is_file():  # nbgrader writes it last
                     digest = hashlib.sha256(entry.name.encode()).hexdigest()
                     yield _owned(of_folder(folder, match["student"], match["slug"], folder), folder), digest
 
-    def _kept(self, submission: Submission, digest: str, source: Any) -> Arrival:
+    def _kept(self, submission: Submission, digest: str, source: Source | CannotRead) -> Arrival:
         """Return what arrived, with a copy that no later hand-in changes."""
         if isinstance(source, CannotRead):
             return Arrival(
@@ -279,31 +286,23 @@ class Desk:
 
     def grade(self, batch: Sequence[Arrival]) -> None:
         """Grade some arrivals, each with inputs of its own; write each result down, then its page."""
-        from tam570_grader.grading import supervisor
-        from tam570_grader.grading.executor import WorkerLost, finished
-
         tasks = [self._task(arrival) for arrival in batch]
-        for number, task, line in finished(self.executor, supervisor.line, tasks, len(tasks)):
+        for number, task, line in run_tasks(self.executor, supervisor.line, tasks, len(tasks)):
             record = json.loads(supervisor.lost(task, str(line)) if isinstance(line, WorkerLost) else line)
             arrival = batch[number]
             attempt = len(self.queue.graded.get(arrival.key, [])) + 1
             now = time.time()
-            due = max(arrival.at, self.queue.opens(arrival))
-            event = self.queue.note(
+            due = max(arrival.at, self.queue.opening_time(arrival))
+            event = self.queue.log(
                 "graded", arrival, attempt=attempt, graded_at=now, waited=round(now - due, 3), record=record
             )
             self.store.add(self.queue.counting(arrival.key)["record"])
             self.hand_back(event)
 
-    def _task(self, arrival: Arrival) -> Any:
-        from tam570_grader.course import course_config
-        from tam570_grader.grading import seeds
-        from tam570_grader.grading.supervisor import GradeTask, WorkerConfig
-        from tam570_grader.sandbox.zygote import ResourceLimits
-
+    def _task(self, arrival: Arrival) -> GradeTask:
         attempt = len(self.queue.graded.get(arrival.key, [])) + 1
         seed = seeds.derive(self.secret, arrival.student, arrival.slug, str(attempt))
-        source: Any = CannotRead(arrival.note)
+        source: Source | CannotRead = CannotRead(arrival.reason)
         if arrival.copy:
             source = read(Submission(arrival.student, arrival.slug, Path(arrival.copy), Path(arrival.copy)))
         limits = course_config.limits(self.course)
@@ -313,11 +312,8 @@ class Desk:
         )
         return GradeTask(self.course, arrival.student, arrival.slug, seed, source, arrival.digest, conditions=config)
 
-    def hand_back(self, event: dict[str, Any]) -> None:
+    def hand_back(self, event: Json) -> None:
         """Write the page of an attempt into the results, and where its student finds it."""
-        from tam570_grader.reports import feedback
-        from tam570_grader.results.records import read as result_of
-
         key = event["student"], event["slug"]
         info = self._infos.setdefault(key[1], feedback.load_assignment_info(self.course, key[1]))
         result = result_of(event["record"])
@@ -336,7 +332,7 @@ class Desk:
         except OSError as error:
             warn(f"the page of {key[0]} in {key[1]} cannot be put back: {error}; it is in {pages}")
 
-    def _standing(self, event: dict[str, Any]) -> str:
+    def _standing(self, event: Json) -> str:
         """Return which attempt it is, and what counts."""
         policy, best = self.queue.policy, self.queue.counting((event["student"], event["slug"]))
         of = f" of {policy.attempts:g}" if policy.attempts < math.inf else ""
@@ -357,7 +353,7 @@ class Desk:
         """Write the status page."""
         now, rows = time.time(), []
         for arrival in self.queue.arrivals:
-            opening = self.queue.opens(arrival)
+            opening = self.queue.opening_time(arrival)
             waits = f"until {_clock(opening)}" if opening > now else f"{now - arrival.at:.1f} s"
             rows.append((arrival.student, arrival.slug, _clock(arrival.at), waits, "", "waiting"))
         done = [attempts[-1] for attempts in self.queue.graded.values()]
@@ -385,7 +381,7 @@ def _owned(submission: Submission, folder: Path) -> Submission:
     owner = folder.stat().st_uid
     with contextlib.suppress(KeyError):
         if owner != os.getuid() and pwd.getpwuid(owner).pw_name != submission.student:
-            return replace(submission, path=None, note=f"it was handed in by {pwd.getpwuid(owner).pw_name}")
+            return replace(submission, path=None, reason=f"it was handed in by {pwd.getpwuid(owner).pw_name}")
     return submission
 
 
@@ -408,7 +404,7 @@ def _clock(moment: float) -> str:
     return time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(moment)) if moment < math.inf else "never"
 
 
-def _points(event: dict[str, Any]) -> str:
+def _points(event: Json) -> str:
     record = event["record"]
     return "the grader failed" if record["score"] is None else f"{record['score']:g} / {record['max_score']:g}"
 

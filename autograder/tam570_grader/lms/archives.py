@@ -13,7 +13,7 @@ from tam570.notebooks import LARGEST, LARGEST_WITH_OUTPUTS, without_outputs
 from tam570_grader.errors import UsageError, printable
 from tam570_grader.results.collected import form
 
-__all__ = ["File", "Room", "inside", "is_beside", "members", "shortened"]
+__all__ = ["File", "Quota", "unpack_zip", "is_beside", "members", "shortened"]
 
 MOST = 100_000  # files in a download
 MOST_INSIDE = 1000  # files of a student, in zip files of their own too
@@ -36,7 +36,7 @@ class File:
 
 
 @dataclass
-class Room:
+class Quota:
     """What a student may still hand in: zip files within zip files, and many small ones, count together."""
 
     files: int = MOST_INSIDE
@@ -69,7 +69,7 @@ def members(source: Path) -> Iterator[File]:
         ) from None
 
 
-def inside(packed: File, room: Room) -> list[File]:
+def unpack_zip(packed: File, quota: Quota) -> list[File]:
     """Return the work in a student's own zip file; one file without a path that says why where it cannot be read."""
     try:
         if _size_of_directory(packed.data) > MOST_INSIDE * (ENTRY + LONGEST_PATH):
@@ -78,7 +78,7 @@ def inside(packed: File, room: Room) -> list[File]:
             infos = [
                 file for file in _files(archive, MOST_INSIDE, "it") if form(file.filename) or is_beside(file.filename)
             ]
-            if full := room.takes(infos):
+            if full := quota.takes(infos):
                 raise UsageError(full)
             return [replace(file, path=printable(file.path)) for file in map(partial(_member, archive), infos)]
     except Exception as error:  # zipfile raises many kinds, those of its parts among them

@@ -5,7 +5,6 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
-from typing import Any
 
 from dateutil import parser as dates  # type: ignore[import-untyped]
 
@@ -28,7 +27,7 @@ class Handed:
     title: str  # the file's own name
     when: str = ""
     late: bool = False
-    order: tuple[Any, ...] = (0, 0, "")  # the newest is the largest
+    order: tuple[int, int, str] = (0, 0, "")  # the newest is the largest
 
     @property
     def who(self) -> str:

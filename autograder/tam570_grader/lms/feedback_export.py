@@ -38,7 +38,7 @@ def run(
     slugs = sorted({slug for _, slug in names})
     if not names:
         raise UsageError(f"{collected} names no file as {system} does: is --to right?")
-    chosen = assignments.named(only, slugs)
+    chosen = assignments.match_slugs(only, slugs)
     if len(chosen) > 1:
         raise UsageError(f"the pages of one assignment make a zip file: choose with --only: {', '.join(chosen)}")
     lacking, data, there = [], io.BytesIO(), set()

@@ -71,7 +71,7 @@ def _may_be_it(file: File) -> bool:
     return name == NAME and not any(map(FOLDER.fullmatch, folders))
 
 
-def _read(file: File) -> Any:
+def _read(file: File) -> object:
     try:
         return yaml.load(file.data, Loader=_Plain)
     except (yaml.YAMLError, ValueError) as error:
@@ -80,7 +80,7 @@ def _read(file: File) -> Any:
         raise UsageError(f"{file.path} cannot be read: its parts lie too deep in one another; {AGAIN}") from None
 
 
-def _submission(entry: Any, where: str) -> tuple[People, str]:
+def _submission(entry: object, where: str) -> tuple[People, str]:
     """Return whose it is, and when it came."""
     fields = entry if isinstance(entry, dict) else {":submitters": "none"}
     submitters, when = fields.get(":submitters") or [], fields.get(":created_at", "")
@@ -89,7 +89,7 @@ def _submission(entry: Any, where: str) -> tuple[People, str]:
     return tuple(_person(who, where) for who in submitters), when
 
 
-def _person(who: Any, where: str) -> tuple[dict[str, str], str]:
+def _person(who: object, where: str) -> tuple[dict[str, str], str]:
     """Return the ids of a submitter, and the name."""
     ids = {key: who.get(f":{key}") or "" for key in ("sid", "email", "name")} if isinstance(who, dict) else {}
     if not any(ids.values()) or not all(isinstance(value, str) for value in ids.values()):
@@ -100,7 +100,7 @@ def _person(who: Any, where: str) -> tuple[dict[str, str], str]:
 class _Plain(yaml.BaseLoader):  # type: ignore[misc]  # yaml has no types
     """Every leaf stays text, as 007 must. A text may be an alias; of whole parts a small file makes a huge one."""
 
-    def compose_node(self, parent: Any, index: Any) -> Any:
+    def compose_node(self, parent: object, index: object) -> Any:
         is_alias = self.check_event(yaml.AliasEvent)
         node = super().compose_node(parent, index)
         if is_alias and not isinstance(node, yaml.ScalarNode):

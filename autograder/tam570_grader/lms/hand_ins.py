@@ -6,8 +6,8 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from datetime import datetime
 from pathlib import Path
-from typing import Any
 
+from tam570.values import Json
 from tam570_grader.course.late_policy import NEEDED, LatePolicy, days_between, moment, on_the_wall
 from tam570_grader.grading.watch import JOURNAL
 from tam570_grader.lms.submission_import import OLDER
@@ -21,7 +21,7 @@ HandIn = tuple[str, str, datetime | None]  # student, assignment, time
 
 def hand_ins(
     folder: Path, collected: Path | None, policies: Mapping[str, LatePolicy], slugs: Iterable[str]
-) -> list[dict[str, Any]]:
+) -> list[Json]:
     """Return a row for each assignment of which anything is known.
 
     folder    : of results, with a journal where `watch` wrote them
@@ -49,7 +49,7 @@ def _watched(folder: Path) -> Iterator[HandIn]:
             yield event["student"], event["slug"], datetime.fromtimestamp(event["at"]).astimezone()
 
 
-def _row(slug: str, hand_ins: Sequence[HandIn], policy: LatePolicy) -> dict[str, Any]:
+def _row(slug: str, hand_ins: Sequence[HandIn], policy: LatePolicy) -> Json:
     """Return how often students handed in, and of the last hand-in of each when that was."""
     attempts = Counter(student for student, *_ in hand_ins)
     last: dict[str, datetime] = {}

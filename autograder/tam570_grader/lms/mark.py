@@ -16,8 +16,8 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from string import Template
 from threading import Lock
-from typing import Any
 
+from tam570.values import Json
 from tam570_grader.checks.rubric import ManualPart
 from tam570_grader.errors import UsageError
 from tam570_grader.grading.submissions import CannotRead, Submission, entries, read
@@ -26,7 +26,7 @@ from tam570_grader.results.manual_points import EVERYONE, Entry
 from tam570_grader.results.store import ResultStore
 from tam570_grader.sandbox.notebooks import Unshown, cells_of
 
-__all__ = ["Desk", "Sheet", "serve"]
+__all__ = ["Desk", "StudentWork", "serve"]
 
 TEMPLATES = Path(__file__).parent / "templates"
 SHOWN = (".png", ".jpg", ".jpeg", ".gif", ".svg")
@@ -42,7 +42,7 @@ LARGEST = 100_000  # bytes of a request
 
 
 @dataclass(frozen=True)
-class Sheet:
+class StudentWork:
     """One student's work on one assignment, with the parts that are graded by hand."""
 
     student: str
@@ -54,7 +54,7 @@ class Sheet:
 class Desk:
     """All that is to be graded by hand in a folder of results."""
 
-    def __init__(self, folder: Path, sheets: Sequence[Sheet], *, anonymous: bool = False) -> None:
+    def __init__(self, folder: Path, sheets: Sequence[StudentWork], *, anonymous: bool = False) -> None:
         self.folder, self.sheets, self.anonymous = folder, list(sheets), anonymous
         if anonymous:
             random.SystemRandom().shuffle(self.sheets)
@@ -63,7 +63,7 @@ class Desk:
     def name(self, number: int) -> str:
         return f"Student {number + 1}" if self.anonymous else self.sheets[number].student
 
-    def given(self, number: int, part: str) -> Entry | None:
+    def entry(self, number: int, part: str) -> Entry | None:
         """Return what was given for a part before."""
         sheet = self.sheets[number]
         return manual_points.read(self.folder).entries.get((sheet.student, sheet.slug, part))
@@ -97,7 +97,7 @@ class Desk:
         """Return the text of the work: the module, or a notebook's cells by kind."""
         work = self.sheets[number].work
         if work is None or work.path is None:
-            return [("note", work.note if work else "The work is not at hand: name its tree with --submitted.")]
+            return [("note", work.reason if work else "The work is not at hand: name its tree with --submitted.")]
         try:
             source = read(work)
             if not source.notebook:
@@ -144,7 +144,7 @@ class _Handler(BaseHTTPRequestHandler):
         if path is None or len(path) != 1 or length > LARGEST:
             return self._send(404, "text/plain", b"not found")
         try:
-            request: dict[str, Any] = json.loads(self.rfile.read(length))
+            request: Json = json.loads(self.rfile.read(length))
             points = None if request.get("points") in (None, "") else float(request["points"])
             claims = [int(number) for number in request.get("claims", [])]
             earned = self.desk.save(int(path[0]), str(request["part"]), claims, points, str(request.get("comment", "")))
@@ -170,7 +170,7 @@ class _Handler(BaseHTTPRequestHandler):
         self.end_headers()
         self.wfile.write(body)
 
-    def log_message(self, format: str, *args: Any) -> None:  # noqa: A002  its name is the library's
+    def log_message(self, format: str, *args: object) -> None:  # noqa: A002  its name is the library's
         """Nothing: the address holds the secret."""
 
 
@@ -201,7 +201,7 @@ def page(desk: Desk, number: int, nonce: str) -> str:
 
 def _part(desk: Desk, number: int, letter: str, rubric: ManualPart) -> str:
     """Return the claims of a part to tick, what else it is worth, and a comment."""
-    entry = desk.given(number, letter)
+    entry = desk.entry(number, letter)
     lines = entry.comment.split("\n") if entry else []
     ticked = [f"+ {claim}" in lines for _, claim in rubric.claims]
     others = "\n".join(line for line in lines if line not in {f"+ {claim}" for _, claim in rubric.claims})

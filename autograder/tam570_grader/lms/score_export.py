@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from tam570_grader.checks.assignments import named
+from tam570_grader.checks.assignments import match_slugs
 from tam570_grader.errors import UsageError, warn, writing
 from tam570_grader.grading import roster as rosters
 from tam570_grader.grading.roster import Directory, Person
@@ -243,7 +243,7 @@ def _possible(scores: Scores, slug: str) -> str:
 
 def _only(scores: Scores, names: Sequence[str]) -> Scores:
     """Return the scores of the assignments that are named; all if there are no names."""
-    chosen = named(names, sorted({slug for _, slug in scores}))
+    chosen = match_slugs(names, sorted({slug for _, slug in scores}))
     return {key: score for key, score in scores.items() if key[1] in chosen}
 
 

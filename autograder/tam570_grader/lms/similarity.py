@@ -48,12 +48,12 @@ def run(course: Path, paths: Sequence[Path], slugs: Sequence[str], slug_given: s
         except (CannotRead, Unshown) as error:
             unread.append(f"{submission.student} {submission.slug}")
             warn(f"{submission.student} {submission.slug} is left out: {error}")
-    alike = [pair for slug in sorted(texts) for pair in pairs(course, slug, texts[slug]) if pair.share >= least]
-    for pair in sorted(alike, key=lambda pair: (-pair.share, pair.slug, pair.student)):
+    similar = [pair for slug in sorted(texts) for pair in pairs(course, slug, texts[slug]) if pair.share >= least]
+    for pair in sorted(similar, key=lambda pair: (-pair.share, pair.slug, pair.student)):
         first, second = (f"{100 * share:3.0f} %" for share in pair.shares)
         say(f"{pair.slug}  {pair.student} {first}  {pair.other} {second}")
     count = sum(map(len, texts.values()))
-    shared = f"{counted(len(alike), 'pair')} of {counted(count, 'submission')}"
+    shared = f"{counted(len(similar), 'pair')} of {counted(count, 'submission')}"
     say(f"{shared} sharing {100 * least:g} % or more of the code of one of them")
     if unread:
         say(f"not compared, read them yourself: {', '.join(unread)}")

@@ -59,7 +59,7 @@ def _numbers(students: Sequence[str]) -> dict[str, str]:
 def code(submission: Submission) -> str:
     """Return the text of a module; of a notebook, the Python of its cells one after another."""
     if submission.path is None:
-        raise CannotRead(submission.note)
+        raise CannotRead(submission.reason)
     source = read(submission)
     if not source.notebook:
         return source.text.decode("utf-8", "replace")

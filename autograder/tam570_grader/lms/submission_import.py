@@ -9,7 +9,7 @@ from tam570_grader.errors import UsageError, counted, say, warn, writing
 from tam570_grader.grading import roster as rosters
 from tam570_grader.grading.roster import Directory, Person
 from tam570_grader.grading.submissions import GIVEN, folder_of, of_folder, of_name
-from tam570_grader.lms.archives import File, Room, inside, is_beside, members
+from tam570_grader.lms.archives import File, Quota, is_beside, members, unpack_zip
 from tam570_grader.lms.downloads import Handed, read, time_of
 from tam570_grader.lms.systems import SYSTEMS
 from tam570_grader.results.collected import COLUMNS, TABLE, form, listed
@@ -37,14 +37,14 @@ TIME, WHO, EVENT = "time", "user full name", "event name"  # columns of Moodle's
 
 @dataclass(frozen=True)
 class Taken:
-    """One file with its student, its assignment and the name that it gets; without one `note` says why."""
+    """One file with its student, its assignment and the name that it gets; without one `reason` says why."""
 
     student: str
     person: Person | None
     handed: Handed
     slug: str
     target: str
-    note: str = ""
+    reason: str = ""
 
 
 def run(
@@ -79,7 +79,7 @@ def run(
     rows = _with_work(_newest(_told_apart(rows, everyone)))
     rows = _timed(rows, times, everyone)
     replaced = _write(rows, out)
-    troubles = [(row.student, _told(row)) for row in rows if row.note and row.note not in (OLDER, RELEASED)]
+    troubles = [(row.student, _told(row)) for row in rows if row.reason and row.reason not in (OLDER, RELEASED)]
     troubles += [(row.student, message) for row, message in _newer_notebooks(rows, out)]
     why = (
         "is nobody's by submission_metadata.yml"
@@ -112,18 +112,18 @@ def _title(handed: Handed) -> str:
 
 def _unpacked(handed: Sequence[Handed]) -> list[Handed]:
     """Return the files themselves, and the work that zip files hold; no student fills the memory."""
-    rooms: dict[str, Room] = defaultdict(Room)
-    return [each for upload in handed for each in _unpack(upload, rooms[upload.who])]
+    quotas: dict[str, Quota] = defaultdict(Quota)
+    return [each for upload in handed for each in _unpack(upload, quotas[upload.who])]
 
 
-def _unpack(handed: Handed, room: Room) -> list[Handed]:
+def _unpack(handed: Handed, quota: Quota) -> list[Handed]:
     file = handed.file
     if file.refused or not handed.title.lower().endswith(".zip"):
         is_kept = bool(form(handed.title)) or is_beside(handed.title)
-        if is_kept and (full := room.takes([file])):
+        if is_kept and (full := quota.takes([file])):
             return [replace(handed, file=File(file.path, b"", full))]
         return [replace(handed, file=file if is_kept else replace(file, data=b""))]
-    held = inside(file, room)
+    held = unpack_zip(file, quota)
     outer = file.path  # by its name a page is handed back
     files = [
         (replace(member, path=f"{outer}/{member.path}".rstrip("/")), member.path.rsplit("/", 1)[-1]) for member in held
@@ -147,20 +147,20 @@ def _taken(
     title = _title(handed)
     other = of_name(title, slugs)
     if handed.file.refused:
-        target, note = "", handed.file.refused
+        target, reason = "", handed.file.refused
     elif not (ending := form(title)):
-        target, note = ("", NOT_WORK) if why or not is_beside(title) else (_plain(title), "")
+        target, reason = ("", NOT_WORK) if why or not is_beside(title) else (_plain(title), "")
     elif GIVEN.fullmatch(Path(title).stem):
-        target, note = "", RELEASED
+        target, reason = "", RELEASED
     elif not (other or slug_given):
-        target, note = "", NAMELESS
+        target, reason = "", NAMELESS
     elif other not in (None, slug):
-        target, note = "", ELSEWHERE.format(other=other, slug=slug)
+        target, reason = "", ELSEWHERE.format(other=other, slug=slug)
     else:
-        target, note = ("", why) if why else (f"{slug}{ending}", "")
+        target, reason = ("", why) if why else (f"{slug}{ending}", "")
     if not owners:
-        return [Taken(folder_of(handed.who), None, handed, slug, target, note)]
-    return [Taken(person.folder, person, handed, slug, target, note) for person in owners]
+        return [Taken(folder_of(handed.who), None, handed, slug, target, reason)]
+    return [Taken(person.folder, person, handed, slug, target, reason) for person in owners]
 
 
 def _plain(title: str) -> str:
@@ -173,7 +173,7 @@ def _with_work(rows: Sequence[Taken]) -> list[Taken]:
     """Return the rows; drawings and words have a place where work has one, else they are all that came."""
     working = {row.student for row in rows if form(row.target)}
     return [
-        replace(row, target="", note=NOT_WORK)
+        replace(row, target="", reason=NOT_WORK)
         if row.target and not form(row.target) and row.student not in working
         else row
         for row in rows
@@ -201,12 +201,12 @@ def _told_apart(rows: Sequence[Taken], everyone: Directory) -> list[Taken]:
         if row.person or row.student not in folders:
             who[row.student].add((row.handed.keys, row.handed.name))
 
-    def note(row: Taken) -> str:
+    def reason(row: Taken) -> str:
         if row.person is None and row.student in folders:
             return TAKEN
         return TWO if len(who[row.student]) > 1 else ""
 
-    return [replace(row, target="", note=note(row)) if row.target and note(row) else row for row in rows]
+    return [replace(row, target="", reason=reason(row)) if row.target and reason(row) else row for row in rows]
 
 
 def _newest(rows: Sequence[Taken]) -> list[Taken]:
@@ -229,7 +229,7 @@ def _passed_over(row: Taken, best: Taken) -> Taken:
     """Return the row, without its place where another has it."""
     if row is best:
         return row
-    return replace(row, target="", note=OLDER if row.handed.order < best.handed.order else OTHER)
+    return replace(row, target="", reason=OLDER if row.handed.order < best.handed.order else OTHER)
 
 
 def _timed(rows: Sequence[Taken], path: Path | None, everyone: Directory) -> list[Taken]:
@@ -297,11 +297,11 @@ def _all_rows(path: Path, rows: Sequence[Taken]) -> list[tuple[str, ...]]:
 def _row(row: Taken) -> tuple[str, ...]:
     handed = row.handed
     late = "LATE" if handed.late else ""
-    return row.student, handed.name, row.slug, row.target, handed.when, late, handed.file.path, row.note
+    return row.student, handed.name, row.slug, row.target, handed.when, late, handed.file.path, row.reason
 
 
 def _told(row: Taken) -> str:
-    return f"{row.handed.file.path} of {row.student} is not collected: {row.note}"
+    return f"{row.handed.file.path} of {row.student} is not collected: {row.reason}"
 
 
 def _warn(troubles: Iterable[tuple[str, str]]) -> None:

@@ -23,13 +23,14 @@ from nbgrader.utils import find_all_files  # type: ignore[import-untyped]
 from traitlets import Bool, Dict, Integer, Unicode
 
 from tam570.notebooks import LARGEST, LARGEST_WITH_OUTPUTS
+from tam570.values import Json
 from tam570_grader.checks import assignments
 from tam570_grader.course import course_config
 from tam570_grader.grading.batch import RunConfig, records
 from tam570_grader.grading.executor import cores
 from tam570_grader.grading.seeds import new_seed
 from tam570_grader.grading.submissions import MOST_FILES, BadPath, CannotRead, Submission, of_folder, read, submissions
-from tam570_grader.nbgrader.cells import Notebook, grade_id, marked, node, note, pictures_only, rebuilt, safe
+from tam570_grader.nbgrader.cells import Notebook, grade_id, marked, node, pictures_only, rebuilt, remark, safe
 from tam570_grader.nbgrader.gradebook import OpenGradebook, keep_gradebooks_open
 from tam570_grader.release.notebook import FORMAT, part_of, part_points, text_cell
 from tam570_grader.reports.feedback import AssignmentInfo, load_assignment_info
@@ -127,7 +128,7 @@ class RestoreMetadata(NbGraderPreprocessor):  # type: ignore[misc]
         return nb, resources
 
 
-def _notes_of_cells(notebook: Any) -> dict[str, dict[str, Any]]:
+def _notes_of_cells(notebook: Any) -> dict[str, Json]:
     """Return what belongs into the metadata of each cell, by the gradebook."""
     points = {cell.name: cell.max_score for cell in notebook.grade_cells}
     answers = {cell.name for cell in notebook.solution_cells}
@@ -194,7 +195,7 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
             part = part_of(grade_id(cell))
             if part in graded:
                 marks = [result for result in record["checks"] if result["part"] == part]
-                cell.outputs = marked(marks, sheet, note(submission, record))
+                cell.outputs = marked(marks, sheet, remark(submission, record))
         return nb, resources
 
     def found_checkout(self) -> Path:

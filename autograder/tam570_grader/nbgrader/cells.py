@@ -1,18 +1,19 @@
 """The cells of a graded notebook: what our marks look like in them, and what of a student's own outputs stays."""
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from typing import Any
 
 import nbformat
 
+from tam570.values import Json
 from tam570_grader.errors import printable
 from tam570_grader.grading.submissions import Submission
 from tam570_grader.release.notebook import FORMAT
 from tam570_grader.reports.feedback import SIGNS, AssignmentInfo, overall, pictures, template
 from tam570_grader.results.store import Record
 
-__all__ = ["Notebook", "grade_id", "marked", "node", "note", "pictures_only", "rebuilt", "safe"]
+__all__ = ["Notebook", "grade_id", "marked", "node", "remark", "pictures_only", "rebuilt", "safe"]
 
 Notebook = Any  # nbformat's own types say no more
 
@@ -20,15 +21,15 @@ Notebook = Any  # nbformat's own types say no more
 PICTURES = ("image/png", "image/jpeg")
 CELL_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")  # as nbformat has it
 BASE64 = re.compile(r"[A-Za-z0-9+/=\s]*")
-NO_MODULE = "There is no {slug}.py in the folder; the functions were looked for in {found}."
+NO_MODULE = "There is no {slug}.py in the folder; the functions were looked for in {name}."
 
 
-def rebuilt(cells: Iterable[Mapping[str, Any]]) -> Notebook:
+def rebuilt(cells: Iterable[Json]) -> Notebook:
     """Return a notebook of a student's cells, as the sandbox reads them."""
     return node({**FORMAT, "metadata": {}, "cells": [_cell(number, cell) for number, cell in enumerate(cells)]})
 
 
-def _cell(number: int, cell: Mapping[str, Any]) -> dict[str, Any]:
+def _cell(number: int, cell: Json) -> Json:
     noted = {"nbgrader": {"grade_id": cell["grade_id"]}} if cell["grade_id"] else {}
     name = cell["id"] if CELL_ID.fullmatch(cell["id"]) else f"cell-{number}"
     fields = {"cell_type": cell["kind"], "id": name, "metadata": noted, "source": cell["source"]}
@@ -41,22 +42,22 @@ def _cell(number: int, cell: Mapping[str, Any]) -> dict[str, Any]:
     return {**fields, "attachments": cell["attachments"]} if cell["attachments"] else fields
 
 
-def note(submission: Submission, record: Record) -> str:
+def remark(submission: Submission, record: Record) -> str:
     """Return what is to say of the submission as a whole."""
     slug, path = submission.slug, submission.path
     elsewhere = path is not None and path.name != f"{slug}.py"
-    sentence = NO_MODULE.format(slug=slug, found=printable(path.name)) if elsewhere and path else ""
+    sentence = NO_MODULE.format(slug=slug, name=printable(path.name)) if elsewhere and path else ""
     return " ".join(filter(None, (sentence, overall(record["status"], record.get("message", "")))))
 
 
-def marked(marks: Iterable[Mapping[str, Any]], sheet: AssignmentInfo, sentence: str) -> list[Notebook]:
+def marked(marks: Iterable[Json], sheet: AssignmentInfo, sentence: str) -> list[Notebook]:
     """Return the messages and pictures of a part, and its points as nbgrader reads them.
 
     The number that a cell ends with.
     """
     shown = [_shown(check_result, sheet) for check_result in marks]
     earned = round(sum(check_result["points"] for check_result in shown), 6)
-    page = template("part.html").render(marks=shown, note=sentence)
+    page = template("part.html").render(marks=shown, remark=sentence)
     plain = "\n".join([*([sentence] if sentence else []), *map(_plain, shown)])
     return [
         _output("display_data", data={"text/html": page, "text/plain": plain}, metadata={}),
@@ -64,7 +65,7 @@ def marked(marks: Iterable[Mapping[str, Any]], sheet: AssignmentInfo, sentence: 
     ]
 
 
-def _shown(check_result: Mapping[str, Any], sheet: AssignmentInfo) -> dict[str, Any]:
+def _shown(check_result: Json, sheet: AssignmentInfo) -> Json:
     """Return a mark without its detail, which is the instructor's."""
     return {
         "name": check_result["name"],
@@ -77,7 +78,7 @@ def _shown(check_result: Mapping[str, Any], sheet: AssignmentInfo) -> dict[str, 
     }
 
 
-def _plain(check_result: Mapping[str, Any]) -> str:
+def _plain(check_result: Json) -> str:
     message = f"\n  {check_result['message']}" if check_result["message"] else ""
     points = f"{check_result['points']:g}/{check_result['max_points']:g}"
     return f"{SIGNS[check_result['outcome']]} {points} {check_result['line']}{message}"
@@ -97,7 +98,7 @@ def safe(output: Notebook) -> Notebook | None:
     return _output("display_data", data=data, metadata={}) if data else None
 
 
-def pictures_only(attachments: Any) -> bool:
+def pictures_only(attachments: object) -> bool:
     """Return whether a text's attachments are pictures, all of them."""
     return isinstance(attachments, dict) and all(
         isinstance(attachment, dict) and all(_picture(mime, text) for mime, text in attachment.items())
@@ -105,11 +106,11 @@ def pictures_only(attachments: Any) -> bool:
     )
 
 
-def _picture(mime: str, text: Any) -> bool:
+def _picture(mime: str, text: object) -> bool:
     return mime in PICTURES and isinstance(text, str) and bool(BASE64.fullmatch(text))
 
 
-def _text(value: Any) -> str:
+def _text(value: object) -> str:
     return "".join(map(str, value)) if isinstance(value, list) else str(value)
 
 
@@ -117,7 +118,7 @@ def _output(output_type: str, **content: Any) -> Notebook:
     return node({"output_type": output_type, **content})
 
 
-def node(content: Mapping[str, Any]) -> Notebook:
+def node(content: Json) -> Notebook:
     """Return a notebook, or a piece of one, as nbformat has it."""
     return nbformat.from_dict(content)  # type: ignore[no-untyped-call]
 

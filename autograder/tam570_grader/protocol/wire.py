@@ -51,7 +51,7 @@ KINDS = {
 class Foreign:
     """A value that does not cross: only what kind it is, out of a fixed list."""
 
-    kind: str
+    type_name: str
 
 
 class Unreadable(Exception):
@@ -77,11 +77,11 @@ class ItemBudget:
     """The items of lists and maps that messages may still have: a short message can ask for much memory."""
 
     def __init__(self) -> None:
-        self.left = MOST_ITEMS
+        self.remaining = MOST_ITEMS
 
-    def taken(self, items: Any) -> Any:
-        self.left -= 1 + len(items)
-        if self.left < 0:
+    def spend(self, items: Any) -> Any:
+        self.remaining -= 1 + len(items)
+        if self.remaining < 0:
             raise Unreadable("too many items")
         return items
 
@@ -94,15 +94,15 @@ def unpacked(data: bytes, budget: ItemBudget | None = None) -> Any:
     budget = budget or ItemBudget()
 
     def extension(code: int, content: bytes) -> Any:
-        budget.taken(())
+        budget.spend(())
         return _known(code, content)
 
     try:
         return msgpack.unpackb(
             data,
             ext_hook=extension,
-            list_hook=budget.taken,
-            object_hook=budget.taken,
+            list_hook=budget.spend,
+            object_hook=budget.spend,
             strict_map_key=True,
             max_ext_len=2 * LARGEST_ARRAY,
             max_array_len=MOST_ITEMS,
@@ -169,7 +169,7 @@ def _portable_array(numbers: Any) -> Any:
 
 def _extension(value: Any) -> msgpack.ExtType:
     if isinstance(value, Foreign):
-        return msgpack.ExtType(FOREIGN, value.kind.encode())
+        return msgpack.ExtType(FOREIGN, value.type_name.encode())
     if isinstance(value, ndarray):
         code = 3 if value.dtype.kind == "c" else 1
         header = pack(f"<{1 + value.ndim}q", value.ndim, *value.shape)

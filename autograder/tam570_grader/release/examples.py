@@ -5,13 +5,14 @@ comparison that a right submission in another style fails, nothing is released.
 """
 
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from tam570.checking.examples import FILE, Examples, closed, fingerprint, part, plain
+from tam570.values import Json, Numbers
 from tam570_grader.checks import assignments
 from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.checks.expect import check_context
@@ -29,14 +30,14 @@ __all__ = ["caught", "examples_of", "write"]
 PUBLIC_SEED = 1
 MOST_NUMBERS = 160  # of an example's arguments and results together
 MOST_OF_A_LABEL = 2  # examples of a function for one kind of input that are looked at
-Example = dict[str, Any]
+Example = Json
 
 
 def write(course: Path, names: Sequence[str]) -> int:
     """Write the examples of these assignments, or of all; the exit code."""
     slugs = assignments.slugs(course)
     with sandboxes():
-        for slug in assignments.named(names, slugs) if names else slugs:
+        for slug in assignments.match_slugs(names, slugs) if names else slugs:
             path = course / "assignments" / slug / FILE
             written(path, examples_of(course, slug))
             say(f"{path} written", error=True)
@@ -65,7 +66,7 @@ def caught(examples: Examples, module: Any) -> bool:
 
 def _candidates(assignment: LoadedAssignment) -> list[Example]:
     """Return what the checks compare along the solution, with the public seed; a few of each kind of input."""
-    notes: list[dict[str, Any]] = []
+    notes: list[Json] = []
 
     def collect_calls(zygote: Any, _: Any) -> None:
         student = Student(Source(assignment.solution.encode()), assignment, zygote)
@@ -105,7 +106,7 @@ def _rounded(value: Any) -> Any:
     return np.asarray(value, float) if isinstance(value, np.ndarray | np.generic | tuple) else value
 
 
-def _size(*groups: Any) -> int:
+def _size(*groups: Iterable[Numbers]) -> int:
     return sum(int(np.size(value)) for group in groups for value in group if not isinstance(value, str))
 
 
@@ -157,7 +158,7 @@ def _functions(candidates: Sequence[Example]) -> list[str]:
 
 def _fingerprints(
     mistake: Mistake, answers: Mapping[int, Any], chosen: Sequence[int], candidates: Sequence[Example]
-) -> dict[str, Any] | None:
+) -> Json | None:
     """Return what tells a mistake of one function by the results of the chosen examples."""
     results: dict[str, list[float]] = {}
     changed = {candidates[k]["function"] for k in answers} & mistake.defined

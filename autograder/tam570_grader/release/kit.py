@@ -9,8 +9,8 @@ import shutil
 import tempfile
 import tomllib
 from pathlib import Path
-from typing import Any
 
+from tam570.values import Json
 from tam570_grader.checks import assignments
 from tam570_grader.errors import UsageError, say, writing
 from tam570_grader.release.notebook import write_notebook
@@ -87,10 +87,10 @@ def _digest(folder: Path) -> str:
     return digest.hexdigest()[:10]
 
 
-def _project(course: Path, version: str) -> dict[str, Any]:
+def _project(course: Path, version: str) -> Json:
     """Return the project as pyproject.toml has it, without the grader."""
     config = tomllib.loads((course / "pyproject.toml").read_text(encoding="utf-8"))
-    project: dict[str, Any] = config["project"]
+    project: Json = config["project"]
     project |= {
         "version": version,
         "dynamic": [],

@@ -7,9 +7,9 @@ import shutil
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from tam570 import handin
+from tam570.values import Json
 from tam570_grader.checks import assignments
 from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.checks.rubric import ManualPart, rubric_table, without_rubric
@@ -29,7 +29,7 @@ __all__ = [
 ]
 
 TEMPLATES = Path(__file__).parent / "templates"
-CellRecord = dict[str, Any]
+CellRecord = Json
 Definitions = Mapping[str, ast.FunctionDef]
 
 PART = re.compile(r"^\*\*\(([a-z])\)\*\*", re.MULTILINE)
@@ -77,7 +77,7 @@ def problem(readme: str) -> Problem:
     return Problem(text[: starts[0].start()].strip() if starts else text.strip(), parts, (bar + table).strip())
 
 
-def notebook(assignment: LoadedAssignment, readme: str, tests: str, pictures: str) -> dict[str, Any]:
+def notebook(assignment: LoadedAssignment, readme: str, tests: str, pictures: str) -> Json:
     """Return the notebook as nbformat has it.
 
     readme, tests : of the assignment, as students get them
@@ -202,7 +202,7 @@ def _locked(assignment: LoadedAssignment, part: str, tests: Iterable[str]) -> Ce
     return cell
 
 
-def _nbgrader(grade_id: str, points: float, *, locked: bool, solution: bool) -> dict[str, Any]:
+def _nbgrader(grade_id: str, points: float, *, locked: bool, solution: bool) -> Json:
     return {
         "nbgrader": {
             "grade": True,

@@ -8,9 +8,11 @@ import zlib
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
+from tam570.values import Json
 from tam570_grader.checks.assignments import checks_digest, engine_digest
+from tam570_grader.checks.curves import Curve
 from tam570_grader.errors import UsageError, warn
 from tam570_grader.reports.sentences import capitalized, describe_failure, known_mistake, points, sentence, typeset
 from tam570_grader.results import manual_points
@@ -18,6 +20,11 @@ from tam570_grader.results.manual_points import AdjustedScore, ManualAdjustments
 from tam570_grader.results.records import CheckResult, Result, read
 from tam570_grader.results.store import Key, Record, Results
 from tam570_grader.results.tables import written
+
+if TYPE_CHECKING:
+    from jinja2 import Template
+
+    from tam570_grader.reports.pictures import Among, Picture, Sketch
 
 __all__ = [
     "SIGNS",
@@ -45,7 +52,7 @@ NOTES = {
 STOPPED = ("unreadable", "timeout", "crashed")  # what the visible tests would have told
 
 
-Progress = Callable[[Iterable[Any], int], Iterable[Any]]
+Progress = Callable[[Iterable[Key], int], Iterable[Key]]
 
 
 @dataclass(frozen=True)
@@ -88,19 +95,19 @@ def page(result: Result, info: AssignmentInfo, adjusted: AdjustedScore | None = 
     check_results = [check_result for part in parts for check_result in part["marks"]]
     wrong = [check_result for check_result in check_results if check_result["stuck"]]
     wrong.sort(key=lambda check_result: (not check_result["suspect"], check_result["outcome"] != "failed"))
-    text: str = template("feedback.html").render(
+    text = template("feedback.html").render(
         slug=result.assignment,
         student=result.student,
         title=info.title,
         score=points(adjusted.score, adjusted.most),
         max_score=points(adjusted.most),
-        note=overall(result.status, result.message),
-        again=result.status in STOPPED,
+        remark=overall(result.status, result.message),
+        stopped=result.status in STOPPED,
         parts=parts,
         manual=[
             (letter, points(most), what) for letter, (most, what) in info.manual.items() if letter not in adjusted.parts
         ],
-        by_hand=adjusted.message,
+        adjustments=adjusted.message,
         first=next(iter(wrong), None),
         among=_among(result),
     )
@@ -119,7 +126,7 @@ def must_write_pages() -> None:
 
 
 @functools.cache
-def template(name: str) -> Any:
+def template(name: str) -> "Template":
     """Return a page's template; whatever is put into it is escaped."""
     import jinja2
 
@@ -131,7 +138,7 @@ def template(name: str) -> Any:
     return pages.get_template(name)
 
 
-def _part(letter: str, result: Result, info: AssignmentInfo) -> dict[str, Any]:
+def _part(letter: str, result: Result, info: AssignmentInfo) -> Json:
     check_results = [check_result for check_result in result.checks if check_result.part == letter]
     each = [check_result.points for check_result in check_results]
     earned = None if None in each else sum(filter(None, each))
@@ -145,7 +152,7 @@ def _part(letter: str, result: Result, info: AssignmentInfo) -> dict[str, Any]:
     }
 
 
-def _shown(check_result: CheckResult, info: AssignmentInfo, overall_message: str) -> dict[str, Any]:
+def _shown(check_result: CheckResult, info: AssignmentInfo, overall_message: str) -> Json:
     """Return a mark as the page shows it, but for what the note says of all.
 
     Never its detail, which is the instructor's.
@@ -175,7 +182,7 @@ def _shown(check_result: CheckResult, info: AssignmentInfo, overall_message: str
     }
 
 
-def pictures(curve: Any) -> list[Any]:
+def pictures(curve: Curve | None) -> "list[Picture]":
     """Return the drawings of a failure: the error, and what becomes of an invariant.
 
     Results of an older run have none.
@@ -187,7 +194,7 @@ def pictures(curve: Any) -> list[Any]:
     return [picture(drawn) for drawn in (curve, curve.get("keeps")) if drawn]
 
 
-def _sketch(drawn: Any) -> Any:
+def _sketch(drawn: Json | None) -> "Sketch | None":
     """Return the free body diagram of a failure, if there is one."""
     if not drawn:
         return None
@@ -196,7 +203,7 @@ def _sketch(drawn: Any) -> Any:
     return sketch(drawn)
 
 
-def _among(result: Result) -> Any:
+def _among(result: Result) -> "Among | None":
     """Return the student's run time among the methods, if it was measured."""
     if not result.speed:
         return None
@@ -262,8 +269,12 @@ def _write_page(folder: Path, key: Key, text: str) -> None:
 
 def _settled(adjustments: ManualAdjustments, results: Results) -> dict[Key, AdjustedScore]:
     """Return the scores to which something was added by hand."""
-    scores = {key: line.graded[-2:] for key, line in results.lines.items() if adjustments.touches(key)}
-    return {key: adjustments.adjust(key, score, most, results.earned(key)) for key, (score, most) in scores.items()}
+    rows = [line.graded for key, line in results.lines.items() if adjustments.touches(key)]
+    return {
+        row.key: adjustments.adjust(row.key, row.score, row.max_score, results.earned(row.key))
+        for row in rows
+        if not isinstance(row.score, str)
+    }
 
 
 def _path(folder: Path, key: Key) -> str:

@@ -3,8 +3,8 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
+from tam570.values import Json
 from tam570_grader.checks.curves import Curve
 from tam570_grader.reports.sentences import quantity
 from tam570_grader.results.run_time import Speed, scenes, time_to
@@ -45,7 +45,7 @@ class Sketch:
     unknown: Sequence[tuple[int, int]]  # points of forces of which no component is known
 
 
-def sketch(drawn: Mapping[str, Any]) -> Sketch:
+def sketch(drawn: Json) -> Sketch:
     """Return the picture of a free body diagram, beside the body; never what it should be."""
     outline, arrows, unknown = "", "", []
     for x1, y1, x2, y2 in drawn["outline"]:
@@ -94,12 +94,12 @@ def among(slug: str, speed: Speed) -> Among:
     seconds, errors = ([math.log10(numbers) for numbers in column] for column in zip(*everything, strict=True))
     (x0, x1), (y0, y1) = ((math.floor(min(logs)), math.floor(max(logs)) + 1) for logs in (errors, seconds))
 
-    def place(point: tuple[float, float]) -> tuple[float, float]:
+    def locate(point: tuple[float, float]) -> tuple[float, float]:
         across = (x1 - math.log10(point[1])) / (x1 - x0)
         return round(LEFT + (LAST - LEFT) * across, 1), round(_up(math.log10(point[0]), y0, y1), 1)
 
-    points_of = {name: [place(point) for point in curve] for name, curve in curves.items() if curve}
-    point = place((speed["seconds"], speed["error"]))
+    points_of = {name: [locate(point) for point in curve] for name, curve in curves.items() if curve}
+    point = locate((speed["seconds"], speed["error"]))
     decades = range(x1, x0 - 1, -max(1, math.ceil((x1 - x0) / 6)))
     return Among(
         caption=f"Run time against error of {speed['function']}, scene: {speed['scene']}.",
@@ -211,11 +211,10 @@ def _ticks(low: float, high: float) -> list[tuple[float, str]]:
     return [(k * step, f"{k * step:.{digits}g}") for k in counts]
 
 
-def _places(heights: Sequence[Any], low: float, high: float) -> list[tuple[float, float]]:
+def _places(heights: Sequence[float | None], low: float, high: float) -> list[tuple[float, float]]:
     """Return where the known values are in the frame; the first and the last at its sides."""
-    present = [k for k, height in enumerate(heights) if height is not None]
     across = (RIGHT - LEFT) / max(len(heights) - 1, 1)
-    return [(LEFT + across * k, _up(heights[k], low, high)) for k in present]
+    return [(LEFT + across * k, _up(height, low, high)) for k, height in enumerate(heights) if height is not None]
 
 
 def _up(value: float, low: float, high: float) -> float:

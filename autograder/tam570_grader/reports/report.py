@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from tam570.values import Json
 from tam570_grader.checks.failure import Failure
 from tam570_grader.checks.rubric import load_rubric
 from tam570_grader.errors import UsageError, say, writing
@@ -17,7 +18,7 @@ from tam570_grader.reports.feedback import AssignmentInfo, load_assignment_info,
 from tam570_grader.reports.scenes import wrong_and_right
 from tam570_grader.reports.sentences import points
 from tam570_grader.results import manual_points
-from tam570_grader.results.manual_points import EX, EXCUSED
+from tam570_grader.results.manual_points import EX, EXCUSED, GradeRow
 from tam570_grader.results.records import CheckResult, Result
 from tam570_grader.results.shared import Notes
 from tam570_grader.results.store import Key, stream
@@ -58,7 +59,7 @@ def run(
     everyone: Everyone | None,
     out: Path | None,
     names: Mapping[str, str] | None = None,
-    hand_ins: Sequence[Mapping[str, Any]] = (),
+    hand_ins: Sequence[Json] = (),
 ) -> int:
     """Write the report on the results in the folder; the exit code.
 
@@ -133,7 +134,7 @@ def report(
     script = SCRIPT.read_text(encoding="utf-8")
     students = sorted({student for student, _ in class_results} | set(roster))
     everything = class_results.values()
-    text: str = template("report.html").render(
+    text = template("report.html").render(
         {"shared": (), "names": {}, "claims": (), "scenes": (), "hand_ins": ()} | sections,
         slugs=_slugs(class_results),
         infos=infos,
@@ -167,7 +168,7 @@ def _here(result: Result) -> bool:
     return result.status != "missing"
 
 
-def _assignments(class_results: Class, infos: Mapping[str, AssignmentInfo]) -> list[dict[str, Any]]:
+def _assignments(class_results: Class, infos: Mapping[str, AssignmentInfo]) -> list[Json]:
     """Return each assignment at a glance."""
     handed_in: dict[str, list[Result]] = {slug: [] for slug in _slugs(class_results)}
     for result in filter(_here, class_results.values()):
@@ -175,7 +176,7 @@ def _assignments(class_results: Class, infos: Mapping[str, AssignmentInfo]) -> l
     return [{"slug": slug, "title": infos[slug].title, **_spread(mine)} for slug, mine in handed_in.items()]
 
 
-def _spread(handed_in: Sequence[Result]) -> dict[str, Any]:
+def _spread(handed_in: Sequence[Result]) -> Json:
     """Return the middle of the scores, the spread, how many have all."""
     scores = [result.score for result in handed_in if result.score is not None]
     most = handed_in[0].max_score if handed_in else 0.0
@@ -193,7 +194,7 @@ def _spread(handed_in: Sequence[Result]) -> dict[str, Any]:
     }
 
 
-def _scores(class_results: Class, students: Sequence[str], dropped: Container[Key]) -> Iterable[dict[str, Any]]:
+def _scores(class_results: Class, students: Sequence[str], dropped: Container[Key]) -> Iterable[Json]:
     """Yield a row for each student: a cell for each assignment, in brackets where it does not count, and the sum."""
     slugs = _slugs(class_results)
     for student in students:
@@ -206,11 +207,11 @@ def _scores(class_results: Class, students: Sequence[str], dropped: Container[Ke
 
 def _dropped(class_results: Class, adjustments: manual_points.ManualAdjustments) -> set[Key]:
     """Return the lowest results that a course drops, as in the table of grades."""
-    rows = [(*key, result.status, result.score, result.max_score) for key, result in class_results.items()]
+    rows = [GradeRow(*key, result.status, result.score, result.max_score) for key, result in class_results.items()]
     return adjustments.dropped(rows)
 
 
-def _scenes(course: Path, suspects: Iterable[Mapping[str, Any]], examples: Examples) -> list[dict[str, Any]]:
+def _scenes(course: Path, suspects: Iterable[Json], examples: Examples) -> list[Json]:
     """Return the mistakes with their pictures, wrong beside right; None where there is nothing to draw."""
     return [
         {**it, "pair": wrong_and_right(course, it["slug"], it["key"], examples.get((it["slug"], it["key"])))}
@@ -267,7 +268,7 @@ def _discrimination(results: Sequence[Result]) -> dict[tuple[str, str], float]:
     return {key: round(share, 1) for key, share in shares.items()}
 
 
-def _suspects(results: Iterable[Result], infos: Mapping[str, AssignmentInfo]) -> list[dict[str, Any]]:
+def _suspects(results: Iterable[Result], infos: Mapping[str, AssignmentInfo]) -> list[Json]:
     """Return what went wrong, known mistakes and failed checks with their hints, those of most students first."""
     who: dict[tuple[str, str], set[str]] = defaultdict(set)
     sentences: dict[tuple[str, str], str] = {}
@@ -287,7 +288,7 @@ def _what_went_wrong(check: CheckResult) -> str:
     return check.suspect or f"{check.name} {check.message}"
 
 
-def _claims(adjustments: manual_points.ManualAdjustments, course: Path, slugs: Sequence[str]) -> list[dict[str, Any]]:
+def _claims(adjustments: manual_points.ManualAdjustments, course: Path, slugs: Sequence[str]) -> list[Json]:
     """Of each claim of a rubric to how many of those who are graded by hand it was given."""
     claims = []
     for slug in slugs:
@@ -302,7 +303,7 @@ def _claims(adjustments: manual_points.ManualAdjustments, course: Path, slugs: S
     return [entry for entry in claims if entry["of"]]
 
 
-def _absent(class_results: Class, students: Sequence[str]) -> list[dict[str, Any]]:
+def _absent(class_results: Class, students: Sequence[str]) -> list[Json]:
     """For each assignment, who has handed in nothing."""
     here = {key for key, result in class_results.items() if _here(result)}
     return [

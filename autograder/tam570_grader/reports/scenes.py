@@ -8,18 +8,19 @@ import base64
 import io
 import tempfile
 import warnings
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 from PIL import Image
 
 from tam570.show import Trouble, scene_of
 from tam570.show.pictures import write
 from tam570.show.scene import Scene
+from tam570.values import Json
 from tam570_grader.checks.assignments import checks_folder
 from tam570_grader.checks.failure import Failure
 from tam570_grader.diagnosis.mistakes import mistakes, solution_with
@@ -69,7 +70,7 @@ def _scenes(course: Path, slug: str, message: str) -> Pair | None:
     return Pair(_still(wrong), _still(reference))
 
 
-def _numbers_of(scene: Scene) -> Iterator[Any]:
+def _numbers_of(scene: Scene) -> Iterator[NDArray[np.float64]]:
     """Yield all that is drawn in a scene."""
     yield from (shape.points for panel in scene.panels for shape in panel.shapes)
     yield from (curve for plot in scene.time_plots for curve in plot.curves.values())
@@ -83,12 +84,12 @@ def _still(scene: Scene) -> str:
 
 def _diagrams(failure: Failure | None) -> Pair | None:
     """Return a student's free body diagram and the right one."""
-    if failure is None or not (failure.sketch and isinstance(failure.expected, Mapping)):
+    if failure is None or not (failure.sketch and isinstance(failure.expected, dict)):
         return None
     return Pair(*(_diagram(sketch) for sketch in (failure.sketch, failure.expected)))
 
 
-def _diagram(sketch: Mapping[str, Any]) -> str:
+def _diagram(sketch: Json) -> str:
     figure = Figure(SIZE)
     axes = figure.add_axes((0, 0, 1, 1), aspect="equal", adjustable="datalim", frameon=False)
     axes.set_axis_off()
@@ -115,7 +116,7 @@ def _numbers(failure: Failure | None) -> Pair | None:
     return Pair(*(_plot(values, (low - margin, high + margin)) for values in both))
 
 
-def _plot(values: Any, span: tuple[float, float]) -> str:
+def _plot(values: NDArray[np.float64], span: tuple[float, float]) -> str:
     figure = Figure(SIZE, layout="constrained")
     axes = figure.subplots()
     if len(values := np.atleast_1d(values)) < FEW:

@@ -51,9 +51,9 @@ def full_message(failure: Failure) -> str:
     )
 
 
-def known_mistake(suspect: str) -> str:
+def known_mistake(mistake: str) -> str:
     """Return what a student reads of a known mistake."""
-    return f"Your numbers match this mistake: {sentence(suspect)}"
+    return f"Your numbers match this mistake: {sentence(mistake)}"
 
 
 def quantity(value: float, digits: int = DIGITS[0]) -> str:

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import astuple, dataclass, replace
 from itertools import zip_longest
 from pathlib import Path
-from typing import Any
+from typing import NamedTuple
 
 from tam570_grader.errors import UsageError
 from tam570_grader.results.records import Result
@@ -35,6 +35,7 @@ __all__ = [
     "WORDS",
     "Earned",
     "Entry",
+    "GradeRow",
     "ManualAdjustments",
     "AdjustedScore",
     "join",
@@ -44,6 +45,7 @@ __all__ = [
 ]
 
 Key = tuple[str, str]  # student, assignment
+Score = float | str | None  # EX in the place of the score of who is excused
 Earned = Callable[[], Mapping[str, float | None]]  # the points of each check, asked for where a row names one
 
 FILE = "by_hand.csv"
@@ -54,6 +56,20 @@ EXCUSED, SLIP, DROP = "excused", "slip days", "drop lowest"
 WORDS = (ADJUST, TOTAL, LATE, EXTENSION, OFF, MOST, EXCUSED, SLIP, DROP)
 OF_THE_TERM = (EXTENSION, OFF, MOST, SLIP, DROP)  # what a row of the assignment * may say
 EX = "EX"  # stands for the score of who is excused, as in Canvas
+
+
+class GradeRow(NamedTuple):
+    """A row of the table of grades."""
+
+    student: str
+    assignment: str
+    status: str
+    score: Score
+    max_score: float
+
+    @property
+    def key(self) -> Key:
+        return self.student, self.assignment
 
 
 @dataclass(frozen=True)
@@ -154,23 +170,23 @@ class ManualAdjustments:
             rest -= days_taken
         return 0.0
 
-    def table(self, rows: Iterable[tuple[Any, ...]]) -> list[tuple[Any, ...]]:
+    def table(self, rows: Iterable[GradeRow]) -> list[GradeRow]:
         """Return the table of grades, without the lowest results that a course drops."""
         rows = list(rows)
         dropped = self.dropped(rows)
-        return [(*row[:3], EX, row[4]) if row[:2] in dropped else row for row in rows]
+        return [row._replace(score=EX) if row.key in dropped else row for row in rows]
 
-    def dropped(self, rows: Iterable[tuple[Any, ...]]) -> set[Key]:
+    def dropped(self, rows: Iterable[GradeRow]) -> set[Key]:
         """Return the lowest results that a course drops, of rows of the table of grades."""
-        counting: dict[str, list[tuple[Any, ...]]] = {}
+        counting: dict[str, list[tuple[float, Key]]] = {}  # shares of what can be earned
         for row in rows:
-            if isinstance(row[3], int | float) and row[4]:
-                counting.setdefault(row[0], []).append(row)
+            if isinstance(row.score, int | float) and row.max_score:
+                counting.setdefault(row.student, []).append((row.score / row.max_score, row.key))
         dropped = set[Key]()
         for student, results in counting.items():
             drop = self._rows((student, EVERYONE)).get(DROP)
             count = min(int(drop.points or 0), len(results) - 1) if drop else 0
-            dropped |= {row[:2] for row in sorted(results, key=lambda row: float(row[3] / row[4]))[:count]}
+            dropped |= {key for _, key in sorted(results, key=lambda result: result[0])[:count]}
         return dropped
 
     def applied(self, result: Result) -> Result:
@@ -185,13 +201,12 @@ class ManualAdjustments:
         status = EXCUSED if adjusted.excused else result.status
         return replace(result, status=status, score=adjusted.score, max_score=adjusted.most)
 
-    def row(self, graded: tuple[Any, ...], earned_of: Earned) -> tuple[Any, ...]:
+    def row(self, graded: GradeRow, earned_of: Earned) -> GradeRow:
         """Return a row of the table of grades with its score settled."""
-        student, slug, status, score, most = graded
-        if not self.touches((student, slug)):
+        if not self.touches(graded.key) or isinstance(graded.score, str):
             return graded
-        adjusted = self.adjust((student, slug), score, most, earned_of)
-        return student, slug, status, EX if adjusted.excused else adjusted.score, adjusted.most
+        adjusted = self.adjust(graded.key, graded.score, graded.max_score, earned_of)
+        return graded._replace(score=EX if adjusted.excused else adjusted.score, max_score=adjusted.most)
 
 
 def _layers(key: Key) -> tuple[Key, Key, Key, Key]:

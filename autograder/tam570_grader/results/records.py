@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from tam570.values import Json
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.failure import Failure
 
@@ -52,22 +53,22 @@ class Result:
     isolation: str
     checks: tuple[CheckResult, ...]
     message: str = ""
-    speed: dict[str, Any] | None = None
+    speed: Json | None = None
     digest: str = ""  # of all that the result depends on
     notebook: bool = False  # it is a notebook that was graded, not a module
     format: int = FORMAT
 
-    def record(self) -> dict[str, Any]:
+    def record(self) -> Json:
         return write(self)
 
 
-def write(result: Result) -> dict[str, Any]:
+def write(result: Result) -> Json:
     """Return the result line as plain data; what is empty is left out where it may be."""
     line = {**asdict(result), "checks": [_check_result(check_result) for check_result in result.checks]}
     return {key: value for key, value in line.items() if value or key not in ("message", "speed", "digest", "notebook")}
 
 
-def _check_result(check_result: CheckResult) -> dict[str, Any]:
+def _check_result(check_result: CheckResult) -> Json:
     line = {field.name: getattr(check_result, field.name) for field in fields(check_result) if field.name != "failure"}
     line = {key: value for key, value in line.items() if value or key not in ("unwritten", "error")}
     if check_result.failure:
@@ -79,7 +80,7 @@ def _check_result(check_result: CheckResult) -> dict[str, Any]:
     return line
 
 
-def read(line: dict[str, Any]) -> Result:
+def read(line: Json) -> Result:
     """Return the result in a line. KeyError or TypeError if there is none."""
     check_results = tuple(
         CheckResult(**{**check_result, "failure": failure(check_result.get("failure"))})
@@ -88,7 +89,7 @@ def read(line: dict[str, Any]) -> Result:
     return Result(**{**line, "checks": check_results})
 
 
-def failure(line: dict[str, Any] | None) -> Failure | None:
+def failure(line: Json | None) -> Failure | None:
     """Return the failure in a mark's line."""
     if line is None:
         return None
@@ -114,7 +115,7 @@ def numbers(value: Any) -> Any:
     return value if value is None or isinstance(value, bool | int | float | str) else repr(value)[:400]
 
 
-def _packed(value: np.ndarray[Any, Any]) -> dict[str, Any]:
+def _packed(value: np.ndarray) -> Json:
     array = np.asarray(value, "<f8", order="C")
     return {"shape": list(value.shape), "float64": base64.b64encode(array.tobytes()).decode()}
 

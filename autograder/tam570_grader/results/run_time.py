@@ -5,18 +5,19 @@ import json
 import math
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+
+from tam570.values import Json
 
 __all__ = ["Speed", "scenes", "time_to"]
 
-Speed = dict[str, Any]  # function, scene, seconds, error, machine: plain data
+Speed = Json  # function, scene, seconds, error, machine: plain data
 
 
 @functools.cache
-def scenes() -> dict[str, Any]:
+def scenes() -> Json:
     """By assignment: a call, the right end state, and the curves of the methods, (seconds, error)."""
     path = Path(__file__).with_name("run_time.json")
-    table: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+    table: Json = json.loads(path.read_text(encoding="utf-8"))
     return table
 
 

@@ -11,20 +11,21 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, BinaryIO
 
+from tam570.values import Json
 from tam570_grader.errors import UsageError
 from tam570_grader.results import manual_points, records
+from tam570_grader.results.manual_points import GradeRow
 from tam570_grader.results.records import Result
 from tam570_grader.results.tables import table_text, written
 
 __all__ = ["ResultStore", "Key", "Line", "Record", "Results", "common_seed", "key_of", "read", "results", "stream"]
 
 Key = tuple[str, str]  # student, assignment
-Record = dict[str, Any]  # a result line, with "digest": of all that the result depends on
+Record = Json  # a result line, with "digest": of all that the result depends on
 SummaryRow = Callable[[Record], Any]
 # what every result has, and every mark in its "checks"
 RESULT_FIELDS = {"student", "assignment", "status", "score", "max_score", "seed", "seconds", "isolation", "checks"}
 CHECK_FIELDS = {"name", "part", "points", "max_points", "outcome", "message", "suspect"}
-COLUMNS = ("student", "assignment", "status", "score", "max_score")  # of the table of grades
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,12 +37,12 @@ class Line:
     digest: str  # of all that the result depends on
     line_digest: str
     seed: int
-    graded: tuple[Any, ...]  # its row in the table of grades
+    graded: GradeRow  # its row in the table of grades
     summary_row: Any = None  # what a run asks of each result, so that none is read twice
 
     @property
     def scored(self) -> bool:
-        return self.graded[COLUMNS.index("score")] is not None
+        return self.graded.score is not None
 
 
 class Results(Mapping[Key, Record]):
@@ -93,7 +94,7 @@ class Results(Mapping[Key, Record]):
 
     def _index(self, record: Record, text: bytes) -> None:
         line_digest = hashlib.blake2b(text, digest_size=12).hexdigest()
-        graded = tuple(map(_kept_once, map(record.get, COLUMNS)))
+        graded = GradeRow(*(_kept_once(record[name]) for name in GradeRow._fields))
         digest = str(record.get("digest"))
         line = Line(self._end, len(text), digest, line_digest, record["seed"], graded, self._note(record))
         self.lines[_kept_once(str(record["student"])), _kept_once(str(record["assignment"]))] = line
@@ -243,9 +244,9 @@ def _kept_once(value: Any) -> Any:
     return sys.intern(value) if type(value) is str else value
 
 
-def grades(rows: Iterable[tuple[Any, ...]]) -> str:
+def grades(rows: Iterable[GradeRow]) -> str:
     """Return a table for a spreadsheet: a row for each student and assignment."""
-    return table_text([COLUMNS, *rows])
+    return table_text([GradeRow._fields, *rows])
 
 
 def key_of(record: Record) -> Key:

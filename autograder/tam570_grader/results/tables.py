@@ -6,12 +6,13 @@ import os
 import re
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
+from typing import TypeVar
 
 from tam570_grader.errors import UsageError, say, warn
 
 __all__ = ["cell", "lines", "name_in", "table", "table_text", "write_table", "written"]
 
+Cell = TypeVar("Cell")
 DELIMITERS = ",;\t"
 # how formulas begin; spreadsheets take the wide forms for the narrow ones
 FORMULA = "=+\\-@\t\r\n\uff1d\uff0b\uff0d\uff20"
@@ -36,13 +37,13 @@ def written(path: Path, content: str | bytes | Iterable[str]) -> None:
         raise
 
 
-def write_table(path: Path | None, rows: Iterable[Iterable[Any]], *, exact: bool = False) -> None:
+def write_table(path: Path | None, rows: Iterable[Iterable[object]], *, exact: bool = False) -> None:
     """Write a table of cells, whole or not at all, or print it.
 
     exact : leave cells as they are, for a system that matches names; warn of what could be a formula
     """
     rows = [list(row) for row in rows]
-    if exact and (odd := sorted({text for row in rows for text in row if text != cell(text)})):
+    if exact and (odd := sorted({str(text) for row in rows for text in row if text != cell(text)})):
         warn(
             "import the table without opening it in a spreadsheet, which may take these for formulas: "
             f"{', '.join(map(repr, odd[:20]))}"
@@ -54,19 +55,19 @@ def write_table(path: Path | None, rows: Iterable[Iterable[Any]], *, exact: bool
         written(path, text)
 
 
-def table_text(rows: Iterable[Iterable[Any]], *, exact: bool = False) -> str:
+def table_text(rows: Iterable[Iterable[object]], *, exact: bool = False) -> str:
     """Return the text of a table of cells."""
     text = io.StringIO()
     csv.writer(text).writerows(rows if exact else ([cell(value) for value in row] for row in rows))  # noqa: TID251
     return text.getvalue()
 
 
-def cell(value: Any) -> Any:
+def cell(value: Cell) -> Cell:
     """Return a value that no spreadsheet takes for a formula, wherever it splits.
 
     A quote stands before what could be one.
     """
-    return BEFORE_FORMULA.sub(r"\g<0>'", value) if isinstance(value, str) else value
+    return BEFORE_FORMULA.sub(r"\g<0>'", value) if isinstance(value, str) else value  # type: ignore[return-value]  # a str, too
 
 
 def name_in(cell: str) -> str:

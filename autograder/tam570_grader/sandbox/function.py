@@ -10,6 +10,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from tam570.formulas import REMEDIES
+from tam570.values import Json, Numbers
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed, NotWritten, get_context
 from tam570_grader.checks.plots import readable
@@ -17,7 +18,7 @@ from tam570_grader.checks.returns import Drawing, Formula, FreeBodyDiagram, resu
 from tam570_grader.sandbox.imports import misused, python_class, sentence_of_ban
 from tam570_grader.sandbox.replies import error_of, strings
 
-__all__ = ["Call", "Function"]
+__all__ = ["Call", "SandboxFunction"]
 
 REAL = 1e-12  # of a value: complex exponentials that make it real leave 1e-25 of imaginary part
 ROUNDING = 1e-25  # where they cancel to zero
@@ -31,7 +32,7 @@ class Call:
 
     name: str
     case: Case
-    result: Any  # None where the call raised, or returned what was not promised
+    result: Numbers  # None where the call raised, or returned what was not promised
 
 
 class Asked(Protocol):
@@ -43,7 +44,7 @@ class Asked(Protocol):
     @property
     def text(self) -> str: ...
 
-    def replies(self, name: str, calls: Sequence[Case], mode: str = "value", **more: Any) -> list[dict[str, Any]]: ...
+    def replies(self, name: str, calls: Sequence[Case], mode: str = "value", **more: Any) -> list[Json]: ...
 
     def takes(self, name: str) -> str: ...
 
@@ -51,7 +52,7 @@ class Asked(Protocol):
 
 
 @dataclass(frozen=True)
-class Function:
+class SandboxFunction:
     """A student's function of the contract."""
 
     student: Asked
@@ -59,7 +60,7 @@ class Function:
     returns: Any
     banned: Sequence[str] = ()  # what is off limits in it
 
-    def __call__(self, *args: Any, **kwargs: Any) -> Any:
+    def __call__(self, *args: Numbers, **kwargs: Numbers) -> Any:
         """Return the result of one call, in the promised form."""
         return self.many([Case(*args, **kwargs)])[0]
 
@@ -67,7 +68,7 @@ class Function:
         """Yield every call with its result; the one at hand is the trial's case, for what `expect` says of it."""
         calls = list(calls)
         for call, value in zip(calls, self.many(calls), strict=True):
-            get_context().judge(self.name, call)
+            get_context().set_call(self.name, call)
             yield call, value
 
     def many(self, calls: Sequence[Case]) -> list[Any]:
@@ -80,7 +81,7 @@ class Function:
         replies = self.student.replies(self.name, calls)
         results = results_alike(self.returns, [reply["value"] for reply in replies if reply.get("changed") is False])
         if results is not None and len(results) == len(calls):
-            get_context().judge(self.name, calls[-1])
+            get_context().set_call(self.name, calls[-1])
             self.student.calls += map(Call, repeat(self.name), calls, results)
             self.student.worked.add(self.name)
             return results
@@ -155,7 +156,7 @@ class Function:
 
         any_input : its kind in any case, whatever else the function does
         """
-        get_context().judge(self.name, call)
+        get_context().set_call(self.name, call)
         try:
             yield
         except Failed as failed:
@@ -163,7 +164,7 @@ class Function:
             failed.failure = replace(failed.failure, function=self.name, label=label, at=call)
             raise
 
-    def _must_be_fair(self, reply: dict[str, Any], expected: str = "") -> None:
+    def _must_be_fair(self, reply: Json, expected: str = "") -> None:
         """Raise NotWritten or Failed for an exception, and for arguments changed in place.
 
         expected : ", not ValueError", say: what else it must raise
@@ -176,7 +177,7 @@ class Function:
         if reply.get("changed"):
             raise Failed(f"{self.name} changes the arrays it is given", hint="Work on copies")
 
-    def _did(self, error: dict[str, Any], expected: str) -> str:
+    def _did(self, error: Json, expected: str) -> str:
         """Return what it did instead of returning, in words of ours."""
         if "Forbidden" in error["kinds"]:
             return f"uses what is off limits in it: {misused(error, self.banned)}"
@@ -185,7 +186,7 @@ class Function:
         return sentence_of_ban(error["text"]) or f"raised {python_class(error)}{expected}"
 
 
-def _strangers(value: Any, source: str) -> str:
+def _strangers(value: object, source: str) -> str:
     """Return a symbol of a formula that the contract does not know, if it is a word that the student wrote down.
 
     The name of a symbol may be made at run time, of hidden inputs: no other is told, and but one.

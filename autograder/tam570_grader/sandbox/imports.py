@@ -8,8 +8,8 @@ What the interpreter says of the text itself comes before any of it runs, and is
 import builtins
 import re
 from collections.abc import Sequence
-from typing import Any
 
+from tam570.values import Json
 from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.errors import Over, printable
 from tam570_grader.sandbox.replies import error_of
@@ -63,12 +63,12 @@ class NotLoaded(Over):
         self.status = status
 
 
-def not_compiled(reply: Any) -> NotLoaded:
+def not_compiled(reply: object) -> NotLoaded:
     """Return why the text is no Python, in the interpreter's words: nothing of it has run."""
     return _unreadable(error_of(reply), PLACE.sub("", error_of(reply)["text"]))
 
 
-def not_imported(reply: Any, text: bytes, assignment: LoadedAssignment, informed: bool) -> NotLoaded:
+def not_imported(reply: object, text: bytes, assignment: LoadedAssignment, informed: bool) -> NotLoaded:
     """Return why it could not be imported; of one that is tried again, not even that."""
     error = error_of(reply)
     if informed:
@@ -83,7 +83,7 @@ def not_imported(reply: Any, text: bytes, assignment: LoadedAssignment, informed
     return _unreadable({**error, "line": line}, _own_words(error["text"], text))
 
 
-def misused(error: dict[str, Any], names: Sequence[str]) -> str:
+def misused(error: Json, names: Sequence[str]) -> str:
     """Return what was used of the names that are off limits.
 
     All where that is not told: the text is the submission's.
@@ -96,7 +96,7 @@ def sentence_of_ban(said: str, line: int = 0) -> str:
     return next((done.format(_at(line)) for words, done in MISDEEDS.items() if re.fullmatch(words, said)), "")
 
 
-def python_class(error: dict[str, Any]) -> str:
+def python_class(error: Json) -> str:
     """Return the exception's first class that is Python's own: a name that a student chose could carry an input out."""
     return next((class_name for class_name in error["kinds"] if _is_python(class_name)), "an exception")
 
@@ -114,7 +114,7 @@ def _skipped(match: re.Match[str], text: bytes) -> str:
     return f"cell {match[1]}: {match[2]}{': ' + words if words else ''}"
 
 
-def _unreadable(error: dict[str, Any], words: str) -> NotLoaded:
+def _unreadable(error: Json, words: str) -> NotLoaded:
     where = python_class(error) + _at(error["line"])
     return NotLoaded("unreadable", ": ".join(filter(None, ("Your file cannot be imported", where, words))))
 

@@ -2,8 +2,8 @@
 
 import atexit
 import functools
-from typing import Any
 
+from tam570.values import Json
 from tam570_grader.sandbox.imports import python_class
 from tam570_grader.sandbox.process import ProcessLost, ProcessTimeout
 from tam570_grader.sandbox.replies import error_of
@@ -18,9 +18,9 @@ class Unshown(Exception):
     """What cannot be read; the message says why."""
 
 
-def cells_of(text: bytes) -> list[dict[str, Any]]:
+def cells_of(text: bytes) -> list[Json]:
     """Return the cells of a notebook, as `inside.cells` describes them, or Unshown; nothing of it has run."""
-    cells: list[dict[str, Any]] = _read({"book": text})["cells"]
+    cells: list[Json] = _read({"book": text})["cells"]
     return cells
 
 
@@ -34,7 +34,7 @@ def statements_of(text: bytes) -> str:
     return str(_read({"module": text})["code"])
 
 
-def _read(request: dict[str, Any]) -> dict[str, Any]:
+def _read(request: Json) -> Json:
     try:
         process = _reader().process(READING.cpu)
     except ZygoteLost:
@@ -42,7 +42,7 @@ def _read(request: dict[str, Any]) -> dict[str, Any]:
         raise
     try:
         process.send(request)
-        reply: dict[str, Any] = process.receive(lambda reply: reply)
+        reply: Json = process.receive(lambda reply: reply)
     except ProcessTimeout:
         raise Unshown("it takes too long to read") from None
     except ProcessLost:

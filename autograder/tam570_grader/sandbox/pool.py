@@ -22,15 +22,15 @@ class Attempt:
     """One try of a submission.
 
     forgiving : another one follows: WorkerLost where the submission is killed from outside, as for want of memory
-    again     : one went before: the submission may know hidden inputs, and what it says at import is not quoted
+    is_retry     : one went before: the submission may know hidden inputs, and what it says at import is not quoted
     """
 
     forgiving: bool = False
-    again: bool = False
+    is_retry: bool = False
 
 
 ONLY = Attempt()
-ATTEMPTS = tuple(Attempt(forgiving=number < TRIES, again=number > 1) for number in range(1, TRIES + 1))
+ATTEMPTS = tuple(Attempt(forgiving=number < TRIES, is_retry=number > 1) for number in range(1, TRIES + 1))
 
 
 def tried(

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from tam570.formulas import REMEDIES
+from tam570.values import Json, Numbers
 from tam570_grader.checks.returns import Drawing, Line
 from tam570_grader.errors import printable
 from tam570_grader.protocol.wire import DEEPEST, MOST_DIMENSIONS, Foreign
@@ -20,7 +21,7 @@ from tam570_grader.sandbox.process import ProcessLost
 
 __all__ = ["checked", "error_of", "imported", "strings"]
 
-Reply = dict[str, Any]
+Reply = Json
 
 MOST_KINDS = 20  # classes of an exception
 MOST_LINES = 2000  # of a drawing: three times what is read of one
@@ -32,7 +33,7 @@ LONGEST_TEXT = 300  # characters of a label, of the text of an exception
 NO_ERROR: Reply = {"kinds": [], "text": "", "line": 0}
 
 
-def checked(message: Any, mode: str, most: int = 1) -> list[Reply]:
+def checked(message: object, mode: str, most: int = 1) -> list[Reply]:
     """Return the replies of a message, `most` of them, made of nothing but what this mode promises.
 
     Else ProcessLost: it is not from our part of the process.
@@ -46,7 +47,7 @@ def checked(message: Any, mode: str, most: int = 1) -> list[Reply]:
     return [{"value": FORMS[mode](row), "changed": False} for row in (values.tolist() if values.ndim == 1 else values)]
 
 
-def _reply(reply: Any, mode: str) -> Reply:
+def _reply(reply: object, mode: str) -> Reply:
     if not isinstance(reply, dict) or not isinstance(reply.get("changed", False), bool):
         raise ProcessLost
     if "error" in reply:
@@ -56,7 +57,7 @@ def _reply(reply: Any, mode: str) -> Reply:
     return {"value": FORMS[mode](reply["value"]), "changed": reply.get("changed", False)}
 
 
-def imported(reply: Any) -> Reply:
+def imported(reply: object) -> Reply:
     """Return a reply to the text of a submission: {"names": [...], "skipped": [...]} or {"error".
 
     ...}, of short strings.
@@ -68,7 +69,7 @@ def imported(reply: Any) -> Reply:
     return {"names": reply["names"], "skipped": reply["skipped"] if strings(reply.get("skipped")) else []}
 
 
-def error_of(reply: Any) -> Reply:
+def error_of(reply: object) -> Reply:
     """Return the error of a reply, {"kinds".
 
     [], ...} where there is none, and nothing that is not of the right type.
@@ -84,7 +85,7 @@ def error_of(reply: Any) -> Reply:
     }
 
 
-def strings(value: Any) -> bool:
+def strings(value: object) -> bool:
     """Return whether it is a list of a few short strings."""
     return (
         isinstance(value, list)
@@ -93,7 +94,7 @@ def strings(value: Any) -> bool:
     )
 
 
-def _numbers(value: Any, depth: int = 0) -> Any:
+def _numbers(value: object, depth: int = 0) -> Any:
     """Numbers, arrays of numbers and lists of these, no deeper than they are sent; of anything else the kind alone."""
     if value is None or type(value) in (bool, float, Foreign):
         return value
@@ -104,7 +105,7 @@ def _numbers(value: Any, depth: int = 0) -> Any:
     raise ProcessLost
 
 
-def _values(value: Any) -> Any:
+def _values(value: object) -> Any:
     """Return the values of a formula, one number each; or the strange symbols that it has, or what it is instead."""
     if isinstance(value, dict) and value.get("form") in [*REMEDIES]:
         return {"form": value["form"]}
@@ -115,11 +116,11 @@ def _values(value: Any) -> Any:
     return _numbers(value)
 
 
-def _is_number(value: Any) -> bool:
+def _is_number(value: object) -> bool:
     return type(value) is float or (isinstance(value, np.ndarray) and value.ndim == 0)
 
 
-def _drawing(value: Any) -> Drawing | None:
+def _drawing(value: object) -> Drawing | None:
     """Return what was drawn; None where it is too much, or nothing that can be read."""
     if not isinstance(value, dict) or not isinstance(value.get("lines"), list) or len(value["lines"]) > MOST_LINES:
         return None
@@ -136,18 +137,18 @@ def _drawing(value: Any) -> Drawing | None:
     return Drawing(tuple(complete), *labels, showing, scales, bent)
 
 
-def _pair(value: Any, item_type: type) -> Any:
+def _pair(value: object, item_type: type) -> Any:
     """Return the two members of a list, both of this very type."""
     return (
         tuple(value) if isinstance(value, list) and [type(item) for item in value] == [item_type, item_type] else None
     )
 
 
-def _line(line: Any) -> Line | None:
+def _line(line: Json) -> Line | None:
     points = line.get("points") if isinstance(line, dict) else None
     if not isinstance(points, np.ndarray) or points.dtype != np.float64 or points.ndim != 2 or points.shape[1] != 2:
         return None
-    seen = [line.get(key) for key in ("shows", "within", "extent")]
+    seen: list[Numbers] = [line.get(key) for key in ("shows", "within", "extent")]
     if not all(type(share) is float for share in seen):
         return None
     scatter = line.get("scatter") is True

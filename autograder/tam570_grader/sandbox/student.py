@@ -6,12 +6,13 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
+from tam570.values import Function, Json
 from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed, NotWritten, get_context
 from tam570_grader.errors import Over, printable
 from tam570_grader.protocol.wire import request
-from tam570_grader.sandbox.function import Call, Function
+from tam570_grader.sandbox.function import Call, SandboxFunction
 from tam570_grader.sandbox.imports import NotLoaded, not_compiled, not_imported, skipped_cells
 from tam570_grader.sandbox.pool import ONLY, Attempt
 from tam570_grader.sandbox.process import PATIENCE, ProcessLost, ProcessTimeout, SandboxProcess
@@ -39,13 +40,13 @@ class Student:
     """One submission in the sandbox. `student.f` is the function f of the contract."""
 
     def __init__(self, source: Source, assignment: LoadedAssignment, zygote: Zygote, attempt: Attempt = ONLY) -> None:
-        self._forgiving, self._informed = attempt.forgiving, attempt.again
+        self._forgiving, self._informed = attempt.forgiving, attempt.is_retry
         self.calls: list[Call] = []  # of the check that is running
         self.skipped: list[str] = []  # notebook cells
         self._source, self._assignment, self._zygote = source, assignment, zygote
         self._processes: dict[tuple[str, ...], SandboxProcess] = {}  # by what may not be called in it
         self._defined: set[str] = set()
-        self._broken: dict[str, dict[str, Any]] = {}  # functions that hung or crashed, and how
+        self._broken: dict[str, Json] = {}  # functions that hung or crashed, and how
         self.worked: set[str] = set()  # functions that have returned what was promised: it depends on the input
         self._asides = 0  # blocks of `aside` that are open
         self._cpu, self._lasted = 0.0, 0.0  # s of CPU and on the wall's clock, of the cells that have ended
@@ -54,7 +55,7 @@ class Student:
         if name not in self._assignment.results:
             raise AttributeError(f"the contract of {self._assignment.slug} has no function {name}")
         banned = [*self._assignment.forbidden.get(name, ()), *self._assignment.forbidden.get("*", ())]
-        return Function(self, name, self._assignment.results[name], banned)
+        return SandboxFunction(self, name, self._assignment.results[name], banned)
 
     @contextmanager
     def aside(self) -> Iterator[None]:
@@ -98,7 +99,7 @@ class Student:
         """What was handed in, as far as it is text."""
         return self._source.text.decode("utf-8", "replace")
 
-    def replies(self, name: str, calls: Sequence[Case], mode: str = "value", **more: Any) -> list[dict[str, Any]]:
+    def replies(self, name: str, calls: Sequence[Case], mode: str = "value", **more: Any) -> list[Json]:
         """One reply for each call up to the first error; Failed if the function hangs or ends its process.
 
         more : fields of the request; every=True asks for the calls behind an error, too
@@ -108,12 +109,12 @@ class Student:
         if self._asides and self.seconds() > self._zygote.limits.cpu / 2:
             raise Failed(f"{name} takes too long to be called once more")
         banned, results = self._assignment.forbidden.get(name, ()), self._assignment.results
-        refused = [one for one in banned if one in results]  # functions of the file; the rest are modules
-        uncallable = tuple(one for one in banned if one not in results)
+        refused = [name for name in banned if name in results]  # functions of the file; the rest are modules
+        uncallable = tuple(name for name in banned if name not in results)
         process = self._process(uncallable)
         if name not in self._defined:
             raise NotWritten(name)
-        replies: list[dict[str, Any]] = []
+        replies: list[Json] = []
         try:
             process.send(request([case.packed for case in calls], function=name, mode=mode, refused=refused, **more))
             while len(replies) < len(calls) and (more.get("every") or not (replies and "error" in replies[-1])):
@@ -143,7 +144,7 @@ class Student:
         """End a cell: the function fails from now on, the others get a new cell while there is CPU time."""
         self._end_process(self._processes.pop(uncallable))
         label = call.label if name in self.worked else ""
-        why: dict[str, Any] = {"message": message, "label": label, "at": call, "function": name}
+        why: Json = {"message": message, "label": label, "at": call, "function": name}
         self._broken[name] = why
         self._must_end()
         if self._cpu >= (most := self._zygote.limits.cpu) - 0.5:

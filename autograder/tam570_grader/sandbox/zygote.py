@@ -12,8 +12,8 @@ import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
+from tam570.values import Json
 from tam570_grader.errors import Over
 from tam570_grader.sandbox.launch import environment, isolation, jailed_command, plain_command
 from tam570_grader.sandbox.process import ProcessLost, ProcessTimeout, SandboxProcess
@@ -173,7 +173,7 @@ class Zygote:
         return self._errors.read()[-500:].decode(errors="replace")
 
 
-def _limits(limits: ResourceLimits) -> dict[str, Any]:
+def _limits(limits: ResourceLimits) -> Json:
     """inside.jail.Limits, but for what comes with each cell."""
     return {
         "memory": limits.memory,

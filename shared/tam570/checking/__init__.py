@@ -13,9 +13,9 @@ import tempfile
 import time
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 from tam570.checking.trail import last_step
+from tam570.values import Json
 
 __all__ = ["ALL_PASS", "OUR_FAULT", "SOME_FAIL", "Work", "check", "watch"]
 
@@ -79,7 +79,7 @@ class Runner:
         self.idle = True
         self._folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         self._trail, self._hung = (Path(self._folder.name, name) for name in ("trail.json", "hung.txt"))
-        self._order: dict[str, Any] = {}
+        self._order: Json = {}
         self._process = subprocess.Popen(
             [
                 sys.executable,
@@ -100,7 +100,7 @@ class Runner:
         files = [[str(file.resolve()), slug, changed] for file, slug in work]
         self._follow({"work": files, "functions": list(functions), "lost": {}})
 
-    def _follow(self, order: dict[str, Any]) -> None:
+    def _follow(self, order: Json) -> None:
         self.idle, self._order = False, order
         assert self._process.stdin is not None
         with contextlib.suppress(BrokenPipeError):

@@ -7,13 +7,14 @@ number for each example that it changes, which tells it without telling how anyt
 import base64
 import json
 import zlib
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
+
+from tam570.values import Function, Json, Numbers
 
 __all__ = ["FILE", "Examples", "array_of", "closed", "fingerprint", "load_examples", "part", "plain"]
 
@@ -25,9 +26,9 @@ SAME = 1e-5  # of a fingerprint's size: mistakes are further apart
 class Examples:
     """The examples of an assignment, the fingerprints of its known mistakes, and what a student's functions gave."""
 
-    calls: Sequence[Mapping[str, Any]]
-    mistakes: Sequence[Mapping[str, Any]]
-    results: dict[int, Any] = field(default_factory=dict)
+    calls: Sequence[Json]
+    mistakes: Sequence[Json]
+    results: dict[int, Numbers] = field(default_factory=dict)
 
     def module(self, slug: str) -> str:
         """Return a module of tests, one for each example."""
@@ -39,7 +40,7 @@ class Examples:
             ]
         return "\n".join(lines) + "\n"
 
-    def run(self, function: Callable[..., Any], number: int) -> None:
+    def run(self, function: Function, number: int) -> None:
         """Call the function as the example does; AssertionError where a result is not right."""
         call = self.calls[number]
         refused = any(comparison.get("raises") for comparison in call["compare"])
@@ -61,7 +62,7 @@ class Examples:
             if not error <= comparison["tolerance"]:
                 raise AssertionError(self._message(call, comparison, actual, expected))
 
-    def _message(self, call: Mapping[str, Any], comparison: Mapping[str, Any], actual: Any, expected: Any) -> str:
+    def _message(self, call: Json, comparison: Json, actual: Numbers, expected: Numbers) -> str:
         from tam570.checking.visible import difference
 
         label = f" for {call['label']}" if call["label"] else ""
@@ -76,7 +77,7 @@ class Examples:
                 return opened(mistake["message"])
         return None
 
-    def _agrees(self, wrong: Mapping[str, Sequence[float]], results: Mapping[int, Any]) -> bool:
+    def _agrees(self, wrong: Mapping[str, Sequence[float]], results: Mapping[int, Numbers]) -> bool:
         """Return whether every example has the mistake's numbers, and one of them is changed by it."""
         if not any(str(number) in wrong for number in results):
             return False
@@ -118,7 +119,7 @@ def opened(message: str) -> str:
     return zlib.decompress(base64.b64decode(message)).decode()
 
 
-def plain(value: Any) -> Any:
+def plain(value: Numbers) -> Numbers:
     """Return an argument or a result as JSON has it; an array is {"array": nested lists}, a tuple {"tuple": [...]}."""
     if isinstance(value, np.ndarray):
         return {"array": [plain(member) for member in value.tolist()]} if value.ndim else plain(value.item())
@@ -133,12 +134,12 @@ def plain(value: Any) -> Any:
     return value
 
 
-def array_of(value: Any) -> Any:
+def array_of(value: Numbers) -> Numbers:
     """Return the numbers that `plain` wrote."""
     return np.asarray(_argument(value), float)
 
 
-def _argument(value: Any) -> Any:
+def _argument(value: Numbers) -> Numbers:
     if isinstance(value, Mapping):
         ((form, inner),) = value.items()
         if form == "float":
@@ -148,7 +149,7 @@ def _argument(value: Any) -> Any:
     return [_argument(member) for member in value] if isinstance(value, list) else value
 
 
-def part(result: Any, comparison: Mapping[str, Any]) -> Any:
+def part(result: Numbers, comparison: Json) -> Numbers:
     """Return the part of a result that is compared: a member of a tuple, some of its columns."""
     member, columns = comparison["member"], comparison["columns"]
     if columns is not None and isinstance(result, tuple | list) and np.ndim(result[0]) > 1:  # arrays along a motion

@@ -2,12 +2,11 @@
 
 import functools
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import ModuleType
-from typing import Any
 
 from tam570.bans import HERE, Change, Forbidden, Unusable, refused
 from tam570.checking.deadline import CALL, TooLong, limited
@@ -15,10 +14,11 @@ from tam570.checking.mistakes import Mistake, tightened
 from tam570.checking.promises import Promise, complaint
 from tam570.checking.trail import Trail
 from tam570.loading import replaced, said
+from tam570.values import Function, Json, Numbers
 
 __all__ = ["Arguments", "Fault", "Functions"]
 
-Arguments = tuple[tuple[Any, ...], dict[str, Any]]  # the arguments of a call
+Arguments = tuple[tuple[Numbers, ...], Json]  # the arguments of a call
 
 
 class Fault(BaseException):
@@ -39,7 +39,7 @@ class Functions:
     off_limits: Mapping[str, Sequence[str]]
     calls: list[str] = field(default_factory=list)  # in the test that runs, in order
     mistake: Mistake | None = None  # what is tried on the results
-    cache: dict[tuple[str, bool, bytes], Any] = field(default_factory=dict)  # results, by function and arguments
+    cache: dict[tuple[str, bool, bytes], Numbers] = field(default_factory=dict)  # results, by function and arguments
     hanging: dict[str, str] = field(default_factory=dict)  # functions that are not called again, and why
     trail: Trail = field(default_factory=Trail)
     total: float = 0.0  # s of processor time of all calls
@@ -55,17 +55,17 @@ class Functions:
             setattr(stand_in, name, self._watched(name, function) if callable(function) else self._missing(name))
         return stand_in
 
-    def _missing(self, name: str) -> Callable[..., Any]:
-        def missing(*args: Any, **kwargs: Any) -> Any:
+    def _missing(self, name: str) -> Function:
+        def missing(*args: Numbers, **kwargs: Numbers) -> Numbers:
             raise Fault(
                 name, f"{name} is not written yet: {self.file.name} has no function of this name.", unwritten=True
             )
 
         return missing
 
-    def _watched(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+    def _watched(self, name: str, function: Function) -> Function:
         @functools.wraps(function)
-        def wrapper(*args: Any, **kwargs: Any) -> Any:
+        def wrapper(*args: Numbers, **kwargs: Numbers) -> Numbers:
             self.calls.append(name)
             if self.depth:  # a student's function was handed to another, by way of the tests
                 return function(*args, **kwargs)
@@ -78,7 +78,7 @@ class Functions:
 
         return wrapper
 
-    def _result(self, name: str, function: Callable[..., Any], arguments: Arguments) -> Any:
+    def _result(self, name: str, function: Function, arguments: Arguments) -> Numbers:
         """Return what the function returns, remembered while mistakes are tried.
 
         Fault if it is not what is promised.
@@ -91,7 +91,7 @@ class Functions:
             raise Fault(name, said)
         return self.cache[key]
 
-    def _called(self, name: str, function: Callable[..., Any], arguments: Arguments) -> Any:
+    def _called(self, name: str, function: Function, arguments: Arguments) -> Numbers:
         if name in self.hanging:
             raise Fault(name, self.hanging[name])
         self.trail.enter(function=name)
@@ -155,7 +155,7 @@ class Functions:
                     setattr(owner, attribute, value)
 
 
-def _origin(value: Any) -> str:
+def _origin(value: Numbers) -> str:
     """Return the module that a value is, or comes from."""
     return value.__name__ if isinstance(value, ModuleType) else str(getattr(value, "__module__", None))
 
@@ -174,7 +174,7 @@ def _contents(arguments: Arguments) -> bytes:
     return b"\0".join(_bytes(value) for value in values)
 
 
-def _bytes(value: Any) -> bytes:
+def _bytes(value: Numbers) -> bytes:
     if hasattr(value, "tobytes"):
         return bytes(value.tobytes())
     return repr(value if isinstance(value, list | tuple | str | int | float) else id(value)).encode()

@@ -9,23 +9,23 @@ from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
 
 import numpy as np
 
 from tam570.checking.promises import Promise
 from tam570.course import Stub
+from tam570.values import Function, Json, Numbers, Parameters
 
 __all__ = ["Mistake", "candidates", "tightened"]
 
 UNIT = re.compile(r"^\s*(\w+(?:, \w+)*)\s*: (?:\([^)]*\) )?rad\b", re.MULTILINE)
 TIGHT = 1e-9
 INTEGRATORS = {"solve_ivp": ("rtol", "atol"), "odeint": ("rtol", "atol")}  # and the names of their tolerances
-Change = Callable[[Any], Any]
+Change = Callable[[Numbers], Numbers]
 
 
 @contextmanager
-def tightened(names: dict[str, Any]) -> Iterator[None]:
+def tightened(names: Json) -> Iterator[None]:
     """Let SciPy's integrators, under whatever name a module has them, keep to TIGHT."""
     integrate = sys.modules.get("scipy.integrate")
     integrators = {getattr(integrate, name): name for name in INTEGRATORS} if integrate else {}
@@ -42,11 +42,11 @@ def tightened(names: dict[str, Any]) -> Iterator[None]:
             namespace[key] = value
 
 
-def _in(integrators: Mapping[Any, str], value: Any) -> bool:
+def _in(integrators: Mapping[Numbers, str], value: Numbers) -> bool:
     return callable(value) and isinstance(value, Hashable) and value in integrators
 
 
-def _tight(integrator: Callable[..., Any], name: str, *args: Any, **how: Any) -> Any:
+def _tight(integrator: Function, name: str, *args: Numbers, **how: Numbers) -> Numbers:
     for tolerance in INTEGRATORS[name]:
         how[tolerance] = np.minimum(how.get(tolerance) or TIGHT, TIGHT)
     return integrator(*args, **how)
@@ -58,11 +58,11 @@ class Mistake:
 
     function: str
     message: str  # "the transpose of what rotation_matrix gives"
-    result: Callable[[Any, Mapping[str, Any]], Any] | None = None
+    result: Callable[[Numbers, Parameters], Numbers] | None = None
     argument: tuple[str, Change] | None = None
     tight: bool = False  # the function's integrators at TIGHT
 
-    def applied(self, function: Callable[..., Any], args: Sequence[Any], kwargs: Mapping[str, Any]) -> Any:
+    def applied(self, function: Function, args: Sequence[Numbers], kwargs: Parameters) -> Numbers:
         """Return the function's result with the change."""
         if self.argument is not None:
             args, kwargs = _changed(self.argument, args, dict(kwargs))
@@ -120,7 +120,7 @@ def _of_members(name: str, promises: Sequence[Promise]) -> Iterator[Mistake]:
         yield Mistake(name, f"the two results of {name} in the opposite order", lambda r, k: list(r)[::-1])
 
 
-def _member(index: int, change: Any) -> Callable[[Any, Mapping[str, Any]], Any]:
+def _member(index: int, change: Numbers) -> Callable[[Numbers, Parameters], Numbers]:
     return lambda result, kwargs: [*result[:index], change(result[index], kwargs), *result[index + 1 :]]
 
 
@@ -142,21 +142,21 @@ def _of_argument(name: str, index: int, argument: str, angle: bool) -> Iterator[
 def _of_factor(name: str, parameter: str) -> Iterator[Mistake]:
     for word, power in (("times", 1), ("divided by", -1)):
 
-        def change(result: Any, kwargs: Mapping[str, Any], power: int = power) -> Any:
+        def change(result: Numbers, kwargs: Parameters, power: int = power) -> Numbers:
             return np.asarray(result, float) * np.asarray(kwargs[parameter], float) ** power
 
         yield Mistake(name, f"what {name} gives {word} `{parameter}`", change)
 
 
-def _whole(change: Change) -> Callable[[Any, Mapping[str, Any]], Any]:
+def _whole(change: Change) -> Callable[[Numbers, Parameters], Numbers]:
     return lambda result, kwargs: change(np.asarray(result, float))
 
 
-def _unit(axis: Any) -> Any:
+def _unit(axis: Numbers) -> Numbers:
     return np.asarray(axis) / np.linalg.norm(axis)
 
 
-def _changed(argument: tuple[str, Change], args: Sequence[Any], kwargs: dict[str, Any]) -> tuple[Any, dict[str, Any]]:
+def _changed(argument: tuple[str, Change], args: Sequence[Numbers], kwargs: Json) -> tuple[Numbers, Json]:
     """Return the arguments with one of them changed, given by its place or by its name."""
     position, _, name = argument[0].partition(":")
     if name in kwargs:

@@ -1,21 +1,21 @@
 """Whether a result has the form that the assignment promises, in words that help."""
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 from tam570.formulas import REMEDIES, form_of
 from tam570.loading import Trouble
 from tam570.show.student import numbers, rows_missing
+from tam570.values import Json, Numbers
 
 __all__ = ["Promise", "complaint"]
 
 # {"array": [3, 3]}, {"group": [...]}, {"formula": ["theta", ...]}, {"diagram": 2} or {"drawing": true}
-Promise = Mapping[str, Any]
+Promise = Json
 FINITE = "gives NaN or infinity"
 STAND_INS = 1.25, 3.75  # for symbols that may cancel
 
 
-def complaint(returns: Promise, result: Any, name: str, arguments: Sequence[Any]) -> str | None:
+def complaint(returns: Promise, result: Numbers, name: str, arguments: Sequence[Numbers]) -> str | None:
     """Return what is wrong with the form of a result; None if nothing is.
 
     arguments : of the call; as many rows as the first has elements are promised by "n"
@@ -34,7 +34,7 @@ def complaint(returns: Promise, result: Any, name: str, arguments: Sequence[Any]
     return None
 
 
-def _members(promises: Sequence[Promise], result: Any, name: str, arguments: Sequence[Any]) -> None:
+def _members(promises: Sequence[Promise], result: Numbers, name: str, arguments: Sequence[Numbers]) -> None:
     import numpy as np
 
     if result is None:
@@ -47,7 +47,7 @@ def _members(promises: Sequence[Promise], result: Any, name: str, arguments: Seq
         _array(returns, member, f"{name} (result {index})", arguments)
 
 
-def _array(returns: Promise, result: Any, name: str, arguments: Sequence[Any]) -> None:
+def _array(returns: Promise, result: Numbers, name: str, arguments: Sequence[Numbers]) -> None:
     import numpy as np
 
     if result is None:
@@ -63,7 +63,7 @@ def _array(returns: Promise, result: Any, name: str, arguments: Sequence[Any]) -
         raise Trouble(f"{name} {FINITE}")
 
 
-def _diagram(dimension: int, result: Any, name: str) -> None:
+def _diagram(dimension: int, result: Numbers, name: str) -> None:
     """Require a list of pairs (point, direction) of so many numbers; the direction may be None."""
     try:
         pairs = [(point, direction) for point, direction in result]
@@ -75,7 +75,7 @@ def _diagram(dimension: int, result: Any, name: str) -> None:
             _array({"array": [dimension]}, direction, f"{name} (a direction)", ())
 
 
-def _formula(symbols: Sequence[str], result: Any, name: str) -> None:
+def _formula(symbols: Sequence[str], result: Numbers, name: str) -> None:
     import sympy
 
     if form := form_of(result):
@@ -89,7 +89,7 @@ def _formula(symbols: Sequence[str], result: Any, name: str) -> None:
         raise Trouble(f"{name} depends on {names}; an expression in {', '.join(symbols)} alone is asked for")
 
 
-def _value(expression: Any, unknown: set[Any], number: float) -> str:
+def _value(expression: Numbers, unknown: set[Numbers], number: float) -> str:
     """Return the value to ten digits where the strangers have this number, and the others 0.7."""
     values = {symbol: number if symbol in unknown else 0.7 for symbol in expression.free_symbols}
     return f"{complex(expression.evalf(20, subs=values)):.10g}"
@@ -99,6 +99,6 @@ def _shape(sizes: Sequence[int | None]) -> str:
     return f"({', '.join('k' if size is None else str(size) for size in sizes)}{',' if len(sizes) == 1 else ''})"
 
 
-def _short(result: Any) -> str:
+def _short(result: Numbers) -> str:
     text = " ".join(repr(result).split())
     return text if len(text) <= 60 else f"{text[:57]}..."

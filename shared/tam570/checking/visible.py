@@ -13,21 +13,21 @@ import operator
 import os
 import traceback
 import warnings
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass, field
 from io import StringIO
 from pathlib import Path
 from types import ModuleType
-from typing import Any
 
 from tam570.checking.functions import Fault, Functions
 from tam570.loading import said
 from tam570.progress import FAILED, PASSED
+from tam570.values import Json, Numbers, Parameters
 
 __all__ = ["Failure", "Outcomes", "Test", "collect_tests", "difference"]
 
-COMPARISONS: dict[type[ast.cmpop], tuple[Callable[[Any, Any], Any], str]] = {
+COMPARISONS: dict[type[ast.cmpop], tuple[Callable[[Numbers, Numbers], Numbers], str]] = {
     ast.Eq: (operator.eq, "is right"),
     ast.Lt: (operator.lt, "is the limit, which it must be below"),
     ast.LtE: (operator.le, "is the most that is right"),
@@ -107,7 +107,7 @@ class Outcomes:
         return f"{self.functions.calls[-1]} raises an exception.\n{where}" if where.startswith("Line") else where
 
 
-def collect_tests(path: Path, text: str, names: Mapping[str, Any] | None = None) -> list[Test]:
+def collect_tests(path: Path, text: str, names: Parameters | None = None) -> list[Test]:
     """Return the tests in a module, in order, with their parameters. Whatever its import raises is passed on.
 
     names : what the module finds besides Python's own
@@ -136,7 +136,7 @@ def _with_parameters(name: str, function: Callable[..., object]) -> Iterator[Tes
         yield Test(f"{name}[{suffix}]" if suffix else name, run)
 
 
-def _cases(names: str | Sequence[str], values: Sequence[Any]) -> Iterator[tuple[dict[str, Any], str]]:
+def _cases(names: str | Sequence[str], values: Sequence[Numbers]) -> Iterator[tuple[Json, str]]:
     """Yield the values of parameters, and how they are called."""
     keys = [name.strip() for name in names.split(",")] if isinstance(names, str) else list(names)
     for index, value in enumerate(values):
@@ -183,7 +183,7 @@ def _call(name: str, *arguments: ast.expr) -> ast.Call:
     return ast.Call(ast.Name(name, ast.Load()), list(arguments), [])
 
 
-def _compare(actual: Any, name: str, expected: Any, source: str) -> None:
+def _compare(actual: Numbers, name: str, expected: Numbers, source: str) -> None:
     compare, words = next(words for operation, words in COMPARISONS.items() if operation.__name__ == name)
     holds = compare(actual, expected)
     if not (holds if isinstance(holds, bool) else bool(holds)):
@@ -191,12 +191,12 @@ def _compare(actual: Any, name: str, expected: Any, source: str) -> None:
         raise AssertionError(difference(actual, expected) if words == "is right" else _limit(actual, expected, words))
 
 
-def _holds(value: Any, source: str) -> None:
+def _holds(value: Numbers, source: str) -> None:
     if not value:
         raise AssertionError("This is false.")
 
 
-def _allclose(actual: Any, desired: Any, rtol: float = 1e-7, atol: float = 0.0, **_: Any) -> None:
+def _allclose(actual: Numbers, desired: Numbers, rtol: float = 1e-7, atol: float = 0.0, **_: Numbers) -> None:
     import numpy as np
 
     actual, desired = np.asarray(actual, float), np.asarray(desired, float)
@@ -205,7 +205,7 @@ def _allclose(actual: Any, desired: Any, rtol: float = 1e-7, atol: float = 0.0, 
         raise AssertionError(difference(actual, desired))
 
 
-def difference(actual: Any, expected: Any) -> str:
+def difference(actual: Numbers, expected: Numbers) -> str:
     """Return what was returned and what is right: whole where it is short, else where it is furthest off."""
     import numpy as np
 
@@ -223,11 +223,11 @@ def difference(actual: Any, expected: Any) -> str:
     return f"Your code gives {actual[worst]:.6g} in {_place(worst)}; {wrong:.6g} is right."
 
 
-def _limit(actual: Any, limit: Any, words: str) -> str:
+def _limit(actual: Numbers, limit: Numbers, words: str) -> str:
     return f"Your code gives {_numbers(actual)}; {_numbers(limit)} {words}."
 
 
-def _numbers(value: Any) -> str:
+def _numbers(value: Numbers) -> str:
     import numpy as np
 
     try:
@@ -238,7 +238,7 @@ def _numbers(value: Any) -> str:
     return " ".join(text.split())
 
 
-def _place(index: Sequence[Any]) -> str:
+def _place(index: Sequence[Numbers]) -> str:
     words = ("row", "column", "layer")
     if len(index) == 1:
         return f"component {int(index[0]) + 1}"

@@ -2,12 +2,10 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import sympy
 
-Expression = Any
-Symbol = Any
+from tam570.lagrange import Expression, Symbol
 
 
 @dataclass(frozen=True)

@@ -8,14 +8,13 @@ so is A M^-1 A^T of independent constraints. An indefinite one that would need e
 import keyword
 import re
 from collections.abc import Iterable, Sequence
-from typing import Any
 
 import sympy
 from sympy.printing.pycode import PythonCodePrinter
 
+from tam570.lagrange import Expression
 from tam570.lagrange._derivation import Motion
 
-Expression = Any
 Number = str | None  # what stands for it in the text; None is zero
 Lines = list[str]
 System = list[list[Number]]
@@ -51,7 +50,7 @@ def _head(motion: Motion) -> str:
     )
 
 
-def _function(motion: Motion, name: str, says: str, result: Any) -> str:
+def _function(motion: Motion, name: str, says: str, result: Expression) -> str:
     """Return a function's text; result(motion, lines) appends to its lines and gives what it returns."""
     parameters = ", ".join(["*", *map(str, motion.parameters)]) if motion.parameters else ""
     signature = ", ".join(filter(None, [str(motion.time), "state", parameters]))

@@ -6,9 +6,6 @@ spin_rate + Ixz spin^2, Izz spin_rate): the off-diagonal terms of I make what th
 round with the body (Greenwood, Principles of Dynamics, section 8-2).
 """
 
-from collections.abc import Mapping
-from typing import Any
-
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -16,6 +13,7 @@ from tam570.given import array, finite
 from tam570.rotations import matrix_from_axis_angle
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
+from tam570.values import Parameters
 
 __all__ = ["film", "moment"]
 
@@ -44,7 +42,7 @@ def _checked(inertia: ArrayLike) -> Array:
     return matrix
 
 
-def film(parameters: Mapping[str, Any]) -> Scene:
+def film(parameters: Parameters) -> Scene:
     """Return the body, and one that is balanced: the same without the off-diagonal terms."""
     matrix, spin, spin_rate = _checked(parameters["inertia"]), parameters["spin"], parameters["spin_rate"]
     finite(spin=spin, spin_rate=spin_rate)

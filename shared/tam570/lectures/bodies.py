@@ -5,9 +5,8 @@ figure of eight of Chenciner and Montgomery (Annals of Mathematics 152, 2000), s
 each other on one curve, once round in 6.32591398 s.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from math import nan, sqrt
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,11 +15,12 @@ from tam570.given import divisors, nonnegative, numbers, positives, sequence
 from tam570.integrate import solve
 from tam570.show.plots import energy_plot, plot_samples
 from tam570.show.scene import Array, Panel, Scene, Shape, frame_times
+from tam570.values import Parameters
 
 __all__ = ["angular_momentum", "energy", "film", "momentum", "rates"]
 
 STATE = {f"{part}{axis}{i}": unit for part, unit in (("", "m"), ("v", "m/s")) for i in (1, 2, 3) for axis in "xyz"}
-EXAMPLE: dict[str, Any] = {"masses": (1.0, 1.0, 1.0), "newton": 1.0}  # kg, m^3/(kg s^2)
+EXAMPLE: Parameters = {"masses": (1.0, 1.0, 1.0), "newton": 1.0}  # kg, m^3/(kg s^2)
 X, Y, VX, VY = 0.97000436, -0.24308753, 0.466203685, 0.43236573  # m, m, m/s, m/s
 START = (X, Y, 0.0, -X, -Y, 0.0, 0.0, 0.0, 0.0, VX, VY, 0.0, VX, VY, 0.0, -2 * VX, -2 * VY, 0.0)
 SECONDS = 12.65182796
@@ -103,7 +103,7 @@ def _parts(state: ArrayLike, masses: Sequence[float], newton: float) -> tuple[Ar
     return m, r, v
 
 
-def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
+def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return all of them with their paths."""
     times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters)

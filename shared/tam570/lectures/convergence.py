@@ -8,9 +8,8 @@ a method of order p and the error becomes 2^-p of what it was, by the right equa
 energy knows which is which (Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, section II.1).
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from math import cos, sin
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -19,11 +18,12 @@ from tam570.given import nonnegative, numbers, positives, sequence
 from tam570.integrate import solve
 from tam570.invariants import observed_order
 from tam570.show.scene import Array, Scene
+from tam570.values import Function, Parameters
 
 __all__ = ["energy", "errors", "film", "order", "rates", "wrong_rates"]
 
 STATE = {"th1": "rad", "th2": "rad", "om1": "rad/s", "om2": "rad/s"}
-EXAMPLE: dict[str, Any] = {"masses": (1.0, 0.6), "lengths": (1.0, 0.8), "gravity": 9.81}  # kg, m, m/s^2
+EXAMPLE: Parameters = {"masses": (1.0, 0.6), "lengths": (1.0, 0.8), "gravity": 9.81}  # kg, m, m/s^2
 START = (1.2, 0.4, 0.0, 0.0)
 SECONDS = 8.0
 DURATION = 0.5  # s, after which `errors` compares
@@ -105,7 +105,7 @@ def _weights(method: str) -> tuple[tuple[float, ...], ...]:
     return STAGES[method.lower()]
 
 
-def _stepped(equations: Callable[..., Any], weights: Sequence[Sequence[float]], count: int) -> Array:
+def _stepped(equations: Function, weights: Sequence[Sequence[float]], count: int) -> Array:
     """(4,) the state after `count` equal steps of an explicit Runge-Kutta method."""
     state, h = np.array(START), DURATION / count
     for _ in range(count):
@@ -124,7 +124,7 @@ def _checked(
     return positives(2, masses=masses), positives(2, lengths=lengths)
 
 
-def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
+def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Both pendulums, and the errors of three methods by either's equations."""
     from tam570.show.scenes import convergence
 

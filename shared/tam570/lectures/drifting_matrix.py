@@ -6,8 +6,7 @@ Runge-Kutta method breaks them a little, and the breaks add up. `tam570.integrat
 only.
 """
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,6 +17,7 @@ from tam570.invariants import rotation_defect
 from tam570.show.drawing import brick
 from tam570.show.plots import drift_plot, plot_samples, value_plot
 from tam570.show.scene import Array, Panel, Scene, frame_times
+from tam570.values import Numbers, Parameters
 
 __all__ = ["angular_momentum", "energy", "film", "rates"]
 
@@ -56,7 +56,7 @@ def angular_momentum(state: ArrayLike, *, inertia: Sequence[float]) -> Array:
 INVARIANTS = {"energy": energy, "angular_momentum": angular_momentum}
 
 
-def _cross(a: Any, b: Any) -> tuple[float, ...]:
+def _cross(a: Numbers, b: Numbers) -> tuple[float, ...]:
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 
@@ -68,7 +68,7 @@ def _in_body(R: Sequence[Sequence[float]], v: Sequence[float]) -> list[float]:
     return _in_space(list(zip(*R, strict=True)), v)
 
 
-def _drift(times: Array, start: Sequence[float], parameters: Mapping[str, Any]) -> tuple[Array, Array]:
+def _drift(times: Array, start: Sequence[float], parameters: Parameters) -> tuple[Array, Array]:
     """States, and R^T R - I at the ends of the steps: between them the formula of a step is off by more."""
     ends = [np.array([*start, times[0]])]
 
@@ -86,7 +86,7 @@ def _drift(times: Array, start: Sequence[float], parameters: Mapping[str, Any]) 
     return states, np.transpose(between).reshape(-1, 3, 3)
 
 
-def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
+def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """One body twice, both at a loose tolerance."""
     times, moments = frame_times(seconds), np.array(positives(3, inertia=parameters["inertia"]))
     states, strain = _drift(times, start, parameters)

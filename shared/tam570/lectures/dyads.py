@@ -5,9 +5,6 @@ e1', e2', e3' is R = e1' e1 + e2' e2 + e3' e3, three dyads of mixed base vectors
 alone it takes nine: R = sum of R_ij ei ej with R_ij = ei . R ej. Triads are (3, 3), their vectors the rows.
 """
 
-from collections.abc import Mapping
-from typing import Any
-
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -15,10 +12,11 @@ from tam570.given import array, numbers
 from tam570.rotations import exp, log
 from tam570.show.plots import plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
+from tam570.values import Parameters
 
 __all__ = ["dyad", "film", "nine", "rotation"]
 
-EXAMPLE: dict[str, Any] = {  # triads, and a vector to turn, m
+EXAMPLE: Parameters = {  # triads, and a vector to turn, m
     "before": ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)),
     "after": ((0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0)),
     "vector": (0.9, 0.5, 0.7),
@@ -61,7 +59,7 @@ def _triad(**vectors: ArrayLike) -> Array:
     return rows
 
 
-def film(parameters: Mapping[str, Any]) -> Scene:
+def film(parameters: Parameters) -> Scene:
     """Return a vector is turned: its components stay, their base vectors go from one triad to the other."""
     before, vector = array((3, 3), before=parameters["before"]), numbers(3, vector=parameters["vector"])
     times = frame_times(SECONDS)

@@ -7,9 +7,6 @@ does what is missing: the gimbal locks, at theta = 0 or pi for "313", at +-pi/2 
 Dynamics, section 7-13). Space: z is the first axis.
 """
 
-from collections.abc import Mapping
-from typing import Any
-
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -18,6 +15,7 @@ from tam570.rotations import euler_from_matrix, matrix_from_axis_angle
 from tam570.show.drawing import circle
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
+from tam570.values import Parameters
 
 __all__ = ["angular_velocity", "euler_rates", "film", "rings"]
 
@@ -59,7 +57,7 @@ def _ring_axes(angles: ArrayLike, sequence: str) -> Array:
     return np.column_stack([R @ axis for R, axis in zip(turned, _own_axes(sequence), strict=True)])
 
 
-def film(parameters: Mapping[str, Any]) -> Scene:
+def film(parameters: Parameters) -> Scene:
     """Return a body that turns steadily past the lock; the rings turn as they must."""
     sequence, miss = parameters["sequence"], parameters["miss"]
     one_of(SEQUENCES, sequence=sequence)

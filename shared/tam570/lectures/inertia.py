@@ -6,8 +6,7 @@ is symmetric: there are three axes at right angles about which H is parallel to 
 the sum of the other two (Goldstein, Classical Mechanics, sections 5.3 and 5.4). A body turned by R has R I R^T.
 """
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,10 +15,11 @@ from tam570.given import array, numbers, positive, positives
 from tam570.rotations import matrix_from_axis_angle
 from tam570.show.plots import plot_samples, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
+from tam570.values import Parameters
 
 __all__ = ["film", "inertia", "of_box", "of_disk", "parallel_axis", "principal"]
 
-EXAMPLE: dict[str, Any] = {  # m, kg
+EXAMPLE: Parameters = {  # m, kg
     "points": ((1.0, 0.3, 0.2), (-0.9, 0.4, 0.0), (0.2, -1.0, 0.3), (0.1, 0.5, -0.7), (-0.3, -0.3, 0.5)),
     "masses": (1.0, 1.5, 1.0, 2.0, 1.0),
 }
@@ -81,7 +81,7 @@ def _symmetric(I: ArrayLike) -> Array:  # noqa: E741
     return (matrix + matrix.T) / 2
 
 
-def film(parameters: Mapping[str, Any]) -> Scene:
+def film(parameters: Parameters) -> Scene:
     """Return an axis turns from one principal axis to the next; H goes with omega on these alone."""
     m = np.array(positives(masses=parameters["masses"]))
     matrix = inertia(parameters["points"], parameters["masses"])

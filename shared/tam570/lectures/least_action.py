@@ -7,15 +7,14 @@ West, Discrete mechanics and variational integrators, Acta Numerica 2001). Its s
 is positive for all neighbours only as long as no half period of a small swing has passed (Jacobi).
 """
 
-from collections.abc import Mapping
 from math import copysign, pi, sin, sqrt
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.given import finite, numbers, positive, whole
 from tam570.show.scene import Array, Scene, with_slider
+from tam570.values import Parameters
 
 __all__ = ["action", "film", "is_minimum", "path"]
 
@@ -118,7 +117,7 @@ def _descent(angles: Array, *, duration: float, length: float, gravity: float) -
         damping = 4 * damping or 1e-13 * length**2 / h
 
 
-def film(parameters: Mapping[str, Any]) -> Scene:
+def film(parameters: Parameters) -> Scene:
     """Return a slider for the time in which the pendulum has to go from a to b."""
     from tam570.show.scenes.least_action import paths
 

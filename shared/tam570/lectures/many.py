@@ -8,8 +8,7 @@ opposite and central is an assumption on top of F = m a (Ruina's "rude" one; Gol
 1.2, has both laws of action and reaction).
 """
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,10 +17,11 @@ from tam570.given import array, numbers, positives
 from tam570.integrate import solve
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
+from tam570.values import Parameters
 
 __all__ = ["angular_momentum", "balances", "film", "kinetic"]
 
-EXAMPLE: dict[str, Any] = {"masses": (3.0, 1.0, 2.0)}  # kg
+EXAMPLE: Parameters = {"masses": (3.0, 1.0, 2.0)}  # kg
 TRIANGLE = ((0.2, -0.4), (1.4, -0.3), (0.7, 0.6))  # m, of the film's first particles; more stand on a circle
 STIFFNESS, LENGTH, PUSH, SPIN = 20.0, 1.0, (-0.15, 0.3), 1.5  # N/m, m, m/s, rad/s, of the film
 SECONDS = 6.0
@@ -79,7 +79,7 @@ def _springs(r: Array) -> Array:
     return forces
 
 
-def film(parameters: Mapping[str, Any]) -> Scene:
+def film(parameters: Parameters) -> Scene:
     """Particles joined by springs are thrown; their centre of mass goes straight on."""
     masses = positives(masses=parameters["masses"])
     n, m = len(masses), np.array(masses)

@@ -5,9 +5,6 @@ symmetric L^-1 K L^-T, so shapes^T M shapes = 1 for equal frequencies too; the e
 frequencies, negative where the equilibrium is unstable (Greenwood, Principles of Dynamics, section 9-3).
 """
 
-from collections.abc import Mapping
-from typing import Any
-
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -15,6 +12,7 @@ from tam570.given import array, finite, positive, whole
 from tam570.show.drawing import coil
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times
+from tam570.values import Parameters
 
 __all__ = ["chain", "film", "inverted_pendulum", "modes", "pendulum", "saddle"]
 
@@ -77,7 +75,7 @@ def _symmetric(**matrices: ArrayLike) -> Array:
     return (matrix + matrix.T) / 2
 
 
-def film(parameters: Mapping[str, Any]) -> Scene:
+def film(parameters: Parameters) -> Scene:
     """Return each mode alone, and the first mass let go alone, which is all of them at once."""
     times, (M, K) = frame_times(SECONDS), chain(**parameters)
     squares, shapes = modes(M, K)

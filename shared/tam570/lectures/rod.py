@@ -5,18 +5,18 @@ m1 a1 = F1 + T, m2 a2 = F2 - T, and the rod's length stays, a1 = a2. One way tak
 and T. The other adds the first two, so that T goes, and finds T = (m1 F2 - m2 F1)/(m1 + m2) afterwards.
 """
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 
 from tam570.given import numbers
 from tam570.show.plots import plot_samples, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
+from tam570.values import Numbers, Parameters
 
 __all__ = ["by_constraint", "by_elimination", "film"]
 
-EXAMPLE: dict[str, Any] = {"masses": (1.0, 2.0), "forces": (3.0, -1.0)}  # kg, N
+EXAMPLE: Parameters = {"masses": (1.0, 2.0), "forces": (3.0, -1.0)}  # kg, N
 SECONDS = 6.0  # of the scene
 
 
@@ -45,7 +45,7 @@ def _checked(forces: Sequence[float], masses: Sequence[float]) -> tuple[list[flo
     return numbers(2, forces=forces).tolist(), weights.tolist()
 
 
-def film(parameters: Mapping[str, Any]) -> Scene:
+def film(parameters: Parameters) -> Scene:
     """Return forces that swing to and fro, and the tension that both ways find at each moment."""
     times = frame_times(SECONDS)
     wave = np.cos(2 * np.pi * times / (SECONDS / 2))
@@ -81,9 +81,9 @@ def film(parameters: Mapping[str, Any]) -> Scene:
     )
 
 
-def _tension(times: Array, parameters: Mapping[str, Any]) -> TimePlot:
+def _tension(times: Array, parameters: Parameters) -> TimePlot:
     shown = times[plot_samples(times)]
-    forces = np.outer(np.cos(2 * np.pi * shown / (SECONDS / 2)), parameters["forces"])
+    forces: Numbers = np.outer(np.cos(2 * np.pi * shown / (SECONDS / 2)), parameters["forces"])
     tension = {
         name: np.array([way(pair, masses=parameters["masses"])[1] for pair in forces])
         for name, way in {"by constraint": by_constraint, "by elimination": by_elimination}.items()

@@ -7,9 +7,7 @@ first turn and two through B the second, and the mirror AB that both share cance
 gives half the angle: cos(c/2) = cos(a/2) cos(b/2) - sin(a/2) sin(b/2) A . B. The sum of the vectors is something else.
 """
 
-from collections.abc import Mapping
 from math import atan2, cos, hypot, pi, sin
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,10 +16,11 @@ from tam570.given import numbers
 from tam570.rotations import exp
 from tam570.show.drawing import circle
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times
+from tam570.values import Parameters
 
 __all__ = ["compose", "film"]
 
-EXAMPLE: dict[str, Any] = {"first": (0.0, 0.0, 1.6), "second": (1.2, 0.3, 0.0)}  # rad
+EXAMPLE: Parameters = {"first": (0.0, 0.0, 1.6), "second": (1.2, 0.3, 0.0)}  # rad
 SECONDS = 9.0  # of the scene
 
 
@@ -47,7 +46,7 @@ def _half(vector: Array) -> tuple[float, Array]:
     return cos(angle / 2), vector * (sin(angle / 2) / angle if angle else 0.5)
 
 
-def film(parameters: Mapping[str, Any]) -> Scene:
+def film(parameters: Parameters) -> Scene:
     """Return a triad turns twice; then from the start by the one turn that the triangle gives."""
     first, second = (numbers(3, **{name: parameters[name]}) for name in ("first", "second"))
     both = compose(first, second)

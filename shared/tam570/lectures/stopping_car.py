@@ -6,17 +6,15 @@ d = mu (N of locked wheels), Nf + Nr = g, front Nf - rear Nr = height d. Moments
 and about the point in which the forces of the ground meet a single one, for d alone. All hold while no axle lifts.
 """
 
-from collections.abc import Mapping
-from typing import Any
-
 import numpy as np
 
 from tam570.given import nonnegative, one_of, positive
 from tam570.show.scene import Scene
+from tam570.values import Parameters
 
 __all__ = ["by_centre_of_mass", "by_one_point", "by_three_points", "film"]
 
-EXAMPLE: dict[str, Any] = {  # m, m, m, -, m/s^2
+EXAMPLE: Parameters = {  # m, m, m, -, m/s^2
     "height": 0.6,
     "front": 1.2,
     "rear": 1.5,
@@ -95,7 +93,7 @@ def _on_the_ground(deceleration: float, front_load: float, rear_load: float) -> 
     return deceleration, max(front_load, 0.0), max(rear_load, 0.0)
 
 
-def film(parameters: Mapping[str, Any]) -> Scene:
+def film(parameters: Parameters) -> Scene:
     """Three cars that brake together, with different wheels locked."""
     from tam570.show.scenes import stopping_car
 

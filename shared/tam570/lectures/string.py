@@ -5,9 +5,8 @@ m1 (r'' - r om^2) = -T,  m1 (r th'' + 2 vr om) = 0,  m2 r'' = T - m2 g, as the s
 Lagrange: L = (m1 + m2) vr^2/2 + m1 r^2 om^2/2 - m2 g r, and no tension anywhere.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from math import nan
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -17,6 +16,7 @@ from tam570.integrate import solve
 from tam570.show.drawing import unit_circle
 from tam570.show.plots import drift_note, energy_plot, plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Panel, Scene, Shape, frame_times, moving
+from tam570.values import Parameters
 
 __all__ = ["angular_momentum", "by_lagrange", "by_newton", "energy", "film", "rates"]
 
@@ -87,7 +87,7 @@ def _on_the_table(
     return checked
 
 
-def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
+def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return the table from above and aside, the hanging mass below."""
     positive(**{"start.r": start[0]})
     times = frame_times(seconds)

@@ -5,8 +5,7 @@ so N = lam (-hx, -hy, 1). With m a = N - m g k and z'' = hx x'' + hy y'' + q, q 
 lam = m (g + q)/(1 + hx^2 + hy^2). The particle cannot leave the surface upwards either, as a bead on it could not.
 """
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,6 +14,7 @@ from tam570.given import finite, numbers, one_of, positive, sequence
 from tam570.integrate import solve
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
+from tam570.values import Numbers, Parameters
 
 __all__ = ["constraint_force", "energy", "film", "height", "rates"]
 
@@ -50,7 +50,7 @@ def energy(state: ArrayLike, *, mass: float, gravity: float, surface: str, curva
 INVARIANTS = {"energy": energy}
 
 
-def height(x: Any, y: Any, *, surface: str, curvature: float) -> Any:
+def height(x: Numbers, y: Numbers, *, surface: str, curvature: float) -> Numbers:
     """m, z of the surface at x and y, m: floats or arrays."""
     one_of(SIGNS, surface=surface)
     finite(curvature=curvature)
@@ -73,7 +73,7 @@ def _normal(
     return mass * (gravity + bend) / (1.0 + hx * hx + hy * hy), hx, hy
 
 
-def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
+def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return the same start on all three surfaces, the chosen one first."""
     one_of(SIGNS, surface=parameters["surface"])
     times = frame_times(seconds)
@@ -107,7 +107,7 @@ def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) 
     )
 
 
-def _sliding(states: Array, arguments: Mapping[str, Any]) -> list[Shape]:
+def _sliding(states: Array, arguments: Parameters) -> list[Shape]:
     """Return a net of the surface as far as the particle goes, the particle, the force on it."""
     shape = {name: arguments[name] for name in ("surface", "curvature")}
     x, y = states[:, 0], states[:, 1]

@@ -6,20 +6,20 @@ closer the motion to that of the rigid body, whose centre of mass moves uniforml
 goes as 1/k, as the stretch does that bends the particles' paths.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from math import nan, sqrt
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.given import array, numbers, positive, positives, sequence
 from tam570.show.scene import Array, Scene
+from tam570.values import Numbers, Parameters
 
 __all__ = ["angular_momentum", "energy", "film", "momentum", "rates", "rigid"]
 
 STATE = {f"{part}{axis}{i}": unit for part, unit in (("", "m"), ("v", "m/s")) for i in (1, 2, 3, 4) for axis in "xy"}
-EXAMPLE: dict[str, Any] = {  # kg, -, m, N/m: a square with one diagonal
+EXAMPLE: Parameters = {  # kg, -, m, N/m: a square with one diagonal
     "masses": (1.0, 1.0, 2.0, 1.0),
     "bars": ((0, 1), (1, 2), (2, 3), (3, 0), (0, 2)),
     "lengths": (1.0, 1.0, 1.0, 1.0, sqrt(2.0)),
@@ -61,7 +61,7 @@ def rates(
     return (*state[2 * n :], *(forces[k] / each[k // 2] for k in range(2 * n)))
 
 
-def energy(state: ArrayLike, *, masses: Any, bars: Any, lengths: Any, stiffness: float) -> float:
+def energy(state: ArrayLike, *, masses: Numbers, bars: Numbers, lengths: Numbers, stiffness: float) -> float:
     """Of the particles and the bars, J."""
     m, r, v = _parts(state, masses, bars, lengths, stiffness)
     i, j = np.transpose(bars)
@@ -69,14 +69,14 @@ def energy(state: ArrayLike, *, masses: Any, bars: Any, lengths: Any, stiffness:
     return float(m @ (v * v).sum(axis=1) + stiffness * stretch @ stretch) / 2
 
 
-def momentum(state: ArrayLike, *, masses: Any, bars: Any, lengths: Any, stiffness: float) -> Array:
+def momentum(state: ArrayLike, *, masses: Numbers, bars: Numbers, lengths: Numbers, stiffness: float) -> Array:
     """(2,) kg m/s."""
     m, _, v = _parts(state, masses, bars, lengths, stiffness)
     total: Array = m @ v
     return total
 
 
-def angular_momentum(state: ArrayLike, *, masses: Any, bars: Any, lengths: Any, stiffness: float) -> float:
+def angular_momentum(state: ArrayLike, *, masses: Numbers, bars: Numbers, lengths: Numbers, stiffness: float) -> float:
     """About the origin, kg m^2/s."""
     m, r, v = _parts(state, masses, bars, lengths, stiffness)
     return float(m @ (r[:, 0] * v[:, 1] - r[:, 1] * v[:, 0]))
@@ -85,7 +85,9 @@ def angular_momentum(state: ArrayLike, *, masses: Any, bars: Any, lengths: Any, 
 INVARIANTS = {"energy": energy, "momentum": momentum, "angular_momentum": angular_momentum}
 
 
-def rigid(t: ArrayLike, state: ArrayLike, *, masses: Any, bars: Any, lengths: Any, stiffness: float) -> Array:
+def rigid(
+    t: ArrayLike, state: ArrayLike, *, masses: Numbers, bars: Numbers, lengths: Numbers, stiffness: float
+) -> Array:
     """States at the times t (m,), s, of the rigid body that has the places and momenta of `state` at t[0]: (m, 4 n)."""
     times = numbers(t=t)
     m, r, v = _parts(state, masses, bars, lengths, stiffness)
@@ -112,14 +114,16 @@ def _checked(
     return each, pairs.astype(int).tolist(), positives(len(pairs), lengths=lengths)
 
 
-def _parts(state: ArrayLike, masses: Any, bars: Any, lengths: Any, stiffness: float) -> tuple[Array, Array, Array]:
+def _parts(
+    state: ArrayLike, masses: Numbers, bars: Numbers, lengths: Numbers, stiffness: float
+) -> tuple[Array, Array, Array]:
     """(n,) masses, (n, 2) positions, (n, 2) velocities."""
     m = np.array(_checked(masses, bars, lengths, stiffness)[0])
     r, v = numbers(4 * len(m), state=state).reshape(2, -1, 2)
     return m, r, v
 
 
-def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
+def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return the truss on the rigid body, for several stiffnesses."""
     from tam570.show.scenes import truss
 

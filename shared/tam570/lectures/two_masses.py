@@ -5,9 +5,8 @@ m2 x2'' = -T. By their sum the centre of mass moves uniformly; by their differen
 length at sqrt(k/mu), 1/mu = 1/m1 + 1/m2. The masses may pass through each other: T stays linear.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from math import sqrt
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -17,11 +16,12 @@ from tam570.integrate import solve
 from tam570.show.drawing import coil
 from tam570.show.plots import energy_plot, plot_samples, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
+from tam570.values import Parameters
 
 __all__ = ["energy", "exact", "film", "momentum", "rates", "spring_energy", "tension"]
 
 STATE = {"x1": "m", "x2": "m", "v1": "m/s", "v2": "m/s"}
-EXAMPLE: dict[str, Any] = {"masses": (1.0, 2.0), "stiffness": 6.0, "rest_length": 1.0}  # kg, N/m, m
+EXAMPLE: Parameters = {"masses": (1.0, 2.0), "stiffness": 6.0, "rest_length": 1.0}  # kg, N/m, m
 START = (0.0, 1.6, 0.0, 0.6)
 SECONDS = 8.0
 
@@ -91,7 +91,7 @@ def _checked(masses: Sequence[float], stiffness: float, rest_length: float) -> t
     return positives(2, masses=masses)
 
 
-def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
+def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return the masses and their centre of mass, which nothing disturbs."""
     times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters)

@@ -7,8 +7,7 @@ and the size of H; the wrong one has H go round with the body. State R row by ro
 body's principal axes.
 """
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,6 +17,7 @@ from tam570.integrate import solve
 from tam570.show.drawing import brick
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import Array, Panel, Scene, Shape, frame_times, moving
+from tam570.values import Parameters
 
 __all__ = ["angular_momentum", "energy", "film", "rates", "wrong_rates"]
 
@@ -64,7 +64,7 @@ def _turning(state: Sequence[float]) -> list[float]:
     return [rate for a, b, c in rows for rate in (b * r - c * q, c * p - a * r, a * q - b * p)]
 
 
-def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
+def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """One start, by the right equations and by the wrong ones."""
     times, moments = frame_times(seconds), np.array(positives(3, inertia=parameters["inertia"]))
     both = {

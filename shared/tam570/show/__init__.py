@@ -1,16 +1,17 @@
 """Scenes that move: `show` runs the student's own functions and shows what they do."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from importlib import import_module
 from pathlib import Path
-from typing import Any
+from types import ModuleType
 
 from tam570.course import folder, named
 from tam570.show.lecture import filmed, lecture_module, scene_of_lecture, settings
 from tam570.show.scene import Scene
 from tam570.show.student import Student, Trouble, load_student
+from tam570.values import Numbers, Parameters
 
 __all__ = ["Shown", "Trouble", "command", "scene_of", "present", "save", "show", "report_trouble"]
 
@@ -53,9 +54,7 @@ class Shown:
         save(self.scene, Path(file))
 
 
-def show(
-    what: Any, *, assignment: str | None = None, numbers: Mapping[str, Any] | None = None, height: int = 620
-) -> Shown:
+def show(what: object, *, assignment: str | None = None, numbers: Parameters | None = None, height: int = 620) -> Shown:
     """Make the scene of an assignment from the student's functions, or the scene of a lecture.
 
     Parameters
@@ -87,7 +86,7 @@ def show(
         return Shown(None, str(trouble), height)
 
 
-def _scene(what: Any, assignment: str | None, numbers: Mapping[str, Any] | None) -> Scene:
+def _scene(what: Numbers, assignment: str | None, numbers: Parameters | None) -> Scene:
     if assignment is None and (hasattr(what, "EXAMPLE") or _is_lecture(what)):
         return scene_of_lecture(lecture_module(str(what)) if isinstance(what, str | Path) else what, numbers)
     if isinstance(what, str | Path):
@@ -100,13 +99,13 @@ def _scene(what: Any, assignment: str | None, numbers: Mapping[str, Any] | None)
     return scene_of(what, folder(assignment or what.__name__).name, numbers)
 
 
-def _is_lecture(what: Any) -> bool:
+def _is_lecture(what: object) -> bool:
     from tam570.lectures import commands
 
     return isinstance(what, str | Path) and commands.is_lecture(str(what))
 
 
-def scene_of(module: Any, slug: str, numbers: Mapping[str, Any] | None = None) -> Scene:
+def scene_of(module: ModuleType, slug: str, numbers: Parameters | None = None) -> Scene:
     """Film an assignment by the functions of a module, with other numbers. Trouble says why it cannot be."""
     name = f"tam570.show.scenes.{slug[:4]}"
     try:

@@ -7,13 +7,13 @@ neighbours gives to half a pixel is not stored at all.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tam570.show.scene import Panel, Scene, Shape, TimePlot
 from tam570.show.student import Trouble
+from tam570.values import Json, Numbers
 
 __all__ = ["kept_samples", "packed"]
 
@@ -25,7 +25,7 @@ PLOT_PIXELS = 300  # height of a time plot
 TRACK, FIXED, MIXED = range(3)  # kinds of points; a point's number is 3 * index + kind
 
 
-def packed(scene: Scene) -> dict[str, Any]:
+def packed(scene: Scene) -> Json:
     """Return the scene as the player reads it: numbers, strings, lists."""
     slider = scene.slider
     if slider is None:
@@ -43,7 +43,7 @@ def packed(scene: Scene) -> dict[str, Any]:
     }
 
 
-def _packed(scene: Scene, frames: Sequence["_Frame"]) -> dict[str, Any]:
+def _packed(scene: Scene, frames: Sequence["_Frame"]) -> Json:
     points, space = _Points(), scene.in_space
     panels = [_packed_panel(panel, frame, points, space) for panel, frame in zip(scene.panels, frames, strict=True)]
     samples = kept_samples(np.concatenate(points.tracks, axis=1)) if points.tracks else np.array([0])
@@ -84,7 +84,7 @@ class _Points:
             return self.still(track[0])
         return self._number(np.rint(track).tobytes(), self.tracks, TRACK, lambda: track)
 
-    def _number(self, key: bytes, stored: list[Any], kind: int, value: Callable[[], Any]) -> int:
+    def _number(self, key: bytes, stored: list[Numbers], kind: int, value: Callable[[], Numbers]) -> int:
         if key not in self._known:
             self._known[key] = 3 * len(stored) + kind
             stored.append(value())
@@ -171,7 +171,7 @@ def _frame(panels: Sequence[Panel]) -> _Frame:
     return _Frame(middle, unit, _size_in_space(scaled), False)
 
 
-def _packed_panel(panel: Panel, frame: _Frame, points: _Points, in_space: bool) -> dict[str, Any]:
+def _packed_panel(panel: Panel, frame: _Frame, points: _Points, in_space: bool) -> Json:
     scaled = [_in_space((shape.points - frame.middle) / frame.unit, in_space) for shape in panel.shapes]
     return {
         "title": panel.title,
@@ -208,7 +208,7 @@ def _in_space(points: Array, in_space: bool) -> Array:
     return points
 
 
-def _packed_shape(shape: Shape, points: Array, store: _Points) -> dict[str, Any]:
+def _packed_shape(shape: Shape, points: Array, store: _Points) -> Json:
     still = points.ndim == 2
     numbers = [store.still(point) for point in points] if still else store.body(points)
     result = {"kind": shape.kind, "at": numbers, "color": shape.color, "width": shape.width}
@@ -216,7 +216,7 @@ def _packed_shape(shape: Shape, points: Array, store: _Points) -> dict[str, Any]
     return result | {name: value for name, value in optional.items() if value}
 
 
-def _packed_time_plot(time_plot: TimePlot) -> dict[str, Any]:
+def _packed_time_plot(time_plot: TimePlot) -> Json:
     low, high = time_plot.span
     unit = (high - low) / PLOT_PIXELS
     curves = np.array(list(time_plot.curves.values())).T / unit
@@ -234,7 +234,7 @@ def _packed_time_plot(time_plot: TimePlot) -> dict[str, Any]:
     }
 
 
-def _differences(values: NDArray[Any]) -> list[int]:
+def _differences(values: NDArray[np.generic]) -> list[int]:
     """Return rounded, and each but the first less the one before: short numbers."""
     total: list[int] = np.diff(np.rint(values).astype(np.int64), prepend=0).tolist()
     return total

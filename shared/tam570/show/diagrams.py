@@ -1,13 +1,13 @@
 """The student's free body diagrams, drawn on what moves."""
 
 from collections.abc import Iterable, Sequence
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.show.scene import Array, Shape, moving
 from tam570.show.student import Student, Trouble
+from tam570.values import Numbers
 
 __all__ = ["force_shapes"]
 
@@ -19,13 +19,13 @@ Forces = list[tuple[Array, Array | None]]
 def force_shapes(
     notes: list[str],
     student: Student,
-    *rows: Any,
+    *rows: Numbers,
     size: float,
     origin: ArrayLike = (0.0, 0.0),
     axes: ArrayLike | None = None,
     color: int = COLOR,
     label: str = "forces of your diagram",
-    **parameters: Any,
+    **parameters: Numbers,
 ) -> list[Shape]:
     """Make arrows of the forces that the student draws at each row, and dots of those of unknown direction.
 
@@ -50,7 +50,7 @@ def force_shapes(
     return shapes + [Shape("dot", places, color, "of unknown direction", width=7) for places in _steady(unknown)]
 
 
-def _read(diagram: Iterable[Any], dim: int) -> Forces:
+def _read(diagram: Iterable[Numbers], dim: int) -> Forces:
     """Return the pairs of a diagram, directions of length one; an arrow of no length draws nothing."""
     try:
         pairs = [(np.array(point, float), None if way is None else np.array(way, float)) for point, way in diagram]

@@ -1,12 +1,12 @@
 """Parts that several scenes have: a floor, axes, circles, a disk."""
 
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.show.scene import GREY, Array, Shape
+from tam570.values import Numbers
 
 TINY = 1e-300  # whose root is small beside every length, and not 0
 
@@ -46,7 +46,7 @@ def axes(length: float, *, origin: ArrayLike = (0.0, 0.0, 0.0)) -> list[Shape]:
     return [Shape("arrow", tails, GREY, width=1.2), *names]
 
 
-def floor(low: ArrayLike, high: ArrayLike, step: float, **look: Any) -> Shape:
+def floor(low: ArrayLike, high: ArrayLike, step: float, **look: Numbers) -> Shape:
     """Lines of a square grid on z = 0 that covers the rectangle from low to high."""
     first, last = np.floor(np.divide(low, step)), np.ceil(np.divide(high, step))
     (x0, y0), (x1, y1) = first * step, last * step

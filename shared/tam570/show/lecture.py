@@ -8,20 +8,21 @@ import ast
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from types import ModuleType
 
 from tam570.course import Unknown
 from tam570.given import finite, positive
 from tam570.lectures import catalogue, load
 from tam570.show.scene import FASTEST, Scene
 from tam570.show.student import Trouble, load_student
+from tam570.values import Json, Numbers, Parameters
 
 __all__ = ["filmed", "lecture_module", "scene_of_lecture", "settings"]
 
 LONGEST = 600.0  # s, of a scene
 
 
-def lecture_module(what: str) -> Any:
+def lecture_module(what: str) -> ModuleType:
     """Return the lecture of this name, or the copy of one in a file. Unknown or Trouble if there is none."""
     file = Path(what)
     if not file.is_file() or what in catalogue():
@@ -32,7 +33,7 @@ def lecture_module(what: str) -> Any:
     return module
 
 
-def settings(texts: Sequence[str]) -> dict[str, Any]:
+def settings(texts: Sequence[str]) -> Json:
     """Return the numbers in "mass=2", "start.speed=3", "masses=1,2", by name. Unknown says which text is none."""
     result = {}
     for text in texts:
@@ -43,14 +44,14 @@ def settings(texts: Sequence[str]) -> dict[str, Any]:
     return result
 
 
-def _value(text: str) -> Any:
+def _value(text: str) -> Numbers:
     try:
         return ast.literal_eval(text)
     except (ValueError, SyntaxError):
         return text  # a choice, such as saddle
 
 
-def scene_of_lecture(module: Any, numbers: Mapping[str, Any] | None = None) -> Scene:
+def scene_of_lecture(module: ModuleType, numbers: Parameters | None = None) -> Scene:
     """Film a lecture, with other numbers. Trouble says what cannot be shown."""
     scene = filmed(module, module.film, numbers)
     if not hasattr(module, "START"):
@@ -62,13 +63,13 @@ def scene_of_lecture(module: Any, numbers: Mapping[str, Any] | None = None) -> S
     return replace(scene, live=live_lecture(module, name, parameters, start, scene))
 
 
-def filmed(source: Any, film: Callable[..., Scene], numbers: Mapping[str, Any] | None) -> Scene:
+def filmed(source: ModuleType, film: Callable[..., Scene], numbers: Parameters | None) -> Scene:
     """Film with the source's EXAMPLE, START and SECONDS, some of their numbers changed.
 
     numbers : by parameter, by "start.speed" for a number of the start, or "seconds"
     Unknown tells a wrong name with the right ones; Trouble says what cannot be shown.
     """
-    values: dict[str, Any] = dict(source.EXAMPLE)
+    values: Json = dict(source.EXAMPLE)
     moves = hasattr(source, "START")
     if moves:
         values |= {f"start.{name}": value for name, value in zip(source.STATE, source.START, strict=True)}
@@ -87,14 +88,14 @@ def filmed(source: Any, film: Callable[..., Scene], numbers: Mapping[str, Any] |
     return replace(scene, settings=values)
 
 
-def _must_be_slow(units: Mapping[str, str], values: Mapping[str, Any]) -> None:
+def _must_be_slow(units: Mapping[str, str], values: Parameters) -> None:
     """ValueError for a start that turns too fast to be drawn."""
     for name, unit in units.items():
         if unit == "rad/s" and abs(values[f"start.{name}"]) >= FASTEST:
             raise ValueError(f"start.{name}: below {FASTEST:.0f} rad/s, to be drawn, got {values[f'start.{name}']:g}")
 
 
-def _arguments(settings: dict[str, Any]) -> tuple[dict[str, Any], tuple[float, ...], float]:
+def _arguments(settings: Json) -> tuple[Json, tuple[float, ...], float]:
     """Parameters, start and seconds. ValueError if the last two cannot be shown."""
     start = {name: settings.pop(name) for name in list(settings) if name.startswith("start.")}
     finite(**start)

@@ -7,7 +7,6 @@ down, as `tam570.integrate` does it for a compiler. A function that cannot be tr
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 
@@ -15,6 +14,7 @@ from tam570.integrate.symbols import Symbol, Untraceable, Value
 from tam570.integrate.trace import Graph, traced
 from tam570.show.scene import Panel
 from tam570.show.student import Trouble
+from tam570.values import Function, Json, Numbers, Parameters
 
 __all__ = ["Handle", "Live", "Program", "live_if_written", "program"]
 
@@ -36,8 +36,8 @@ class Handle:
     panel : the number of its panel
     """
 
-    place: Callable[..., Any]
-    grab: Callable[..., Any]
+    place: Function
+    grab: Function
     panel: int = 0
 
 
@@ -53,13 +53,13 @@ class Live:
     rests    : whether friction ends the motion, where the first measure is zero; else that keeps its value
     """
 
-    rates: Callable[..., Any]
-    parameters: Mapping[str, Any]
+    rates: Function
+    parameters: Parameters
     state: Mapping[str, str]
     start: Sequence[float]
-    panels: Callable[[Any, Mapping[str, Any]], Sequence[Panel]]
+    panels: Callable[[Numbers, Parameters], Sequence[Panel]]
     handles: Sequence[Handle] = ()
-    measures: Mapping[str, Callable[..., Any]] = field(default_factory=dict)
+    measures: Mapping[str, Function] = field(default_factory=dict)
     unit: str = "J"
     rests: bool = False
 
@@ -77,7 +77,7 @@ class Program:
     """What the page needs: code that is made of our own words alone, and data."""
 
     code: str
-    data: dict[str, Any]
+    data: Json
 
 
 def program(live: Live) -> Program | None:
@@ -94,7 +94,7 @@ def program(live: Live) -> Program | None:
     return None
 
 
-def _sliders(parameters: Mapping[str, Any]) -> list[tuple[str, int | None, float]]:
+def _sliders(parameters: Parameters) -> list[tuple[str, int | None, float]]:
     """Name, index in a tuple, value of each number that a slider can change."""
     result: list[tuple[str, int | None, float]] = []
     for name, value in parameters.items():
@@ -115,19 +115,19 @@ class _Writer:
         rates, film = self.live.rates, self.live.panels  # a trace goes into the functions of a closure
         of_rates = self._traced(lambda t, state, arguments, pointer: rates(t, state, **arguments))
         self._compare(of_rates)
-        panels: list[dict[str, Any]] = []
+        panels: list[Json] = []
         measures = {name: one for name, one in self.live.measures.items() if self._is_traceable(one)}
         more = _composed([*(handle.place for handle in self.live.handles), *measures.values()])
         grabs = _composed([handle.grab for handle in self.live.handles])
 
-        def drawn(t: Any, state: Any, parameters: Mapping[str, Any], target: Any) -> list[Any]:
+        def drawn(t: Numbers, state: Numbers, parameters: Parameters, target: Numbers) -> list[Numbers]:
             panels.clear()
             points: list[Value] = []
             for panel in film(np.reshape(state, (1, -1)), parameters):
                 panels.append({"title": panel.title, "shapes": [_shape(shape, points) for shape in panel.shapes]})
             return points + more([], (state,), parameters)
 
-        def grabbed(t: Any, state: Any, parameters: Mapping[str, Any], target: Any) -> list[Any]:
+        def grabbed(t: Numbers, state: Numbers, parameters: Parameters, target: Numbers) -> list[Numbers]:
             return grabs([], (target, state), parameters)
 
         graphs = {"rates": of_rates, "drawn": self._traced(drawn), "grab": self._traced(grabbed)}
@@ -136,14 +136,14 @@ class _Writer:
         count = len(graphs["drawn"].rates) - first - len(measures)
         return Program(f"const program = {{{code}}};", self._data(panels, first, count, list(measures)))
 
-    def _is_traceable(self, measure: Callable[..., Any]) -> bool:
+    def _is_traceable(self, measure: Function) -> bool:
         try:
             self._traced(lambda t, state, parameters, target: [measure(state, **parameters)])
         except Untraceable:
             return False
         return True
 
-    def _data(self, panels: list[dict[str, Any]], first: int, count: int, measures: list[str]) -> dict[str, Any]:
+    def _data(self, panels: list[Json], first: int, count: int, measures: list[str]) -> Json:
         dim = count // max(len(self.live.handles), 1)
         has_first = measures[:1] == list(self.live.measures)[:1] != []
         return {
@@ -164,14 +164,14 @@ class _Writer:
             "rests": has_first and self.live.rests,
         }
 
-    def _traced(self, function: Callable[..., Any]) -> Graph:
-        def flat(t: Any, symbols: Any) -> Any:
+    def _traced(self, function: Function) -> Graph:
+        def flat(t: Numbers, symbols: Numbers) -> Numbers:
             parameters = self._known(symbols[self.k : self.k + self.m])
             return function(t, symbols[: self.k], parameters, symbols[self.k + self.m :])
 
         return traced(flat, self.k + self.m + 3, {"float": _Float})
 
-    def _known(self, numbers: Sequence[Any]) -> dict[str, Any]:
+    def _known(self, numbers: Sequence[Numbers]) -> Json:
         """Return the parameters, those with sliders replaced."""
         parameters = dict(self.live.parameters)
         for (name, i, _), number in zip(self.sliders, numbers, strict=True):
@@ -192,14 +192,14 @@ class _Writer:
                 raise Untraceable("its formulas as traced give other numbers than it does")
 
 
-def _composed(functions: Sequence[Callable[..., Any]]) -> Callable[..., list[Any]]:
+def _composed(functions: Sequence[Function]) -> Callable[..., list[Numbers]]:
     """One function that appends the numbers of each, called with the same arguments; a closure of closures."""
 
-    def none(result: list[Any], arguments: tuple[Any, ...], parameters: Mapping[str, Any]) -> list[Any]:
+    def none(result: list[Numbers], arguments: tuple[Numbers, ...], parameters: Parameters) -> list[Numbers]:
         return result
 
-    def then(before: Callable[..., list[Any]], function: Callable[..., Any]) -> Callable[..., list[Any]]:
-        def both(result: list[Any], arguments: tuple[Any, ...], parameters: Mapping[str, Any]) -> list[Any]:
+    def then(before: Callable[..., list[Numbers]], function: Function) -> Callable[..., list[Numbers]]:
+        def both(result: list[Numbers], arguments: tuple[Numbers, ...], parameters: Parameters) -> list[Numbers]:
             return [
                 *before(result, arguments, parameters),
                 *np.ravel(np.array(function(*arguments, **parameters))).tolist(),
@@ -207,21 +207,21 @@ def _composed(functions: Sequence[Callable[..., Any]]) -> Callable[..., list[Any
 
         return both
 
-    combined: Callable[..., list[Any]] = none
+    combined: Callable[..., list[Numbers]] = none
     for function in functions:
         combined = then(combined, function)
     return combined
 
 
 class _OfFloats(type):
-    def __instancecheck__(cls, value: Any) -> bool:
+    def __instancecheck__(cls, value: object) -> bool:
         return isinstance(value, float)
 
 
 class _Float(float, metaclass=_OfFloats):
     """`float` as a trace has it: numbers that are not known yet stay what they are."""
 
-    def __new__(cls, value: Any = 0.0) -> Any:
+    def __new__(cls, value: Numbers = 0.0) -> Numbers:
         return value if isinstance(value, Symbol) else float(value)
 
 
@@ -232,7 +232,7 @@ def _range(value: float) -> tuple[float, float]:
     return low, high
 
 
-def _shape(shape: Any, points: list[Value]) -> dict[str, Any]:
+def _shape(shape: Numbers, points: list[Value]) -> Json:
     """One shape, its coordinates appended to the points."""
     rows = shape.points[0] if shape.points.ndim == 3 else shape.points
     at = []

@@ -2,14 +2,13 @@
 
 import html
 import json
-from collections.abc import Mapping
 from pathlib import Path
 from string import Template
-from typing import Any
 
 from tam570.show.compact import packed
 from tam570.show.live import program as written
 from tam570.show.scene import Scene
+from tam570.values import Json, Parameters
 
 __all__ = ["HERE", "framed", "page"]
 
@@ -35,7 +34,7 @@ def page(scene: Scene) -> str:
     )
 
 
-def _listed(settings: Mapping[str, Any]) -> str:
+def _listed(settings: Parameters) -> str:
     return ", ".join(f"{name} = {value}" for name, value in settings.items())
 
 
@@ -48,7 +47,7 @@ def framed(document: str, title: str, height: int) -> str:
     )
 
 
-def _data(scene: dict[str, Any]) -> str:
+def _data(scene: Json) -> str:
     """JSON that no string in it can end early."""
     return json.dumps(scene, ensure_ascii=True, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c")
 

@@ -4,7 +4,6 @@ import re
 from collections.abc import Callable
 from functools import cache, partial
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from matplotlib.animation import AbstractMovieWriter, FFMpegWriter, PillowWriter
@@ -16,6 +15,7 @@ from matplotlib.patches import Polygon
 from tam570.show.page import HERE
 from tam570.show.scene import RATE, Array, Panel, Scene, Shape, TimePlot
 from tam570.show.student import Trouble
+from tam570.values import Json, Numbers
 
 __all__ = ["frames", "write"]
 
@@ -121,7 +121,7 @@ def _seen(points: Array, view: tuple[float, float]) -> Array:
 
 def _shape(ax: Axes, shape: Shape, points: Array, head_size: float) -> Update:
     """Draw one part; what takes it to another sample."""
-    look: dict[str, Any] = {"color": _palette()[shape.color], "alpha": 0.25 if shape.faint else 1.0}
+    look: Json = {"color": _palette()[shape.color], "alpha": 0.25 if shape.faint else 1.0}
     still = points.ndim == 2
 
     def at(sample: int) -> Array:
@@ -135,10 +135,8 @@ def _shape(ax: Axes, shape: Shape, points: Array, head_size: float) -> Update:
     if shape.kind == "text":
         text = ax.text(at(0)[0, 0], at(0)[0, 1], shape.words, **look)
         return lambda sample: text.set_position(at(sample)[0])
-    joined: Any = {"lines": _apart, "arrow": partial(_arrows, longest=head_size)}.get(shape.kind, lambda rows: rows)
-    style: dict[str, Any] = (
-        {"marker": "o", "markersize": 1.5 * shape.width, "linestyle": ""} if shape.kind == "dot" else {}
-    )
+    joined: Numbers = {"lines": _apart, "arrow": partial(_arrows, longest=head_size)}.get(shape.kind, lambda rows: rows)
+    style: Json = {"marker": "o", "markersize": 1.5 * shape.width, "linestyle": ""} if shape.kind == "dot" else {}
     (line,) = ax.plot([], [], linewidth=0.8 * shape.width, label=shape.name or "_", clip_on=False, **style, **look)
     if shape.kind == "trail":
         so_far = np.concatenate([points, np.full((1, *points.shape[1:]), np.nan)])

@@ -3,10 +3,12 @@
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from tam570.values import Parameters
 
 if TYPE_CHECKING:
     from tam570.show.live import Live
@@ -113,7 +115,7 @@ class Scene:
     still_time: float = 0.6
     notes: Sequence[str] = field(default_factory=list)
     slider: "Slider | None" = None
-    settings: Mapping[str, Any] = field(default_factory=dict)
+    settings: Parameters = field(default_factory=dict)
     live: "Live | None" = None
 
     @property

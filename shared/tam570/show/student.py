@@ -5,13 +5,14 @@ import traceback
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from types import ModuleType
-from typing import Any, TypeVar
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tam570.loading import Trouble, said
 from tam570.loading import loaded as load_file
+from tam570.values import Function, Numbers
 
 __all__ = ["Student", "Trouble", "load_student", "make_each", "numbers", "rows_missing"]
 
@@ -41,33 +42,37 @@ def make_each(notes: list[str], *makers: Callable[[], Made]) -> list[Made]:
 class Student:
     """`student(name, ...)` calls the function of that name and gives its numbers."""
 
-    def __init__(self, module: Any) -> None:
+    def __init__(self, module: ModuleType) -> None:
         self._module = module
         self._file = str(getattr(module, "__file__", None) or "")
 
-    def function(self, name: str) -> Callable[..., Any]:
+    def function(self, name: str) -> Function:
         """Return the student's function itself. Trouble if there is none."""
         function = getattr(self._module, name, None)
         if not callable(function):
             raise Trouble(f"there is no function {name}{f' in {self._file}' if self._file else ''}")
         return function  # type: ignore[no-any-return]
 
-    def __call__(self, name: str, *arguments: Any, shape: Sequence[int] | None = None, **parameters: Any) -> Array:
+    def __call__(
+        self, name: str, *arguments: Numbers, shape: Sequence[int] | None = None, **parameters: Numbers
+    ) -> Array:
         """Return what the function returns, as an array of this shape. Trouble if it does not, or is not finite."""
         return self._finite(name, numbers(name, self._raw(name, *arguments, **parameters), shape))
 
-    def group(self, name: str, *arguments: Any, shapes: Sequence[Sequence[int]], **parameters: Any) -> list[Array]:
+    def group(
+        self, name: str, *arguments: Numbers, shapes: Sequence[Sequence[int]], **parameters: Numbers
+    ) -> list[Array]:
         """Return the arrays that the function returns together, each of its shape."""
         result = self._raw(name, *arguments, **parameters)
         if not isinstance(result, Sequence | np.ndarray) or len(result) != len(shapes):
             raise Trouble(f"{name} gives {_short(result)}; {len(shapes)} results are asked for")
         return [self._finite(name, numbers(name, part, shape)) for part, shape in zip(result, shapes, strict=True)]
 
-    def _raw(self, name: str, *arguments: Any, **parameters: Any) -> Any:
+    def _raw(self, name: str, *arguments: Numbers, **parameters: Numbers) -> Numbers:
         """Return what the function returns, whatever it is."""
         return self._guarded(name, lambda function: function(*arguments, **parameters))
 
-    def each(self, name: str, *rows: Any, shape: Sequence[int] = (), **parameters: Any) -> Array:
+    def each(self, name: str, *rows: Numbers, shape: Sequence[int] = (), **parameters: Numbers) -> Array:
         """(n, *shape) of the function called with row i of every argument in turn."""
         results = self.returned(name, *rows, **parameters)
         try:  # all at once: one by one takes longer than the student's function
@@ -78,12 +83,12 @@ class Student:
             numbers(name, results[0], shape)
         return self._finite(name, numbers(name, values, (len(results), *shape)))
 
-    def returned(self, name: str, *rows: Any, **parameters: Any) -> list[Any]:
+    def returned(self, name: str, *rows: Numbers, **parameters: Numbers) -> list[Numbers]:
         """Return what the function returns for row i of every argument in turn, whatever it is."""
         calls = [*zip(*rows, strict=True)]
         return [*self._guarded(name, lambda function: [function(*row, **parameters) for row in calls])]
 
-    def _guarded(self, name: str, use: Callable[[Callable[..., Any]], Any]) -> Any:
+    def _guarded(self, name: str, use: Callable[[Function], Numbers]) -> Numbers:
         function = self.function(name)
         try:
             return use(function)
@@ -102,7 +107,7 @@ class Student:
         raise Trouble(f"{name} gives numbers that are not finite, first in row {rows.argmin()} of {len(rows)}")
 
 
-def numbers(name: str, result: Any, shape: Sequence[int] | None) -> Array:
+def numbers(name: str, result: Numbers, shape: Sequence[int] | None) -> Array:
     """Return a result as an array of this shape, any if None. Trouble if it is not one, in words for a student."""
     try:
         values = np.asarray(result)
@@ -125,6 +130,6 @@ def rows_missing(values: Array, shape: Sequence[int | None]) -> str:
     return ". Rows are missing: did the integration stop early?" if is_short else ""
 
 
-def _short(result: Any) -> str:
+def _short(result: object) -> str:
     text = repr(result)
     return text if len(text) <= 60 else f"{text[:57]}..."

@@ -51,7 +51,7 @@ def test_a_mutant_has_one_slip(line, expected):
 
 def test_a_special_case_is_left_out_or_taken_always():
     actual = mutants(SLUG, "def f(a, b):\n    if a:\n        return a\n    return b\n")
-    assert [item.slip for item in actual] == ["a -> True", "a -> False"]
+    assert [item.change for item in actual] == ["a -> True", "a -> False"]
 
 
 @pytest.mark.parametrize("slug", first(3, SLUGS))
@@ -120,7 +120,7 @@ def test_a_diagnosis_tells_named_from_unnamed_and_misled():
 
     correct, silent = said("the transpose", "the transpose"), said("the transpose", None)
     wrong, actual = said("a sign", "the transpose"), said("a sign", "the transpose", known=())
-    assert [item.named for item in (correct, silent, wrong, actual)] == [True, False, False, False]
+    assert [item.is_named for item in (correct, silent, wrong, actual)] == [True, False, False, False]
     assert [item.misled for item in (correct, silent, wrong, actual)] == [False, False, True, False]
     assert diagnosis.faults([correct, silent]) == 1 and diagnosis.faults([correct]) == 0
     assert diagnosis.faults([correct] * 10 + [wrong]) == 1

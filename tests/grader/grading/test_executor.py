@@ -14,7 +14,7 @@ from processes import await_end, children
 
 from tam570_grader.checks import expected
 from tam570_grader.checks.case import Case
-from tam570_grader.grading.executor import WorkerLost, executor, finished, in_order
+from tam570_grader.grading.executor import WorkerLost, executor, in_order, run_tasks
 from tam570_grader.sandbox.pool import TRIES
 
 linux = pytest.mark.skipif(sys.platform != "linux", reason="finds processes in /proc")
@@ -56,7 +56,7 @@ def test_a_task_whose_process_dies_is_done_by_another_and_no_other_task_twice(tm
 
 def test_of_a_bunch_the_task_that_no_process_survives_is_given_up_alone(tmp_path):
     with executor(2) as us:
-        outcomes = {task: it for _, task, it in finished(us, functools.partial(die, tmp_path), range(60), 60)}
+        outcomes = {task: it for _, task, it in run_tasks(us, functools.partial(die, tmp_path), range(60), 60)}
     assert isinstance(outcomes.pop(3), WorkerLost) and outcomes == {task: task for task in range(60) if task != 3}
     assert tries(tmp_path, 3) == TRIES + 1
 
@@ -77,7 +77,7 @@ def test_no_process_outlives_a_run_that_is_ended(tmp_path, end):
     program = (
         "import time; from tam570_grader.grading.executor import *\n"
         "with executor(2) as us:\n"
-        "    print('on', flush=True); list(finished(us, time.sleep, [60, 60]))\n"
+        "    print('on', flush=True); list(run_tasks(us, time.sleep, [60, 60]))\n"
     )
     command = [sys.executable, "-c", program]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as coordinator:

@@ -72,7 +72,7 @@ def test_the_queue_keeps_the_order_over_a_restart_and_half_a_line(tmp_path):
         file.write(b'{"event": "arr')
     restarted = Queue(tmp_path, Policy())
     assert restarted.arrivals == queue.arrivals and (tmp_path / "watch.jsonl").read_bytes().endswith(b"\n")
-    restarted.note("graded", restarted.arrivals[0], attempt=1, graded_at=9.0, waited=1.0, record={"score": 1.0})
+    restarted.log("graded", restarted.arrivals[0], attempt=1, graded_at=9.0, waited=1.0, record={"score": 1.0})
     assert [item.student for item in Queue(tmp_path, Policy()).ready(9.0)] == ["a", "b", "c"]
     later = Queue(tmp_path, Policy(every=10.0))
     assert [item.student for item in later.ready(10.0)] == ["a", "b"] and later.ready(19.0)[2].student == "c"

@@ -11,7 +11,7 @@ import pytest
 from tam570_grader import cli
 from tam570_grader.checks.rubric import ManualPart
 from tam570_grader.grading.submissions import submissions
-from tam570_grader.lms.mark import Desk, Sheet, serve
+from tam570_grader.lms.mark import Desk, StudentWork, serve
 from tam570_grader.results import manual_points
 
 SLUG = "hw07_double_pendulum"
@@ -37,7 +37,7 @@ def graded(course, tmp_path_factory):
 def desk(graded, tmp_path):
     shutil.copytree(graded, tmp_path, symlinks=True, dirs_exist_ok=True)
     (work,) = submissions([tmp_path / "submitted"], [SLUG])
-    built = Desk(tmp_path / "results", [Sheet("ann", SLUG, RUBRIC, work), Sheet("ben", SLUG, RUBRIC)])
+    built = Desk(tmp_path / "results", [StudentWork("ann", SLUG, RUBRIC, work), StudentWork("ben", SLUG, RUBRIC)])
     server, address = serve(built)
     threading.Thread(target=server.serve_forever, daemon=True).start()
     yield built, address

@@ -8,7 +8,7 @@ from classes import hand_in, rows
 from tam570_grader import cli
 from tam570_grader.cli import points as command
 from tam570_grader.results import manual_points
-from tam570_grader.results.manual_points import Entry, ManualAdjustments
+from tam570_grader.results.manual_points import Entry, GradeRow, ManualAdjustments
 from tam570_grader.results.store import ResultStore
 
 SLUG = "hw07_double_pendulum"
@@ -169,7 +169,7 @@ def test_rows_of_the_term_hold_in_every_assignment(rows, rest):
     late = [Entry("ann", slug, "late", 2.0) for slug in TERM]
     adjustments = ManualAdjustments([*late, Entry("*", "*", "off a day", 0.1), *(Entry(*row) for row in rows)])
     table = adjustments.table(
-        adjustments.row(("ann", slug, "graded", 10.0 - n, 10.0), dict) for n, slug in enumerate(TERM)
+        adjustments.row(GradeRow("ann", slug, "graded", 10.0 - n, 10.0), dict) for n, slug in enumerate(TERM)
     )
     assert [row[3] for row in table] == [score if score == "EX" else pytest.approx(score) for score in rest]
 

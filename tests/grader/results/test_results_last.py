@@ -139,7 +139,7 @@ def test_a_fault_of_the_grader_is_no_score_exits_1_and_is_tried_again(run, tree,
         raise RuntimeError("a fault of ours")
 
     with monkeypatch.context() as fault:
-        fault.setattr("tam570_grader.sandbox.function.Function.many", broken)
+        fault.setattr("tam570_grader.sandbox.function.SandboxFunction.many", broken)
         code, (line,), err = run(tree / "ada", "--out", tmp_path / "out")
     assert code == 1 and line["score"] is None and "a fault of ours" in err
     assert {check["outcome"] for check in line["checks"]} >= {"grader_error"}

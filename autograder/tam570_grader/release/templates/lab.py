@@ -1,4 +1,4 @@
-"""Helps the notebook: shows what your module does, runs its tests, and says what is missing instead of stopping."""
+"""Helps the notebook: shows what your module does, runs its tests, and lines what is missing instead of stopping."""
 
 import ast
 import contextlib
@@ -55,7 +55,7 @@ def animation(t: Any, wires: Any, label: str = "animation of the motion") -> Any
     width, height = (high - low) * scale + 20
     pixels = np.stack([(flat[..., 0] - low[0]) * scale + 10, (high[1] - flat[..., 1]) * scale + 10], axis=-1)
     frames = np.round(pixels, 1).reshape(len(flat), -1, 4).tolist()
-    named = {
+    values = {
         "NAME": f"lab{id(frames)}",
         "WIDTH": f"{width:.0f}",
         "HEIGHT": f"{height:.0f}",
@@ -64,7 +64,7 @@ def animation(t: Any, wires: Any, label: str = "animation of the motion") -> Any
         "FRAMES_": json.dumps(frames),
     }
     page = PLAYER
-    for name, text in named.items():
+    for name, text in values.items():
         page = page.replace(name, text)
     return HTML(page)  # type: ignore[no-untyped-call]
 
@@ -77,8 +77,8 @@ def tests(*names: str, points: float, functions: Sequence[str] = ()) -> float:
     file = next(Path().glob("test_hw*.py"))
     if not names:
         missing = [name for name in functions if name in _stubs(Path(file.name.removeprefix("test_")))]
-        says = [f"- {name} is not written yet" for name in missing] or ["No visible tests here: check it yourself."]
-        print("\n".join(says))
+        lines = [f"- {name} is not written yet" for name in missing] or ["No visible tests here: check it yourself."]
+        print("\n".join(lines))
         return 0.0 if missing else points
     command = [sys.executable, "-B", __file__, *names]
     environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
@@ -104,19 +104,19 @@ def _stubs(module: Path) -> set[str]:
     except SyntaxError:
         return set()
     functions = [node for node in body if isinstance(node, ast.FunctionDef)]
-    return {one.name for one in functions if "NotImplementedError" in ast.dump(one.body[-1])}
+    return {node.name for node in functions if "NotImplementedError" in ast.dump(node.body[-1])}
 
 
 def _said(error: Exception) -> str:
     """Return what is missing or wrong, and where in the student's module."""
     calls = traceback.extract_tb(error.__traceback__)
-    own = [call for call in calls if Path(call.filename).name.startswith("hw")]
+    of_file = [call for call in calls if Path(call.filename).name.startswith("hw")]
     if isinstance(error, NotImplementedError):
-        return f"Nothing to see yet: {(own or list(calls))[-1].name} is not written."
-    if isinstance(error, NameError) and not own:
+        return f"Nothing to see yet: {(of_file or list(calls))[-1].name} is not written."
+    if isinstance(error, NameError) and not of_file:
         return f"Nothing to see yet: {error.name} comes from a cell above that shows nothing yet."
-    place = f"in {own[-1].name}, line {own[-1].lineno}" if own else "with what your functions returned"
-    return f"This stopped {place}: {type(error).__name__}: {error}"
+    where = f"in {of_file[-1].name}, line {of_file[-1].lineno}" if of_file else "with what your functions returned"
+    return f"This stopped {where}: {type(error).__name__}: {error}"
 
 
 def _in_the_plane(wires: Any) -> Any:
@@ -135,15 +135,15 @@ def _main(names: list[str]) -> int:
     deadline.start()
     module = next(Path().glob("test_hw*.py")).name.removeprefix("test_")
     try:
-        found = run_tests(Path(module).resolve(), Path(module).stem, names)
+        session = run_tests(Path(module).resolve(), Path(module).stem, names)
     except Trouble as trouble:
         print(trouble)
         return 1
-    for name in found.passed:
-        failure = found.failures.get(name)
+    for name in session.passed:
+        failure = session.failures.get(name)
         why = f": {failure.message.strip().splitlines()[0]}" if failure else ""
         print(f"{'-' if failure else '+'} {name.removeprefix('test_').replace('_', ' ')}{why}")
-    print(f"of {sum(outcome == 'passed' for outcome in found.passed.values())} {len(found.passed)}")
+    print(f"of {sum(outcome == 'passed' for outcome in session.passed.values())} {len(session.passed)}")
     return 0
 
 

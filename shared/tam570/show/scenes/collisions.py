@@ -2,13 +2,13 @@
 
 from collections.abc import Callable
 from math import inf, pi, sqrt
-from typing import Any
 
 import numpy as np
 
 from tam570.show.drawing import unit_circle
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
+from tam570.values import Function
 
 __all__ = ["cradle_and_rod"]
 
@@ -20,7 +20,7 @@ PEG = 0.04  # m, radius
 ARM, FALL, TURN, HIT = 0.3, 0.5, 0.4, 2.0  # m from G to the peg, m/s, rad/s, s
 
 
-def cradle_and_rod(cradle: Callable[[Array], Array], collide: Callable[..., Any], restitution: float) -> Scene:
+def cradle_and_rod(cradle: Callable[[Array], Array], collide: Function, restitution: float) -> Scene:
     """Both scenes in one; the functions are those of the lecture, with the restitution in place."""
     times = frame_times(SECONDS)
     shown = plot_samples(times)
@@ -72,7 +72,7 @@ def _balls(angles: Array) -> list[Shape]:
     return shapes
 
 
-def _rod(times: Array, collide: Callable[..., Any]) -> tuple[list[Shape], Array, Array]:
+def _rod(times: Array, collide: Function) -> tuple[list[Shape], Array, Array]:
     """Return the picture, the angular momentum about the peg, of G and about G (n, 2), kg m^2/s, and the energy, J."""
     mass, inertia = ROD["mass"], ROD["mass"] * ROD["length"] ** 2 / 12
     before = np.array([[-0.15, -FALL, TURN], [0.0, 0.0, 0.0]])

@@ -1,7 +1,6 @@
 """The lecture `convergence`: two double pendulums, only one of them right, whose numerical solutions both converge."""
 
-from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -9,6 +8,7 @@ from tam570.integrate import solve
 from tam570.show.drawing import graph
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
+from tam570.values import Function, Parameters
 
 __all__ = ["film"]
 
@@ -18,10 +18,10 @@ COLORS = (0, 1)  # right, wrong
 
 
 def film(
-    equations: Sequence[Callable[..., Any]],
+    equations: Sequence[Function],
     energy: Callable[..., float],
-    errors: Callable[..., Any],
-    parameters: Mapping[str, Any],
+    errors: Function,
+    parameters: Parameters,
     start: Sequence[float],
     seconds: float,
 ) -> Scene:
@@ -60,7 +60,7 @@ def _pendulum(states: Array, lengths: Sequence[float], color: int, name: str) ->
     ]
 
 
-def _orders(errors: Callable[..., Any]) -> list[Shape]:
+def _orders(errors: Function) -> list[Shape]:
     """Return a line for each method and equation, in logarithms: its slope is the order."""
     curves = {method: np.log10(errors(method, STEPS)) for method in METHODS}
     steps = np.log10(STEPS)

@@ -1,13 +1,13 @@
 """The lecture `frames`: one motion seen from space and from a turntable, and Foucault's pendulum."""
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 import numpy as np
 
 from tam570.show.drawing import unit_circle
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
+from tam570.values import Numbers
 
 __all__ = ["film"]
 
@@ -15,7 +15,7 @@ EARTH = {"length": 1.0, "gravity": 9.81, "latitude": 0.741, "spin": 0.4}  # m, m
 SPOKES = np.arange(6) * np.pi / 3  # rad
 
 
-def film(frames: Any, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
+def film(frames: Numbers, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
     """Return a spring pulls a particle to the centre of a turntable, on which nothing rubs.
 
     frames : the lecture's functions
@@ -59,7 +59,7 @@ def _table(times: Array, states: Array, parameters: Mapping[str, float], rim: fl
     ]
 
 
-def _forces(frames: Any, seen: Array, parameters: Mapping[str, float], rim: float) -> list[Shape]:
+def _forces(frames: Numbers, seen: Array, parameters: Mapping[str, float], rim: float) -> list[Shape]:
     """Return the forces that only the observer on the turntable adds."""
     forces = {
         name: np.array([force(state, **parameters) for state in seen])
@@ -72,7 +72,7 @@ def _forces(frames: Any, seen: Array, parameters: Mapping[str, float], rim: floa
     ]
 
 
-def _pendulum(frames: Any, times: Array) -> list[Shape]:
+def _pendulum(frames: Numbers, times: Array) -> list[Shape]:
     bob, plane = frames.foucault_path(times, **EARTH), frames.foucault(times, **EARTH)
     along = 1.1 * np.column_stack([np.cos(plane), np.sin(plane)])
     ends = 1.1 * np.array([[1.0, 0.0], [0.0, 1.0]])
@@ -85,7 +85,7 @@ def _pendulum(frames: Any, times: Array) -> list[Shape]:
     ]
 
 
-def _energies(frames: Any, times: Array, seen: Array, parameters: Mapping[str, float]) -> TimePlot:
+def _energies(frames: Numbers, times: Array, seen: Array, parameters: Mapping[str, float]) -> TimePlot:
     shown = plot_samples(times)
     mass, stiffness, spin = (parameters[name] for name in ("mass", "stiffness", "spin"))
     squares = (seen[shown, :2] ** 2).sum(axis=1) / 2
@@ -100,7 +100,7 @@ def _energies(frames: Any, times: Array, seen: Array, parameters: Mapping[str, f
     return value_plot("energies on the turntable", times[shown], curves, "J", *caption)
 
 
-def _plane(frames: Any, times: Array) -> TimePlot:
+def _plane(frames: Numbers, times: Array) -> TimePlot:
     shown = plot_samples(times)
     plane = np.degrees(frames.foucault(times[shown], **EARTH))
     return value_plot("Foucault: angle of the plane", times[shown], {"": plane}, "degrees")

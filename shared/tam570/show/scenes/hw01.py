@@ -1,7 +1,6 @@
 """hw01: a large swing by the full equation, and what the small-angle solution makes of it."""
 
-from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -11,6 +10,7 @@ from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.plots import energy_plot, plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student, make_each
+from tam570.values import Function, Numbers, Parameters
 
 __all__ = ["film"]
 
@@ -21,7 +21,7 @@ SECONDS = 12.0
 MASS = 1.0  # kg
 
 
-def film(student: Student, rod: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
+def film(student: Student, rod: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Both let go from the same angle."""
     times, notes = frame_times(seconds), list[str]()
     shape = (len(times), 2)
@@ -51,27 +51,27 @@ def film(student: Student, rod: Mapping[str, Any], start: Sequence[float], secon
     )
 
 
-def _live(student: Student, rod: Mapping[str, Any], start: Sequence[float]) -> Live:
+def _live(student: Student, rod: Parameters, start: Sequence[float]) -> Live:
     """By the student's balance of angular momentum; kinetic and potential energy by that of energy."""
     balance, energies = student.function("angular_momentum_balance"), student.function("energy_balance")
 
-    def rates(t: float, state: Any, **parameters: Any) -> list[Any]:
+    def rates(t: float, state: Numbers, **parameters: Numbers) -> list[Numbers]:
         return [state[1], balance(*state, mass=MASS, **parameters)[0]]
 
-    def panels(states: Any, parameters: Mapping[str, Any]) -> list[Panel]:
+    def panels(states: Numbers, parameters: Parameters) -> list[Panel]:
         hook = Shape("dot", np.zeros((1, 2)), INK, width=4)
         return [Panel([*_pendulum(parameters["length"], states[:, 0], 0, "full equation"), hook])]
 
-    def bob(state: Any, **parameters: Any) -> list[Any]:
+    def bob(state: Numbers, **parameters: Numbers) -> list[Numbers]:
         return [parameters["length"] * np.sin(state[0]), -parameters["length"] * np.cos(state[0])]
 
-    def grab(point: Any, state: Any, **parameters: Any) -> list[Any]:
+    def grab(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numbers]:
         return [np.arctan2(point[0], -point[1]), 0.0]
 
-    def measure(i: int) -> Callable[..., Any]:
+    def measure(i: int) -> Function:
         return lambda state, **parameters: energies(*state, mass=MASS, **parameters)[i]
 
-    def total(state: Any, **parameters: Any) -> Any:
+    def total(state: Numbers, **parameters: Numbers) -> Numbers:
         _, kinetic, potential = energies(*state, mass=MASS, **parameters)
         return kinetic + potential
 
@@ -98,7 +98,7 @@ def _angles(times: Array, full: Array, small: Array) -> TimePlot:
     return value_plot("angle θ", times[shown], {"full": full[shown, 0], "small-angle": small[shown, 0]}, "rad")
 
 
-def _energy(student: Student, times: Array, states: Array, rod: Mapping[str, Any]) -> TimePlot:
+def _energy(student: Student, times: Array, states: Array, rod: Parameters) -> TimePlot:
     shown = plot_samples(times)
     _, kinetic, potential = student.each("energy_balance", *states[shown].T, mass=MASS, **rod, shape=(3,)).T
     return energy_plot(times[shown], kinetic + potential, potential, "energy of the full motion")

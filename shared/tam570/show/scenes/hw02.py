@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 
@@ -10,6 +9,7 @@ from tam570.show.diagrams import force_shapes
 from tam570.show.plots import plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times
 from tam570.show.student import Student, Trouble
+from tam570.values import Parameters
 
 __all__ = ["film"]
 
@@ -19,7 +19,7 @@ LONGEST = 100.0  # s, of a flight; this ball falls for 8 s at most
 LARGE = 1e-3  # of the range: a pixel
 
 
-def film(student: Student, parameters: Mapping[str, Any]) -> Scene:
+def film(student: Student, parameters: Parameters) -> Scene:
     """Return each ball flies until it is back at launch height."""
     speed, ball = parameters["speed"], {name: parameters[name] for name in ("mass", "drag", "gravity")}
     best = float(student("best_angle", speed, **ball, shape=()))
@@ -53,7 +53,7 @@ def _both(
     flown = np.append(times[times < flight], flight)
     landed = np.minimum(np.arange(len(times)), len(flown) - 1)
     shape = (len(flown), 4)
-    parameters: dict[str, Any] = {**ball, "shape": shape}
+    parameters: Parameters = {**ball, "shape": shape}
     numerical = student("simulate", flown, speed, angle, **parameters)
     closed = student("trajectory", flown, speed, angle, **parameters)
     return numerical[landed], closed[landed]

@@ -1,14 +1,12 @@
 """hw03: what each definition's angular momentum does, as vectors at C, while P and C move."""
 
-from collections.abc import Mapping
-from typing import Any
-
 import numpy as np
 
 from tam570.show.drawing import axes
 from tam570.show.plots import plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student, make_each
+from tam570.values import Numbers, Parameters
 
 __all__ = ["film"]
 
@@ -23,7 +21,7 @@ LARGE = 1e-4  # of the largest rate; differences are good to 1e-7 of it
 STEP = 1e-4  # s, of the differences
 
 
-def film(student: Student, parameters: Mapping[str, Any]) -> Scene:
+def film(student: Student, parameters: Parameters) -> Scene:
     """Two points go round, each its own way."""
     times, notes, mass = frame_times(SECONDS), list[str](), parameters["mass"]
     motion = [*_moves(P, times), *_moves(C, times)]
@@ -56,7 +54,7 @@ def film(student: Student, parameters: Mapping[str, Any]) -> Scene:
     )
 
 
-def _moves(harmonics: Any, times: Array) -> tuple[Array, Array, Array]:
+def _moves(harmonics: Numbers, times: Array) -> tuple[Array, Array, Array]:
     """(n, 3) each: position, velocity, acceleration."""
     r, v, a = np.zeros((3, len(times), 3))
     for w, cosine, sine in harmonics:

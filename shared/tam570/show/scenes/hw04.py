@@ -1,8 +1,7 @@
 """hw04: the mass on its spring in space, the ellipse, and the student's own projections of the path."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from math import pi
-from typing import Any
 
 import numpy as np
 
@@ -12,6 +11,7 @@ from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.plots import energy_plot, plot_samples
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student, make_each
+from tam570.values import Numbers, Parameters
 
 __all__ = ["film"]
 
@@ -22,7 +22,7 @@ SECONDS = 8.0
 VIEWS = {"by project(), along x": (0.0, 0.0), "by project(), from above": (-pi / 2, pi / 2)}  # rad
 
 
-def film(student: Student, spring: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
+def film(student: Student, spring: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return the mass in space, and two projections of it at right angles."""
     times, notes = frame_times(seconds), list[str]()
     r, v = np.array(start[:3]), np.array(start[3:])
@@ -52,8 +52,8 @@ def film(student: Student, spring: Mapping[str, Any], start: Sequence[float], se
     )
 
 
-def _live(student: Student, spring: Mapping[str, Any], start: Sequence[float]) -> Live:
-    def panels(states: Any, parameters: Mapping[str, Any]) -> list[Panel]:
+def _live(student: Student, spring: Parameters, start: Sequence[float]) -> Live:
+    def panels(states: Numbers, parameters: Parameters) -> list[Panel]:
         mass = states[:, :3]
         return [
             Panel(
@@ -72,7 +72,7 @@ def _live(student: Student, spring: Mapping[str, Any], start: Sequence[float]) -
     return Live(student.function("state_derivative"), spring, STATE, start, panels, [mass], measures)
 
 
-def _ellipse(student: Student, r: Array, v: Array, spring: Mapping[str, Any]) -> Shape:
+def _ellipse(student: Student, r: Array, v: Array, spring: Parameters) -> Shape:
     centre, semi_axes = student.group("orbit", r, v, **spring, shapes=((3,), (2, 3)))
     return Shape("path", circle(centre, *semi_axes), GREY, "ellipse of orbit()", width=5, faint=True)
 
@@ -89,7 +89,7 @@ def _projected(student: Student, mass: Array, title: str) -> Panel:
     return Panel(shapes, title)
 
 
-def _energy(student: Student, times: Array, states: Array, spring: Mapping[str, Any]) -> TimePlot:
+def _energy(student: Student, times: Array, states: Array, spring: Parameters) -> TimePlot:
     shown = plot_samples(times)
     total = student.each("energy", states[shown], **spring)
     at_rest = states[shown] * [1, 1, 1, 0, 0, 0]

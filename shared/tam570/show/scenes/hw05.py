@@ -1,8 +1,7 @@
 """hw05: the particle on its circle, by Cartesian coordinates."""
 
 import math
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -12,6 +11,7 @@ from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.plots import drift_note, energy_plot, plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student, make_each
+from tam570.values import Numbers, Parameters
 
 __all__ = ["film"]
 
@@ -22,7 +22,7 @@ SECONDS = 12.0
 ARROW = 0.15  # of the length, for the weight
 
 
-def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
+def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Let go at rest next to the top."""
     times, notes, length = frame_times(seconds), list[str](), parameters["length"]
     states = student("simulate", times, np.array(start), **parameters, shape=(len(times), 4))
@@ -50,13 +50,13 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
     )
 
 
-def _live(student: Student, parameters: Mapping[str, Any], start: Sequence[float]) -> Live:
+def _live(student: Student, parameters: Parameters, start: Sequence[float]) -> Live:
     acceleration, energy = student.function("acceleration"), student.function("energy")
 
-    def rates(t: float, state: Any, **parameters: Any) -> list[Any]:
+    def rates(t: float, state: Numbers, **parameters: Numbers) -> list[Numbers]:
         return [*state[2:], *acceleration(state, **parameters)]
 
-    def panels(states: Any, parameters: Mapping[str, Any]) -> list[Panel]:
+    def panels(states: Numbers, parameters: Parameters) -> list[Panel]:
         particle = states[:, :2]
         shapes = [
             Shape("path", parameters["length"] * unit_circle(121), GREY, "the circle", width=1.5),
@@ -66,18 +66,18 @@ def _live(student: Student, parameters: Mapping[str, Any], start: Sequence[float
         ]
         return [Panel(shapes)]
 
-    def grab(point: Any, state: Any, **parameters: Any) -> list[Any]:
+    def grab(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numbers]:
         angle = np.arctan2(point[0], point[1])
         return [parameters["length"] * np.sin(angle), parameters["length"] * np.cos(angle), 0.0, 0.0]
 
-    def total(state: Any, *, mass: Any, length: Any, gravity: Any) -> Any:
+    def total(state: Numbers, *, mass: Numbers, length: Numbers, gravity: Numbers) -> Numbers:
         return energy(state, mass=mass, gravity=gravity)
 
     handle = Handle(lambda state, **arguments: state[:2], grab)
     return Live(rates, parameters, STATE, start, panels, [handle], {"energy": total})
 
 
-def _forces(student: Student, states: Array, parameters: Mapping[str, Any]) -> list[Shape]:
+def _forces(student: Student, states: Array, parameters: Parameters) -> list[Shape]:
     """Return the force of the rod, and the weight beside it."""
     weight = parameters["mass"] * parameters["gravity"] * np.array([0.0, -1.0])
     force = student.each("constraint_force", states, **parameters, shape=(2,))
@@ -88,7 +88,7 @@ def _forces(student: Student, states: Array, parameters: Mapping[str, Any]) -> l
     ]
 
 
-def _energy(student: Student, times: Array, states: Array, parameters: Mapping[str, Any]) -> TimePlot:
+def _energy(student: Student, times: Array, states: Array, parameters: Parameters) -> TimePlot:
     shown = plot_samples(times)
     at_rest = states[shown] * [1, 1, 0, 0]
     arguments = {"mass": parameters["mass"], "gravity": parameters["gravity"]}
@@ -96,7 +96,7 @@ def _energy(student: Student, times: Array, states: Array, parameters: Mapping[s
     return energy_plot(times[shown], total, potential)
 
 
-def _rod(student: Student, times: Array, states: Array, parameters: Mapping[str, Any]) -> TimePlot:
+def _rod(student: Student, times: Array, states: Array, parameters: Parameters) -> TimePlot:
     """Return the pull of the rod, below 0 where it pushes; and whether the particle stays on its circle."""
     shown = plot_samples(times)
     force = student.each("constraint_force", states[shown], **parameters, shape=(2,))

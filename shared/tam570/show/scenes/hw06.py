@@ -1,7 +1,6 @@
 """hw06: two cars brake side by side, one with the front wheels locked, one with the rear wheels."""
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -10,6 +9,7 @@ from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times
 from tam570.show.student import Student, Trouble, make_each
+from tam570.values import Numbers, Parameters
 
 __all__ = ["film"]
 
@@ -29,7 +29,7 @@ SECONDS = 6.0
 HALF_WIDTH, OVERHANG, WHEEL, ARROW = 0.8, 0.7, 0.32, 2.0  # m
 
 
-def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
+def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Both go straight ahead at the same speed, but for the same small yaw rate."""
     times, notes = frame_times(seconds), list[str]()
     motions = {locked: _motion(student, times, start, locked, parameters) for locked in LANES}
@@ -51,37 +51,35 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
     )
 
 
-def _live(student: Student, parameters: Mapping[str, Any], start: Sequence[float], roads: list[Shape]) -> Live:
+def _live(student: Student, parameters: Parameters, start: Sequence[float], roads: list[Shape]) -> Live:
     """Of the two cars the one that swings round; a hand moves it, and turns it at its nose."""
     derivative, energy = student.function("state_derivative"), student.function("kinetic_energy")
     lane = LANES["rear"]
 
-    def rates(t: float, state: Any, **parameters: Any) -> Any:
+    def rates(t: float, state: Numbers, **parameters: Numbers) -> Numbers:
         return derivative(t, state, "rear", **parameters)
 
-    def panels(states: Any, parameters: Mapping[str, Any]) -> list[Panel]:
+    def panels(states: Numbers, parameters: Parameters) -> list[Panel]:
         return [Panel([*roads, *_car(states, "rear", lane, parameters)])]
 
-    def nose(state: Any, *, front: Any, **parameters: Any) -> list[Any]:
+    def nose(state: Numbers, *, front: Numbers, **parameters: Numbers) -> list[Numbers]:
         reach = front + OVERHANG
         return [state[0] + reach * np.cos(state[2]), state[1] + lane + reach * np.sin(state[2])]
 
-    def turn(point: Any, state: Any, **parameters: Any) -> list[Any]:
+    def turn(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numbers]:
         return [*state[:2], np.arctan2(point[1] - lane - state[1], point[0] - state[0]), *start[3:]]
 
-    def move(point: Any, state: Any, **parameters: Any) -> list[Any]:
+    def move(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numbers]:
         return [point[0], point[1] - lane, state[2], *start[3:]]
 
-    def kinetic(state: Any, *, friction: Any, gravity: Any, **parameters: Any) -> Any:
+    def kinetic(state: Numbers, *, friction: Numbers, gravity: Numbers, **parameters: Numbers) -> Numbers:
         return energy(state, "rear", **parameters)
 
     handles = [Handle(lambda state, **arguments: [state[0], state[1] + lane], move), Handle(nose, turn)]
     return Live(rates, parameters, STATE, start, panels, handles, {"kinetic": kinetic}, rests=True)
 
 
-def _motion(
-    student: Student, times: Array, start: Sequence[float], locked: str, parameters: Mapping[str, Any]
-) -> Array:
+def _motion(student: Student, times: Array, start: Sequence[float], locked: str, parameters: Parameters) -> Array:
     return student("simulate", times, np.array(start), locked, **parameters, shape=(len(times), 5))
 
 
@@ -98,7 +96,7 @@ def _placed(states: Array, outline: Array, y: float) -> Array:
     return placed
 
 
-def _car(states: Array, locked: str, y: float, parameters: Mapping[str, Any]) -> list[Shape]:
+def _car(states: Array, locked: str, y: float, parameters: Parameters) -> list[Shape]:
     nose, tail, side = parameters["front"] + OVERHANG, -parameters["rear"] - OVERHANG, HALF_WIDTH
     body = np.array([[nose - 0.5, side], [tail, side], [tail, -side], [nose - 0.5, -side], [nose, -0.5], [nose, 0.5]])
     color = 0 if locked == "front" else 1
@@ -115,9 +113,7 @@ def _car(states: Array, locked: str, y: float, parameters: Mapping[str, Any]) ->
     ]
 
 
-def _forces(
-    notes: list[str], student: Student, states: Array, locked: str, parameters: Mapping[str, Any]
-) -> list[Shape]:
+def _forces(notes: list[str], student: Student, states: Array, locked: str, parameters: Parameters) -> list[Shape]:
     arguments = {name: value for name, value in parameters.items() if name != "yaw_inertia"}
     lane = [0.0, LANES[locked]]
     return force_shapes(notes, student, states, [locked] * len(states), size=ARROW, origin=lane, **arguments)
@@ -128,7 +124,7 @@ def _wheels(at: float) -> Array:
     return np.array([(at + end, side) for side in (HALF_WIDTH - 0.1, 0.1 - HALF_WIDTH) for end in (-WHEEL, WHEEL)])
 
 
-def _energy(student: Student, times: Array, motions: dict[str, Array], parameters: Mapping[str, Any]) -> TimePlot:
+def _energy(student: Student, times: Array, motions: dict[str, Array], parameters: Parameters) -> TimePlot:
     """Kinetic energy, and whether with what friction has taken along the way of the locked axle it stays."""
     arguments = {name: value for name, value in parameters.items() if name in (*CAR, "yaw_inertia")}
     shown = plot_samples(times)
@@ -144,7 +140,7 @@ def _energy(student: Student, times: Array, motions: dict[str, Array], parameter
     return value_plot("kinetic energy", times[shown], energies, "kJ", f"less work of friction: {caption}", alarm)
 
 
-def _work(student: Student, states: Array, locked: str, parameters: Mapping[str, Any]) -> Array:
+def _work(student: Student, states: Array, locked: str, parameters: Parameters) -> Array:
     """(n,) J, of friction up to each time, by the trapezoidal rule along the path of the axle."""
     arguments = {name: value for name, value in parameters.items() if name != "yaw_inertia"}
     force = student.each("friction_force", states, [locked] * len(states), **arguments, shape=(2,))

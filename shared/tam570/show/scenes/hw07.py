@@ -1,8 +1,7 @@
 """hw07: the two bars, and the path of the tip."""
 
 import math
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -11,6 +10,7 @@ from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.plots import energy_plot, plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student, make_each
+from tam570.values import Numbers, Parameters
 
 __all__ = ["film"]
 
@@ -20,7 +20,7 @@ START = (math.pi / 2, math.pi / 2, 0.0, 0.0)  # part (d): at rest, both bars lev
 SECONDS = 20.0
 
 
-def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
+def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return the motion of part (d)."""
     times, notes = frame_times(seconds), list[str]()
     arguments = {name: np.array(value) for name, value in parameters.items() if name != "gravity"}
@@ -50,7 +50,7 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
     )
 
 
-def _forces(notes: list[str], student: Student, states: Array, parameters: Mapping[str, Any]) -> list[Shape]:
+def _forces(notes: list[str], student: Student, states: Array, parameters: Parameters) -> list[Shape]:
     """Return the forces that the student draws on either bar."""
     size, shapes = 0.3 * float(np.mean(parameters["lengths"])), list[Shape]()
     for bar in (1, 2):
@@ -66,20 +66,20 @@ def _forces(notes: list[str], student: Student, states: Array, parameters: Mappi
     return shapes
 
 
-def _live(student: Student, parameters: Mapping[str, Any], start: Sequence[float]) -> Live:
+def _live(student: Student, parameters: Parameters, start: Sequence[float]) -> Live:
     acceleration, energy = student.function("angular_acceleration"), student.function("energy")
 
-    def rates(t: float, state: Any, *, masses: Any, lengths: Any, gravity: Any) -> list[Any]:
+    def rates(t: float, state: Numbers, *, masses: Numbers, lengths: Numbers, gravity: Numbers) -> list[Numbers]:
         parameters = {"masses": np.array(masses), "lengths": np.array(lengths), "gravity": gravity}
         return [*state[2:], *acceleration(np.array(state[:2]), np.array(state[2:]), **parameters)]
 
-    def joints(theta: Any, lengths: Any) -> tuple[Any, Any]:
+    def joints(theta: Numbers, lengths: Numbers) -> tuple[Numbers, Numbers]:
         first, second = (
             length * np.array([np.sin(th), -np.cos(th)]) for length, th in zip(lengths, theta, strict=True)
         )
         return first, first + second
 
-    def panels(states: Any, parameters: Mapping[str, Any]) -> list[Panel]:
+    def panels(states: Numbers, parameters: Parameters) -> list[Panel]:
         elbow, tip = (end[None] for end in joints(states[0, :2], parameters["lengths"]))
         shapes = [
             Shape("lines", np.array([[-0.4, 0.0], [0.4, 0.0]]), GREY, width=3),
@@ -91,10 +91,10 @@ def _live(student: Student, parameters: Mapping[str, Any], start: Sequence[float
         ]
         return [Panel(shapes)]
 
-    def grab_elbow(point: Any, state: Any, **parameters: Any) -> list[Any]:
+    def grab_elbow(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numbers]:
         return [np.arctan2(point[0], -point[1]), state[1], 0.0, 0.0]
 
-    def grab_tip(point: Any, state: Any, **parameters: Any) -> list[Any]:
+    def grab_tip(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numbers]:
         elbow, _ = joints(state[:2], parameters["lengths"])
         return [state[0], np.arctan2(point[0] - elbow[0], elbow[1] - point[1]), 0.0, 0.0]
 
@@ -103,17 +103,17 @@ def _live(student: Student, parameters: Mapping[str, Any], start: Sequence[float
         Handle(lambda state, **arguments: joints(state[:2], arguments["lengths"])[1], grab_tip),
     ]
 
-    def total(state: Any, *, masses: Any, lengths: Any, gravity: Any) -> Any:
+    def total(state: Numbers, *, masses: Numbers, lengths: Numbers, gravity: Numbers) -> Numbers:
         parameters = {"masses": np.array(masses), "lengths": np.array(lengths), "gravity": gravity}
         return energy(np.array(state[:2]), np.array(state[2:]), **parameters)
 
-    def at_rest(state: Any, **parameters: Any) -> Any:
+    def at_rest(state: Numbers, **parameters: Numbers) -> Numbers:
         return total([*state[:2], 0.0, 0.0], **parameters)
 
     return Live(rates, parameters, STATE, start, panels, handles, {"total E": total, "potential V": at_rest})
 
 
-def _energy(student: Student, times: Array, states: Array, parameters: Mapping[str, Any]) -> TimePlot:
+def _energy(student: Student, times: Array, states: Array, parameters: Parameters) -> TimePlot:
     shown = plot_samples(times)
     theta, omega = states[shown, :2], states[shown, 2:]
     total = student.each("energy", theta, omega, **parameters)

@@ -1,8 +1,5 @@
 """hw08: a box turned about an axis, by the matrix and by the formula for a vector."""
 
-from collections.abc import Mapping
-from typing import Any
-
 import numpy as np
 
 from tam570.given import array
@@ -10,6 +7,7 @@ from tam570.show.drawing import axes
 from tam570.show.plots import plot_samples, value_plot
 from tam570.show.scene import Array, Panel, Scene, Shape, TimePlot, frame_times
 from tam570.show.student import Student, make_each
+from tam570.values import Parameters
 
 __all__ = ["film"]
 
@@ -20,7 +18,7 @@ SECONDS = 2 * np.pi
 LARGE = 1e-9  # of the length; a few roundings make 1e-15
 
 
-def film(student: Student, parameters: Mapping[str, Any]) -> Scene:
+def film(student: Student, parameters: Parameters) -> Scene:
     """One full turn."""
     times, notes, axis = frame_times(SECONDS), list[str](), array((3,), axis=parameters["axis"])
     angles = RATE * times

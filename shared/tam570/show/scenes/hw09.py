@@ -1,9 +1,7 @@
 """hw09: the book, turned about z and x in one order and in the other, and the axis of the whole turn."""
 
 import math
-from collections.abc import Mapping
 from functools import partial
-from typing import Any
 
 import numpy as np
 
@@ -12,6 +10,7 @@ from tam570.show.drawing import axes, box_face
 from tam570.show.plots import plot_samples, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times
 from tam570.show.student import Student, make_each
+from tam570.values import Parameters
 
 __all__ = ["film"]
 
@@ -22,7 +21,7 @@ SECONDS = 5.5
 LARGE = 1e-9
 
 
-def film(student: Student, parameters: Mapping[str, Any]) -> Scene:
+def film(student: Student, parameters: Parameters) -> Scene:
     """Both orders side by side; the axes are fixed in space."""
     times, notes, size = frame_times(SECONDS), list[str](), np.array(positives(3, size=parameters["size"]))
     turned = {title: _turns(student, times, order) for title, order in ORDERS.items()}

@@ -1,7 +1,6 @@
 """hw10: a box that flips, the curve of its angular velocity on two ellipsoids, and a disk that wobbles."""
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -11,6 +10,7 @@ from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student, Trouble, make_each
+from tam570.values import Numbers, Parameters
 
 __all__ = ["film"]
 
@@ -23,7 +23,7 @@ WOBBLE = np.array([0.5, 0.0, 2.0])  # rad/s
 UP = np.eye(3)[2]
 
 
-def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
+def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Both bodies are thrown at once."""
     times, notes, spin = frame_times(seconds), list[str](), np.array(start)
     inertia = _inertia(parameters["mass"], parameters["size"])
@@ -60,14 +60,14 @@ def _live(student: Student, inertia: Array, size: Array, spin: Array) -> Live:
     names = [f"R{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
     start = (*_attitude(spin, inertia).ravel().tolist(), *spin.tolist())
 
-    def rates(t: float, state: Any, *, inertia: Any) -> list[Any]:
+    def rates(t: float, state: Numbers, *, inertia: Numbers) -> list[Numbers]:
         R, omega = np.reshape(state[:9], (3, 3)), np.array(state[9:])
         return [*np.ravel(attitude(R, omega)), *euler(omega, inertia=np.array(inertia))]
 
-    def tip(state: Any, **parameters: Any) -> Any:
+    def tip(state: Numbers, **parameters: Numbers) -> Numbers:
         return reach * (np.reshape(state[:9], (3, 3)) @ np.array(state[9:]))
 
-    def panels(states: Any, parameters: Mapping[str, Any]) -> list[Panel]:
+    def panels(states: Numbers, parameters: Parameters) -> list[Panel]:
         R, omega = np.reshape(states[:, :9], (1, 3, 3)), states[0, 9:]
         H = 0.7 * reach * (R[0] @ (np.array(parameters["inertia"]) / inertia.mean() * omega))
         shapes = [
@@ -78,11 +78,11 @@ def _live(student: Student, inertia: Array, size: Array, spin: Array) -> Live:
         ]
         return [Panel(shapes, "box in space")]
 
-    def grab(point: Any, state: Any, **parameters: Any) -> list[Any]:
+    def grab(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numbers]:
         R = np.reshape(state[:9], (3, 3))
         return [*state[:9], *(R.T @ np.array(point) / reach)]
 
-    def kinetic(state: Any, *, inertia: Any) -> Any:
+    def kinetic(state: Numbers, *, inertia: Numbers) -> Numbers:
         return energy(np.array(state[9:]), inertia=np.array(inertia))
 
     arguments = {"inertia": tuple(inertia.tolist())}

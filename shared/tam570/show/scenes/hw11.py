@@ -1,8 +1,6 @@
 """hw11: coins in steady circles: two that roll, and one that shudders, rolling and sliding at once."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -10,6 +8,7 @@ from tam570.show.drawing import circle, floor
 from tam570.show.plots import plot_samples, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student, make_each
+from tam570.values import Parameters
 
 __all__ = ["film"]
 
@@ -39,7 +38,7 @@ class Circling:
     name: str
 
 
-def film(student: Student, parameters: Mapping[str, Any]) -> Scene:
+def film(student: Student, parameters: Parameters) -> Scene:
     """Three coins on one floor about one centre."""
     times, notes = frame_times(SECONDS), list[str]()
     arguments, radius = {name: parameters[name] for name in ALL}, parameters["radius"]
@@ -63,13 +62,13 @@ def film(student: Student, parameters: Mapping[str, Any]) -> Scene:
     )
 
 
-def _rolling(student: Student, lean: float, track_radius: float, parameters: Mapping[str, Any]) -> Circling:
+def _rolling(student: Student, lean: float, track_radius: float, parameters: Parameters) -> Circling:
     precession = float(student("rolling_precession", lean, track_radius, **parameters, shape=()))
     spin = float(student("rolling_spin", lean, precession, **parameters, shape=()))
     return Circling(lean, track_radius, precession, spin, f"rolling, lean {lean:g}")
 
 
-def _settling(student: Student, lean: float, parameters: Mapping[str, Any]) -> Circling:
+def _settling(student: Student, lean: float, parameters: Parameters) -> Circling:
     precession = float(student("common_precession", lean, **parameters, shape=()))
     spin = float(student("sliding_spin", lean, precession, **parameters, shape=()))
     track_radius = float(student("sliding_track_radius", lean, radius=parameters["radius"], shape=()))
@@ -98,7 +97,7 @@ def _coin(times: Array, coin: Circling, radius: float, color: int) -> list[Shape
     ]
 
 
-def _residuals(student: Student, times: Array, coins: list[Circling], parameters: Mapping[str, Any]) -> TimePlot:
+def _residuals(student: Student, times: Array, coins: list[Circling], parameters: Parameters) -> TimePlot:
     shown = plot_samples(times)[[0, -1]]  # steady: the same at any time
     weight = parameters["mass"] * parameters["gravity"] * parameters["radius"]
     off = {f"lean {c.lean:g}": np.full(2, 100.0 * _residual(student, c, parameters) / weight) for c in coins}
@@ -107,7 +106,7 @@ def _residuals(student: Student, times: Array, coins: list[Circling], parameters
     return value_plot("moment_residual()", times[shown], off, "%", caption, alarm=largest > LARGE, least=1.0)
 
 
-def _residual(student: Student, coin: Circling, parameters: Mapping[str, Any]) -> float:
+def _residual(student: Student, coin: Circling, parameters: Parameters) -> float:
     disk = {name: parameters[name] for name in COIN}
     motion = coin.lean, coin.precession, coin.spin
     inward, normal = student("contact_force", *motion, **disk, gravity=parameters["gravity"], shape=(2,))

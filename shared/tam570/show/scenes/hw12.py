@@ -1,7 +1,6 @@
 """hw12: the bead on the parabolic wire."""
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -10,6 +9,7 @@ from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.plots import energy_plot, plot_samples, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student, make_each
+from tam570.values import Numbers, Parameters
 
 __all__ = ["film"]
 
@@ -20,7 +20,7 @@ SECONDS = 10.0
 ARROW = 0.4  # m, of the weight
 
 
-def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
+def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return the bead, and the forces on it as a polygon that closes with m a."""
     times, notes = frame_times(seconds), list[str]()
     wire = {name: parameters[name] for name in ("curvature", "gravity")}
@@ -46,14 +46,14 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
     )
 
 
-def _live(student: Student, parameters: Mapping[str, Any], start: Sequence[float]) -> Live:
+def _live(student: Student, parameters: Parameters, start: Sequence[float]) -> Live:
     acceleration, energy = student.function("acceleration_newton"), student.function("energy")
     xs = np.linspace(-1.15 * abs(start[0]), 1.15 * abs(start[0]), 81)
 
-    def rates(t: float, state: Any, *, mass: Any, curvature: Any, gravity: Any) -> list[Any]:
+    def rates(t: float, state: Numbers, *, mass: Numbers, curvature: Numbers, gravity: Numbers) -> list[Numbers]:
         return [state[1], acceleration(*state, curvature=curvature, gravity=gravity)]
 
-    def panels(states: Any, parameters: Mapping[str, Any]) -> list[Panel]:
+    def panels(states: Numbers, parameters: Parameters) -> list[Panel]:
         bead = _on_wire(states[:, 0], parameters["curvature"])
         wire = Shape("path", _on_wire(xs, parameters["curvature"]), GREY, "wire", width=3)
         return [Panel([wire, Shape("dot", bead[:, None], 0, "bead", width=8)])]
@@ -69,7 +69,7 @@ def _live(student: Student, parameters: Mapping[str, Any], start: Sequence[float
     return Live(rates, parameters, STATE, start, panels, [handle], measures)
 
 
-def _forces(student: Student, states: Array, parameters: Mapping[str, Any]) -> list[Shape]:
+def _forces(student: Student, states: Array, parameters: Parameters) -> list[Shape]:
     weight = parameters["mass"] * parameters["gravity"] * np.array([0.0, -1.0])
     force = student.each("constraint_force", *states.T, **parameters, shape=(2,))
     unit = ARROW / (np.linalg.norm(weight) or 1.0)  # m/N
@@ -85,7 +85,7 @@ def _on_wire(x: Array, curvature: float) -> Array:
     return np.column_stack([x, curvature * x**2])
 
 
-def _energy(student: Student, times: Array, states: Array, parameters: Mapping[str, Any]) -> TimePlot:
+def _energy(student: Student, times: Array, states: Array, parameters: Parameters) -> TimePlot:
     shown = plot_samples(times)
     x, v = states[shown].T
     return energy_plot(

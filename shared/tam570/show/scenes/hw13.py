@@ -1,8 +1,7 @@
 """hw13: a cylinder whose centre of mass is not at its centre, and below it what M_C = I^C phi'' would make of it."""
 
 import math
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -13,6 +12,7 @@ from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student, Trouble, make_each
+from tam570.values import Numbers, Parameters
 
 __all__ = ["film"]
 
@@ -29,7 +29,7 @@ START = (0.0, 8.0)  # rad, rad/s: enough to roll over the place where the centre
 SECONDS = 2.5
 
 
-def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
+def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Pushed off with the centre of mass lowest."""
     times, notes = frame_times(seconds), list[str]()
     correct = student("simulate", times, *start, **parameters, shape=(len(times), 2))
@@ -53,20 +53,22 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
     )
 
 
-def _live(student: Student, parameters: Mapping[str, Any], start: Sequence[float], farthest: float) -> Live:
+def _live(student: Student, parameters: Parameters, start: Sequence[float], farthest: float) -> Live:
     acceleration, energy = student.function("acceleration"), student.function("energy")
 
-    def rates(t: float, state: Any, **parameters: Any) -> list[Any]:
+    def rates(t: float, state: Numbers, **parameters: Numbers) -> list[Numbers]:
         return [state[1], acceleration(*state, **parameters)]
 
-    def panels(states: Any, parameters: Mapping[str, Any]) -> list[Panel]:
+    def panels(states: Numbers, parameters: Parameters) -> list[Panel]:
         return [Panel(_rolling(states[:, 0], 0, farthest, parameters), "by the balance about G")]
 
-    def centre(state: Any, *, radius: Any, slope: Any, **parameters: Any) -> list[Any]:
+    def centre(state: Numbers, *, radius: Numbers, slope: Numbers, **parameters: Numbers) -> list[Numbers]:
         ahead = radius * state[0]
         return [ahead * np.cos(slope) + radius * np.sin(slope), radius * np.cos(slope) - ahead * np.sin(slope)]
 
-    def grab(point: Any, state: Any, *, radius: Any, slope: Any, **parameters: Any) -> list[Any]:
+    def grab(
+        point: Numbers, state: Numbers, *, radius: Numbers, slope: Numbers, **parameters: Numbers
+    ) -> list[Numbers]:
         return [(point[0] * np.cos(slope) - point[1] * np.sin(slope)) / radius, state[1]]
 
     measures = {
@@ -76,7 +78,7 @@ def _live(student: Student, parameters: Mapping[str, Any], start: Sequence[float
     return Live(rates, parameters, STATE, start, panels, [Handle(centre, grab)], measures)
 
 
-def _naive(student: Student, times: Array, start: Sequence[float], parameters: Mapping[str, Any]) -> Array:
+def _naive(student: Student, times: Array, start: Sequence[float], parameters: Parameters) -> Array:
     """(n, 2) the motion by the student's naive acceleration."""
 
     def rates(t: float, state: Array) -> tuple[float, float]:
@@ -88,7 +90,7 @@ def _naive(student: Student, times: Array, start: Sequence[float], parameters: M
         raise Trouble(f"naive_contact_acceleration cannot be integrated: {error}") from error
 
 
-def _forces(notes: list[str], student: Student, phi: Array, parameters: Mapping[str, Any]) -> list[Shape]:
+def _forces(notes: list[str], student: Student, phi: Array, parameters: Parameters) -> list[Shape]:
     """Return the forces that the student draws, in axes down the ramp and off it from the centre of the cylinder."""
     slope, radius = parameters["slope"], parameters["radius"]
     axes = np.array([[np.cos(slope), -np.sin(slope)], [np.sin(slope), np.cos(slope)]])
@@ -97,7 +99,7 @@ def _forces(notes: list[str], student: Student, phi: Array, parameters: Mapping[
     return force_shapes(notes, student, phi, size=1.2 * radius, origin=origin, axes=axes, **arguments)
 
 
-def _rolling(phi: Array, color: int, farthest: float, parameters: Mapping[str, Any]) -> list[Shape]:
+def _rolling(phi: Array, color: int, farthest: float, parameters: Parameters) -> list[Shape]:
     radius, offset, slope = (parameters[name] for name in ("radius", "offset", "slope"))
     ahead = np.array([np.cos(slope), -np.sin(slope)])
     off = np.array([-ahead[1], ahead[0]])
@@ -123,9 +125,7 @@ def _turned(vector: Array, phi: Array) -> Array:
     return np.column_stack([c * vector[0] + s * vector[1], c * vector[1] - s * vector[0]])
 
 
-def _energy(
-    student: Student, times: Array, correct: Array, wrong: list[Array], parameters: Mapping[str, Any]
-) -> TimePlot:
+def _energy(student: Student, times: Array, correct: Array, wrong: list[Array], parameters: Parameters) -> TimePlot:
     shown = plot_samples(times)
     motions = dict(zip(("by G", "naive"), [correct, *wrong], strict=False))
     total = {name: student.each("energy", *states[shown].T, **parameters) for name, states in motions.items()}

@@ -1,8 +1,7 @@
 """hw14: the rolling disk on its plane, with the path of the contact point."""
 
 import math
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -12,6 +11,7 @@ from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.plots import energy_plot, plot_samples, value_plot
 from tam570.show.scene import Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student, make_each
+from tam570.values import Numbers, Parameters
 
 __all__ = ["film"]
 
@@ -32,7 +32,7 @@ SECONDS = 12.0
 LARGE = 1e-3  # of the radius, between the two simulations
 
 
-def film(student: Student, disk: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
+def film(student: Student, disk: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return a disk that is rolled off with a lean."""
     times, notes = frame_times(seconds), list[str]()
     states = student("simulate_euler", times, np.array(start), **disk, shape=(len(times), 8))
@@ -64,10 +64,10 @@ def film(student: Student, disk: Mapping[str, Any], start: Sequence[float], seco
     )
 
 
-def _live(student: Student, disk: Mapping[str, Any], start: Sequence[float], still: list[Shape]) -> Live:
+def _live(student: Student, disk: Parameters, start: Sequence[float], still: list[Shape]) -> Live:
     energy = student.function("energy")
 
-    def panels(states: Any, parameters: Mapping[str, Any]) -> list[Panel]:
+    def panels(states: Numbers, parameters: Parameters) -> list[Panel]:
         x, y, yaw, tilt, roll = states[:, :5].T
         contact = np.column_stack([x, y, 0 * x])
         ahead = np.column_stack([np.cos(yaw), np.sin(yaw), 0 * yaw])
@@ -88,12 +88,12 @@ def _live(student: Student, disk: Mapping[str, Any], start: Sequence[float], sti
         ]
         return [Panel(shapes)]
 
-    def top(state: Any, *, radius: Any, **parameters: Any) -> list[Any]:
+    def top(state: Numbers, *, radius: Numbers, **parameters: Numbers) -> list[Numbers]:
         x, y, yaw, tilt = state[:4]
         across = 2 * radius * np.cos(tilt)
         return [x - across * np.sin(yaw), y + across * np.cos(yaw), 2 * radius * np.sin(tilt)]
 
-    def grab(point: Any, state: Any, **parameters: Any) -> list[Any]:
+    def grab(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numbers]:
         x, y, yaw = state[:3]
         aside = (y - point[1]) * -np.cos(yaw) + (x - point[0]) * np.sin(yaw)
         return [x, y, yaw, np.arctan2(point[2], aside), *state[4:]]
@@ -103,14 +103,14 @@ def _live(student: Student, disk: Mapping[str, Any], start: Sequence[float], sti
     )
 
 
-def _energy(student: Student, times: Array, states: Array, disk: Mapping[str, Any]) -> TimePlot:
+def _energy(student: Student, times: Array, states: Array, disk: Parameters) -> TimePlot:
     shown = plot_samples(times)
     total = student.each("energy", states[shown], **disk)
     at_rest = states[shown] * [1, 1, 1, 1, 1, 0, 0, 0]
     return energy_plot(times[shown], total, student.each("energy", at_rest, **disk))
 
 
-def _tilt(student: Student, times: Array, states_by_angles: Array, frame: Array, disk: Mapping[str, Any]) -> TimePlot:
+def _tilt(student: Student, times: Array, states_by_angles: Array, frame: Array, disk: Parameters) -> TimePlot:
     """Return the tilt; and the centre by the matrices beside that by the Euler angles, the middle of a diameter."""
     first = student("matrix_state", states_by_angles[0], radius=disk["radius"], shape=(15,))
     states = student("simulate_matrix", times, first, **disk, shape=(len(times), 15))

@@ -1,7 +1,6 @@
 """The lecture `planet`: an orbit, and beside it Newton's polygon of impulses with a slider for their number."""
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,6 +8,7 @@ from numpy.typing import NDArray
 from tam570.integrate import solve
 from tam570.show.plots import drift_plot, plot_samples
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving, with_slider
+from tam570.values import Function, Numbers
 
 __all__ = ["film"]
 
@@ -16,7 +16,9 @@ IMPULSES = (12, 18, 30, 60)  # in the time of one orbit, or of the scene if that
 FIRST = 18
 
 
-def film(rates: Any, elements: Any, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
+def film(
+    rates: Function, elements: Function, parameters: Mapping[str, float], start: Sequence[float], seconds: float
+) -> Scene:
     """Return all in the plane of the orbit, its x axis towards the planet at the start."""
     times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters, rtol=1e-9)
@@ -87,7 +89,7 @@ def _scene(corners: Array, count: int, last: NDArray[np.int64], planet: Array, c
     ]
 
 
-def _areas(times: Array, orbit: Array, newton: Array, states: Array) -> Any:
+def _areas(times: Array, orbit: Array, newton: Array, states: Array) -> Numbers:
     shown = plot_samples(times)
     swept = {name: _swept(path)[shown] for name, path in {"attracted": orbit, "polygon": newton}.items()}
     rate = float(states[0, 0] * states[0, 3] - states[0, 1] * states[0, 2]) / 2

@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping, Sequence
 from math import sqrt
-from typing import Any
 
 import numpy as np
 
@@ -10,6 +9,7 @@ from tam570.integrate import solve
 from tam570.show.drawing import graph, unit_circle
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, with_slider
+from tam570.values import Function
 
 __all__ = ["film"]
 
@@ -17,7 +17,9 @@ SHARES = (0.6, 0.8, 1.0, 1.25)  # of the speed
 OUTLINE = np.array([[-0.4, -0.35], [1.3, -0.35], [1.7, 0.0], [1.3, 0.35], [-0.4, 0.35]])  # of offsets
 
 
-def film(rates: Any, energy: Any, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
+def film(
+    rates: Function, energy: Function, parameters: Mapping[str, float], start: Sequence[float], seconds: float
+) -> Scene:
     """Speed and yaw rate grow together: the same motion faster."""
     times = frame_times(seconds)
 
@@ -31,7 +33,7 @@ def film(rates: Any, energy: Any, parameters: Mapping[str, float], start: Sequen
     return with_slider(scene_at, "push", "m/s", speeds, start[3])
 
 
-def _one(times: Array, states: Array, energy: Any, parameters: Mapping[str, float]) -> Scene:
+def _one(times: Array, states: Array, energy: Function, parameters: Mapping[str, float]) -> Scene:
     blade, (c, s) = states[:, :2], (np.cos(states[:, 2]), np.sin(states[:, 2]))
     ahead, sideways = np.column_stack([c, s]), np.column_stack([-s, c])
     size = parameters["offset"] or sqrt(parameters["inertia"] / parameters["mass"])

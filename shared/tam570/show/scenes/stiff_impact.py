@@ -1,7 +1,7 @@
 """The lecture `stiff_impact`: a ball on a floor that yields, ever stiffer floors, and a rod on two of them."""
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from types import SimpleNamespace
 
 import numpy as np
 
@@ -9,16 +9,17 @@ from tam570.integrate import solve
 from tam570.show.drawing import coil, graph, unit_circle
 from tam570.show.plots import energy_plot, plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
+from tam570.values import Parameters
 
 __all__ = ["film"]
 
 RADIUS, DEPTH = 0.08, 0.35  # m, of the ball, and of the floor's spring
 STIFFER = (1.0, 4.0, 16.0)  # times the stiffness
-ROD: dict[str, Any] = {"mass": 1.0, "inertia": 0.12, "arms": (-0.5, 0.3), "speed": 1.0}  # kg, kg m^2, m, m/s
+ROD: Parameters = {"mass": 1.0, "inertia": 0.12, "arms": (-0.5, 0.3), "speed": 1.0}  # kg, kg m^2, m, m/s
 RATIOS = (0.05, 1.0, 20.0)  # of the second spring's stiffness to the first
 
 
-def film(lecture: Any, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
+def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
     """Return the ball bounces in its own time; beside it is what does not depend on time.
 
     lecture : its functions
@@ -60,7 +61,7 @@ def _ball(x: Array) -> list[Shape]:
     ]
 
 
-def _pushes(lecture: Any, parameters: Mapping[str, float], speed: float) -> list[Shape]:
+def _pushes(lecture: SimpleNamespace, parameters: Mapping[str, float], speed: float) -> list[Shape]:
     mass, gravity = parameters["mass"], parameters["gravity"]
     curves = []
     for times in STIFFER:
@@ -79,7 +80,7 @@ def _pushes(lecture: Any, parameters: Mapping[str, float], speed: float) -> list
     return [*axes, *labels, *(Shape("path", to_points(t, p), i, width=2.5) for i, (t, p, _) in enumerate(curves))]
 
 
-def _impulses(lecture: Any) -> list[Shape]:
+def _impulses(lecture: SimpleNamespace) -> list[Shape]:
     """Return the plane of both impulses: the ellipse that keeps the energy, and the way there for each ratio."""
     ways = [lecture.rod_states((1.0, ratio), **ROD)[:, 4:] for ratio in RATIOS]
     ellipse = _ellipse()

@@ -1,12 +1,12 @@
 """The lecture `stopping_car`: cars side by side, with different wheels locked."""
 
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 
 from tam570.show.plots import plot_samples, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
+from tam570.values import Function, Parameters
 
 __all__ = ["film"]
 
@@ -15,7 +15,7 @@ SPEED = 12.0  # m/s
 WHEEL = 0.3  # m
 
 
-def film(by_one_point: Any, parameters: Mapping[str, Any]) -> Scene:
+def film(by_one_point: Function, parameters: Parameters) -> Scene:
     """Return what cannot brake without lifting an axle is a note."""
     result: dict[str, tuple[float, float, float]] = {}
     notes = []
@@ -44,7 +44,7 @@ def film(by_one_point: Any, parameters: Mapping[str, Any]) -> Scene:
     )
 
 
-def _car(times: Array, motion: tuple[float, float, float], parameters: Mapping[str, Any], locked: str) -> list[Shape]:
+def _car(times: Array, motion: tuple[float, float, float], parameters: Parameters, locked: str) -> list[Shape]:
     deceleration, front_load, rear_load = motion
     moves = np.minimum(times, SPEED / deceleration) if deceleration else times
     x = SPEED * moves - deceleration * moves**2 / 2

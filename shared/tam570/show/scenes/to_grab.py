@@ -4,6 +4,7 @@ What stands still is that of the film. States are (1, k), and may be symbols.
 """
 
 from collections.abc import Callable, Mapping, Sequence
+from types import ModuleType
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -11,6 +12,7 @@ import numpy as np
 from tam570.show.drawing import brick, circle, coil
 from tam570.show.live import Handle, Live
 from tam570.show.scene import GREY, INK, Panel, Scene, Shape, moving
+from tam570.values import Function, Numbers
 
 __all__ = ["live_lecture"]
 
@@ -19,7 +21,9 @@ Parameters: TypeAlias = Mapping[str, Any]
 Shapes: TypeAlias = list[Shape]
 
 
-def live_lecture(module: Any, name: str, parameters: Parameters, start: Sequence[float], scene: Scene) -> Live | None:
+def live_lecture(
+    module: ModuleType, name: str, parameters: Parameters, start: Sequence[float], scene: Scene
+) -> Live | None:
     """Return the lecture of this name as equations, by the functions of a module, which may be a copy.
 
     None if it has none.
@@ -35,14 +39,14 @@ def live_lecture(module: Any, name: str, parameters: Parameters, start: Sequence
     return Live(module.rates, parameters, module.STATE, start, panels, handles, _energies(module, at_rest))
 
 
-def _energies(module: Any, at_rest: int) -> dict[str, Callable[..., Any]]:
+def _energies(module: ModuleType, at_rest: int) -> dict[str, Function]:
     """Return the lecture's energy, and what of it is left if the state's numbers from `at_rest` on are 0."""
     energy = getattr(module, "energy", None)
     if energy is None:
         name, law = next(iter(module.INVARIANTS.items()))
         return {name.replace("_", " "): lambda state, **arguments: law([*state], **arguments)}
 
-    def potential(state: State, **parameters: Any) -> Any:
+    def potential(state: State, **parameters: Numbers) -> Numbers:
         return energy([*state[:at_rest], *[0.0] * (len(state) - at_rest)], **parameters)
 
     measures = {"total E": lambda state, **arguments: energy([*state], **arguments)}
@@ -108,7 +112,7 @@ def _two_masses(scene: Scene) -> Drawn:
 
 
 def _swinging_bar(scene: Scene) -> Drawn:
-    def end(state: State, *, length: Any, **parameters: Any) -> list[Any]:
+    def end(state: State, *, length: Numbers, **parameters: Numbers) -> list[Numbers]:
         return [length * np.sin(state[0]), -length * np.cos(state[0])]
 
     def draw(states: State, parameters: Parameters) -> Shapes:
@@ -124,7 +128,7 @@ def _swinging_bar(scene: Scene) -> Drawn:
 def _string(scene: Scene) -> Drawn:
     farthest = float(max(np.abs(shape.points[..., :2]).max() for shape in scene.panels[0].shapes)) / 1.1
 
-    def place(state: State, **parameters: Any) -> list[Any]:
+    def place(state: State, **parameters: Numbers) -> list[Numbers]:
         return [state[0] * np.cos(state[1]), state[0] * np.sin(state[1]), 0.0 * state[0]]
 
     def draw(states: State, parameters: Parameters) -> Shapes:
@@ -137,7 +141,7 @@ def _string(scene: Scene) -> Drawn:
             Shape("dot", below[:, None], 1, "mass below", width=12),
         ]
 
-    def grab(target: Any, state: State, **parameters: Any) -> list[Any]:
+    def grab(target: Numbers, state: State, **parameters: Numbers) -> list[Numbers]:
         return [np.hypot(target[0], target[1]), np.arctan2(target[1], target[0]), *state[2:]]
 
     return draw, [Handle(place, grab)], 2
@@ -157,10 +161,10 @@ def _sleigh(scene: Scene) -> Drawn:
             Shape("dot", (blade + parameters["offset"] * ahead)[:, None], 4, "G", width=6),
         ]
 
-    def turn(target: Any, state: State, **parameters: Any) -> list[Any]:
+    def turn(target: Numbers, state: State, **parameters: Numbers) -> list[Numbers]:
         return [*state[:2], np.arctan2(target[1] - state[1], target[0] - state[0]), *state[3:]]
 
-    def nose(state: State, *, offset: Any, **parameters: Any) -> list[Any]:
+    def nose(state: State, *, offset: Numbers, **parameters: Numbers) -> list[Numbers]:
         return [state[0] + 1.7 * offset * np.cos(state[2]), state[1] + 1.7 * offset * np.sin(state[2])]
 
     return draw, [_throw(0, 2), Handle(nose, turn)], 0
@@ -172,11 +176,11 @@ SLEIGH = np.array([[-0.4, -0.35], [1.3, -0.35], [1.7, 0.0], [1.3, 0.35], [-0.4, 
 def _top(scene: Scene) -> Drawn:
     from tam570.show.scenes.top import _top as drawn
 
-    def tip(state: State, **parameters: Any) -> list[Any]:
+    def tip(state: State, **parameters: Numbers) -> list[Numbers]:
         psi, theta = state[:2]
         return [np.sin(theta) * np.sin(psi), -np.sin(theta) * np.cos(psi), np.cos(theta)]
 
-    def grab(target: Any, state: State, **parameters: Any) -> list[Any]:
+    def grab(target: Numbers, state: State, **parameters: Numbers) -> list[Numbers]:
         theta = np.arctan2(np.hypot(target[0], target[1]), target[2])
         return [np.arctan2(target[0], -target[1]), theta, state[2], 0.0, 0.0, state[5]]
 
@@ -186,11 +190,11 @@ def _top(scene: Scene) -> Drawn:
 def _surface(scene: Scene) -> Drawn:
     from tam570.lectures.surface import SIGNS
 
-    def height(x: Any, y: Any, *, surface: str, curvature: Any, **parameters: Any) -> Any:
+    def height(x: Numbers, y: Numbers, *, surface: str, curvature: Numbers, **parameters: Numbers) -> Numbers:
         sx, sy = SIGNS[surface]
         return curvature * (sx * x * x + sy * y * y) / 2
 
-    def place(state: State, **parameters: Any) -> list[Any]:
+    def place(state: State, **parameters: Numbers) -> list[Numbers]:
         return [state[0], state[1], height(*state[:2], **parameters) + 0.0 * state[0]]
 
     def draw(states: State, parameters: Parameters) -> Shapes:
@@ -221,7 +225,7 @@ def _planet(scene: Scene) -> Drawn:
         planet = states[:, :3] @ plane.T
         return [Shape("trail", planet[:, None], 0, width=2), Shape("dot", planet[:, None], 0, "planet", width=7)]
 
-    def grab(target: Any, state: State, **parameters: Any) -> list[Any]:
+    def grab(target: Numbers, state: State, **parameters: Numbers) -> list[Numbers]:
         return [*(np.array(target[:2]) @ plane), *state[3:]]
 
     return draw, [Handle(lambda state, **arguments: plane @ np.array(state[:3]), grab)], 3
@@ -240,7 +244,7 @@ def _frames(scene: Scene) -> Drawn:
 
 
 def _convergence(scene: Scene) -> Drawn:
-    def joints(theta: Any, lengths: Any) -> tuple[Any, Any]:
+    def joints(theta: Numbers, lengths: Numbers) -> tuple[Numbers, Numbers]:
         elbow, arm = (n * np.array([np.sin(a), -np.cos(a)]) for n, a in zip(lengths, theta, strict=True))
         return elbow, elbow + arm
 
@@ -252,10 +256,10 @@ def _convergence(scene: Scene) -> Drawn:
             Shape("dot", moving(elbow, tip), 0, width=7),
         ]
 
-    def grab_elbow(target: Any, state: State, **parameters: Any) -> list[Any]:
+    def grab_elbow(target: Numbers, state: State, **parameters: Numbers) -> list[Numbers]:
         return [np.arctan2(target[0], -target[1]), state[1], 0.0, 0.0]
 
-    def grab_tip(target: Any, state: State, **parameters: Any) -> list[Any]:
+    def grab_tip(target: Numbers, state: State, **parameters: Numbers) -> list[Numbers]:
         elbow, _ = joints(state[:2], parameters["lengths"])
         return [state[0], np.arctan2(target[0] - elbow[0], elbow[1] - target[1]), 0.0, 0.0]
 
@@ -283,7 +287,7 @@ def _truss(scene: Scene) -> Drawn:
 def _stiff_impact(scene: Scene) -> Drawn:
     from tam570.show.scenes.stiff_impact import DEPTH, RADIUS
 
-    def place(state: State, **parameters: Any) -> list[Any]:
+    def place(state: State, **parameters: Numbers) -> list[Numbers]:
         return [0.0 * state[0], state[0] + RADIUS]
 
     def draw(states: State, parameters: Parameters) -> Shapes:
@@ -315,7 +319,7 @@ def _turning(scene: Scene) -> Drawn:
         1.8 * float(size.max()) / float(np.linalg.norm([scene.settings[f"start.omega_{i}"] for i in AXES[in_space]]))
     )
 
-    def tip(state: State, **parameters: Any) -> Any:
+    def tip(state: State, **parameters: Numbers) -> Numbers:
         omega = np.array(state[9:])
         return reach * (omega if in_space else np.reshape(state[:9], (3, 3)) @ omega)
 
@@ -327,7 +331,7 @@ def _turning(scene: Scene) -> Drawn:
             Shape("arrow", moving(np.zeros(3), tip(states[0])[None]), 1, "angular velocity", width=2.5),
         ]
 
-    def grab(target: Any, state: State, **parameters: Any) -> list[Any]:
+    def grab(target: Numbers, state: State, **parameters: Numbers) -> list[Numbers]:
         omega = np.array(target) / reach
         return [*state[:9], *(omega if in_space else np.reshape(state[:9], (3, 3)).T @ omega)]
 

@@ -1,20 +1,20 @@
 """The lecture `truss`: particles on springs over the rigid body that they make, with a slider for the stiffness."""
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 
 from tam570.integrate import solve
 from tam570.show.plots import plot_samples, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, with_slider
+from tam570.values import Function, Parameters
 
 __all__ = ["film"]
 
 SHARES = (0.1, 0.3, 1.0, 4.0)  # of the stiffness
 
 
-def film(rates: Any, rigid: Any, parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
+def film(rates: Function, rigid: Function, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return a truss that is thrown and turns."""
     times = frame_times(seconds)
     body = rigid(times, start, **parameters)

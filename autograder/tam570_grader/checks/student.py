@@ -1,0 +1,39 @@
+"""What a check is given: the student's functions, each call of which is made in the sandbox."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tam570.values import Numbers
+from tam570_grader.checks.case import Case
+
+__all__ = ["StudentFunction", "StudentModule"]
+
+
+class StudentFunction(Protocol):
+    """A student's function of the contract."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def returns(self) -> Any: ...  # what `Assignment.returns` says of it
+
+    def __call__(self, *args: Numbers, **kwargs: Numbers) -> Numbers: ...
+
+    def each(self, calls: Iterable[Case]) -> Iterator[tuple[Case, Numbers]]: ...
+
+    def many(self, calls: Sequence[Case]) -> list[Numbers]: ...
+
+    def aside(self, call: Case) -> Numbers: ...
+
+    def refusals(self, calls: Iterable[Case]) -> Iterator[tuple[Case, bool]]: ...
+
+    def at(self, points: Sequence[Mapping[str, float]]) -> NDArray[np.float64]: ...
+
+
+class StudentModule(Protocol):
+    """All functions of a submission, by name."""
+
+    def __getattr__(self, name: str) -> StudentFunction: ...
