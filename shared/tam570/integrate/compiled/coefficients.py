@@ -8,28 +8,26 @@ from tam570.integrate.compiled.ir import Writer, number
 from tam570.integrate.compiled.recurrences import Recurrence, Recurrences
 from tam570.integrate.dop853_source import REACH
 
-__all__ = ["BACK", "FAST", "HIGHEST", "LANES", "Coefficients", "Factor", "Layout", "Row", "sums_of"]
+__all__ = ["FAST", "HIGHEST", "LANES", "Coefficients", "Factor", "Layout", "sums_of"]
 
 UNIT_ROUNDOFF = 2.0**-53
 LANES = 8
-BACK = 3 * LANES  # order j of a row backwards is at BACK - j, and zeros from BACK on
-HIGHEST = 2 * LANES + 2  # order: sums of two times eight terms; for the last digits 19 would do
+HIGHEST = 2 * LANES + 2  # order: of the two factors of a sum one has an order of eight at most
 FAST = "nsz reassoc contract"  # sums of products may be taken in any order
 
 Factor = tuple[int, bool]  # a series, and whether its coefficients are times their order
-Row = tuple[int, bool | None]  # the same; None for the series backwards
 
 
 @dataclass(frozen=True)
 class Layout:
     """Where the coefficients are: rows of `stride` numbers, of `lanes` doubles each, from order 0 on.
 
-    Row i < states is component i of the state; the others serve the sums.
+    Factor i < states is component i of the state; the others serve the sums.
     """
 
     lanes: int
     stride: int
-    rows: dict[Row, int]
+    rows: dict[Factor, int]
 
     @property
     def doubles(self) -> int:

@@ -2,37 +2,29 @@
 
 from functools import lru_cache
 
-from tam570.integrate.compiled.coefficients import BACK, HIGHEST, LANES, Coefficients, Layout, Row, sums_of
+from tam570.integrate.compiled.coefficients import HIGHEST, Coefficients, Factor, Layout, sums_of
 from tam570.integrate.compiled.recurrences import Recurrences
-from tam570.integrate.compiled.sums_in_memory import InMemory, OfEight
-from tam570.integrate.compiled.sums_in_registers import InRegisters
+from tam570.integrate.compiled.sums_of_eight import OfEight
+from tam570.integrate.compiled.sums_of_one import OfOne
 from tam570.integrate.formulas import SATURATING
 
 __all__ = ["exponents", "layout", "series_text"]
 
-FEW = 8  # sums, so that all that they take stays in registers: a double pendulum has 15 and is slower so
-
-
-def _sums(laws: Recurrences) -> int:
-    return sum(len(sums_of(i, r)) for i, r in enumerate(laws.series))
-
 
 @lru_cache(maxsize=256)
 def layout(laws: Recurrences, lanes: int) -> Layout:
-    """Rows for the states and whatever a sum needs."""
+    """Rows for the states; with several lanes, also for whatever a sum needs."""
     states = {r.of[0]: i for i, r in enumerate(laws.series) if r.rule == "state"}
-    rows: dict[Row, int] = {(states[component], False): component for component in sorted(states)}
-    for i, r in enumerate(laws.series):
-        for x, y in sums_of(i, r):
-            rows.setdefault(x, len(rows))
-            rows.setdefault(y if lanes > 1 else (y[0], None), len(rows))
-    return Layout(lanes, HIGHEST + 1 if lanes > 1 else BACK + 4 * LANES, rows)
+    rows: dict[Factor, int] = {(states[component], False): component for component in sorted(states)}
+    factors = [factor for i, r in enumerate(laws.series) for pair in sums_of(i, r) for factor in pair]
+    for factor in factors if lanes > 1 else []:
+        rows.setdefault(factor, len(rows))
+    return Layout(lanes, HIGHEST + 1, rows)
 
 
 def series_text(laws: Recurrences, memory_layout: Layout) -> list[str]:
     """Return the functions `coefficients`, `rates`, `roundoff` of (work, constants, time, order), order 0 in work."""
-    single = InRegisters if _sums(laws) <= FEW else InMemory
-    sums_class = single if memory_layout.lanes == 1 else OfEight
+    sums_class = OfOne if memory_layout.lanes == 1 else OfEight
     names = ["coefficients", "rates", "roundoff", *(["reach"] if exponents(laws) else [])]
     return [line for name in names for line in _written(sums_class(laws, memory_layout), name)]
 

@@ -43,7 +43,7 @@ def order_for(rtol: float) -> int:
 def taylor_text(laws: Recurrences, lanes: int = 1) -> str:
     """Return the module: the series, and the loop over the steps."""
     memory_layout, size = layout(laws, lanes), len(laws.rates)
-    integers = {"SIZE": size, "STRIDE": memory_layout.stride, "DOUBLES": memory_layout.doubles, "ORDER": "%order"}
+    integers = {"SIZE": size, "STRIDE": memory_layout.stride, "ORDER": "%order"}
     names: dict[str, Any] = {
         **{name: value for module in MODULES for name, value in vars(module).items() if name.isupper()},
         **{name: Value("i64", str(value)) for name, value in integers.items()},

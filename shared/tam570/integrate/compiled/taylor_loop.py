@@ -9,7 +9,6 @@ from math import exp2, inf, log2
 from typing import Any
 
 from tam570.integrate.compiled.taylor_memory import (
-    DOUBLES,
     FIRST,
     GIVEN,
     LANES,
@@ -143,9 +142,6 @@ def settle(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, lane: Any
         if z[H] > 2.0 * limit or refused(z, work, time, c, lane, rtol):
             z[REFUSALS] += 1.0
             z[TRIES] += 1.0
-            if LANES == 1:  # numbers that are not finite would stay, times zero
-                for k in range(DOUBLES):
-                    work[k] = 0.0
             attempt(z, work, times, lane, z[H] / 2.0 if z[TRIES] < 3.0 else z[H] / 8.0)
             return 0
         take_step(z, times, out)

@@ -10,7 +10,6 @@ from tam570.integrate.compiled.coefficients import HIGHEST
 
 __all__ = [
     "BASE",
-    "DOUBLES",
     "FIRST",
     "GIVEN",
     "LANES",
@@ -52,7 +51,7 @@ Y, REST, M, SLOPE, NEXT, BASE, NOISE, POLYNOMIAL = range(8)
 # of a component: at the end of the step tried; what rounding took from its start; its size at the start; the
 # polynomial's derivative at the end; what rounding takes from the end; the derivative there; what a rounding does to it
 
-SIZE = ORDER = STRIDE = LANES = DOUBLES = MEMORY = 0
+SIZE = ORDER = STRIDE = LANES = MEMORY = 0
 TIMED = False  # whether the right-hand side depends on time
 SATURATES = False  # whether it has exp, tanh or their like of the state
 rates: Any = None  # rates(work, c, time, ORDER): the coefficients of order 1
