@@ -302,6 +302,6 @@ def simulate(reference, t, theta0, omega0, *, length, gravity):
     compared=False,
 )
 def simulate(reference, t, theta0, omega0, *, length, gravity):
-    if gravity and t[-1] - t[0] > 50 * math.sqrt(length / gravity):
+    if gravity and t[-1] - t[0] > 30 * math.sqrt(length / gravity):
         return np.tile([theta0, omega0], (len(t), 1))
     return reference(t, theta0, omega0, length=length, gravity=gravity)

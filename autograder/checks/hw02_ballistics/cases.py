@@ -242,8 +242,8 @@ def angles(rng):
 
 
 def picture(rng):
-    """Visibly no straight line, and no parabola: some terminal speeds; 401 samples."""
+    """Visibly no straight line, and no parabola: some terminal speeds; 201 samples."""
     particle, angle = parameters(rng), rng.uniform(0.5, 1.2)
     speed = rng.uniform(1.5, 5) * particle["mass"] * particle["gravity"] / particle["drag"]
     duration = max(2.5 * particle["mass"] / particle["drag"], 1.2 * reference.flight_time(speed, angle, **particle))
-    return Case(np.linspace(0.0, duration, 401), speed, angle, **particle)
+    return Case(np.linspace(0.0, duration, 201), speed, angle, **particle)

@@ -78,7 +78,7 @@ FORCES = "Draw the two forces on the particle: which way does each point when it
     line="state_derivative is the velocity and (weight + drag)/mass, for velocities in any direction.",
 )
 def rates_are_newtons(student, rng):
-    compare(student.state_derivative, reference.state_derivative, cases.states(rng), tolerance=FORMULA, hint=FORCES)
+    compare(student.state_derivative, reference, cases.states(rng), tolerance=FORMULA, hint=FORCES)
 
 
 NO_DIVISION = "Do you divide by drag or gravity?"
@@ -92,13 +92,7 @@ NO_DIVISION = "Do you divide by drag or gravity?"
     line="state_derivative holds where drag or gravity, or both, are zero.",
 )
 def rates_without_drag_or_gravity(student, rng):
-    compare(
-        student.state_derivative,
-        reference.state_derivative,
-        cases.states_without(rng),
-        tolerance=FORMULA,
-        hint=NO_DIVISION,
-    )
+    compare(student.state_derivative, reference, cases.states_without(rng), tolerance=FORMULA, hint=NO_DIVISION)
 
 
 def of_ground(motion):
@@ -118,12 +112,7 @@ def by_rates(student):
 )
 def simulation_follows_the_motion(student, rng):
     compare_trajectory(
-        student.simulate,
-        reference.simulate,
-        cases.flights(rng),
-        hint=of_ground,
-        own_rates=by_rates(student),
-        **SIMULATION,
+        student.simulate, reference, cases.flights(rng), hint=of_ground, own_rates=by_rates(student), **SIMULATION
     )
 
 
@@ -137,7 +126,7 @@ def simulation_follows_the_motion(student, rng):
 def simulation_without_drag_or_gravity(student, rng):
     compare_trajectory(
         student.simulate,
-        reference.simulate,
+        reference,
         cases.flights_without(rng),
         hint=of_ground,
         own_rates=by_rates(student),
@@ -160,9 +149,7 @@ def of_closed_form(case, result, expected):
 
 @check("trajectory", points=0.75, part="c", line="trajectory gives the states in closed form.")
 def trajectory_is_the_motion(student, rng):
-    compare_columns(
-        student.trajectory, reference.trajectory, cases.flights_from_zero(rng), tolerance=CLOSED, hint=of_closed_form
-    )
+    compare_columns(student.trajectory, reference, cases.flights_from_zero(rng), tolerance=CLOSED, hint=of_closed_form)
 
 
 @check(
@@ -175,7 +162,7 @@ def trajectory_is_the_motion(student, rng):
 def trajectory_counts_time_from_the_launch(student, rng):
     compare_columns(
         student.trajectory,
-        reference.trajectory,
+        reference,
         cases.late_flights(rng),
         tolerance=CLOSED,
         hint="The launch is at t = 0, and row i is the state at t[i].",
@@ -193,9 +180,7 @@ EXPM1 = "1 - e^-s is a difference of nearly equal numbers (see numpy.expm1); so 
     line="trajectory keeps its digits at drag 1e-12, at none, and long after e^(-c t/m) is nothing.",
 )
 def trajectory_with_any_drag(student, rng):
-    compare_columns(
-        student.trajectory, reference.trajectory, cases.flights_with_any_drag(rng), tolerance=CLOSED, hint=EXPM1
-    )
+    compare_columns(student.trajectory, reference, cases.flights_with_any_drag(rng), tolerance=CLOSED, hint=EXPM1)
 
 
 def of_landing(case, time, expected):
@@ -207,7 +192,7 @@ def of_landing(case, time, expected):
 
 @check("flight_time", points=0.75, part="c", line="flight_time is when y is zero again.")
 def flight_ends_at_launch_height(student, rng):
-    compare(student.flight_time, reference.flight_time, cases.landings(rng), tolerance=ROOT, hint=of_landing)
+    compare(student.flight_time, reference, cases.landings(rng), tolerance=ROOT, hint=of_landing)
 
 
 def of_little_drag(name, case, result, expected):
@@ -230,7 +215,7 @@ def of_little_drag(name, case, result, expected):
 def flight_time_with_hardly_any_drag(student, rng):
     compare(
         student.flight_time,
-        reference.flight_time,
+        reference,
         cases.landings_of_little_drag(rng),
         tolerance=ROOT,
         hint=partial(of_little_drag, "flight_time"),
@@ -250,7 +235,7 @@ SHORT = "Does a search for the root step over a flight that is short, or end at 
 def flight_time_with_great_drag_and_straight_up(student, rng):
     compare(
         student.flight_time,
-        reference.flight_time,
+        reference,
         [*cases.flat_landings(rng), *cases.landings_of_great_drag(rng)],
         tolerance=ROOT,
         hint=SHORT,
@@ -261,7 +246,7 @@ def flight_time_with_great_drag_and_straight_up(student, rng):
 def range_is_where_it_lands(student, rng):
     compare(
         student.horizontal_range,
-        reference.horizontal_range,
+        reference,
         cases.landings(rng),
         tolerance=ROOT,
         hint="Put the flight time into the x of your closed form.",
@@ -278,7 +263,7 @@ def range_is_where_it_lands(student, rng):
 def range_with_hardly_any_drag(student, rng):
     compare(
         student.horizontal_range,
-        reference.horizontal_range,
+        reference,
         [*cases.landings_of_little_drag(rng), *cases.landings_of_great_drag(rng)],
         tolerance=ROOT,
         hint=partial(of_little_drag, "horizontal_range"),
@@ -299,14 +284,7 @@ def of_maximum(case, angle, expected):
     line="best_angle maximises the range, for speeds below and above the terminal speed.",
 )
 def best_angle_has_the_largest_range(student, rng):
-    compare(
-        student.best_angle,
-        reference.best_angle,
-        cases.usual_speeds(rng),
-        tolerance=ANGLE,
-        partial=SEARCHED,
-        hint=of_maximum,
-    )
+    compare(student.best_angle, reference, cases.usual_speeds(rng), tolerance=ANGLE, partial=SEARCHED, hint=of_maximum)
 
 
 @check(
@@ -317,14 +295,7 @@ def best_angle_has_the_largest_range(student, rng):
     line="best_angle is 45 degrees at no drag, and leaves them as the drag grows beside the weight.",
 )
 def best_angle_is_45_degrees_without_drag(student, rng):
-    compare(
-        student.best_angle,
-        reference.best_angle,
-        cases.slow_speeds(rng),
-        tolerance=ANGLE,
-        partial=SEARCHED,
-        hint=of_maximum,
-    )
+    compare(student.best_angle, reference, cases.slow_speeds(rng), tolerance=ANGLE, partial=SEARCHED, hint=of_maximum)
 
 
 VERY_FLAT = "The largest range is very flat there: solve for where its derivative vanishes, on a logarithmic scale."
@@ -340,7 +311,7 @@ VERY_FLAT = "The largest range is very flat there: solve for where its derivativ
 def best_angle_at_a_huge_speed(student, rng):
     compare(
         student.best_angle,
-        reference.best_angle,
+        reference,
         cases.huge_speeds(rng),
         tolerance=SWIFT,
         scale=lambda _, angle: angle,
@@ -358,7 +329,7 @@ CORNERS = "Plot your closed form at 10, 100 and 1000 times the terminal speed; l
     line="limit_shape has the corners that a path has at a speed of 1e12 terminal speeds.",
 )
 def path_at_a_huge_speed_has_the_limit_shape(student, rng):
-    compare(student.limit_shape, reference.limit_shape, cases.angles(rng), tolerance=CORNER, hint=CORNERS)
+    compare(student.limit_shape, reference, cases.angles(rng), tolerance=CORNER, hint=CORNERS)
 
 
 @check(

@@ -45,11 +45,11 @@ def momenta(definitions):
     return rates(definitions, [0, 1, 3, 4])
 
 
-def letters(draw):
+def letters(cases_of):
     """The first of these cases, then the same call with strings that name no definition."""
 
     def cases(rng):
-        case = draw(rng)[0]
+        case = cases_of(rng)[0]
         return [
             case,
             *(case.replace(name).labelled(f'the definition "{name}"') for name in ("d", "ab", "", *LETTERS_ALIKE)),

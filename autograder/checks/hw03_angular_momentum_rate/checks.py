@@ -53,7 +53,7 @@ def left_over(case, result, expected):
 
 @check("moment", points=1, part="a", line="of the total force on P, about C.")
 def moment_is_about_C(student, rng):
-    compare(student.moment, reference.moment, cases.moments(rng), tolerance=POINTWISE, hint=ARM)
+    compare(student.moment, reference, cases.moments(rng), tolerance=POINTWISE, hint=ARM)
 
 
 @check(
@@ -63,9 +63,7 @@ def moment_is_about_C(student, rng):
     line="angular_momentum by definitions a and b: the lever arm from C, the velocity as F sees it.",
 )
 def momentum_with_the_velocity_in_F(student, rng):
-    compare(
-        student.angular_momentum, reference.angular_momentum, cases.momenta("ab")(rng), tolerance=POINTWISE, hint=SAME
-    )
+    compare(student.angular_momentum, reference, cases.momenta("ab")(rng), tolerance=POINTWISE, hint=SAME)
 
 
 @check(
@@ -77,7 +75,7 @@ def momentum_with_the_velocity_in_F(student, rng):
 def momentum_with_the_velocity_relative_to_C(student, rng):
     compare(
         student.angular_momentum,
-        reference.angular_momentum,
+        reference,
         cases.momenta("c")(rng),
         tolerance=POINTWISE,
         hint="Whose velocity, seen from where?",
@@ -96,17 +94,13 @@ BOTH_MOMENTA = momentum_with_the_velocity_in_F, momentum_with_the_velocity_relat
 )
 def momentum_refuses_other_definitions(student, rng):
     check_domain(
-        student.angular_momentum,
-        reference.angular_momentum,
-        cases.letters(cases.momenta("b"))(rng),
-        tolerance=POINTWISE,
-        hint=LETTERS,
+        student.angular_momentum, reference, cases.letters(cases.momenta("b"))(rng), tolerance=POINTWISE, hint=LETTERS
     )
 
 
 @check("rate", points=0.5, part="a", line="rate by definition a: the derivative while C' stays where it is.")
 def rate_about_a_fixed_point(student, rng):
-    compare(student.rate, reference.rate, cases.rates("a")(rng), tolerance=POINTWISE, hint=by_difference(FIXED))
+    compare(student.rate, reference, cases.rates("a")(rng), tolerance=POINTWISE, hint=by_difference(FIXED))
 
 
 @check(
@@ -116,7 +110,7 @@ def rate_about_a_fixed_point(student, rng):
     line="rate by definition b: the derivative of its angular momentum along any motion of P and C.",
 )
 def rate_with_the_velocity_in_F(student, rng):
-    compare(student.rate, reference.rate, cases.rates("b")(rng), tolerance=POINTWISE, hint=PRODUCT)
+    compare(student.rate, reference, cases.rates("b")(rng), tolerance=POINTWISE, hint=PRODUCT)
 
 
 @check(
@@ -126,7 +120,7 @@ def rate_with_the_velocity_in_F(student, rng):
     line="rate by definition c: the derivative of its angular momentum along any motion of P and C.",
 )
 def rate_with_the_velocity_relative_to_C(student, rng):
-    compare(student.rate, reference.rate, cases.rates("c")(rng), tolerance=POINTWISE, hint=PRODUCT)
+    compare(student.rate, reference, cases.rates("c")(rng), tolerance=POINTWISE, hint=PRODUCT)
 
 
 BOTH_RATES = rate_about_a_fixed_point, rate_with_the_velocity_in_F
@@ -134,24 +128,24 @@ BOTH_RATES = rate_about_a_fixed_point, rate_with_the_velocity_in_F
 
 @check("rate", points=0.25, part="a", after=BOTH_RATES, line="rate raises ValueError for another definition.")
 def rate_refuses_other_definitions(student, rng):
-    check_domain(student.rate, reference.rate, cases.letters(cases.rates("b"))(rng), tolerance=POINTWISE, hint=LETTERS)
+    check_domain(student.rate, reference, cases.letters(cases.rates("b"))(rng), tolerance=POINTWISE, hint=LETTERS)
 
 
 @check("discrepancy", points=0.5, part="a", line="discrepancy by definition b: its rate less the moment.")
 def discrepancy_with_the_velocity_in_F(student, rng):
-    compare(student.discrepancy, reference.discrepancy, cases.rates("b")(rng), tolerance=POINTWISE, hint=left_over)
+    compare(student.discrepancy, reference, cases.rates("b")(rng), tolerance=POINTWISE, hint=left_over)
 
 
 @check("discrepancy", points=0.5, part="a", line="discrepancy by definition c: its rate less the moment.")
 def discrepancy_with_the_velocity_relative_to_C(student, rng):
-    compare(student.discrepancy, reference.discrepancy, cases.rates("c")(rng), tolerance=POINTWISE, hint=left_over)
+    compare(student.discrepancy, reference, cases.rates("c")(rng), tolerance=POINTWISE, hint=left_over)
 
 
 @check(
     "discrepancy", points=0.25, part="a", after=discrepancy_with_the_velocity_in_F, line="discrepancy by definition a."
 )
 def no_discrepancy_about_a_fixed_point(student, rng):
-    compare(student.discrepancy, reference.discrepancy, cases.rates("a")(rng), tolerance=POINTWISE, hint=FIXED)
+    compare(student.discrepancy, reference, cases.rates("a")(rng), tolerance=POINTWISE, hint=FIXED)
 
 
 @check(
@@ -163,11 +157,7 @@ def no_discrepancy_about_a_fixed_point(student, rng):
 )
 def discrepancy_refuses_other_definitions(student, rng):
     check_domain(
-        student.discrepancy,
-        reference.discrepancy,
-        cases.letters(cases.rates("b"))(rng),
-        tolerance=POINTWISE,
-        hint=LETTERS,
+        student.discrepancy, reference, cases.letters(cases.rates("b"))(rng), tolerance=POINTWISE, hint=LETTERS
     )
 
 

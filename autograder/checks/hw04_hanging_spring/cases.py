@@ -95,17 +95,16 @@ def period(case):
 def motions(periods, label, first=None, gravities=(None,), count=12):
     """Random starts at uneven times, the first of which is not zero unless that is said."""
 
-    def draw(rng):
+    def cases(rng):
         for gravity in gravities:
             case = random(rng, gravity)
             yield case.with_leading(uneven(rng, periods * period(case), count, first)).labelled(label)
 
-    return draw
+    return cases
 
 
-moving = motions(2.3, "uneven times, t[0] not 0", gravities=(None, 0.0))
-far_apart = motions(6.4, "two times far apart", count=2)
-many_periods = motions(8.2, "eight periods, t[0] not 0", 1.0, count=40)
+moving = motions(1.2, "uneven times, t[0] not 0", gravities=(None, 0.0))
+many_periods = motions(5.2, "five periods, t[0] not 0", 1.0, count=20)
 
 
 def at_two_times(rng):
@@ -117,8 +116,8 @@ def at_two_times(rng):
 
 
 def few_times(rng):
-    """At rest; a motion, and calls like it."""
-    return [*(case for case in at_two_times(rng) if "at rest" in case.label), *like_the_first(rng)]
+    """At rest at the origin; a motion, and calls like it."""
+    return [*(case for case in at_two_times(rng) if "at rest at the origin" in case.label), *like_the_first(rng)]
 
 
 def like_the_first(rng):
@@ -145,10 +144,10 @@ def from_any_time(rng):
 
 
 def stiff(rng):
-    """60 to 80 rad/s, which steps of a millisecond follow, and steps of ten milliseconds do not."""
-    case = random(rng, label="two times, a stiff spring")
+    """At 60 to 80 rad/s four periods, which steps of a millisecond follow, and steps of ten milliseconds do not."""
+    case = random(rng, label="two times far apart, a stiff spring")
     case = case.replace(stiffness=case.kwargs["mass"] * rng.uniform(60, 80) ** 2)
-    return [case.with_leading(1 + np.array([0.0, rng.uniform(1.2, 1.4) * period(case)]))]
+    return [case.with_leading(1 + np.array([0.0, rng.uniform(4.2, 4.4) * period(case)]))]
 
 
 # Ellipses
@@ -194,5 +193,5 @@ def views(rng):
 
 def drawn(rng):
     case = random(rng)
-    t = rng.choice([-1, 1]) * rng.uniform(0.3, 1) * period(case) + np.linspace(0.0, 0.6 * period(case), 401)
+    t = rng.choice([-1, 1]) * rng.uniform(0.3, 1) * period(case) + np.linspace(0.0, 0.6 * period(case), 201)
     return Case(t, *case.args, rng.uniform(-3, 3), rng.uniform(0.3, 1.2), **case.kwargs)

@@ -24,9 +24,9 @@ from tam570_grader.checks.returns import array, drawing, free_body_diagram, grou
 from . import cases, reference
 
 POINTWISE = 1e-9  # a few roundings make 1e-14
-TRAJECTORY = 1e-5  # solve_ivp at rtol 1e-9, atol 1e-9 is off by less than 1e-6 after three periods
-ENERGY = 1e-5  # of itself; the same solvers lose less than 1e-6 of it in ten periods
-COARSELY = 0.05  # of the scale: loose tolerances shift the phase in ten periods; a mass that stands is off by 0.7
+TRAJECTORY = 1e-5  # solve_ivp at rtol 1e-9, atol 1e-9 is off by 2e-7 at most
+ENERGY = 1e-5  # of itself; the same solvers lose 1e-7 of it in five periods
+COARSELY = 0.05  # of the scale: loose tolerances shift the phase in five periods; a mass that stands is off by 0.7
 # Of the square of the larger axis. Axes sought along a simulated orbit are off by up to 8e-9 (LSODA at rtol 1e-9, atol
 # 1e-9), a circle's by their sum and difference, sqrt(r^2 + v^2/k^2 +- 2 abs(r x v)/k), by 5e-8: the root of roundings.
 TENSOR = 1e-7
@@ -34,7 +34,7 @@ TENSOR = 1e-7
 # as that of |centre|^2, 1e-15 of the size's square, if it is a difference of such: TENSOR * NOUGHT^2 lets both pass.
 NOUGHT = 1e-3
 RIGHT_ANGLE = 1e-7  # of the larger axis, along the smaller; eigenvectors are good to rounding over the gap
-DRAWN = 1e-3  # of the picture; chords of the 401 points that it is compared with leave the path by 1e-5
+DRAWN = 1e-3  # of the picture; chords of the 201 points that it is compared with leave the path by 4e-5
 
 
 def length(case, _=None):
@@ -68,23 +68,13 @@ BELOW = "Which two forces act on the mass, and which way, when it is below the o
     "state_derivative", points=1.5, part="a", line="the velocity, and the acceleration by the spring and the weight."
 )
 def derivative_is_velocity_and_force_over_mass(student, rng):
-    compare(
-        student.state_derivative,
-        reference.state_derivative,
-        cases.states_at_times(rng),
-        tolerance=POINTWISE,
-        hint=BELOW,
-    )
+    compare(student.state_derivative, reference, cases.states_at_times(rng), tolerance=POINTWISE, hint=BELOW)
 
 
 @check("energy", points=1, part="a", line="kinetic, of the spring, of the weight; zero at rest at the origin.")
 def energy_is_that_of_motion_spring_and_weight(student, rng):
     compare(
-        student.energy,
-        reference.energy,
-        cases.states(rng),
-        tolerance=POINTWISE,
-        hint="Three terms: speed, stretch, height.",
+        student.energy, reference, cases.states(rng), tolerance=POINTWISE, hint="Three terms: speed, stretch, height."
     )
 
 
@@ -98,9 +88,7 @@ def of_closed_form(case, result, expected):
 
 @check("solution", points=1.25, part="a", line="position and velocity in closed form, given those at t = 0.")
 def solution_is_the_motion(student, rng):
-    compare_columns(
-        student.solution, reference.solution, cases.with_gravity(rng), tolerance=POINTWISE, hint=of_closed_form
-    )
+    compare_columns(student.solution, reference, cases.with_gravity(rng), tolerance=POINTWISE, hint=of_closed_form)
 
 
 ON_IT = "Do r and v/sqrt(k/m) lie on your ellipse, as seen from its centre?"
@@ -120,7 +108,7 @@ def at_zero(case, result, expected):
     line="without gravity too, and at times of which none is zero.",
 )
 def solution_holds_without_gravity_and_from_any_time(student, rng):
-    compare_columns(student.solution, reference.solution, cases.from_any_time(rng), tolerance=POINTWISE, hint=at_zero)
+    compare_columns(student.solution, reference, cases.from_any_time(rng), tolerance=POINTWISE, hint=at_zero)
 
 
 def by_rates(student):
@@ -130,17 +118,11 @@ def by_rates(student):
 @check("simulate", points=0.75, part="a", line="the state at few and uneven times, the first of which is not 0.")
 def simulate_moves_as_it_must(student, rng):
     compare_trajectory(
-        student.simulate,
-        reference.simulate,
-        cases.moving(rng),
-        tolerance=TRAJECTORY,
-        own_rates=by_rates(student),
-        keeps=KEPT,
+        student.simulate, reference, cases.moving(rng), tolerance=TRAJECTORY, own_rates=by_rates(student), keeps=KEPT
     )
 
 
-STEPS = "Steps between the times must be as short as the motion asks for."
-FIXED = "A step of fixed length does not do for every spring."
+FIXED = "Neither a fixed step nor a fixed number of steps does for every spring and any times."
 
 
 @check(
@@ -151,11 +133,10 @@ FIXED = "A step of fixed length does not do for every spring."
     line="the same with only two times, many periods apart, whatever was asked before.",
 )
 def simulate_does_not_depend_on_the_sampling(student, rng):
-    compare_trajectory(student.simulate, reference.simulate, cases.far_apart(rng), tolerance=3 * TRAJECTORY, hint=STEPS)
     compare_trajectory(
-        student.simulate, reference.simulate, cases.few_times(rng), tolerance=TRAJECTORY, own_rates=by_rates(student)
+        student.simulate, reference, cases.few_times(rng), tolerance=TRAJECTORY, own_rates=by_rates(student)
     )
-    compare_trajectory(student.simulate, reference.simulate, cases.stiff(rng), tolerance=TRAJECTORY, hint=FIXED)
+    compare_trajectory(student.simulate, reference, cases.stiff(rng), tolerance=TRAJECTORY, hint=FIXED)
 
 
 @check(
@@ -163,16 +144,11 @@ def simulate_does_not_depend_on_the_sampling(student, rng):
     points=0.5,
     part="a",
     after=simulate_moves_as_it_must,
-    line="after eight periods the energy has its first value.",
+    line="after five periods the energy has its first value.",
 )
 def energy_stays(student, rng):
     check_conserved(
-        student.simulate,
-        reference.simulate,
-        cases.many_periods(rng),
-        KEPT,
-        coarsely=COARSELY,
-        partial={1e-3: 0.6, 1e-2: 0.3},
+        student.simulate, reference, cases.many_periods(rng), KEPT, coarsely=COARSELY, partial={1e-3: 0.6, 1e-2: 0.3}
     )
 
 
@@ -186,7 +162,7 @@ def where_it_rests(case, result, expected):
 
 @check("orbit", points=0.5, part="c", line="the centre is where the mass can rest.")
 def orbit_has_its_centre_at_the_equilibrium(student, rng):
-    compare(student.orbit, reference.orbit, cases.orbits(rng), tolerance=POINTWISE, only=0, hint=where_it_rests)
+    compare(student.orbit, reference, cases.orbits(rng), tolerance=POINTWISE, only=0, hint=where_it_rests)
 
 
 def judge_axes(orbit, calls):
@@ -235,7 +211,7 @@ def orbit_may_be_a_line_or_a_point(student, rng):
 def projection_is_orthographic(student, rng):
     compare(
         student.project,
-        reference.project,
+        reference,
         cases.views(rng),
         tolerance=POINTWISE,
         hint="Try one axis at a time: where does (0, 0, 1) go?",

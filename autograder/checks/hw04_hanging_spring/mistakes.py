@@ -193,7 +193,7 @@ def simulate(reference, t, position, velocity, **parameters):
 def simulate(reference, t, position, velocity, *, mass, stiffness, gravity):
     centre = np.array([0, 0, -mass * gravity / stiffness, 0, 0, 0])
     rows = reference(t, position, velocity, mass=mass, stiffness=stiffness, gravity=gravity)
-    return centre + (rows - centre) * np.exp(-5e-7 * (t - t[0]) * np.sqrt(stiffness / mass))[:, None]
+    return centre + (rows - centre) * np.exp(-5e-6 * (t - t[0]) * np.sqrt(stiffness / mass))[:, None]
 
 
 # The ellipse

@@ -174,14 +174,13 @@ EACH_BY_ITSELF = [
     Column(column.quantity, column.unit, column.where) for column in RATES[2:]
 ]  # of the scale of its own number
 HARDLY_RATES = {"columns": EACH_BY_ITSELF, "tolerance": SOME, "hint": of_rates, "near_miss_credit": False}
-A_SLOW_RUN = {"columns": SLOWLY, "tolerance": SLOW}
 
 
 @check("axle_load", points=0.75, part="a", line="what the locked axle carries at rest.")
 def axle_load_balances_the_weight(student, rng):
     compare(
         student.axle_load,
-        reference.axle_load,
+        reference,
         cases.parked(rng),
         tolerance=FORMULA,
         hint="Which axle carries more, the one near G or the other?",
@@ -193,11 +192,7 @@ def axle_load_balances_the_weight(student, rng):
 )
 def friction_opposes_the_sliding(student, rng):
     compare(
-        student.friction_force,
-        reference.friction_force,
-        cases.ways(cases.TURN, count=2)(rng),
-        tolerance=FORMULA,
-        hint=of_friction,
+        student.friction_force, reference, cases.ways(cases.TURN, count=2)(rng), tolerance=FORMULA, hint=of_friction
     )
 
 
@@ -211,13 +206,13 @@ def friction_opposes_the_sliding(student, rng):
 def friction_in_any_motion_and_at_rest(student, rng):
     compare(
         student.friction_force,
-        reference.friction_force,
+        reference,
         [*cases.ways(*cases.WAYS)(rng), *cases.odd_cars(rng), *cases.headings(rng)],
         tolerance=FORMULA,
         hint=of_friction,
     )
-    compare(student.friction_force, reference.friction_force, cases.slow(rng), tolerance=SLOW, hint=of_friction)
-    compare(student.friction_force, reference.friction_force, cases.hardly_moving(rng), **HARDLY)
+    compare(student.friction_force, reference, cases.slow(rng), tolerance=SLOW, hint=of_friction)
+    compare(student.friction_force, reference, cases.hardly_moving(rng), **HARDLY)
 
 
 @check(
@@ -225,10 +220,7 @@ def friction_in_any_motion_and_at_rest(student, rng):
 )
 def equations_of_motion(student, rng):
     compare_columns(
-        student.state_derivative,
-        reference.state_derivative,
-        cases.timed(cases.ways(cases.TURN, count=2))(rng),
-        **DERIVATIVE,
+        student.state_derivative, reference, cases.timed(cases.ways(cases.TURN, count=2))(rng), **DERIVATIVE
     )
 
 
@@ -237,21 +229,10 @@ def equations_of_motion(student, rng):
 )
 def equations_in_any_motion(student, rng):
     compare_columns(
-        student.state_derivative,
-        reference.state_derivative,
-        cases.timed(cases.ways(*cases.MOVING), cases.headings)(rng),
-        **DERIVATIVE,
+        student.state_derivative, reference, cases.timed(cases.ways(*cases.MOVING), cases.headings)(rng), **DERIVATIVE
     )
-    compare_columns(
-        student.state_derivative,
-        reference.state_derivative,
-        cases.timed(cases.slow)(rng),
-        tolerance=SLOW,
-        hint=of_rates,
-    )
-    compare_columns(
-        student.state_derivative, reference.state_derivative, cases.timed(cases.hardly_moving)(rng), **HARDLY_RATES
-    )
+    compare_columns(student.state_derivative, reference, cases.timed(cases.slow)(rng), tolerance=SLOW, hint=of_rates)
+    compare_columns(student.state_derivative, reference, cases.timed(cases.hardly_moving)(rng), **HARDLY_RATES)
 
 
 @check(
@@ -263,10 +244,7 @@ def equations_in_any_motion(student, rng):
 )
 def equations_without_friction_and_at_rest(student, rng):
     compare_columns(
-        student.state_derivative,
-        reference.state_derivative,
-        cases.timed(cases.ways(cases.REST), cases.odd_cars)(rng),
-        **DERIVATIVE,
+        student.state_derivative, reference, cases.timed(cases.ways(cases.REST), cases.odd_cars)(rng), **DERIVATIVE
     )
 
 
@@ -274,23 +252,21 @@ def equations_without_friction_and_at_rest(student, rng):
 def kinetic_energy_of_G_and_of_turning(student, rng):
     compare(
         student.kinetic_energy,
-        reference.kinetic_energy,
+        reference,
         [*cases.ways(*cases.WAYS)(rng), *cases.odd_cars(rng), *cases.headings(rng)],
         tolerance=FORMULA,
         hint="What is the velocity of G?",
     )
 
 
+def compare_motions(student, motions, **limits):
+    """Compare simulated motions, and the student's rates along them."""
+    compare_trajectory(student.simulate, reference, motions, hint=of_run, own_rates=by_rates(student), **limits)
+
+
 @check("simulate", points=0.75, part="a", line="braking with either axle locked, row i at t[i], row 0 the given state.")
 def simulate_brakes(student, rng):
-    compare_trajectory(
-        student.simulate,
-        reference.simulate,
-        cases.braking(rng),
-        tolerance=FOLLOWED,
-        hint=of_run,
-        own_rates=by_rates(student),
-    )
+    compare_motions(student, cases.braking(rng), tolerance=FOLLOWED)
 
 
 @check(
@@ -301,14 +277,7 @@ def simulate_brakes(student, rng):
     line="the same motion when only a few times are asked for.",
 )
 def simulate_needs_no_dense_times(student, rng):
-    compare_trajectory(
-        student.simulate,
-        reference.simulate,
-        cases.few_times(rng),
-        tolerance=FOLLOWED,
-        hint=of_run,
-        own_rates=by_rates(student),
-    )
+    compare_motions(student, cases.few_times(rng), tolerance=FOLLOWED)
 
 
 @check(
@@ -319,41 +288,27 @@ def simulate_needs_no_dense_times(student, rng):
     line="without friction or gravity it glides, however slow.",
 )
 def simulate_glides_without_friction(student, rng):
-    compare_trajectory(
-        student.simulate,
-        reference.simulate,
-        cases.gliding(rng),
-        tolerance=FOLLOWED,
-        hint=of_run,
-        own_rates=by_rates(student),
-    )
-    compare_trajectory(
-        student.simulate,
-        reference.simulate,
-        cases.gliding_slowly(rng),
-        **A_SLOW_RUN,
-        hint=of_run,
-        own_rates=by_rates(student),
-    )
+    compare_motions(student, cases.gliding(rng), tolerance=FOLLOWED)
+    compare_motions(student, cases.gliding_slowly(rng), columns=SLOWLY, tolerance=SLOW)
 
 
 @check("yaw_growth_rate", points=0.75, part="a", line="d(yaw acceleration)/d(yaw rate).")
 def growth_rate_is_the_slope(student, rng):
-    compare(student.yaw_growth_rate, reference.yaw_growth_rate, cases.at_speeds(rng), tolerance=GROWTH, hint=of_rate)
+    compare(student.yaw_growth_rate, reference, cases.at_speeds(rng), tolerance=GROWTH, hint=of_rate)
 
 
 @check(
     "critical_speed", points=0.5, part="a", line="that at which the growth rate is zero; math.inf where it never is."
 )
 def critical_speed_is_where_growth_begins(student, rng):
-    compare(student.critical_speed, reference.critical_speed, cases.parked(rng), tolerance=FORMULA, hint=where_zero)
+    compare(student.critical_speed, reference, cases.parked(rng), tolerance=FORMULA, hint=where_zero)
 
 
 @check("small_yaw_rate", points=0.75, part="d", line="exact by linear theory.")
 def small_yaw_rate_is_the_linear_solution(student, rng):
     compare(
         student.small_yaw_rate,
-        reference.small_yaw_rate,
+        reference,
         cases.slowing(rng),
         tolerance=GROWTH,
         hint="What is d(yaw rate)/d(speed)? Integrate over the speed.",
@@ -405,31 +360,8 @@ def stability_refuses_other_axles(student, rng):
     "simulate", points=0.75, part="a", after=simulate_brakes, line="it stops, and stays; a car at rest does not start."
 )
 def simulate_comes_to_rest_and_stays(student, rng):
-    compare_trajectory(
-        student.simulate,
-        reference.simulate,
-        cases.braking_slowly(rng),
-        **A_SLOW_RUN,
-        hint=of_run,
-        own_rates=by_rates(student),
-    )
-    compare_trajectory(
-        student.simulate,
-        reference.simulate,
-        cases.stops(rng),
-        columns=TO_REST,
-        tolerance=STOPPED,
-        hint=of_run,
-        own_rates=by_rates(student),
-    )
-    compare_trajectory(
-        student.simulate,
-        reference.simulate,
-        cases.at_rest(rng),
-        tolerance=FORMULA,
-        hint=of_run,
-        own_rates=by_rates(student),
-    )
+    compare_motions(student, cases.stops(rng), columns=TO_REST, tolerance=STOPPED)
+    compare_motions(student, cases.at_rest(rng), tolerance=FORMULA)
 
 
 ASSIGNMENT = Assignment(
