@@ -97,16 +97,9 @@ def small_yaw_rate(speed, speed0, yaw_rate0, locked, **car):
 
 
 def free_body_diagram(state, locked, *, mass, front, rear, friction, gravity):
-    at = {"front": (-rear, front), "rear": (front, -rear)}
-    if locked not in at:
-        raise ValueError(locked)
-    free, drags = at[locked]
-    x, y, heading, speed, yaw_rate = (float(one) for one in state)
-    c, s = math.cos(heading), math.sin(heading)
-    forces = []
-    if yaw_rate:  # going straight nothing pushes it sideways
-        forces.append(((x + free * c, y + free * s), (-s, c)))
-    if friction * gravity and (speed or yaw_rate):
-        aside = (drags - free) * yaw_rate
-        forces.append(((x + drags * c, y + drags * s), (aside * s - speed * c, -aside * c - speed * s)))
-    return forces
+    x, y, heading, speed, yaw_rate = map(float, state)
+    free, along = free_axle(locked, front, rear), cmath.exp(1j * heading)
+    drags, slide = (front if locked == "front" else -rear), dragging_velocity(speed, yaw_rate, locked, front, rear)
+    forces = [(free, 1j)] + ([(drags, -slide)] if slide and friction * gravity else [])
+    pairs = [(x + 1j * y + place * along, force * along) for place, force in forces]
+    return [((place.real, place.imag), (force.real, force.imag)) for place, force in pairs]

@@ -67,16 +67,8 @@ def small_yaw_rate(speed, speed0, yaw_rate0, locked, **car):
 
 
 def free_body_diagram(state, locked, *, mass, front, rear, friction, gravity):
-    at = {"front": (-rear, front), "rear": (front, -rear)}
-    if locked not in at:
-        raise ValueError(locked)
-    free, drags = at[locked]
-    x, y, heading, speed, yaw_rate = (float(one) for one in state)
-    c, s = np.cos(heading), np.sin(heading)
-    forces = []
-    if yaw_rate:  # going straight nothing pushes it sideways
-        forces.append(((x + free * c, y + free * s), (-s, c)))
-    if friction * gravity and (speed or yaw_rate):
-        aside = (drags - free) * yaw_rate
-        forces.append(((x + drags * c, y + drags * s), (aside * s - speed * c, -aside * c - speed * s)))
-    return forces
+    (arm, free), (x, y, heading, speed, yaw_rate) = arms(locked, front, rear), state
+    along, aside = np.array([[cos(heading), sin(heading)], [-sin(heading), cos(heading)]])
+    axle, slide = [x, y] + free * along, speed * along + arm * yaw_rate * aside
+    forces = [(axle, aside)] if yaw_rate else []  # going straight nothing pushes it sideways
+    return [*forces, (axle + arm * along, -slide)] if slide.any() and friction * gravity else forces
