@@ -38,7 +38,7 @@ def of_which_term(case, result, expected):
 def skew_is_the_cross_product(student, rng):
     compare(
         student.skew,
-        reference.skew,
+        reference,
         cases.vectors(rng),
         tolerance=POINTWISE,
         hint="Which columns are v x e, for the three unit vectors e?",
@@ -54,7 +54,7 @@ def skew_is_the_cross_product(student, rng):
 def matrix_turns_by_the_right_hand_rule(student, rng):
     compare(
         student.rotation_matrix,
-        reference.rotation_matrix,
+        reference,
         [*cases.turns(rng), *cases.plain_turns(rng)],
         tolerance=POINTWISE,
         hint=of_few_digits,
@@ -98,7 +98,7 @@ def matrix_holds_for_every_angle(student, rng):
 def matrix_depends_on_the_direction_alone(student, rng):
     compare(
         student.rotation_matrix,
-        reference.rotation_matrix,
+        reference,
         cases.of_any_length(rng),
         tolerance=POINTWISE,
         hint="What becomes of the square of its length?",
@@ -113,12 +113,12 @@ def matrix_depends_on_the_direction_alone(student, rng):
     line="rotation_matrix raises ValueError for an axis that is zero or not finite, whatever the angle.",
 )
 def matrix_refuses_what_is_no_axis(student, rng):
-    check_domain(student.rotation_matrix, reference.rotation_matrix, cases.no_axes(rng), tolerance=POINTWISE)
+    check_domain(student.rotation_matrix, reference, cases.no_axes(rng), tolerance=POINTWISE)
 
 
 @check("rotate", points=2, part="a", line="rotate turns r as the matrix would, whatever the axis's length.")
 def vector_turns_by_the_right_hand_rule(student, rng):
-    compare(student.rotate, reference.rotate, cases.turned_vectors(rng), tolerance=POINTWISE, hint=of_few_digits)
+    compare(student.rotate, reference, cases.turned_vectors(rng), tolerance=POINTWISE, hint=of_few_digits)
 
 
 @check(
@@ -140,7 +140,7 @@ def vector_turns_by_every_angle(student, rng):
     line="rotate raises ValueError for an axis that is zero or not finite, whatever angle and vector.",
 )
 def rotate_refuses_what_is_no_axis(student, rng):
-    check_domain(student.rotate, reference.rotate, cases.vectors_about_no_axes(rng), tolerance=POINTWISE)
+    check_domain(student.rotate, reference, cases.vectors_about_no_axes(rng), tolerance=POINTWISE)
 
 
 ASSIGNMENT = Assignment(

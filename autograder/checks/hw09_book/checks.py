@@ -58,7 +58,7 @@ THE_EDGES = partial(of_few_digits, otherwise="Turn a real book: where do its thr
     line="axis_rotation turns by the angle about x, y or z, by the right-hand rule.",
 )
 def turns_about_the_coordinate_axes(student, rng):
-    compare(student.axis_rotation, reference.axis_rotation, cases.turns(rng), tolerance=WITHIN, hint=QUARTER_TURN)
+    compare(student.axis_rotation, reference, cases.turns(rng), tolerance=WITHIN, hint=QUARTER_TURN)
 
 
 @check(
@@ -69,12 +69,12 @@ def turns_about_the_coordinate_axes(student, rng):
     line="axis_rotation raises ValueError for any other string.",
 )
 def other_axes_are_refused(student, rng):
-    check_domain(student.axis_rotation, reference.axis_rotation, cases.no_axes(rng), tolerance=WITHIN)
+    check_domain(student.axis_rotation, reference, cases.no_axes(rng), tolerance=WITHIN)
 
 
 @check("space_sequence", points=1, part="a", line="space_sequence turns about axes fixed in space, first step first.")
 def space_sequence_takes_the_first_step_first(student, rng):
-    compare(student.space_sequence, reference.space_sequence, cases.sequences(rng), tolerance=WITHIN, hint=WHICH_FIRST)
+    compare(student.space_sequence, reference, cases.sequences(rng), tolerance=WITHIN, hint=WHICH_FIRST)
 
 
 @check(
@@ -85,14 +85,14 @@ def space_sequence_takes_the_first_step_first(student, rng):
     line="space_sequence of one step, and of none: the identity.",
 )
 def space_sequence_takes_few_steps(student, rng):
-    compare(student.space_sequence, reference.space_sequence, cases.few_steps(rng), tolerance=WITHIN)
+    compare(student.space_sequence, reference, cases.few_steps(rng), tolerance=WITHIN)
 
 
 @check(
     "body_sequence", points=1, part="a", line="body_sequence turns about the axes that the steps before have turned."
 )
 def body_sequence_takes_the_axes_along(student, rng):
-    compare(student.body_sequence, reference.body_sequence, cases.sequences(rng), tolerance=WITHIN, hint=WHICH_FIRST)
+    compare(student.body_sequence, reference, cases.sequences(rng), tolerance=WITHIN, hint=WHICH_FIRST)
 
 
 @check(
@@ -103,12 +103,12 @@ def body_sequence_takes_the_axes_along(student, rng):
     line="body_sequence of one step, and of none: the identity.",
 )
 def body_sequence_takes_few_steps(student, rng):
-    compare(student.body_sequence, reference.body_sequence, cases.few_steps(rng), tolerance=WITHIN)
+    compare(student.body_sequence, reference, cases.few_steps(rng), tolerance=WITHIN)
 
 
 @check("book_rotations", points=1, part="a", line="90 degrees about z then x, and about x then z, axes fixed in space.")
 def the_book_is_turned_in_both_orders(student, rng):
-    compare(student.book_rotations, reference.book_rotations, [Case()], tolerance=WITHIN, hint=THE_EDGES)
+    compare(student.book_rotations, reference, [Case()], tolerance=WITHIN, hint=THE_EDGES)
 
 
 # (d, e) Axis and angle
@@ -169,7 +169,7 @@ def of_angle(angle, expected):
     line="axis_angle gives the unit axis and the angle of a rotation, of the book's two and of a quarter turn too.",
 )
 def axis_and_angle_are_those_of_the_matrix(student, rng):
-    compare(student.axis_angle, reference.axis_angle, cases.generic(rng), tolerance=WITHIN, hint=WHAT_STAYS)
+    compare(student.axis_angle, reference, cases.generic(rng), tolerance=WITHIN, hint=WHAT_STAYS)
 
 
 @check(
@@ -180,9 +180,7 @@ def axis_and_angle_are_those_of_the_matrix(student, rng):
     line="axis_angle keeps all digits of axis and angle for angles from 1e-12 to 1e-2.",
 )
 def small_angles_keep_their_digits(student, rng):
-    compare(
-        student.axis_angle, reference.axis_angle, cases.small(rng), tolerance=RELATIVE, scale=largest, hint=where_flat
-    )
+    compare(student.axis_angle, reference, cases.small(rng), tolerance=RELATIVE, scale=largest, hint=where_flat)
 
 
 @check(
@@ -193,8 +191,8 @@ def small_angles_keep_their_digits(student, rng):
     line="axis_angle keeps all digits 1e-12 to 1e-2 from a half turn, and at a quarter turn.",
 )
 def angles_near_pi_keep_their_digits(student, rng):
-    compare(student.axis_angle, reference.axis_angle, cases.near_pi(rng), tolerance=WITHIN, hint=where_flat)
-    compare(student.axis_angle, reference.axis_angle, cases.near_quarters(rng), tolerance=WITHIN, hint=where_flat)
+    compare(student.axis_angle, reference, cases.near_pi(rng), tolerance=WITHIN, hint=where_flat)
+    compare(student.axis_angle, reference, cases.near_quarters(rng), tolerance=WITHIN, hint=where_flat)
 
 
 @check(
@@ -205,7 +203,7 @@ def angles_near_pi_keep_their_digits(student, rng):
     line="axis_angle keeps all digits near pi where a component of the axis is very small.",
 )
 def axes_with_small_components_keep_their_digits(student, rng):
-    compare(student.axis_angle, reference.axis_angle, cases.small_components(rng), tolerance=WITHIN, hint=where_flat)
+    compare(student.axis_angle, reference, cases.small_components(rng), tolerance=WITHIN, hint=where_flat)
 
 
 @check(

@@ -75,7 +75,7 @@ ABOUT_WHICH = "G is at rest: about which axis does the disk turn, and how high i
     line="rolling_spin is the total spin that keeps lean and precession steady, in- or outwards.",
 )
 def rolling_spin_balances_the_moments(student, rng):
-    compare(student.rolling_spin, reference.rolling_spin, cases.members(rng), tolerance=WITHIN, hint=MOMENTS)
+    compare(student.rolling_spin, reference, cases.members(rng), tolerance=WITHIN, hint=MOMENTS)
 
 
 @check(
@@ -86,9 +86,7 @@ def rolling_spin_balances_the_moments(student, rng):
     line="rolling_spin holds for an upright disk and for no gravity.",
 )
 def rolling_spin_holds_upright_and_without_gravity(student, rng):
-    compare(
-        student.rolling_spin, reference.rolling_spin, cases.plain_members(rng), tolerance=WITHIN, hint=WHICH_ARE_ZERO
-    )
+    compare(student.rolling_spin, reference, cases.plain_members(rng), tolerance=WITHIN, hint=WHICH_ARE_ZERO)
 
 
 @check(
@@ -100,7 +98,7 @@ def rolling_spin_holds_upright_and_without_gravity(student, rng):
 def rolling_track_has_the_contact_at_rest(student, rng):
     compare(
         student.rolling_track_radius,
-        reference.rolling_track_radius,
+        reference,
         [*cases.members(rng), *cases.plain_members(rng)],
         tolerance=WITHIN,
         hint=AT_REST,
@@ -109,13 +107,7 @@ def rolling_track_has_the_contact_at_rest(student, rng):
 
 @check("rolling_precession", points=1.25, part="a", line="rolling_precession keeps the lean steady on the given track.")
 def rolling_precession_balances_the_moments(student, rng):
-    compare(
-        student.rolling_precession,
-        reference.rolling_precession,
-        cases.tracks(rng),
-        tolerance=WITHIN,
-        hint=BOTH_CONDITIONS,
-    )
+    compare(student.rolling_precession, reference, cases.tracks(rng), tolerance=WITHIN, hint=BOTH_CONDITIONS)
 
 
 @check(
@@ -126,13 +118,7 @@ def rolling_precession_balances_the_moments(student, rng):
     line="the contact beyond the centre, a roller, a coin, an almost flat disk.",
 )
 def rolling_precession_holds_on_tracks_of_any_sign(student, rng):
-    compare(
-        student.rolling_precession,
-        reference.rolling_precession,
-        cases.tracks_of_any_sign(rng),
-        tolerance=WITHIN,
-        hint=WHICH_SIGN,
-    )
+    compare(student.rolling_precession, reference, cases.tracks_of_any_sign(rng), tolerance=WITHIN, hint=WHICH_SIGN)
 
 
 @check(
@@ -143,13 +129,7 @@ def rolling_precession_holds_on_tracks_of_any_sign(student, rng):
     line="rolling_precession is 0 without gravity, or upright on any track but a point; only then.",
 )
 def rolling_precession_is_zero_where_nothing_turns_it(student, rng):
-    compare(
-        student.rolling_precession,
-        reference.rolling_precession,
-        cases.straight_tracks(rng),
-        tolerance=WITHIN,
-        scale=absolute,
-    )
+    compare(student.rolling_precession, reference, cases.straight_tracks(rng), tolerance=WITHIN, scale=absolute)
 
 
 @check(
@@ -162,7 +142,7 @@ def rolling_precession_is_zero_where_nothing_turns_it(student, rng):
 def rolling_precession_refuses_what_does_not_exist(student, rng):
     check_domain(
         student.rolling_precession,
-        reference.rolling_precession,
+        reference,
         cases.impossible_tracks(rng),
         tolerance=WITHIN,
         allowed=0,
@@ -182,14 +162,12 @@ def rolling_precession_refuses_what_does_not_exist(student, rng):
 def sliding_spin_balances_the_moments(student, rng):
     compare(
         student.sliding_spin,
-        reference.sliding_spin,
+        reference,
         cases.members(rng),
         tolerance=WITHIN,
         hint="Which part of the contact force is gone?",
     )
-    compare(
-        student.sliding_spin, reference.sliding_spin, cases.plain_members(rng), tolerance=WITHIN, hint=WHICH_ARE_ZERO
-    )
+    compare(student.sliding_spin, reference, cases.plain_members(rng), tolerance=WITHIN, hint=WHICH_ARE_ZERO)
 
 
 @check(
@@ -199,13 +177,7 @@ def sliding_spin_balances_the_moments(student, rng):
     line="sliding_track_radius is the contact's distance from the vertical through G, signed as R is.",
 )
 def sliding_track_is_around_the_resting_centre(student, rng):
-    compare(
-        student.sliding_track_radius,
-        reference.sliding_track_radius,
-        cases.sliding_tracks(rng),
-        tolerance=WITHIN,
-        hint="Where is G?",
-    )
+    compare(student.sliding_track_radius, reference, cases.sliding_tracks(rng), tolerance=WITHIN, hint="Where is G?")
 
 
 # (c) Both
@@ -218,9 +190,7 @@ def sliding_track_is_around_the_resting_centre(student, rng):
     line="common_precession belongs to the motions that roll and slide at once.",
 )
 def common_precession_is_in_both_families(student, rng):
-    compare(
-        student.common_precession, reference.common_precession, cases.settled(rng), tolerance=WITHIN, hint=SAME_CIRCLE
-    )
+    compare(student.common_precession, reference, cases.settled(rng), tolerance=WITHIN, hint=SAME_CIRCLE)
 
 
 @check(
@@ -233,12 +203,12 @@ def common_precession_is_in_both_families(student, rng):
 def common_precession_has_a_limit_upright(student, rng):
     compare(
         student.common_precession,
-        reference.common_precession,
+        reference,
         cases.next_to_upright(rng),
         tolerance=UPRIGHT,
         hint="Cancel the sine first.",
     )
-    compare(student.common_precession, reference.common_precession, cases.steep(rng), tolerance=WITHIN)
+    compare(student.common_precession, reference, cases.steep(rng), tolerance=WITHIN)
 
 
 @check(
@@ -248,7 +218,7 @@ def common_precession_has_a_limit_upright(student, rng):
     line="contact_force gives the mass its centripetal acceleration and carries its weight.",
 )
 def contact_force_moves_the_centre(student, rng):
-    compare(student.contact_force, reference.contact_force, cases.whirls(rng), tolerance=WITHIN, hint=wrong_force)
+    compare(student.contact_force, reference, cases.whirls(rng), tolerance=WITHIN, hint=wrong_force)
 
 
 @check(
@@ -261,7 +231,7 @@ def contact_force_moves_the_centre(student, rng):
 def contact_force_of_straight_rolling(student, rng):
     compare(
         student.contact_force,
-        reference.contact_force,
+        reference,
         cases.straight_rolling(rng),
         tolerance=WITHIN,
         hint="Nothing there goes round.",
@@ -277,7 +247,7 @@ def contact_force_of_straight_rolling(student, rng):
 def moment_residual_is_moment_minus_rate(student, rng):
     compare(
         student.moment_residual,
-        reference.moment_residual,
+        reference,
         cases.under_forces(rng),
         tolerance=WITHIN,
         hint="What is the force's arm, and what of H turns?",
@@ -296,7 +266,7 @@ def moment_residual_is_moment_minus_rate(student, rng):
 def settling_energy_adds_up(student, rng):
     compare(
         student.settling_energy,
-        reference.settling_energy,
+        reference,
         [*cases.settled(rng), *cases.next_to_upright(rng), *cases.steep(rng)],
         tolerance=WITHIN,
         hint=ABOUT_WHICH,

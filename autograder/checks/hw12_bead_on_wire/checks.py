@@ -89,14 +89,8 @@ TWICE = at_rest_or_not(
 
 @check("acceleration_newton", points=1.5, part="b", line="x'' by F = m a along the tangent, as Lagrange has it.")
 def newton_gives_the_acceleration(student, rng):
-    compare(student.acceleration_newton, reference.acceleration_newton, cases.beads(rng), tolerance=FORMULA, hint=TWICE)
-    compare(
-        student.acceleration_newton,
-        reference.acceleration_newton,
-        cases.next_to_bottom(rng),
-        tolerance=FEW_DIGITS,
-        hint=TWICE,
-    )
+    compare(student.acceleration_newton, reference, cases.beads(rng), tolerance=FORMULA, hint=TWICE)
+    compare(student.acceleration_newton, reference, cases.next_to_bottom(rng), tolerance=FEW_DIGITS, hint=TWICE)
 
 
 BEND = at_rest_or_not("How much of the weight does a slope carry?", "How sharply does the wire bend at x?")
@@ -130,7 +124,7 @@ def of_direction(case, force, expected):
 def force_and_weight_make_the_acceleration(student, rng):
     compare(
         student.constraint_force,
-        reference.constraint_force,
+        reference,
         [*cases.beads(rng), *cases.next_to_bottom(rng)],
         tolerance=FORMULA,
         hint=of_direction,
@@ -144,7 +138,7 @@ SPEED = at_rest_or_not("At rest it is potential: how high is the bead?", "How fa
 def energy_is_kinetic_and_potential(student, rng):
     compare(
         student.energy,
-        reference.energy,
+        reference,
         [*cases.beads(rng), *cases.next_to_bottom(rng), *cases.nearly_at_rest(rng)],
         tolerance=FORMULA,
         hint=SPEED,
@@ -161,7 +155,7 @@ WIDE = cases.rides(0.4, 1.0, 25, 15.0, "an amplitude near 1/c")
 @check("simulate", points=0.75, part="b", line="large motions, row i at t[i], row 0 the given state.")
 def simulate_slides(student, rng):
     compare_trajectory(
-        student.simulate, reference.simulate, WIDE(rng), tolerance=TRAJECTORY, own_rates=by_rates(student), keeps=KEPT
+        student.simulate, reference, WIDE(rng), tolerance=TRAJECTORY, own_rates=by_rates(student), keeps=KEPT
     )
 
 
@@ -177,10 +171,10 @@ SMALL = "Do you leave terms out at small amplitudes, or is atol too loose for th
 )
 def simulate_needs_no_dense_times(student, rng):
     compare_trajectory(
-        student.simulate, reference.simulate, cases.few_times(rng), tolerance=TRAJECTORY, own_rates=by_rates(student)
+        student.simulate, reference, cases.few_times(rng), tolerance=TRAJECTORY, own_rates=by_rates(student)
     )
     compare_trajectory(
-        student.simulate, reference.simulate, cases.close(rng), tolerance=TRAJECTORY, hint=SMALL, near_miss_credit=False
+        student.simulate, reference, cases.close(rng), tolerance=TRAJECTORY, hint=SMALL, near_miss_credit=False
     )
 
 
@@ -193,11 +187,7 @@ def simulate_needs_no_dense_times(student, rng):
 )
 def simulate_without_gravity(student, rng):
     compare_trajectory(
-        student.simulate,
-        reference.simulate,
-        cases.weightless(rng),
-        tolerance=TRAJECTORY,
-        hint="Is anything divided by gravity?",
+        student.simulate, reference, cases.weightless(rng), tolerance=TRAJECTORY, hint="Is anything divided by gravity?"
     )
 
 
@@ -214,7 +204,7 @@ STEEP = cases.rides(5.0, 8.0, 10, 45.0, "an amplitude of several 1/c")
 def simulate_slides_down_steep_wires(student, rng):
     compare_trajectory(
         student.simulate,
-        reference.simulate,
+        reference,
         STEEP(rng),
         tolerance=SHARP_TURN,
         hint="Are the steps short enough for the turn at the bottom?",
@@ -229,7 +219,7 @@ LOSSES, DURATION = {1e-3: 0.6, 1e-2: 0.3}, "Do your steps grow with the duration
 def simulate_keeps_the_energy(student, rng):
     check_conserved(
         student.simulate,
-        reference.simulate,
+        reference,
         MANY_PERIODS(rng),
         KEPT,
         coarsely=COARSELY,
@@ -247,7 +237,7 @@ def of_period(case, period, expected):
 
 @check("period", points=1, part="b", line="exact for amplitudes near 1/c.")
 def period_is_exact(student, rng):
-    compare(student.period, reference.period, cases.usual_periods(rng), tolerance=PERIOD, hint=of_period)
+    compare(student.period, reference, cases.usual_periods(rng), tolerance=PERIOD, hint=of_period)
 
 
 ROOT = "Do you add a small number under a root, or use an absolute tolerance? 1e-15 m^2 is not small here."
@@ -256,20 +246,16 @@ REACH = "Does your series or quadrature reach amplitudes of a hundred times 1/c?
 
 @check("period", points=0.5, part="b", after=period_is_exact, line="exact on almost flat and on almost upright wires.")
 def period_of_small_and_of_huge_amplitudes(student, rng):
-    compare(student.period, reference.period, cases.tiny_periods(rng), tolerance=TINY, hint=ROOT)
+    compare(student.period, reference, cases.tiny_periods(rng), tolerance=TINY, hint=ROOT)
     compare(
         student.period,
-        reference.period,
+        reference,
         cases.small_periods(rng),
         tolerance=PERIOD,
         hint="Do you subtract nearly equal heights?",
     )
     compare(
-        student.period,
-        reference.period,
-        [*cases.large_periods(rng), *cases.largest_period(rng)],
-        tolerance=PERIOD,
-        hint=REACH,
+        student.period, reference, [*cases.large_periods(rng), *cases.largest_period(rng)], tolerance=PERIOD, hint=REACH
     )
 
 

@@ -118,13 +118,8 @@ ANY_DURATION = "Are there too few steps for this duration, or is the tolerance l
     "acceleration", points=0.5, part="a", line="with G at the centre it is right, and naive_contact_acceleration too."
 )
 def centred_cylinder_rolls_by_both_methods(student, rng):
-    compare(student.acceleration, reference.acceleration, cases.centred(rng, 2), tolerance=FORMULA, hint=BOTH)
-    compare(
-        student.naive_contact_acceleration,
-        reference.naive_contact_acceleration,
-        cases.centred(rng, 2),
-        tolerance=FORMULA,
-    )
+    compare(student.acceleration, reference, cases.centred(rng, 2), tolerance=FORMULA, hint=BOTH)
+    compare(student.naive_contact_acceleration, reference, cases.centred(rng, 2), tolerance=FORMULA)
 
 
 @check(
@@ -136,7 +131,7 @@ def centred_cylinder_rolls_by_both_methods(student, rng):
 def acceleration_balances_momentum_about_G(student, rng):
     compare(
         student.acceleration,
-        reference.acceleration,
+        reference,
         [*cases.plain(rng), *cases.rolling(rng, 3)],
         tolerance=FORMULA,
         hint=rest_or_rates,
@@ -153,7 +148,7 @@ def acceleration_balances_momentum_about_G(student, rng):
 def acceleration_level_and_without_gravity(student, rng):
     compare(
         student.acceleration,
-        reference.acceleration,
+        reference,
         [*cases.flat(rng, 2), *cases.weightless(rng, 2), *cases.level(rng)],
         tolerance=FORMULA,
         hint=without_weight,
@@ -164,7 +159,7 @@ def acceleration_level_and_without_gravity(student, rng):
 def contact_inertia_by_the_parallel_axis_theorem(student, rng):
     compare(
         student.contact_inertia,
-        reference.contact_inertia,
+        reference,
         [*cases.rolling(rng, 3), *cases.centred(rng, 1), *cases.plain(rng), *cases.level(rng)],
         tolerance=FORMULA,
         hint=DISTANCE,
@@ -177,7 +172,7 @@ def contact_inertia_by_the_parallel_axis_theorem(student, rng):
 def naive_acceleration_is_the_moment_over_the_inertia(student, rng):
     compare(
         student.naive_contact_acceleration,
-        reference.naive_contact_acceleration,
+        reference,
         [*cases.rolling(rng, 3), *cases.plain(rng), *cases.level(rng)],
         tolerance=FORMULA,
         hint=WEIGHT_ACTS_AT_G,
@@ -193,7 +188,7 @@ def naive_acceleration_is_the_moment_over_the_inertia(student, rng):
 def missing_moment_makes_it_right(student, rng):
     compare(
         student.missing_moment,
-        reference.missing_moment,
+        reference,
         [*cases.rolling(rng, 3), *cases.plain(rng)],
         tolerance=FORMULA,
         hint=CONTACT_POINT,
@@ -207,13 +202,7 @@ def missing_moment_makes_it_right(student, rng):
     line="with the weight it is the mass times the acceleration of G; (along, normal).",
 )
 def contact_force_accelerates_G(student, rng):
-    compare(
-        student.contact_force,
-        reference.contact_force,
-        cases.slow(rng),
-        tolerance=FORMULA,
-        hint=partial(part_of_force, student),
-    )
+    compare(student.contact_force, reference, cases.slow(rng), tolerance=FORMULA, hint=partial(part_of_force, student))
 
 
 @check(
@@ -226,7 +215,7 @@ def contact_force_accelerates_G(student, rng):
 def contact_force_may_pull(student, rng):
     compare(
         student.contact_force,
-        reference.contact_force,
+        reference,
         [*cases.pulled(rng), *cases.weightless(rng, 2), *cases.level(rng)],
         tolerance=FORMULA,
         hint=partial(of_pull, student),
@@ -237,7 +226,7 @@ def contact_force_may_pull(student, rng):
 def energy_of_G_and_of_turning(student, rng):
     compare(
         student.energy,
-        reference.energy,
+        reference,
         [*cases.rolling(rng, 3), *cases.weightless(rng, 1), *cases.plain(rng), *cases.level(rng)],
         tolerance=FORMULA,
         hint=HEIGHT,
@@ -247,12 +236,7 @@ def energy_of_G_and_of_turning(student, rng):
 @check("simulate", points=0.75, part="b", line="rolling down and rocking, row i at t[i], row 0 the given state.")
 def simulate_rolls_and_rocks(student, rng):
     compare_trajectory(
-        student.simulate,
-        reference.simulate,
-        cases.runs(rng),
-        tolerance=TRAJECTORY,
-        own_rates=by_rates(student),
-        keeps=KEPT,
+        student.simulate, reference, cases.runs(rng), tolerance=TRAJECTORY, own_rates=by_rates(student), keeps=KEPT
     )
 
 
@@ -265,11 +249,11 @@ def simulate_rolls_and_rocks(student, rng):
 )
 def simulate_needs_no_dense_times(student, rng):
     compare_trajectory(
-        student.simulate, reference.simulate, cases.few_times(rng), tolerance=TRAJECTORY, own_rates=by_rates(student)
+        student.simulate, reference, cases.few_times(rng), tolerance=TRAJECTORY, own_rates=by_rates(student)
     )
     compare_trajectory(
         student.simulate,
-        reference.simulate,
+        reference,
         cases.near_lowest(rng),
         tolerance=TRAJECTORY,
         hint=HOWEVER_SMALL,
@@ -304,7 +288,7 @@ SHARES = {1e-4: 0.6, 1e-2: 0.3}  # of the drift of the energy
 def simulate_keeps_the_energy(student, rng):
     check_conserved(
         student.simulate,
-        reference.simulate,
+        reference,
         cases.many_turns(rng),
         KEPT,
         coarsely=COARSELY,

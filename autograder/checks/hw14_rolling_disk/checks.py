@@ -129,7 +129,7 @@ PLACED = "The centre is contact + a e2, R is Rz(yaw) Rx(tilt) Rz(roll), omega is
     line="matrix_state has the centre, R row by row, and the total omega in space axes.",
 )
 def matrix_state_places_the_disk(student, rng):
-    compare_columns(student.matrix_state, reference.matrix_state, cases.instants(rng), tolerance=POINTWISE, hint=PLACED)
+    compare_columns(student.matrix_state, reference, cases.instants(rng), tolerance=POINTWISE, hint=PLACED)
 
 
 def along(quantity, off, state, limit):
@@ -162,13 +162,7 @@ BY_MATRIX, FLAT_BY_MATRIX = cases.by_matrix(INSTANTS), cases.by_matrix(FLAT_AND_
     line="euler_state_derivative balances momentum and angular momentum of disk, hoop and wheel.",
 )
 def euler_equations_hold(student, rng):
-    compare_columns(
-        student.euler_state_derivative,
-        reference.euler_state_derivative,
-        INSTANTS(rng),
-        tolerance=POINTWISE,
-        hint=TEST_IT,
-    )
+    compare_columns(student.euler_state_derivative, reference, INSTANTS(rng), tolerance=POINTWISE, hint=TEST_IT)
 
 
 @check(
@@ -179,39 +173,21 @@ def euler_equations_hold(student, rng):
     line="euler_state_derivative holds at a tilt of 1e-3, and for a disk spinning upright on a point.",
 )
 def euler_equations_hold_next_to_flat_and_upright(student, rng):
-    compare_columns(
-        student.euler_state_derivative, reference.euler_state_derivative, FLAT_AND_UPRIGHT(rng), **NEXT_TO_FLAT
-    )
+    compare_columns(student.euler_state_derivative, reference, FLAT_AND_UPRIGHT(rng), **NEXT_TO_FLAT)
 
 
 @check("matrix_state_derivative", points=0.75, part="a", line="the balances hold, and omega in space axes turns R.")
 def matrix_equations_hold(student, rng):
-    compare_columns(
-        student.matrix_state_derivative,
-        reference.matrix_state_derivative,
-        BY_MATRIX(rng),
-        tolerance=POINTWISE,
-        hint=IN_SPACE,
-    )
-    compare_columns(
-        student.matrix_state_derivative, reference.matrix_state_derivative, FLAT_BY_MATRIX(rng), **NEXT_TO_FLAT
-    )
+    compare_columns(student.matrix_state_derivative, reference, BY_MATRIX(rng), tolerance=POINTWISE, hint=IN_SPACE)
+    compare_columns(student.matrix_state_derivative, reference, FLAT_BY_MATRIX(rng), **NEXT_TO_FLAT)
 
 
 @check(
     "multiplier_state_derivative", points=0.75, part="a", line="the balances hold, with multipliers for the contact."
 )
 def multiplier_equations_hold(student, rng):
-    compare_columns(
-        student.multiplier_state_derivative,
-        reference.multiplier_state_derivative,
-        BY_MATRIX(rng),
-        tolerance=POINTWISE,
-        hint=ARM,
-    )
-    compare_columns(
-        student.multiplier_state_derivative, reference.multiplier_state_derivative, FLAT_BY_MATRIX(rng), **NEXT_TO_FLAT
-    )
+    compare_columns(student.multiplier_state_derivative, reference, BY_MATRIX(rng), tolerance=POINTWISE, hint=ARM)
+    compare_columns(student.multiplier_state_derivative, reference, FLAT_BY_MATRIX(rng), **NEXT_TO_FLAT)
 
 
 # (b) Simulation, (c) both ways
@@ -230,7 +206,7 @@ def by_rates(rates):
 def euler_simulation_follows_the_motion(student, rng):
     compare_trajectory(
         student.simulate_euler,
-        reference.simulate_euler,
+        reference,
         cases.simulated(rng),
         tolerance=TRAJECTORY,
         keeps=ENERGY_KEPT,
@@ -247,14 +223,7 @@ def euler_simulation_follows_the_motion(student, rng):
 )
 def euler_simulation_keeps_energy_and_two_integrals(student, rng):
     kept, shares = (INTEGRALS, ENERGY_KEPT), {1e-4: 0.5}
-    check_conserved(
-        student.simulate_euler,
-        reference.simulate_euler,
-        cases.long_motion(rng),
-        *kept,
-        coarsely=COARSELY,
-        partial=shares,
-    )
+    check_conserved(student.simulate_euler, reference, cases.long_motion(rng), *kept, coarsely=COARSELY, partial=shares)
 
 
 @check(
@@ -266,7 +235,7 @@ def euler_simulation_keeps_energy_and_two_integrals(student, rng):
 def matrix_simulation_follows_the_motion(student, rng):
     compare_trajectory(
         student.simulate_matrix,
-        reference.simulate_matrix,
+        reference,
         cases.by_matrix(cases.simulated)(rng),
         tolerance=TRAJECTORY,
         own_rates=by_rates(student.matrix_state_derivative),
@@ -285,7 +254,7 @@ BOTH = euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion
 )
 def both_simulations_agree(student, rng):
     motions = compare_trajectory(
-        student.simulate_matrix, reference.simulate_matrix, cases.by_matrix(cases.long_motion)(rng), tolerance=AGREED
+        student.simulate_matrix, reference, cases.by_matrix(cases.long_motion)(rng), tolerance=AGREED
     )
     compare_invariants(student.simulate_matrix, motions, ROTATES, HEIGHT)
 
@@ -302,7 +271,7 @@ def both_simulations_agree(student, rng):
 def steady_residual_is_the_tilt_acceleration(student, rng):
     compare(
         student.steady_residual,
-        reference.steady_residual,
+        reference,
         cases.steady(rng),
         tolerance=POINTWISE,
         hint="Use tilt = lean + pi/2 and tilt' = 0.",
@@ -362,7 +331,7 @@ def rest_or_rates(case, result, expected):
 
 @check("energy", points=0.75, part="f", line="energy adds what moves, what turns and what is high.")
 def energy_is_kinetic_and_potential(student, rng):
-    compare(student.energy, reference.energy, cases.resting_first(rng), tolerance=POINTWISE, hint=rest_or_rates)
+    compare(student.energy, reference, cases.resting_first(rng), tolerance=POINTWISE, hint=rest_or_rates)
 
 
 def wrong_force(case, result, expected):
@@ -382,7 +351,7 @@ def wrong_force(case, result, expected):
     line="contact_force is what the centre's acceleration and the weight ask for, in space axes.",
 )
 def contact_force_moves_the_centre(student, rng):
-    compare(student.contact_force, reference.contact_force, cases.instants(rng), tolerance=POINTWISE, hint=wrong_force)
+    compare(student.contact_force, reference, cases.instants(rng), tolerance=POINTWISE, hint=wrong_force)
 
 
 # (g) and (h) Stability
@@ -397,7 +366,7 @@ def contact_force_moves_the_centre(student, rng):
 def critical_speed_parts_stable_from_unstable(student, rng):
     compare(
         student.critical_speed,
-        reference.critical_speed,
+        reference,
         cases.wheels(rng),
         tolerance=LINEAR,
         hint="Linearise: what is yaw' to first order?",
@@ -412,11 +381,7 @@ def critical_speed_parts_stable_from_unstable(student, rng):
 )
 def growth_rate_is_that_of_a_small_lean(student, rng):
     compare(
-        student.growth_rate_squared,
-        reference.growth_rate_squared,
-        cases.speeds(rng),
-        tolerance=LINEAR,
-        hint="Linearise about upright.",
+        student.growth_rate_squared, reference, cases.speeds(rng), tolerance=LINEAR, hint="Linearise about upright."
     )
 
 
