@@ -18,7 +18,7 @@ from parameters import SLUGS, first
 from tam570_grader import cli
 from tam570_grader.checks import assignments
 from tam570_grader.grading import executor
-from tam570_grader.grading.one import CheckOptions, graded
+from tam570_grader.grading.run_checks import CheckOptions, graded
 from tam570_grader.sandbox.pool import sandboxes
 from tam570_grader.sandbox.preload import imported
 from tam570_grader.sandbox.student import Source

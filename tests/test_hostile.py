@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from tam570_grader.checks import assignments
-from tam570_grader.grading import one
+from tam570_grader.grading import run_checks
 from tam570_grader.sandbox.launch import isolation
 from tam570_grader.sandbox.process import ProcessLost
 from tam570_grader.sandbox.student import Student
@@ -83,7 +83,7 @@ def test_a_class_of_attackers_costs_their_allowances_and_no_more(grade, solution
                 spent.append(self.seconds())
             super().leave()
 
-    monkeypatch.setattr(one, "Student", Counted)
+    monkeypatch.setattr(run_checks, "Student", Counted)
     zygote, limits = zygotes(SLUG, BRIEF), BRIEF
     for path in FILES[: 2 * FORTY : 2]:
         before = time.thread_time()

@@ -5,8 +5,6 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-__all__ = ["Over", "UsageError", "counted", "printable", "say", "warn", "writing"]
-
 
 class UsageError(Exception):
     """Something that was asked for cannot be done; the message names the input and the remedy."""

@@ -26,8 +26,6 @@ from tam570_grader.diagnosis.mistakes import answer, candidates, mistakes, same,
 from tam570_grader.diagnosis.mutants import reached
 from tam570_grader.grading.executor import TaskExecutor, in_order
 
-__all__ = ["CaseReport", "SEEDS", "as_json", "fewest", "report", "report_cases"]
-
 SEED, SEEDS = 570, 20
 EXPENSIVE = 2e-3  # s; cases of longer calls are chosen for what the others do not catch
 CHUNKS = 4  # of the wrong submissions of a seed

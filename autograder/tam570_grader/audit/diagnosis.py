@@ -17,10 +17,8 @@ from tam570_grader.diagnosis.mistakes import Mistake, mistakes
 from tam570_grader.diagnosis.mutants import reached
 from tam570_grader.errors import UsageError
 from tam570_grader.grading.executor import TaskExecutor, in_order
-from tam570_grader.grading.one import Result
 from tam570_grader.release.stubs import exported
-
-__all__ = ["ENOUGH", "Diagnosis", "as_json", "diagnoses", "diagnosis", "faults", "report"]
+from tam570_grader.results.records import Result
 
 ENOUGH = 0.9  # share of the mistakes that the feedback must name
 SEED = 1

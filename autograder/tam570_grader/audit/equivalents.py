@@ -18,8 +18,6 @@ from tam570_grader.audit.mutate import Mutant
 from tam570_grader.checks import assignments
 from tam570_grader.errors import UsageError
 
-__all__ = ["Slip", "entry", "equivalents", "idle"]
-
 Slip = tuple[str, str]  # function, what was done in it
 
 

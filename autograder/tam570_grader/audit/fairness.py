@@ -13,8 +13,6 @@ from tam570_grader.checks import assignments
 from tam570_grader.errors import UsageError, writing
 from tam570_grader.grading.executor import TaskExecutor, in_order
 
-__all__ = ["as_json", "fair", "report", "upper_bound"]
-
 FIRST_SEED = 5000
 CONFIDENCE = 0.95
 Line = Json  # with FIELDS; "fails": [[check, message], ...]

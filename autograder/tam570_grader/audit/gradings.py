@@ -7,13 +7,12 @@ from typing import TypeVar
 
 from tam570_grader.checks import assignments
 from tam570_grader.diagnosis.mistakes import overlays
-from tam570_grader.grading.one import CheckOptions, Recorder, Result, graded
+from tam570_grader.grading.run_checks import CheckOptions, Recorder, graded
+from tam570_grader.results.records import Result
 from tam570_grader.sandbox import pool
 from tam570_grader.sandbox.preload import imported
 from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.zygote import ResourceLimits
-
-__all__ = ["Grading", "progress", "submissions", "tried"]
 
 Outcome = TypeVar("Outcome")
 

@@ -22,13 +22,11 @@ from tam570_grader.checks.check import Check
 from tam570_grader.checks.effort import limited
 from tam570_grader.checks.expect import CheckContext, Failed, check_context
 from tam570_grader.checks.returns import Array, FreeBodyDiagram, Group, result
-from tam570_grader.grading.one import generator
+from tam570_grader.grading.run_checks import generator
 from tam570_grader.protocol.answer import answer
 from tam570_grader.protocol.wire import packed, unpacked
 from tam570_grader.sandbox.function import Call, SandboxFunction
 from tam570_grader.sandbox.replies import checked
-
-__all__ = ["Key", "LocalStudent", "Replies", "failed_cases"]
 
 SLOWEST = 2.0  # s of processor time of a call
 STEPS = 2_000_000  # of a call, in functions that count them

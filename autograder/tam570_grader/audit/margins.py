@@ -18,8 +18,6 @@ from tam570_grader.diagnosis.mistakes import Mistake, mistakes
 from tam570_grader.diagnosis.mutants import reached
 from tam570_grader.grading.executor import TaskExecutor, in_order
 
-__all__ = ["ENOUGH", "SEEDS", "Margin", "as_json", "faults", "margin", "margins", "report"]
-
 ENOUGH = 10  # times: below the limit for a careful student, above it for wrong physics
 SEEDS = 5
 FIRST_SEED = 700

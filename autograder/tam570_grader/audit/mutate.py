@@ -7,8 +7,6 @@ from dataclasses import dataclass
 
 from tam570_grader.diagnosis.mutants import changed_expressions, replaced
 
-__all__ = ["Mutant", "mutants"]
-
 
 @dataclass(frozen=True)
 class Mutant:

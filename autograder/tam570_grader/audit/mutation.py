@@ -17,11 +17,10 @@ from tam570_grader.checks.case import Case
 from tam570_grader.diagnosis.mutants import reached
 from tam570_grader.errors import counted
 from tam570_grader.grading.executor import TaskExecutor, in_order
-from tam570_grader.grading.one import Result, generator
+from tam570_grader.grading.run_checks import generator
+from tam570_grader.results.records import Result
 from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.zygote import ResourceLimits, Zygote
-
-__all__ = ["Fates", "as_json", "calls_of_checks", "fates", "report"]
 
 SEED = 570
 QUICK = 10  # mutants of an assignment in the quick form

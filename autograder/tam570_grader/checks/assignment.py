@@ -5,8 +5,6 @@ from dataclasses import dataclass
 
 from tam570_grader.checks.returns import ReturnSpec
 
-__all__ = ["Assignment"]
-
 EVERYWHERE = "*"  # in `forbidden`: not only in one function
 
 

@@ -22,26 +22,6 @@ from tam570_grader.checks.returns import ReturnSpec
 from tam570_grader.checks.rubric import ManualPart, load_rubric
 from tam570_grader.errors import UsageError
 
-__all__ = [
-    "OVERRIDES",
-    "INSTALLED",
-    "ADDITIONS",
-    "LoadedAssignment",
-    "assignment",
-    "manual_parts",
-    "checks_digest",
-    "checks_folder",
-    "engine_digest",
-    "figure",
-    "find",
-    "is_checkout",
-    "match_slugs",
-    "match_slug",
-    "slug_of",
-    "slugs",
-    "solution",
-]
-
 INSTALLED = tuple(Path(tam570.__file__).resolve().parents[1:3])  # where an editable install has the course
 PACKAGES = "_checks_"  # how the names of the packages of checks begin
 sys.meta_path.insert(0, Finder(PACKAGES))  # what they spend is counted

@@ -7,8 +7,6 @@ import numpy as np
 from tam570.values import Numbers
 from tam570_grader.protocol.wire import packed
 
-__all__ = ["Case"]
-
 
 class Case:
     """The arguments of one call, with a label: the kind of input, in words that give no input away.

@@ -23,8 +23,6 @@ import numpy as np
 
 from tam570.values import Function, Numbers
 
-__all__ = ["Check", "Memory", "check", "draw_once", "needed", "once"]
-
 T = TypeVar("T")
 MOST_KNOWN = 64  # values that `once` keeps; with inputs of its own for each student a run makes thousands
 

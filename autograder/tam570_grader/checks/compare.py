@@ -17,23 +17,6 @@ from tam570_grader.checks.expected import expected_result
 from tam570_grader.checks.returns import Description, Scale
 from tam570_grader.checks.student import StudentFunction
 
-__all__ = [
-    "Batch",
-    "Column",
-    "Reference",
-    "absolute",
-    "compare",
-    "compare_columns",
-    "call_cases",
-    "largest",
-    "find_reference",
-    "first_wrong",
-    "is_right",
-    "check_domain",
-    "check_raises",
-    "trim_to_signature",
-]
-
 
 @dataclass(frozen=True)
 class Column:

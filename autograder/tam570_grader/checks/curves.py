@@ -11,8 +11,6 @@ from numpy.typing import NDArray
 
 from tam570.values import Json, Numbers
 
-__all__ = ["BITS", "Curve", "curve", "conserved_curve"]
-
 # plain data: quantity, unit, tolerance, scale ("log" or "linear"), values along the motion; keeps: another
 Curve = Json
 Array = NDArray[np.float64]

@@ -26,8 +26,6 @@ from tam570_grader.checks.figures import seen_from
 from tam570_grader.checks.returns import Arrow
 from tam570_grader.checks.student import StudentFunction
 
-__all__ = ["CENTRIFUGAL", "INERTIAL", "Force", "FreeBody", "NotAForce", "compare_diagrams", "complaint", "weight"]
-
 Vector = NDArray[np.float64]
 
 # Directions, in rad, and points, of the largest distance from the origin. Single precision is off by 6e-8.

@@ -18,8 +18,6 @@ from types import CodeType, ModuleType
 
 from tam570.values import Function, Numbers
 
-__all__ = ["Exhausted", "Finder", "Meter", "compile_counted", "count", "limited"]
-
 INTEGRATE = "tam570.integrate"  # its compiled loops count nothing
 PROLOGUE = "from tam570_grader.checks.effort import count as _count"
 

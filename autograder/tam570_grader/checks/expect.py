@@ -21,22 +21,6 @@ from tam570_grader.checks.failure import Failure
 from tam570_grader.checks.student import StudentFunction
 from tam570_grader.errors import Over
 
-__all__ = [
-    "LONGEST_FAULT",
-    "NEAR_MISS",
-    "NEAR_MISS_SHARE",
-    "UNLOCKING_SHARE",
-    "Failed",
-    "NotWritten",
-    "CheckContext",
-    "get_context",
-    "expect",
-    "expect_that",
-    "fail",
-    "check_context",
-    "distance",
-]
-
 NEAR_MISS = 10  # limits: wrong physics lies further off, a loose tolerance is often nearer
 NEAR_MISS_SHARE = 0.9  # of the points, for what is right but for a loose tolerance
 UNLOCKING_SHARE = (

@@ -20,8 +20,6 @@ from tam570_grader.checks.case import Case
 from tam570_grader.checks.check import Memory
 from tam570_grader.protocol.wire import packed, unpacked
 
-__all__ = ["expected_result", "shared", "sharing"]
-
 MOST_KNOWN = 3000  # answers; with inputs of its own for each student a run makes thousands
 EXPENSIVE = 0.05  # s of processor time, from which an answer is shared
 

@@ -4,8 +4,6 @@ from dataclasses import dataclass, replace
 
 from tam570.values import Json, Numbers
 
-__all__ = ["WHOLE", "Failure"]
-
 WHOLE = ("expected", "actual", "at")  # of a failure: what the instructor alone sees
 
 

@@ -19,8 +19,6 @@ from html import escape
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Figure", "circle", "seen_from"]
-
 Vector = NDArray[np.float64]
 
 WIDTH = 520  # px

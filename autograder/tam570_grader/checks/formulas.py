@@ -10,8 +10,6 @@ from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed, NotWritten
 from tam570_grader.checks.student import StudentFunction, StudentModule
 
-__all__ = ["from_own_lagrangian", "in_symbols"]
-
 Point = Mapping[str, float]
 
 STEP = 1e-3  # of x and of v: differences of a formula's doubles are good to 1e-6

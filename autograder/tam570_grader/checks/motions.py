@@ -14,8 +14,6 @@ from tam570_grader.checks.expect import Failed, NotWritten
 from tam570_grader.checks.expected import expected_result
 from tam570_grader.checks.student import StudentFunction
 
-__all__ = ["ROUGHLY", "Motion", "diagnosed", "flat", "obeys"]
-
 Array = NDArray[np.float64]
 Restart = Callable[[Array], tuple[Numbers, ...]]  # the arguments behind t that begin the motion at a row
 

@@ -14,17 +14,6 @@ from tam570_grader.checks.expect import expect, expect_that, fail, get_context
 from tam570_grader.checks.returns import Drawing, Line
 from tam570_grader.checks.student import StudentFunction
 
-__all__ = [
-    "along",
-    "curves_seen",
-    "distances",
-    "exchanged",
-    "judge_axes_of_lengths",
-    "judge_boxes",
-    "path_drawn",
-    "readable",
-]
-
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]  # points of the plane
 

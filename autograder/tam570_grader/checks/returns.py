@@ -22,29 +22,6 @@ from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed
 from tam570_grader.protocol.wire import Foreign
 
-__all__ = [
-    "Array",
-    "Arrow",
-    "Drawing",
-    "Formula",
-    "FreeBodyDiagram",
-    "Group",
-    "Line",
-    "ReturnSpec",
-    "Scale",
-    "Description",
-    "array",
-    "drawing",
-    "formula",
-    "free_body_diagram",
-    "group",
-    "number",
-    "result",
-    "results_alike",
-    "rows",
-]
-
-
 Sizes = tuple[int | str | None, ...]
 Scale = Callable[[Case, Numbers], Numbers]  # scale(case, right result) -> what an error is relative to
 

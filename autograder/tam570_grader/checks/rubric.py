@@ -14,8 +14,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-__all__ = ["ManualPart", "load_rubric", "rubric_table", "with_rubric", "without_rubric"]
-
 FILE = "rubric.toml"
 HEADING = "## Graded by hand"
 HOW = "Your teacher gives these points, for each claim that your answer bears out."

@@ -9,8 +9,6 @@ from numpy.typing import NDArray
 from tam570.values import Numbers
 from tam570_grader.checks.case import Case
 
-__all__ = ["StudentFunction", "StudentModule"]
-
 
 class StudentFunction(Protocol):
     """A student's function of the contract."""

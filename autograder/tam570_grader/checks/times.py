@@ -6,8 +6,6 @@ from numpy.typing import NDArray
 from tam570.values import Numbers
 from tam570_grader.checks.case import Case
 
-__all__ = ["SOME_TIMES", "repeated_calls", "uneven"]
-
 Array = NDArray[np.float64]
 # kind: of an array of times, what a closed form must take, too
 SOME_TIMES = {"a single time": slice(-1, None), "times in descending order": slice(None, None, -1)}

@@ -16,8 +16,6 @@ from tam570_grader.checks.expect import NEAR_MISS, NEAR_MISS_SHARE, UNLOCKING_SH
 from tam570_grader.checks.motions import ROUGHLY, Motion, Restart, diagnosed, flat, obeys
 from tam570_grader.checks.student import StudentFunction
 
-__all__ = ["Invariant", "OwnRates", "check_conserved", "compare_invariants", "compare_trajectory"]
-
 Array = NDArray[np.float64]
 # Right physics at a loose tolerance keeps these shares of the points at these errors (of the scale), and in proportion
 # to the logarithm of the error between them and ten limits, so that no grade leaps with the seed.

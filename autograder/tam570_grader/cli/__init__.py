@@ -12,7 +12,7 @@ from tam570_grader.cli.audit import add_audit
 from tam570_grader.cli.certificates import add_certificates
 from tam570_grader.cli.exchange import add_alike, add_collect, add_export, add_lms, add_report
 from tam570_grader.cli.grade import add_grade
-from tam570_grader.cli.mark import add_mark
+from tam570_grader.cli.manual_grading import add_mark
 from tam570_grader.cli.points import add_points
 from tam570_grader.cli.release import add_course, add_gradescope, add_kit, add_stubs, add_trust
 from tam570_grader.cli.replay import add_replay

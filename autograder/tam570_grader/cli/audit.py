@@ -10,8 +10,6 @@ from tam570_grader.cli.options import Commands, add_cluster, positive
 from tam570_grader.errors import UsageError, say
 from tam570_grader.grading.executor import TaskExecutor, cores
 
-__all__ = ["add_audit"]
-
 QUICK_SEEDS = 2
 Answer = tuple[object, list[str], int]  # plain data, lines to print, faults
 Question = Callable[[Path, str, TaskExecutor, argparse.Namespace], Answer]

@@ -10,9 +10,6 @@ from tam570_grader.cli.options import Commands
 from tam570_grader.errors import UsageError, say, writing
 from tam570_grader.grading.certificates import NAMES, files
 
-__all__ = ["add_certificates"]
-
-
 YEARS = 2
 
 

@@ -10,8 +10,6 @@ from tam570_grader.cli.options import Commands
 from tam570_grader.errors import UsageError, warn
 from tam570_grader.lms.systems import SYSTEMS
 
-__all__ = ["add_alike", "add_collect", "add_export", "add_lms", "add_report"]
-
 
 def _titles(names: Iterable[str]) -> str:
     """Return the systems of these names, as in a sentence."""

@@ -23,8 +23,6 @@ if TYPE_CHECKING:
     from tam570_grader.grading.submissions import Submission
     from tam570_grader.results.store import Results
 
-__all__ = ["add_grade", "executor_of", "warn_of_isolation"]
-
 
 def add_grade(commands: Commands) -> argparse.ArgumentParser:
     """Add the command `grade`."""

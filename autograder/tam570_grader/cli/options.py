@@ -6,8 +6,6 @@ from typing import Any
 
 from tam570.values import Function
 
-__all__ = ["Commands", "add_cluster", "natural", "positive"]
-
 Commands = Any  # argparse keeps the name of its subparsers' type to itself
 
 

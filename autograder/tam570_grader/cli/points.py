@@ -12,8 +12,6 @@ from tam570_grader.results import manual_points
 from tam570_grader.results.manual_points import COLUMNS, EVERYONE, LATE
 from tam570_grader.results.store import ResultStore, results
 
-__all__ = ["add_points"]
-
 
 def add_points(commands: Commands) -> argparse.ArgumentParser:
     """Add the command `points`."""

@@ -5,8 +5,6 @@ from pathlib import Path
 
 from tam570_grader.cli.options import Commands
 
-__all__ = ["add_course", "add_gradescope", "add_kit", "add_stubs", "add_trust"]
-
 
 def _parser(commands: Commands, name: str, sentence: str) -> argparse.ArgumentParser:
     """Return the parser of a command of which one sentence tells enough."""

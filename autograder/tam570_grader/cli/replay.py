@@ -12,8 +12,6 @@ from tam570_grader.checks.failure import Failure
 from tam570_grader.cli.options import Commands
 from tam570_grader.errors import Over, UsageError, say
 
-__all__ = ["add_replay"]
-
 
 def add_replay(commands: Commands) -> argparse.ArgumentParser:
     """Add the command `replay`."""

@@ -18,8 +18,6 @@ if TYPE_CHECKING:
     from tam570_grader.results.manual_points import ManualAdjustments
     from tam570_grader.results.store import Results, ResultStore
 
-__all__ = ["RunSummary", "whole_run"]
-
 T = TypeVar("T")
 
 Record = Json  # a result line

@@ -11,9 +11,6 @@ from tam570_grader.errors import UsageError, say, writing
 from tam570_grader.grading.executor import cores
 from tam570_grader.grading.watch import COPIES, KEY, Desk, Policy, Queue
 
-__all__ = ["add_watch"]
-
-
 UNITS = {"s": 1, "m": 60, "h": 3600, "d": 86400}
 
 

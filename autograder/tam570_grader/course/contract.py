@@ -8,9 +8,6 @@ from tam570.values import Json
 from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.checks.returns import Drawing, Formula, FreeBodyDiagram, Group, ReturnSpec
 
-__all__ = ["with_points", "contract"]
-
-
 ROW = re.compile(r"^(\| `(\w+)\(.*?` *\| *)[\d.]+( *\|)", re.MULTILINE)  # of a function, in a README's table
 
 

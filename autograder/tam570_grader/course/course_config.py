@@ -25,8 +25,6 @@ from tam570_grader.course.course_toml import COLUMNS, COPY, FILE, by_slug, must,
 from tam570_grader.errors import UsageError, warn, writing
 from tam570_grader.results.tables import written
 
-__all__ = ["FILE", "ADAPTED_COURSES", "course", "course_of", "limits", "root_of", "trust"]
-
 ADAPTED_COURSES = ".course"
 VARIABLE = "TAM570_COURSE"  # of the environment: names a course, as --root does
 REMEDY = "no autograder/checks and solutions; name a checkout of the course"

@@ -10,8 +10,6 @@ from tam570.values import Json
 from tam570_grader.checks.assignments import slug_of
 from tam570_grader.errors import UsageError
 
-__all__ = ["COLUMNS", "COPY", "FILE", "by_slug", "columns", "must", "no_other", "toml"]
-
 FILE = "course.toml"
 COLUMNS = ("canvas", "blackboard", "brightspace")  # systems with a gradebook: which column is an assignment's there
 COPY = "made-by-course.toml"  # what it said, in the course that was made by it: no command makes another of that

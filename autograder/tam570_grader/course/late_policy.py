@@ -19,19 +19,6 @@ from tam570_grader.results.collected import form
 from tam570_grader.results.manual_points import EVERYONE, EXTENSION, LATE, MOST, OFF, Entry, ManualAdjustments
 from tam570_grader.results.store import Results
 
-__all__ = [
-    "KEYS",
-    "NEEDED",
-    "LatePolicy",
-    "apply_late_policy",
-    "days_between",
-    "moment",
-    "on_the_wall",
-    "policies",
-    "policies_of",
-    "stale",
-]
-
 KEYS = ("due", "extension")  # of an assignment's table
 RULES = ("off_a_day", "most_off", "grace")  # of [late], beside its zone
 NEEDED = ("student", "assignment", "file", "when", "late")  # columns of collected.csv

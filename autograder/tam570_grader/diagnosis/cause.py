@@ -7,8 +7,6 @@ from typing import Protocol
 from tam570.values import Numbers
 from tam570_grader.checks.case import Case
 
-__all__ = ["Answer", "Called", "Cause"]
-
 
 class Called(Protocol):
     """A call that a check made, and the result that came back."""

@@ -12,8 +12,6 @@ from tam570_grader.checks.case import Case
 from tam570_grader.diagnosis.cause import Called
 from tam570_grader.diagnosis.mistakes import OF_MOTIONS, has_numbers, is_motion, parts
 
-__all__ = ["ComparedCall", "compared_call", "count_informative"]
-
 INFORMATIVE = 1e-3  # of the right answer: what is smaller may be what cancels
 CLEARLY = 0.03  # of the size of a column: where a motion is off by so much, its later rows need not be compared
 FEW = 3  # rows of a motion that is right

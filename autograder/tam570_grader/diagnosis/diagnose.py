@@ -9,8 +9,6 @@ from tam570_grader.diagnosis.cause import Called, Cause
 from tam570_grader.diagnosis.mistakes import candidates, explains, named_mistake
 from tam570_grader.diagnosis.search import general, wrong_arguments
 
-__all__ = ["diagnose", "follows"]
-
 
 def diagnose(
     solution: str, folder: Path, calls: Sequence[Called], earlier: Sequence[Cause] = (), *, may_follow: bool = True

@@ -33,25 +33,6 @@ from tam570_grader.diagnosis.cause import Answer, Called, Cause
 from tam570_grader.diagnosis.mutants import reached
 from tam570_grader.protocol.wire import packed
 
-__all__ = [
-    "OF_MOTIONS",
-    "WITHIN",
-    "Mistake",
-    "has_numbers",
-    "answer",
-    "candidates",
-    "computed",
-    "explains",
-    "is_motion",
-    "named_mistake",
-    "mistake",
-    "mistakes",
-    "overlays",
-    "parts",
-    "right_answer",
-    "solution_with",
-]
-
 CANCELLED = 1e-14  # what rounding leaves where numbers of order one cancel, and a wrong answer is exactly zero
 WITHIN = 1e-6  # random inputs tell mistakes further apart
 OF_MOTIONS = 1e-3  # two integrations of one wrong equation differ by their tolerances
@@ -230,6 +211,7 @@ def _explains_all(solution: str, mistake: Mistake, groups: dict[str, list[Called
 
 
 def tolerance_of(call: Called) -> float:
+    """Return how closely numbers must agree, of the largest: rows of a motion less so."""
     return OF_MOTIONS if is_motion(call) else WITHIN
 
 
@@ -324,6 +306,7 @@ def _code(text: str) -> CodeType:
 
 
 def same(result: Numbers, wrong: Numbers, tolerance: float) -> bool:
+    """Return whether two answers agree within a tolerance, of the largest number; of no value each agrees."""
     if any(np.iscomplexobj(part) for part in parts(wrong)):
         return False  # a root of something negative; results are real
     if result is None or result is NoValue or wrong is NoValue:

@@ -13,8 +13,6 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TypeVar
 
-__all__ = ["Mutant", "changed_expressions", "reached", "replaced", "mutants_of"]
-
 COUNTERPARTS = {
     "sin": "cos",
     "cos": "sin",

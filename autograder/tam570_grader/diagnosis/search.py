@@ -34,8 +34,6 @@ from tam570_grader.diagnosis.transforms import (
     other_results,
 )
 
-__all__ = ["general", "wrong_arguments"]
-
 FEWEST = 2  # wrong answers: one may agree by chance
 MOST = 1_000_000  # steps of all variants, about a second; what is named takes a third of them
 OF_ONE = 100_000  # steps of one variant in one call: a mutant may go round for ever

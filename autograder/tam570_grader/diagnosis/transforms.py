@@ -16,8 +16,6 @@ from tam570_grader.checks.case import Case
 from tam570_grader.diagnosis.compared_call import ComparedCall
 from tam570_grader.diagnosis.mistakes import parts
 
-__all__ = ["WrongArgument", "other_arguments", "other_forms", "other_products", "other_results"]
-
 SPACE = 3  # components of a vector
 ORDINALS = ("first ", "second ", "third ", "fourth ", "fifth ", "sixth ")  # results of a function
 AXES = {1: ("component",), 2: ("row", "column"), 3: ("segment", "end", "component")}  # of an array, by their number

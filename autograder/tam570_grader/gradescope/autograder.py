@@ -14,8 +14,6 @@ from tam570_grader.reports.feedback import overall
 from tam570_grader.results.store import Record
 from tam570_grader.results.tables import written
 
-__all__ = ["results", "run"]
-
 TEMPLATES = Path(__file__).parent / "templates"
 EXECUTABLE, PRIVATE = 0o755 << 16, 0o600 << 16  # of a file in an archive
 ENGINE = ("pyproject.toml", "README.md", "LICENSE", "shared/tam570", "autograder/tam570_grader")

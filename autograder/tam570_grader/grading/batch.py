@@ -32,8 +32,6 @@ from tam570_grader.sandbox.preload import imported
 from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.zygote import ResourceLimits
 
-__all__ = ["CachedResult", "RunConfig", "digests", "grade", "lines", "outcomes", "records"]
-
 FEW = 4  # submissions a process, for which to start one repays
 HELD = 2**26  # bytes of submissions that are held until they are handed out; others are read twice
 

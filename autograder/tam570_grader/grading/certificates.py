@@ -4,8 +4,6 @@ from pathlib import Path
 
 from tam570_grader.errors import UsageError
 
-__all__ = ["NAMES", "files"]
-
 NAMES = ("certificate.pem", "key.pem")
 
 

@@ -20,8 +20,6 @@ from tam570_grader.errors import UsageError, say
 from tam570_grader.grading.executor import PREFETCH, TaskExecutor
 from tam570_grader.sandbox.launch import isolation
 
-__all__ = ["Cluster"]
-
 ASKED = 2.0  # s between looks at how many workers there are
 LEAST = 4  # tasks that are handed out, however few workers there are
 PATIENCE = 20  # s, for a scheduler to answer

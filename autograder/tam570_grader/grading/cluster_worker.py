@@ -17,8 +17,6 @@ from tam570_grader.errors import UsageError
 from tam570_grader.sandbox.launch import isolation
 from tam570_grader.sandbox.pool import sandboxes
 
-__all__ = ["Course", "course_for", "refusal", "there"]
-
 LIBRARIES = ("numpy", "scipy", "sympy", "matplotlib")  # scores may depend on them
 _courses = dict[str, "Course"]()  # that this worker has, by name
 

@@ -25,8 +25,6 @@ from tam570.values import Function
 from tam570_grader.sandbox.launch import hide_from_submissions
 from tam570_grader.sandbox.pool import TRIES, sandboxes
 
-__all__ = ["PREFETCH", "TaskExecutor", "WorkerLost", "cores", "executor", "in_order", "run_tasks", "serve"]
-
 PREFETCH = 2  # bunches of tasks a job that are handed out: one is worked on, one waits
 CHUNK = 8  # tasks at most: to hand one out costs the head more than to read it
 SERVE = "from tam570_grader.grading.executor import serve; serve()"

@@ -8,9 +8,6 @@ from tam570_grader.checks.assignments import ADDITIONS
 from tam570_grader.course.course_config import limits
 from tam570_grader.errors import UsageError
 
-__all__ = ["prove"]
-
-
 SEEDS = 3  # with which checks of a course's own are tried on the solution and the stub
 
 

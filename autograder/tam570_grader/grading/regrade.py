@@ -8,8 +8,6 @@ from tam570_grader.checks.assignments import slug_of
 from tam570_grader.grading.submissions import Submission
 from tam570_grader.results.store import Key, Record, key_of
 
-__all__ = ["Change", "change", "gone", "table"]
-
 
 @dataclass(frozen=True)
 class Change:

@@ -14,8 +14,6 @@ from tam570_grader.errors import UsageError
 from tam570_grader.grading.submissions import folder_of
 from tam570_grader.results.tables import table
 
-__all__ = ["Directory", "Person", "folders", "groups", "names", "people", "students", "table"]
-
 # Headings that tell people apart, and what kind of id each holds. Folders are named after the first that a row has,
 # so the login comes first; the number of a participant is last, for it is another in every assignment.
 IDS = {

@@ -9,8 +9,6 @@ from pathlib import Path
 from tam570_grader.errors import UsageError, warn, writing
 from tam570_grader.results.store import Results, common_seed
 
-__all__ = ["derive", "key", "new_seed", "seed"]
-
 BITS = 128  # of a seed: what pages tell of the inputs is far too little to find it by trying
 SHORTEST_KEY = 16  # bytes
 OTHERS = 0o077  # of a file's mode: what others may do with it

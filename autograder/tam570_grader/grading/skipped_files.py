@@ -10,8 +10,6 @@ from tam570_grader.grading import roster
 from tam570_grader.grading.submissions import GIVEN, MOST_NAMES, BadPath, Submission, entries, holds_students, of_name
 from tam570_grader.results.collected import form
 
-__all__ = ["not_handed_in", "skipped_files"]
-
 PACKED = (".zip", ".txt", ".gz", ".7z", ".rar", ".tar")  # forms in which work is handed in by mistake
 REMEDY = "name it after its assignment, as hw08.py, or name the assignment with --assignment"
 

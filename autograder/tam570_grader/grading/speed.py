@@ -10,11 +10,10 @@ from tam570.values import Json
 from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.checks.expect import Failed, NotWritten
 from tam570_grader.results.run_time import Speed, scenes, time_to
+from tam570_grader.sandbox.imports import NotLoaded
 from tam570_grader.sandbox.process import ProcessLost
-from tam570_grader.sandbox.student import BudgetSpent, NotLoaded, Source, Student
+from tam570_grader.sandbox.student import BudgetSpent, Source, Student
 from tam570_grader.sandbox.zygote import Zygote
-
-__all__ = ["Yardstick"]
 
 OURS = "tam570, Python"  # the method of the reference solutions, in the sandbox
 USELESS = 1e-2  # an error beyond which the time says nothing

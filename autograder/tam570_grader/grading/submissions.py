@@ -17,23 +17,6 @@ from tam570_grader.errors import UsageError, printable
 from tam570_grader.results.collected import form
 from tam570_grader.sandbox.student import Source
 
-__all__ = [
-    "GIVEN",
-    "MOST_FILES",
-    "MOST_NAMES",
-    "BadPath",
-    "CannotRead",
-    "Submission",
-    "entries",
-    "folder_of",
-    "handed_in",
-    "holds_students",
-    "of_folder",
-    "of_name",
-    "read",
-    "submissions",
-]
-
 LONGEST_NAME = 255  # bytes, of a file
 MOST_KEPT = 40  # characters of an id that is no name of a folder
 NO_NAME = '/\\<>:"|?*'  # in the name of a folder, on any system

@@ -7,14 +7,13 @@ from pathlib import Path
 
 from tam570_grader.checks import assignments, expected
 from tam570_grader.errors import UsageError
-from tam570_grader.grading.one import Result, failed_by_us, graded, not_graded
+from tam570_grader.grading.run_checks import failed_by_us, graded, not_graded
 from tam570_grader.grading.speed import Yardstick
 from tam570_grader.grading.submissions import CannotRead
+from tam570_grader.results.records import Result
 from tam570_grader.sandbox.pool import Attempt, tried
 from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.zygote import NotConfined, ResourceLimits, Zygote, ZygoteLost
-
-__all__ = ["WorkerConfig", "GradeTask", "line", "lost", "result"]
 
 NO_JAIL = "submissions cannot be confined on this machine, and without that none is graded: {why}"
 

@@ -34,8 +34,6 @@ from tam570_grader.results.tables import written
 from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.zygote import ResourceLimits
 
-__all__ = ["Arrival", "Policy", "Queue", "Desk"]
-
 JOURNAL, COPIES, KEY, STATUS = "watch.jsonl", "attempts", "watch.key", "status.html"
 SETTLED = 0.2  # s for which a file has not changed when it is taken: it may be being written
 CHUNK = 12  # submissions of each supervisor between two looks at the folder

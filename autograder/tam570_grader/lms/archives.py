@@ -13,8 +13,6 @@ from tam570.notebooks import LARGEST, LARGEST_WITH_OUTPUTS, without_outputs
 from tam570_grader.errors import UsageError, printable
 from tam570_grader.results.collected import form
 
-__all__ = ["File", "Quota", "unpack_zip", "is_beside", "members", "shortened"]
-
 MOST = 100_000  # files in a download
 MOST_INSIDE = 1000  # files of a student, in zip files of their own too
 MOST_UNPACKED = 2 * LARGEST  # bytes of all work of a student: every student's is held until all are read

@@ -12,8 +12,6 @@ from tam570_grader.lms.archives import File
 from tam570_grader.lms.systems import SYSTEMS, System
 from tam570_grader.results.collected import form
 
-__all__ = ["Handed", "fields_of", "read", "time_of"]
-
 AGAIN = re.compile(r"-(\d{1,9})(?=\.\w+$)")  # what Canvas puts into the name of a file that is handed in again
 
 

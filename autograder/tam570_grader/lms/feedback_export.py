@@ -17,8 +17,6 @@ from tam570_grader.lms.systems import SYSTEMS
 from tam570_grader.results.collected import form, listed
 from tam570_grader.results.tables import written
 
-__all__ = ["run"]
-
 NEEDED = ("student", "assignment", "file", "from")  # columns of collected.csv
 
 

@@ -12,8 +12,6 @@ from tam570.notebooks import LARGEST
 from tam570_grader.errors import UsageError
 from tam570_grader.lms.archives import File
 
-__all__ = ["Table", "table_in"]
-
 NAME = "submission_metadata.yml"
 FOLDER = re.compile(r"submission_[0-9]+")  # of one submission
 WANTED = (b"  :submitters:", b"  :created_at:")

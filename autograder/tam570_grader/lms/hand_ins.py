@@ -13,8 +13,6 @@ from tam570_grader.grading.watch import JOURNAL
 from tam570_grader.lms.submission_import import OLDER
 from tam570_grader.results.collected import form, listed
 
-__all__ = ["hand_ins"]
-
 DAYS = 8  # before the date that are told apart, the first of them with all that is earlier
 HandIn = tuple[str, str, datetime | None]  # student, assignment, time
 

@@ -25,8 +25,6 @@ from tam570_grader.results.manual_points import (
 from tam570_grader.results.store import Results
 from tam570_grader.results.tables import write_table
 
-__all__ = ["checked_rows", "write_template"]
-
 NEED_A_REASON = (ADJUST, TOTAL, EXCUSED)  # and a check
 Manual = Mapping[str, tuple[float, str]]  # part: points given by hand, and for what
 Rubric = Mapping[str, ManualPart]  # by part

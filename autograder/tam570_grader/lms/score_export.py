@@ -12,8 +12,6 @@ from tam570_grader.lms.systems import SYSTEMS, Table
 from tam570_grader.results.manual_points import EX
 from tam570_grader.results.tables import cell, name_in, table, write_table
 
-__all__ = ["Export", "Scores", "export", "read_scores", "run"]
-
 # (student, assignment): score and largest score, as in the file; EX in the place of a score
 Scores = Mapping[tuple[str, str], tuple[str, str]]
 
@@ -84,7 +82,7 @@ def export(
     keys = (layout.identities[identity],) if layout.identities else layout.keys
     if roster is None:
         return _without_roster(scores, slugs, layout, keys)
-    heading, *below = rosters.table(roster)
+    heading, *below = table(roster)
     heading = [name.strip() for name in heading]
     own_keys = [name for name in heading if name in keys]
     if not own_keys or (layout.identities and keys[0] not in heading):

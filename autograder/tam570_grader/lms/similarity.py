@@ -16,8 +16,6 @@ from tam570_grader.grading.submissions import CannotRead, submissions
 from tam570_grader.lms.similarity_export import code
 from tam570_grader.sandbox.notebooks import Unshown, statements_of
 
-__all__ = ["Pair", "pairs", "run"]
-
 SHORTEST = 25  # characters of code without names that must agree to count: two statements
 LONGEST = 100_000  # characters of code; the longest solution has 13,000
 WINDOW = 5  # of the fingerprints that lie so close one is kept

@@ -15,8 +15,6 @@ from tam570_grader.grading.submissions import CannotRead, Submission, read, subm
 from tam570_grader.results.tables import write_table
 from tam570_grader.sandbox.notebooks import Unshown, python_of
 
-__all__ = ["code", "run"]
-
 NAMES = "names.csv"
 COMMANDS = {
     "dolos": "dolos run -l python --ignore base/{slug}.py info.csv",

@@ -15,8 +15,6 @@ from tam570_grader.lms.systems import SYSTEMS
 from tam570_grader.results.collected import COLUMNS, TABLE, form, listed
 from tam570_grader.results.tables import table, write_table, written
 
-__all__ = ["run"]
-
 NOT_WORK = "neither a module (.py) nor a notebook (.ipynb): ask the student for one"
 NAMELESS = "cannot tell the assignment: give it with --assignment"
 OLDER, RELEASED = "older", "came with the assignment"  # why a file is left, where all is well

@@ -8,8 +8,6 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-__all__ = ["SYSTEMS", "System", "Table"]
-
 NUMBER = "[0-9]{1,20}"
 
 

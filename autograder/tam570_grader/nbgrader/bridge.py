@@ -38,8 +38,6 @@ from tam570_grader.results.store import Record, ResultStore
 from tam570_grader.sandbox.notebooks import Unshown, cells_of
 from tam570_grader.sandbox.zygote import ResourceLimits
 
-__all__ = ["ForgivingExporter", "KeepPictures", "RestoreMetadata", "SandboxGrades", "markdown_without_html"]
-
 Resources = Any
 Outcome = tuple[Notebook, Resources]
 

@@ -13,8 +13,6 @@ from tam570_grader.release.notebook import FORMAT
 from tam570_grader.reports.feedback import SIGNS, AssignmentInfo, overall, pictures, template
 from tam570_grader.results.store import Record
 
-__all__ = ["Notebook", "grade_id", "marked", "node", "remark", "pictures_only", "rebuilt", "safe"]
-
 Notebook = Any  # nbformat's own types say no more
 
 # Of a student's outputs; HTML and SVG could carry scripts to the teacher.

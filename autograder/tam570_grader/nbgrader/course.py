@@ -12,8 +12,6 @@ from tam570_grader.errors import UsageError, counted, say, writing
 from tam570_grader.release.notebook import write_notebook
 from tam570_grader.results.tables import written
 
-__all__ = ["run"]
-
 TEMPLATES = Path(__file__).parent / "templates"
 
 

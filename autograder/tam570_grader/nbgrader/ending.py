@@ -14,8 +14,6 @@ from sqlalchemy.engine import Engine, ExceptionContext
 
 from tam570_grader.errors import say
 
-__all__ = ["Lost", "WholeTable", "end_in_one_line"]
-
 LOST = """nbgrader: error: the gradebook's server {url} does not answer ({why}). Start it, or mend \
 CourseDirectory.db_url in nbgrader_config.py; then give the same command again."""
 

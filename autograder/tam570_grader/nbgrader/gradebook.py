@@ -8,8 +8,6 @@ from nbgrader.converters import autograde  # type: ignore[import-untyped]
 from nbgrader.preprocessors import latesubmissions, overwritecells, overwritekernelspec, saveautogrades  # type: ignore[import-untyped]
 from sqlalchemy.orm import scoped_session, sessionmaker
 
-__all__ = ["OpenGradebook", "keep_gradebooks_open"]
-
 OPENERS = (autograde, latesubmissions, overwritecells, overwritekernelspec, saveautogrades)
 
 

@@ -16,8 +16,6 @@ from tam570.formulas import form_of
 from .picture import picture
 from .wire import portable
 
-__all__ = ["answer", "error_report", "seed_generators"]
-
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
 
 LONGEST_TEXT = 300

@@ -8,8 +8,6 @@ from typing import Any
 
 from tam570.notebooks import text_of
 
-__all__ = ["plain_cells", "python", "statements"]
-
 MOST_CELLS, MOST_OUTPUTS = 500, 50
 LONGEST_TEXT = 10_000  # characters of a text: the time to make a page of it may go with the square
 MOST_TEXT = 100_000  # characters of all texts

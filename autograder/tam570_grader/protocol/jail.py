@@ -21,8 +21,6 @@ from pathlib import Path
 
 from .refusals import LIBC, refuse_calls
 
-__all__ = ["SCRATCH", "Limits", "confine", "hidden_from_debuggers", "secede", "watch"]
-
 NEW_MOUNTS, NEW_IPC, NEW_USER, NEW_PROCESSES = 0x20000, 0x8000000, 0x10000000, 0x20000000
 # mount flags; private is recursive
 PRIVATE, BIND, REMOUNT, NO_PROGRAMS, NO_DEVICES, NO_SUID, READ_ONLY = 0x44000, 0x1000, 32, 8, 4, 2, 1

@@ -10,8 +10,6 @@ from typing import Any, cast
 from tam570 import notebooks
 from tam570.bans import HERE, IN_ONE, Unusable, must_be_allowed, must_be_there
 
-__all__ = ["compiled", "load"]
-
 CodeCell = tuple[str, CodeType]  # a notebook's cell, or "", and its code
 
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire

@@ -14,8 +14,6 @@ import numpy as np
 
 from .wire import LARGEST_ARRAY
 
-__all__ = ["picture"]
-
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
 
 LONGEST_TEXT = 300

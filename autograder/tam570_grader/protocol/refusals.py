@@ -16,8 +16,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 
-__all__ = ["LIBC", "program", "refuse_calls"]
-
 LIBC = ctypes.CDLL(None, use_errno=True)
 
 # fcntl: to copy a descriptor, its flags and those of the file; no locks, leases, watches and hints

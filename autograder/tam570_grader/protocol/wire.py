@@ -13,20 +13,6 @@ from numpy import array, asarray, frombuffer, generic, ndarray
 # What a submission does to the built-in functions must not reach those below.
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]
 
-__all__ = [
-    "DEEPEST",
-    "LARGEST_ARRAY",
-    "MOST_DIMENSIONS",
-    "Foreign",
-    "ItemBudget",
-    "Unreadable",
-    "packed",
-    "portable",
-    "request",
-    "stacked",
-    "unpacked",
-]
-
 FOREIGN, TYPES = 2, {1: "<f8", 3: "<c16"}  # codes of extensions
 LARGEST_ARRAY = 2**24  # bytes; the largest honest result, 1e5 rows of 15 numbers, has 12e6
 MOST_ITEMS = 2**20  # of lists and maps in the answers to one request; a number in a list takes 70 bytes

@@ -27,8 +27,6 @@ from .load import compiled, load
 from .refusals import program
 from .wire import packed, stacked, unpacked
 
-__all__ = ["main"]
-
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
 
 LENGTH = struct.Struct(">I")

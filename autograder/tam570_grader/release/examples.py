@@ -19,13 +19,11 @@ from tam570_grader.checks.expect import check_context
 from tam570_grader.checks.returns import Drawing, Formula
 from tam570_grader.diagnosis.mistakes import Mistake, mistakes, solution_with
 from tam570_grader.errors import say
-from tam570_grader.grading.one import generator
+from tam570_grader.grading.run_checks import generator
 from tam570_grader.results.tables import written
 from tam570_grader.sandbox.pool import sandboxes, tried
 from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.zygote import ResourceLimits
-
-__all__ = ["caught", "examples_of", "write"]
 
 PUBLIC_SEED = 1
 MOST_NUMBERS = 160  # of an example's arguments and results together

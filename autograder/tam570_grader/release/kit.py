@@ -16,8 +16,6 @@ from tam570_grader.errors import UsageError, say, writing
 from tam570_grader.release.notebook import write_notebook
 from tam570_grader.results.tables import written
 
-__all__ = ["run"]
-
 OF_THE_GRADER = ("msgpack", "tqdm")  # what the students' side does without
 NOT_FOR_STUDENTS = shutil.ignore_patterns("__pycache__", ".*", "*.pyc")
 EXAMPLE = "hw08_axis_angle"  # in the page; in a course without it, the first assignment

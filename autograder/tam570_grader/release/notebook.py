@@ -15,19 +15,6 @@ from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.checks.rubric import ManualPart, rubric_table, without_rubric
 from tam570_grader.results.tables import written
 
-__all__ = [
-    "FORMAT",
-    "Problem",
-    "functions_by_part",
-    "notebook",
-    "part_of",
-    "part_points",
-    "problem",
-    "visible_by_part",
-    "text_cell",
-    "write_notebook",
-]
-
 TEMPLATES = Path(__file__).parent / "templates"
 CellRecord = Json
 Definitions = Mapping[str, ast.FunctionDef]

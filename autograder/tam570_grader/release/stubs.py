@@ -12,8 +12,6 @@ from tam570_grader.checks.rubric import load_rubric, with_rubric
 from tam570_grader.course.contract import contract, with_points
 from tam570_grader.errors import say
 
-__all__ = ["exported", "run", "stub"]
-
 BODY = "raise NotImplementedError"
 
 

@@ -26,21 +26,6 @@ if TYPE_CHECKING:
 
     from tam570_grader.reports.pictures import Among, Picture, Sketch
 
-__all__ = [
-    "SIGNS",
-    "AssignmentInfo",
-    "must_write_pages",
-    "overall",
-    "page",
-    "pictures",
-    "row",
-    "load_assignment_info",
-    "table",
-    "template",
-    "with_hand",
-    "write_pages",
-]
-
 SIGNS = {"passed": "+", "failed": "-", "not_run": "o", "grader_error": "!"}
 HEADINGS: tuple[str, ...] = ("student", "assignment", "score", "status", "time", "what to look at first")
 NOTES = {

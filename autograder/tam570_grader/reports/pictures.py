@@ -9,8 +9,6 @@ from tam570_grader.checks.curves import Curve
 from tam570_grader.reports.sentences import quantity
 from tam570_grader.results.run_time import Speed, scenes, time_to
 
-__all__ = ["Among", "Picture", "Sketch", "among", "picture", "sketch"]
-
 LEFT, RIGHT, TOP, BOTTOM = 52, 350, 10, 166  # of the frame, in a drawing of 360 by 200: a phone's pixels
 DOT = 20  # up to so many samples are marked one by one
 LAST = 268  # of the frame where the names of curves stand to the right of it

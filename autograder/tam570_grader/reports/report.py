@@ -24,8 +24,6 @@ from tam570_grader.results.shared import Notes
 from tam570_grader.results.store import Key, stream
 from tam570_grader.results.tables import written
 
-__all__ = ["newest", "report", "results", "run"]
-
 SLOWEST = 20  # submissions that are listed
 SCENES = 3  # of the commonest mistakes
 BINS = 10  # of a distribution of scores

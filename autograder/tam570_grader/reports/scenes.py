@@ -25,8 +25,6 @@ from tam570_grader.checks.assignments import checks_folder
 from tam570_grader.checks.failure import Failure
 from tam570_grader.diagnosis.mistakes import mistakes, solution_with
 
-__all__ = ["Pair", "wrong_and_right"]
-
 SIZE = (5.0, 2.8)  # inches
 COLOURS = 32
 ARROW = 50  # of a diagram's 200

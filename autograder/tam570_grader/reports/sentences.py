@@ -6,17 +6,6 @@ from math import inf, isfinite
 
 from tam570_grader.checks.failure import Failure
 
-__all__ = [
-    "capitalized",
-    "known_mistake",
-    "describe_failure",
-    "points",
-    "quantity",
-    "sentence",
-    "typeset",
-    "full_message",
-]
-
 DIGITS = range(2, 17)  # of a number: two, or as many as tell an error from its limit
 
 EQUAL = 1e-9  # points: sums of the same ones differ by less

@@ -6,9 +6,6 @@ from pathlib import Path
 from tam570_grader.errors import UsageError
 from tam570_grader.results.tables import name_in, table
 
-__all__ = ["COLUMNS", "TABLE", "WORK", "form", "listed"]
-
-
 COLUMNS = ("student", "name", "assignment", "file", "when", "late", "from", "note")
 
 

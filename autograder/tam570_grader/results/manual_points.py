@@ -18,32 +18,6 @@ from tam570_grader.errors import UsageError
 from tam570_grader.results.records import Result
 from tam570_grader.results.tables import lines, name_in, write_table
 
-__all__ = [
-    "ADJUST",
-    "COLUMNS",
-    "DROP",
-    "EVERYONE",
-    "EX",
-    "EXCUSED",
-    "EXTENSION",
-    "LATE",
-    "MOST",
-    "OFF",
-    "OF_THE_TERM",
-    "SLIP",
-    "TOTAL",
-    "WORDS",
-    "Earned",
-    "Entry",
-    "GradeRow",
-    "ManualAdjustments",
-    "AdjustedScore",
-    "join",
-    "read",
-    "rows_of",
-    "write",
-]
-
 Key = tuple[str, str]  # student, assignment
 Score = float | str | None  # EX in the place of the score of who is excused
 Earned = Callable[[], Mapping[str, float | None]]  # the points of each check, asked for where a row names one

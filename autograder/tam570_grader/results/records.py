@@ -12,8 +12,6 @@ from tam570.values import Json
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.failure import Failure
 
-__all__ = ["FORMAT", "CheckResult", "Result", "failure", "numbers", "read", "write"]
-
 FORMAT = 3  # of a result line; those of another format are refused
 WRITTEN_OUT = 64  # elements of an array; longer ones are kept as their bytes
 

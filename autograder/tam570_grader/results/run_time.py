@@ -8,8 +8,6 @@ from pathlib import Path
 
 from tam570.values import Json
 
-__all__ = ["Speed", "scenes", "time_to"]
-
 Speed = Json  # function, scene, seconds, error, machine: plain data
 
 

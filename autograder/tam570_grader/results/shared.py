@@ -15,8 +15,6 @@ import numpy as np
 from tam570_grader.checks.failure import Failure
 from tam570_grader.results.records import Result
 
-__all__ = ["Notes", "Shared"]
-
 DIGITS = 12
 FEW = 5  # digits that a number may have by chance
 UNITS = (np.pi, np.sqrt(2), np.sqrt(3), np.sqrt(5), np.e)  # of numbers that anybody may write

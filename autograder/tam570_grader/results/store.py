@@ -18,8 +18,6 @@ from tam570_grader.results.manual_points import GradeRow
 from tam570_grader.results.records import Result
 from tam570_grader.results.tables import table_text, written
 
-__all__ = ["ResultStore", "Key", "Line", "Record", "Results", "common_seed", "key_of", "read", "results", "stream"]
-
 Key = tuple[str, str]  # student, assignment
 Record = Json  # a result line, with "digest": of all that the result depends on
 SummaryRow = Callable[[Record], Any]

@@ -10,8 +10,6 @@ from typing import TypeVar
 
 from tam570_grader.errors import UsageError, say, warn
 
-__all__ = ["cell", "lines", "name_in", "table", "table_text", "write_table", "written"]
-
 Cell = TypeVar("Cell")
 DELIMITERS = ",;\t"
 # how formulas begin; spreadsheets take the wide forms for the narrow ones

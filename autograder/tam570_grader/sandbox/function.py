@@ -18,8 +18,6 @@ from tam570_grader.checks.returns import Drawing, Formula, FreeBodyDiagram, resu
 from tam570_grader.sandbox.imports import misused, python_class, sentence_of_ban
 from tam570_grader.sandbox.replies import error_of, strings
 
-__all__ = ["Call", "SandboxFunction"]
-
 REAL = 1e-12  # of a value: complex exponentials that make it real leave 1e-25 of imaginary part
 ROUNDING = 1e-25  # where they cancel to zero
 MISCALLED = re.compile(r"\S+\(\) (?:got|missing|takes) .*")  # what Python says of arguments that do not fit

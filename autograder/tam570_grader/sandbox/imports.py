@@ -14,8 +14,6 @@ from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.errors import Over, printable
 from tam570_grader.sandbox.replies import error_of
 
-__all__ = ["NotLoaded", "sentence_of_ban", "misused", "not_compiled", "not_imported", "python_class", "skipped_cells"]
-
 MOST_CELLS = 3  # of a notebook, that are named: which ones is the notebook's to choose
 LONGEST_WORD = 60
 WORD = r"[\w.]+"

@@ -16,8 +16,6 @@ import tam570
 from tam570_grader.errors import UsageError
 from tam570_grader.protocol.jail import SCRATCH, hidden_from_debuggers
 
-__all__ = ["environment", "hide_from_submissions", "isolation", "jailed_command", "other_packages", "plain_command"]
-
 # The package `protocol` alone is imported of what lies beside it.
 BOOT = """
 import importlib.util, json, sys

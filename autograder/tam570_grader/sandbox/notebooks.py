@@ -9,8 +9,6 @@ from tam570_grader.sandbox.process import ProcessLost, ProcessTimeout
 from tam570_grader.sandbox.replies import error_of
 from tam570_grader.sandbox.zygote import ResourceLimits, Zygote, ZygoteLost
 
-__all__ = ["Unshown", "cells_of", "python_of", "statements_of"]
-
 READING = ResourceLimits(memory=2**30, cpu=10, call=10)
 
 

@@ -9,8 +9,6 @@ from typing import Any, TypeVar
 
 from tam570_grader.sandbox.zygote import ResourceLimits, Zygote, ZygoteLost
 
-__all__ = ["ATTEMPTS", "ONLY", "TRIES", "Attempt", "sandboxes", "tried"]
-
 TRIES = 3  # workers, or supervisors, that a submission may see die under it before we give up
 MOST = 12  # workers of a thread that are kept
 T = TypeVar("T")

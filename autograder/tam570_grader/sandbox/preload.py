@@ -2,8 +2,6 @@
 
 import re
 
-__all__ = ["imported"]
-
 COMMON = (
     *("matplotlib.pyplot", "scipy.integrate", "scipy.linalg", "scipy.optimize", "scipy.special", "sympy"),
     *("tam570.integrate", "tam570.rotations"),

@@ -10,8 +10,6 @@ from typing import Any, TypeVar
 
 from tam570_grader.protocol.wire import ItemBudget, Unreadable, packed, unpacked
 
-__all__ = ["PATIENCE", "SandboxProcess", "ProcessLost", "ProcessTimeout"]
-
 LENGTH = struct.Struct(">I")
 LARGEST_REPLY = 2**26  # bytes, of all replies to one request
 SHORT = 1000  # bytes of a reply, which takes some microseconds to read

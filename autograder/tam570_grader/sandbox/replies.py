@@ -19,8 +19,6 @@ from tam570_grader.errors import printable
 from tam570_grader.protocol.wire import DEEPEST, MOST_DIMENSIONS, Foreign
 from tam570_grader.sandbox.process import ProcessLost
 
-__all__ = ["checked", "error_of", "imported", "strings"]
-
 Reply = Json
 
 MOST_KINDS = 20  # classes of an exception

@@ -19,8 +19,6 @@ from tam570_grader.sandbox.process import PATIENCE, ProcessLost, ProcessTimeout,
 from tam570_grader.sandbox.replies import checked, imported
 from tam570_grader.sandbox.zygote import Zygote, ZygoteLost
 
-__all__ = ["BudgetSpent", "NotLoaded", "Source", "Student"]
-
 
 @dataclass(frozen=True)
 class Source:

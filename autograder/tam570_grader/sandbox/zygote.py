@@ -19,8 +19,6 @@ from tam570_grader.sandbox.launch import environment, isolation, jailed_command,
 from tam570_grader.sandbox.process import ProcessLost, ProcessTimeout, SandboxProcess
 from tam570_grader.sandbox.replies import checked, imported
 
-__all__ = ["ResourceLimits", "NotConfined", "Zygote", "ZygoteLost"]
-
 FILE_SIZE = 2**25  # bytes a submission may write into its scratch folder
 LOWEST_USER, USERS = 20_000, 40_000  # ids that belong to nobody, within what most containers map
 CANARY = b"""

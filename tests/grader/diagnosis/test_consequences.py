@@ -3,7 +3,7 @@
 import pytest
 from parameters import first
 
-from tam570_grader.grading.one import FOLLOWING_SHARE
+from tam570_grader.grading.run_checks import FOLLOWING_SHARE
 
 
 @pytest.fixture

@@ -11,7 +11,7 @@ from tam570_grader.checks import assignments
 from tam570_grader.checks.effort import Exhausted, compile_counted, limited
 from tam570_grader.diagnosis import diagnose
 from tam570_grader.grading import budget, one
-from tam570_grader.grading.one import graded
+from tam570_grader.grading.run_checks import graded
 from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.zygote import ResourceLimits
 

@@ -15,7 +15,7 @@ from tam570_grader.checks import assignments
 from tam570_grader.checks.failure import WHOLE
 from tam570_grader.diagnosis.mistakes import overlays
 from tam570_grader.gradescope import autograder
-from tam570_grader.grading.one import failed_by_us
+from tam570_grader.grading.run_checks import failed_by_us
 from tam570_grader.lms import score_export
 from tam570_grader.lms.systems import SYSTEMS
 from tam570_grader.release.stubs import stub

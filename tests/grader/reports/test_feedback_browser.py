@@ -20,7 +20,7 @@ def folder(tmp_path_factory, course, zygotes):
     """The results of a small class with its pages and its report."""
     from tam570_grader.checks import assignments
     from tam570_grader.diagnosis.mistakes import overlays
-    from tam570_grader.grading.one import graded, not_graded
+    from tam570_grader.grading.run_checks import graded, not_graded
     from tam570_grader.grading.speed import Yardstick
     from tam570_grader.results import store
     from tam570_grader.sandbox.student import Source

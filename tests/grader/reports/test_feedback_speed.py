@@ -9,7 +9,7 @@ import pytest
 
 from tam570_grader import cli
 from tam570_grader.checks import assignments
-from tam570_grader.grading.one import graded
+from tam570_grader.grading.run_checks import graded
 from tam570_grader.grading.speed import SHORTEST, Yardstick
 from tam570_grader.reports.pictures import BOTTOM, LAST, LEFT, TOP, among
 from tam570_grader.results.run_time import scenes

@@ -11,7 +11,7 @@ from classes import HW08, hand_in, notebook
 from tam570_grader import cli
 from tam570_grader.checks import assignments
 from tam570_grader.grading import submissions
-from tam570_grader.grading.one import graded
+from tam570_grader.grading.run_checks import graded
 from tam570_grader.grading.supervisor import GradeTask, WorkerConfig, result
 from tam570_grader.sandbox import zygote
 from tam570_grader.sandbox.launch import isolation, other_packages

@@ -6,7 +6,7 @@ import pytest
 from tam570_grader.checks import assignments
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed, check_context, expect
-from tam570_grader.grading.one import graded
+from tam570_grader.grading.run_checks import graded
 from tam570_grader.sandbox.launch import isolation
 from tam570_grader.sandbox.pool import ATTEMPTS
 from tam570_grader.sandbox.process import SandboxProcess

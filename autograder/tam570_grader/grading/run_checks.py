@@ -22,12 +22,11 @@ from tam570_grader.grading.seeds import derive
 from tam570_grader.grading.speed import Yardstick
 from tam570_grader.reports.sentences import full_message
 from tam570_grader.results.records import CheckResult, Result
+from tam570_grader.sandbox.imports import NotLoaded
 from tam570_grader.sandbox.launch import isolation
 from tam570_grader.sandbox.pool import ONLY, Attempt
-from tam570_grader.sandbox.student import BudgetSpent, NotLoaded, Source, Student
+from tam570_grader.sandbox.student import BudgetSpent, Source, Student
 from tam570_grader.sandbox.zygote import Zygote
-
-__all__ = ["CheckOptions", "CheckResult", "Recorder", "Result", "failed_by_us", "generator", "graded", "not_graded"]
 
 OUR_FAULT = "The grader failed here, not you; your teacher has been told."
 TOO_MUCH = "what it returns takes the grader too much {} to judge"

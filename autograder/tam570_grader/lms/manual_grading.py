@@ -26,8 +26,6 @@ from tam570_grader.results.manual_points import EVERYONE, Entry
 from tam570_grader.results.store import ResultStore
 from tam570_grader.sandbox.notebooks import Unshown, cells_of
 
-__all__ = ["Desk", "StudentWork", "serve"]
-
 TEMPLATES = Path(__file__).parent / "templates"
 SHOWN = (".png", ".jpg", ".jpeg", ".gif", ".svg")
 HANDED_IN = (*SHOWN, ".pdf", ".md", ".txt", ".docx", ".tex")

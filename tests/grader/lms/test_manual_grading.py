@@ -11,7 +11,7 @@ import pytest
 from tam570_grader import cli
 from tam570_grader.checks.rubric import ManualPart
 from tam570_grader.grading.submissions import submissions
-from tam570_grader.lms.mark import Desk, StudentWork, serve
+from tam570_grader.lms.manual_grading import Desk, StudentWork, serve
 from tam570_grader.results import manual_points
 
 SLUG = "hw07_double_pendulum"

@@ -7,11 +7,9 @@ from pathlib import Path
 from tam570_grader.cli.options import Commands, natural
 from tam570_grader.errors import UsageError, say
 from tam570_grader.grading.submissions import submissions
-from tam570_grader.lms.mark import Desk, StudentWork, serve
+from tam570_grader.lms.manual_grading import Desk, StudentWork, serve
 from tam570_grader.results import manual_points
 from tam570_grader.results.store import ResultStore, results
-
-__all__ = ["add_mark"]
 
 
 def add_mark(commands: Commands) -> argparse.ArgumentParser:
