@@ -126,7 +126,7 @@ def test_a_wrong_submission_loses_points_at_its_check_whatever_the_inputs(
     assert not any(check.failure.fault for check in failed), "the search for a name raised"
     assert failed and failed[0].name == mistake.first_fails and result.score < 10, failures(result)
     cause = diagnosis(result, mistake, {item.message for item in mistakes(FOLDERS[slug])})
-    assert (cause.named or not mistake.compared) and not cause.misled, failures(result)
+    assert (cause.is_named or not mistake.compared) and not cause.misled, failures(result)
 
 
 @pytest.mark.parametrize(("slug", "check"), **first_of_each(CHECKS, lambda slug, check: (slug, check.name)))

@@ -96,7 +96,7 @@ def test_calls_and_turns_are_counted(call, steps):
     names = compiled(COUNTED)
     with limited(1000) as meter:
         eval(call, names)
-    assert 1000 - meter.left == steps
+    assert 1000 - meter.remaining == steps
     with limited(steps):
         eval(call, names)
     with pytest.raises(Exhausted), limited(steps - 1):
@@ -109,7 +109,7 @@ def test_what_an_inner_block_spends_counts_in_the_outer_one():
     with limited(10) as meter:
         with limited(7):
             f(5)
-        assert meter.left == 4
+        assert meter.remaining == 4
         with pytest.raises(Exhausted), limited(1000):
             f(5)
     f(1000)  # and outside of them nothing is limited
@@ -129,7 +129,7 @@ def test_every_evaluation_of_a_rate_is_counted_where_it_would_be_compiled():
         names["simulate"](1.0)
     with limited(10**6) as fast:
         end = names["simulate"](1e4)
-    assert slow.left > fast.left + 1000
+    assert slow.remaining > fast.remaining + 1000
     assert end[0] == pytest.approx(np.cos(100), abs=1e-6)
 
 
