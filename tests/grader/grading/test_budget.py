@@ -10,7 +10,7 @@ from parameters import first
 from tam570_grader.checks import assignments
 from tam570_grader.checks.effort import Exhausted, compile_counted, limited
 from tam570_grader.diagnosis import diagnose
-from tam570_grader.grading import budget, one
+from tam570_grader.grading import budget, run_checks
 from tam570_grader.grading.run_checks import graded
 from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.zygote import ResourceLimits
@@ -39,7 +39,7 @@ def grows(*_):
 def evaluated(course, zygotes, solution_text, monkeypatch):
     """`judged(run, name)` -> the result where the check of this name runs something else; right answers otherwise."""
     assignment = assignments.assignment(course, SLUG)
-    monkeypatch.setattr(one, "budget", lambda: budget.budget(FEW, LITTLE))
+    monkeypatch.setattr(run_checks, "budget", lambda: budget.budget(FEW, LITTLE))
 
     def evaluated(run=None, name="", text=""):
         checks = [replace(check, run=run) if check.name == name else check for check in assignment.checks]
