@@ -1,6 +1,6 @@
 """What a plot function draws, as numbers: the points of its curves, its labels, and what of these shows on the paper.
 
-    print    the figure as pixels (rows, columns, 3), from 0 to 255, on white paper
+    print    the figure as pixels (rows, columns, 4), each of three colours from 0 to 255 on white paper and of a 255
     ink      the pixels (rows, columns) in which two prints differ
 
 A curve shows where the paper changes when it alone is drawn: no list of colours, widths and limits says as much.
@@ -95,6 +95,7 @@ def _prints(axes: Any, curves: list[Any]) -> dict[Any, Any]:
     """Print the picture by its axes, of the same without curves and labels by None, of a curve alone by it."""
     from matplotlib import rc_context
     from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.legend import Legend
 
     figure, labels = axes.figure, (axes.xaxis.label, axes.yaxis.label)
     figure.dpi = PRINTED / max(figure.get_size_inches())
@@ -103,6 +104,9 @@ def _prints(axes: Any, curves: list[Any]) -> dict[Any, Any]:
     with rc_context({"agg.path.chunksize": 10_000}), np.errstate(all="ignore"):
         prints = {axes: _printed(canvas)}
         figure.set_layout_engine("none")  # what is drawn later stays where it is
+        for legend in figure.findobj(Legend):
+            if legend.get_visible():
+                legend.draw = legend.get_frame().draw  # to lay it out takes as long as to draw all else
         visible = {artist: artist.get_visible() for artist in curves}
         for artist in (*curves, *labels):
             artist.set_visible(False)
@@ -130,16 +134,19 @@ def _without_words(figure: Any, labels: tuple[Any, Any]) -> None:
 
 def _printed(canvas: Any) -> Any:
     canvas.draw()
-    colours = np.array(canvas.buffer_rgba(), np.int16)
+    colours = np.array(canvas.buffer_rgba())
     opaque = colours[..., 3:]
     if opaque.min() < 255:
-        colours[..., :3] = 255 + (colours[..., :3] - 255) * (opaque / 255)
-    return colours[..., :3]
+        colours[..., :3] = 255 + (colours[..., :3].astype(np.int16) - 255) * (opaque / 255)
+        opaque[:] = 255
+    return colours
 
 
 def _ink(first: Any, other: Any) -> Any:
-    red, green, blue = np.moveaxis(np.abs(first - other) > CONTRAST, 2, 0)
-    return red | green | blue
+    """Compare the colours where two prints differ at all, which is in few pixels."""
+    ink = (first.view(np.uint32) != other.view(np.uint32))[..., 0]
+    ink[ink] = (np.abs(first[ink].astype(np.int16) - other[ink]) > CONTRAST).any(axis=1)
+    return ink
 
 
 def _shown(axes: Any, points: Any, alone: Any, empty: Any) -> dict[str, float]:
