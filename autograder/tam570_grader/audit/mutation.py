@@ -1,9 +1,9 @@
 """What becomes of the mutants of the solutions: killed, equivalent, or a hole in the checks."""
 
 import time
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -32,7 +32,7 @@ KILLED, EQUIVALENT, SURVIVES, CRASHED = FATES = "killed", "equivalent", "survive
 
 @dataclass(frozen=True)
 class Fates:
-    """The mutants of an assignment, their fates by name, and the checks that failed."""
+    """The mutants of an assignment, their fates by name, the checks that failed, and the seeds that miss a mutant."""
 
     slug: str
     chosen: Sequence[Mutant]
@@ -40,6 +40,7 @@ class Fates:
     failed: Mapping[str, Sequence[str]]
     checks: Sequence[str]
     in_vain: Mapping[Slip, str]
+    missed: Mapping[str, Sequence[int]]
 
     @property
     def survivors(self) -> list[Mutant]:
@@ -55,8 +56,13 @@ class Fates:
         return len(self.survivors) + len(self.crashing) + len(self.in_vain)
 
 
-def fates(course: Path, slug: str, executor: TaskExecutor, quick: bool, functions: Sequence[str]) -> Fates:
-    """Grade the mutants of an assignment: all, or a fixed sample; of all functions, or of some."""
+def fates(
+    course: Path, slug: str, executor: TaskExecutor, quick: bool, functions: Sequence[str], seeds: int = 1
+) -> Fates:
+    """Grade the mutants of an assignment: all, or a fixed sample; of all functions, or of some.
+
+    A mutant that survives with one of the seeds survives.
+    """
     text = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
     all_mutants, listed = mutants(slug, text), equivalents(course, slug)
     wanted = [mutant for mutant in all_mutants if not functions or mutant.function in functions]
@@ -74,15 +80,19 @@ def fates(course: Path, slug: str, executor: TaskExecutor, quick: bool, function
         for mutant in chosen
         if _is_shared(mutant.function, calls, reachable)
     ]
-    results = {result.student: result for result in progress(in_order(executor, tried, tasks), len(tasks), "mutant")}
+    tasks = [replace(task, seed=SEED + seed) for seed in range(seeds) for task in tasks]
+    results = defaultdict[str, list[Result]](list)  # by name, one for each seed
+    for result in progress(in_order(executor, tried, tasks), len(tasks), "mutant"):
+        results[result.student].append(result)
     slips = {mutant.name: (mutant.function, mutant.change) for mutant in chosen}
     fate = {
-        name: _fate([results[run] for run in (name, f"{name} alone") if run in results], change in listed)
-        for name, change in slips.items()
+        name: _fate([*results[name], *results[f"{name} alone"]], change in listed) for name, change in slips.items()
     }
     killed = {change for name, change in slips.items() if fate[name] == KILLED}
     vain = idle(listed, {(mutant.function, mutant.change) for mutant in all_mutants}, killed)
-    return Fates(slug, chosen, fate, {name: _failed(run) for name, run in results.items()}, list(calls), vain)
+    failed = {name: _failed(runs[0]) for name, runs in results.items() if runs}
+    missed = {name: _missing(results[name] + results[f"{name} alone"]) for name in slips}
+    return Fates(slug, chosen, fate, failed, list(calls), vain, missed)
 
 
 def _fate(results: Sequence[Result], listed: bool) -> str:
@@ -114,6 +124,11 @@ def _is_shared(function: str, calls: Mapping[str, set[str]], reachable: Mapping[
     """Return whether it is exported, and other functions may call it."""
     exported = any(function in functions for functions in calls.values())
     return exported and any(function in reach for name, reach in reachable.items() if name != function)
+
+
+def _missing(results: Sequence[Result]) -> list[int]:
+    """Return the seeds with which a mutant has full points."""
+    return sorted({result.seed for result in results if result.score == result.max_score})
 
 
 def _failed(result: Result) -> list[str]:
@@ -216,7 +231,7 @@ def report(fates_of_all: Fates) -> list[str]:
         needless = "" if alone else "; no mutant tried needs it"
         lines.append(f"  {check:<48}{first:>6} caught first, {alone} by it alone{needless}")
     for mutant in fates_of_all.survivors:
-        lines += _shown(mutant)
+        lines += _shown(mutant, fates_of_all.missed[mutant.name])
     for mutant in fates_of_all.crashing:
         lines.append(f"  CRASHES A CHECK {mutant.function}: {mutant.change}")
     for (function, change), fault in fates_of_all.in_vain.items():
@@ -224,10 +239,11 @@ def report(fates_of_all: Fates) -> list[str]:
     return lines
 
 
-def _shown(mutant: Mutant) -> list[str]:
+def _shown(mutant: Mutant, seeds: Sequence[int]) -> list[str]:
     """Return where a survivor is, its line as it was and is, and the line that would list it."""
+    where = f"solutions/{mutant.slug}.py:{mutant.line} in {mutant.function}"
     return [
-        f"  SURVIVES solutions/{mutant.slug}.py:{mutant.line} in {mutant.function}: {mutant.operator}",
+        f"  SURVIVES {where}: {mutant.operator}; with seed {', '.join(map(str, seeds))}",
         f"      - {mutant.before.strip()}",
         f"      + {mutant.after.strip()}",
         *(f"    {line}" for line in entry(mutant).splitlines()),

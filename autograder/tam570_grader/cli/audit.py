@@ -32,7 +32,7 @@ def add_audit(commands: Commands) -> argparse.ArgumentParser:
     add("--json", action="store_true", help="print a JSON object for each assignment, one a line")
     _add_questions(audit.add_mutually_exclusive_group().add_argument)
     add("--keep", type=Path, metavar="FILE", help="add the lines of --fairness there; what is there is not run again")
-    add("--seeds", type=positive, metavar="N", help="of --cases (default: 20)")
+    add("--seeds", type=positive, metavar="N", help="of mutants and --diagnosis (default: 1) or --cases (default: 20)")
     add("--function", nargs="+", metavar="NAME", default=[], help="mutants of these functions alone")
     add("--jobs", type=positive, metavar="N", default=cores(), help="processes (default: %(default)s)")
     add_cluster(add)
@@ -84,6 +84,8 @@ def _question(arguments: argparse.Namespace) -> Question:
     questions = [name for name in QUESTIONS if getattr(arguments, name) is not None]
     if arguments.keep and questions != ["fairness"]:
         raise UsageError("--keep: it goes with --fairness alone")
+    if arguments.seeds and questions and questions[0] in ("fairness", "margins"):
+        raise UsageError(f"--seeds: it does not go with --{questions[0]}")
     if arguments.function and questions:
         raise UsageError(f"--function: it chooses mutants; it does not go with --{questions[0]}")
     return QUESTIONS[questions[0]] if questions else _mutation
@@ -104,7 +106,7 @@ def _with_functions(course: Path, slugs: Sequence[str], names: Sequence[str]) ->
 def _mutation(course: Path, slug: str, executor: TaskExecutor, arguments: argparse.Namespace) -> Answer:
     from tam570_grader.audit import mutation
 
-    fates = mutation.fates(course, slug, executor, arguments.quick, arguments.function)
+    fates = mutation.fates(course, slug, executor, arguments.quick, arguments.function, arguments.seeds or 1)
     return mutation.as_json(fates), mutation.report(fates), fates.faults
 
 
@@ -120,7 +122,7 @@ def _fairness(course: Path, slug: str, executor: TaskExecutor, arguments: argpar
 def _diagnosis(course: Path, slug: str, executor: TaskExecutor, arguments: argparse.Namespace) -> Answer:
     from tam570_grader.audit import diagnosis
 
-    diagnoses = diagnosis.diagnoses(course, slug, executor, arguments.quick)
+    diagnoses = diagnosis.diagnoses(course, slug, executor, arguments.quick, arguments.seeds or 1)
     return diagnosis.as_json(slug, diagnoses), diagnosis.report(slug, diagnoses), diagnosis.faults(diagnoses)
 
 
