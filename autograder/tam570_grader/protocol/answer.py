@@ -8,7 +8,8 @@ from types import ModuleType
 from typing import Any
 
 import numpy as np
-import numpy.random  # before the fork: NumPy puts it off until it is used
+import numpy.polynomial  # before the fork, as the next: NumPy puts it off until it is used
+import numpy.random
 
 from tam570.bans import IN_ONE, Change, Unusable, everywhere, refused
 from tam570.formulas import form_of

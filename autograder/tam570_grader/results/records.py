@@ -3,7 +3,7 @@
 import base64
 import math
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, fields
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
@@ -62,13 +62,13 @@ class Result:
 
 def write(result: Result) -> Json:
     """Return the result line as plain data; what is empty is left out where it may be."""
-    line = {**asdict(result), "checks": [_check_result(check_result) for check_result in result.checks]}
+    line = {**vars(result), "checks": [_check_result(check_result) for check_result in result.checks]}
     return {key: value for key, value in line.items() if value or key not in ("message", "speed", "digest", "notebook")}
 
 
 def _check_result(check_result: CheckResult) -> Json:
-    line = {field.name: getattr(check_result, field.name) for field in fields(check_result) if field.name != "failure"}
-    line = {key: value for key, value in line.items() if value or key not in ("unwritten", "error")}
+    line = {key: value for key, value in vars(check_result).items() if value or key not in ("unwritten", "error")}
+    del line["failure"]
     if check_result.failure:
         fields_set = [
             (field.name, getattr(check_result.failure, field.name), field.default)

@@ -103,7 +103,7 @@ class SandboxFunction:
         """Yield every call, and whether it raises ValueError; another exception is Failed."""
         calls = list(calls)
         for call, reply in zip(calls, self.student.replies(self.name, calls, every=True), strict=True):
-            refused = "ValueError" in error_of(reply)["kinds"]
+            refused = "error" in reply and "ValueError" in reply["error"]["kinds"]
             with self._judging(call, any_input=True):
                 if not refused:
                     self._must_be_fair(reply, expected=", not ValueError")

@@ -12,6 +12,7 @@ from tam570_grader.protocol.wire import ItemBudget, Unreadable, packed, unpacked
 
 LENGTH = struct.Struct(">I")
 LARGEST_REPLY = 2**26  # bytes, of all replies to one request
+PIECE = 2**16  # bytes that are read at once; room for more would be fetched from the system each time
 SHORT = 1000  # bytes of a reply, which takes some microseconds to read
 GLANCE = 0.5  # s of a wait in one piece
 RECONSIDER = 0.25  # s at most between looks at a call that is late on the wall's clock
@@ -150,7 +151,7 @@ class SandboxProcess:
 
     def _read(self) -> None:
         try:
-            chunk = self._channel.recv(2**20)
+            chunk = self._channel.recv(PIECE)
         except OSError:
             chunk = b""
         if not chunk:
