@@ -13,7 +13,8 @@ from numpy.typing import ArrayLike
 
 from tam570.given import divisors, nonnegative, numbers, positives, sequence
 from tam570.integrate import solve
-from tam570.show.plots import energy_plot, plot_samples
+from tam570.show.live import Live, drag, energies
+from tam570.show.plots import state_energy_plot, values
 from tam570.show.scene import Array, Panel, Scene, Shape, frame_times
 from tam570.values import Parameters
 
@@ -108,20 +109,21 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
     times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters)
     n = len(start) // 6
-    places = states[:, : 3 * n].reshape(-1, n, 3)
-    if not places[..., 2].any():
-        places = places[..., :2]
-    shapes = [Shape("trail", places[:, [i]], i % 6, width=2) for i in range(n)]
-    shapes += [Shape("dot", places[:, [i]], i % 6, f"body {i + 1}", width=8) for i in range(n)]
-    shown = plot_samples(times)
-    at_rest = states[shown] * np.repeat([1.0, 0.0], 3 * n)
-    total, potential = (np.array([energy(row, **parameters) for row in rows]) for rows in (states[shown], at_rest))
+    dim = 3 if states[:, 2 : 3 * n : 3].any() else 2
+
+    def draw(states: Array, parameters: Parameters) -> list[Shape]:
+        places = np.reshape(states[:, : 3 * n], (-1, n, 3))[..., :dim]
+        trails = [Shape("trail", places[:, [i]], i % 6, width=2) for i in range(n)]
+        return [*trails, *(Shape("dot", places[:, [i]], i % 6, f"body {i + 1}", width=8) for i in range(n))]
+
+    handles = [drag(3 * i, dim) for i in range(n)]
     return Scene(
         f"{n} bodies",
         "Bodies attract each other and move on paths that bend around each other. In the example three equal bodies "
         "chase each other on one curve in the shape of an eight.",
         times,
-        [Panel(shapes)],
-        [energy_plot(times[shown], total, potential)],
+        [Panel(draw(states, parameters))],
+        [state_energy_plot(times, states, 3 * n, lambda rows: values(energy, rows, **parameters))],
         still_time=0.2,
+        live=Live(rates, parameters, STATE, start, draw, handles, energies(energy, 3 * n)),
     )

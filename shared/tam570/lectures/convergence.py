@@ -10,6 +10,7 @@ energy knows which is which (Hairer, Norsett and Wanner, Solving Ordinary Differ
 
 from collections.abc import Sequence
 from math import cos, sin
+from types import SimpleNamespace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -128,4 +129,4 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
     """Both pendulums, and the errors of three methods by either's equations."""
     from tam570.show.scenes import convergence
 
-    return convergence.film((rates, wrong_rates), energy, errors, parameters, start, seconds)
+    return convergence.film(SimpleNamespace(**globals()), parameters, start, seconds)

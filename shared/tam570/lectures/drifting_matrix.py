@@ -15,8 +15,9 @@ from tam570.given import numbers, positives, sequence
 from tam570.integrate import solve, solve_rotation
 from tam570.invariants import rotation_defect
 from tam570.show.drawing import brick
-from tam570.show.plots import drift_plot, plot_samples, value_plot
+from tam570.show.plots import drift_plot, value_plot, values
 from tam570.show.scene import Array, Panel, Scene, frame_times
+from tam570.show.turning import box_size, live_body
 from tam570.values import Numbers, Parameters
 
 __all__ = ["angular_momentum", "energy", "film", "rates"]
@@ -99,10 +100,10 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
     drifting = states[:, :9].reshape(-1, 3, 3)
     enlarged = 10.0 ** np.floor(np.log10(SEEN / max(float(np.abs(strain).max()), 1e-15)))
     drawn = drifting @ (np.eye(3) + enlarged * strain / 2)
-    shown, size = plot_samples(times), np.sqrt(np.maximum(moments.sum() / 2 - moments, 0.05 * moments.max()))
-    defects = {"rotations": rotation_defect(rotations[shown]), "nine numbers": np.abs(strain[shown]).max(axis=(1, 2))}
-    H = np.einsum("nij,nj->ni", rotations[shown], moments * turning[shown])
-    beside = [angular_momentum(state, **parameters) for state in states[shown]]
+    size, title = box_size(moments), f"drift drawn {enlarged:.0e} times"
+    defects = {"rotations": rotation_defect(rotations), "nine numbers": np.abs(strain).max(axis=(1, 2))}
+    H = np.einsum("nij,nj->ni", rotations, moments * turning)
+    beside = {"nine": values(angular_momentum, states, **parameters)}
     scale = float(np.linalg.norm(H[0])) or 1.0
     text = f"at the end {defects['nine numbers'][-1]:.1e}, and {defects['rotations'][-1]:.0e} by rotations"
     return Scene(
@@ -111,14 +112,13 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
         "the box, its drift enlarged, changes its shape. Turned by rotations alone it stays a box.",
         times,
         [
-            Panel(brick(drawn, size, 1, "nine numbers"), f"drift drawn {enlarged:.0e} times", ruler=False),
+            Panel(brick(drawn, size, 1, "nine numbers"), title, ruler=False),
             Panel(brick(rotations, size, 0, "rotations"), "by rotations", ruler=False),
         ],
         [
-            value_plot("RᵀR - I, largest element", times[shown], defects, "", text),
-            drift_plot(
-                "angular momentum, change", times[shown], {"rotations": H}, scale, "itself", beside={"nine": beside}
-            ),
+            value_plot("RᵀR - I, largest element", times, defects, "", text),
+            drift_plot("angular momentum, change", times, {"rotations": H}, scale, "itself", beside=beside),
         ],
         still_time=1.0,
+        live=live_body(rates, energy, parameters, STATE, start, in_space=True, title=title),
     )

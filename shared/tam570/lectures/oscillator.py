@@ -14,7 +14,8 @@ from numpy.typing import ArrayLike
 from tam570.given import numbers, positive, sequence
 from tam570.integrate import solve
 from tam570.show.drawing import axes, circle
-from tam570.show.plots import drift_note, plot_samples, value_plot
+from tam570.show.live import Live, drag, energies
+from tam570.show.plots import drift_note, state_energy_plot, value_plot, values
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 
 __all__ = ["angular_momentum", "energy", "exact", "film", "orbit_tensor", "rates"]
@@ -76,32 +77,35 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
     """Return the solved motion on the ellipse that is known before it begins."""
     times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters)
-    mass, w = states[:, :3], sqrt(parameters["stiffness"] / parameters["mass"])
-    ellipse = circle(np.zeros(3), states[0, :3], states[0, 3:] / w)
-    shapes = [
-        *axes(0.5 * float(np.abs(ellipse).max())),
-        Shape("path", ellipse, GREY, "exact ellipse", width=5, faint=True),
-        Shape("trail", mass[:, None], 2, "path", width=2),
-        Shape("lines", moving(np.zeros(3), mass), 0, "spring", width=3),
-        Shape("dot", np.zeros((1, 3)), INK, width=4),
-        Shape("dot", mass[:, None], 1, "mass", width=9),
-    ]
-    shown = plot_samples(times)
-    tensors = np.array([orbit_tensor(state, **parameters) for state in states[shown]])
+    shapes = _draw(states, parameters)
+    cross = axes(0.5 * float(np.abs(shapes[0].points).max()))
+    tensors = values(orbit_tensor, states, **parameters)
     drift = drift_note({"": tensors}, float(np.linalg.norm(tensors[0])) or 1.0, "itself")
-    squares = states[shown].reshape(-1, 2, 3) ** 2 @ np.ones(3) / 2
-    potential, kinetic = parameters["stiffness"] * squares[:, 0], parameters["mass"] * squares[:, 1]
     parts = dict(zip(("xx", "yy", "zz", "yz", "zx", "xy"), tensors.T, strict=True))
-    energies = {"kinetic T": kinetic, "potential V": potential, "total E": tensors[:, :3].sum(axis=1) / 2}
     return Scene(
         "Oscillator in space",
         "A mass on a spring with no rest length goes round an ellipse in space. The centre of the ellipse is where the "
         "spring is held. The solved motion stays on the ellipse that its start prescribes.",
         times,
-        [Panel(shapes)],
+        [Panel([*cross, *shapes])],
         [
-            value_plot("energy", times[shown], energies, "J"),
-            value_plot("m v v + k r r, a tensor", times[shown], parts, "J", *drift),
+            state_energy_plot(times, states, 3, lambda rows: values(energy, rows, **parameters)),
+            value_plot("m v v + k r r, a tensor", times, parts, "J", *drift),
         ],
         still_time=0.25,
+        live=Live(rates, parameters, STATE, start, _draw, [drag(0, 3)], energies(energy, 3), backdrop=cross),
     )
+
+
+def _draw(states: Array, parameters: Mapping[str, float]) -> list[Shape]:
+    """Draw the mass, and the ellipse on which its first state lies."""
+    mass, w = states[:, :3], np.sqrt(parameters["stiffness"] / parameters["mass"])
+    return [
+        Shape(
+            "path", circle(np.zeros(3), states[0, :3], states[0, 3:] / w), GREY, "exact ellipse", width=5, faint=True
+        ),
+        Shape("trail", mass[:, None], 2, "path", width=2),
+        Shape("lines", moving(np.zeros(3), mass), 0, "spring", width=3),
+        Shape("dot", np.zeros((1, 3)), INK, width=4),
+        Shape("dot", mass[:, None], 1, "mass", width=9),
+    ]

@@ -8,6 +8,7 @@ the end of each: equal areas follow from the direction of the impulses alone.
 
 from collections.abc import Mapping, Sequence
 from math import atan2, hypot, inf, nan, pi, sqrt
+from types import SimpleNamespace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -115,4 +116,4 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
     """Return the orbit, and beside it Newton's polygon with more and more impulses."""
     from tam570.show.scenes import planet
 
-    return planet.film(rates, elements, parameters, start, seconds)
+    return planet.film(SimpleNamespace(**globals()), parameters, start, seconds)

@@ -12,8 +12,10 @@ import numpy as np
 
 from tam570.given import nonnegative, positive, sequence
 from tam570.integrate import solve
-from tam570.show.plots import plot_samples, value_plot
+from tam570.show.live import Live, drag
+from tam570.show.plots import value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, with_slider
+from tam570.values import Numbers
 
 __all__ = ["film", "hodograph", "rates", "terminal_speed"]
 
@@ -86,7 +88,28 @@ def _one(parameters: Mapping[str, float], start: Sequence[float], seconds: float
         ],
         [_speed(times, states, parameters)],
         still_time=0.45,
+        live=Live(
+            *(rates, parameters, STATE, start, _draw, [drag(0, 2)]),
+            measures={
+                "total E": _energy,
+                "potential V": lambda state, **parameters: _energy([*state[:2], 0, 0], **parameters),
+            },
+            conserved=False,
+            title="as far as they go",
+            backdrop=[Shape("lines", ground, GREY)],
+        ),
     )
+
+
+def _draw(states: Array, parameters: Mapping[str, float]) -> list[Shape]:
+    ball = states[:, None, :2]
+    return [Shape("trail", ball, 2, "with drag", width=2), Shape("dot", ball, 2, width=7)]
+
+
+def _energy(state: Numbers, *, mass: Numbers, gravity: Numbers, **parameters: Numbers) -> Numbers:
+    """J, from y = 0: what the drag takes from the ball is missing."""
+    _, y, vx, vy = state
+    return mass * (gravity * y + (vx * vx + vy * vy) / 2)
 
 
 def _landed(path: Array) -> Array:
@@ -127,6 +150,5 @@ def _shapes(paths: Mapping[str, Array], colors: Mapping[str, int]) -> list[Panel
 
 
 def _speed(times: Array, states: Array, parameters: Mapping[str, float]) -> TimePlot:
-    shown = plot_samples(times)
     text = f"terminal speed {terminal_speed(**parameters):.3g} m/s" if parameters["drag"] else "no drag"
-    return value_plot("speed through air", times[shown], {"": np.hypot(*states[shown, 2:].T)}, "m/s", text)
+    return value_plot("speed through air", times, {"": np.hypot(*states[:, 2:].T)}, "m/s", text)

@@ -9,6 +9,7 @@ with G in front, turned by pi k/a at most (Chaplygin, 1911; Neimark and Fufaev, 
 
 from collections.abc import Mapping, Sequence
 from math import asinh, copysign, cos, hypot, pi, sin, sqrt
+from types import SimpleNamespace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -113,4 +114,4 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
     """Return the sleigh turns round, at several speeds."""
     from tam570.show.scenes import sleigh
 
-    return sleigh.film(rates, energy, parameters, start, seconds)
+    return sleigh.film(SimpleNamespace(**globals()), parameters, start, seconds)

@@ -14,9 +14,10 @@ from numpy.typing import ArrayLike
 from tam570.given import finite, numbers, positive, positives, sequence
 from tam570.integrate import solve
 from tam570.show.drawing import unit_circle
-from tam570.show.plots import drift_note, energy_plot, plot_samples, value_plot
-from tam570.show.scene import GREY, INK, Panel, Scene, Shape, frame_times, moving
-from tam570.values import Parameters
+from tam570.show.live import Handle, Live, energies
+from tam570.show.plots import drift_note, state_energy_plot, value_plot, values
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
+from tam570.values import Numbers, Parameters
 
 __all__ = ["angular_momentum", "by_lagrange", "by_newton", "energy", "film", "rates"]
 
@@ -92,38 +93,44 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
     positive(**{"start.r": start[0]})
     times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters)
-    r, th = states[:, 0], states[:, 1]
-    still = np.zeros(len(times))
-    above = np.column_stack([r * np.cos(th), r * np.sin(th), still])
-    farthest = float(r.max())
-    below = np.column_stack([still, still, r - 2.2 * farthest])
+    farthest = float(states[:, 0].max())
     edge = np.column_stack([1.1 * farthest * unit_circle(61), np.zeros(61)])
-    shapes = [
-        Shape("fill", edge, GREY, faint=True),
-        Shape("path", edge, GREY, "table", width=2),
-        Shape("trail", above[:, None], 2, "path", width=1.5),
-        Shape("lines", moving(above, np.zeros(3), np.zeros(3), below), INK, "string", width=2),
-        Shape("dot", above[:, None], 0, "mass on the table", width=10),
-        Shape("dot", below[:, None], 1, "mass below", width=12),
-    ]
-    shown = plot_samples(times)
-    total, resting = (
-        np.array([energy(row, **parameters) for row in rows]) for rows in (states[shown], states[shown] * [1, 1, 0, 0])
-    )
-    turning = np.array([angular_momentum(state, **parameters) for state in states[shown]])
+    table = [Shape("fill", edge, GREY, faint=True), Shape("path", edge, GREY, "table", width=2)]
+
+    def draw(states: Array, parameters: Parameters) -> list[Shape]:
+        above = np.column_stack(_on_table(states.T))
+        below = np.column_stack([0 * above[:, :2], states[:, 0] - 2.2 * farthest])
+        return [
+            Shape("trail", above[:, None], 2, "path", width=1.5),
+            Shape("lines", moving(above, np.zeros(3), np.zeros(3), below), INK, "string", width=2),
+            Shape("dot", above[:, None], 0, "mass on the table", width=10),
+            Shape("dot", below[:, None], 1, "mass below", width=12),
+        ]
+
+    turning = values(angular_momentum, states, **parameters)
     drift, alarm = drift_note({"": turning}, abs(float(turning[0])) or 1.0, "itself")
     return Scene(
         "Two particles on a string",
         "A mass circles on a table. The string through the hole holds a second mass below the table. The circle's "
         "radius swings in and out, and the mass below goes down and up with it.",
         times,
-        [Panel(shapes)],
+        [Panel([*table, *draw(states, parameters)])],
         [
-            energy_plot(times[shown], total, resting),
-            value_plot(
-                "distance from the hole", times[shown], {"": r[shown]}, "m", f"angular momentum: {drift}", alarm
-            ),
+            state_energy_plot(times, states, 2, lambda rows: values(energy, rows, **parameters)),
+            value_plot("distance from the hole", times, {"": states[:, 0]}, "m", f"angular momentum: {drift}", alarm),
         ],
         view=(0.6, 0.25),
         still_time=0.35,
+        live=Live(rates, parameters, STATE, start, draw, [HANDLE], energies(energy, 2), backdrop=table),
     )
+
+
+def _on_table(state: Numbers, **parameters: Numbers) -> list[Numbers]:
+    return [state[0] * np.cos(state[1]), state[0] * np.sin(state[1]), 0.0 * state[0]]
+
+
+def _grab(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numbers]:
+    return [np.hypot(point[0], point[1]), np.arctan2(point[1], point[0]), *state[2:]]
+
+
+HANDLE = Handle(_on_table, _grab)

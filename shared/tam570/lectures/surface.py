@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike
 
 from tam570.given import finite, numbers, one_of, positive, sequence
 from tam570.integrate import solve
-from tam570.show.plots import drift_note, plot_samples, value_plot
+from tam570.show.live import Handle, Live, energies
+from tam570.show.plots import drift_note, value_plot, values
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Numbers, Parameters
 
@@ -78,52 +79,60 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
     one_of(SIGNS, surface=parameters["surface"])
     times = frame_times(seconds)
     names = sorted(SIGNS, key=lambda name: name != parameters["surface"])
-    shown, panels, energies, kinetic = plot_samples(times), [], {}, {}
+    panels, totals, kinetic = [], {}, {}
     for name in names:
         arguments = {**parameters, "surface": name}
         states = solve(rates, times, start, parameters=arguments)
-        panels.append(Panel(_sliding(states, arguments), name))
-        total = np.array([energy(state, **arguments) for state in states[shown]])
-        resting = np.array([energy(state, **arguments) for state in states[shown] * [1, 1, 0, 0]])
-        energies[name], kinetic[name] = total, total - resting
-    largest = max(float(values.max()) for values in kinetic.values())
+        forces = values(constraint_force, states, **arguments)
+        panels.append(
+            Panel([*_net(states, arguments), *_draw(states, arguments), _arrow(states, forces, arguments)], name)
+        )
+        totals[name] = values(energy, states, **arguments)
+        kinetic[name] = totals[name] - values(energy, states * [1, 1, 0, 0], **arguments)
+    largest = max(float(curve.max()) for curve in kinetic.values())
+    drift = drift_note(totals, largest or 1.0, "the largest kinetic energy")
+    net = [shape for shape in panels[0].shapes if shape.points.ndim == 2]
     return Scene(
         "Particle on a surface",
         "A particle slides without friction in a bowl, on a saddle and on a level plane, each time from the same "
         "start. In the bowl it comes back, from the saddle it slides off. An arrow across the surface shows its force.",
         times,
         panels,
-        [
-            value_plot(
-                "kinetic energy",
-                times[shown],
-                kinetic,
-                "J",
-                *drift_note(energies, largest or 1.0, "the largest kinetic energy"),
-            )
-        ],
+        [value_plot("kinetic energy", times, kinetic, "J", *drift)],
         view=(0.9, 0.5),
         still_time=0.4,
+        live=Live(
+            *(rates, parameters, STATE, start, _draw, [HANDLE], energies(energy, 2)), title=names[0], backdrop=net
+        ),
     )
 
 
-def _sliding(states: Array, arguments: Parameters) -> list[Shape]:
-    """Return a net of the surface as far as the particle goes, the particle, the force on it."""
-    shape = {name: arguments[name] for name in ("surface", "curvature")}
-    x, y = states[:, 0], states[:, 1]
-    positions = np.column_stack([x, y, height(x, y, **shape)])
+def _place(state: Numbers, *, surface: str, curvature: Numbers, **parameters: Numbers) -> list[Numbers]:
+    x, y = state[:2]
+    return [x, y, height(x, y, surface=surface, curvature=curvature) + 0.0 * x]
+
+
+HANDLE = Handle(_place, lambda point, state, **parameters: [point[0], point[1], 0.0, 0.0])
+
+
+def _draw(states: Array, parameters: Parameters) -> list[Shape]:
+    particle = np.column_stack(_place(states.T, **parameters))[:, None]
+    return [Shape("trail", particle, 2, "path", width=2), Shape("dot", particle, 0, "particle", width=9)]
+
+
+def _arrow(states: Array, forces: Array, parameters: Parameters) -> Shape:
+    particle = np.column_stack(_place(states.T, **parameters))
+    unit = 0.4 / (float(np.linalg.norm(forces, axis=1).max()) or 1.0)  # m/N
+    return Shape("arrow", moving(particle, particle + unit * forces), 3, "force of the surface", width=2.5)
+
+
+def _net(states: Array, parameters: Parameters) -> list[Shape]:
+    """Draw the surface as far as the particle goes."""
     low, high = states[:, :2].min(axis=0) - 0.2, states[:, :2].max(axis=0) + 0.2
     net = []
     for i in (0, 1):
         along = np.linspace(low[i], high[i], 25)
         for across in np.linspace(low[1 - i], high[1 - i], 11):
             pair = (along, np.full(25, across))[:: 1 - 2 * i]
-            net.append(Shape("path", np.column_stack([*pair, height(*pair, **shape)]), GREY, width=1, faint=True))
-    forces = np.array([constraint_force(state, **arguments) for state in states])
-    unit = 0.4 / (float(np.linalg.norm(forces, axis=1).max()) or 1.0)  # m/N
-    return [
-        *net,
-        Shape("trail", positions[:, None], 2, "path", width=2),
-        Shape("arrow", moving(positions, positions + unit * forces), 3, "force of the surface", width=2.5),
-        Shape("dot", positions[:, None], 0, "particle", width=9),
-    ]
+            net.append(Shape("path", np.column_stack(_place(pair, **parameters)), GREY, width=1, faint=True))
+    return net

@@ -15,7 +15,10 @@ from numpy.typing import ArrayLike
 
 from tam570.given import numbers, positive, sequence
 from tam570.integrate import solve
-from tam570.show.plots import energy_plot, plot_samples
+from tam570.show.drawing import unit_circle
+from tam570.show.live import Live, energies
+from tam570.show.plots import state_energy_plot, values
+from tam570.show.rods import joints, rod_handles
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 
 __all__ = ["energy", "exact", "film", "hinge_force", "rates"]
@@ -93,34 +96,35 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
     length = parameters["length"]
     c, s = np.cos(states[:, 0]), np.sin(states[:, 0])
     down, aside = np.column_stack([s, -c]), np.column_stack([c, s])
-    forces = np.array([hinge_force(state, **parameters) for state in states])
+    forces = values(hinge_force, states, **parameters)
     force = forces[:, :1] * -down + forces[:, 1:] * aside
     arrow = 0.25 * length / (parameters["mass"] * parameters["gravity"]) * force
     G, weight = length / 2 * down, np.array([0.0, -0.25 * length])
     shapes = [
-        Shape(
-            "path",
-            length * np.column_stack([np.sin(np.linspace(-pi, pi)), -np.cos(np.linspace(-pi, pi))]),
-            GREY,
-            width=1,
-            faint=True,
-        ),
-        Shape("lines", moving(np.zeros(2), length * down), 0, "bar", width=7),
-        Shape("dot", (length / 2 * down)[:, None], 2, "G", width=5),
+        *_draw(states, parameters),
         Shape("arrow", moving(G, G + weight), 3, "weight", width=3),
         Shape("arrow", moving(G + weight, G + weight + arrow), 1, "force of the hinge", width=3),
         Shape("arrow", moving(G, G + weight + arrow), 4, "sum: m a of G", width=3),
-        Shape("dot", np.zeros((1, 2)), INK, width=4),
     ]
-    shown = plot_samples(times)
-    total = np.array([energy(state, **parameters) for state in states[shown]])
-    still = np.array([energy(state, **parameters) for state in states[shown] * [1, 0]])
+    handles = rod_handles(1, lambda parameters: [parameters["length"]])
     return Scene(
         "Swinging bar",
         "A bar swings about a hinge at its end. Arrows at its centre of mass G show the weight and the force of the "
         "hinge, one after the other, and their sum, m a of G: the polygon closes.",
         times,
         [Panel(shapes)],
-        [energy_plot(times[shown], total, still)],
+        [state_energy_plot(times, states, 1, lambda rows: values(energy, rows, **parameters))],
         still_time=0.06,
+        live=Live(rates, parameters, STATE, start, _draw, handles, energies(energy, 1)),
     )
+
+
+def _draw(states: Array, parameters: Mapping[str, float]) -> list[Shape]:
+    length = parameters["length"]
+    (tip,) = joints(states[:, :1].T, [length])
+    return [
+        Shape("path", length * unit_circle(61), GREY, width=1, faint=True),
+        Shape("lines", moving(np.zeros(2), tip), 0, "bar", width=7),
+        Shape("dot", (tip / 2)[:, None], 2, "G", width=5),
+        Shape("dot", np.zeros((1, 2)), INK, width=4),
+    ]

@@ -9,6 +9,7 @@ W^2 - C w W + m g d = 0; the classic m g d/(C w) leaves out the first term (Gold
 """
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from math import copysign, cos, inf, nan, sin, sqrt
 
@@ -16,6 +17,7 @@ from numpy.typing import ArrayLike
 
 from tam570.given import finite, numbers, positive, sequence
 from tam570.integrate import solve
+from tam570.show.live import Live, energies
 from tam570.show.scene import Scene, with_slider
 
 __all__ = [
@@ -127,15 +129,17 @@ def _weight(mass: float, distance: float, axial: float, transverse: float, gravi
 
 def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
     """Return the same top let go, precessing steadily and asleep, with a slider for the rate of its spin."""
-    from tam570.show.scenes.top import tops
+    from tam570.show.scenes.top import HANDLE, draw, tops
 
     def make(spin: float) -> Scene:
-        return tops(
-            (*start[:5], spin),
+        begin = (*start[:5], spin)
+        scene = tops(
+            begin,
             seconds,
             lambda times, begin: solve(rates, times, begin, parameters=parameters),
             partial(steady_precession, **parameters),
             {name: partial(law, **parameters) for name, law in INVARIANTS.items()},
         )
+        return replace(scene, live=Live(rates, parameters, STATE, begin, draw, [HANDLE], energies(energy, 3)))
 
     return with_slider(make, "rate of phi", "rad/s", SPINS, start[5])

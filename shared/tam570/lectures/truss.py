@@ -8,6 +8,7 @@ goes as 1/k, as the stretch does that bends the particles' paths.
 
 from collections.abc import Sequence
 from math import nan, sqrt
+from types import SimpleNamespace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -127,4 +128,4 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
     """Return the truss on the rigid body, for several stiffnesses."""
     from tam570.show.scenes import truss
 
-    return truss.film(rates, rigid, parameters, start, seconds)
+    return truss.film(SimpleNamespace(**globals()), parameters, start, seconds)

@@ -14,7 +14,8 @@ from numpy.typing import ArrayLike
 from tam570.given import finite, nonnegative, numbers, positive, positives, sequence
 from tam570.integrate import solve
 from tam570.show.drawing import coil
-from tam570.show.plots import energy_plot, plot_samples, value_plot
+from tam570.show.live import Handle, Live, energies
+from tam570.show.plots import state_energy_plot, value_plot, values
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Parameters
 
@@ -95,33 +96,43 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
     """Return the masses and their centre of mass, which nothing disturbs."""
     times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters)
-    m1, m2 = parameters["masses"]
-    centre = states[:, :2] @ [m1, m2] / (m1 + m2)
-    first, second, middle = (np.column_stack([x, 0 * x]) for x in (*states[:, :2].T, centre))
     ends = np.array([states[:, :2].min() - 0.3, states[:, :2].max() + 0.3])
-    shapes = [
-        Shape("lines", np.column_stack([ends, [-0.25, -0.25]]), GREY, width=1),
-        Shape("path", coil(first, second, 0.08), GREY, "spring", width=2),
-        Shape("dot", first[:, None], 0, "mass 1", width=10),
-        Shape("dot", second[:, None], 1, "mass 2", width=10),
-        Shape("lines", moving(middle - [0.0, 0.25], middle + [0.0, 0.25]), 2, "centre of mass", width=2),
-    ]
-    shown = plot_samples(times)
-    total = np.array([energy(state, **parameters) for state in states[shown]])
-    still = np.array([energy(state, **parameters) for state in states[shown] * [1, 1, 0, 0]])
+    ground = [Shape("lines", np.column_stack([ends, [-0.25, -0.25]]), GREY, width=1)]
+    places = dict(zip(("mass 1", "mass 2", "centre of mass"), _places(states, parameters), strict=True))
     return Scene(
         "Two masses and a spring",
         "Two masses swing on a line at the ends of a spring. Their centre of mass, a bar across the line, moves on at "
         "one speed.",
         times,
-        [Panel(shapes)],
+        [Panel([*ground, *_draw(states, parameters)])],
         [
-            value_plot(
-                "x",
-                times[shown],
-                {"mass 1": states[shown, 0], "mass 2": states[shown, 1], "centre of mass": centre[shown]},
-                "m",
-            ),
-            energy_plot(times[shown], total, still),
+            value_plot("x", times, places, "m"),
+            state_energy_plot(times, states, 2, lambda rows: values(energy, rows, **parameters)),
         ],
+        live=Live(
+            *(rates, parameters, STATE, start, _draw, [_handle(0), _handle(1)], energies(energy, 2)), backdrop=ground
+        ),
+    )
+
+
+def _places(states: Array, parameters: Parameters) -> tuple[Array, Array, Array]:
+    """(n,) m, of both masses and of their centre of mass."""
+    (m1, m2), (x1, x2) = parameters["masses"], states[:, :2].T
+    return x1, x2, (m1 * x1 + m2 * x2) / (m1 + m2)
+
+
+def _draw(states: Array, parameters: Parameters) -> list[Shape]:
+    first, second, middle = (np.column_stack([x, 0 * x]) for x in _places(states, parameters))
+    return [
+        Shape("path", coil(first, second, 0.08), GREY, "spring", width=2),
+        Shape("dot", first[:, None], 0, "mass 1", width=10),
+        Shape("dot", second[:, None], 1, "mass 2", width=10),
+        Shape("lines", moving(middle - [0.0, 0.25], middle + [0.0, 0.25]), 2, "centre of mass", width=2),
+    ]
+
+
+def _handle(i: int) -> Handle:
+    return Handle(
+        lambda state, **parameters: [state[i], 0.0],
+        lambda point, state, **parameters: [*state[:i], point[0], *state[i + 1 :]],
     )

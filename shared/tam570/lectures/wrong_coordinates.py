@@ -15,8 +15,9 @@ from numpy.typing import ArrayLike
 from tam570.given import numbers, positives, sequence
 from tam570.integrate import solve
 from tam570.show.drawing import brick
-from tam570.show.plots import drift_note, plot_samples, value_plot
+from tam570.show.plots import drift_note, value_plot, values
 from tam570.show.scene import Array, Panel, Scene, Shape, frame_times, moving
+from tam570.show.turning import box_size, live_body
 from tam570.values import Parameters
 
 __all__ = ["angular_momentum", "energy", "film", "rates", "wrong_rates"]
@@ -71,24 +72,21 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
         name: solve(equations, times, start, parameters=parameters)
         for name, equations in {"Euler": rates, "wrong Lagrange": wrong_rates}.items()
     }
-    size = np.sqrt(np.maximum(moments.sum() / 2 - moments, 0.05 * moments.max()))
+    size, first = box_size(moments), angular_momentum(start, **parameters)
     momenta = {
         name: np.einsum("nij,nj->ni", states[:, :9].reshape(-1, 3, 3), moments * states[:, 9:])
         for name, states in both.items()
     }
-    shown, first = plot_samples(times), momenta["Euler"][0]
     scale = float(np.linalg.norm(first)) or 1.0
     panels = []
     for color, (name, states) in enumerate(both.items()):
         arrow = moving(np.zeros(3), 1.8 * float(size.max()) * momenta[name] / scale)
         body = brick(states[:, :9].reshape(-1, 3, 3), size, color, "body")
         panels.append(Panel([*body, Shape("arrow", arrow, 2, "angular momentum", width=3)], name, ruler=False))
-    across = {
-        name: np.degrees(np.arccos(np.clip(H[shown] @ first / scale**2, -1.0, 1.0))) for name, H in momenta.items()
-    }
-    energies = {name: [energy(state, **parameters) for state in states[shown]] for name, states in both.items()}
+    across = {name: np.degrees(np.arccos(np.clip(H @ first / scale**2, -1.0, 1.0))) for name, H in momenta.items()}
+    energies = {name: values(energy, states, **parameters) for name, states in both.items()}
     drift, alarm = drift_note(energies, energies["Euler"][0] or 1.0, "itself")
-    spins = {name: states[shown, 11] for name, states in both.items()}
+    spins = {name: states[:, 11] for name, states in both.items()}
     return Scene(
         "Wrong coordinates",
         "Two bodies are thrown alike. By Euler's equations the angular momentum stays where it is. By Lagrange's "
@@ -96,8 +94,9 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
         times,
         panels,
         [
-            value_plot("angular momentum from where it was", times[shown], across, "°"),
-            value_plot("spin about the body's third axis", times[shown], spins, "rad/s", f"energy: {drift}", alarm),
+            value_plot("angular momentum from where it was", times, across, "°"),
+            value_plot("spin about the body's third axis", times, spins, "rad/s", f"energy: {drift}", alarm),
         ],
         still_time=0.35,
+        live=live_body(rates, energy, parameters, STATE, start, in_space=False, title="Euler"),
     )

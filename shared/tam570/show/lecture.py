@@ -53,14 +53,7 @@ def _value(text: str) -> Numbers:
 
 def scene_of_lecture(module: ModuleType, numbers: Parameters | None = None) -> Scene:
     """Film a lecture, with other numbers. Trouble says what cannot be shown."""
-    scene = filmed(module, module.film, numbers)
-    if not hasattr(module, "START"):
-        return scene
-    from tam570.show.scenes.to_grab import live_lecture
-
-    parameters, start, _ = _arguments(dict(scene.settings))
-    name = module.__name__.rpartition(".")[2].removeprefix("copy_of_")
-    return replace(scene, live=live_lecture(module, name, parameters, start, scene))
+    return filmed(module, module.film, numbers)
 
 
 def filmed(source: ModuleType, film: Callable[..., Scene], numbers: Parameters | None) -> Scene:

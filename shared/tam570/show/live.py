@@ -12,11 +12,11 @@ import numpy as np
 
 from tam570.integrate.symbols import Symbol, Untraceable, Value
 from tam570.integrate.trace import Graph, traced
-from tam570.show.scene import Panel
+from tam570.show.scene import Shape
 from tam570.show.student import Trouble
 from tam570.values import Function, Json, Numbers, Parameters
 
-__all__ = ["Handle", "Live", "Program", "live_if_written", "program"]
+__all__ = ["Handle", "Live", "Program", "drag", "energies", "live_if_written", "program"]
 
 SAME_NAME = (
     "sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh exp expm1 log log1p log2 log10 sqrt cbrt hypot"
@@ -31,37 +31,62 @@ CLOSE = 1e-9  # between the traced equations and the function: roundings
 class Handle:
     """What a hand takes hold of.
 
-    place : place(state, **parameters) -> 2 or 3 numbers, m: where it is
-    grab  : grab(place, state, **parameters) -> the state that has it there
-    panel : the number of its panel
+    point : point(state, **parameters) -> 2 or 3 numbers, m: where it is
+    grab  : grab(point, state, **parameters) -> the state that has it there
     """
 
-    place: Function
+    point: Function
     grab: Function
-    panel: int = 0
 
 
 @dataclass(frozen=True)
 class Live:
-    """A scene as equations.
+    """A scene as equations, in the first of its panels.
 
-    rates    : rates(t, state, **parameters) -> the state's rates
-    panels   : panels(states, parameters) -> Panels, as for a film of one sample, states (1, k)
-    handles  : what can be dragged
-    measures : by name, f(state, **parameters) -> a number to plot over time
-    unit     : of the measures
-    rests    : whether friction ends the motion, where the first measure is zero; else that keeps its value
+    rates     : rates(t, state, **parameters) -> the state's rates
+    draw      : draw(states, parameters) -> Shapes, as for a film of one sample, states (1, k)
+    handles   : what can be dragged
+    measures  : by name, f(state, **parameters) -> a number to plot over time
+    unit      : of the measures
+    conserved : whether the first measure keeps its value
+    rests     : whether friction ends the motion, where the first measure is zero
+    title     : of the panel
+    backdrop  : what stands still behind it, as it is in the film
     """
 
     rates: Function
     parameters: Parameters
     state: Mapping[str, str]
     start: Sequence[float]
-    panels: Callable[[Numbers, Parameters], Sequence[Panel]]
+    draw: Callable[[Numbers, Parameters], Sequence[Shape]]
     handles: Sequence[Handle] = ()
     measures: Mapping[str, Function] = field(default_factory=dict)
     unit: str = "J"
+    conserved: bool = True
     rests: bool = False
+    title: str = ""
+    backdrop: Sequence[Shape] = ()
+
+
+def drag(first: int, count: int) -> Handle:
+    """Return a hand that moves `count` coordinates of the state, from `first` on, and keeps all else."""
+    return Handle(
+        lambda state, **parameters: state[first : first + count],
+        lambda point, state, **parameters: [*state[:first], *point[:count], *state[first + count :]],
+    )
+
+
+def energies(energy: Function, positions: int) -> dict[str, Function]:
+    """Return what to measure of a state: its energy, and the energy with all but its first `positions` numbers 0.
+
+    energy : energy(state, **parameters) -> J
+    """
+    return {
+        "total E": lambda state, **parameters: energy(np.array(state), **parameters),
+        "potential V": lambda state, **parameters: energy(
+            np.array([*state[:positions], *[0.0] * (len(state) - positions)]), **parameters
+        ),
+    }
 
 
 def live_if_written(make: Callable[[], Live]) -> Live | None:
@@ -112,19 +137,18 @@ class _Writer:
         self.live, self.sliders, self.k, self.m = live, sliders, len(live.start), len(sliders)
 
     def program(self) -> Program:
-        rates, film = self.live.rates, self.live.panels  # a trace goes into the functions of a closure
+        rates, draw = self.live.rates, self.live.draw  # a trace goes into the functions of a closure
         of_rates = self._traced(lambda t, state, arguments, pointer: rates(t, state, **arguments))
         self._compare(of_rates)
-        panels: list[Json] = []
-        measures = {name: one for name, one in self.live.measures.items() if self._is_traceable(one)}
-        more = _composed([*(handle.place for handle in self.live.handles), *measures.values()])
+        shapes: list[Json] = []
+        still = self.live.backdrop
+        measures = {name: measure for name, measure in self.live.measures.items() if self._is_traceable(measure)}
+        more = _composed([*(handle.point for handle in self.live.handles), *measures.values()])
         grabs = _composed([handle.grab for handle in self.live.handles])
 
         def drawn(t: Numbers, state: Numbers, parameters: Parameters, target: Numbers) -> list[Numbers]:
-            panels.clear()
             points: list[Value] = []
-            for panel in film(np.reshape(state, (1, -1)), parameters):
-                panels.append({"title": panel.title, "shapes": [_shape(shape, points) for shape in panel.shapes]})
+            shapes[:] = [_shape(shape, points) for shape in [*still, *draw(np.reshape(state, (1, -1)), parameters)]]
             return points + more([], (state,), parameters)
 
         def grabbed(t: Numbers, state: Numbers, parameters: Parameters, target: Numbers) -> list[Numbers]:
@@ -132,9 +156,9 @@ class _Writer:
 
         graphs = {"rates": of_rates, "drawn": self._traced(drawn), "grab": self._traced(grabbed)}
         code = "".join(f"{name}(t,s,p,q){{{_body(graph, self.k, self.m)}}}," for name, graph in graphs.items())
-        first = sum(len(shape["at"]) * shape["dim"] for panel in panels for shape in panel["shapes"])
+        first = sum(len(shape["at"]) * shape["dim"] for shape in shapes)
         count = len(graphs["drawn"].rates) - first - len(measures)
-        return Program(f"const program = {{{code}}};", self._data(panels, first, count, list(measures)))
+        return Program(f"const program = {{{code}}};", self._data(shapes, first, count, list(measures)))
 
     def _is_traceable(self, measure: Function) -> bool:
         try:
@@ -143,7 +167,7 @@ class _Writer:
             return False
         return True
 
-    def _data(self, panels: list[Json], first: int, count: int, measures: list[str]) -> Json:
+    def _data(self, shapes: list[Json], first: int, count: int, measures: list[str]) -> Json:
         dim = count // max(len(self.live.handles), 1)
         has_first = measures[:1] == list(self.live.measures)[:1] != []
         return {
@@ -153,14 +177,12 @@ class _Writer:
                 {"name": name if i is None else f"{name} {i + 1}", "value": value, "range": _range(value)}
                 for name, i, value in self.sliders
             ],
-            "panels": panels,
-            "handles": [
-                {"panel": handle.panel, "at": first + i * dim, "dim": dim} for i, handle in enumerate(self.live.handles)
-            ],
+            "panels": [{"title": self.live.title, "shapes": shapes}],
+            "handles": [{"panel": 0, "at": first + i * dim, "dim": dim} for i in range(len(self.live.handles))],
             "measures": measures,
             "first": first + count,
             "unit": self.live.unit,
-            "constant": has_first and not self.live.rests,
+            "constant": has_first and self.live.conserved,
             "rests": has_first and self.live.rests,
         }
 
@@ -195,10 +217,10 @@ class _Writer:
 def _composed(functions: Sequence[Function]) -> Callable[..., list[Numbers]]:
     """One function that appends the numbers of each, called with the same arguments; a closure of closures."""
 
-    def none(result: list[Numbers], arguments: tuple[Numbers, ...], parameters: Parameters) -> list[Numbers]:
+    def nothing(result: list[Numbers], arguments: tuple[Numbers, ...], parameters: Parameters) -> list[Numbers]:
         return result
 
-    def then(before: Callable[..., list[Numbers]], function: Function) -> Callable[..., list[Numbers]]:
+    def followed_by(before: Callable[..., list[Numbers]], function: Function) -> Callable[..., list[Numbers]]:
         def both(result: list[Numbers], arguments: tuple[Numbers, ...], parameters: Parameters) -> list[Numbers]:
             return [
                 *before(result, arguments, parameters),
@@ -207,9 +229,9 @@ def _composed(functions: Sequence[Function]) -> Callable[..., list[Numbers]]:
 
         return both
 
-    combined: Callable[..., list[Numbers]] = none
+    combined: Callable[..., list[Numbers]] = nothing
     for function in functions:
-        combined = then(combined, function)
+        combined = followed_by(combined, function)
     return combined
 
 
@@ -232,7 +254,7 @@ def _range(value: float) -> tuple[float, float]:
     return low, high
 
 
-def _shape(shape: Numbers, points: list[Value]) -> Json:
+def _shape(shape: Shape, points: list[Value]) -> Json:
     """One shape, its coordinates appended to the points."""
     rows = shape.points[0] if shape.points.ndim == 3 else shape.points
     at = []

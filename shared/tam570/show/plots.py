@@ -1,14 +1,15 @@
 """Curves over time beside a motion: values as they are, energies, and how far what must not change has drifted."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tam570.show.scene import Array, TimePlot
 from tam570.show.student import Trouble
+from tam570.values import Function, Numbers
 
-__all__ = ["drift_note", "drift_plot", "energy_plot", "plot_samples", "value_plot"]
+__all__ = ["drift_note", "drift_plot", "energy_plot", "plot_samples", "state_energy_plot", "value_plot", "values"]
 
 PLOT_SAMPLES = 400  # of a time plot, which is about as many pixels wide
 LEAST_SPAN = 0.01  # of a time plot of deviations: what is conserved to a pixel in it looks flat, whatever the rounding
@@ -17,7 +18,7 @@ LARGE = 1e-3  # a deviation that no careful integration has; 1e-6 is a careless 
 
 
 def plot_samples(times: Array) -> NDArray[np.int64]:
-    """Return which of the times a time plot needs."""
+    """Return which of the times, or of the values at them, a time plot needs."""
     count = min(len(times), PLOT_SAMPLES + 1)
     return np.rint(np.linspace(0, len(times) - 1, count)).astype(np.int64)
 
@@ -32,12 +33,12 @@ def value_plot(
     *,
     least: float = 0.0,
 ) -> TimePlot:
-    """Plot quantities as they are; the axis reaches to `least` at least."""
-    values = {name: np.asarray(curve, dtype=float) for name, curve in curves.items()}
+    """Plot quantities as they are, from curves at all times; the axis reaches to `least` at least."""
+    values = {name: _sampled(curve) for name, curve in curves.items()}
     low = min(0.0, *(float(curve.min()) for curve in values.values()))
     high = max(least, *(float(curve.max()) for curve in values.values()))
     margin = 0.05 * (high - low) or 1.0
-    return _drawable(TimePlot(title, times, values, (low - margin, high + margin), unit, caption, alarm))
+    return _drawable(TimePlot(title, _sampled(times), values, (low - margin, high + margin), unit, caption, alarm))
 
 
 def energy_plot(times: Array, total: Array, potential: Array, title: str = "energy") -> TimePlot:
@@ -49,6 +50,23 @@ def energy_plot(times: Array, total: Array, potential: Array, title: str = "ener
     scale = float(np.abs(kinetic).max()) or float(np.abs(total).max()) or 1.0
     curves = {"kinetic T": kinetic, "potential V": potential, "total E": total}
     return value_plot(title, times, curves, "J", *drift_note({"": total}, scale, "the largest kinetic energy"))
+
+
+def state_energy_plot(times: Array, states: Array, positions: int, energy: Callable[[Array], ArrayLike]) -> TimePlot:
+    """Plot the energies of a motion; without its rates, a state has its potential energy alone.
+
+    states    : (n, k)
+    positions : of the state's numbers the first that say where everything is; the rest are rates
+    energy    : energy(states (m, k)) -> (m,) J
+    """
+    shown = plot_samples(times)
+    moving, at_rest = states[shown], states[shown] * (np.arange(states.shape[1]) < positions)
+    return energy_plot(times[shown], np.asarray(energy(moving)), np.asarray(energy(at_rest)))
+
+
+def values(function: Function, states: Array, **parameters: Numbers) -> Array:
+    """(n, ...) what `function(state, **parameters)` returns for each of n states."""
+    return np.array([function(state, **parameters) for state in states])
 
 
 def drift_plot(
@@ -73,7 +91,7 @@ def drift_plot(
     shown = {**moved, **others}
     half = 1.1 * max(100.0 * LEAST_SPAN / 1.1, *(float(np.abs(curve).max()) for curve in shown.values()))
     caption, alarm = drift_note(curves, scale, of)
-    return _drawable(TimePlot(title, times, shown, (-half, half), "%", caption, alarm))
+    return _drawable(TimePlot(title, _sampled(times), shown, (-half, half), "%", caption, alarm))
 
 
 def drift_note(constants: Mapping[str, ArrayLike], scale: float, of: str) -> tuple[str, bool]:
@@ -87,9 +105,14 @@ def drift_note(constants: Mapping[str, ArrayLike], scale: float, of: str) -> tup
     return f"{'not conserved: ' if alarm else ''}relative drift {largest:.2g} of {of}", alarm
 
 
+def _sampled(curve: ArrayLike) -> Array:
+    array = np.asarray(curve, dtype=float)
+    return array[plot_samples(array)]
+
+
 def _deviation(values: ArrayLike, scale: float) -> Array:
     """(m,) difference from the first value, of a vector its size, as a share of the scale."""
-    array = np.asarray(values, dtype=float)
+    array = _sampled(values)
     with np.errstate(over="ignore"):
         moved: Array = (array - array[0]) / scale
     return moved if moved.ndim == 1 else np.linalg.norm(moved, axis=1)

@@ -45,7 +45,7 @@ def test_the_page_moves_as_solve_does(tab, scene_named, name):
         "grasped.handles.map(({at, dim}) => program.drawn(0, grasped.start, live.p).slice(at, at + dim))"
     )
     for position, handle in zip(places, live.handles, strict=True):
-        assert position == pytest.approx(np.ravel(handle.place(np.array(live.start), **live.parameters)), abs=1e-9)
+        assert position == pytest.approx(np.ravel(handle.point(np.array(live.start), **live.parameters)), abs=1e-9)
 
 
 @pytest.mark.parametrize("name", [*HOMEWORK, *LECTURES])
@@ -54,10 +54,10 @@ def test_what_a_hand_holds_is_where_the_hand_is(scene_named, name):
     live = scene_named(name).live
     state = np.array(live.start)
     for handle in live.handles:
-        position = np.ravel(handle.place(state, **live.parameters)).astype(float)
+        position = np.ravel(handle.point(state, **live.parameters)).astype(float)
         grabbed = np.array(handle.grab([*position, 0.0][:3], state, **live.parameters), dtype=float)
         assert len(grabbed) == len(live.state) == len(live.start)
-        assert np.ravel(handle.place(grabbed, **live.parameters)) == pytest.approx(position, abs=1e-9)
+        assert np.ravel(handle.point(grabbed, **live.parameters)) == pytest.approx(position, abs=1e-9)
 
 
 def dragged(opened, by):

@@ -1,14 +1,16 @@
 """The lecture `convergence`: two double pendulums, only one of them right, whose numerical solutions both converge."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
 from tam570.integrate import solve
 from tam570.show.drawing import graph
-from tam570.show.plots import drift_note, plot_samples, value_plot
-from tam570.show.scene import INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
-from tam570.values import Function, Parameters
+from tam570.show.live import Live, energies
+from tam570.show.plots import drift_note, value_plot, values
+from tam570.show.rods import joints, rod_handles
+from tam570.show.scene import INK, Array, Panel, Scene, Shape, frame_times, moving
+from tam570.values import Function, Numbers, Parameters
 
 __all__ = ["film"]
 
@@ -17,18 +19,20 @@ STEPS = 0.02 / 2.0 ** np.arange(5)  # s
 COLORS = (0, 1)  # right, wrong
 
 
-def film(
-    equations: Sequence[Function],
-    energy: Callable[..., float],
-    errors: Function,
-    parameters: Parameters,
-    start: Sequence[float],
-    seconds: float,
-) -> Scene:
-    """Return the right equations and the wrong ones from one start."""
-    times = frame_times(seconds)
+def film(lecture: Numbers, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
+    """Return the right equations and the wrong ones from one start.
+
+    lecture : its functions
+    """
+    times, equations = frame_times(seconds), (lecture.rates, lecture.wrong_rates)
     correct, wrong = (solve(rates, times, start, parameters=parameters, rtol=1e-9) for rates in equations)
-    lengths = parameters["lengths"]
+    totals = {
+        f"{name} equations": values(lecture.energy, states, **parameters)
+        for name, states in (("right", correct), ("wrong", wrong))
+    }
+    scale = float(np.abs(totals["right equations"]).max()) or 1.0
+    drift = drift_note({"": totals["right equations"]}, scale, "itself, by the right")
+    handles = rod_handles(2, lambda parameters: parameters["lengths"])
     return Scene(
         "Convergence is not rightness",
         "Two double pendulums start alike, one by the right equations and one that forgets a centripetal acceleration. "
@@ -36,22 +40,21 @@ def film(
         "the wrong one wanders.",
         times,
         [
-            Panel(
-                [*_pendulum(correct, lengths, 0, "right equations"), *_pendulum(wrong, lengths, 1, "wrong equations")]
-            ),
-            Panel(_orders(errors), "error over step: both converge", ruler=False),
+            Panel([*_draw(correct, parameters), *_pendulum(wrong, parameters, 1, "wrong equations")]),
+            Panel(_orders(lecture.errors), "error over step: both converge", ruler=False),
         ],
-        [_energies(times, correct, wrong, lambda state: energy(state, **parameters))],
+        [value_plot("energy", times, totals, "J", *drift)],
         still_time=0.22,
+        live=Live(lecture.rates, parameters, lecture.STATE, start, _draw, handles, energies(lecture.energy, 2)),
     )
 
 
-def _pendulum(states: Array, lengths: Sequence[float], color: int, name: str) -> list[Shape]:
-    elbow, arm = (
-        length * np.column_stack([np.sin(angle), -np.cos(angle)])
-        for length, angle in zip(lengths, states[:, :2].T, strict=True)
-    )
-    tip = elbow + arm
+def _draw(states: Array, parameters: Parameters) -> list[Shape]:
+    return _pendulum(states, parameters, 0, "right equations")
+
+
+def _pendulum(states: Array, parameters: Parameters, color: int, name: str) -> list[Shape]:
+    elbow, tip = joints(states[:, :2].T, parameters["lengths"])
     return [
         Shape("trail", tip[:, None], color, width=1, faint=True),
         Shape("path", moving(np.zeros(2), elbow, tip), color, name, width=3),
@@ -69,20 +72,8 @@ def _orders(errors: Function) -> list[Shape]:
     )
     lines, labels = [], []
     for method, both in curves.items():
-        for values, color in zip(both, COLORS, strict=True):
-            points = to_points(steps, values)
+        for curve, color in zip(both, COLORS, strict=True):
+            points = to_points(steps, curve)
             lines += [Shape("path", points, color, width=2), Shape("dot", points, color, width=4)]
         labels.append(Shape("text", to_points(steps[:1], both[0][:1]), INK, words=method))
     return [*axes, *lines, *labels]
-
-
-def _energies(times: Array, correct: Array, wrong: Array, energy: Callable[[Array], float]) -> TimePlot:
-    shown = plot_samples(times)
-    curves = {
-        f"{name} equations": np.array([energy(state) for state in states[shown]])
-        for name, states in (("right", correct), ("wrong", wrong))
-    }
-    scale = float(np.abs(curves["right equations"]).max()) or 1.0
-    return value_plot(
-        "energy", times[shown], curves, "J", *drift_note({"": curves["right equations"]}, scale, "itself, by the right")
-    )

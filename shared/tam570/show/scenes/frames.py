@@ -5,7 +5,8 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from tam570.show.drawing import unit_circle
-from tam570.show.plots import drift_note, plot_samples, value_plot
+from tam570.show.live import Live, drag
+from tam570.show.plots import drift_note, value_plot, values
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.values import Numbers
 
@@ -22,8 +23,14 @@ def film(frames: Numbers, parameters: Mapping[str, float], start: Sequence[float
     """
     times = frame_times(seconds)
     seen = frames.exact(times, start, **parameters)
+    spring = bool(parameters["stiffness"])
     space = frames.to_space(times, seen, spin=parameters["spin"])
-    rim = 1.1 * float(np.hypot(*seen[:, :2].T).max())
+    rim, jacobi = 1.1 * float(np.hypot(*seen[:, :2].T).max()), frames.jacobi_integral
+    measures = {"Jacobi's integral": lambda state, **parameters: jacobi([*state], **parameters)}
+
+    def draw(states: Array, parameters: Mapping[str, float]) -> list[Shape]:
+        return _table(states, np.zeros(len(states)), rim, spring=True)
+
     return Scene(
         "Turntable and Foucault's pendulum",
         "A particle slides over a turntable. Seen from space it runs on an ellipse or a straight line. Seen from the "
@@ -32,29 +39,36 @@ def film(frames: Numbers, parameters: Mapping[str, float], start: Sequence[float
         times,
         [
             Panel(
-                [*_table(times, seen, parameters, rim, turning=False), *_forces(frames, seen, parameters, rim)],
+                [*_table(seen, 0.0 * times, rim, spring), *_forces(frames, seen, parameters, rim)],
                 "seen from the turntable",
             ),
-            Panel(_table(times, space, parameters, rim, turning=True), "seen from space"),
+            Panel(_table(space, parameters["spin"] * times, rim, spring), "seen from space"),
             Panel(_pendulum(frames, times), "Foucault's pendulum, from above", ruler=False),
         ],
-        [_energies(frames, times, seen, parameters), _plane(frames, times)],
+        [
+            _energies(frames, times, seen, parameters),
+            value_plot(
+                "Foucault: angle of the plane", times, {"": np.degrees(frames.foucault(times, **EARTH))}, "degrees"
+            ),
+        ],
         still_time=0.4,
+        live=Live(
+            *(frames.rates, parameters, frames.STATE, start, draw, [drag(0, 2)], measures),
+            title="seen from the turntable",
+        ),
     )
 
 
-def _table(times: Array, states: Array, parameters: Mapping[str, float], rim: float, turning: bool) -> list[Shape]:
-    angles = SPOKES + (parameters["spin"] * times if turning else 0.0 * times)[:, None]
+def _table(states: Array, turned: Array, rim: float, spring: bool) -> list[Shape]:
+    """Draw the turntable, turned by (n,) rad, and the particle on it."""
+    angles = SPOKES + turned[:, None]
     ends = rim * np.stack([np.cos(angles), np.sin(angles)], axis=-1)
     particle = states[:, :2]
-    spring = (
-        [Shape("lines", moving(np.zeros(2), particle), INK, "spring", width=1.5)] if parameters["stiffness"] else []
-    )
     return [
         Shape("path", rim * unit_circle(61), GREY, width=2),
-        Shape("lines", np.stack([np.zeros_like(ends), ends], axis=2).reshape(len(times), -1, 2), GREY, width=1),
+        Shape("lines", np.stack([np.zeros_like(ends), ends], axis=2).reshape(len(ends), -1, 2), GREY, width=1),
         Shape("trail", particle[:, None], 2, "path", width=2),
-        *spring,
+        *([Shape("lines", moving(np.zeros(2), particle), INK, "spring", width=1.5)] if spring else []),
         Shape("dot", particle[:, None], 0, "particle", width=8),
     ]
 
@@ -62,7 +76,7 @@ def _table(times: Array, states: Array, parameters: Mapping[str, float], rim: fl
 def _forces(frames: Numbers, seen: Array, parameters: Mapping[str, float], rim: float) -> list[Shape]:
     """Return the forces that only the observer on the turntable adds."""
     forces = {
-        name: np.array([force(state, **parameters) for state in seen])
+        name: values(force, seen, **parameters)
         for name, force in (("Coriolis", frames.coriolis), ("centrifugal", frames.centrifugal))
     }
     unit = 0.6 * rim / (max(float(np.linalg.norm(force, axis=1).max()) for force in forces.values()) or 1.0)  # m/N
@@ -86,21 +100,14 @@ def _pendulum(frames: Numbers, times: Array) -> list[Shape]:
 
 
 def _energies(frames: Numbers, times: Array, seen: Array, parameters: Mapping[str, float]) -> TimePlot:
-    shown = plot_samples(times)
     mass, stiffness, spin = (parameters[name] for name in ("mass", "stiffness", "spin"))
-    squares = (seen[shown, :2] ** 2).sum(axis=1) / 2
+    squares = (seen[:, :2] ** 2).sum(axis=1) / 2
     curves = {
-        "kinetic": mass * (seen[shown, 2:] ** 2).sum(axis=1) / 2,
+        "kinetic": mass * (seen[:, 2:] ** 2).sum(axis=1) / 2,
         "spring": stiffness * squares,
         "centrifugal": -mass * spin**2 * squares,
-        "Jacobi's integral": np.array([frames.jacobi_integral(state, **parameters) for state in seen[shown]]),
+        "Jacobi's integral": values(frames.jacobi_integral, seen, **parameters),
     }
     conserved = {"": curves["Jacobi's integral"]}
     caption = drift_note(conserved, float(curves["kinetic"].max()) or 1.0, "the largest kinetic energy")
-    return value_plot("energies on the turntable", times[shown], curves, "J", *caption)
-
-
-def _plane(frames: Numbers, times: Array) -> TimePlot:
-    shown = plot_samples(times)
-    plane = np.degrees(frames.foucault(times[shown], **EARTH))
-    return value_plot("Foucault: angle of the plane", times[shown], {"": plane}, "degrees")
+    return value_plot("energies on the turntable", times, curves, "J", *caption)

@@ -6,8 +6,9 @@ import numpy as np
 
 from tam570.show.diagrams import force_shapes
 from tam570.show.drawing import graph, unit_circle
-from tam570.show.live import Handle, Live, live_if_written
+from tam570.show.live import Live, live_if_written
 from tam570.show.plots import energy_plot, plot_samples, value_plot
+from tam570.show.rods import rod_handles
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student, make_each
 from tam570.values import Function, Numbers, Parameters
@@ -28,15 +29,13 @@ def film(student: Student, rod: Parameters, start: Sequence[float], seconds: flo
     full = student("simulate", times, *start, **rod, shape=shape)
     small = student("small_angle_solution", times, *start, **rod, shape=shape)
     length = rod["length"]
-    hang = np.array([[0.0, 0.0], [0.0, -1.1 * length]])
     shapes = [
         Shape("lines", np.array([[-0.3, 0.0], [0.3, 0.0]]) * length, GREY, width=3),
         Shape("path", length * unit_circle(121), GREY, width=1, faint=True),
-        Shape("lines", hang, GREY, width=1),
+        Shape("lines", np.array([[0.0, 0.0], [0.0, -1.1 * length]]), GREY, width=1),
         *_pendulum(length, small[:, 0], 1, "small-angle solution"),
-        *_pendulum(length, full[:, 0], 0, "full equation"),
+        *_draw(full, rod),
         *force_shapes(notes, student, *full.T, mass=MASS, **rod, size=0.3 * length),
-        Shape("dot", np.zeros((1, 2)), INK, width=4),
     ]
     return Scene(
         "Simple pendulum",
@@ -44,7 +43,10 @@ def film(student: Student, rod: Parameters, start: Sequence[float], seconds: flo
         "one of the small-angle solution and falls behind it. Beside them both run round in the phase plane.",
         times,
         [Panel(shapes), Panel(_phase_plane(full, small), "phase plane", ruler=False)],
-        [_angles(times, full, small), *make_each(notes, lambda: _energy(student, times, full, rod))],
+        [
+            value_plot("angle θ", times, {"full": full[:, 0], "small-angle": small[:, 0]}, "rad"),
+            *make_each(notes, lambda: _energy(student, times, full, rod)),
+        ],
         notes=notes,
         still_time=0.22,
         live=live_if_written(lambda: _live(student, rod, start)),
@@ -58,16 +60,6 @@ def _live(student: Student, rod: Parameters, start: Sequence[float]) -> Live:
     def rates(t: float, state: Numbers, **parameters: Numbers) -> list[Numbers]:
         return [state[1], balance(*state, mass=MASS, **parameters)[0]]
 
-    def panels(states: Numbers, parameters: Parameters) -> list[Panel]:
-        hook = Shape("dot", np.zeros((1, 2)), INK, width=4)
-        return [Panel([*_pendulum(parameters["length"], states[:, 0], 0, "full equation"), hook])]
-
-    def bob(state: Numbers, **parameters: Numbers) -> list[Numbers]:
-        return [parameters["length"] * np.sin(state[0]), -parameters["length"] * np.cos(state[0])]
-
-    def grab(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numbers]:
-        return [np.arctan2(point[0], -point[1]), 0.0]
-
     def measure(i: int) -> Function:
         return lambda state, **parameters: energies(*state, mass=MASS, **parameters)[i]
 
@@ -76,7 +68,13 @@ def _live(student: Student, rod: Parameters, start: Sequence[float]) -> Live:
         return kinetic + potential
 
     measures = {"total E": total, "kinetic T": measure(1), "potential V": measure(2)}
-    return Live(rates, rod, STATE, start, panels, [Handle(bob, grab)], measures)
+    handles = rod_handles(1, lambda parameters: [parameters["length"]])
+    return Live(rates, rod, STATE, start, _draw, handles, measures)
+
+
+def _draw(states: Numbers, rod: Parameters) -> list[Shape]:
+    hook = Shape("dot", np.zeros((1, 2)), INK, width=4)
+    return [*_pendulum(rod["length"], states[:, 0], 0, "full equation"), hook]
 
 
 def _pendulum(length: float, theta: Array, color: int, name: str) -> list[Shape]:
@@ -91,11 +89,6 @@ def _phase_plane(full: Array, small: Array) -> list[Shape]:
         way = to_points(*states.T)[:, None]
         shapes += [Shape("trail", way, color, width=1.5), Shape("dot", way, color, width=6)]
     return shapes
-
-
-def _angles(times: Array, full: Array, small: Array) -> TimePlot:
-    shown = plot_samples(times)
-    return value_plot("angle θ", times[shown], {"full": full[shown, 0], "small-angle": small[shown, 0]}, "rad")
 
 
 def _energy(student: Student, times: Array, states: Array, rod: Parameters) -> TimePlot:

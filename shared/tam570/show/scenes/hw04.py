@@ -1,15 +1,16 @@
 """hw04: the mass on its spring in space, the ellipse, and the student's own projections of the path."""
 
 from collections.abc import Sequence
+from functools import partial
 from math import pi
 
 import numpy as np
 
 from tam570.show.diagrams import force_shapes
 from tam570.show.drawing import axes, circle
-from tam570.show.live import Handle, Live, live_if_written
-from tam570.show.plots import energy_plot, plot_samples
-from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
+from tam570.show.live import Live, drag, energies, live_if_written
+from tam570.show.plots import state_energy_plot
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.show.student import Student, make_each
 from tam570.values import Numbers, Parameters
 
@@ -27,24 +28,19 @@ def film(student: Student, spring: Parameters, start: Sequence[float], seconds: 
     times, notes = frame_times(seconds), list[str]()
     r, v = np.array(start[:3]), np.array(start[3:])
     states = student("simulate", times, r, v, **spring, shape=(len(times), 6))
-    mass = states[:, :3]
     shapes = [
-        *axes(0.5),
         *make_each(notes, lambda: _ellipse(student, r, v, spring)),
-        Shape("trail", mass[:, None], 2, "path", width=2),
-        Shape("lines", moving(np.zeros(3), mass), 0, "spring", width=3),
-        Shape("dot", np.zeros((1, 3)), INK, width=4),
-        Shape("dot", mass[:, None], 1, "mass", width=9),
+        *_draw(states, spring),
         *force_shapes(notes, student, states, **spring, size=0.5, origin=(0.0, 0.0, 0.0)),
     ]
-    flat = make_each(notes, *(lambda title=title: _projected(student, mass, title) for title in VIEWS))
+    flat = make_each(notes, *(lambda title=title: _projected(student, states[:, :3], title) for title in VIEWS))
     return Scene(
         "Mass on a zero-rest-length spring",
         "A mass on a spring from the origin goes round an ellipse in space, again and again. Beside it the same path, "
         "projected on two planes at right angles.",
         times,
         [Panel(shapes), *flat],
-        make_each(notes, lambda: _energy(student, times, states, spring)),
+        make_each(notes, lambda: state_energy_plot(times, states, 3, partial(student.each, "energy", **spring))),
         view=(0.6, 0.4),
         notes=notes,
         still_time=0.2,
@@ -53,23 +49,19 @@ def film(student: Student, spring: Parameters, start: Sequence[float], seconds: 
 
 
 def _live(student: Student, spring: Parameters, start: Sequence[float]) -> Live:
-    def panels(states: Numbers, parameters: Parameters) -> list[Panel]:
-        mass = states[:, :3]
-        return [
-            Panel(
-                [
-                    *axes(0.5),
-                    Shape("trail", mass[:, None], 2, "path", width=2),
-                    Shape("lines", moving(np.zeros(3), mass), 0, "spring", width=3),
-                    Shape("dot", np.zeros((1, 3)), INK, width=4),
-                    Shape("dot", mass[:, None], 1, "mass", width=9),
-                ]
-            )
-        ]
+    measures = energies(student.function("energy"), 3)
+    return Live(student.function("state_derivative"), spring, STATE, start, _draw, [drag(0, 3)], measures)
 
-    mass = Handle(lambda state, **arguments: state[:3], lambda point, state, **arguments: [*point, *state[3:]])
-    measures = {"energy": student.function("energy")}
-    return Live(student.function("state_derivative"), spring, STATE, start, panels, [mass], measures)
+
+def _draw(states: Numbers, spring: Parameters) -> list[Shape]:
+    mass = states[:, :3]
+    return [
+        *axes(0.5),
+        Shape("trail", mass[:, None], 2, "path", width=2),
+        Shape("lines", moving(np.zeros(3), mass), 0, "spring", width=3),
+        Shape("dot", np.zeros((1, 3)), INK, width=4),
+        Shape("dot", mass[:, None], 1, "mass", width=9),
+    ]
 
 
 def _ellipse(student: Student, r: Array, v: Array, spring: Parameters) -> Shape:
@@ -87,10 +79,3 @@ def _projected(student: Student, mass: Array, title: str) -> Panel:
         Shape("dot", path[:, None], 1, width=9),
     ]
     return Panel(shapes, title)
-
-
-def _energy(student: Student, times: Array, states: Array, spring: Parameters) -> TimePlot:
-    shown = plot_samples(times)
-    total = student.each("energy", states[shown], **spring)
-    at_rest = states[shown] * [1, 1, 1, 0, 0, 0]
-    return energy_plot(times[shown], total, student.each("energy", at_rest, **spring))

@@ -2,13 +2,14 @@
 
 import math
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
 from tam570.show.diagrams import force_shapes
 from tam570.show.drawing import unit_circle
-from tam570.show.live import Handle, Live, live_if_written
-from tam570.show.plots import drift_note, energy_plot, plot_samples, value_plot
+from tam570.show.live import Handle, Live, energies, live_if_written
+from tam570.show.plots import drift_note, plot_samples, state_energy_plot, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student, make_each
 from tam570.values import Numbers, Parameters
@@ -26,6 +27,7 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
     """Let go at rest next to the top."""
     times, notes, length = frame_times(seconds), list[str](), parameters["length"]
     states = student("simulate", times, np.array(start), **parameters, shape=(len(times), 4))
+    energy = {name: parameters[name] for name in ("mass", "gravity")}
     rod = student.each("wireframe", states, length=length, shape=(1, 2, 2))[:, 0]
     shapes = [
         Shape("path", length * unit_circle(121), GREY, "the circle", width=1.5),
@@ -42,7 +44,9 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
         times,
         [Panel(shapes)],
         make_each(
-            notes, lambda: _energy(student, times, states, parameters), lambda: _rod(student, times, states, parameters)
+            notes,
+            lambda: state_energy_plot(times, states, 2, partial(student.each, "energy", **energy)),
+            lambda: _rod(student, times, states, parameters),
         ),
         notes=notes,
         still_time=0.13,
@@ -56,15 +60,14 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float]) -> L
     def rates(t: float, state: Numbers, **parameters: Numbers) -> list[Numbers]:
         return [*state[2:], *acceleration(state, **parameters)]
 
-    def panels(states: Numbers, parameters: Parameters) -> list[Panel]:
+    def draw(states: Numbers, parameters: Parameters) -> list[Shape]:
         particle = states[:, :2]
-        shapes = [
+        return [
             Shape("path", parameters["length"] * unit_circle(121), GREY, "the circle", width=1.5),
             Shape("lines", moving(np.zeros(2), particle), GREY, "rod", width=2),
             Shape("dot", np.zeros((1, 2)), INK, width=5),
             Shape("dot", particle[:, None], 1, "particle", width=10),
         ]
-        return [Panel(shapes)]
 
     def grab(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numbers]:
         angle = np.arctan2(point[0], point[1])
@@ -74,7 +77,7 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float]) -> L
         return energy(state, mass=mass, gravity=gravity)
 
     handle = Handle(lambda state, **arguments: state[:2], grab)
-    return Live(rates, parameters, STATE, start, panels, [handle], {"energy": total})
+    return Live(rates, parameters, STATE, start, draw, [handle], energies(total, 2))
 
 
 def _forces(student: Student, states: Array, parameters: Parameters) -> list[Shape]:
@@ -86,14 +89,6 @@ def _forces(student: Student, states: Array, parameters: Parameters) -> list[Sha
         Shape("arrow", moving(point, point + unit * weight), 2, "weight", width=3),
         Shape("arrow", moving(point, point + unit * force), 3, "force of the rod", width=4),
     ]
-
-
-def _energy(student: Student, times: Array, states: Array, parameters: Parameters) -> TimePlot:
-    shown = plot_samples(times)
-    at_rest = states[shown] * [1, 1, 0, 0]
-    arguments = {"mass": parameters["mass"], "gravity": parameters["gravity"]}
-    total, potential = (student.each("energy", rows, **arguments) for rows in (states[shown], at_rest))
-    return energy_plot(times[shown], total, potential)
 
 
 def _rod(student: Student, times: Array, states: Array, parameters: Parameters) -> TimePlot:

@@ -32,19 +32,26 @@ HALF_WIDTH, OVERHANG, WHEEL, ARROW = 0.8, 0.7, 0.32, 2.0  # m
 def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Both go straight ahead at the same speed, but for the same small yaw rate."""
     times, notes = frame_times(seconds), list[str]()
-    motions = {locked: _motion(student, times, start, locked, parameters) for locked in LANES}
+    shape = (len(times), 5)
+    motions = {
+        locked: student("simulate", times, np.array(start), locked, **parameters, shape=shape) for locked in LANES
+    }
     ends = max(float(states[:, 0].max()) for states in motions.values()) + 4.0
-    shapes = [_road(y, ends) for y in LANES.values()]
+    shapes = [Shape("lines", np.array([[-4.0, y], [ends, y]]), GREY, width=1, faint=True) for y in LANES.values()]
     for locked, states in motions.items():
         shapes += _car(states, locked, LANES[locked], parameters)
         shapes += _forces(notes, student, states, locked, parameters)
+    headings = {f"{locked} locked": np.degrees(states[:, 2]) for locked, states in motions.items()}
     return Scene(
         "Braking with one axle locked",
         "Two cars brake side by side. The one with locked front wheels comes to rest pointing ahead; the one with "
         "locked rear wheels swings round.",
         times,
         [Panel(shapes)],
-        make_each(notes, lambda: _energy(student, times, motions, parameters), lambda: _heading(times, motions)),
+        [
+            *make_each(notes, lambda: _energy(student, times, motions, parameters)),
+            value_plot("heading", times, headings, "°", least=10.0),
+        ],
         notes=notes,
         still_time=0.45,
         live=live_if_written(lambda: _live(student, parameters, start, shapes[:2])),
@@ -59,8 +66,8 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float], road
     def rates(t: float, state: Numbers, **parameters: Numbers) -> Numbers:
         return derivative(t, state, "rear", **parameters)
 
-    def panels(states: Numbers, parameters: Parameters) -> list[Panel]:
-        return [Panel([*roads, *_car(states, "rear", lane, parameters)])]
+    def draw(states: Numbers, parameters: Parameters) -> list[Shape]:
+        return _car(states, "rear", lane, parameters)
 
     def nose(state: Numbers, *, front: Numbers, **parameters: Numbers) -> list[Numbers]:
         reach = front + OVERHANG
@@ -76,15 +83,18 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float], road
         return energy(state, "rear", **parameters)
 
     handles = [Handle(lambda state, **arguments: [state[0], state[1] + lane], move), Handle(nose, turn)]
-    return Live(rates, parameters, STATE, start, panels, handles, {"kinetic": kinetic}, rests=True)
-
-
-def _motion(student: Student, times: Array, start: Sequence[float], locked: str, parameters: Parameters) -> Array:
-    return student("simulate", times, np.array(start), locked, **parameters, shape=(len(times), 5))
-
-
-def _road(y: float, end: float) -> Shape:
-    return Shape("lines", np.array([[-4.0, y], [end, y]]), GREY, width=1, faint=True)
+    return Live(
+        rates,
+        parameters,
+        STATE,
+        start,
+        draw,
+        handles,
+        {"kinetic": kinetic},
+        conserved=False,
+        rests=True,
+        backdrop=roads,
+    )
 
 
 def _placed(states: Array, outline: Array, y: float) -> Array:
@@ -150,9 +160,3 @@ def _work(student: Student, states: Array, locked: str, parameters: Parameters) 
     steps = np.diff(_placed(states, np.array([[at, 0.0]]), 0.0)[:, 0], axis=0)
     middle = (in_space[1:] + in_space[:-1]) / 2
     return np.concatenate([[0.0], np.cumsum((middle * steps).sum(axis=1))])
-
-
-def _heading(times: Array, motions: dict[str, Array]) -> TimePlot:
-    shown = plot_samples(times)
-    degrees = {f"{locked} locked": np.degrees(states[shown, 2]) for locked, states in motions.items()}
-    return value_plot("heading", times[shown], degrees, "°", least=10.0)

@@ -6,11 +6,12 @@ from collections.abc import Sequence
 import numpy as np
 
 from tam570.show.diagrams import force_shapes
-from tam570.show.live import Handle, Live, live_if_written
-from tam570.show.plots import energy_plot, plot_samples, value_plot
-from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
+from tam570.show.live import Live, energies, live_if_written
+from tam570.show.plots import state_energy_plot, value_plot
+from tam570.show.rods import joints, rod_handles
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.show.student import Student, make_each
-from tam570.values import Numbers, Parameters
+from tam570.values import Json, Numbers, Parameters
 
 __all__ = ["film"]
 
@@ -23,28 +24,25 @@ SECONDS = 20.0
 def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return the motion of part (d)."""
     times, notes = frame_times(seconds), list[str]()
-    arguments = {name: np.array(value) for name, value in parameters.items() if name != "gravity"}
+    arguments: Json = {name: np.array(parameters[name]) for name in ("masses", "lengths")}
     arguments["gravity"] = parameters["gravity"]
     theta, omega = np.array(start[:2]), np.array(start[2:])
     states = student("simulate", times, theta, omega, **arguments, shape=(len(times), 4))
     bars = student.each("wireframe", states[:, :2], lengths=arguments["lengths"], shape=(2, 2, 2))
-    hinge, elbow, tip = bars[:, 0, 0], bars[:, 1, 0], bars[:, 1, 1]
-    shapes = [
-        Shape("lines", np.array([[-0.4, 0.0], [0.4, 0.0]]), GREY, width=3),
-        Shape("trail", tip[:, None], 2, "path of the tip", width=1.5),
-        Shape("lines", bars[:, 0], 0, "bar 1", width=6),
-        Shape("lines", bars[:, 1], 1, "bar 2", width=6),
-        Shape("dot", moving(hinge, elbow), INK, width=5),
-        Shape("dot", tip[:, None], 2, width=5),
-        *_forces(notes, student, states, arguments),
-    ]
+
+    def energy(rows: Array) -> Array:
+        return student.each("energy", rows[:, :2], rows[:, 2:], **arguments)
+
     return Scene(
         "Double pendulum",
         "Two bars hang one below the other from a hinge. They start level and at rest, fall, and tumble; a trail "
         "shows the path of the tip.",
         times,
-        [Panel(shapes)],
-        [*make_each(notes, lambda: _energy(student, times, states, arguments)), _angles(times, states)],
+        [Panel([*_bars(bars[:, 0], bars[:, 1]), *_forces(notes, student, states, arguments)])],
+        [
+            *make_each(notes, lambda: state_energy_plot(times, states, 2, energy)),
+            value_plot("angles", times, {"θ1": states[:, 0], "θ2": states[:, 1]}, "rad"),
+        ],
         notes=notes,
         live=live_if_written(lambda: _live(student, parameters, start)),
     )
@@ -73,53 +71,27 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float]) -> L
         parameters = {"masses": np.array(masses), "lengths": np.array(lengths), "gravity": gravity}
         return [*state[2:], *acceleration(np.array(state[:2]), np.array(state[2:]), **parameters)]
 
-    def joints(theta: Numbers, lengths: Numbers) -> tuple[Numbers, Numbers]:
-        first, second = (
-            length * np.array([np.sin(th), -np.cos(th)]) for length, th in zip(lengths, theta, strict=True)
-        )
-        return first, first + second
-
-    def panels(states: Numbers, parameters: Parameters) -> list[Panel]:
-        elbow, tip = (end[None] for end in joints(states[0, :2], parameters["lengths"]))
-        shapes = [
-            Shape("lines", np.array([[-0.4, 0.0], [0.4, 0.0]]), GREY, width=3),
-            Shape("trail", tip[:, None], 2, "path of the tip", width=1.5),
-            Shape("lines", moving(np.zeros(2), elbow), 0, "bar 1", width=6),
-            Shape("lines", moving(elbow, tip), 1, "bar 2", width=6),
-            Shape("dot", moving(np.zeros(2), elbow), INK, width=5),
-            Shape("dot", tip[:, None], 2, width=5),
-        ]
-        return [Panel(shapes)]
-
-    def grab_elbow(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numbers]:
-        return [np.arctan2(point[0], -point[1]), state[1], 0.0, 0.0]
-
-    def grab_tip(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numbers]:
-        elbow, _ = joints(state[:2], parameters["lengths"])
-        return [state[0], np.arctan2(point[0] - elbow[0], elbow[1] - point[1]), 0.0, 0.0]
-
-    handles = [
-        Handle(lambda state, **arguments: joints(state[:2], arguments["lengths"])[0], grab_elbow),
-        Handle(lambda state, **arguments: joints(state[:2], arguments["lengths"])[1], grab_tip),
-    ]
+    def draw(states: Numbers, parameters: Parameters) -> list[Shape]:
+        elbow, tip = joints(states[:, :2].T, parameters["lengths"])
+        hinge = np.zeros_like(elbow)
+        return _bars(*(moving(*ends) for ends in ((hinge, elbow), (elbow, tip))))
 
     def total(state: Numbers, *, masses: Numbers, lengths: Numbers, gravity: Numbers) -> Numbers:
         parameters = {"masses": np.array(masses), "lengths": np.array(lengths), "gravity": gravity}
         return energy(np.array(state[:2]), np.array(state[2:]), **parameters)
 
-    def at_rest(state: Numbers, **parameters: Numbers) -> Numbers:
-        return total([*state[:2], 0.0, 0.0], **parameters)
-
-    return Live(rates, parameters, STATE, start, panels, handles, {"total E": total, "potential V": at_rest})
+    handles = rod_handles(2, lambda parameters: parameters["lengths"])
+    return Live(rates, parameters, STATE, start, draw, handles, energies(total, 2))
 
 
-def _energy(student: Student, times: Array, states: Array, parameters: Parameters) -> TimePlot:
-    shown = plot_samples(times)
-    theta, omega = states[shown, :2], states[shown, 2:]
-    total = student.each("energy", theta, omega, **parameters)
-    return energy_plot(times[shown], total, student.each("energy", theta, 0 * omega, **parameters))
-
-
-def _angles(times: Array, states: Array) -> TimePlot:
-    shown = plot_samples(times)
-    return value_plot("angles", times[shown], {"θ1": states[shown, 0], "θ2": states[shown, 1]}, "rad")
+def _bars(first: Array, second: Array) -> list[Shape]:
+    """Draw both bars, (n, 2, 2) from upper to lower end."""
+    hinge, elbow, tip = first[:, 0], second[:, 0], second[:, 1]
+    return [
+        Shape("lines", np.array([[-0.4, 0.0], [0.4, 0.0]]), GREY, width=3),
+        Shape("trail", tip[:, None], 2, "path of the tip", width=1.5),
+        Shape("lines", first, 0, "bar 1", width=6),
+        Shape("lines", second, 1, "bar 2", width=6),
+        Shape("dot", moving(hinge, elbow), INK, width=5),
+        Shape("dot", tip[:, None], 2, width=5),
+    ]

@@ -67,16 +67,15 @@ def _live(student: Student, inertia: Array, size: Array, spin: Array) -> Live:
     def tip(state: Numbers, **parameters: Numbers) -> Numbers:
         return reach * (np.reshape(state[:9], (3, 3)) @ np.array(state[9:]))
 
-    def panels(states: Numbers, parameters: Parameters) -> list[Panel]:
+    def draw(states: Numbers, parameters: Parameters) -> list[Shape]:
         R, omega = np.reshape(states[:, :9], (1, 3, 3)), states[0, 9:]
         H = 0.7 * reach * (R[0] @ (np.array(parameters["inertia"]) / inertia.mean() * omega))
-        shapes = [
+        return [
             *brick(R, size, 0, "box"),
             Shape("arrow", moving(np.zeros(3), H[None]), 2, "angular momentum", width=3),
             Shape("arrow", moving(np.zeros(3), tip(states[0])[None]), 1, "angular velocity", width=2.5),
             Shape("trail", tip(states[0])[None, None], 1, width=1.2),
         ]
-        return [Panel(shapes, "box in space")]
 
     def grab(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numbers]:
         R = np.reshape(state[:9], (3, 3))
@@ -87,7 +86,7 @@ def _live(student: Student, inertia: Array, size: Array, spin: Array) -> Live:
 
     arguments = {"inertia": tuple(inertia.tolist())}
     state = {**dict.fromkeys(names, "1"), **STATE}
-    return Live(rates, arguments, state, start, panels, [Handle(tip, grab)], {"energy": kinetic})
+    return Live(rates, arguments, state, start, draw, [Handle(tip, grab)], {"energy": kinetic}, title="box in space")
 
 
 def _inertia(mass: float, size: Sequence[float]) -> Array:

@@ -5,9 +5,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from tam570.show.diagrams import force_shapes
-from tam570.show.live import Handle, Live, live_if_written
-from tam570.show.plots import energy_plot, plot_samples, value_plot
-from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
+from tam570.show.live import Handle, Live, energies, live_if_written
+from tam570.show.plots import state_energy_plot, value_plot
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.show.student import Student, make_each
 from tam570.values import Numbers, Parameters
 
@@ -33,13 +33,20 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
         *force_shapes(notes, student, states[:, 0], size=ARROW, **parameters),
         Shape("dot", bead[:, None], 0, "bead", width=8),
     ]
+
+    def energy(rows: Array) -> Array:
+        return student.each("energy", *rows.T, **parameters)
+
     return Scene(
         "Bead on a wire",
         "A bead slides without friction on a wire in the shape of a parabola, from one side to the other and back. "
         "Arrows show its weight, the force of the wire, which is across the wire, and their sum, m a.",
         times,
         [Panel(shapes)],
-        make_each(notes, lambda: _energy(student, times, states, parameters), lambda: _phases(times, states)),
+        [
+            *make_each(notes, lambda: state_energy_plot(times, states, 1, energy)),
+            value_plot("x and v", times, {"x (m)": states[:, 0], "v (m/s)": states[:, 1]}, ""),
+        ],
         notes=notes,
         still_time=0.03,
         live=live_if_written(lambda: _live(student, parameters, start)),
@@ -53,20 +60,17 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float]) -> L
     def rates(t: float, state: Numbers, *, mass: Numbers, curvature: Numbers, gravity: Numbers) -> list[Numbers]:
         return [state[1], acceleration(*state, curvature=curvature, gravity=gravity)]
 
-    def panels(states: Numbers, parameters: Parameters) -> list[Panel]:
+    def draw(states: Numbers, parameters: Parameters) -> list[Shape]:
         bead = _on_wire(states[:, 0], parameters["curvature"])
         wire = Shape("path", _on_wire(xs, parameters["curvature"]), GREY, "wire", width=3)
-        return [Panel([wire, Shape("dot", bead[:, None], 0, "bead", width=8)])]
+        return [wire, Shape("dot", bead[:, None], 0, "bead", width=8)]
 
     handle = Handle(
         lambda state, **arguments: [state[0], arguments["curvature"] * state[0] ** 2],
         lambda point, state, **arguments: [point[0], 0.0],
     )
-    measures = {
-        "total E": lambda state, **arguments: energy(*state, **arguments),
-        "potential V": lambda state, **arguments: energy(state[0], 0.0, **arguments),
-    }
-    return Live(rates, parameters, STATE, start, panels, [handle], measures)
+    measures = energies(lambda state, **arguments: energy(*state, **arguments), 1)
+    return Live(rates, parameters, STATE, start, draw, [handle], measures)
 
 
 def _forces(student: Student, states: Array, parameters: Parameters) -> list[Shape]:
@@ -83,16 +87,3 @@ def _forces(student: Student, states: Array, parameters: Parameters) -> list[Sha
 
 def _on_wire(x: Array, curvature: float) -> Array:
     return np.column_stack([x, curvature * x**2])
-
-
-def _energy(student: Student, times: Array, states: Array, parameters: Parameters) -> TimePlot:
-    shown = plot_samples(times)
-    x, v = states[shown].T
-    return energy_plot(
-        times[shown], student.each("energy", x, v, **parameters), student.each("energy", x, 0 * v, **parameters)
-    )
-
-
-def _phases(times: Array, states: Array) -> TimePlot:
-    shown = plot_samples(times)
-    return value_plot("x and v", times[shown], {"x (m)": states[shown, 0], "v (m/s)": states[shown, 1]}, "")

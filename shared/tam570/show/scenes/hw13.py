@@ -8,7 +8,7 @@ import numpy as np
 from tam570.integrate import solve
 from tam570.show.diagrams import force_shapes
 from tam570.show.drawing import circle
-from tam570.show.live import Handle, Live, live_if_written
+from tam570.show.live import Handle, Live, energies, live_if_written
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student, Trouble, make_each
@@ -27,6 +27,7 @@ EXAMPLE = {
 STATE = {"phi": "rad", "phi_dot": "rad/s"}
 START = (0.0, 8.0)  # rad, rad/s: enough to roll over the place where the centre of mass is highest
 SECONDS = 2.5
+BALANCED = "by the balance about G"  # title of a panel
 
 
 def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
@@ -36,7 +37,7 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
     wrong = make_each(notes, lambda: _naive(student, times, start, parameters))
     farthest = max(float(np.abs(states[:, 0]).max()) for states in (correct, *wrong))
     shapes = _rolling(correct[:, 0], 0, farthest, parameters) + _forces(notes, student, correct[:, 0], parameters)
-    panels = [Panel(shapes, "by the balance about G")]
+    panels = [Panel(shapes, BALANCED)]
     panels += [
         Panel(_rolling(states[:, 0], 1, farthest, parameters), "as M_C = I^C φ'' would have it") for states in wrong
     ]
@@ -59,8 +60,8 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float], fart
     def rates(t: float, state: Numbers, **parameters: Numbers) -> list[Numbers]:
         return [state[1], acceleration(*state, **parameters)]
 
-    def panels(states: Numbers, parameters: Parameters) -> list[Panel]:
-        return [Panel(_rolling(states[:, 0], 0, farthest, parameters), "by the balance about G")]
+    def draw(states: Numbers, parameters: Parameters) -> list[Shape]:
+        return _rolling(states[:, 0], 0, farthest, parameters)
 
     def centre(state: Numbers, *, radius: Numbers, slope: Numbers, **parameters: Numbers) -> list[Numbers]:
         ahead = radius * state[0]
@@ -71,11 +72,8 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float], fart
     ) -> list[Numbers]:
         return [(point[0] * np.cos(slope) - point[1] * np.sin(slope)) / radius, state[1]]
 
-    measures = {
-        "total E": lambda state, **arguments: energy(*state, **arguments),
-        "potential V": lambda state, **arguments: energy(state[0], 0.0, **arguments),
-    }
-    return Live(rates, parameters, STATE, start, panels, [Handle(centre, grab)], measures)
+    measures = energies(lambda state, **arguments: energy(*state, **arguments), 1)
+    return Live(rates, parameters, STATE, start, draw, [Handle(centre, grab)], measures, title=BALANCED)
 
 
 def _naive(student: Student, times: Array, start: Sequence[float], parameters: Parameters) -> Array:

@@ -2,13 +2,14 @@
 
 import math
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
 from tam570.show.diagrams import force_shapes
 from tam570.show.drawing import circle, floor
-from tam570.show.live import Handle, Live, live_if_written
-from tam570.show.plots import energy_plot, plot_samples, value_plot
+from tam570.show.live import Handle, Live, energies, live_if_written
+from tam570.show.plots import plot_samples, state_energy_plot, value_plot
 from tam570.show.scene import Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student, make_each
 from tam570.values import Numbers, Parameters
@@ -56,7 +57,9 @@ def film(student: Student, disk: Parameters, start: Sequence[float], seconds: fl
         times,
         [Panel(shapes)],
         make_each(
-            notes, lambda: _energy(student, times, states, disk), lambda: _tilt(student, times, states, frame, disk)
+            notes,
+            lambda: state_energy_plot(times, states, 5, partial(student.each, "energy", **disk)),
+            lambda: _tilt(student, times, states, frame, disk),
         ),
         view=(0.4, 0.5),
         notes=notes,
@@ -65,9 +68,7 @@ def film(student: Student, disk: Parameters, start: Sequence[float], seconds: fl
 
 
 def _live(student: Student, disk: Parameters, start: Sequence[float], still: list[Shape]) -> Live:
-    energy = student.function("energy")
-
-    def panels(states: Numbers, parameters: Parameters) -> list[Panel]:
+    def draw(states: Numbers, parameters: Parameters) -> list[Shape]:
         x, y, yaw, tilt, roll = states[:, :5].T
         contact = np.column_stack([x, y, 0 * x])
         ahead = np.column_stack([np.cos(yaw), np.sin(yaw), 0 * yaw])
@@ -78,15 +79,13 @@ def _live(student: Student, disk: Parameters, start: Sequence[float], still: lis
         spokes = [c * first + s * other, c * other - s * first]
         rim = circle(centre, first, other, SIDES + 1)
         ends = [centre + sign * spoke for spoke in spokes for sign in (1.0, -1.0)]
-        shapes = [
-            *still,
+        return [
             Shape("trail", contact[:, None], 1, "path of the contact", width=2),
             Shape("fill", rim, 0, faint=True),
             Shape("path", rim, 0, "disk", width=3),
             Shape("lines", moving(*ends), 0, width=1.5),
             Shape("dot", contact[:, None], 1, width=4),
         ]
-        return [Panel(shapes)]
 
     def top(state: Numbers, *, radius: Numbers, **parameters: Numbers) -> list[Numbers]:
         x, y, yaw, tilt = state[:4]
@@ -98,16 +97,8 @@ def _live(student: Student, disk: Parameters, start: Sequence[float], still: lis
         aside = (y - point[1]) * -np.cos(yaw) + (x - point[0]) * np.sin(yaw)
         return [x, y, yaw, np.arctan2(point[2], aside), *state[4:]]
 
-    return Live(
-        student.function("euler_state_derivative"), disk, STATE, start, panels, [Handle(top, grab)], {"energy": energy}
-    )
-
-
-def _energy(student: Student, times: Array, states: Array, disk: Parameters) -> TimePlot:
-    shown = plot_samples(times)
-    total = student.each("energy", states[shown], **disk)
-    at_rest = states[shown] * [1, 1, 1, 1, 1, 0, 0, 0]
-    return energy_plot(times[shown], total, student.each("energy", at_rest, **disk))
+    rates, measures = student.function("euler_state_derivative"), energies(student.function("energy"), 5)
+    return Live(rates, disk, STATE, start, draw, [Handle(top, grab)], measures, backdrop=still)
 
 
 def _tilt(student: Student, times: Array, states_by_angles: Array, frame: Array, disk: Parameters) -> TimePlot:

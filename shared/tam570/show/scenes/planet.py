@@ -1,14 +1,16 @@
 """The lecture `planet`: an orbit, and beside it Newton's polygon of impulses with a slider for their number."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tam570.integrate import solve
-from tam570.show.plots import drift_plot, plot_samples
+from tam570.show.live import Handle, Live, energies
+from tam570.show.plots import drift_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving, with_slider
-from tam570.values import Function, Numbers
+from tam570.values import Numbers, Parameters
 
 __all__ = ["film"]
 
@@ -16,30 +18,41 @@ IMPULSES = (12, 18, 30, 60)  # in the time of one orbit, or of the scene if that
 FIRST = 18
 
 
-def film(
-    rates: Function, elements: Function, parameters: Mapping[str, float], start: Sequence[float], seconds: float
-) -> Scene:
+def film(lecture: Numbers, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
     """Return all in the plane of the orbit, its x axis towards the planet at the start."""
     times = frame_times(seconds)
-    states = solve(rates, times, start, parameters=parameters, rtol=1e-9)
-    period = min(elements(start, **parameters)["period"], seconds)
-    return with_slider(
-        lambda count: _one(times, _in_plane(states), period, int(count), parameters["gm"]),
-        "impulses",
-        "",
-        IMPULSES,
-        FIRST,
-    )
+    states = solve(lecture.rates, times, start, parameters=parameters, rtol=1e-9)
+    period = min(lecture.elements(start, **parameters)["period"], seconds)
+    plane = _plane(states[0])
+    flat = np.hstack([states[:, :3] @ plane.T, states[:, 3:] @ plane.T])
+
+    def draw(states: Array, parameters: Parameters) -> list[Shape]:
+        return _planet(states[:, :3] @ plane.T, 0, "planet")
+
+    def grab(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numbers]:
+        return [*(np.array(point[:2]) @ plane), *state[3:]]
+
+    def scene_with(count: float) -> Scene:
+        scene = _one(times, flat, period, int(count), parameters["gm"])
+        handle = Handle(lambda state, **parameters: plane @ np.array(state[:3]), grab)
+        first = scene.panels[0]
+        live = Live(
+            *(lecture.rates, parameters, lecture.STATE, start, draw, [handle], energies(lecture.energy, 3)),
+            title=first.title,
+            backdrop=[shape for shape in first.shapes if shape.points.ndim == 2],
+        )
+        return replace(scene, live=live)
+
+    return with_slider(scene_with, "impulses", "", IMPULSES, FIRST)
 
 
-def _in_plane(states: Array) -> Array:
-    """(n, 4) positions and velocities in the plane of the first ones."""
-    r, v = states[0, :3], states[0, 3:]
+def _plane(state: Array) -> Array:
+    """(2, 3) unit vectors that span the plane of the orbit, the first towards the planet."""
+    r, v = state[:3], state[3:]
     along = r / np.linalg.norm(r)
     across = v - (v @ along) * along
     size = np.linalg.norm(across)
-    plane = np.array([along, across / size if size else np.zeros(3)]).T
-    return np.hstack([states[:, :3] @ plane, states[:, 3:] @ plane])
+    return np.array([along, across / size if size else np.zeros(3)])
 
 
 def _one(times: Array, states: Array, period: float, count: int, gm: float) -> Scene:
@@ -83,19 +96,21 @@ def _scene(corners: Array, count: int, last: NDArray[np.int64], planet: Array, c
     return [
         Shape("lines", rays, GREY, width=1, faint=True),
         Shape("fill", moving(np.zeros(2), corners[last], planet), color, faint=True),
-        Shape("trail", planet[:, None], color, width=2),
         Shape("dot", np.zeros((1, 2)), 4, "sun", width=9),
-        Shape("dot", planet[:, None], color, name, width=7),
+        *_planet(planet, color, name),
     ]
 
 
+def _planet(path: Array, color: int, name: str) -> list[Shape]:
+    return [Shape("trail", path[:, None], color, width=2), Shape("dot", path[:, None], color, name, width=7)]
+
+
 def _areas(times: Array, orbit: Array, newton: Array, states: Array) -> Numbers:
-    shown = plot_samples(times)
-    swept = {name: _swept(path)[shown] for name, path in {"attracted": orbit, "polygon": newton}.items()}
+    swept = {name: _swept(path) for name, path in {"attracted": orbit, "polygon": newton}.items()}
     rate = float(states[0, 0] * states[0, 3] - states[0, 1] * states[0, 2]) / 2
     total = abs(rate) * times[-1] or 1.0
-    off = {name: area - rate * times[shown] for name, area in swept.items()}
-    return drift_plot("area swept, less equal areas", times[shown], off, total, "all of it")
+    off = {name: area - rate * times for name, area in swept.items()}
+    return drift_plot("area swept, less equal areas", times, off, total, "all of it")
 
 
 def _swept(path: Array) -> Array:

@@ -1,15 +1,17 @@
 """The lecture `sleigh`: pushed with G behind, it turns round; a slider for its speed."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from math import sqrt
 
 import numpy as np
 
 from tam570.integrate import solve
 from tam570.show.drawing import graph, unit_circle
-from tam570.show.plots import drift_note, plot_samples, value_plot
-from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, with_slider
-from tam570.values import Function
+from tam570.show.live import Handle, Live, drag
+from tam570.show.plots import drift_note, value_plot, values
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, moving, with_slider
+from tam570.values import Numbers
 
 __all__ = ["film"]
 
@@ -17,56 +19,78 @@ SHARES = (0.6, 0.8, 1.0, 1.25)  # of the speed
 OUTLINE = np.array([[-0.4, -0.35], [1.3, -0.35], [1.7, 0.0], [1.3, 0.35], [-0.4, 0.35]])  # of offsets
 
 
-def film(
-    rates: Function, energy: Function, parameters: Mapping[str, float], start: Sequence[float], seconds: float
-) -> Scene:
+def film(lecture: Numbers, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
     """Speed and yaw rate grow together: the same motion faster."""
-    times = frame_times(seconds)
+    times, size = frame_times(seconds), _size(parameters)
+    energy = lecture.energy
+    measures = {"total E": lambda state, **parameters: energy([*state], **parameters)}
+    handles = [drag(0, 2), Handle(_nose, _turn_to)]
+
+    def draw(states: Array, parameters: Mapping[str, float]) -> list[Shape]:
+        return _sleigh(states, parameters["offset"], size)
 
     def scene_at(speed: float) -> Scene:
         share = speed / start[3] if start[3] else 1.0
         begin = (*start[:3], speed, share * start[4])
-        states = solve(rates, times, begin, parameters=parameters, rtol=1e-8)
-        return _one(times, states, energy, parameters)
+        states = solve(lecture.rates, times, begin, parameters=parameters, rtol=1e-8)
+        live = Live(lecture.rates, parameters, lecture.STATE, begin, draw, handles, measures)
+        return replace(_one(times, states, energy, parameters), live=live)
 
     speeds = [share * start[3] for share in SHARES] if start[3] else []
     return with_slider(scene_at, "push", "m/s", speeds, start[3])
 
 
-def _one(times: Array, states: Array, energy: Function, parameters: Mapping[str, float]) -> Scene:
-    blade, (c, s) = states[:, :2], (np.cos(states[:, 2]), np.sin(states[:, 2]))
-    ahead, sideways = np.column_stack([c, s]), np.column_stack([-s, c])
-    size = parameters["offset"] or sqrt(parameters["inertia"] / parameters["mass"])
-    outline = blade[:, None] + size * (OUTLINE[:, :1] * ahead[:, None] + OUTLINE[:, 1:] * sideways[:, None])
-    edge = blade[:, None] + np.array([[-0.3], [0.3]]) * size * ahead[:, None]
-    shapes = [
-        Shape("trail", blade[:, None], 2, "path of the blade", width=2),
-        Shape("fill", outline, 0, faint=True),
-        Shape("path", np.concatenate([outline, outline[:, :1]], axis=1), 0, "sleigh", width=2),
-        Shape("lines", edge, 1, "blade", width=5),
-        Shape("dot", (blade + parameters["offset"] * ahead)[:, None], 4, "G", width=6),
-    ]
-    shown = plot_samples(times)
-    energies = np.array([energy(state, **parameters) for state in states[shown]])
+def _one(times: Array, states: Array, energy: Numbers, parameters: Mapping[str, float]) -> Scene:
+    energies = values(energy, states, **parameters)
     return Scene(
         "Chaplygin's sleigh",
         "A sleigh on ice glides on one blade that cannot slip sideways. It starts with its centre of mass behind the "
         "blade, turns round, and goes on straight with its centre of mass ahead. However fast it is, it turns by one "
         "angle.",
         times,
-        [Panel(shapes), Panel(_phase_plane(states, parameters), "phase plane", ruler=False)],
         [
-            _turn(times[shown], states[shown], parameters),
+            Panel(_sleigh(states, parameters["offset"], _size(parameters))),
+            Panel(_phase_plane(states, parameters), "phase plane", ruler=False),
+        ],
+        [
+            _turn(times, states, parameters),
             value_plot(
                 "speed, and k times yaw rate",
-                times[shown],
-                {"speed": states[shown, 3], "k yaw rate": _gyration(parameters) * states[shown, 4]},
+                times,
+                {"speed": states[:, 3], "k yaw rate": _gyration(parameters) * states[:, 4]},
                 "m/s",
                 *drift_note({"energy": energies}, energies[0] or 1.0, "the energy"),
             ),
         ],
         still_time=0.5,
     )
+
+
+def _sleigh(states: Array, offset: float, size: float) -> list[Shape]:
+    """Draw the sleigh, `size` long."""
+    blade, heading = states[:, :2], states[:, 2]
+    ahead = np.column_stack([np.cos(heading), np.sin(heading)])
+    sideways = np.column_stack([-np.sin(heading), np.cos(heading)])
+    outline = blade[:, None] + size * (OUTLINE[:, :1] * ahead[:, None] + OUTLINE[:, 1:] * sideways[:, None])
+    return [
+        Shape("trail", blade[:, None], 2, "path of the blade", width=2),
+        Shape("fill", outline, 0, faint=True),
+        Shape("path", np.concatenate([outline, outline[:, :1]], axis=1), 0, "sleigh", width=2),
+        Shape("lines", moving(blade - 0.3 * size * ahead, blade + 0.3 * size * ahead), 1, "blade", width=5),
+        Shape("dot", (blade + offset * ahead)[:, None], 4, "G", width=6),
+    ]
+
+
+def _nose(state: Numbers, *, offset: Numbers, **parameters: Numbers) -> list[Numbers]:
+    return [state[0] + 1.7 * offset * np.cos(state[2]), state[1] + 1.7 * offset * np.sin(state[2])]
+
+
+def _turn_to(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numbers]:
+    return [*state[:2], np.arctan2(point[1] - state[1], point[0] - state[0]), *state[3:]]
+
+
+def _size(parameters: Mapping[str, float]) -> float:
+    return parameters["offset"] or sqrt(parameters["inertia"] / parameters["mass"])
 
 
 def _gyration(parameters: Mapping[str, float]) -> float:

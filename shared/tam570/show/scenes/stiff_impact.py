@@ -7,9 +7,10 @@ import numpy as np
 
 from tam570.integrate import solve
 from tam570.show.drawing import coil, graph, unit_circle
-from tam570.show.plots import energy_plot, plot_samples, value_plot
+from tam570.show.live import Handle, Live, energies
+from tam570.show.plots import state_energy_plot, value_plot, values
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
-from tam570.values import Parameters
+from tam570.values import Numbers, Parameters
 
 __all__ = ["film"]
 
@@ -26,10 +27,8 @@ def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Seque
     """
     times = frame_times(seconds)
     states = solve(lecture.rates, times, start, parameters=parameters, rtol=1e-9)
-    shown = plot_samples(times)
-    total = np.array([lecture.energy(state, **parameters) for state in states[shown]])
-    kinetic = parameters["mass"] * states[shown, 1] ** 2 / 2
-    pushes = np.array([lecture.push(state, **parameters) for state in states[shown]])
+    floor = [Shape("lines", np.array([[-0.3, -DEPTH], [0.3, -DEPTH]]), GREY, width=3)]
+    measures = energies(lecture.energy, 1)
     return Scene(
         "Collisions as stiff springs",
         "A ball bounces on a plate that a spring holds. Beside it are the pushes of ever stiffer springs, higher and "
@@ -37,31 +36,39 @@ def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Seque
         "ellipse, and the ratio of the springs chooses one.",
         times,
         [
-            Panel(_ball(states[:, 0]), "ball"),
+            Panel([*floor, *_draw(states, parameters)], "ball"),
             Panel(_pushes(lecture, parameters, abs(start[1]) or 1.0), "push over time: one area", ruler=False),
             Panel(_impulses(lecture), "impulses of a rod's two contacts", ruler=False),
         ],
         [
-            energy_plot(times[shown], total, total - kinetic),
-            value_plot("push of the floor", times[shown], {"": pushes}, "N"),
+            state_energy_plot(times, states, 1, lambda rows: values(lecture.energy, rows, **parameters)),
+            value_plot("push of the floor", times, {"": values(lecture.push, states, **parameters)}, "N"),
         ],
         still_time=0.04,
+        live=Live(
+            *(lecture.rates, parameters, lecture.STATE, start, _draw, [HANDLE], measures), title="ball", backdrop=floor
+        ),
     )
 
 
-def _ball(x: Array) -> list[Shape]:
-    plate = np.column_stack([np.zeros_like(x), np.minimum(x, 0.0)])
-    ball = np.column_stack([np.zeros_like(x), x + RADIUS])
-    rim = RADIUS * unit_circle(33)
+def _draw(states: Array, parameters: Mapping[str, float]) -> list[Shape]:
+    x = states[:, 0]
+    plate = np.column_stack([0 * x, (x - np.abs(x)) / 2])
+    ball = np.column_stack([0 * x, x + RADIUS])
     return [
-        Shape("lines", np.array([[-0.3, -DEPTH], [0.3, -DEPTH]]), GREY, width=3),
-        Shape("path", coil(np.broadcast_to([0.0, -DEPTH], plate.shape), plate, 0.04), GREY, "spring", width=2),
+        Shape("path", coil(np.array([[0.0, -DEPTH]]), plate, 0.04), GREY, "spring", width=2),
         Shape("lines", moving(plate - [0.15, 0.0], plate + [0.15, 0.0]), INK, width=3),
-        Shape("fill", ball[:, None] + rim, 0, "ball"),
+        Shape("fill", ball[:, None] + RADIUS * unit_circle(33), 0, "ball"),
     ]
 
 
-def _pushes(lecture: SimpleNamespace, parameters: Mapping[str, float], speed: float) -> list[Shape]:
+HANDLE = Handle(
+    lambda state, **parameters: [0.0 * state[0], state[0] + RADIUS],
+    lambda point, state, **parameters: [point[1] - RADIUS, 0.0],
+)
+
+
+def _pushes(lecture: Numbers, parameters: Mapping[str, float], speed: float) -> list[Shape]:
     mass, gravity = parameters["mass"], parameters["gravity"]
     curves = []
     for times in STIFFER:

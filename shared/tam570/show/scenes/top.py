@@ -5,10 +5,12 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 
 from tam570.show.drawing import circle
-from tam570.show.plots import drift_note, plot_samples, value_plot
+from tam570.show.live import Handle
+from tam570.show.plots import drift_note, value_plot, values
 from tam570.show.scene import FASTEST, GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
+from tam570.values import Numbers, Parameters
 
-__all__ = ["tops"]
+__all__ = ["HANDLE", "draw", "tops"]
 
 LENGTH, HEIGHT, RADIUS = 1.0, 0.6, 0.45  # m, of the picture: the axis, its disk
 NUDGED = 0.02  # rad, the tilt of a top that may sleep
@@ -41,8 +43,7 @@ def tops(
     precessing = [
         part for color, states in enumerate(steadily) for part in _top(states, color, ("slow", "fast")[color])
     ]
-    shown = plot_samples(times)
-    changes = {name.replace("_", " "): _shares(law, free[shown]) for name, law in laws.items()}
+    changes = {name.replace("_", " "): _shares(law, free) for name, law in laws.items()}
     caption, alarm = drift_note(changes, 1.0, "energy and both momenta")
     return Scene(
         "Heavy top",
@@ -55,8 +56,8 @@ def tops(
             Panel(_top(asleep, 2, "almost upright"), "almost upright", ruler=False),
         ],
         [
-            value_plot("let go: tilt", times[shown], {"": np.degrees(free[shown, 1])}, "°", least=90.0),
-            value_plot("let go: precession", times[shown], {"": free[shown, 3]}, "rad/s", caption, alarm),
+            value_plot("let go: tilt", times, {"": np.degrees(free[:, 1])}, "°", least=90.0),
+            value_plot("let go: precession", times, {"": free[:, 3]}, "rad/s", caption, alarm),
         ],
         view=(0.5, 0.3),
         still_time=0.5,
@@ -65,8 +66,8 @@ def tops(
 
 def _shares(law: Callable[[Array], float], states: Array) -> Array:
     """(n,) what stays, over its size at the start."""
-    values = np.array([law(state) for state in states])
-    return np.asarray(values / (abs(values[0]) or 1.0))
+    sizes = values(law, states)
+    return sizes / (abs(sizes[0]) or 1.0)
 
 
 def _ground() -> list[Shape]:
@@ -74,11 +75,29 @@ def _ground() -> list[Shape]:
     return [Shape("path", level, GREY, width=1), Shape("dot", np.zeros((1, 3)), INK, width=4)]
 
 
+def draw(states: Array, parameters: Parameters) -> list[Shape]:
+    """Draw the top that is let go; states (n, 6)."""
+    return _top(states, 0, "let go")
+
+
+def _end(state: Numbers, **parameters: Numbers) -> list[Numbers]:
+    psi, theta = state[:2]
+    return [np.sin(theta) * np.sin(psi), -np.sin(theta) * np.cos(psi), np.cos(theta)]
+
+
+def _grab(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numbers]:
+    theta = np.arctan2(np.hypot(point[0], point[1]), point[2])
+    return [np.arctan2(point[0], -point[1]), theta, state[2], 0.0, 0.0, state[5]]
+
+
+HANDLE = Handle(_end, _grab)  # the end of the axis
+
+
 def _top(states: Array, color: int, name: str) -> list[Shape]:
     """Return the axis, its disk and where its end has been; states (n, 6)."""
     psi, theta, phi = states[:, :3].T
     node = np.column_stack([np.cos(psi), np.sin(psi), 0 * psi])
-    axis = np.column_stack([np.sin(theta) * np.sin(psi), -np.sin(theta) * np.cos(psi), np.cos(theta)])
+    axis = np.column_stack(_end(states.T))
     other = np.cross(axis, node)
     rim = circle(HEIGHT * axis, RADIUS * node, RADIUS * other, 37)
     spoke = HEIGHT * axis + RADIUS * (np.cos(phi)[:, None] * node + np.sin(phi)[:, None] * other)

@@ -1,54 +1,58 @@
 """The lecture `truss`: particles on springs over the rigid body that they make, with a slider for the stiffness."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from tam570.integrate import solve
-from tam570.show.plots import plot_samples, value_plot
-from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, with_slider
-from tam570.values import Function, Parameters
+from tam570.show.live import Live, drag, energies
+from tam570.show.plots import value_plot
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, with_slider
+from tam570.values import Numbers, Parameters
 
 __all__ = ["film"]
 
 SHARES = (0.1, 0.3, 1.0, 4.0)  # of the stiffness
 
 
-def film(rates: Function, rigid: Function, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
+def film(lecture: Numbers, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return a truss that is thrown and turns."""
     times = frame_times(seconds)
-    body = rigid(times, start, **parameters)
-    stiffness = parameters["stiffness"]
+    body = lecture.rigid(times, start, **parameters)
+    stiffness, half = parameters["stiffness"], len(start) // 2
+    handles = [drag(i, 2) for i in range(0, half, 2)]
 
     def scene_with(value: float) -> Scene:
-        states = solve(rates, times, start, parameters={**parameters, "stiffness": value}, rtol=1e-6)
-        return _one(times, states, body, parameters["bars"])
+        arguments = {**parameters, "stiffness": value}
+        states = solve(lecture.rates, times, start, parameters=arguments, rtol=1e-6)
+        measures = energies(lecture.energy, half)
+        live = Live(lecture.rates, arguments, lecture.STATE, start, _draw, handles, measures)
+        return replace(_one(times, states, body, arguments), live=live)
 
     return with_slider(scene_with, "stiffness", "N/m", [share * stiffness for share in SHARES], stiffness)
 
 
-def _one(times: Array, states: Array, body: Array, bars: Sequence[Sequence[int]]) -> Scene:
-    half = states.shape[1] // 2
-    particles, rigid = (history[:, :half].reshape(len(times), -1, 2) for history in (states, body))
-    ends = np.ravel(bars)
-    shapes = [
-        Shape("lines", rigid[:, ends], GREY, "rigid body", width=7, faint=True),
-        Shape("lines", particles[:, ends], 0, "bars", width=2),
-        Shape("trail", particles[:, :1], 2, width=1.5),
-        Shape("dot", particles, 1, "particles", width=6),
-    ]
+def _one(times: Array, states: Array, body: Array, parameters: Parameters) -> Scene:
+    shape = (len(times), -1, 2)
+    particles, rigid = (history[:, : history.shape[1] // 2].reshape(shape) for history in (states, body))
+    behind = Shape("lines", rigid[:, np.ravel(parameters["bars"])], GREY, "rigid body", width=7, faint=True)
+    farthest = np.linalg.norm(particles - rigid, axis=2).max(axis=1)
     return Scene(
         "Truss as a rigid body",
         "Particles that are joined by springs fly and turn. Behind them the rigid body of the same start. The stiffer "
         "the springs, the longer they stay together.",
         times,
-        [Panel(shapes)],
-        [_apart(times, particles - rigid)],
+        [Panel([behind, *_draw(states, parameters)])],
+        [value_plot("farthest particle from the rigid body", times, {"": farthest}, "m")],
         still_time=0.3,
     )
 
 
-def _apart(times: Array, gaps: Array) -> TimePlot:
-    shown = plot_samples(times)
-    farthest = np.linalg.norm(gaps[shown], axis=2).max(axis=1)
-    return value_plot("farthest particle from the rigid body", times[shown], {"": farthest}, "m")
+def _draw(states: Array, parameters: Parameters) -> list[Shape]:
+    particles = np.reshape(states[:, : states.shape[1] // 2], (len(states), -1, 2))
+    return [
+        Shape("lines", particles[:, np.ravel(parameters["bars"])], 0, "bars", width=2),
+        Shape("trail", particles[:, :1], 2, width=1.5),
+        Shape("dot", particles, 1, "particles", width=6),
+    ]

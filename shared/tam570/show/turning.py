@@ -1,0 +1,55 @@
+"""A free body by its rotation matrix: its box, and a hand that takes the tip of its angular velocity."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from tam570.show.drawing import brick
+from tam570.show.live import Handle, Live
+from tam570.show.scene import Array, Shape, moving
+from tam570.values import Function, Numbers, Parameters
+
+__all__ = ["box_size", "live_body"]
+
+
+def box_size(moments: Array) -> Array:
+    """(3,) m, the sides of a box of 12 kg with these moments of inertia, (3,) kg m^2; none is too thin to be seen."""
+    sides: Array = np.sqrt(np.maximum(moments.sum() / 2 - moments, 0.05 * moments.max()))
+    return sides
+
+
+def live_body(
+    rates: Function,
+    energy: Function,
+    parameters: Parameters,
+    names: Mapping[str, str],
+    start: Sequence[float],
+    *,
+    in_space: bool,
+    title: str,
+) -> Live:
+    """Return a free body as equations; its state is R (9, row by row) and omega (3).
+
+    names    : and units, of the state's numbers
+    in_space : whether omega has components in space, or in the body
+    """
+    size = box_size(np.array(parameters["inertia"]))
+    reach = 1.8 * float(size.max()) / float(np.linalg.norm(start[9:]))  # m per rad/s
+
+    def tip(state: Numbers, **parameters: Numbers) -> Numbers:
+        omega = np.array(state[9:])
+        return reach * (omega if in_space else np.reshape(state[:9], (3, 3)) @ omega)
+
+    def draw(states: Array, parameters: Parameters) -> list[Shape]:
+        return [
+            *brick(np.reshape(states[:, :9], (1, 3, 3)), size, 0, "body"),
+            Shape("trail", tip(states[0])[None, None], 1, width=1.2),
+            Shape("arrow", moving(np.zeros(3), tip(states[0])[None]), 1, "angular velocity", width=2.5),
+        ]
+
+    def grab(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numbers]:
+        omega = np.array(point) / reach
+        return [*state[:9], *(omega if in_space else np.reshape(state[:9], (3, 3)).T @ omega)]
+
+    measures = {"total E": lambda state, **parameters: energy([*state], **parameters)}
+    return Live(rates, parameters, names, start, draw, [Handle(tip, grab)], measures, title=title)
