@@ -210,13 +210,13 @@ def simulate(reference, t, x, v, **wire):
 
 
 @mistake(
-    "You take five Runge-Kutta steps to each time, however far; limit the size of a step.",
+    "You take forty Runge-Kutta steps to each time, however far; limit the size of a step.",
     first_fails=simulate_needs_no_dense_times,
     compared=False,
     numerics=True,
 )
 def simulate(reference, t, x, v, **wire):
-    return runge_kutta(t, x, v, [5] * (len(t) - 1), wire)
+    return runge_kutta(t, x, v, [40] * (len(t) - 1), wire)
 
 
 @mistake(
