@@ -151,5 +151,5 @@ def small_rocking(rng):
 def many_turns(rng):
     """The start's energy takes G over every top at no less than 0.5 usual(c)."""
     c = cylinder(rng, slope=0.0)
-    t = uneven(rng, 30 / usual(c), 12)
+    t = uneven(rng, 20 / usual(c), 9)
     return [Case(t, rng.uniform(-2, 2), 3 * usual(c), **c).labelled("many turns on level ground")]

@@ -304,5 +304,5 @@ def simulate(reference, t, phi, phi_dot, **c):
 )
 def simulate(reference, t, phi, phi_dot, **cylinder):
     rate = math.sqrt((cylinder["gravity"] or 5.0) / cylinder["radius"])
-    step = (0.005 if (t[-1] - t[0]) * rate < 20 else 0.1) / rate
+    step = (0.005 if (t[-1] - t[0]) * rate < 15 else 0.1) / rate
     return runge_kutta(t, (phi, phi_dot), [math.ceil(span / step) for span in np.diff(t)], cylinder)
