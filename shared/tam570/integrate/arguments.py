@@ -1,12 +1,12 @@
 """What a caller gives, checked: each error names the argument."""
 
 import math
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tam570.integrate.error_scale import NO_SCALE
+from tam570.values import Numbers
 
 __all__ = ["SMALLEST_RTOL", "Array", "checked", "of_one_step", "positive", "sample_times", "tolerance"]
 
@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 SMALLEST_RTOL = 1e-16  # below that nothing but rounding is left to control
 
 
-def checked(t: ArrayLike, y0: ArrayLike, rtol: float, atol: ArrayLike | None) -> tuple[Any, ...]:
+def checked(t: ArrayLike, y0: ArrayLike, rtol: float, atol: ArrayLike | None) -> tuple[Numbers, ...]:
     """Return times and their sign, start, and what is asked of the steps."""
     from tam570.integrate.adaptive import Control
 
@@ -23,7 +23,7 @@ def checked(t: ArrayLike, y0: ArrayLike, rtol: float, atol: ArrayLike | None) ->
     return times, sign, start, Control(of_step, allowed_error(atol, start.shape[-1]))
 
 
-def positive(name: str, value: Any) -> float:
+def positive(name: str, value: Numbers) -> float:
     """Return a number above zero, infinity among them. ValueError with its name."""
     if not isinstance(value, float | int | np.floating | np.integer) or not value > 0:
         raise ValueError(f"{name}: must be a number above zero, got {value!r}")

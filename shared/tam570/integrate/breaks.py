@@ -6,12 +6,12 @@ onto each time at which a function of time inside is zero or turns round, where 
 
 import math
 from functools import lru_cache
-from typing import Any
 
 import numpy as np
 
 from tam570.integrate.symbols import FUNCTIONS, Symbol, Value
 from tam570.integrate.trace import Graph
+from tam570.values import Numbers
 
 __all__ = ["breaks_of"]
 
@@ -20,7 +20,7 @@ POINTS, MOST = 1000, 100_000  # of the grid on which functions of time are looke
 A_TURN = 16  # points in a turn of a sine
 
 Affine = tuple[float, float]  # rate, shift
-Array = np.ndarray[Any, np.dtype[np.float64]]
+Array = np.ndarray[tuple[int, ...], np.dtype[np.float64]]
 
 
 @lru_cache(maxsize=256)
@@ -116,7 +116,7 @@ def _values(timed: list[Symbol], t: Array) -> dict[int, Array]:
     numpy_names = {plain: name for name, plain in FUNCTIONS.items() if name.startswith("arc")}
     computed: dict[int, Array] = {}
 
-    def value(argument: Value) -> Any:
+    def value(argument: Value) -> Numbers:
         return computed[argument.number] if isinstance(argument, Symbol) else argument
 
     arithmetic = {

@@ -9,13 +9,17 @@ import dis
 import functools
 import math
 import types
-from collections.abc import Callable, Hashable, Iterable, Mapping
+from collections.abc import Callable, Hashable, Iterable
 from functools import lru_cache
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
+from tam570.values import Function, Parameters
+
 __all__ = ["Changeable", "cache_key", "call_key", "global_names"]
+
+Captured: TypeAlias = Any  # whatever a right-hand side refers to
 
 LONGEST = 1000  # numbers in a list or an array: more take longer to look at than to trace
 CONSTANT = ("math", "numpy")  # modules
@@ -56,7 +60,7 @@ class Changeable(Exception):
     """The function depends on something that may change unseen."""
 
 
-def cache_key(value: Any, functions: dict[int, int] | None = None) -> Hashable:
+def cache_key(value: Captured, functions: dict[int, int] | None = None) -> Hashable:
     """Equal for what computes the same. Raises `Changeable`. functions : those seen on the way; one may call itself."""
     read = READERS.get(type(value))
     if read:
@@ -68,7 +72,7 @@ def cache_key(value: Any, functions: dict[int, int] | None = None) -> Hashable:
     raise Changeable(f"{type(value).__name__} may change unseen")
 
 
-def call_key(rhs: Any, parameters: Mapping[str, Any] | None) -> Hashable:
+def call_key(rhs: Function, parameters: Parameters | None) -> Hashable:
     """Return the key of a right-hand side with its parameters. Raises `Changeable`."""
     functions: dict[int, int] = {}
     key = cache_key(rhs, functions)
@@ -79,15 +83,15 @@ def call_key(rhs: Any, parameters: Mapping[str, Any] | None) -> Hashable:
     return key
 
 
-def _number(value: Any, _: Any) -> Hashable:
+def _number(value: Captured, _: Captured) -> Hashable:
     return (type(value), value) if value else (type(value), repr(value))  # 0.0 equals -0.0
 
 
-def _itself(value: Any, _: Any) -> Hashable:
+def _itself(value: Captured, _: Captured) -> Hashable:
     return value  # type: ignore[no-any-return]
 
 
-def _sequence(value: Any, functions: dict[int, int]) -> Hashable:
+def _sequence(value: Captured, functions: dict[int, int]) -> Hashable:
     if type(value) is list:
         functions[MUTABLE] = 0
     if len(value) > LONGEST:
@@ -95,39 +99,39 @@ def _sequence(value: Any, functions: dict[int, int]) -> Hashable:
     return type(value), *[cache_key(item, functions) for item in value]
 
 
-def _mapping(value: dict[Any, Any], functions: dict[int, int]) -> Hashable:
+def _mapping(value: dict[Captured, Captured], functions: dict[int, int]) -> Hashable:
     functions[MUTABLE] = 0
     return dict, _sequence(tuple(value), functions), _sequence(tuple(value.values()), functions)
 
 
-def _array(value: Any, functions: dict[int, int]) -> Hashable:
+def _array(value: Captured, functions: dict[int, int]) -> Hashable:
     functions[MUTABLE] = 0
     if value.size > LONGEST or value.dtype.hasobject:
         raise Changeable("an array that is large, or of objects")
     return value.shape, value.dtype.str, value.tobytes()
 
 
-def _module(value: types.ModuleType, _: Any) -> Hashable:
+def _module(value: types.ModuleType, _: Captured) -> Hashable:
     if value.__name__.partition(".")[0] not in CONSTANT:
         raise Changeable(f"what stands in the module {value.__name__}")
     return value
 
 
-def _builtin(value: types.BuiltinFunctionType, _: Any) -> Hashable:
+def _builtin(value: types.BuiltinFunctionType, _: Captured) -> Hashable:
     name: str = value.__name__
     if getattr(math, name, None) is not value:
         raise Changeable(f"{name} is not among the functions that are known")
     return "math", name
 
 
-def _numpy_function(value: Any, _: Any) -> Hashable:
+def _numpy_function(value: Captured, _: Captured) -> Hashable:
     name: str = value.__name__
     if name not in ARRAY_FUNCTIONS or getattr(np, name, None) is not value:
         raise Changeable(f"{name} is not among the functions that are known")
     return "numpy", name
 
 
-def _partial(value: Any, functions: dict[int, int]) -> Hashable:
+def _partial(value: Captured, functions: dict[int, int]) -> Hashable:
     parts = (value.func, value.args, value.keywords)
     return functools.partial, *[cache_key(part, functions) for part in parts]
 
@@ -199,7 +203,7 @@ def _parts(code: types.CodeType) -> Iterable[types.CodeType]:
 
 
 MUTABLE, CHANGES = -1, -2  # among `functions`: a list or an array is in reach; something sets items
-READERS: dict[type, Callable[[Any, dict[int, int]], Hashable]] = {
+READERS: dict[type, Callable[[Captured, dict[int, int]], Hashable]] = {
     **dict.fromkeys((float, int, bool, complex, str, bytes), _number),
     type(None): _itself,
     **dict.fromkeys((tuple, list), _sequence),

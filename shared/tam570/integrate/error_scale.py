@@ -12,7 +12,8 @@ it is zero here.
 
 import math
 from collections.abc import Callable, Sequence
-from typing import Any
+
+from tam570.values import Numbers
 
 __all__ = ["CALM", "COARSE", "NO_SCALE", "PART", "SHARE", "error_scale"]
 
@@ -24,11 +25,18 @@ COARSE = 0.125  # the same, to see that sizes are not so large that the rates ar
 LONG, SHORT = 4096.0, 1e-9  # times h: how long the others are given at most and at least
 CALM = 4.0  # times its size: what the others may do to a component with a size
 
-Rates = Callable[[float, Any, Any], Sequence[float]]
+Rates = Callable[[float, Numbers, Numbers], Sequence[float]]
 
 
 def error_scale(
-    rhs: Rates, t: float, h: float, y: Sequence[float], f: Sequence[float], m: Sequence[float], c: Any, later: Any = ()
+    rhs: Rates,
+    t: float,
+    h: float,
+    y: Sequence[float],
+    f: Sequence[float],
+    m: Sequence[float],
+    c: Numbers,
+    later: Numbers = (),
 ) -> tuple[float, ...]:
     """(k,) sizes at the start; `m` holds those known, or zeros; `later` are times at which a force may set in."""
     own_sizes = [max(size, abs(value), _finite(h * rate)) for size, value, rate in zip(m, y, f, strict=True)]
@@ -39,7 +47,14 @@ def error_scale(
 
 
 def _driven_sizes(
-    rhs: Rates, t: float, h: float, y: Sequence[float], f: Sequence[float], own_sizes: list[float], c: Any, later: Any
+    rhs: Rates,
+    t: float,
+    h: float,
+    y: Sequence[float],
+    f: Sequence[float],
+    own_sizes: list[float],
+    c: Numbers,
+    later: Numbers,
 ) -> list[float]:
     """Return the sizes, those of zero replaced where the others or the time move them."""
     moved = _moved_by(rhs, t, h, y, f, own_sizes, c)
@@ -63,7 +78,7 @@ def _driven_sizes(
 
 
 def _spread(
-    rhs: Rates, t: float, duration: float, y: Sequence[float], f: Sequence[float], own_sizes: list[float], c: Any
+    rhs: Rates, t: float, duration: float, y: Sequence[float], f: Sequence[float], own_sizes: list[float], c: Numbers
 ) -> list[float] | None:
     """Return what the sizes do to one another within so many s; None where that turns over one that is known."""
     sizes = [
@@ -90,7 +105,7 @@ def _moved_by(
     y: Sequence[float],
     f: Sequence[float],
     sizes: Sequence[float],
-    c: Any,
+    c: Numbers,
     part: float = PART,
 ) -> list[float]:
     """To what each is moved within so many s when all change by their sizes, in proportion to a part of these."""

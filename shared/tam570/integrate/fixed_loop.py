@@ -1,7 +1,9 @@
 """Fixed steps and samples: the loop around a generated leap. Plain enough for a compiler to take as it is."""
 
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import NamedTuple
+
+from tam570.values import Function, Numbers
 
 __all__ = ["FixedState", "fixed_loop_with"]
 
@@ -16,10 +18,12 @@ class FixedState(NamedTuple):
     k: tuple[float, ...]  # first guess of the next step's stages
 
 
-def fixed_loop_with(leap: Any) -> Callable[..., FixedState]:
+def fixed_loop_with(leap: Function) -> Callable[..., FixedState]:
     """Return the loop over the steps of a run."""
 
-    def march(origin: Any, times: Any, out: Any, state: Any, c: Any, h: Any, budget: Any) -> Any:
+    def march(
+        origin: Numbers, times: Numbers, out: Numbers, state: Numbers, c: Numbers, h: Numbers, budget: Numbers
+    ) -> Numbers:
         """Fill the rows of `out` until none is left or `budget` steps are spent.
 
         times : since `origin`; state : a `FixedState`, as returned. A sample inside a step is reached by a

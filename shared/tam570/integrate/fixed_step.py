@@ -2,7 +2,6 @@
 
 import math
 from functools import lru_cache, partial
-from typing import Any
 
 import numpy as np
 
@@ -14,6 +13,7 @@ from tam570.integrate.engine import Engine
 from tam570.integrate.fixed_loop import FixedState, fixed_loop_with
 from tam570.integrate.formulas import halves
 from tam570.integrate.gauss_source import STAGES, gauss_source
+from tam570.values import Function, Numbers
 
 __all__ = ["METHODS", "states"]
 
@@ -31,10 +31,10 @@ def states(method: str, engine: Engine, times: Array, start: Array, control: Con
     source, constants = _source(method, engine, len(start))
     python = fixed_loop_with(_leap(source, engine))
 
-    def march(function: Any, since: Any, state: Any, budget: int) -> Any:
+    def march(function: Function, since: Numbers, state: Numbers, budget: int) -> Numbers:
         return function(origin, since, rows, state, constants, h, budget)
 
-    def share(state: Any) -> float:
+    def share(state: Numbers) -> float:
         return 1.0 if state.row == len(rows) else min(state.done * h / listed[-1], 0.999)
 
     state = _at_start(method, engine, origin, start)
@@ -76,11 +76,11 @@ def _source(method: str, engine: Engine, size: int) -> tuple[str, tuple[float, .
 
 
 @lru_cache(maxsize=64)
-def _code(source: str) -> Any:
+def _code(source: str) -> Numbers:
     return compile(source, "<tam570 leap>", "exec")
 
 
-def _leap(source: str, engine: Engine) -> Any:
+def _leap(source: str, engine: Engine) -> Numbers:
     namespace = {**vars(math), "given": engine.functions["given"]}
     exec(_code(source), namespace)
     return namespace["leap"]

@@ -1,8 +1,7 @@
 """Runs of one right-hand side, one after the other: what does not depend on the start is done once."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import partial
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,16 +10,17 @@ from tam570.integrate.arguments import Array, checked
 from tam570.integrate.compiled_cache import compile_run
 from tam570.integrate.engine import engine
 from tam570.integrate.solver import solve
+from tam570.values import Function, Parameters
 
 __all__ = ["prepared"]
 
 
 def prepared(
-    rhs: Callable[..., Any],
+    rhs: Function,
     t: ArrayLike,
     y0: ArrayLike,
     *,
-    parameters: Mapping[str, Any] | None = None,
+    parameters: Parameters | None = None,
     rtol: float = 1e-10,
     atol: ArrayLike | None = None,
 ) -> Callable[[ArrayLike], Array]:

@@ -5,15 +5,13 @@ R0 takes exp(u) in and u starts from zero again, so R^T R = I holds to rounding 
 Munthe-Kaas, High order Runge-Kutta methods on manifolds, Appl. Num. Math. 29 (1999).
 """
 
-from collections.abc import Callable, Mapping
-from typing import Any
-
 import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.integrate import adaptive
 from tam570.integrate.arguments import Array, of_one_step, sample_times, tolerance
 from tam570.integrate.engine import engine
+from tam570.values import Function, Numbers, Parameters
 
 __all__ = ["solve_rotation"]
 
@@ -32,12 +30,12 @@ _BERNOULLI = (
 
 
 def solve_rotation(
-    acceleration: Callable[..., Any],
+    acceleration: Function,
     t: ArrayLike,
     omega: ArrayLike,
     R: ArrayLike,
     *,
-    parameters: Mapping[str, Any] | None = None,
+    parameters: Parameters | None = None,
     rtol: float = 1e-10,
 ) -> tuple[Array, Array]:
     """Return angular velocities and rotations of a body with R' = R hat(omega), at the times `t`.
@@ -82,7 +80,7 @@ def solve_rotation(
         if numbers.shape != shape or not np.isfinite(numbers).all():
             raise ValueError(f"{name}: need finite numbers of shape {shape}, got {numbers}")
 
-    def rates(time: Any, state: Any) -> list[Any]:
+    def rates(time: Numbers, state: Numbers) -> list[Numbers]:
         spin, u = state[:3], state[3:6]
         return [*acceleration(time, spin, **fixed), *_vector_rate(u, spin), *[0.0] * 9]
 
@@ -95,7 +93,7 @@ def solve_rotation(
     return states[:, :3], rotations
 
 
-def _vector_rate(u: Any, omega: Any) -> list[Any]:
+def _vector_rate(u: Numbers, omega: Numbers) -> list[Numbers]:
     """u' for R0 exp(u): omega + u x omega / 2 + (sum of |B_2n| / (2n)! |u|^(2n - 2)) u x (u x omega)."""
     once = _cross(u, omega)
     twice = _cross(u, once)
@@ -105,7 +103,7 @@ def _vector_rate(u: Any, omega: Any) -> list[Any]:
     return [w + 0.5 * a + series * b for w, a, b in zip(omega, once, twice, strict=True)]
 
 
-def _cross(a: Any, b: Any) -> tuple[Any, Any, Any]:
+def _cross(a: Numbers, b: Numbers) -> tuple[Numbers, Numbers, Numbers]:
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 

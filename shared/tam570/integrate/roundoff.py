@@ -7,10 +7,10 @@ large, it is a jump of the rates, and does not count.
 
 import math
 from collections.abc import Callable, Sequence
-from typing import Any
 
 from tam570.integrate.binding import CalledRates
 from tam570.integrate.dop853_source import ESTIMATE_ROUNDOFF
+from tam570.values import Numbers
 
 __all__ = ["roundoff_by_neighbours"]
 
@@ -30,7 +30,7 @@ def roundoff_by_neighbours(rates: CalledRates) -> Callable[..., tuple[float, ...
     What rounding does to the error estimates of a step of h.
     """
 
-    def roundoff(start: float, h: float, y: Any, f: Any, b: Any, _: Any) -> tuple[float, ...]:
+    def roundoff(start: float, h: float, y: Numbers, f: Numbers, b: Numbers, _: Numbers) -> tuple[float, ...]:
         rates.check_memory(start, y, f)
         t, state = start + INSIDE * h, [v + INSIDE * h * rate for v, rate in zip(y, f, strict=True)]
         try:
@@ -52,7 +52,7 @@ def _noise(least: float, largest: float, other_least: float, other_largest: floa
 
 
 def _changes(
-    rates: Callable[[float, Any], Sequence[float]], t: float, h: float, y: list[float], f: Any, side: float
+    rates: Callable[[float, Numbers], Sequence[float]], t: float, h: float, y: list[float], f: Numbers, side: float
 ) -> Changes:
     """Of each rate, on one side; what it does to the state within h is passed on to the next change."""
     least, largest, moved = [math.inf] * len(y), [0.0] * len(y), [0.0] * len(y)

@@ -28,8 +28,8 @@ errors
 """
 
 import math
-from collections.abc import Callable, Mapping, Sequence
-from typing import Any, Literal, overload
+from collections.abc import Callable, Sequence
+from typing import Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -39,6 +39,7 @@ from tam570.integrate.arguments import Array, checked, positive
 from tam570.integrate.binding import RhsError
 from tam570.integrate.engine import Engine, Mistraced, engine
 from tam570.integrate.motion import Motion
+from tam570.values import Function, Numbers, Parameters
 
 __all__ = ["solve"]
 
@@ -50,29 +51,29 @@ Events = Callable[..., float] | Sequence[Callable[..., float]]
 
 @overload
 def solve(
-    rhs: Callable[..., Any],
+    rhs: Function,
     t: ArrayLike,
     y0: ArrayLike,
     *,
-    parameters: Mapping[str, Any] | None = ...,
+    parameters: Parameters | None = ...,
     rtol: float = ...,
     atol: ArrayLike | None = ...,
     method: str = ...,
     step: float | None = ...,
     max_step: float = ...,
     first_step: float | None = ...,
-    project: Callable[[Array], Any] | None = ...,
+    project: Callable[[Array], Numbers] | None = ...,
     events: None = ...,
     dense: Literal[False] = ...,
     report: Literal[False] = ...,
 ) -> Array: ...
 @overload
 def solve(
-    rhs: Callable[..., Any],
+    rhs: Function,
     t: ArrayLike,
     y0: ArrayLike,
     *,
-    parameters: Mapping[str, Any] | None = ...,
+    parameters: Parameters | None = ...,
     rtol: float = ...,
     atol: ArrayLike | None = ...,
     method: str = ...,
@@ -83,18 +84,18 @@ def solve(
     report: bool = ...,
 ) -> Motion: ...
 def solve(
-    rhs: Callable[..., Any],
+    rhs: Function,
     t: ArrayLike,
     y0: ArrayLike,
     *,
-    parameters: Mapping[str, Any] | None = None,
+    parameters: Parameters | None = None,
     rtol: float = 1e-10,
     atol: ArrayLike | None = None,
     method: str = "auto",
     step: float | None = None,
     max_step: float = math.inf,
     first_step: float | None = None,
-    project: Callable[[Array], Any] | None = None,
+    project: Callable[[Array], Numbers] | None = None,
     events: Events | None = None,
     dense: bool = False,
     report: bool = False,
@@ -181,7 +182,7 @@ def solve(
             raise ValueError(str(error)) from None
 
 
-def _motion(*call: Any) -> Motion:
+def _motion(*call: Numbers) -> Motion:
     from tam570.integrate.events import motion
 
     return motion(*call)

@@ -6,9 +6,9 @@ when that holds at twenty looks in a row, and far more steps are left than anybo
 
 from collections.abc import Callable, Sequence
 from math import sqrt
-from typing import Any
 
 from tam570.integrate.error_scale import NO_SCALE, PART
+from tam570.values import Function, Numbers
 
 __all__ = ["COMPILED", "PYTHON", "Look", "stiffness_watch"]
 
@@ -22,7 +22,7 @@ SWEEPS = 8  # of the power method, enough for a factor of two where one decay is
 
 
 def stiffness_watch(
-    rhs: Callable[..., Sequence[float]], c: Any, origin: float, end: float, sign: float, too_many: int
+    rhs: Callable[..., Sequence[float]], c: Numbers, origin: float, end: float, sign: float, too_many: int
 ) -> Look:
     """Return look(t, y, m, steps so far), to be called now and then.
 
@@ -55,7 +55,7 @@ def _advice(t: float, h: float, remaining: float) -> str:
     )
 
 
-def _decay(rhs: Any, t: float, y: Sequence[float], m: Sequence[float], c: Any) -> float:
+def _decay(rhs: Function, t: float, y: Sequence[float], m: Sequence[float], c: Numbers) -> float:
     """Return the rate of the fastest decay, by the power method; 0 if the fastest change is none."""
     rates, along, back = rhs(t, tuple(y), c), [(-1.0 if i % 2 else 1.0) for i in range(len(y))], 0.0
     for _ in range(SWEEPS):

@@ -6,9 +6,10 @@ term along, a sum with zero is the other term.
 
 import functools
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
+
+from tam570.values import Function, Numbers
 
 __all__ = ["FUNCTIONS", "Symbol", "Tape", "Untraceable", "Value"]
 
@@ -21,9 +22,9 @@ class Tape:
     """What was done to the symbols, each operation once, in the order of its first use."""
 
     def __init__(self) -> None:
-        self.symbols: dict[tuple[Any, ...], Symbol] = {}
+        self.symbols: dict[tuple[Numbers, ...], Symbol] = {}
 
-    def record(self, name: str, *arguments: Any) -> "Symbol":
+    def record(self, name: str, *arguments: Numbers) -> "Symbol":
         arguments = tuple(a if isinstance(a, Symbol) else float(a) for a in arguments)
         key = (name, *(("symbol", a.number) if isinstance(a, Symbol) else a for a in arguments))
         if key not in self.symbols:
@@ -31,8 +32,8 @@ class Tape:
         return self.symbols[key]
 
 
-def _operator(combined: Callable[[Tape, Any, Any], Any], swapped: bool = False) -> Callable[..., Any]:
-    def method(self: "Symbol", other: Any) -> Any:
+def _operator(combined: Callable[[Tape, Numbers, Numbers], Numbers], swapped: bool = False) -> Function:
+    def method(self: "Symbol", other: Numbers) -> Numbers:
         if isinstance(other, np.ndarray):
             return NotImplemented  # NumPy goes through the elements
         return combined(self.tape, other, self) if swapped else combined(self.tape, self, other)
@@ -40,7 +41,7 @@ def _operator(combined: Callable[[Tape, Any, Any], Any], swapped: bool = False) 
     return method
 
 
-def _sum(tape: Tape, a: Any, b: Any) -> Any:
+def _sum(tape: Tape, a: Numbers, b: Numbers) -> Numbers:
     if _is(a, 0) or _is(b, 0):
         return b if _is(a, 0) else a
     if isinstance(b, Symbol) and b.name == "neg":
@@ -48,7 +49,7 @@ def _sum(tape: Tape, a: Any, b: Any) -> Any:
     return tape.record("+", *_ordered(a, b))
 
 
-def _difference(tape: Tape, a: Any, b: Any) -> Any:
+def _difference(tape: Tape, a: Numbers, b: Numbers) -> Numbers:
     if _is(a, 0) or _is(b, 0):
         return -b if _is(a, 0) else a
     if isinstance(b, Symbol) and b.name == "neg":
@@ -56,7 +57,7 @@ def _difference(tape: Tape, a: Any, b: Any) -> Any:
     return tape.record("-", a, b)
 
 
-def _product(tape: Tape, a: Any, b: Any) -> Any:
+def _product(tape: Tape, a: Numbers, b: Numbers) -> Numbers:
     for number, other in ((a, b), (b, a)):
         if _is(number, 0):
             return 0.0
@@ -65,13 +66,13 @@ def _product(tape: Tape, a: Any, b: Any) -> Any:
     return tape.record("*", *_ordered(a, b))
 
 
-def _quotient(tape: Tape, a: Any, b: Any) -> Any:
+def _quotient(tape: Tape, a: Numbers, b: Numbers) -> Numbers:
     if _is(a, 0):
         return 0.0
     return a if _is(b, 1) else tape.record("/", a, b)
 
 
-def _power(tape: Tape, base: Any, exponent: Any) -> Any:
+def _power(tape: Tape, base: Numbers, exponent: Numbers) -> Numbers:
     """Small whole and half powers as products and a root: faster than pow, and no less accurate."""
     if isinstance(exponent, Symbol) or not float(2 * exponent).is_integer() or abs(exponent) > 8:
         return tape.record("pow", base, exponent)
@@ -81,17 +82,17 @@ def _power(tape: Tape, base: Any, exponent: Any) -> Any:
     return functools.reduce(lambda product, _: product * base, range(int(exponent)), root)
 
 
-def _is(value: Any, number: float) -> bool:
+def _is(value: Numbers, number: float) -> bool:
     return not isinstance(value, Symbol) and bool(value == number)
 
 
-def _ordered(a: Any, b: Any) -> tuple[Any, Any]:
+def _ordered(a: Numbers, b: Numbers) -> tuple[Numbers, Numbers]:
     """Order the terms: a + b is b + a, to the last bit."""
     first, second = (x.number if isinstance(x, Symbol) else -1 for x in (a, b))
     return (a, b) if first <= second else (b, a)
 
 
-def _refuse(*_: Any) -> Any:
+def _refuse(*_: Numbers) -> Numbers:
     raise Untraceable("depends on the value of the state")
 
 
@@ -100,7 +101,7 @@ class Symbol:
 
     __slots__ = ("arguments", "name", "number", "tape")
 
-    def __init__(self, tape: Tape, number: int, name: str, arguments: tuple[Any, ...]) -> None:
+    def __init__(self, tape: Tape, number: int, name: str, arguments: tuple[Numbers, ...]) -> None:
         self.tape, self.number, self.name, self.arguments = tape, number, name, arguments
 
     __add__, __radd__ = _operator(_sum), _operator(_sum, swapped=True)
@@ -109,16 +110,16 @@ class Symbol:
     __truediv__, __rtruediv__ = _operator(_quotient), _operator(_quotient, swapped=True)
     __pow__, __rpow__ = _operator(_power), _operator(_power, swapped=True)
 
-    def __neg__(self) -> Any:
+    def __neg__(self) -> Numbers:
         return self.arguments[0] if self.name == "neg" else self.tape.record("neg", self)
 
-    def __pos__(self) -> Any:
+    def __pos__(self) -> Numbers:
         return self
 
-    def __abs__(self) -> Any:
+    def __abs__(self) -> Numbers:
         return self.tape.record("fabs", self)
 
-    def __getattr__(self, name: str) -> Callable[..., Any]:
+    def __getattr__(self, name: str) -> Function:
         """NumPy's functions ask an object for a method of their name."""
         if name not in FUNCTIONS:
             raise AttributeError(name)

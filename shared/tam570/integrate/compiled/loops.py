@@ -4,9 +4,8 @@ import ast
 import ctypes
 import inspect
 from types import ModuleType
-from typing import Any
 
-from tam570.integrate.compiled.ir import Array, Value, Writer
+from tam570.integrate.compiled.ir import Array, Operand, Value, Writer
 from tam570.integrate.compiled.llvm import assembled
 from tam570.integrate.compiled.translate import Translator, functions_of
 
@@ -19,12 +18,12 @@ HEAD = """define void @{name}(ptr %state, ptr %c, ptr %times, i64 %rows, ptr %ou
 entry:"""
 
 
-def flat(state: Any) -> list[float]:
+def flat(state: Operand) -> list[float]:
     """Return the numbers of a state, a tuple of numbers and tuples."""
     return [x for part in state for x in (flat(part) if isinstance(part, tuple) else [float(part)])]
 
 
-def unflat(numbers: Any, like: Any) -> Any:
+def unflat(numbers: Operand, like: Operand) -> Operand:
     """Return the tuples that `flat` was given, from an iterator over its numbers.
 
     Whole where they are whole in `like`.
@@ -34,7 +33,7 @@ def unflat(numbers: Any, like: Any) -> Any:
 
 
 def loop_text(
-    loop: ModuleType, generated: str, entry: str, like: Any, constants: int, handed: tuple[str, ...] = ()
+    loop: ModuleType, generated: str, entry: str, like: Operand, constants: int, handed: tuple[str, ...] = ()
 ) -> str:
     """Return a module with `entry` of (origin, times, out, state, c, x, budget), a function somewhere in `loop`.
 
@@ -62,16 +61,16 @@ def loop_text(
     return assembled([*writer.constants(), *(_rhs_text(rhs, _size(like), constants) if rhs else []), *body])
 
 
-def _size(like: Any) -> int:
+def _size(like: Operand) -> int:
     return len(like.y)
 
 
-def _tuple(_: Any, *parts: Any) -> tuple[Any, ...]:
+def _tuple(_: Operand, *parts: Operand) -> tuple[Operand, ...]:
     return parts
 
 
-def _loaded(writer: Writer, like: Any, places: Any) -> Any:
-    parts: list[Any] = []
+def _loaded(writer: Writer, like: Operand, places: Operand) -> Operand:
+    parts: list[Operand] = []
     for part in like:
         if isinstance(part, tuple):
             parts.append(_loaded(writer, part, places))
@@ -82,11 +81,11 @@ def _loaded(writer: Writer, like: Any, places: Any) -> Any:
     return tuple(parts)
 
 
-def _leaves(value: Any) -> list[Any]:
+def _leaves(value: Operand) -> list[Operand]:
     return [x for part in value for x in _leaves(part)] if isinstance(value, tuple) else [value]
 
 
-def _call_of_rhs(writer: Any, t: Any, state: tuple[Any, ...], _: Any) -> tuple[Value, ...]:
+def _call_of_rhs(writer: Operand, t: Operand, state: tuple[Operand, ...], _: Operand) -> tuple[Value, ...]:
     ir_type = f"{{{', '.join(['double'] * len(state))}}}"
     arguments = ", ".join(f"double {writer.text(x, 'double')}" for x in (t, *state))
     tuple_type = writer.emit(ir_type, f"call {ir_type} @rhs({arguments}, ptr %c)").text

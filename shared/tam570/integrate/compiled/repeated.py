@@ -3,7 +3,7 @@
 import math
 import struct
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from tam570.integrate.compiled.backend import Memory, Motion, address_of, memory
 from tam570.integrate.error_scale import NO_SCALE, SHARE
 from tam570.integrate.stiffness import Look
 from tam570.integrate.trace import Graph
+from tam570.values import Numbers
 
 __all__ = ["taylor_repeated"]
 
@@ -28,7 +29,7 @@ class Place(NamedTuple):
     numbers: "memoryview[float]"  # of the state
 
 
-def taylor_repeated(graph: Graph, run: Run, watch: Callable[[], Look]) -> Callable[[Any], Array | None] | None:
+def taylor_repeated(graph: Graph, run: Run, watch: Callable[[], Look]) -> Callable[[Numbers], Array | None] | None:
     """states(y0) -> (n, k), or None where the method ends early or y0 is not k numbers; None without a series."""
     motion, size = motion_of(graph), len(run.rows[0])
     if motion is None:
@@ -41,7 +42,7 @@ def taylor_repeated(graph: Graph, run: Run, watch: Callable[[], Look]) -> Callab
     start, first, used = struct.Struct(f"={size}d"), 8 * taylor_memory.NUMBERS, len(fresh)
     advance, status, free = motion.advance, taylor_memory.STATUS, list[Place]()
 
-    def states(y0: Any) -> Array | None:
+    def states(y0: Numbers) -> Array | None:
         if type(y0) is np.ndarray and y0.ndim != 1:  # its rows may be numbers, too
             return None
         mine = free.pop() if free else _place(motion, run)
@@ -81,7 +82,7 @@ def _head(run: Run) -> list[float]:
     return fresh_numbers
 
 
-def _carried_on(mine: Place, advance: Any, size: int, watch: Callable[[], Look]) -> None:
+def _carried_on(mine: Place, advance: Numbers, size: int, watch: Callable[[], Look]) -> None:
     """To the end, with a look now and then; ArithmeticError where it is stiff."""
     look = watch()
 
