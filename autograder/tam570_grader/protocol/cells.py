@@ -16,7 +16,7 @@ CUT = "\n\n(cut: this is too long to show)"
 SILENT = (tokenize.ENCODING, tokenize.COMMENT, tokenize.NL, tokenize.INDENT, tokenize.DEDENT)
 SHOWN = ("text/plain", "image/png", "image/jpeg")
 
-CellRecord = dict[str, Any]
+CellRecord = dict[str, Any]  # of nbformat
 
 
 def plain_cells(source: bytes) -> list[CellRecord]:
@@ -59,7 +59,7 @@ def statements(source: bytes) -> str:
     return "".join(f"{' '.join(line)}\n" for line in lines if line and not (len(line) == 1 and line[0][-1] in "'\""))
 
 
-def _plain(cell: Any) -> CellRecord:
+def _plain(cell: CellRecord) -> CellRecord:
     code = cell.get("cell_type") == "code"
     source = _text(cell["source"] if "source" in cell else cell.get("input", ""))
     noted = cell.get("metadata", {}).get("nbgrader")
@@ -78,7 +78,7 @@ def _plain(cell: Any) -> CellRecord:
     }
 
 
-def _output(output: Any) -> CellRecord | None:
+def _output(output: object) -> CellRecord | None:
     """Return an output in nbformat's terms; None for one that is none."""
     if not isinstance(output, dict):
         return None
@@ -90,18 +90,18 @@ def _output(output: Any) -> CellRecord | None:
     return {"output_type": "display_data", "data": _bundle(output.get("data"))}
 
 
-def _bundle(data: Any) -> dict[str, str]:
+def _bundle(data: object) -> dict[str, str]:
     """Of what is to be shown the pictures, whole or not at all, and the text."""
     texts = {mime: _text(data[mime]) for mime in SHOWN if mime in data} if isinstance(data, dict) else {}
     plain = {"text/plain": _cut(texts.pop("text/plain"), LONGEST_OUTPUT)} if "text/plain" in texts else {}
     return plain | {mime: text for mime, text in texts.items() if len(text) <= LONGEST_PICTURE}
 
 
-def _text(value: Any) -> str:
+def _text(value: object) -> str:
     return "".join(_strings(value))
 
 
-def _strings(value: Any) -> Iterator[str]:
+def _strings(value: object) -> Iterator[str]:
     for text in value if isinstance(value, list) else [value]:
         if isinstance(text, str):
             yield text.encode("utf-8", "replace").decode()  # half of a surrogate pair crosses no boundary

@@ -5,10 +5,11 @@ import builtins
 import sys
 from collections.abc import Callable, Sequence
 from types import CodeType, ModuleType
-from typing import Any, cast
+from typing import cast
 
 from tam570 import notebooks
 from tam570.bans import HERE, IN_ONE, Unusable, must_be_allowed, must_be_there
+from tam570.values import Json
 
 CodeCell = tuple[str, CodeType]  # a notebook's cell, or "", and its code
 
@@ -82,12 +83,12 @@ def _in_words(error: BaseException) -> str:
         return type(error).__name__
 
 
-def _builtins_without(forbidden: Sequence[str], module_name: str) -> dict[str, Any]:
+def _builtins_without(forbidden: Sequence[str], module_name: str) -> Json:
     """Return the built-in functions with an import that refuses the forbidden modules, and what is not promised."""
     import_module = builtins.__import__
 
     def guarded_import(
-        name: str, globals: Any = None, locals: Any = None, fromlist: Any = (), level: int = 0
+        name: str, globals: Json | None = None, locals: Json | None = None, fromlist: Sequence[str] = (), level: int = 0
     ) -> ModuleType:
         must_be_allowed(name, fromlist, forbidden)
         if stand_in := notebooks.kernel_module(name):
@@ -116,8 +117,8 @@ def _without_windows() -> None:
         sys.modules["IPython"].get_ipython = notebooks.KERNEL["get_ipython"]  # type: ignore[attr-defined]
 
 
-def _with_agg(choose: Callable[[str], Any]) -> Callable[..., None]:
-    def use(*names: Any, **how: Any) -> None:
+def _with_agg(choose: Callable[[str], object]) -> Callable[..., None]:
+    def use(*names: object, **how: object) -> None:
         choose("agg")
 
     return use

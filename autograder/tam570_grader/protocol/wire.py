@@ -5,13 +5,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import chain
 from struct import pack, unpack_from
-from typing import Any
+from typing import Any, TypeAlias
 
 import msgpack
 from numpy import array, asarray, frombuffer, generic, ndarray
 
 # What a submission does to the built-in functions must not reach those below.
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]
+
+Message: TypeAlias = Any  # plain data: numbers, texts, lists and maps of them, float arrays, Foreigns
 
 FOREIGN, TYPES = 2, {1: "<f8", 3: "<c16"}  # codes of extensions
 LARGEST_ARRAY = 2**24  # bytes; the largest honest result, 1e5 rows of 15 numbers, has 12e6
@@ -44,12 +46,12 @@ class Unreadable(Exception):
     """The bytes are no message of ours."""
 
 
-def packed(message: Any) -> bytes:
+def packed(message: Message) -> bytes:
     """Bytes of a message of plain data, float arrays and Foreigns."""
     return bytes(msgpack.packb(message, default=_extension))
 
 
-def request(calls: Sequence[bytes], **fields: Any) -> bytes:
+def request(calls: Sequence[bytes], **fields: Message) -> bytes:
     """Bytes of a message of these fields and of "calls", which are packed already."""
     packer = msgpack.Packer(default=_extension, autoreset=False)
     packer.pack_map_header(1 + len(fields))
@@ -65,21 +67,21 @@ class ItemBudget:
     def __init__(self) -> None:
         self.remaining = MOST_ITEMS
 
-    def spend(self, items: Any) -> Any:
+    def spend(self, items: Message) -> Message:
         self.remaining -= 1 + len(items)
         if self.remaining < 0:
             raise Unreadable("too many items")
         return items
 
 
-def unpacked(data: bytes, budget: ItemBudget | None = None) -> Any:
+def unpacked(data: bytes, budget: ItemBudget | None = None) -> Message:
     """Return the message in the bytes; nothing in it is trusted, and nothing in it can run.
 
     budget : what the messages that share it may have of items, each extension being one
     """
     budget = budget or ItemBudget()
 
-    def extension(code: int, content: bytes) -> Any:
+    def extension(code: int, content: bytes) -> ndarray | Foreign:
         budget.spend(())
         return _known(code, content)
 
@@ -98,7 +100,7 @@ def unpacked(data: bytes, budget: ItemBudget | None = None) -> Any:
         raise Unreadable(str(error)) from None
 
 
-def portable(value: Any, depth: int = 0) -> Any:
+def portable(value: Message, depth: int = 0) -> Message:
     """Return a student's value as plain numbers, float or complex arrays and lists of these.
 
     Anything else a Foreign.
@@ -125,7 +127,7 @@ def portable(value: Any, depth: int = 0) -> Any:
     return Foreign("an array of objects" if isinstance(value, ndarray) else type(value).__name__)
 
 
-def stacked(values: Sequence[Any]) -> Any:
+def stacked(values: Sequence[Message]) -> ndarray | None:
     """Several portable values as one array, where they are numbers or arrays alike; else None."""
     value_type, first = type(values[0]), values[0]
     if any(type(value) is not value_type for value in values):
@@ -138,14 +140,14 @@ def stacked(values: Sequence[Any]) -> Any:
     return array(values) if same_form else None
 
 
-def _real(number: Any) -> Any:
+def _real(number: Message) -> float | Foreign:
     try:
         return 0.0 + float(number)  # of a subclass of float: a plain one
     except Exception:  # an expression with symbols in it
         return Foreign(type(number).__name__)
 
 
-def _portable_array(numbers: Any) -> Any:
+def _portable_array(numbers: ndarray) -> ndarray | Foreign:
     if numbers.dtype.kind not in "fiubc":
         return Foreign("an array of strings")
     if numbers.nbytes > LARGEST_ARRAY:
@@ -153,7 +155,7 @@ def _portable_array(numbers: Any) -> Any:
     return numbers.astype("<c16" if numbers.dtype.kind == "c" else "<f8")
 
 
-def _extension(value: Any) -> msgpack.ExtType:
+def _extension(value: object) -> msgpack.ExtType:
     if isinstance(value, Foreign):
         return msgpack.ExtType(FOREIGN, value.type_name.encode())
     if isinstance(value, ndarray):
@@ -165,7 +167,7 @@ def _extension(value: Any) -> msgpack.ExtType:
     raise TypeError(f"{type(value).__name__} does not cross the boundary")
 
 
-def _known(code: int, data: bytes) -> Any:
+def _known(code: int, data: bytes) -> ndarray | Foreign:
     if code == FOREIGN:
         text = data.decode()
         return Foreign(text if text in KINDS else "an object")
