@@ -53,7 +53,7 @@ class Replies:
 
     def __init__(self, module: ModuleType, solution: "Replies | None" = None, reach: frozenset[str] = frozenset()):
         self._module, self._solution, self._reach = module, solution, reach
-        self._replies: dict[Any, Reply] = {}
+        self._replies: dict[tuple[str, bytes, str, str], Reply] = {}
         self.seconds: dict[tuple[str, bytes], float] = {}
 
     def reply(self, name: str, case: Case, mode: str, fields: Json) -> Reply:
@@ -78,7 +78,7 @@ def _answered(module: ModuleType, name: str, case: Case, mode: str, fields: Json
     return checked(unpacked(packed({"replies": [reply]})), mode)[0]
 
 
-def _copied(argument: Numbers) -> Any:
+def _copied(argument: Numbers) -> Numbers:
     """As the sandbox gives it: a writable array, a list of tuples."""
     if isinstance(argument, list):
         return [tuple(item) if isinstance(item, list) else item for item in argument]

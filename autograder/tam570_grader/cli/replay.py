@@ -3,14 +3,14 @@
 import argparse
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
-from tam570.values import Json
+from tam570.values import Json, Numbers
 from tam570_grader.checks.failure import Failure
 from tam570_grader.cli.options import Commands
 from tam570_grader.errors import Over, UsageError, say
+from tam570_grader.sandbox.function import SandboxFunction
 
 
 def add_replay(commands: Commands) -> argparse.ArgumentParser:
@@ -119,7 +119,7 @@ def _again(arguments: argparse.Namespace, slug: str, why: Failure) -> str:
         zygote.close()
 
 
-def _result(function: Any, at: Json) -> str:
+def _result(function: SandboxFunction, at: Json) -> str:
     """Return what a function gives: numbers, the values of a formula, or the curves of a drawing."""
     from tam570_grader.checks.case import Case
     from tam570_grader.checks.returns import Drawing, Formula
@@ -139,7 +139,7 @@ def _result(function: Any, at: Json) -> str:
     return _digits(function(*args, **kwargs))
 
 
-def _numbers(value: object) -> Any:
+def _numbers(value: object) -> Numbers:
     """Return a list of numbers as the array that it was; any other list as it is."""
     try:
         return np.array(value) if isinstance(value, list) and np.array(value).dtype.kind in "fi" else value

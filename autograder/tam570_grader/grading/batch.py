@@ -14,7 +14,6 @@ from collections.abc import Iterable, Iterator, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
 
 from tam570_grader.checks import assignments
 from tam570_grader.grading import supervisor
@@ -65,7 +64,7 @@ class CachedResult:
     key: Key
 
     @property
-    def summary_row(self) -> Any:
+    def summary_row(self) -> tuple[str, ...]:
         """What was noted of it when its file was read."""
         return self.results.lines[self.key].summary_row
 

@@ -50,7 +50,7 @@ class TaskExecutor:
     pool: Executor
     prefetch: Callable[[], int]  # how many tasks may be handed out at a time
     lost: tuple[type[Exception], ...] = (WorkerLost,)  # raised for a task whose process has died
-    sent: Callable[[Any], Any] = lambda work: work  # what is submitted to have a work done
+    sent: Callable[[Function], Function] = lambda work: work  # what is submitted to have a work done
 
 
 @contextlib.contextmanager

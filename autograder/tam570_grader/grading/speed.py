@@ -2,11 +2,10 @@
 
 import threading
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
-from tam570.values import Json
+from tam570.values import Json, Numbers
 from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.checks.expect import Failed, NotWritten
 from tam570_grader.results.run_time import Speed, scenes, time_to
@@ -81,5 +80,5 @@ def _point(student: Student, scene: Json) -> tuple[float, float] | None:
     return (seconds, error) if seconds > 0 and 0 < error < USELESS else None
 
 
-def _as_promised(value: Any) -> Any:
+def _as_promised(value: Numbers) -> Numbers:
     return np.array(value, float) if isinstance(value, list) else value

@@ -112,7 +112,7 @@ def _text(value: object) -> str:
     return "".join(map(str, value)) if isinstance(value, list) else str(value)
 
 
-def _output(output_type: str, **content: Any) -> Notebook:
+def _output(output_type: str, **content: object) -> Notebook:
     return node({"output_type": output_type, **content})
 
 

@@ -7,6 +7,7 @@ comparison that a right submission in another style fails, nothing is released.
 import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -21,9 +22,9 @@ from tam570_grader.diagnosis.mistakes import Mistake, mistakes, solution_with
 from tam570_grader.errors import say
 from tam570_grader.grading.run_checks import generator
 from tam570_grader.results.tables import written
-from tam570_grader.sandbox.pool import sandboxes, tried
+from tam570_grader.sandbox.pool import Attempt, sandboxes, tried
 from tam570_grader.sandbox.student import Source, Student
-from tam570_grader.sandbox.zygote import ResourceLimits
+from tam570_grader.sandbox.zygote import ResourceLimits, Zygote
 
 PUBLIC_SEED = 1
 MOST_NUMBERS = 160  # of an example's arguments and results together
@@ -57,7 +58,7 @@ def examples_of(course: Path, slug: str) -> str:
     return '{"examples": [\n' + ",\n".join(lines) + '\n], "mistakes": [\n' + ",\n".join(encoded) + "\n]}\n"
 
 
-def caught(examples: Examples, module: Any) -> bool:
+def caught(examples: Examples, module: ModuleType) -> bool:
     """Return whether a module fails one of the examples."""
     return any(_wrong(examples, k, getattr(module, call["function"], None)) for k, call in enumerate(examples.calls))
 
@@ -66,7 +67,7 @@ def _candidates(assignment: LoadedAssignment) -> list[Example]:
     """Return what the checks compare along the solution, with the public seed; a few of each kind of input."""
     notes: list[Json] = []
 
-    def collect_calls(zygote: Any, _: Any) -> None:
+    def collect_calls(zygote: Zygote, _: Attempt) -> None:
         student = Student(Source(assignment.solution.encode()), assignment, zygote)
         try:
             student.load()
@@ -78,7 +79,7 @@ def _candidates(assignment: LoadedAssignment) -> list[Example]:
 
     tried(collect_calls, sorted(assignment.needs), ResourceLimits(cpu=600, call=100))
     examples: dict[tuple[str, bytes], Example] = {}
-    count: dict[tuple[Any, ...], int] = {}
+    count: dict[tuple[object, ...], int] = {}
     for collected in notes:
         returns, case = assignment.results[collected["function"]], collected["case"]
         if isinstance(returns, Formula | Drawing):
@@ -100,7 +101,7 @@ def _candidates(assignment: LoadedAssignment) -> list[Example]:
     return [value for value in examples.values() if len(json.dumps(value)) < 40 * MOST_NUMBERS]
 
 
-def _rounded(value: Any) -> Any:
+def _rounded(value: Numbers) -> Numbers:
     return np.asarray(value, float) if isinstance(value, np.ndarray | np.generic | tuple) else value
 
 
@@ -129,7 +130,7 @@ def _wrong(examples: Examples, number: int, function: Any) -> bool:
     return False
 
 
-def _answers(assignment: LoadedAssignment, mistake: Mistake, candidates: Sequence[Example]) -> dict[int, Any]:
+def _answers(assignment: LoadedAssignment, mistake: Mistake, candidates: Sequence[Example]) -> dict[int, Numbers]:
     """Return the results of a mistake, by the number of each example that it fails; None where it raises."""
     module, examples = solution_with(assignment.solution, mistake.text), Examples(candidates, ())
     wrong = [
@@ -138,7 +139,7 @@ def _answers(assignment: LoadedAssignment, mistake: Mistake, candidates: Sequenc
     return {k: examples.results.get(k) for k in wrong}
 
 
-def _chosen(candidates: Sequence[Example], answers: Sequence[Mapping[int, Any]]) -> list[int]:
+def _chosen(candidates: Sequence[Example], answers: Sequence[Mapping[int, Numbers]]) -> list[int]:
     """Return the fewest examples, greedily, of which each mistake fails one; and one of each function."""
     unmet = [{*answer} for answer in answers if answer]
     unmet += [{k for k, other in enumerate(candidates) if other["function"] == name} for name in _functions(candidates)]
@@ -155,7 +156,7 @@ def _functions(candidates: Sequence[Example]) -> list[str]:
 
 
 def _fingerprints(
-    mistake: Mistake, answers: Mapping[int, Any], chosen: Sequence[int], candidates: Sequence[Example]
+    mistake: Mistake, answers: Mapping[int, Numbers], chosen: Sequence[int], candidates: Sequence[Example]
 ) -> Json | None:
     """Return what tells a mistake of one function by the results of the chosen examples."""
     results: dict[str, list[float]] = {}

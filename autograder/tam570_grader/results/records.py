@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from tam570.values import Json
+from tam570.values import Json, Numbers
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.failure import Failure
 
@@ -94,7 +94,7 @@ def failure(line: Json | None) -> Failure | None:
     return Failure(**{key: _restored(value) for key, value in line.items()})
 
 
-def numbers(value: Any) -> Any:
+def numbers(value: object) -> Numbers:
     """Return a value as plain data that loses no digit: arrays become lists; long ones and NaN become their bytes."""
     if isinstance(value, np.ndarray):
         if value.dtype.kind not in "fiub":

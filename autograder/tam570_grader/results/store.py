@@ -20,7 +20,7 @@ from tam570_grader.results.tables import table_text, written
 
 Key = tuple[str, str]  # student, assignment
 Record = Json  # a result line, with "digest": of all that the result depends on
-SummaryRow = Callable[[Record], Any]
+SummaryRow = Callable[[Record], tuple[str, ...]]
 # what every result has, and every mark in its "checks"
 RESULT_FIELDS = {"student", "assignment", "status", "score", "max_score", "seed", "seconds", "isolation", "checks"}
 CHECK_FIELDS = {"name", "part", "points", "max_points", "outcome", "message", "suspect"}
@@ -36,7 +36,7 @@ class Line:
     line_digest: str
     seed: int
     graded: GradeRow  # its row in the table of grades
-    summary_row: Any = None  # what a run asks of each result, so that none is read twice
+    summary_row: tuple[str, ...] = ()  # what a run asks of each result, so that none is read twice
 
     @property
     def scored(self) -> bool:
@@ -46,7 +46,7 @@ class Line:
 class Results(Mapping[Key, Record]):
     """The newest result of every student and assignment in a file, in order; each is read when it is asked for."""
 
-    def __init__(self, file: BinaryIO, path: Path, summary_row: SummaryRow = lambda record: None) -> None:
+    def __init__(self, file: BinaryIO, path: Path, summary_row: SummaryRow = lambda record: ()) -> None:
         self._file, self._path, self._note = file, path, summary_row
         self.lines = dict[Key, Line]()
         self._end, self._count = 0, 0  # of the whole lines that were read
@@ -107,7 +107,7 @@ class ResultStore(Results):
     """
 
     def __init__(
-        self, folder: Path, waits: Callable[[str], None] | None = None, summary_row: SummaryRow = lambda record: None
+        self, folder: Path, waits: Callable[[str], None] | None = None, summary_row: SummaryRow = lambda record: ()
     ) -> None:
         self._folder = folder
         super().__init__(_locked(folder, waits), folder / "results.jsonl", summary_row)
@@ -173,7 +173,7 @@ def _opened(folder: Path) -> BinaryIO:
         raise UsageError(f"cannot write results to {folder}: {error.strerror}; name another folder") from None
 
 
-def results(path: Path, summary_row: SummaryRow = lambda record: None) -> Results:
+def results(path: Path, summary_row: SummaryRow = lambda record: ()) -> Results:
     """Return the results in a folder, or in its `results.jsonl`."""
     path = path / "results.jsonl" if path.is_dir() else path
     try:
