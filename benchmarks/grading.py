@@ -38,6 +38,7 @@ from tam570_grader.sandbox.zygote import ResourceLimits
 RESULTS, COST = record.RESULTS / "grading.json", record.RESULTS / "grading_cost.json"
 COURSE = assignments.find(Path(__file__).parents[1])
 SLUGS = assignments.slugs(COURSE)
+TOGETHER = 2e-3  # s, in which results of one chunk are read
 WORKS = {"stub": "assignments/{0}/{0}.py", "solution": "solutions/{0}.py"}  # what everybody in a class hands in
 
 
@@ -131,22 +132,31 @@ def _timed(task):
 
 
 def graded(slug, count, jobs):
-    """Seconds of grading a class, and of the process that hands out."""
+    """Seconds of grading a class, of each in its second half, when all processes have started, and of the head."""
     with tempfile.TemporaryDirectory() as folder:
         found = submissions([class_of(slug, count, Path(folder))], [slug])
         config = RunConfig(COURSE, found, 570, jobs, ResourceLimits(), [COURSE])
         started, head = time.perf_counter(), head_seconds()
-        done = list(tqdm(records(config), total=count, desc=slug, leave=False, disable=None))
+        arrivals = []
+        for record in tqdm(records(config), total=count, desc=slug, leave=False, disable=None):
+            assert record["score"] == record["max_score"]
+            arrivals.append(time.perf_counter() - started)
         seconds, head = time.perf_counter() - started, head_seconds() - head
-    assert all(record["score"] == record["max_score"] for record in done)
     return {
         "grader": f"tam570-grader, {isolation()}, {jobs} jobs",
         "assignment": slug,
         "submissions": count,
         "seconds": seconds,
         "seconds_each": seconds / count,
+        "steady_seconds_each": steady(arrivals),
         **({"head_seconds_each": head / count} if jobs > 1 else {}),  # of one job it is all but the sandbox
     }
+
+
+def steady(arrivals):
+    """Seconds of each submission of the second half; those of a chunk arrive together."""
+    half = arrivals[len(arrivals) // 2]
+    return (arrivals[-1] - half) / (sum(arrival > half + TOGETHER for arrival in arrivals) or 1)
 
 
 def head_seconds():
@@ -162,14 +172,19 @@ def told_of_jobs(slug, runs):
     for jobs, row in runs.items():
         if jobs > 1:
             faster, bound = runs[1]["seconds"] / row["seconds"], runs[1]["seconds_each"] / row["head_seconds_each"]
-            print(f"{slug:22} {jobs} jobs: {faster:.2f} times as fast as 1 job; no number of jobs: {bound:.0f} times")
+            late = runs[1]["steady_seconds_each"] / row["steady_seconds_each"]
+            print(
+                f"{slug:26} {jobs} jobs: {faster:.2f} times as fast as 1 job, {late:.2f} times once all have started;"
+                f" no number of jobs: {bound:.0f} times"
+            )
 
 
 def told_of_peers(slug, runs, peers):
-    """How many times as fast as nbgrader the run with the most jobs is."""
-    ours = runs[max(runs)]["seconds_each"]
+    """How many times as fast as nbgrader the run with the most jobs is, its start included."""
+    most = runs[max(runs)]
     for peer in peers:
-        print(f"{slug:26} {peer['seconds_each'] / ours:.1f} times as fast as {peer['grader']}", flush=True)
+        whole, late = (peer["seconds_each"] / most[name] for name in ("seconds_each", "steady_seconds_each"))
+        print(f"{slug:26} {whole:.1f} times as fast as {peer['grader']}, {late:.1f} times once all have started")
 
 
 def one_file(slug):
@@ -279,10 +294,11 @@ def main():
 
 def told(row):
     """Print a row of the table."""
-    head = f"{row['head_seconds_each'] * 1000:.2f} ms of the head each" if "head_seconds_each" in row else ""
+    later = f"{row['steady_seconds_each'] * 1000:8.1f} later" if "steady_seconds_each" in row else ""
+    head = f"{row['head_seconds_each'] * 1000:6.2f} of the head" if "head_seconds_each" in row else ""
     print(
         f"{row['assignment']:26} {row['grader']:46} {row['submissions']:4} in {row['seconds']:7.2f} s"
-        f" {row['seconds_each'] * 1000:8.1f} ms each {head}",
+        f" {row['seconds_each'] * 1000:8.1f} ms each {later} {head}",
         flush=True,
     )
 
