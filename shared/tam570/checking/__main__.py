@@ -68,6 +68,7 @@ def _imported(path: Path) -> Iterable[str]:
 
 
 if __name__ == "__main__":
+    sys.stdout.reconfigure(line_buffering=True)  # type: ignore[union-attr]  # into a pipe too: a test may take long
     try:
         code = main(sys.argv[1])
     except Exception:

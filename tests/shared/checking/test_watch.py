@@ -1,5 +1,6 @@
 """`check --watch`, from a save to the result."""
 
+import os
 import re
 import signal
 import subprocess
@@ -20,7 +21,10 @@ def watching(hw08):
     """`watching(text)` -> what is said after this text is saved; None waits for the first result."""
     file = hw08()
     command = [sys.executable, "-m", "tam570", "check", "hw08", "--watch"]
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    buffered = {
+        name: value for name, value in os.environ.items() if name != "PYTHONUNBUFFERED"
+    }  # as most people have it
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=buffered)
 
     def after(text=None, until=("all done", "next:")):
         if text is not None:
