@@ -15,7 +15,7 @@ from tam570.given import divisors, nonnegative, numbers, positives, sequence
 from tam570.integrate import solve
 from tam570.show.live import Live, drag, energies
 from tam570.show.plots import state_energy_plot, values
-from tam570.show.scene import Array, Panel, Scene, Shape, frame_times
+from tam570.show.scene import Array, Panel, Scene, Shape, drawable_rate, frame_times
 from tam570.values import Parameters
 
 __all__ = ["angular_momentum", "energy", "film", "momentum", "rates"]
@@ -104,8 +104,16 @@ def _parts(state: ArrayLike, masses: Sequence[float], newton: float) -> tuple[Ar
     return m, r, v
 
 
+def _fastest(start: ArrayLike, *, masses: Sequence[float], newton: float) -> float:
+    """rad/s, at which the two nearest bodies would circle each other if they had all of the mass."""
+    m, r, _ = _parts(start, masses, newton)
+    first, second = np.triu_indices(len(m), 1)
+    return sqrt(newton * m.sum() / ((r[first] - r[second]) ** 2).sum(axis=1).min(initial=np.inf) ** 1.5)
+
+
 def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return all of them with their paths."""
+    drawable_rate("masses and newton at this start", _fastest(start, **parameters))
     times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters)
     n = len(start) // 6

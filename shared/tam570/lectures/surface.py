@@ -83,7 +83,7 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
     for name in names:
         arguments = {**parameters, "surface": name}
         states = solve(rates, times, start, parameters=arguments)
-        forces = values(constraint_force, states, **arguments)
+        forces = np.array([constraint_force(state, **arguments) for state in states])
         panels.append(
             Panel([*_net(states, arguments), *_draw(states, arguments), _arrow(states, forces, arguments)], name)
         )

@@ -96,7 +96,7 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
     length = parameters["length"]
     c, s = np.cos(states[:, 0]), np.sin(states[:, 0])
     down, aside = np.column_stack([s, -c]), np.column_stack([c, s])
-    forces = values(hinge_force, states, **parameters)
+    forces = np.array([hinge_force(state, **parameters) for state in states])
     force = forces[:, :1] * -down + forces[:, 1:] * aside
     arrow = 0.25 * length / (parameters["mass"] * parameters["gravity"]) * force
     G, weight = length / 2 * down, np.array([0.0, -0.25 * length])

@@ -9,6 +9,7 @@ from types import ModuleType
 
 from tam570.course import folder, named
 from tam570.show.lecture import filmed, lecture_module, scene_of_lecture, settings
+from tam570.show.patience import patience
 from tam570.show.scene import Scene
 from tam570.show.student import Student, Trouble, load_student
 from tam570.values import Numbers, Parameters
@@ -139,7 +140,8 @@ def present(scene: Scene, where: Path | None, name: str) -> int:
 
     file = where or Path(f"{name}.html")
     try:
-        save(scene, file)
+        with patience(f"{file.name}"):
+            save(scene, file)
     except Trouble as trouble:
         return report_trouble(trouble)
     for caption in scene.notes:

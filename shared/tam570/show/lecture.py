@@ -13,13 +13,15 @@ from types import ModuleType
 from tam570.course import Unknown
 from tam570.given import finite, positive
 from tam570.lectures import catalogue, load
-from tam570.show.scene import FASTEST, Scene
+from tam570.show.patience import patience
+from tam570.show.scene import Scene, drawable_rate
 from tam570.show.student import Trouble, load_student
 from tam570.values import Json, Numbers, Parameters
 
 __all__ = ["filmed", "lecture_module", "scene_of_lecture", "settings"]
 
 LONGEST = 600.0  # s, of a scene
+MOST_WORK = 20.0  # s of processor time, until its motion is known
 
 
 def lecture_module(what: str) -> ModuleType:
@@ -75,7 +77,8 @@ def filmed(source: ModuleType, film: Callable[..., Scene], numbers: Parameters |
         arguments = _arguments(dict(values)) if moves else (values,)
         if moves:
             _must_be_slow(source.STATE, values)
-        scene = film(*arguments)
+        with patience("the motion", MOST_WORK):
+            scene = film(*arguments)
     except (TypeError, ValueError, ArithmeticError) as error:
         raise Trouble(str(error)) from error
     return replace(scene, settings=values)
@@ -84,8 +87,8 @@ def filmed(source: ModuleType, film: Callable[..., Scene], numbers: Parameters |
 def _must_be_slow(units: Mapping[str, str], values: Parameters) -> None:
     """ValueError for a start that turns too fast to be drawn."""
     for name, unit in units.items():
-        if unit == "rad/s" and abs(values[f"start.{name}"]) >= FASTEST:
-            raise ValueError(f"start.{name}: below {FASTEST:.0f} rad/s, to be drawn, got {values[f'start.{name}']:g}")
+        if unit == "rad/s":
+            drawable_rate(f"start.{name}", values[f"start.{name}"])
 
 
 def _arguments(settings: Json) -> tuple[Json, tuple[float, ...], float]:

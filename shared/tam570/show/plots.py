@@ -65,8 +65,8 @@ def state_energy_plot(times: Array, states: Array, positions: int, energy: Calla
 
 
 def values(function: Function, states: Array, **parameters: Numbers) -> Array:
-    """(n, ...) what `function(state, **parameters)` returns for each of n states."""
-    return np.array([function(state, **parameters) for state in states])
+    """(m, ...) what `function(state, **parameters)` returns for the states (n, k) that a time plot needs."""
+    return np.array([function(state, **parameters) for state in states[plot_samples(states)]])
 
 
 def drift_plot(

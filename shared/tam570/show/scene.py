@@ -24,6 +24,7 @@ __all__ = [
     "Shape",
     "Slider",
     "TimePlot",
+    "drawable_rate",
     "frame_times",
     "moving",
     "with_slider",
@@ -151,6 +152,12 @@ def with_slider(make: Callable[[float], Scene], name: str, unit: str, values: Se
 def frame_times(seconds: float) -> Array:
     """(n,) s, evenly spaced, from 0."""
     return np.linspace(0.0, seconds, math.ceil(RATE * seconds) + 1)
+
+
+def drawable_rate(name: str, rate: float) -> None:
+    """ValueError, which names what sets it, for a rate in rad/s at which a picture turns backward."""
+    if abs(rate) >= FASTEST:
+        raise ValueError(f"{name}: below {FASTEST:.0f} rad/s, to be drawn, got {rate:g}")
 
 
 def moving(*points: ArrayLike) -> Array:

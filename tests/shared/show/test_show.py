@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 import sys
+import time
 import warnings
 from html import unescape
 
@@ -17,10 +18,11 @@ from parameters import SLUGS, first
 from PIL import Image
 
 from tam570 import cli
-from tam570.lectures import load
+from tam570.lectures import bodies, load
 from tam570.show import Trouble, load_student, pictures, save, show
 from tam570.show.compact import PIXELS, STEPS, kept_samples, packed
 from tam570.show.page import page
+from tam570.show.patience import patience
 from tam570.show.plots import drift_plot
 from tam570.show.scene import Panel, Scene, Shape, frame_times
 from tam570.show.scenes import hw11, hw13
@@ -319,3 +321,10 @@ def test_an_assignment_is_shown_with_other_numbers(slug, course, tmp_path):
 def test_what_turns_too_fast_for_the_frames_is_said_at_once():
     shown = show(load("top"), numbers={"start.phi_rate": 1e6})
     assert shown.scene is None and "start.phi_rate" in shown.trouble
+
+
+def test_what_moves_too_fast_or_for_too_long_is_refused():
+    assert "188 rad/s" in show(bodies, numbers={"newton": 1e6}).trouble
+    with pytest.raises(ValueError, match="the motion takes longer"), patience("the motion", 0.0):
+        while True:  # until the clock has been looked at twice
+            time.sleep(0.01)

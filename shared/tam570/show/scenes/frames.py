@@ -76,7 +76,7 @@ def _table(states: Array, turned: Array, rim: float, spring: bool) -> list[Shape
 def _forces(frames: Numbers, seen: Array, parameters: Mapping[str, float], rim: float) -> list[Shape]:
     """Return the forces that only the observer on the turntable adds."""
     forces = {
-        name: values(force, seen, **parameters)
+        name: np.array([force(state, **parameters) for state in seen])
         for name, force in (("Coriolis", frames.coriolis), ("centrifugal", frames.centrifugal))
     }
     unit = 0.6 * rim / (max(float(np.linalg.norm(force, axis=1).max()) for force in forces.values()) or 1.0)  # m/N

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from math import sqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,7 +10,7 @@ from numpy.typing import NDArray
 from tam570.integrate import solve
 from tam570.show.live import Handle, Live, energies
 from tam570.show.plots import drift_plot
-from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving, with_slider
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, drawable_rate, frame_times, moving, with_slider
 from tam570.values import Numbers, Parameters
 
 __all__ = ["film"]
@@ -20,6 +21,7 @@ FIRST = 18
 
 def film(lecture: Numbers, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
     """Return all in the plane of the orbit, its x axis towards the planet at the start."""
+    drawable_rate("gm at this start", sqrt(parameters["gm"] / float(np.linalg.norm(start[:3])) ** 3))
     times = frame_times(seconds)
     states = solve(lecture.rates, times, start, parameters=parameters, rtol=1e-9)
     period = min(lecture.elements(start, **parameters)["period"], seconds)
