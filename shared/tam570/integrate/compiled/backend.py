@@ -42,6 +42,7 @@ __all__ = [
 ]
 
 FEWEST, MOST = 1000, 16000  # steps in compiled code, after which Python may look for an interrupt
+LINE = 64  # bytes
 EFFORT = 1  # of the code generator, for a series: 2 takes twice as long and makes nothing of it that is faster
 UNSET = (0,) * (taylor_memory.NUMBERS - 13)
 
@@ -90,7 +91,9 @@ def motion_of(graph: Graph) -> Motion | None:
     if analysed is None:
         return None
     laws, constants = analysed
-    numbers = struct.Struct(f"={taylor_memory.NUMBERS + 3 * len(laws.rates)}d")
+    size = len(laws.rates)
+    part = f"{size}d{8 * (taylor_memory.padded(size) - size)}x"  # of a component, with what fills up vectors
+    numbers = struct.Struct(f"={taylor_memory.NUMBERS}d{3 * part}")
     return Motion(_taylor(laws), layout(laws, 1).doubles, constants, numbers, [])
 
 
@@ -145,7 +148,9 @@ def address_of(array: Array) -> int:
 
 def seen(memory: Memory, size: int) -> tuple[float, list[float], list[float], int]:
     """Time, state, its scale, and steps so far."""
-    y, _, m = memory.z[taylor_memory.NUMBERS : taylor_memory.NUMBERS + 3 * size].reshape(3, size).tolist()
+    padded = taylor_memory.padded(size)
+    parts = memory.z[taylor_memory.NUMBERS : taylor_memory.NUMBERS + 3 * padded].reshape(3, padded)
+    y, _, m = parts[:, :size].tolist()
     return float(memory.z[taylor_memory.T]), y, m, int(memory.z[taylor_memory.STEPS])
 
 
@@ -178,14 +183,15 @@ def taylor_runs(graph: Graph, times: Array, out: Array, starts: Array, control: 
 
 def memory_for(motion: Motion, size: int) -> Memory:
     """For one run of k = size components."""
-    return _memory(taylor_memory.memory(size), motion.doubles, 1, motion.constants)
+    return _memory(taylor_memory.memory(taylor_memory.padded(size)), motion.doubles, 1, motion.constants)
 
 
 def _memory(per_lane: int, work: int, lanes: int, constants: tuple[float, ...]) -> Memory:
-    first = taylor.CALL.size // 8
+    first = -(-taylor.CALL.size // LINE) * LINE // 8
     places = [first, first + per_lane, first + per_lane + work, first + per_lane + work + lanes]
-    block = np.zeros(places[3] + len(constants))
-    block[places[3] :] = constants
+    room = np.zeros(places[3] + len(constants) + LINE // 8)
+    block = room[-address_of(room) % LINE // 8 :]  # vectors lie in one line of the cache each
+    block[places[3] : places[3] + len(constants)] = constants
     z, time, start = block[first : places[1]], block[places[2] : places[3]], address_of(block)
     whole_bytes = block.data.cast("B")
     call_arguments, state = whole_bytes[: 8 * first], whole_bytes[8 * first : 8 * places[1]]

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from tam570.integrate.compiled.ir import Writer, number
+from tam570.integrate.compiled.ir import Value, Writer, number
 from tam570.integrate.compiled.recurrences import Recurrence, Recurrences
 from tam570.integrate.dop853_source import REACH
 
@@ -20,18 +20,16 @@ Factor = tuple[int, bool]  # a series, and whether its coefficients are times th
 
 @dataclass(frozen=True)
 class Layout:
-    """Where the coefficients are: rows of `stride` numbers, of `lanes` doubles each, from order 0 on.
+    """Where the coefficients are: `across` doubles from a row to the next, `along` from an order to the next.
 
-    Factor i < states is component i of the state; the others serve the sums.
+    Row i < states is component i of the state; the others serve the sums.
     """
 
     lanes: int
-    stride: int
+    across: int
+    along: int
     rows: dict[Factor, int]
-
-    @property
-    def doubles(self) -> int:
-        return max(1, len(self.rows)) * self.stride * self.lanes
+    doubles: int
 
 
 def sums_of(series: int, r: Recurrence) -> list[tuple[Factor, Factor]]:
@@ -70,30 +68,23 @@ class Coefficients(Writer):
         return self.emit(self.ir_type, f"fneg {self.ir_type} {a}").text
 
     def constant(self, value: float) -> str:
-        return self.spread(number(value))
+        return self.each(number(value))
 
-    def spread(self, value: str) -> str:
-        if self.memory_layout.lanes == 1:
-            return value
-        single = self.emit(self.ir_type, f"insertelement {self.ir_type} poison, double {value}, i32 0").text
-        zeros = f"<{self.memory_layout.lanes} x i32> zeroinitializer"
-        return self.emit(self.ir_type, f"shufflevector {self.ir_type} {single}, {self.ir_type} poison, {zeros}").text
+    def each(self, value: str) -> str:
+        """Return a number for every lane."""
+        return value if self.memory_layout.lanes == 1 else self.spread(Value("double", value), self.ir_type)
 
-    def address(self, row: int, index: str | int, scale: int) -> str:
-        """Of a number at row and index; scale: doubles a step of the index."""
-        base = row * self.memory_layout.stride * self.memory_layout.lanes
-        if isinstance(index, int):
-            return self.element("%work", base + index * scale)
-        start = self.element("%work", base)
-        step = index if scale == 1 else self.emit("i64", f"mul i64 {index}, {scale}").text
-        return self.emit("ptr", f"getelementptr double, ptr {start}, i64 {step}").text
+    def address(self, row: int, index: str | int) -> str:
+        """Of a number at row and index."""
+        start = self.element("%work", row * self.memory_layout.across)
+        step = f"mul i64 {index}, {self.memory_layout.along}"
+        return self.emit("ptr", f"getelementptr double, ptr {start}, i64 {self.emit('i64', step).text}").text
 
     def keep(self, row: int, index: str | int, value: str) -> None:
-        self.do(f"store {self.ir_type} {value}, ptr {self.address(row, index, self.memory_layout.lanes)}, align 8")
+        self.do(f"store {self.ir_type} {value}, ptr {self.address(row, index)}, align 8")
 
     def fetch(self, row: int, index: str | int) -> str:
-        pointer = self.address(row, index, self.memory_layout.lanes)
-        return self.emit(self.ir_type, f"load {self.ir_type}, ptr {pointer}, align 8").text
+        return self.emit(self.ir_type, f"load {self.ir_type}, ptr {self.address(row, index)}, align 8").text
 
     def function(self, name: str, arguments: list[str]) -> str:
         """Return a function of each lane."""
@@ -117,7 +108,7 @@ class Coefficients(Writer):
         """Coefficients of order 0: time and state are in memory."""
         for i in range(self.laws.constants):
             pointer = self.element("%c", i)
-            self.first[-1 - i] = self.spread(self.emit("double", f"load double, ptr {pointer}").text)
+            self.first[-1 - i] = self.each(self.emit("double", f"load double, ptr {pointer}").text)
         for i, r in enumerate(self.laws.series):
             self.first[i] = self.value(r)
 
@@ -278,7 +269,7 @@ class Coefficients(Writer):
         for i, r in enumerate(self.laws.series):
             if r.rule == "time":
                 first = self.emit("i1", f"icmp eq i64 {n}, 1").text
-                self.now[i] = self.spread(self.emit("double", f"select i1 {first}, double 1.0, double 0.0").text)
+                self.now[i] = self.each(self.emit("double", f"select i1 {first}, double 1.0, double 0.0").text)
             elif r.rule != "state":
                 self.now[i] = self.coefficient(i, r, numbers[1], sums[i])
         for slot, rate in zip(slots, self.laws.rates, strict=True):
@@ -308,7 +299,7 @@ class Coefficients(Writer):
     def numbers(self, n: str) -> tuple[str, str]:
         """n and 1 / n as numbers of the kind."""
         exact = self.emit("double", f"sitofp i64 {n} to double").text
-        return self.spread(exact), self.spread(self.emit("double", f"fdiv double 1.0, {exact}").text)
+        return self.each(exact), self.each(self.emit("double", f"fdiv double 1.0, {exact}").text)
 
     def loop(self, first: int, end: str, body: Callable[[str], None]) -> None:
         """body(n) for n from first up to end, which is left out."""

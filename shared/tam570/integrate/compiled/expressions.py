@@ -15,7 +15,7 @@ Names = dict[str, Any]
 _LIBM = "sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh exp exp2 expm1 log log1p log2 log10 cbrt erf erfc"
 LIBM = frozenset(_LIBM.split(" "))
 LIBM_OF_TWO = frozenset(("atan2", "hypot", "pow"))
-ROOTS = {"sqrt": "llvm.sqrt.f64", "fabs": "llvm.fabs.f64", "abs": "llvm.fabs.f64"}
+ROOTS = {"sqrt": "llvm.sqrt", "fabs": "llvm.fabs", "abs": "llvm.fabs"}
 ARITHMETIC: dict[type[ast.operator], tuple[str, Callable[[Any, Any], Any]]] = {
     ast.Add: ("add", operator.add),
     ast.Sub: ("sub", operator.sub),
@@ -40,6 +40,7 @@ class Expressions(Writer):
     def __init__(self, names: Mapping[str, Any]) -> None:
         super().__init__()
         self.globals = {**KNOWN, **names}
+        self.width = 1  # of vectors
         self.flags = ""  # of additions and products: none, so that both give Python's bits
 
     def value(self, names: Names, node: ast.expr) -> Any:
@@ -68,16 +69,19 @@ class Expressions(Writer):
         items = self.value(names, node.value)
         if isinstance(items, tuple):
             return items[self.value(names, node.slice)]
-        return self.emit("double", f"load double, ptr {self.address(names, node)}")
+        pointer, ir_type = self.address(names, node)
+        return self.emit(ir_type, f"load {ir_type}, ptr {pointer}, align 8")
 
-    def address(self, names: Names, node: ast.Subscript) -> str:
+    def address(self, names: Names, node: ast.Subscript) -> tuple[str, str]:
+        """Return where it is and what is there: a number, or a vector."""
         array, index = self.value(names, node.value), self.value(names, node.slice)
         if not isinstance(array, Array):
             raise Untranslatable(f"{ast.unparse(node)}: not an array")
         if isinstance(index, tuple):
             rows = self.arithmetic(ast.Mult(), index[0], array.row)
             index = self.arithmetic(ast.Add(), rows, index[1])
-        return self.element(array.text, index)
+        is_vector = isinstance(index, Value) and index.ir_type == "lanes"
+        return self.element(array.text, index), f"<{self.width} x double>" if is_vector else "double"
 
     def of_BinOp(self, names: Names, node: ast.BinOp) -> Any:
         left, right = self.value(names, node.left), self.value(names, node.right)
@@ -91,8 +95,10 @@ class Expressions(Writer):
         if not isinstance(left, Value) and not isinstance(right, Value):
             return fold(left, right)
         items = _whole(left) and _whole(right) and name != "div"
-        ir_type, instruction = ("i64", name) if items else ("double", f"f{name}{self.flags}")
-        return self.emit(ir_type, f"{instruction} {ir_type} {self.text(left, ir_type)}, {self.text(right, ir_type)}")
+        ir_type, instruction = ("i64", name) if items else (_number(left, right), f"f{name}{self.flags}")
+        result = self.emit(ir_type, f"{instruction} {ir_type} {self.text(left, ir_type)}, {self.text(right, ir_type)}")
+        is_lanes = items and any(isinstance(part, Value) and part.ir_type == "lanes" for part in (left, right))
+        return Value("lanes", result.text) if is_lanes else result
 
     def of_UnaryOp(self, names: Names, node: ast.UnaryOp) -> Any:
         value = self.value(names, node.operand)
@@ -102,9 +108,8 @@ class Expressions(Writer):
             return value
         if not isinstance(value, Value):
             return -value
-        return self.emit(
-            value.ir_type, f"fneg double {value.text}" if value.ir_type == "double" else f"sub i64 0, {value.text}"
-        )
+        ir_type = value.ir_type
+        return self.emit(ir_type, f"sub i64 0, {value.text}" if ir_type == "i64" else f"fneg {ir_type} {value.text}")
 
     def of_Compare(self, names: Names, node: ast.Compare) -> Any:
         """Compare a < b < c: all parts are evaluated, as they have no side effects."""
@@ -121,7 +126,11 @@ class Expressions(Writer):
             return fold(left, right)
         if _whole(left) and _whole(right):
             return self.emit("i1", f"icmp {integers} i64 {self.text(left, 'i64')}, {self.text(right, 'i64')}")
-        return self.emit("i1", f"fcmp {floats} double {self.text(left, 'double')}, {self.text(right, 'double')}")
+        ir_type = _number(left, right)
+        return self.emit(
+            ir_type.replace("double", "i1"),
+            f"fcmp {floats} {ir_type} {self.text(left, ir_type)}, {self.text(right, ir_type)}",
+        )
 
     def of_BoolOp(self, names: Names, node: ast.BoolOp) -> Any:
         """Return what comes second is looked at only where the first leaves it open: an index may be beyond the end."""
@@ -144,10 +153,9 @@ class Expressions(Writer):
         return self.chosen(test, self.value(names, node.body), self.value(names, node.orelse))
 
     def chosen(self, test: Value, yes: Any, no: Any) -> Value:
-        ir_type = "i64" if _whole(yes) and _whole(no) else "double"
-        return self.emit(
-            ir_type, f"select i1 {test.text}, {ir_type} {self.text(yes, ir_type)}, {ir_type} {self.text(no, ir_type)}"
-        )
+        ir_type = "i64" if _whole(yes) and _whole(no) else _number(yes, no)
+        yes, no = self.text(yes, ir_type), self.text(no, ir_type)
+        return self.emit(ir_type, f"select {test.ir_type} {test.text}, {ir_type} {yes}, {ir_type} {no}")
 
     def of_Call(self, names: Names, node: ast.Call) -> Any:
         arguments = [self.value(names, argument) for argument in node.args]
@@ -159,7 +167,9 @@ class Expressions(Writer):
         if function in ("min", "max"):
             return self.extreme(function, arguments)
         if function in ROOTS:
-            return self.emit("double", f"call double @{ROOTS[function]}(double {self.text(arguments[0], 'double')})")
+            ir_type = _number(*arguments)
+            name = ROOTS[function] + (f".v{self.width}f64" if ir_type[0] == "<" else ".f64")
+            return self.emit(ir_type, f"call {ir_type} @{name}({ir_type} {self.text(arguments[0], ir_type)})")
         if function in LIBM or function in LIBM_OF_TWO:
             listed = ", ".join(f"double {self.text(x, 'double')}" for x in arguments)
             return self.emit("double", f"call double @{function}({listed})")
@@ -182,4 +192,10 @@ class Expressions(Writer):
 
 
 def _whole(value: Any) -> bool:
-    return value.ir_type == "i64" if isinstance(value, Value) else isinstance(value, int)
+    return value.ir_type in ("i64", "lanes") if isinstance(value, Value) else isinstance(value, int)
+
+
+def _number(*values: Any) -> str:
+    """Return the type of what is made of them: a vector if one is."""
+    types = [value.ir_type for value in values if isinstance(value, Value)]
+    return next((ir_type for ir_type in types if ir_type[0] == "<"), "double")

@@ -15,7 +15,7 @@ class Untranslatable(TypeError):
 
 @dataclass(frozen=True)
 class Value:
-    """Something in a register; kind: "double", "i64", "i1" or "ptr"."""
+    """Something in a register: "double", "i64", "i1", "ptr" or a vector; "lanes" is the first of as many indices."""
 
     ir_type: str
     text: str
@@ -76,14 +76,25 @@ class Writer:
 
     def text(self, value: Any, ir_type: str) -> str:
         """Return the value as an operand of that kind."""
+        if ir_type[0] == "<" and not (isinstance(value, Value) and value.ir_type == ir_type):
+            return self.spread(value, ir_type)
         if not isinstance(value, Value):
             return _literal(value, ir_type)
-        if value.ir_type == ir_type:
+        if value.ir_type == ir_type or (value.ir_type, ir_type) == ("lanes", "i64"):
             return value.text
         change = _CHANGES.get((value.ir_type, ir_type))
         if change is None:
             raise Untranslatable(f"a {value.ir_type} where a {ir_type} is needed")
         return self.emit(ir_type, change.format(value.text)).text
+
+    def spread(self, value: Any, vector: str) -> str:
+        """Return a vector that holds the value everywhere."""
+        count, _, ir_type = vector[1:-1].partition(" x ")
+        first = f"insertelement {vector} poison, {ir_type} {self.text(value, ir_type)}, i32 0"
+        places = f"<{count} x i32> zeroinitializer"
+        return self.emit(
+            vector, f"shufflevector {vector} {self.emit(vector, first).text}, {vector} poison, {places}"
+        ).text
 
     def allocated(self, ir_type: str) -> Slot:
         self.count += 1

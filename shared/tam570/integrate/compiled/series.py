@@ -6,6 +6,7 @@ from tam570.integrate.compiled.coefficients import HIGHEST, Coefficients, Factor
 from tam570.integrate.compiled.recurrences import Recurrences
 from tam570.integrate.compiled.sums_of_eight import OfEight
 from tam570.integrate.compiled.sums_of_one import OfOne
+from tam570.integrate.compiled.taylor_memory import padded
 from tam570.integrate.formulas import SATURATING
 
 __all__ = ["exponents", "layout", "series_text"]
@@ -19,7 +20,10 @@ def layout(laws: Recurrences, lanes: int) -> Layout:
     factors = [factor for i, r in enumerate(laws.series) for pair in sums_of(i, r) for factor in pair]
     for factor in factors if lanes > 1 else []:
         rows.setdefault(factor, len(rows))
-    return Layout(lanes, HIGHEST + 1, rows)
+    if lanes == 1:
+        along = padded(len(laws.rates))
+        return Layout(1, 1, along, rows, (HIGHEST + 1) * along)
+    return Layout(lanes, (HIGHEST + 1) * lanes, lanes, rows, max(1, len(rows)) * (HIGHEST + 1) * lanes)
 
 
 def series_text(laws: Recurrences, memory_layout: Layout) -> list[str]:
@@ -60,5 +64,5 @@ def _written(series: Coefficients, name: str) -> list[str]:
         values = series.first if name == "rates" else series.bounds()
         for component, rate in enumerate(series.laws.rates):
             series.keep(component, 1, values[rate])
-    signature = f"define internal void @{name}(ptr %work, ptr %c, ptr %t, i64 %order) {{"
+    signature = f"define internal void @{name}(ptr %work, ptr %c, ptr %t, i64 %order) alignstack(64) {{"
     return [signature, "entry:", *series.allocations, *series.lines, "  ret void", "}"]

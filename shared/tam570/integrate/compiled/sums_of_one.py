@@ -8,11 +8,11 @@ register. One of two factors has an order of eight at most, for the highest orde
 from functools import partial
 
 from tam570.integrate.compiled.coefficients import FAST, HIGHEST, LANES, Coefficients, Factor, sums_of
+from tam570.integrate.compiled.ir import Value
 
 __all__ = ["OfOne"]
 
 VECTOR = f"<{LANES} x double>"
-NONE = f"<{LANES} x i32> zeroinitializer"
 ONWARD = f"<{LANES} x i32> <{', '.join(f'i32 {k}' for k in range(1, LANES + 1))}>"
 
 
@@ -68,6 +68,4 @@ class OfOne(Coefficients):
         return early
 
     def _wide(self, ir_type: str, value: str) -> str:
-        vector = f"<{LANES} x {ir_type}>"
-        single = self.emit(vector, f"insertelement {vector} poison, {ir_type} {value}, i32 0").text
-        return self.emit(vector, f"shufflevector {vector} {single}, {vector} poison, {NONE}").text
+        return self.spread(Value(ir_type, value), f"<{LANES} x {ir_type}>")

@@ -1,5 +1,6 @@
 """Taylor's method compiled for one right-hand side."""
 
+import ast
 import ctypes
 import inspect
 import math
@@ -8,7 +9,7 @@ from functools import lru_cache
 from typing import Any
 
 from tam570.integrate.compiled import taylor_loop, taylor_memory, taylor_scale
-from tam570.integrate.compiled.coefficients import HIGHEST
+from tam570.integrate.compiled.coefficients import FAST, HIGHEST
 from tam570.integrate.compiled.ir import Array, Value, number
 from tam570.integrate.compiled.llvm import assembled
 from tam570.integrate.compiled.recurrences import Recurrences
@@ -43,7 +44,14 @@ def order_for(rtol: float) -> int:
 def taylor_text(laws: Recurrences, lanes: int = 1) -> str:
     """Return the module: the series, and the loop over the steps."""
     memory_layout, size = layout(laws, lanes), len(laws.rates)
-    integers = {"SIZE": size, "STRIDE": memory_layout.stride, "ORDER": "%order"}
+    padded = taylor_memory.padded(size) if lanes == 1 else size
+    integers = {
+        "SIZE": size,
+        "PADDED": padded,
+        "ORDER": "%order",
+        "ACROSS": memory_layout.across,
+        "ALONG": memory_layout.along,
+    }
     names: dict[str, Any] = {
         **{name: value for module in MODULES for name, value in vars(module).items() if name.isupper()},
         **{name: Value("i64", str(value)) for name, value in integers.items()},
@@ -52,12 +60,13 @@ def taylor_text(laws: Recurrences, lanes: int = 1) -> str:
         "MEMORY": taylor_memory.memory(size),
         "SATURATES": bool(exponents(laws)),
         "TIMED": any(law.rule == "time" for law in laws.series),
-        "logarithm": _logarithm,
+        **{"wide": _wide, "largest": _largest, "summed": _summed, "logarithm": _logarithm, "power_of_2": _power_of_2},
         "shifted": lambda writer, array, k: Array(writer.element(array.text, k), array.row, array.length),
     }
     written = {name: node for module in MODULES for name, node in functions_of(inspect.getsource(module)).items()}
     translator = Translator(written, names)
-    translator.flags = " contract"
+    translator.flags, translator.components = " contract", padded
+    translator.width = taylor_memory.width(size) if lanes == 1 else 1
     arguments: list[Any] = [Array(f"%{name}") for name in ("z", "work", "time", "c")]
     arguments += [Array("%times", None, Value("i64", "%rows")), Array("%out", size)]
     several = [] if lanes == 1 else [Array("%members", 1 + 2 * size, Value("i64", "%several"))]
@@ -83,9 +92,44 @@ def _call_of(name: str) -> Any:
     return call
 
 
+def _wide(writer: Any, x: Any) -> Any:
+    return x if writer.width == 1 else Value(f"<{writer.width} x double>", writer.text(x, f"<{writer.width} x double>"))
+
+
+def _largest(writer: Any, x: Any) -> Any:
+    return x if writer.width == 1 else _reduced(writer, "nnan", f"fmax.v{writer.width}f64({x.ir_type} {x.text})")
+
+
+def _summed(writer: Any, x: Any) -> Any:
+    if writer.width == 1:
+        return x
+    return _reduced(writer, FAST, f"fadd.v{writer.width}f64(double {number(0.0)}, {x.ir_type} {x.text})")
+
+
+def _reduced(writer: Any, flags: str, call: str) -> Value:
+    return Value("double", writer.emit("double", f"call {flags} double @llvm.vector.reduce.{call}").text)
+
+
 def _logarithm(writer: Any, x: Value) -> Value:
     """To base 2, from the exponent and the fraction: a double's bits are almost that, to 0.09."""
-    bits = writer.emit("i64", f"bitcast double {x.text} to i64").text
-    shifted = writer.emit("i64", f"sub i64 {bits}, {1023 << 52}").text
-    exact = writer.emit("double", f"sitofp i64 {shifted} to double").text
-    return Value("double", writer.emit("double", f"fmul double {exact}, {number(2.0**-52)}").text)
+    whole = x.ir_type.replace("double", "i64")
+    bits = writer.emit(whole, f"bitcast {x.ir_type} {x.text} to {whole}").text
+    one = writer.text(Value("i64", str(1023 << 52)), whole)
+    shifted = writer.emit(whole, f"sub {whole} {bits}, {one}").text
+    exact = writer.emit(x.ir_type, f"sitofp {whole} {shifted} to {x.ir_type}")
+    return Value(x.ir_type, writer.arithmetic(ast.Mult(), exact, 2.0**-52).text)
+
+
+def _power_of_2(writer: Any, x: Value) -> Value:
+    """Two to a number between -1000 and 1000: its whole part is the exponent, a parabola serves the rest."""
+    limited = writer.extreme("max", [writer.extreme("min", [x, 1000.0]), -1000.0])
+    floor = writer.emit("double", f"call double @llvm.floor.f64(double {limited.text})")
+    whole = writer.emit("i64", f"fptosi double {floor.text} to i64").text
+    exponent = writer.emit("i64", f"shl i64 {writer.emit('i64', f'add i64 {whole}, 1023').text}, 52").text
+    power, rest = (
+        writer.emit("double", f"bitcast i64 {exponent} to double"),
+        writer.arithmetic(ast.Sub(), limited, floor),
+    )
+    slope = writer.arithmetic(ast.Add(), writer.arithmetic(ast.Mult(), rest, 0.34), 0.66)
+    factor = writer.arithmetic(ast.Add(), writer.arithmetic(ast.Mult(), rest, slope), 1.0)
+    return Value("double", writer.arithmetic(ast.Mult(), power, factor).text)

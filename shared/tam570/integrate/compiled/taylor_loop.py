@@ -5,7 +5,7 @@ polynomial's derivative. That test needs nothing but the next step's first coeff
 happens to be zero deceives it.
 """
 
-from math import exp2, inf, log2
+from math import inf, log2
 from typing import Any
 
 from tam570.integrate.compiled.taylor_memory import (
@@ -20,6 +20,7 @@ from tam570.integrate.compiled.taylor_memory import (
     NOISE,
     NUMBERS,
     ORDER,
+    PADDED,
     POLYNOMIAL,
     REFUSALS,
     REST,
@@ -29,7 +30,6 @@ from tam570.integrate.compiled.taylor_memory import (
     SLOPE,
     STATUS,
     STEPS,
-    STRIDE,
     TRIES,
     WHO,
     H,
@@ -37,9 +37,14 @@ from tam570.integrate.compiled.taylor_memory import (
     T,
     Y,
     at,
+    coefficient,
+    components,
+    largest,
     rates,
     reach,
     roundoff,
+    summed,
+    wide,
 )
 from tam570.integrate.compiled.taylor_scale import lacking, sized
 from tam570.integrate.error_scale import NO_SCALE, SHARE
@@ -53,16 +58,17 @@ GROWTH = 6.0  # of the step where all coefficients in the window are zero
 
 coefficients: Any = None
 logarithm: Any = None  # to base 2, to a tenth: a root of it is wanted
+power_of_2: Any = None  # to a hundredth
 shifted: Any = None  # behind(array, k): from its k-th number on
 
 
 def advance(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, origin: Any, rtol: Any, budget: Any) -> Any:
     """Step until the last sample, `budget` steps are tried, or no step is possible: z[STATUS] tells."""
-    share = log2(rtol) / ORDER
+    pace = log2(rtol) / ORDER, 1.0 / ORDER, 1.0 / (ORDER - 1), 1.0 / (ORDER - 2), 1.0 / (ORDER - 3)
     if z[STATUS] == FRESH:
         start_motion(z, out)
-    for i in range(SIZE):
-        work[i * STRIDE] = z[at(Y, i)]
+    for i in components():
+        work[coefficient(i, 0, 0)] = z[at(Y, i)]
     while z[STATUS] == RUNNING and budget > 0:
         budget -= 1
         time[0] = origin + z[NEW]
@@ -70,7 +76,7 @@ def advance(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, origin: 
             rates(work, c, time, ORDER)
         else:
             coefficients(work, c, time, ORDER)
-        settle(z, work, time, c, times, out, 0, rtol, share)
+        settle(z, work, time, c, times, out, 0, rtol, pace)
 
 
 def start_motion(z: Any, out: Any) -> Any:
@@ -93,7 +99,7 @@ def advance_all(
     members : what a motion starts with, a row each: its first step at most, y, m; and as it ends, its status
     Memory behind all z: how many motions were begun, and how many are under way.
     """
-    share = log2(rtol) / ORDER
+    pace = log2(rtol) / ORDER, 1.0 / ORDER, 1.0 / (ORDER - 1), 1.0 / (ORDER - 2), 1.0 / (ORDER - 3)
     start_motion, going = LANES * MEMORY, LANES * MEMORY + 1
     while z[going] > 0.0 and budget > 0:
         budget -= 1
@@ -102,7 +108,7 @@ def advance_all(
             lane_memory = shifted(z, lane * MEMORY)
             if lane_memory[STATUS] == RUNNING:
                 who = int(lane_memory[WHO])
-                settle(lane_memory, work, time, c, times, shifted(out, who * len(times) * SIZE), lane, rtol, share)
+                settle(lane_memory, work, time, c, times, shifted(out, who * len(times) * SIZE), lane, rtol, pace)
                 if lane_memory[STATUS] != RUNNING:
                     members[who, 0] = lane_memory[STATUS]
                     lane_memory[STATUS] = IDLE
@@ -127,16 +133,16 @@ def begin(z: Any, work: Any, members: Any, who: Any, lane: Any) -> Any:
     for i in range(SIZE):
         z[at(Y, i)] = members[int(who), 1 + i]
         z[at(M, i)] = members[int(who), 1 + SIZE + i]
-        work[i * STRIDE * LANES + lane] = z[at(Y, i)]
+        work[coefficient(i, 0, lane)] = z[at(Y, i)]
     return 0
 
 
-def settle(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, lane: Any, rtol: Any, share: Any) -> Any:  # noqa: C901  one function, for it is compiled as a whole
+def settle(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, lane: Any, rtol: Any, pace: Any) -> Any:  # noqa: C901  one function, for it is compiled as a whole
     """Judge the step that was tried, and try the next: `work` holds the coefficients at the state in z."""
     limit = inf
     if SATURATES:
         reach(work, c, time, ORDER)
-        limit = work[LANES + lane]
+        limit = work[coefficient(0, 1, lane)]
         rates(work, c, time, ORDER)
     if z[H] > 0.0:
         if z[H] > 2.0 * limit or refused(z, work, time, c, lane, rtol):
@@ -146,7 +152,7 @@ def settle(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, lane: Any
             return 0
         take_step(z, times, out)
     if z[STATUS] == RUNNING:
-        h = longest(z, work, lane, share)
+        h = longest(z, work, lane, pace)
         if z[STEPS] == 0.0:
             if (
                 z[GIVEN] != 1.0
@@ -157,8 +163,8 @@ def settle(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, lane: Any
             elif h < inf:
                 for i in range(SIZE):  # what is small yet and moves fast
                     if z[GIVEN] == 0.0 or (z[GIVEN] == 2.0 and z[at(M, i)] <= NO_SCALE):
-                        z[at(M, i)] = max(z[at(M, i)], h * abs(work[(i * STRIDE + 1) * LANES + lane]))
-                h = longest(z, work, lane, share)
+                        z[at(M, i)] = max(z[at(M, i)], h * abs(work[coefficient(i, 1, lane)]))
+                h = longest(z, work, lane, pace)
         if not h < inf:
             h = GROWTH * z[LONGEST]
         if z[STEPS] == 0.0:
@@ -168,9 +174,9 @@ def settle(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, lane: Any
         if not h > 0.0:
             z[STATUS] = SINGULAR
     if z[STATUS] == RUNNING:
-        for i in range(SIZE):
-            for n in range(ORDER + 1):
-                z[at(POLYNOMIAL, i) + n] = work[(i * STRIDE + n) * LANES + lane]
+        for n in range(ORDER + 1):
+            for i in components():
+                z[at(POLYNOMIAL, i) + n * PADDED] = work[coefficient(i, n, lane)]
         attempt(z, work, times, lane, h)
     return 0
 
@@ -181,8 +187,8 @@ def refused(z: Any, work: Any, time: Any, c: Any, lane: Any, rtol: Any) -> Any:
     if not off(z, work, lane, limit, 0.0):
         return False
     roundoff(work, c, time, ORDER)
-    for i in range(SIZE):
-        z[at(NOISE, i)] = work[(i * STRIDE + 1) * LANES + lane]
+    for i in components():
+        z[at(NOISE, i)] = work[coefficient(i, 1, lane)]
     rates(work, c, time, ORDER)
     return off(z, work, lane, limit, ROUNDINGS)
 
@@ -190,15 +196,14 @@ def refused(z: Any, work: Any, time: Any, c: Any, lane: Any, rtol: Any) -> Any:
 def off(z: Any, work: Any, lane: Any, limit: Any, roundings: Any) -> Any:
     """Return whether an error of a derivative times the step is more than is allowed, or not a number."""
     h = z[H]
-    wrong = False
-    for i in range(SIZE):
+    wrong = wide(0.0)
+    for i in components():
         slope = z[at(SLOPE, i)]
         size = SHARE * z[at(M, i)] + max(abs(z[at(POLYNOMIAL, i)]), abs(z[at(Y, i)]))
-        noise = roundings * z[at(NOISE, i)] if roundings > 0.0 else 0.0
-        allowed = limit * size + h * ((noise if noise < inf else 0.0) + 2.0**-51 * abs(slope))
-        if not h * abs(work[(i * STRIDE + 1) * LANES + lane] - slope) <= allowed:
-            wrong = True
-    return wrong
+        noise = roundings * z[at(NOISE, i)] if roundings > 0.0 else wide(0.0)
+        allowed = limit * size + h * ((noise if noise < inf else wide(0.0)) + 2.0**-51 * abs(slope))
+        wrong = wrong if h * abs(work[coefficient(i, 1, lane)] - slope) <= allowed else wide(1.0)
+    return largest(wrong) > 0.0
 
 
 def take_step(z: Any, times: Any, out: Any) -> Any:
@@ -209,9 +214,9 @@ def take_step(z: Any, times: Any, out: Any) -> Any:
         for i in range(SIZE):
             out[row, i] = z[at(Y, i)] if times[row] == z[NEW] else evaluate(z, i, x)
         row += 1
-    for i in range(SIZE):
-        if z[at(M, i)] <= NO_SCALE and z[GIVEN] != 1.0:  # it moves: by as much within a step that proved right
-            z[at(M, i)] = abs(z[at(Y, i)])
+    for i in components():
+        if z[GIVEN] != 1.0:  # what has no size yet moves: by as much within a step that proved right
+            z[at(M, i)] = abs(z[at(Y, i)]) if z[at(M, i)] <= NO_SCALE else z[at(M, i)]
         z[at(REST, i)] = z[at(NEXT, i)]
     z[ROW] = float(row)
     z[T] = z[NEW]
@@ -228,41 +233,33 @@ def evaluate(z: Any, i: Any, x: Any) -> Any:
     first = at(POLYNOMIAL, i)
     value = 0.0
     for n in range(ORDER):
-        value = value * x + z[first + ORDER - n]
+        value = value * x + z[first + (ORDER - n) * PADDED]
     return z[first] + (z[at(REST, i)] + value * x)
 
 
-def longest(z: Any, work: Any, lane: Any, share: Any) -> Any:
+def longest(z: Any, work: Any, lane: Any, pace: Any) -> Any:
     """Return the step from the last coefficients, the whole state together.
 
     Infinite where all are zero, 0 if none will do.
 
-    share : the logarithm, to base 2, of the step over the distance to the singularity
+    pace : the logarithm, to base 2, of the step over the distance to the singularity; 1 over each of the last orders
     """
-    a = b = c = d = 0.0
-    for i in range(SIZE):
-        last = (i * STRIDE + ORDER) * LANES + lane
+    nearest = wide(-inf)
+    total = wide(0.0)
+    for i in components():
         size = SHARE * z[at(M, i)] + abs(z[at(Y, i)])
-        scale = 1.0 / size
-        if size <= NO_SCALE:  # then its own first coefficients are its scale
-            first = abs(work[(i * STRIDE + 1) * LANES + lane])
-            scale = 1.0 / first if first > NO_SCALE else 0.0
-        a = larger(a, abs(work[last]) * scale)
-        b = larger(b, abs(work[last - LANES]) * scale)
-        c = larger(c, abs(work[last - 2 * LANES]) * scale)
-        d = larger(d, abs(work[last - 3 * LANES]) * scale)
-    if not a + b + c + d < inf:
+        first = abs(work[coefficient(i, 1, lane)])  # where it has no size it is its scale
+        scale = 1.0 / size if size > NO_SCALE else (1.0 / first if first > NO_SCALE else wide(0.0))
+        for before in (0, 1, 2, 3):
+            part = abs(work[coefficient(i, ORDER - before, lane)]) * scale
+            total = total + part
+            nearest = max(nearest, logarithm(part) * pace[1 + before])
+    parts = summed(total)
+    if not parts < inf:
         return 0.0
-    if not a + b + c + d > 0.0:
+    if not parts > 0.0:
         return inf
-    nearest = max(logarithm(a) / ORDER, logarithm(b) / (ORDER - 1))
-    nearest = max(nearest, logarithm(c) / (ORDER - 2), logarithm(d) / (ORDER - 3))
-    return exp2(share - nearest)
-
-
-def larger(a: Any, b: Any) -> Any:
-    """Return the larger, and what is not a number rather than either."""
-    return a if a >= b else b
+    return power_of_2(pace[0] - largest(nearest))
 
 
 def attempt(z: Any, work: Any, times: Any, lane: Any, h: Any) -> Any:
@@ -276,18 +273,18 @@ def attempt(z: Any, work: Any, times: Any, lane: Any, h: Any) -> Any:
     h = new - t
     if h <= 2.0**-50 * t or h < 1e-17 * end:
         z[STATUS] = VANISHED
-        for i in range(SIZE):
+        for i in components():
             z[at(Y, i)] = z[at(POLYNOMIAL, i)]
         return 0
     z[H] = h
     z[NEW] = new
-    for i in range(SIZE):
+    for i in components():
         first = at(POLYNOMIAL, i)
-        value = 0.0
-        slope = 0.0
+        value = wide(0.0)
+        slope = wide(0.0)
         for n in range(ORDER):
             slope = slope * h + value
-            value = value * h + z[first + ORDER - n]
+            value = value * h + z[first + (ORDER - n) * PADDED]
         slope = slope * h + value
         z[at(SLOPE, i)] = slope
         y = z[first]
@@ -295,6 +292,6 @@ def attempt(z: Any, work: Any, times: Any, lane: Any, h: Any) -> Any:
         total = y + change
         part = total - y
         z[at(Y, i)] = total
-        work[i * STRIDE * LANES + lane] = total
+        work[coefficient(i, 0, lane)] = total
         z[at(NEXT, i)] = (y - (total - part)) + (change - part)
     return 0

@@ -1,7 +1,8 @@
 """The memory of one motion by Taylor's method, `z`, as the translated loop knows it.
 
-NUMBERS first, then seven numbers a component and its polynomial, HIGHEST + 1 coefficients. Names put in place for one
-right-hand side: SIZE components, ORDER of the run, STRIDE and LANES of `series.Layout`.
+NUMBERS first, then seven numbers a component, then the polynomial, order by order. One motion alone has its components
+side by side, in vectors, with zeros up to PADDED. Names put in place for one right-hand side: SIZE components, ORDER of
+the run, ACROSS, ALONG and LANES of `series.Layout`.
 """
 
 from typing import Any
@@ -9,6 +10,8 @@ from typing import Any
 from tam570.integrate.compiled.coefficients import HIGHEST
 
 __all__ = [
+    "ACROSS",
+    "ALONG",
     "BASE",
     "FIRST",
     "GIVEN",
@@ -21,6 +24,7 @@ __all__ = [
     "NOISE",
     "NUMBERS",
     "ORDER",
+    "PADDED",
     "POLYNOMIAL",
     "REFUSALS",
     "REST",
@@ -30,7 +34,6 @@ __all__ = [
     "SATURATES",
     "STATUS",
     "STEPS",
-    "STRIDE",
     "TIMED",
     "TRIES",
     "WHO",
@@ -39,10 +42,17 @@ __all__ = [
     "T",
     "Y",
     "at",
+    "coefficient",
+    "components",
+    "largest",
     "memory",
+    "padded",
     "rates",
     "reach",
     "roundoff",
+    "summed",
+    "wide",
+    "width",
 ]
 
 NUMBERS = 16
@@ -51,12 +61,28 @@ Y, REST, M, SLOPE, NEXT, BASE, NOISE, POLYNOMIAL = range(8)
 # of a component: at the end of the step tried; what rounding took from its start; its size at the start; the
 # polynomial's derivative at the end; what rounding takes from the end; the derivative there; what a rounding does to it
 
-SIZE = ORDER = STRIDE = LANES = MEMORY = 0
+SIZE = PADDED = ORDER = ACROSS = ALONG = LANES = MEMORY = 0
 TIMED = False  # whether the right-hand side depends on time
 SATURATES = False  # whether it has exp, tanh or their like of the state
 rates: Any = None  # rates(work, c, time, ORDER): the coefficients of order 1
 reach: Any = None  # the same: in the place of the first, the longest step for what saturates
 roundoff: Any = None  # the same: in their place, a bound of their rounding
+
+
+components: Any = None  # components(): their indices, as many at a time as fit in a vector if there is one motion alone
+wide: Any = None  # wide(x): as many of it
+largest: Any = None  # largest(x): of a vector
+summed: Any = None  # summed(x): of a vector
+
+
+def width(size: int) -> int:
+    """Components in a vector of one motion."""
+    return 1 if size == 1 else 2 if size == 2 else 4 if size <= 4 else 8
+
+
+def padded(size: int) -> int:
+    """Components with what fills up the last vector."""
+    return -(-size // width(size)) * width(size)
 
 
 def memory(size: int) -> int:
@@ -66,4 +92,9 @@ def memory(size: int) -> int:
 
 def at(part: Any, i: Any) -> Any:
     """Return where in z that part of component i is, or the first coefficient of its polynomial."""
-    return NUMBERS + part * SIZE + i * (HIGHEST + 1 if part == POLYNOMIAL else 1)
+    return NUMBERS + part * PADDED + i
+
+
+def coefficient(i: Any, n: Any, lane: Any) -> Any:
+    """Return where in `work` the coefficient of order n of component i is."""
+    return i * ACROSS + n * ALONG + lane

@@ -6,7 +6,7 @@ As in `error_scale`, which this follows, what is zero and has a rate of zero tak
 from math import inf
 from typing import Any
 
-from tam570.integrate.compiled.taylor_memory import BASE, LANES, ORDER, SIZE, SLOPE, STRIDE, TIMED, M, Y, at, rates
+from tam570.integrate.compiled.taylor_memory import BASE, ORDER, SIZE, SLOPE, TIMED, M, Y, at, coefficient, rates
 from tam570.integrate.error_scale import CALM, COARSE, NO_SCALE, PART
 
 __all__ = ["LONG", "lacking", "sized"]
@@ -19,7 +19,7 @@ def lacking(z: Any, work: Any, lane: Any) -> Any:
     """Return whether something is zero, and so is its rate: its scale follows from others, one after the other."""
     is_found = False
     for i in range(SIZE):
-        if z[at(M, i)] <= NO_SCALE and work[(i * STRIDE + 1) * LANES + lane] == 0.0:
+        if z[at(M, i)] <= NO_SCALE and work[coefficient(i, 1, lane)] == 0.0:
             is_found = True
     return is_found
 
@@ -27,7 +27,7 @@ def lacking(z: Any, work: Any, lane: Any) -> Any:
 def sized(z: Any, work: Any, time: Any, c: Any, lane: Any, h: Any) -> Any:
     """Return whether all that lacks a size has one now, or no later time can give it one; in steps of about h."""
     for i in range(SIZE):
-        z[at(BASE, i)] = work[(i * STRIDE + 1) * LANES + lane]
+        z[at(BASE, i)] = work[coefficient(i, 1, lane)]
     duration, is_found = LONG * h, False
     while not is_found and duration > SHORT * h:
         is_found = spread(z, work, time, c, lane, duration)
@@ -37,8 +37,8 @@ def sized(z: Any, work: Any, time: Any, c: Any, lane: Any, h: Any) -> Any:
         duration /= 2.0
     every = is_found or not TIMED
     for i in range(SIZE):
-        work[i * STRIDE * LANES + lane] = z[at(Y, i)]
-        work[(i * STRIDE + 1) * LANES + lane] = z[at(BASE, i)]
+        work[coefficient(i, 0, lane)] = z[at(Y, i)]
+        work[coefficient(i, 1, lane)] = z[at(BASE, i)]
         if is_found and z[at(M, i)] <= NO_SCALE and z[at(BASE, i)] == 0.0:
             z[at(M, i)] = z[at(SLOPE, i)]
             every = every and (not TIMED or z[at(M, i)] > NO_SCALE or moves(work, i, lane))
@@ -49,7 +49,7 @@ def moves(work: Any, i: Any, lane: Any) -> Any:
     """Return whether one of the further coefficients of component i is not zero."""
     is_found = False
     for n in range(2, ORDER + 1):
-        is_found = is_found or abs(work[(i * STRIDE + n) * LANES + lane]) > NO_SCALE
+        is_found = is_found or abs(work[coefficient(i, n, lane)]) > NO_SCALE
     return is_found
 
 
@@ -66,7 +66,7 @@ def spread(z: Any, work: Any, time: Any, c: Any, lane: Any, duration: Any) -> An
         changed(z, work, time, c, lane, PART)
         news = False
         for i in range(SIZE):
-            size = duration / PART * abs(work[(i * STRIDE + 1) * LANES + lane] - z[at(BASE, i)])
+            size = duration / PART * abs(work[coefficient(i, 1, lane)] - z[at(BASE, i)])
             if z[at(SLOPE, i)] > NO_SCALE:
                 if CALM * z[at(SLOPE, i)] < size < inf:
                     return False
@@ -77,7 +77,7 @@ def spread(z: Any, work: Any, time: Any, c: Any, lane: Any, duration: Any) -> An
             more = 0
     changed(z, work, time, c, lane, COARSE)
     for i in range(SIZE):
-        size = duration / COARSE * abs(work[(i * STRIDE + 1) * LANES + lane] - z[at(BASE, i)])
+        size = duration / COARSE * abs(work[coefficient(i, 1, lane)] - z[at(BASE, i)])
         if z[at(SLOPE, i)] > NO_SCALE and not size <= CALM * z[at(SLOPE, i)]:
             return False
     return True
@@ -87,7 +87,7 @@ def changed(z: Any, work: Any, time: Any, c: Any, lane: Any, part: Any) -> Any:
     """Return the rates where each component is changed by a part of its size."""
     sign = 1.0
     for i in range(SIZE):
-        work[i * STRIDE * LANES + lane] = z[at(Y, i)] + part * z[at(SLOPE, i)] * sign
+        work[coefficient(i, 0, lane)] = z[at(Y, i)] + part * z[at(SLOPE, i)] * sign
         sign = -0.85 * sign if abs(sign) > 0.45 else (1.0 if sign < 0.0 else -1.0)  # no two cancel
     rates(work, c, time, ORDER)
     return 0

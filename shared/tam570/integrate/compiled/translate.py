@@ -26,6 +26,7 @@ class Translator(Expressions):
 
     def __init__(self, functions: Mapping[str, ast.FunctionDef], names: Mapping[str, Any]) -> None:
         super().__init__({**{name: self._inlined(node) for name, node in functions.items()}, **names})
+        self.components = 0  # with what fills up the last vector
         self.tables: dict[tuple[float, ...], str] = {}
         self.loops: list[tuple[str, str]] = []  # where `continue` and `break` go
         self.returns: list[tuple[str, Any]] = []  # where `return` goes, and its value's place
@@ -77,7 +78,8 @@ class Translator(Expressions):
             for part, item in zip(target.elts, value, strict=True):
                 self.assign(names, part, item)
         elif isinstance(target, ast.Subscript):
-            self.do(f"store double {self.text(value, 'double')}, ptr {self.address(names, target)}")
+            pointer, ir_type = self.address(names, target)
+            self.do(f"store {ir_type} {self.text(value, ir_type)}, ptr {pointer}, align 8")
         elif isinstance(target, ast.Name):
             names[target.id] = self.stored(names.get(target.id), value)
 
@@ -87,6 +89,8 @@ class Translator(Expressions):
             places = slot if isinstance(slot, tuple) and len(slot) == len(value) else [None] * len(value)
             return tuple(self.stored(p, v) for p, v in zip(places, value, strict=True))
         if not isinstance(value, Value | float | int):
+            return value
+        if isinstance(value, Value) and value.ir_type == "lanes":
             return value
         if not isinstance(slot, Slot):
             slot = self.allocated(value.ir_type if isinstance(value, Value) else _kind(value))
@@ -152,6 +156,8 @@ class Translator(Expressions):
         self.loops.pop()
 
     def do_For(self, names: Names, node: ast.For) -> bool:
+        if isinstance(node.iter, ast.Call) and ast.unparse(node.iter.func) == "components":
+            return self._by_vectors(names, node)
         bounds = self._bounds(names, node.iter)
         if bounds and any(isinstance(bound, Value) for bound in bounds):
             return self._counted(names, node.body, bounds, lambda i: self.assign(names, node.target, i))
@@ -163,6 +169,19 @@ class Translator(Expressions):
             self.body(names, node.body)
         return True
 
+    def _by_vectors(self, names: Names, node: ast.For) -> bool:
+        """Return a loop over the components, as many at a time as there are in a vector."""
+        if self.width == 1:
+            bounds = 0, self.globals["SIZE"]
+            return self._counted(names, node.body, bounds, lambda i: self.assign(names, node.target, i))
+        if self.components == self.width:
+            self.bind(names, node.target, Value("lanes", "0"))
+            return self.body(names, node.body)
+        bounds = 0, Value("i64", str(self.components))
+        return self._counted(
+            names, node.body, bounds, lambda i: self.bind(names, node.target, Value("lanes", i.text)), self.width
+        )
+
     def _bounds(self, names: Names, node: ast.expr) -> tuple[Any, ...]:
         if not (isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "range"):
             return ()
@@ -170,7 +189,12 @@ class Translator(Expressions):
         return (0, *arguments) if len(arguments) == 1 else tuple(arguments)
 
     def _counted(
-        self, names: Names, body: Sequence[ast.stmt], bounds: tuple[Any, ...], bind: Callable[[Value], None]
+        self,
+        names: Names,
+        body: Sequence[ast.stmt],
+        bounds: tuple[Any, ...],
+        bind: Callable[[Value], None],
+        step: int = 1,
     ) -> bool:
         first, last = bounds
         counter, end = self.allocated("i64"), self.text(last, "i64")
@@ -184,7 +208,7 @@ class Translator(Expressions):
         bind(i)
         self._looped(names, body, more, after)
         self.start(more)
-        self.store(self.emit("i64", f"add i64 {self.load(counter).text}, 1"), counter)
+        self.store(self.emit("i64", f"add i64 {self.load(counter).text}, {step}"), counter)
         self.jump(test)
         self.start(after)
         return True
