@@ -8,6 +8,7 @@ from call to call, and uses no names but those listed here. Any other is called 
 import dis
 import functools
 import math
+import operator
 import types
 from collections.abc import Callable, Hashable, Iterable
 from functools import lru_cache
@@ -17,7 +18,7 @@ import numpy as np
 
 from tam570.values import Function, Parameters
 
-__all__ = ["Changeable", "cache_key", "call_key", "global_names"]
+__all__ = ["Changeable", "Reach", "cache_key", "call_key", "global_names"]
 
 Captured: TypeAlias = Any  # whatever a right-hand side refers to
 
@@ -60,11 +61,39 @@ class Changeable(Exception):
     """The function depends on something that may change unseen."""
 
 
-def cache_key(value: Captured, functions: dict[int, int] | None = None) -> Hashable:
-    """Equal for what computes the same. Raises `Changeable`. functions : those seen on the way; one may call itself."""
+class Reach:
+    """What a key was made of: the functions seen on the way, one may call itself, and all that they refer to."""
+
+    def __init__(self) -> None:
+        self.numbers: dict[int, int] = {}
+        self.functions: list[tuple[types.FunctionType, types.CodeType, Captured]] = []
+        self.cells: list[tuple[types.CellType, Captured]] = []
+        self.names: list[tuple[dict[str, Captured], str, Captured]] = []
+        self.has_lists = False  # or arrays, or what else may change as it is
+        self.changes = False  # something sets items
+        self.is_fixed = True  # the same objects are the same key
+        self.key: Hashable = None
+        self.parameters: tuple[tuple[str, ...], tuple[Captured, ...], Hashable] | None = None  # the last, with the whole key
+
+    def is_same(self) -> bool:
+        """Return whether all refer to the very objects of the time when the key was made."""
+        for function, code, defaults in self.functions:
+            if function.__code__ is not code or function.__defaults__ is not defaults or function.__kwdefaults__:
+                return False
+        for table, name, value in self.names:
+            if table.get(name, Reach) is not value:
+                return False
+        try:
+            return all(cell.cell_contents is content for cell, content in self.cells)
+        except ValueError:  # empty by now
+            return False
+
+
+def cache_key(value: Captured, reach: Reach | None = None) -> Hashable:
+    """Equal for what computes the same. Raises `Changeable`. reach : what was seen on the way."""
     read = READERS.get(type(value))
     if read:
-        return read(value, {} if functions is None else functions)
+        return read(value, Reach() if reach is None else reach)
     if isinstance(value, np.generic):
         return type(value), value.tobytes()
     if isinstance(value, type) and value.__module__ in ("builtins", "numpy"):
@@ -74,12 +103,28 @@ def cache_key(value: Captured, functions: dict[int, int] | None = None) -> Hasha
 
 def call_key(rhs: Function, parameters: Parameters | None) -> Hashable:
     """Return the key of a right-hand side with its parameters. Raises `Changeable`."""
-    functions: dict[int, int] = {}
-    key = cache_key(rhs, functions)
+    last = _last.get(rhs) if type(rhs) is types.FunctionType else None
+    if last is not None and last.is_same():
+        if not parameters:
+            return last.key
+        if last.parameters is not None:
+            names, values, key = last.parameters
+            if tuple(parameters) == names and all(map(operator.is_, parameters.values(), values)):
+                return key
+    reach = Reach()
+    key = of_rhs = cache_key(rhs, reach)
+    may_last = type(rhs) is types.FunctionType and reach.is_fixed
     if parameters:
-        key = key, cache_key(tuple(parameters.items()), functions)
-    if CHANGES in functions and MUTABLE in functions:
+        key = of_rhs, cache_key(tuple(parameters.items()), reach)
+    if reach.changes and reach.has_lists:
         raise Changeable("it may change what it keeps")
+    if may_last:
+        reach.key = of_rhs
+        if parameters and reach.is_fixed:
+            reach.parameters = tuple(parameters), tuple(parameters.values()), key
+        if len(_last) >= MOST:
+            _last.clear()
+        _last[rhs] = reach
     return key
 
 
@@ -91,21 +136,21 @@ def _itself(value: Captured, _: Captured) -> Hashable:
     return value  # type: ignore[no-any-return]
 
 
-def _sequence(value: Captured, functions: dict[int, int]) -> Hashable:
+def _sequence(value: Captured, reach: Reach) -> Hashable:
     if type(value) is list:
-        functions[MUTABLE] = 0
+        reach.has_lists, reach.is_fixed = True, False
     if len(value) > LONGEST:
         raise Changeable(f"{len(value)} items")
-    return type(value), *[cache_key(item, functions) for item in value]
+    return type(value), *[cache_key(item, reach) for item in value]
 
 
-def _mapping(value: dict[Captured, Captured], functions: dict[int, int]) -> Hashable:
-    functions[MUTABLE] = 0
-    return dict, _sequence(tuple(value), functions), _sequence(tuple(value.values()), functions)
+def _mapping(value: dict[Captured, Captured], reach: Reach) -> Hashable:
+    reach.has_lists, reach.is_fixed = True, False
+    return dict, _sequence(tuple(value), reach), _sequence(tuple(value.values()), reach)
 
 
-def _array(value: Captured, functions: dict[int, int]) -> Hashable:
-    functions[MUTABLE] = 0
+def _array(value: Captured, reach: Reach) -> Hashable:
+    reach.has_lists, reach.is_fixed = True, False
     if value.size > LONGEST or value.dtype.hasobject:
         raise Changeable("an array that is large, or of objects")
     return value.shape, value.dtype.str, value.tobytes()
@@ -131,36 +176,38 @@ def _numpy_function(value: Captured, _: Captured) -> Hashable:
     return "numpy", name
 
 
-def _partial(value: Captured, functions: dict[int, int]) -> Hashable:
+def _partial(value: Captured, reach: Reach) -> Hashable:
     parts = (value.func, value.args, value.keywords)
-    return functools.partial, *[cache_key(part, functions) for part in parts]
+    return functools.partial, *[cache_key(part, reach) for part in parts]
 
 
-def _function(value: types.FunctionType, functions: dict[int, int]) -> Hashable:
-    if id(value) in functions:
-        return "again", functions[id(value)]
-    functions[id(value)], module = len(functions), value.__module__ or ""
+def _function(value: types.FunctionType, reach: Reach) -> Hashable:
+    if id(value) in reach.numbers:
+        return "again", reach.numbers[id(value)]
+    reach.numbers[id(value)], module = len(reach.numbers), value.__module__ or ""
     if module == "numpy" or module.startswith("numpy."):
-        return _numpy_function(value, functions)
+        return _numpy_function(value, reach)
     if module in TRUSTED:
         return id(value)
     names, changes, reason = _looked_up(value.__code__)
     if reason:
         raise Changeable(f"{value.__name__} {reason}")
+    reach.functions.append((value, value.__code__, value.__defaults__))
     values = [value.__defaults__, value.__kwdefaults__]
     for cell in value.__closure__ or ():
         try:
             values.append(cell.cell_contents)
         except ValueError:
             raise Changeable(f"{value.__name__} uses a name that has no value yet") from None
+        reach.cells.append((cell, values[-1]))
     for name in names:
+        reach.names.append((value.__globals__, name, value.__globals__.get(name, Reach)))
         if name in value.__globals__:
             values.append(value.__globals__[name])
         elif name not in PURE_BUILTINS:
             raise Changeable(f"{value.__name__} uses {name}")
-    if changes:
-        functions[CHANGES] = 0
-    return value.__code__, *[cache_key(item, functions) for item in values]
+    reach.changes = reach.changes or changes
+    return value.__code__, *[cache_key(item, reach) for item in values]
 
 
 @lru_cache(maxsize=1024)
@@ -202,8 +249,9 @@ def _parts(code: types.CodeType) -> Iterable[types.CodeType]:
             yield from _parts(constant)
 
 
-MUTABLE, CHANGES = -1, -2  # among `functions`: a list or an array is in reach; something sets items
-READERS: dict[type, Callable[[Captured, dict[int, int]], Hashable]] = {
+_last: dict[types.FunctionType, Reach] = {}  # of the last call of a right-hand side
+MOST = 64  # of them
+READERS: dict[type, Callable[[Captured, Reach], Hashable]] = {
     **dict.fromkeys((float, int, bool, complex, str, bytes), _number),
     type(None): _itself,
     **dict.fromkeys((tuple, list), _sequence),

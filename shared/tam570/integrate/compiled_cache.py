@@ -49,11 +49,17 @@ def slot_of(
     if method not in METHODS:
         return None
     try:
-        times, key = np.asarray(t, dtype=float), call_key(rhs, parameters)
+        key = call_key(rhs, parameters)
+        times = t if isinstance(t, tuple) else _numbers(t)
         start = len(y0) if method == "compiled" else np.asarray(y0, dtype=float).tobytes()  # "auto" depends on it
-        return _slot((key, start, times.shape, times.tobytes(), rtol, atol))
+        return _slot((key, start, times, rtol, atol))
     except (Changeable, TypeError, ValueError):
         return None
+
+
+def _numbers(t: ArrayLike) -> Hashable:
+    times = np.asarray(t, dtype=float)
+    return times.shape, times.tobytes()
 
 
 @lru_cache(maxsize=64)
