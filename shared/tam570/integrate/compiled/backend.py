@@ -170,7 +170,7 @@ def taylor_runs(graph: Graph, times: Array, out: Array, starts: Array, control: 
     out[:, 0] = starts
     members = np.hstack([np.full((len(starts), 1), times[-1] / 100), starts, np.abs(starts)])
     ends = address_of(times), len(times), address_of(out), address_of(members), len(starts)
-    order = taylor.order_for(rtol)
+    order = taylor.order_for(rtol, LANES)
 
     def some(budget: int) -> bool:
         taylor.CALL.pack_into(memory.call_arguments, 0, *memory.places, *ends, origin, rtol, order, budget)
