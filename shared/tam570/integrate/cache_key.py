@@ -73,7 +73,9 @@ class Reach:
         self.changes = False  # something sets items
         self.is_fixed = True  # the same objects are the same key
         self.key: Hashable = None
-        self.parameters: tuple[tuple[str, ...], tuple[Captured, ...], Hashable] | None = None  # the last, with the whole key
+        self.parameters: tuple[tuple[str, ...], tuple[Captured, ...], Hashable] | None = (
+            None  # the last, with the whole key
+        )
 
     def is_same(self) -> bool:
         """Return whether all refer to the very objects of the time when the key was made."""
@@ -103,7 +105,7 @@ def cache_key(value: Captured, reach: Reach | None = None) -> Hashable:
 
 def call_key(rhs: Function, parameters: Parameters | None) -> Hashable:
     """Return the key of a right-hand side with its parameters. Raises `Changeable`."""
-    last = _last.get(rhs) if type(rhs) is types.FunctionType else None
+    last = _last.get(rhs) if isinstance(rhs, types.FunctionType) else None
     if last is not None and last.is_same():
         if not parameters:
             return last.key
@@ -113,12 +115,12 @@ def call_key(rhs: Function, parameters: Parameters | None) -> Hashable:
                 return key
     reach = Reach()
     key = of_rhs = cache_key(rhs, reach)
-    may_last = type(rhs) is types.FunctionType and reach.is_fixed
+    is_fixed = reach.is_fixed
     if parameters:
         key = of_rhs, cache_key(tuple(parameters.items()), reach)
     if reach.changes and reach.has_lists:
         raise Changeable("it may change what it keeps")
-    if may_last:
+    if is_fixed and isinstance(rhs, types.FunctionType):
         reach.key = of_rhs
         if parameters and reach.is_fixed:
             reach.parameters = tuple(parameters), tuple(parameters.values()), key
