@@ -10,6 +10,7 @@ import subprocess
 import sys
 import warnings
 import zlib
+from functools import cache
 
 import numpy as np
 import pytest
@@ -174,19 +175,33 @@ def browser():
         browser.close()
 
 
+@pytest.fixture
+def open_tab(browser):
+    """`open_tab(address, (width, height), **options)` -> the tab; it must not complain, nor ask other servers."""
+    contexts, complaints = [], []
+
+    def open_tab(address, size=(1280, 800), allowed=("file:", "data:"), **options):
+        viewport = dict(zip(("width", "height"), size, strict=True))
+        contexts.append(browser.new_context(viewport=viewport, **options))
+        tab = contexts[-1].new_page()
+        tab.on("console", lambda entry: complaints.append(entry.text) if entry.type in ("error", "warning") else None)
+        tab.on("pageerror", lambda error: complaints.append(str(error)))
+        tab.on("request", lambda request: request.url.startswith(allowed) or complaints.append(request.url))
+        tab.goto(address)
+        return tab
+
+    yield open_tab
+    for context in contexts:
+        context.close()
+    assert not complaints
+
+
 @pytest.fixture(scope="session")
 def scenes():
-    """`scenes(slug)` -> the film of the reference solution, made once."""
+    """`scenes(slug)` -> the scene of the reference solution, made once."""
     from tam570.show import load_student, scene_of
 
-    built = {}
-
-    def film(slug):
-        if slug not in built:
-            built[slug] = scene_of(load_student(COURSE / "solutions" / f"{slug}.py", slug), slug)
-        return built[slug]
-
-    return film
+    return cache(lambda slug: scene_of(load_student(COURSE / "solutions" / f"{slug}.py", slug), slug))
 
 
 @pytest.fixture(scope="session")

@@ -9,7 +9,7 @@ axe = pytest.importorskip("axe_playwright_python.sync_playwright", reason="no ax
 pytestmark = pytest.mark.slow
 
 LECTURE, SCENES = "generated/lectures/top.html", "generated/assignments.html"
-PHONE, DESK = {"width": 390, "height": 844}, {"width": 1280, "height": 800}
+PHONE, DESK = (390, 844), (1280, 800)
 FIRST_PAGE = 300_000  # bytes before scenes
 WHOLE_SITE = 15_000_000  # bytes
 # The largest width that does not fit, of the page and of the theme's boxes around a text, which scroll by themselves.
@@ -17,31 +17,17 @@ OVER = """() => {
   const boxes = document.querySelectorAll(".bd-main, .bd-content, .bd-article-container, .bd-article section");
   return Math.max(...[document.documentElement, ...boxes].map((one) => one.scrollWidth - one.clientWidth));
 }"""
-# The contrast of each piece of text with what lies behind it, by the formula of WCAG 2; those below AA.
-
-
 AXE = {"iframes": False, "preload": False, "resultTypes": ["violations"]}  # a scene is a page by itself
 
 
 @pytest.fixture
-def opened(browser, address):
-    """`opened(page, ...)` -> the tab; it must not complain, nor ask another server."""
-    contexts, complaints = [], []
+def opened(open_tab, address):
+    """`opened(page, size, start, **options)` -> the tab of a page of the site."""
 
-    def opened(name, viewport=PHONE, start=address, **options):
-        context = browser.new_context(viewport=viewport, reduced_motion="reduce", **options)
-        contexts.append(context)
-        tab = context.new_page()
-        tab.on("console", lambda said: complaints.append(said.text) if said.type in ("error", "warning") else None)
-        tab.on("pageerror", lambda error: complaints.append(str(error)))
-        tab.on("request", lambda request: request.url.startswith((start, "data:")) or complaints.append(request.url))
-        tab.goto(start + name)
-        return tab
+    def opened(name, size=PHONE, start=address, **options):
+        return open_tab(start + name, size, (start, "data:"), reduced_motion="reduce", **options)
 
-    yield opened
-    for context in contexts:
-        context.close()
-    assert not complaints
+    return opened
 
 
 def test_every_page_is_quiet_and_fits_a_phone(opened, site, address):
@@ -56,9 +42,9 @@ def test_every_page_is_quiet_and_fits_a_phone(opened, site, address):
     assert not wide
 
 
-@pytest.mark.parametrize("viewport, scheme", [(DESK, "light"), (DESK, "dark"), (PHONE, "light"), (PHONE, "dark")])
-def test_axe_finds_no_fault_on_any_page(opened, site, address, viewport, scheme):
-    tab, faults = opened("index.html", viewport, color_scheme=scheme), {}
+@pytest.mark.parametrize("size, scheme", [(DESK, "light"), (DESK, "dark"), (PHONE, "light"), (PHONE, "dark")])
+def test_axe_finds_no_fault_on_any_page(opened, site, address, size, scheme):
+    tab, faults = opened("index.html", size, color_scheme=scheme), {}
     pages = [file.relative_to(site).as_posix() for file in sorted(site.rglob("*.html"))]
     scenes = [name for name in pages if name.startswith("scenes/")]
     for name in [*(name for name in pages if not name.startswith(("scenes/", "_static/"))), *scenes[::10]]:

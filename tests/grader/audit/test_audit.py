@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from classes import check_result, result
 from parameters import SLUGS, first
 
 from tam570_grader import cli
@@ -16,7 +17,6 @@ from tam570_grader.audit.mutate import mutants
 from tam570_grader.checks import assignments
 from tam570_grader.checks.failure import Failure
 from tam570_grader.diagnosis.mistakes import Mistake
-from tam570_grader.results.records import CheckResult, Result
 
 SLUG = "hw08_axis_angle"
 
@@ -114,9 +114,8 @@ def test_right_submissions_are_fair_and_what_is_kept_is_not_run_again(tmp_path, 
 
 def test_a_diagnosis_tells_named_from_unnamed_and_misled():
     def said(mistake, suspect, known=("the transpose",)):
-        check_result = CheckResult("a", "a", 0.0, 1.0, "failed", "It is off by 1.", suspect, Failure())
-        result = Result("s", "hw", "graded", 0.0, 1.0, 1, 0.1, "", (check_result,))
-        return diagnosis.diagnosis(result, Mistake("one", mistake, "a", ""), known)
+        failed = result("s", check_result(suspect=suspect, failure=Failure()))
+        return diagnosis.diagnosis(failed, Mistake("", mistake, "a", ""), known)
 
     correct, silent = said("the transpose", "the transpose"), said("the transpose", None)
     wrong, actual = said("a sign", "the transpose"), said("a sign", "the transpose", known=())

@@ -25,7 +25,7 @@ def said(compare, *args, **fields):
 
 def reference(**functions):
     """A module of right functions."""
-    module = ModuleType("right")
+    module = ModuleType("reference")
     vars(module).update(functions)
     return module
 
@@ -33,7 +33,7 @@ def reference(**functions):
 HEIGHT = number.described("the height", "m", lambda case, _: 1e3)
 
 
-def test_results_and_the_module_of_what_is_right_say_what_is_compared():
+def test_returns_and_the_reference_say_what_is_compared():
     message = said(compare, student(HEIGHT, 3.0), reference(height=lambda x: x), [Case(1.0)])
     assert message == "The height is wrong by 2 m (limit 1e-6)."
 

@@ -46,81 +46,63 @@ def solution(slug):
     return assignments.solution(slug, COURSE)
 
 
-def test_the_pendulum_hangs_where_its_forces_act():
-    theta, other = 0.65, -0.4
-    fields = {"mass": 1.0, "length": 1.0, "gravity": 1.0}
-    places = [solution("hw01_simple_pendulum").free_body_diagram(th, 0.0, **fields)[0][0] for th in (theta, other)]
-    assert moved("hw01_simple_pendulum", "m", theta=other) == pytest.approx(places[1] - places[0], abs=1e-3)
-
-
-def test_the_bars_are_those_of_the_wireframe():
-    wireframe = solution("hw07_double_pendulum").wireframe
-    before, after = (wireframe(np.array(theta), lengths=np.ones(2)) for theta in ((0.5, 1.15), (0.9, -0.3)))
-    for name, bar in (("elbow", 0), ("tip", 1)):
-        shift = moved("hw07_double_pendulum", name, th1=0.9, th2=-0.3)
-        assert shift == pytest.approx(after[bar, 1] - before[bar, 1], abs=1e-3)
-
-
-def test_the_particle_is_at_the_end_of_its_rod():
-    angles = 0.8, -1.9
-    places = [np.array([math.sin(theta), -math.cos(theta)]) for theta in angles]
-    assert moved("hw05_constrained_pendulum", "m", theta=angles[1]) == pytest.approx(places[1] - places[0], abs=1e-3)
-
-
-def test_the_bead_is_on_its_wire():
-    assert moved("hw12_bead_on_wire", "m", x=-0.4) == pytest.approx([-1.15, 0.4**2 - 0.75**2], abs=1e-3)
-
-
-def test_the_heavy_side_turns_down_the_ramp():
-    slope, fields = 0.4, {"mass": 1.0, "radius": 1.0, "offset": 0.5, "slope": 0.4, "gravity": 1.0}
-    diagram = solution("hw13_rolling_cylinder").free_body_diagram
-    (before, down), (after, _) = (diagram(phi, **fields)[0] for phi in (0.9, 2.0))
-    along, off = np.subtract(after, before)  # the axes of the ramp
-    level = along * math.cos(slope) + off * math.sin(slope), off * math.cos(slope) - along * math.sin(slope)
-    assert moved("hw13_rolling_cylinder", "G", phi=2.0) == pytest.approx(level, abs=1e-3)
-    assert down == pytest.approx([math.sin(slope), -math.cos(slope)])
-
-
-def test_a_positive_lean_carries_the_centre_towards_the_axis():
-    shift = moved("hw11_disk_steady", "G", lean=0.8)
-    assert shift == pytest.approx([math.sin(0.45) - math.sin(0.8), math.cos(0.8) - math.cos(0.45)], abs=1e-3)
-
-
-def test_the_rolling_disk_is_seen_where_it_is():
-    shape = solution("hw14_rolling_disk").matrix_state
-    states = [np.array([0.9, 0.6, 0.6, tilt, 0.6, 0, 0, 0]) for tilt in (1.95, 1.2)]
-    before, after = (shape(state, radius=1.0)[:3] for state in states)
-    reference, up = right_and_up(-1.75, 0.4)
-    assert moved("hw14_rolling_disk", "G", tilt=1.2) == pytest.approx(
-        [reference @ (after - before), up @ (after - before)], abs=1e-3
-    )
-
-
 def right_and_up(azimuth, elevation):
     """The contract's directions of a projection."""
-    project = solution("hw04_hanging_spring").project
-    return np.asarray(project(np.eye(3), azimuth, elevation)).T
+    return np.asarray(solution("hw04_hanging_spring").project(np.eye(3), azimuth, elevation)).T
 
 
-def test_the_mass_on_the_spring_is_projected_as_asked():
-    shift = np.array([-0.5, 0.8, -0.9]) - [0.75, 0.35, -1.1]
-    reference, up = right_and_up(-0.9, 0.3)
-    assert moved("hw04_hanging_spring", "m", position=(-0.5, 0.8, -0.9)) == pytest.approx(
-        [reference @ shift, up @ shift], abs=1e-3
-    )
+def hanging(theta):
+    return np.array([math.sin(theta), -math.cos(theta)])
+
+
+def tip(th1, th2):
+    return solution("hw07_double_pendulum").wireframe(np.array([th1, th2]), lengths=np.ones(2))[1, 1]
+
+
+def bob(theta):
+    return np.asarray(solution("hw01_simple_pendulum").free_body_diagram(theta, 0.0, mass=1, length=1, gravity=1)[0][0])
+
+
+def heavy_side(phi, slope=0.4):
+    """G of the cylinder, from the axes of the ramp to level and upright ones."""
+    cylinder = {"mass": 1.0, "radius": 1.0, "offset": 0.5, "slope": slope, "gravity": 1.0}
+    along, off = solution("hw13_rolling_cylinder").free_body_diagram(phi, **cylinder)[0][0]
+    return np.array([along * math.cos(slope) + off * math.sin(slope), off * math.cos(slope) - along * math.sin(slope)])
+
+
+def centre(tilt):
+    state = np.array([0.9, 0.6, 0.6, tilt, 0.6, 0, 0, 0])
+    return right_and_up(-1.75, 0.4) @ solution("hw14_rolling_disk").matrix_state(state, radius=1.0)[:3]
+
+
+BARS = {"th1": 0.5, "th2": 1.15}, {"th1": 0.9, "th2": -0.3}
+MOVES = {  # a point, what is drawn, what is drawn instead, and where the contract has the point
+    "hw01_simple_pendulum": ("m", {"theta": 0.65}, {"theta": -0.4}, bob),
+    "hw04_hanging_spring": (
+        "m",
+        {"position": (0.75, 0.35, -1.1)},
+        {"position": (-0.5, 0.8, -0.9)},
+        lambda position: right_and_up(-0.9, 0.3) @ position,
+    ),
+    "hw05_constrained_pendulum": ("m", {"theta": 0.8}, {"theta": -1.9}, hanging),
+    "hw07_double_pendulum": ("tip", *BARS, tip),
+    "hw11_disk_steady": ("G", {"lean": 0.45}, {"lean": 0.8}, lambda lean: -hanging(lean)),
+    "hw12_bead_on_wire": ("m", {"x": 0.75}, {"x": -0.4}, lambda x: np.array([x, x**2])),
+    "hw13_rolling_cylinder": ("G", {"phi": 0.9}, {"phi": 2.0}, heavy_side),
+    "hw14_rolling_disk": ("G", {"tilt": 1.95}, {"tilt": 1.2}, centre),
+}
+
+
+@pytest.mark.parametrize("slug", MOVES)
+def test_a_point_is_where_the_contract_has_it(slug):
+    point, before, after, position = MOVES[slug]
+    assert moved(slug, point, **after) == pytest.approx(position(**after) - position(**before), abs=1e-3)
 
 
 def test_the_car_turns_counter_clockwise():
-    """G stays; the front axle goes round it."""
-    before, after = (
-        assignments.figure(COURSE, "hw06_braking", heading=heading).svg() for heading in (0.0, math.pi / 2)
-    )
-    assert drawn_speed(before) == pytest.approx([1, 0], abs=0.02)
-    assert drawn_speed(after) == pytest.approx([0, 1], abs=0.02)
-
-
-def drawn_speed(svg):
-    """The direction of the arrow of the speed."""
-    paths = [item for item in ElementTree.fromstring(svg).iter(f"{SVG}path") if item.get("class") == "vector"]
-    first, last = (np.array(place.split(), float) for place in paths[0].get("d")[1:].split("L"))
-    return (last - first) * [1, -1] / math.dist(first, last)
+    """By the arrow of its speed."""
+    for heading, direction in ((0.0, [1, 0]), (math.pi / 2, [0, 1])):
+        svg = assignments.figure(COURSE, "hw06_braking", heading=heading).svg()
+        paths = [item for item in ElementTree.fromstring(svg).iter(f"{SVG}path") if item.get("class") == "vector"]
+        first, last = (np.array(end.split(), float) for end in paths[0].get("d")[1:].split("L"))
+        assert (last - first) * [1, -1] / math.dist(first, last) == pytest.approx(direction, abs=0.02)

@@ -7,22 +7,22 @@ from tam570_grader.grading.run_checks import FOLLOWING_SHARE
 
 
 @pytest.fixture
-def marks(grade, solution_text):
-    """`marks(slug, line, wrong)` -> the results of the checks of the solution with a wrong line, by name."""
+def checked(grade, solution_text):
+    """`checked(slug, line, wrong)` -> the results of the checks of the solution with a wrong line, by name."""
 
-    def marks(slug, *lines):
+    def checked(slug, *lines):
         text = solution_text(slug)
         for correct, wrong in lines:
             assert correct in text
             text = text.replace(correct, wrong)
         return {check.name: check for check in grade(slug, text).checks}
 
-    return marks
+    return checked
 
 
-def following(marks):
+def following(checks):
     """What follows from what, by the names of functions; each has its share of the points."""
-    failed = [check for check in marks.values() if check.outcome == "failed" and check.failure.follows_from]
+    failed = [check for check in checks.values() if check.outcome == "failed" and check.failure.follows_from]
     pairs = {(check.failure.function, check.failure.follows_from) for check in failed}
     for check in failed:
         share = 0 if check.failure.function == check.failure.follows_from else FOLLOWING_SHARE
@@ -30,13 +30,13 @@ def following(marks):
     return pairs
 
 
-def by_name(marks):
-    return [name for name, check in marks.items() if check.suspect]
+def by_name(checks):
+    return [name for name, check in checks.items() if check.suspect]
 
 
-def test_a_wrong_load_is_told_once_and_costs_a_third_of_what_it_carries(marks):
+def test_a_wrong_load_is_told_once_and_costs_a_third_of_what_it_carries(checked):
     correct = "return mass * gravity * abs(free / arm)"
-    actual = marks("hw06_braking", (correct, "return mass * gravity * front / (front + rear)"))
+    actual = checked("hw06_braking", (correct, "return mass * gravity * front / (front + rear)"))
     assert by_name(actual) == ["axle_load_balances_the_weight"]
     functions = "friction_force", "state_derivative", "simulate", "yaw_growth_rate", "small_yaw_rate", "axle_load"
     assert following(actual) == {(name, "axle_load") for name in functions}
@@ -46,22 +46,20 @@ def test_a_wrong_load_is_told_once_and_costs_a_third_of_what_it_carries(marks):
 
 
 @pytest.mark.parametrize("wrong", first(1, ["m1 / 2", "m1 / 12"]))
-def test_the_energy_follows_from_the_mass_matrix(marks, wrong):
-    actual = marks("hw07_double_pendulum", ("[[(m1 / 3 + m2)", f"[[({wrong} + m2)"))
+def test_the_energy_follows_from_the_mass_matrix(checked, wrong):
+    actual = checked("hw07_double_pendulum", ("[[(m1 / 3 + m2)", f"[[({wrong} + m2)"))
     assert by_name(actual) == ["mass_matrix_makes_the_kinetic_energy"]
     assert following(actual) == {("energy", "mass_matrix"), ("angular_momentum", "mass_matrix")}
 
 
 @pytest.mark.slow
-def test_one_wrong_argument_in_all_functions_is_told_once(marks):
-    actual = marks(
+def test_one_wrong_argument_in_all_functions_is_told_once(checked):
+    moment = "    return _weight_moment(phi, mass, radius, {}offset,"
+    actual = checked(
         "hw13_rolling_cylinder",
         ("turned = inertia", "offset = -offset\n    turned = inertia"),
         ("return inertia + mass *", "offset = -offset\n    return inertia + mass *"),
-        (
-            "    return _weight_moment(phi, mass, radius, offset,",
-            "    return _weight_moment(phi, mass, radius, -offset,",
-        ),
+        (moment.format(""), moment.format("-")),
         ("    return mass * radius * offset * math", "    return -mass * radius * offset * math"),
         ("c, s = math.cos(phi)", "offset = -offset\n    c, s = math.cos(phi)"),
         ("- offset * math.cos(phi + slope)\n    return kin", "+ offset * math.cos(phi + slope)\n    return kin"),
@@ -71,6 +69,6 @@ def test_one_wrong_argument_in_all_functions_is_told_once(marks):
     assert {cause for _, cause in pairs} == {"acceleration"} and len(pairs) == 6
 
 
-def test_a_function_that_is_always_zero_makes_nothing_else_right(marks):
-    actual = marks("hw06_braking", ("return mass * gravity * abs(free / arm)", "return 0.0"))
+def test_a_function_that_is_always_zero_makes_nothing_else_right(checked):
+    actual = checked("hw06_braking", ("return mass * gravity * abs(free / arm)", "return 0.0"))
     assert not following(actual)

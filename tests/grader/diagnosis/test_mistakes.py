@@ -13,46 +13,42 @@ SOLUTION = "import math\n\nimport numpy as np\n\n\ndef f(x):\n    return 2.0 * x
 
 
 def wrong(body, **fields):
-    return Mistake("one", "A wrong formula.", "a_check", f"def f(x):\n    return {body}\n", **fields)
+    return Mistake("a_mistake", "A wrong formula.", "a_check", f"def f(x):\n    return {body}\n", **fields)
 
 
-def named(slip, *calls):
+def is_named(mistake, *calls):
     """Whether calls (function, input, the student's result) agree with a mistake."""
-    cause = named_mistake(SOLUTION, [slip], [Call(name, Case(x), result) for name, x, result in calls])
-    return cause is not None and cause.message == slip.message
+    cause = named_mistake(SOLUTION, [mistake], [Call(name, Case(x), result) for name, x, result in calls])
+    return cause is not None and cause.message == mistake.message
 
 
-@pytest.mark.parametrize("body", ["1 / x", "math.sqrt(x - 1)", "np.linalg.inv([[x]])"])
-def test_a_mistake_without_a_value_does_not_agree(body):
-    assert not named(wrong(body), ("f", 0.0, 1.0))
+AGREE = [  # a wrong f (the right one is 2 x, and g is 3 x), calls, and whether they agree with it
+    *((body, [("f", 0.0, 1.0)], False) for body in ("1 / x", "math.sqrt(x - 1)", "np.linalg.inv([[x]])")),
+    # a call that failed agrees with no value
+    ("x", [("f", 1.0, 1.0), ("f", 0.0, None)], False),
+    ("1 / x", [("f", 1.0, 1.0), ("f", 0.0, None)], True),
+    ("1 / x if x else math.nan", [("f", 1.0, 1.0), ("f", 0.0, None)], True),
+    ("x", [("f", 0.0, None)], False),
+    # what the mistake does not change is not asked
+    ("x", [("f", 1.0, 1.0), ("g", 1.0, math.pi)], True),
+    ("x", [("g", 1.0, 1.0)], False),
+    # a right result is no mistake
+    ("2.0 * x", [("f", 1.0, 2.0)], False),
+    ("2.0 * abs(x)", [("f", 1.0, 2.0)], False),
+    # every call must agree
+    ("2.0 * abs(x)", [("f", 1.0, 2.0), ("f", -1.0, 2.0)], True),
+    ("2.0 * abs(x)", [("f", -1.0, 2.0), ("f", -2.0, -4.0)], False),
+]
 
 
-def test_a_call_that_failed_agrees_with_no_value():
-    calls = ("f", 1.0, 1.0), ("f", 0.0, None)
-    assert not named(wrong("x"), *calls)
-    assert named(wrong("1 / x"), *calls)
-    assert named(wrong("1 / x if x else math.nan"), *calls)
-    assert not named(wrong("x"), calls[1])
-
-
-def test_what_the_mistake_does_not_change_is_not_asked():
-    assert named(wrong("x"), ("f", 1.0, 1.0), ("g", 1.0, math.pi))
-    assert not named(wrong("x"), ("g", 1.0, 1.0))
-
-
-def test_a_right_result_is_no_mistake():
-    assert not named(wrong("2.0 * x"), ("f", 1.0, 2.0))
-    assert not named(wrong("2.0 * abs(x)"), ("f", 1.0, 2.0))
-
-
-def test_every_call_must_agree():
-    assert named(wrong("2.0 * abs(x)"), ("f", 1.0, 2.0), ("f", -1.0, 2.0))
-    assert not named(wrong("2.0 * abs(x)"), ("f", -1.0, 2.0), ("f", -2.0, -4.0))
+@pytest.mark.parametrize(("body", "calls", "agree"), AGREE)
+def test_a_mistake_is_named_where_its_numbers_agree(body, calls, agree):
+    assert is_named(wrong(body), *calls) == agree
 
 
 def test_how_closely_is_said_by_the_mistake():
-    assert not named(wrong("x"), ("f", 1.0, 1.001))
-    assert named(wrong("x", tolerance=1e-2), ("f", 1.0, 1.001))
+    assert not is_named(wrong("x"), ("f", 1.0, 1.001))
+    assert is_named(wrong("x", tolerance=1e-2), ("f", 1.0, 1.001))
 
 
 def test_an_answer_is_computed_once_for_the_same_input():
@@ -68,7 +64,7 @@ def test_an_answer_is_computed_once_for_the_same_input():
 def test_one_mistake_of_several_is_told_by_the_inputs_that_show_it_alone():
     thin, thick = Case(1.0).labelled("a thin disk"), Case(2.0).labelled("a hoop")
     calls = [Call("f", thin, 1.0), Call("f", thick, 7.0)]
-    told, untold = wrong("x", label="thin"), wrong("x")
-    assert named_mistake(SOLUTION, [untold, told], calls).message == told.message
-    assert named_mistake(SOLUTION, [untold], calls) is None
+    of_label, of_all = wrong("x", label="thin"), wrong("x")
+    assert named_mistake(SOLUTION, [of_all, of_label], calls).message == of_label.message
+    assert named_mistake(SOLUTION, [of_all], calls) is None
     assert named_mistake(SOLUTION, [wrong("x", label="thick")], calls) is None

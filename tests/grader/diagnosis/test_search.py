@@ -110,7 +110,7 @@ def calls(function, wrong):
 
 
 @pytest.mark.parametrize(
-    ("function", "wrong", "says"),
+    ("function", "wrong", "words"),
     [
         ("weight", "m*g*h", "length is ignored, as if it were zero"),
         ("weight", "g*h + l**2/2", "mass is ignored, as if it were 1"),
@@ -120,11 +120,7 @@ def calls(function, wrong):
         ("weight", "m*g*h + m*(l*m)**2/2", "length has a factor mass too many"),
         ("weight", "(m*g*h + m*l**2/2)**0.5", "The result of weight is the square root of the right one"),
         ("weight", "m*(g*h + l**2/2)/g**2", "The result of weight should be multiplied by gravity squared"),
-        (
-            "weight",
-            "g*h + m*l**2/2",
-            "the factor mass is missing beside gravity, height",
-        ),  # gravity lacks it, or height
+        ("weight", "g*h + m*l**2/2", "the factor mass is missing beside gravity, height"),
         ("weight", "m*g*h + m*l**2", "a term with length, mass counts twice"),
         ("weight", "0.0", "The result of weight is zero"),
         ("fall", "np.column_stack([h + v*t + t**2, v + 2*t])", "gravity has the opposite sign"),
@@ -132,11 +128,7 @@ def calls(function, wrong):
         ("fall", "np.column_stack([h + v*t - t**2, v - 4*t])", "a term with gravity counts twice"),
         ("tumble", "(inertia[0]*w + 2)*w/3 + mass*radius/3", "0.3333 times the right one for any input"),
         ("tumble", "(inertia[0]*w + 2)*w + mass*radius + 1.25", "off by 1.25 for any input"),
-        (
-            "tumble",
-            "(inertia[0] + mass*radius**2)*w**2 + 2*w + mass*radius",
-            "component 1 of inertia has mass radius^2",
-        ),
+        ("tumble", "(inertia[0] + mass*radius**2)*w**2 + 2*w + mass*radius", "1 of inertia has mass radius^2"),
         ("forces", "F + [[0.0, 0.0], [0.3, 0.0]]*F**2", "wrong in row 2, column 1 alone"),
         ("forces", "F[::-1]", "has rows 1 and 2 exchanged"),
         ("forces", "F*[1, -1]", "has the opposite sign in column 2"),
@@ -158,11 +150,7 @@ def calls(function, wrong):
         ("squares", "(2*p*q, -2*q**2)", "a square with om1 is a product of two quantities"),
         ("squares", "(2*p*q, -2*p*q)", "a square with om1, om2 is a product of two quantities"),
         ("stretch", "math.sqrt(1 + 2*y*x)", "a quantity with side, slope is not squared"),
-        (
-            "rates",
-            "np.array([a[0]**2, a[1] + 2*a[0], 0.7*a[1]])",
-            "angles and the result have components 1 and 3 exchanged",
-        ),
+        ("rates", "np.array([a[0]**2, a[1] + 2*a[0], 0.7*a[1]])", "the result have components 1 and 3 exchanged"),
         ("turned", "np.array([[1, -a], [a, 1]]) @ v", "a sine or cosine with angle is linearised"),
         ("balance", "(a, 2*math.sin(a))", "The first result of balance is linear in angle"),
         ("tumble", "w**2 + 2*w + mass*radius", "inertia is that of a thin disk, A = C/2"),
@@ -172,9 +160,9 @@ def calls(function, wrong):
         ("cross", "np.cross(a, b)*[1, -1, 1]", "has the opposite sign in component 2"),
     ],
 )
-def test_it_is_named_by_what_it_does(function, wrong, says):
+def test_it_is_named_by_what_it_does(function, wrong, words):
     cause = general(SOLUTION, calls(function, wrong))
-    assert cause.function == function and says in cause.message
+    assert cause.function == function and words in cause.message
 
 
 @pytest.mark.parametrize(

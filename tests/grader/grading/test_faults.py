@@ -10,12 +10,11 @@ import sys
 import time
 
 import pytest
-from classes import HW08, hand_in, outcome
+from classes import HW08, hand_in, outcome, result
 from processes import await_end, descendants
 
 from tam570_grader import cli
 from tam570_grader.results import store
-from tam570_grader.results.records import FORMAT
 
 SHARES = ("", "def skew(v): return v\n", "def rotate(r, axis, angle):\n    raise ValueError\n")  # of the class
 
@@ -57,15 +56,10 @@ def test_a_run_killed_at_random_moments_ends_as_an_undisturbed_one(tmp_path, sol
     assert outcome(tmp_path / "killed") == outcome(tmp_path / "calm")
 
 
-def result(student, score=1.0):
-    by_name = {"format": FORMAT, "student": student, "assignment": HW08, "score": score, "checks": []}
-    return {**dict.fromkeys(store.RESULT_FIELDS), **by_name}
-
-
 def test_who_opens_results_that_another_run_is_replacing_writes_into_the_new_ones(tmp_path, monkeypatch):
     first = store.ResultStore(tmp_path)
     for score in (1.0, 2.0):
-        first.add(result("ada", score))
+        first.add(result("ada", score=score).record())
     real, calls = fcntl.flock, []
 
     def late(file, how):
@@ -77,7 +71,7 @@ def test_who_opens_results_that_another_run_is_replacing_writes_into_the_new_one
 
     monkeypatch.setattr(fcntl, "flock", late)
     second = store.ResultStore(tmp_path)
-    second.add(result("ben"))
+    second.add(result("ben").record())
     assert [record["student"] for record in store.read(tmp_path)] == ["ada", "ben"]
     second.close()
 
@@ -88,7 +82,7 @@ def test_a_run_that_ends_leaves_nothing_unlocked_before_it_is_done(tmp_path, mon
     monkeypatch.setattr(os, "replace", lambda draft, path: replaced.append(path.name) or real(draft, path))
     with contextlib.closing(store.ResultStore(tmp_path)) as book:
         for score in (1.0, 2.0):
-            book.add(result("ada", score))
+            book.add(result("ada", score=score).record())
     assert replaced == ["grades.csv", "results.jsonl"]
 
 

@@ -1,4 +1,4 @@
-"""Whose fault a death is: the guard's last word."""
+"""Whose fault a death is, and what a submission may leave behind."""
 
 import contextlib
 import os
@@ -16,39 +16,31 @@ ASLEEP = [sys.executable, "-c", "import time; print(flush=True); time.sleep(60)"
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="grading needs Linux or macOS")
 
 
-def last_word(happens):
-    """What is told of a prisoner after something has happened to it, or to its worker."""
-    leash, guards_end = socket.socketpair()
+DEATHS = {  # what happens to a sandbox process or to its worker, and whether it is not to blame
+    "it dies with its worker": (lambda lifeline, **_: os.close(lifeline), b"1"),
+    "a stranger kills it": (lambda child, **_: os.kill(child.pid, 9), b"1"),
+    "the supervisor has it killed": (lambda leash, **_: leash.sendall(b"k"), b"0"),
+    "it ends by itself": (lambda child, **_: os.kill(child.pid, 11), b"0"),
+}
+
+
+@pytest.mark.parametrize(("happen", "word"), DEATHS.values(), ids=DEATHS)
+def test_the_monitors_last_word_is_whose_fault_a_death_is(happen, word):
+    leash, monitors_end = socket.socketpair()
     lifeline, held = os.pipe()
     limits = jail.Limits(cpu=60, memory=2**30, file_size=2**20, processes=1, namespaces=True, user=None)
-    with leash, guards_end, subprocess.Popen(ASLEEP, stdout=subprocess.PIPE) as child:
+    with leash, monitors_end, subprocess.Popen(ASLEEP, stdout=subprocess.PIPE) as child:
         child.stdout.readline()
-        monitor = threading.Thread(target=jail.watch, args=(child.pid, guards_end, lifeline, limits))
+        monitor = threading.Thread(target=jail.watch, args=(child.pid, monitors_end, lifeline, limits))
         monitor.start()
-        happens(child=child, leash=leash, lifeline=held)
-        said = leash.recv(64).split()
+        happen(child=child, leash=leash, lifeline=held)
+        reply = leash.recv(64).split()
         monitor.join()
-        child.returncode = 0  # the guard has waited for it
+        child.returncode = 0  # the monitor has waited for it
     os.close(lifeline)
     with contextlib.suppress(OSError):
         os.close(held)
-    return said[-1]
-
-
-def test_one_that_dies_with_its_worker_is_not_to_blame():
-    assert last_word(lambda lifeline, **_: os.close(lifeline)) == b"1"
-
-
-def test_one_that_is_killed_by_a_stranger_is_not_to_blame():
-    assert last_word(lambda child, **_: os.kill(child.pid, 9)) == b"1"
-
-
-def test_one_that_is_killed_on_the_supervisors_order_is_to_blame():
-    assert last_word(lambda leash, **_: leash.sendall(b"k")) == b"0"
-
-
-def test_one_that_ends_by_itself_is_to_blame():
-    assert last_word(lambda child, **_: os.kill(child.pid, 11)) == b"0"
+    assert reply[-1] == word
 
 
 linux = pytest.mark.skipif(sys.platform != "linux", reason="prctl and /proc are Linux's")
@@ -57,14 +49,14 @@ RUNS_AWAY = f"""
 import os, socket, time
 from tam570_grader.protocol import jail
 from tam570_grader.protocol.refusals import program
-(leash, end), (lifeline, held), (told, tells) = socket.socketpair(), os.pipe(), os.pipe()
+(leash, end), (lifeline, held), (hears, reports) = socket.socketpair(), os.pipe(), os.pipe()
 child = os.fork()
 if child == 0:
     if os.fork() == 0:
         os.setsid()
-        os.write(tells, str(os.getpid()).encode())
+        os.write(reports, str(os.getpid()).encode())
         time.sleep(60)
-    print(os.read(told, 9).decode(), flush=True)
+    print(os.read(hears, 9).decode(), flush=True)
     os._exit(0)
 jail.watch(child, end, lifeline, {LIMITS})
 """

@@ -2,10 +2,10 @@
 
 import importlib.util
 import json
-import re
 
 import numpy as np
 import pytest
+from classes import hand_in
 
 from tam570_grader import cli
 from tam570_grader.checks import assignments
@@ -55,17 +55,14 @@ def test_the_point_is_in_the_frame_where_its_numbers_say(slug, seconds, error):
     x, y = drawn.point
     assert LEFT <= x <= LAST and TOP <= y <= BOTTOM
     for position, ticks, value in ((x, drawn.x, error), (y, drawn.y, seconds)):
-        places, decades = zip(*[(place, float(text[2:])) for place, text in ticks], strict=True)
-        order = np.argsort(places)
-        actual = np.polyfit(np.array(places)[order], np.array(decades)[order], 1)
-        assert np.polyval(actual, position) == pytest.approx(np.log10(value), abs=0.05)
-    heights = [place for place, _ in drawn.names]
+        places, decades = zip(*[(at, float(text[2:])) for at, text in ticks], strict=True)
+        assert np.polyval(np.polyfit(places, decades, 1), position) == pytest.approx(np.log10(value), abs=0.05)
+    heights = [height for height, _ in drawn.names]
     assert np.all(np.diff(heights) >= 12 - 1e-9)  # lines of text, to rounding
 
 
 def test_it_is_measured_when_asked_for_and_stands_on_the_page(tmp_path, solution_text, capsys):
-    (tmp_path / "in" / "ada" / SLUG).mkdir(parents=True)
-    (tmp_path / "in" / "ada" / SLUG / f"{SLUG}.py").write_text(solution_text(SLUG))
+    hand_in(tmp_path / "in", {"ada": solution_text(SLUG)}, SLUG)
     pages, actual = [], []
     for options in ([], ["--speed"]):
         command = ["grade", str(tmp_path / "in"), "--out", str(tmp_path / "out"), "--seed", "1", "--json", *options]
@@ -74,7 +71,6 @@ def test_it_is_measured_when_asked_for_and_stands_on_the_page(tmp_path, solution
         pages.append((tmp_path / "out" / "feedback" / "ada" / f"{SLUG}.html").read_text())
     assert ["speed" in line for line in actual] == [False, True]
     assert ["Run time against error" in page for page in pages] == [False, True]
-    assert re.search(r"Measured: the processor time", pages[1])
 
 
 def test_the_reference_is_timed_only_where_the_call_itself_is_short_beside_it(measured, solution_text):

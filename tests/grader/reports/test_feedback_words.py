@@ -3,20 +3,17 @@
 import html
 import re
 
+from classes import check_result as check
+from classes import result
+
 from tam570_grader.checks.failure import Failure
 from tam570_grader.reports import feedback
-from tam570_grader.results.records import CheckResult, Result
 
 
-def shown(*marks, message="", status="graded", info=None):
+def shown(*checks, info=None, score=9.7675):
     """What stands on the page of a result."""
-    result = Result("ada", "hw08_axis_angle", status, 9.7675, 10.0, 1, 0.1, "", marks, message)
-    page = html.unescape(feedback.page(result, info or feedback.AssignmentInfo("", {}, {}, {})))
-    return re.sub(r"<[^>]+>", "", page)
-
-
-def check(name, outcome="failed", message="", points=0.0, **more):
-    return CheckResult(name, "a", points, 1.0, outcome, message, **more)
+    page = feedback.page(result("ada", *checks, score=score), info or feedback.AssignmentInfo("", {}, {}, {}))
+    return re.sub(r"<[^>]+>", "", html.unescape(page))
 
 
 def test_the_hint_is_for_the_function_that_failed_not_for_the_first_in_the_line():
@@ -28,7 +25,7 @@ def test_the_hint_is_for_the_function_that_failed_not_for_the_first_in_the_line(
 
 
 def test_where_nothing_failed_the_first_thing_to_look_at_is_what_is_not_written():
-    passed, blocked = check("one", "passed", points=1.0), check("two", "not_run", "Not run")
+    passed, blocked = check("one", "passed", points=1.0), check("two", "not_run", message="Not run")
     missing, failed = check("three", "not_run", unwritten="skew"), check("four")
     assert "Look at this first: three" in shown(passed, blocked, missing)
     assert "Look at this first: four" in shown(passed, blocked, missing, failed)
@@ -38,11 +35,10 @@ def test_where_nothing_failed_the_first_thing_to_look_at_is_what_is_not_written(
 def test_a_mistake_that_was_found_by_trying_is_not_called_a_known_one():
     guess = check("one", suspect="In energy, a term is missing", failure=Failure(message="energy is wrong"))
     assert "Your numbers match this mistake: In energy, a term is missing.\n" in shown(guess)
-    row = feedback.row(Result("ada", "hw07", "graded", 9.7675, 10.0, 1, 0.1, "", (guess,)).record())
-    assert row[5] == "numbers match: In energy, a term is missing."
+    assert feedback.row(result("ada", guess).record())[5] == "numbers match: In energy, a term is missing."
 
 
 def test_scores_have_two_decimals(grade):
     assert "9.77 of 10 points" in shown(check("one", points=0.9675))
-    record = Result("ada", "hw07", "graded", 9.9975, 10.0, 1, 0.1, "", ()).record()
-    assert [feedback.row({**record, "score": score})[2] for score in (9.9975, 10.0)] == [" 9.99 / 10", "   10 / 10"]
+    rows = [feedback.row(result("ada", score=score).record()) for score in (9.9975, 10.0)]
+    assert [row[2] for row in rows] == [" 9.99 / 10", "   10 / 10"]

@@ -9,10 +9,10 @@ import time
 
 import numpy as np
 import pytest
-from classes import HW08, hand_in, results, rows
+from classes import HW08, check_result, hand_in, result, results, rows
 
 from tam570_grader import cli
-from tam570_grader.results import records, store
+from tam570_grader.results import records
 
 NOTHING = "def skew(v): return None\n"
 
@@ -54,8 +54,7 @@ def test_a_foreign_results_file_is_not_overwritten(run, tree, tmp_path):
 
 @pytest.mark.parametrize("form", [None, 1, records.FORMAT + 1])
 def test_results_of_another_format_are_refused_and_stay(run, tree, tmp_path, capsys, form):
-    by_name = {"format": form, "student": "ada", "assignment": HW08, "checks": []}
-    line = {**dict.fromkeys(store.RESULT_FIELDS, 0), **by_name}
+    line = {**result("ada").record(), "format": form}
     path = tmp_path / "old" / "results.jsonl"
     path.parent.mkdir()
     path.write_text(json.dumps(line) + "\n")
@@ -66,20 +65,18 @@ def test_results_of_another_format_are_refused_and_stay(run, tree, tmp_path, cap
 
 
 def strict(text):
-    def refuse(word):
+    def fail(word):
         raise AssertionError(word)
 
-    return json.loads(text, parse_constant=refuse)
+    return json.loads(text, parse_constant=fail)
 
 
 @pytest.mark.parametrize("value", [np.inf, -np.inf, np.nan, np.float64("nan"), [1.0, np.inf], np.array([np.nan, 2.0])])
 def test_what_is_not_finite_is_strict_json_and_read_back(value):
     why = records.Failure(error=value, at={"args": [value]}, limit=0.1)
-    check = records.CheckResult("a", "a", 0.0, 1.0, "failed", "", failure=why)
-    result = records.Result("ann", HW08, "graded", 0.0, 1.0, 1, 0.1, "", (check,))
-    (again,) = records.read(strict(json.dumps(result.record()))).checks
-    np.testing.assert_equal(again.failure.error, value)
-    np.testing.assert_equal(again.failure.at["args"], [value])
+    (check,) = records.read(strict(json.dumps(result("ann", check_result(failure=why)).record()))).checks
+    np.testing.assert_equal(check.failure.error, value)
+    np.testing.assert_equal(check.failure.at["args"], [value])
 
 
 def command(*arguments):

@@ -5,6 +5,8 @@ import json
 
 import numpy as np
 import pytest
+from classes import HW08 as SLUG
+from classes import hand_in
 
 from tam570_grader import cli
 from tam570_grader.grading import supervisor
@@ -13,16 +15,9 @@ from tam570_grader.sandbox import replies
 from tam570_grader.sandbox.process import ProcessLost
 from tam570_grader.sandbox.zygote import ResourceLimits
 
-SLUG = "hw08_axis_angle"
 LINE = {"points": np.zeros((12, 2)), "label": "path", "scatter": False, "shows": 1.0, "within": 1.0, "extent": 0.5}
-DRAWN = {
-    "lines": [LINE],
-    "xlabel": "x (m)",
-    "ylabel": "y (m)",
-    "labels_show": [True, True],
-    "scales": [1.0, 1.0],
-    "bent": 0.0,
-}
+DRAWN = {"lines": [LINE], "xlabel": "x (m)", "ylabel": "y (m)"}
+DRAWN |= {"labels_show": [True, True], "scales": [1.0, 1.0], "bent": 0.0}
 
 
 def value(sent, mode="value"):
@@ -58,8 +53,7 @@ def test_a_formula_has_numbers_alone(sent):
         actual = value(sent, "formula")
     except ProcessLost:
         return
-    kinds = (float, Foreign, np.ndarray)
-    assert actual == {"strangers": []} or all(isinstance(item, kinds) for item in actual)
+    assert actual == {"strangers": []} or all(isinstance(item, float | Foreign | np.ndarray) for item in actual)
 
 
 @pytest.mark.parametrize(
@@ -132,9 +126,7 @@ def test_reading_replies_counts_as_the_submissions_time(grade, solution_text, mo
 def test_a_fault_of_ours_is_one_submissions_result(tmp_path, solution_text, monkeypatch, capsys):
     """Whatever it is, in whatever part: the class is graded on."""
     grades = supervisor.graded
-    for student in ("ada", "ben"):
-        (tmp_path / student / SLUG).mkdir(parents=True)
-        (tmp_path / student / SLUG / f"{SLUG}.py").write_text(solution_text(SLUG))
+    hand_in(tmp_path, dict.fromkeys(("ada", "ben"), solution_text(SLUG)))
 
     def broken(name, *arguments, **options):
         if name == "ada":

@@ -7,18 +7,17 @@ from tam570_grader.checks import assignments
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed, check_context, expect
 from tam570_grader.grading.run_checks import graded
+from tam570_grader.grading.supervisor import GradeTask, result
 from tam570_grader.sandbox.launch import isolation
-from tam570_grader.sandbox.pool import ATTEMPTS
+from tam570_grader.sandbox.pool import ATTEMPTS, sandboxes
 from tam570_grader.sandbox.process import SandboxProcess
 from tam570_grader.sandbox.student import Source, Student
-from tam570_grader.sandbox.zygote import ResourceLimits
+from tam570_grader.sandbox.zygote import ResourceLimits, Zygote
 
 SLUG = "hw08_axis_angle"
 
 
 def test_a_function_that_hangs_fails_alone(grade, solution_text):
-    from tam570_grader.sandbox.zygote import ResourceLimits
-
     text = solution_text(SLUG) + "\ndef rotate(r, axis, angle):\n    while True: pass\n"
     outcome = grade(SLUG, text, limits=ResourceLimits(call=1))
     assert outcome.score == 6.0 and outcome.status == "graded"
@@ -59,10 +58,6 @@ def test_one_that_is_tried_again_is_not_quoted(course, zygotes):
 
 
 def test_a_worker_that_dies_is_replaced(solution_text, course, cold):
-    from tam570_grader.grading.supervisor import GradeTask, result
-    from tam570_grader.sandbox.pool import sandboxes
-    from tam570_grader.sandbox.zygote import Zygote
-
     started = []
 
     class Mortal(Zygote):
@@ -115,20 +110,15 @@ def test_what_is_called_for_the_words_ends_no_function_and_is_not_judged(course,
     student.leave()
 
 
+WRAPPED = "def _kept(f): return lambda *given: f(*given)\n"
 ALIASES = {
     "by another name": "_same = rotation_matrix",
     "in a table": "_same = {'it': rotation_matrix}.__getitem__('it')",
     "kept by a closure": "def _keeping(f): return lambda *given: f(*given)\n_same = _keeping(rotation_matrix)",
-    "of a decorated one": (
-        "def _kept(f): return lambda *given: f(*given)\nrotation_matrix = _same = _kept(rotation_matrix)"
-    ),
-    "in a table, of a decorated one": (
-        "def _kept(f): return lambda *given: f(*given)\nrotation_matrix = _kept(rotation_matrix)\n"
-        "_table = [rotation_matrix]\ndef _same(*given): return _table[0](*given)"
-    ),
-    "of one that is no plain function": (
-        "import functools\nrotation_matrix = _same = functools.partial(rotation_matrix)"
-    ),
+    "of a decorated one": f"{WRAPPED}rotation_matrix = _same = _kept(rotation_matrix)",
+    "in a table, of a decorated one": f"{WRAPPED}rotation_matrix = _kept(rotation_matrix)\n"
+    "_table = [rotation_matrix]\ndef _same(*given): return _table[0](*given)",
+    "of no plain function": "import functools\nrotation_matrix = _same = functools.partial(rotation_matrix)",
 }
 
 
