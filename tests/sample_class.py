@@ -32,8 +32,8 @@ def sample_class() -> Iterator[tuple[str, str, str]]:
     course = assignments.find(TESTS.parent)
     for slug in assignments.slugs(course):
         solution = (course / "solutions" / f"{slug}.py").read_text()
-        right, wrong = (list(submissions(course, slug, kind).values()) for kind in ("alternatives", "mistakes"))
-        for student, text in zip(("ada", "ben", "cho"), right, strict=False):
+        correct, wrong = (list(submissions(course, slug, group).values()) for group in ("alternatives", "mistakes"))
+        for student, text in zip(("ada", "ben", "cho"), correct, strict=False):
             yield student, slug, text
         for student, text in zip(("dev", "eli", "fay"), wrong[::3], strict=False):
             yield student, slug, f"{solution}\n\n{text}"

@@ -120,4 +120,4 @@ def owner(path):
 
 def planted():
     places = ("/", "/tmp", "/var/tmp", "/dev/shm", "/root", os.getcwd(), os.path.dirname(os.__file__))
-    return [place for place in places if os.path.exists(os.path.join(place, "tam570-was-here"))]
+    return [folder for folder in places if os.path.exists(os.path.join(folder, "tam570-was-here"))]

@@ -38,9 +38,9 @@ def counted(monkeypatch):
 
 def submission(slug, text, seed, share):
     """The solution with its functions answering oddly, each call of all of them or some of a few, and their names."""
-    draw = random.Random(f"{slug} {seed}")
+    rng = random.Random(f"{slug} {seed}")
     names = [*assignments.assignment(COURSE, slug).results]
-    names = names if share == 1 else draw.sample(names, min(len(names), draw.choice([1, 2, 4])))
+    names = names if share == 1 else rng.sample(names, min(len(names), rng.choice([1, 2, 4])))
     return f"{text}\nODD = {seed}, {names}, {share}\n{ODD}", names
 
 

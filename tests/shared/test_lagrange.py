@@ -30,26 +30,13 @@ def states(size, count=5):
     return DRAW.uniform(-1.5, 1.5, (count, size))
 
 
-def bead_on_wire():
-    return built(m * v**2 * (1 + 4 * c**2 * x**2) / 2 - m * g * c * x**2, [x], [v])
+BEAD = m * v**2 * (1 + 4 * c**2 * x**2) / 2 - m * g * c * x**2
+# two equal point masses on equal rods
+BARS = m * l**2 * (2 * p**2 + q**2 + 2 * p * q * cos(theta - phi)) / 2 + m * g * l * (2 * cos(theta) + cos(phi))
 
 
-def plane_double_pendulum(*, angles):
-    """Two equal point masses on equal rods, by angles or by Cartesian coordinates and two constraints."""
-    if angles:
-        T = m * l**2 * (2 * p**2 + q**2 + 2 * p * q * cos(theta - phi)) / 2
-        return built(T + m * g * l * (2 * cos(theta) + cos(phi)), [theta, phi], [p, q])
-    a, b, x2, y2 = symbols("a b x2 y2")
-    rods = [(x**2 + y**2 - l**2) / 2, ((x2 - x) ** 2 + (y2 - y) ** 2 - l**2) / 2]
-    L = m * (u**2 + v**2 + a**2 + b**2) / 2 - m * g * (y + y2)
-    return built(L, [x, y, x2, y2], [u, v, a, b], constraints=rods)
-
-
-def spherical_pendulum(*, angles):
-    """z up; polar angle from straight down."""
-    if angles:
-        T = m * l**2 * (p**2 + sin(theta) ** 2 * q**2) / 2
-        return built(T + m * g * l * cos(theta), [theta, phi], [p, q])
+def spherical_pendulum():
+    """z up."""
     rod = [(x**2 + y**2 + z**2 - l**2) / 2]
     return built(m * (u**2 + v**2 + w**2) / 2 - m * g * z, [x, y, z], [u, v, w], constraints=rod)
 
@@ -73,8 +60,8 @@ def test_time_in_the_lagrangian():
 
 def test_mass_matrix_and_forcing_are_what_rhs_solves():
     for system, size, numbers in (
-        (plane_double_pendulum(angles=True), 4, NUMBERS),
-        (spherical_pendulum(angles=False), 6, NUMBERS),
+        (built(BARS, [theta, phi], [p, q]), 4, NUMBERS),
+        (spherical_pendulum(), 6, NUMBERS),
         (chaplygin_sleigh(), 6, {"m": 1.3, "c": 0.4, "I": 0.2}),
     ):
         for state in states(size):
@@ -90,7 +77,7 @@ def test_mass_matrix_and_forcing_are_what_rhs_solves():
 
 def test_the_text_runs_where_sympy_and_numpy_are_not(tmp_path):
     """Saved, imported as a file of its own, and loaded by load: the same numbers."""
-    text = lagrange.source(m * v**2 * (1 + 4 * c**2 * x**2) / 2 - m * g * c * x**2, [x], [v])
+    text = lagrange.source(BEAD, [x], [v])
     (tmp_path / "bead.py").write_text(text, encoding="utf-8")
     code = (
         "import sys; sys.modules['sympy'] = None; sys.path.insert(0, sys.argv[1]);"
@@ -102,16 +89,12 @@ def test_the_text_runs_where_sympy_and_numpy_are_not(tmp_path):
     )
     command = [sys.executable, "-c", code, str(tmp_path)]
     printed = subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
-    here = bead_on_wire().rhs(0.0, (0.3, -0.4), m=1.3, c=0.4, g=9.81)
+    here = built(BEAD, [x], [v]).rhs(0.0, (0.3, -0.4), m=1.3, c=0.4, g=9.81)
     assert printed == ["True", repr(here), "False"]
 
 
 def test_nothing_is_computed_twice_and_no_zero_is_carried():
-    source = lagrange.source(
-        m * l**2 * (2 * p**2 + q**2 + 2 * p * q * cos(theta - phi)) / 2 + m * g * l * (2 * cos(theta) + cos(phi)),
-        [theta, phi],
-        [p, q],
-    )
+    source = lagrange.source(BARS, [theta, phi], [p, q])
     rhs = source[source.index("def rhs") : source.index("def mass_matrix")]
     assert rhs.count("sin(") == 3 and rhs.count("cos(") == 1  # of the difference, and each weight
     assert "**" not in rhs

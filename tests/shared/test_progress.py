@@ -2,6 +2,8 @@
 
 import itertools
 
+import pytest
+
 from tam570.checking.changes import calls
 from tam570.progress import progress, rows
 from tam570_grader.checks import assignments
@@ -9,17 +11,19 @@ from tam570_grader.checks import assignments
 SLUG = "hw08_axis_angle"
 
 
-def test_every_visible_test_says_which_functions_it_calls(slug, course):
-    """So that the points by visible tests are whole."""
-    text = (course / "assignments" / slug / f"test_{slug}.py").read_text()
-    called_by = calls(text, slug)
+@pytest.fixture
+def called_by(slug, course):
+    """The functions that each visible test calls."""
+    return calls((course / "assignments" / slug / f"test_{slug}.py").read_text(), slug)
+
+
+def test_all_tests_passed_are_all_points_and_mending_one_never_takes_points(slug, course, called_by):
+    """From every test failed to every test passed, one after the other, in either order."""
     assert set.union(*called_by.values()) >= set(assignments.assignment(course, slug).results)
-
-
-def test_all_tests_passed_are_all_points(slug, course):
-    called_by = calls((course / "assignments" / slug / f"test_{slug}.py").read_text(), slug)
-    come = progress(slug, dict.fromkeys(called_by, "passed"), called_by)
-    assert (come["points"], come["most"], come["next"]) == (10, 10, None)
+    for order in (list(called_by), list(called_by)[::-1]):
+        come = [progress(slug, dict.fromkeys(order[:n], "passed"), called_by) for n in range(len(order) + 1)]
+        assert all(before["points"] <= after["points"] for before, after in itertools.pairwise(come))
+        assert (come[-1]["points"], come[-1]["most"], come[-1]["next"]) == (10, 10, None)
     come = progress(slug, dict.fromkeys(called_by, "failed"), called_by)
     assert come["points"] == come["passed"] == 0 and come["next"] == next(iter(rows(slug)))
 
@@ -30,16 +34,6 @@ def test_a_failure_is_charged_to_what_no_test_has_proven():
     assert come["next"] == "rotate" and come["points"] > 0
     come = progress(SLUG, {"test_a": "failed", "test_b": "passed"}, called_by)
     assert come["next"] == "skew"
-
-
-def test_mending_a_test_never_takes_points(slug, course):
-    """From every test failed to every test passed, one after the other, in either order."""
-    called_by = calls((course / "assignments" / slug / f"test_{slug}.py").read_text(), slug)
-    for order in (list(called_by), list(called_by)[::-1]):
-        passed = [
-            progress(slug, dict.fromkeys(order[:n], "passed"), called_by)["points"] for n in range(len(order) + 1)
-        ]
-        assert all(before <= after for before, after in itertools.pairwise(passed))
 
 
 def test_what_is_at_fault_for_certain_is_next():

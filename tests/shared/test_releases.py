@@ -28,35 +28,30 @@ def new_kit(hw08, tmp_path, monkeypatch):
     return new_kit
 
 
-def test_update_brings_what_was_not_touched(new_kit, capsys):
-    readme = new_kit("README.md", "\nmore\n")
-    assert cli.main(["update", "hw08"]) == 0
-    assert readme.read_text().endswith("\nmore\n") and "README.md" in capsys.readouterr().out
-    assert cli.main(["update"]) == 0 and "up to date" in capsys.readouterr().out
+MORE = "\n\ndef unskew(matrix, *, scale):\n    raise NotImplementedError\n"
 
 
-def test_update_names_what_was_touched_and_leaves_it(new_kit, capsys):
-    tests = new_kit(f"test_{SLUG}.py", "\n# new\n")
-    tests.write_text(tests.read_text() + "\n# mine\n")
-    assert cli.main(["update", "hw08"]) == 0
-    assert (
-        tests.read_text().endswith("# mine\n") and f"{tests.name} is not as this kit has it" in capsys.readouterr().out
-    )
-
-
-def test_update_never_changes_work_and_tells_new_signatures(new_kit, capsys):
-    stub = new_kit(f"{SLUG}.py", "\n\ndef unskew(matrix, *, scale):\n    raise NotImplementedError\n")
-    stub.write_text("def skew(v):\n    return 1\n")
-    assert cli.main(["update", "hw08"]) == 0
-    said = capsys.readouterr().out
-    assert stub.read_text() == "def skew(v):\n    return 1\n" and "this kit asks for unskew(matrix, *, scale)" in said
-
-
-def test_update_of_a_folder_without_a_record_changes_nothing(new_kit, capsys):
-    readme = new_kit("README.md", "\nmore\n")
-    (readme.parent / releases.RECORD).unlink()
-    assert cli.main(["update", "hw08"]) == 0
-    assert not readme.read_text().endswith("\nmore\n") and "README.md is not as" in capsys.readouterr().out
+@pytest.mark.parametrize(
+    ("name", "text", "mine", "recorded", "message"),
+    [
+        ("README.md", "\nmore\n", None, True, "README.md"),
+        (f"test_{SLUG}.py", "\n# new\n", "# mine\n", True, f"test_{SLUG}.py is not as this kit has it"),
+        (f"{SLUG}.py", MORE, "def skew(v):\n    return 1\n", True, "this kit asks for unskew(matrix, *, scale)"),
+        ("README.md", "\nmore\n", None, False, "README.md is not as"),
+    ],
+    ids=["not touched", "touched", "work", "without a record"],
+)
+def test_update_brings_what_was_not_touched_and_names_the_rest(new_kit, capsys, name, text, mine, recorded, message):
+    file = new_kit(name, text)
+    if mine:
+        file.write_text(mine)
+    if not recorded:
+        (file.parent / releases.RECORD).unlink()
+    before = file.read_text()
+    assert cli.main(["update", "hw08"]) == 0 and message in capsys.readouterr().out
+    assert file.read_text() == (before if mine or not recorded else before + text)
+    if not mine and recorded:
+        assert cli.main(["update"]) == 0 and "up to date" in capsys.readouterr().out
 
 
 def test_each_readme_says_how_closely_motions_are_compared(slug):

@@ -52,13 +52,13 @@ def blocks(text):
     """The blocks of a page."""
     code, reason, prepared = 0, "", []
     for part in PARTS.finditer(text):
-        mark, words, language, body = part.groups()
+        directive, words, language, body = part.groups()
         if language:
             yield Block(language, body, code, reason, "\n".join(prepared))
             code, reason, prepared = 0, "", []
-        elif mark == "prepared":
+        elif directive == "prepared":
             prepared.append(words)
-        elif mark == "exits":
+        elif directive == "exits":
             code = int(words.partition(":")[0])
         else:
             reason = words

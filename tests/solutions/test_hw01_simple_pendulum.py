@@ -51,10 +51,3 @@ def test_the_motion_is_an_elliptic_function():
     expected = [2 * mpmath.asin(k * mpmath.ellipfun("sn", RATE * mpmath.mpf(time), m=k**2).real) for time in t]
     result = hw.simulate(np.append(0.0, t), 0.0, omega0, **PENDULUM)[1:, 0]
     np.testing.assert_allclose(result, np.array(expected, float), rtol=0, atol=1e-11)
-
-
-def test_a_whole_number_of_turns_is_a_whole_number_of_turns():
-    """Two samples a full turn apart, where every later time folds back to the first."""
-    turn = hw._time_of_a_turn(0.3, 9.0, **PENDULUM)
-    result = hw.simulate(np.array([1.0, 1.0 + turn]), 0.3, 9.0, **PENDULUM)
-    np.testing.assert_allclose(result[1], [0.3 + 2 * math.pi, 9.0], rtol=0, atol=1e-12)

@@ -39,22 +39,3 @@ def test_the_period_is_an_elliptic_integral(steepness):
     c, g = mpmath.mpf(0.37), mpmath.mpf(9.3)
     expected = 4 * mpmath.ellipe(-((2 * c * mpmath.mpf(amplitude)) ** 2)) / mpmath.sqrt(2 * g * c)
     assert abs(hw.period(amplitude, **WIRE) / expected - 1) < ROUNDINGS
-
-
-@pytest.mark.parametrize("steepness", [1e-3, 1.0, 10.0])
-def test_the_motion_is_an_elliptic_function(steepness):
-    """Route: E(phi) grows evenly for x = A sin phi; the root phi in mpmath."""
-    amplitude = steepness / 0.37
-    c, g, A = mpmath.mpf(0.37), mpmath.mpf(9.3), mpmath.mpf(amplitude)
-    m = -((2 * c * A) ** 2)
-    t = np.array([0.0, 0.3, 0.9]) * hw.period(amplitude, **WIRE)
-    result = hw.simulate(t, amplitude, 0.0, **WIRE)
-    for time, (x, v) in zip(t[1:], result[1:], strict=True):
-        grown = mpmath.ellipe(m) + mpmath.sqrt(2 * g * c) * mpmath.mpf(time)
-        quarter = mpmath.floor(grown / mpmath.ellipe(m)) * mpmath.pi / 2
-        phi = mpmath.findroot(
-            lambda p, s=grown: mpmath.ellipe(p, m) - s, (quarter, quarter + mpmath.pi / 2), "anderson"
-        )
-        rate = mpmath.sqrt(2 * g * c) / mpmath.sqrt(1 - m * mpmath.sin(phi) ** 2)
-        assert abs(x - A * mpmath.sin(phi)) < 1e-12 * A
-        assert abs(v - A * mpmath.cos(phi) * rate) < 1e-12 * A * mpmath.sqrt(2 * g * c)

@@ -119,7 +119,7 @@ def test_a_failure_has_a_picture_of_what_was_drawn_and_of_nothing_else(far):
     assert failure({"sketch": drawn}).sketch == drawn
     assert {arrow[2] for arrow in drawn["arrows"]} == {-70, 50, None}  # to ten degrees, from which it is 46
     assert len(sketch(drawn).unknown) == 1 and sketch(drawn).arrows.count("M") == 2
-    assert all(place in range(0, 201, 10) for arrow in drawn["arrows"] for place in arrow[:2])
+    assert all(number in range(0, 201, 10) for arrow in drawn["arrows"] for number in arrow[:2])
 
 
 def test_a_picture_tells_at_most_80_bits():

@@ -40,26 +40,26 @@ def leads(rows):
 
 
 @pytest.fixture(scope="module")
-def loose():
+def careless():
     return lorenz(TIMES, START, 1e-5)
 
 
-def test_errors_that_chaos_makes_large_break_no_equation(loose):
-    assert np.abs(loose - lorenz(TIMES, START)).max() > 10
-    assert leads(loose)
+def test_errors_that_chaos_makes_large_break_no_equation(careless):
+    assert np.abs(careless - lorenz(TIMES, START)).max() > 10
+    assert leads(careless)
 
 
 @pytest.mark.parametrize("row", [1, 300, 600])
-def test_one_row_of_another_time_breaks_them(loose, row):
-    loose = loose.copy()
-    loose[row] = loose[(row + 100) % 601]
-    assert not leads(loose)
+def test_one_row_of_another_time_breaks_them(careless, row):
+    careless = careless.copy()
+    careless[row] = careless[(row + 100) % 601]
+    assert not leads(careless)
 
 
-def test_rows_in_another_order_or_at_rest_break_them(loose):
-    assert not leads(loose[::-1])
-    assert not leads(np.vstack([loose[:1], loose[:0:-1]]))
-    assert not leads(np.tile(loose[0], (601, 1)))
+def test_rows_in_another_order_or_at_rest_break_them(careless):
+    assert not leads(careless[::-1])
+    assert not leads(np.vstack([careless[:1], careless[:0:-1]]))
+    assert not leads(np.tile(careless[0], (601, 1)))
 
 
 @pytest.mark.parametrize("number", first(1, [0, 2]))
@@ -123,11 +123,11 @@ class Rates:
         return self.factor * np.flip(case.args[0])
 
 
-@pytest.mark.parametrize(("factor", "right"), [(1.0, True), (1.01, False), (None, False)])
-def test_a_hint_tells_whether_the_students_own_rates_are_right(factor, right):
+@pytest.mark.parametrize(("factor", "are_right"), [(1.0, True), (1.01, False), (None, False)])
+def test_a_hint_tells_whether_the_students_own_rates_are_right(factor, are_right):
     rows = swings(T, RESTED)
     own_rates = OwnRates(Rates(factor), lambda row: np.flip(row), lambda t, row: (row,))
-    assert own_rates.are_right(Motion(Case(T, RESTED), rows, rows, np.ones(2), None, swings)) == right
+    assert own_rates.are_right(Motion(Case(T, RESTED), rows, rows, np.ones(2), None, swings)) == are_right
 
 
 def test_where_the_function_cannot_be_asked_nobody_is_told_that_the_physics_is_right():

@@ -157,7 +157,7 @@ def test_a_name_is_a_name_and_nothing_else(run, tmp_path, solution_text, scores)
 
 
 @pytest.mark.parametrize(
-    ("arguments", "says"),
+    ("arguments", "words"),
     [
         (["nowhere"], "nowhere does not exist"),
         (["x.py"], "cannot tell which assignment"),
@@ -167,9 +167,9 @@ def test_a_name_is_a_name_and_nothing_else(run, tmp_path, solution_text, scores)
         (["hw08.py", "--root", "."], "does not hold a course"),
     ],
 )
-def test_bad_usage_is_said_and_exits_2(tmp_path, monkeypatch, course, capsys, arguments, says):
+def test_bad_usage_is_said_and_exits_2(tmp_path, monkeypatch, course, capsys, arguments, words):
     monkeypatch.chdir(tmp_path)
     for name in ("x.py", "hw08.py", "hw08.txt"):
         (tmp_path / name).write_text(NOTHING)
     assert cli.main(["--root", str(course), "grade", *arguments]) == 2
-    assert says in capsys.readouterr().err
+    assert words in capsys.readouterr().err

@@ -31,7 +31,7 @@ def grading(tree, out):
     )
 
 
-def finished(process):
+def run_to_end(process):
     _, err = process.communicate()
     assert process.returncode == 0, err
 
@@ -41,7 +41,7 @@ def finished(process):
 def test_a_run_killed_at_random_moments_ends_as_an_undisturbed_one(tmp_path, solution_text, students=60, kills=6):
     tree = class_of(students, tmp_path / "submitted", solution_text(HW08))
     began = time.monotonic()
-    finished(grading(tree, tmp_path / "calm"))
+    run_to_end(grading(tree, tmp_path / "calm"))
     span = time.monotonic() - began
     moments = random.Random(students)
     for kill in (os.kill, os.killpg) * (kills // 2):
@@ -52,7 +52,7 @@ def test_a_run_killed_at_random_moments_ends_as_an_undisturbed_one(tmp_path, sol
         kill(process.pid, signal.SIGKILL)
         process.communicate()
         await_end(started)
-    finished(grading(tree, tmp_path / "killed"))
+    run_to_end(grading(tree, tmp_path / "killed"))
     assert outcome(tmp_path / "killed") == outcome(tmp_path / "calm")
 
 

@@ -54,7 +54,7 @@ def points(desk, *lines):
 
 def test_tables_and_pages_obey(term):
     assert points(term)[0] == 0
-    assert term.scores() == {student: left for student, (_, left) in CAME.items()}
+    assert term.scores() == {student: rest for student, (_, rest) in CAME.items()}
     page = (term.folder / "results" / "feedback" / "fay" / f"{HW08}.html").read_text()
     assert "7.5 of 10 points" in page and "25 %" in page
     for command in (["report", "results"], ["lms", "results/grades.csv", "--to", "moodle", "--out", "up.csv"]):

@@ -25,13 +25,13 @@ def made_notebook(course, slug):
 
 def test_every_part_has_its_text_and_its_points(course, slug):
     assignment, cells = assignments.assignment(course, slug), made_notebook(course, slug)["cells"]
-    given = problem((course / "assignments" / slug / "README.md").read_text())
+    text = problem((course / "assignments" / slug / "README.md").read_text())
     graded = {
         item["metadata"]["nbgrader"]["grade_id"]: item["metadata"]["nbgrader"]["points"]
         for item in cells
         if item["metadata"]
     }
-    assert given.parts and {*part_points(assignment), *assignment.manual} <= set(given.parts)
+    assert text.parts and {*part_points(assignment), *assignment.manual} <= set(text.parts)
     assert {f"part-{part}": points for part, points in part_points(assignment).items()}.items() <= graded.items()
     assert {f"manual-{part}": points for part, (points, _) in assignment.manual.items()}.items() <= graded.items()
     assert sum(graded.values()) == assignment.max_score + sum(points for points, _ in assignment.manual.values())

@@ -49,9 +49,9 @@ def strange_ids(cells):
 
 def duplicated(cells):
     """The locked cell twice more, one copy with points of its own (jupyter/nbgrader issues 108, 1083)."""
-    richer, again = ({**copy.deepcopy(locked(cells)), "id": name} for name in ("richer", "again"))
+    richer, copied = ({**copy.deepcopy(locked(cells)), "id": name} for name in ("richer", "again"))
     richer["metadata"]["nbgrader"]["points"] = 99
-    cells += [richer, again]
+    cells += [richer, copied]
 
 
 def as_text(cells):
@@ -181,7 +181,7 @@ def test_a_locked_cell_is_as_it_was_released(built, student):
 def test_what_a_link_leads_to_is_not_handed_out(built):
     assert (built / "submitted" / "linked" / ONE / "notes.html").exists()
     places = [built / step / who / ONE for step in ("autograded", "feedback") for who in ("linked", "neighbour")]
-    stored = [path for place in places for path in place.iterdir()]
+    stored = [path for folder in places for path in folder.iterdir()]
     assert {f"{ONE}.ipynb", f"{ONE}.html"} <= {path.name for path in stored}
     assert all(path.name != "notes.html" and path.read_text() != SOLUTION.read_text() for path in stored)
 

@@ -124,12 +124,12 @@ WRONG = [
 ]
 
 
-@pytest.mark.parametrize(("old", "new", "says"), WRONG)
-def test_what_disagrees_is_named_and_nothing_is_done(desk, capsys, old, new, says):
+@pytest.mark.parametrize(("old", "new", "words"), WRONG)
+def test_what_disagrees_is_named_and_nothing_is_done(desk, capsys, old, new, words):
     assert old in COURSE
     (desk / "course.toml").write_text(COURSE.replace(old, new, 1))
     assert run("grade", "submitted", "--out", "results") == 2
-    assert says in (err := capsys.readouterr().err) and "course.toml" in err
+    assert words in (err := capsys.readouterr().err) and "course.toml" in err
     assert not (desk / "results").exists() and not [*desk.glob(".course*")]
 
 
@@ -179,19 +179,19 @@ def test_two_commands_at_once_make_one_course(desk, monkeypatch):
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "says"),
+    ("old", "new", "words"),
     [
         ("tolerance=1e-12", "tolerance=-1.0", "the solution fails it"),
         ("expect(back", "max(back", ""),
         ("expect(back", "(back", "the stub passes it"),
     ],
 )
-def test_a_check_of_ones_own_is_tried_before_anybody_is_graded(desk, capsys, old, new, says):
+def test_a_check_of_ones_own_is_tried_before_anybody_is_graded(desk, capsys, old, new, words):
     """What the solution fails, or breaks on, takes points from nobody."""
     text = MINE.replace(old, new)
-    (desk / "mine.py").write_text(text[: text.index("    r, axis")] + "    rng.random()\n" if "stub" in says else text)
+    (desk / "mine.py").write_text(text[: text.index("    r, axis")] + "    rng.random()\n" if "stub" in words else text)
     assert run("grade", "submitted", "--out", "results", "--seed", "1") == 2
-    assert "turning_back_undoes" in (err := capsys.readouterr().err) and says in err
+    assert "turning_back_undoes" in (err := capsys.readouterr().err) and words in err
     assert not (desk / "results" / "results.jsonl").exists()
 
 

@@ -17,7 +17,7 @@ def test_every_claim_has_points_and_every_part_is_one_of_the_problem(released):
     rubric = load_rubric(released)
     assert {*rubric} <= {*problem((released / "README.md").read_text()).parts} | {"a"}
     for part in rubric.values():
-        assert len({says for _, says in part.claims}) == len(part.claims) >= 2
+        assert len({text for _, text in part.claims}) == len(part.claims) >= 2
         assert all(points > 0 for points, _ in part.claims)
 
 

@@ -16,7 +16,7 @@ from tam570_grader.sandbox.zygote import ResourceLimits
 
 pytestmark = pytest.mark.slow  # half a minute of Chromium
 CHECKS = assignments.find() / "autograder" / "checks"
-SHOWN = {"hw07_double_pendulum": "too_few_steps", "hw05_constrained_pendulum": "differentiated_once"}
+SHOWN = {"hw07_double_pendulum": "too_few_steps", "hw05_constrained_pendulum": "gravity_up"}
 WIDTHS = {"desktop": 1280, "phone": 390}
 CONTRAST = 4.5  # of text, WCAG 2 AA
 

@@ -23,7 +23,7 @@ confined = pytest.mark.skipif(isolation() != "bubblewrap", reason="needs bubblew
 
 
 @pytest.mark.parametrize(
-    ("text", "says"),
+    ("text", "words"),
     [
         ("import nunpy", "ModuleNotFoundError at line 1: No module named 'nunpy'"),
         ("from numpy import ar_ray", "ImportError at line 1: cannot import name 'ar_ray' from 'numpy'"),
@@ -34,12 +34,12 @@ confined = pytest.mark.skipif(isolation() != "bubblewrap", reason="needs bubblew
         ("class Odd(Exception): pass\nraise Odd('1.25')", "Exception at line 2"),
     ],
 )
-def test_of_an_import_the_interpreters_own_words_are_told_about_words_of_the_file(grade, text, says):
-    assert grade(HW08, text).message == f"Your file cannot be imported: {says}"
+def test_of_an_import_the_interpreters_own_words_are_told_about_words_of_the_file(grade, text, words):
+    assert grade(HW08, text).message == f"Your file cannot be imported: {words}"
 
 
 @pytest.mark.parametrize(
-    ("text", "status", "says"),
+    ("text", "status", "words"),
     [
         ("import tam570.rotations", "unreadable", "it imports tam570.rotations, which is off limits"),
         ("class Forbidden(Exception): pass\nraise Forbidden('1.25')", "unreadable", "was not graded: it imports"),
@@ -48,9 +48,9 @@ def test_of_an_import_the_interpreters_own_words_are_told_about_words_of_the_fil
         ("import os\nos._exit(0)", "crashed", "ended its process at import"),
     ],
 )
-def test_what_a_file_does_at_import_is_named(grade, text, status, says):
+def test_what_a_file_does_at_import_is_named(grade, text, status, words):
     result = grade(HW08, text)
-    assert result.status == status and says in result.message and "1.25" not in result.message
+    assert result.status == status and words in result.message and "1.25" not in result.message
 
 
 @confined
@@ -68,8 +68,8 @@ def test_what_a_file_does_at_import_is_named(grade, text, status, says):
 def test_who_starts_a_thread_or_a_process_is_told_that_it_may_not(grade, solution_text, starting):
     forbidden = "starts a thread or a process{}, which is off limits"
     assert grade(HW08, starting).message == f"Your file {forbidden.format(' at line 2')}"
-    called = "\n    ".join(starting.replace("*", "ThreadPoolExecutor", 1).split("\n"))
-    said = [check.message for check in grade(HW08, f"{solution_text(HW08)}\ndef skew(v):\n    {called}").checks]
+    body = "\n    ".join(starting.replace("*", "ThreadPoolExecutor", 1).split("\n"))
+    said = [check.message for check in grade(HW08, f"{solution_text(HW08)}\ndef skew(v):\n    {body}").checks]
     assert any(message.startswith(f"skew {forbidden.format('')}") for message in said), said
     result = grade(HW08, notebook(solution_text(HW08), starting), notebook=True)
     assert result.score == 10.0 and forbidden.format("") in result.message

@@ -13,8 +13,8 @@ def book(*cells, **other):
     return json.dumps({"cells": cells, **other}).encode()
 
 
-def words(text, kind="markdown", **other):
-    return {"cell_type": kind, "metadata": {}, "source": text, **other}
+def words(text, cell_type="markdown", **other):
+    return {"cell_type": cell_type, "metadata": {}, "source": text, **other}
 
 
 def test_what_is_shown_of_a_cell():

@@ -29,13 +29,7 @@ HONEST = {  # what is made of the solution, and the functions that are wrong the
     "is right": (lambda text: text, []),
     "is in Latin-1": (lambda text: text.encode() + b"\n# caf\xe9\n", []),
     "prints and plots": (lambda text: text + "\nimport matplotlib.pyplot as plt\nplt.plot([1])\nplt.show()", []),
-    "has no return": (lambda text: text + ROTATE + "_right(r, axis, angle)", ["rotate"]),
-    "gives NaN": (lambda text: text + ROTATE + "return np.nan * np.asarray(r)", ["rotate"]),
-    "is not written": (lambda text: text + ROTATE + "raise NotImplementedError", ["rotate"]),
     "is missing": (lambda text: text + "\n\ndel rotate", ["rotate"]),
-    "never ends": (lambda text: text + ROTATE + "while True: pass", ["rotate"]),
-    "changes its arguments": (lambda text: text + ROTATE + "r *= 2.0; return _right(r / 2.0, axis, angle)", ["rotate"]),
-    "calls what is off limits": (lambda text: text + ROTATE + "return rotation_matrix(axis, angle) @ r", ["rotate"]),
     "is slow": (lambda text: text + ROTATE + "sum(range(10**6)); return _right(r, axis, angle)", []),
 }
 

@@ -27,14 +27,11 @@ def test_a_known_mistake_is_named(hw08, tam570, name, body, remedy):
     assert code == 1 and f"It would pass with {remedy}." in " ".join(said.split())
 
 
+ORDER = "the two results of power_balance in the opposite order"
 OTHERS = {
     "hw13_rolling_cylinder": ("energy", "kept(*args, **how) / how['mass']", "what energy gives times `mass`"),
     "hw07_double_pendulum": ("gravity_terms", "-kept(*args, **how)", "the opposite sign of what gravity_terms gives"),
-    "hw01_simple_pendulum": (
-        "power_balance",
-        "kept(*args, **how)[::-1]",
-        "the two results of power_balance in the opposite order",
-    ),
+    "hw01_simple_pendulum": ("power_balance", "kept(*args, **how)[::-1]", ORDER),
 }
 
 
@@ -46,7 +43,7 @@ def test_factors_signs_and_orders_are_named(desk, tam570, solution_text, slug):
     assert f"It would pass with {remedy}." in " ".join(tam570("check", f"{slug}.py")[1].split())
 
 
-LOOSE = """
+CARELESS = """
 
 def simulate(t, theta0, omega0, *, length, gravity):
     def rates(t, y):
@@ -63,7 +60,7 @@ CALLS = {
 
 @pytest.mark.parametrize("above", first(1, CALLS))
 def test_loose_tolerances_are_named(desk, tam570, solution_text, above):
-    text = f"{solution_text('hw01_simple_pendulum')}\n\n{above}\n{LOOSE.format(call=CALLS[above])}"
+    text = f"{solution_text('hw01_simple_pendulum')}\n\n{above}\n{CARELESS.format(call=CALLS[above])}"
     (desk / "hw01.py").write_text(text)
     said = " ".join(tam570("check", "hw01.py")[1].split())
     assert "It would pass with the tolerances rtol=1e-9, atol=1e-9 in simulate." in said

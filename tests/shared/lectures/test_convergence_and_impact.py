@@ -49,9 +49,8 @@ def test_the_rebound_is_that_of_the_solved_motion():
 
 def test_a_stiff_spring_is_a_collision_in_the_limit():
     stiffnesses = 1e5 * 100.0 ** np.arange(5)
-    impulses, durations = np.transpose(
-        [stiff_impact.rebound(k, mass=2.0, speed=3.0, gravity=9.81) for k in stiffnesses]
-    )
+    rebounds = [stiff_impact.rebound(k, mass=2.0, speed=3.0, gravity=9.81) for k in stiffnesses]
+    impulses, durations = np.transpose(rebounds)
     assert durations[:-1] / durations[1:] == pytest.approx(np.full(4, 10.0), rel=0.05)
     assert durations * np.sqrt(stiffnesses / 2.0) == pytest.approx(np.full(5, math.pi), rel=0.02)
     excess = impulses - 2 * 2.0 * 3.0

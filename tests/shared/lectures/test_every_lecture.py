@@ -133,26 +133,6 @@ def test_invariants_stay_for_many_characteristic_times(name, count):
         assert wandered(invariant, states) < 1e-9, law  # a thousand times rtol would be 1e-10 if all errors added up
 
 
-@pytest.mark.parametrize("name", MOVING)
-def test_rates_that_are_a_thousandth_off_break_a_law(name):
-    """One rate after the other, of those that an invariant depends on, eight at most."""
-    rates, laws, start = parts(name)
-    short = load(name).SECONDS if name in ENDING else min(30 * characteristic_time(name), load(name).SECONDS)
-    times = np.linspace(0.0, short, 60)
-    for j in range(0, len(start), -(-len(start) // 8)):
-        unit = np.eye(len(start))[j]
-        if all(np.allclose(law(start + 0.01 * unit), law(start), rtol=1e-9) for law in laws.values()):
-            continue
-        at_rest = rates(0.0, start.tolist())[j] == 0.0
-        states = solve(wrong, times, start, parameters={"rates": rates, "unit": unit, "at_rest": at_rest}, rtol=1e-9)
-        assert max(wandered(law, states) for law in laws.values()) > 1e-6, j
-
-
-def wrong(t, state, *, rates, unit, at_rest):
-    """One of the rates a thousandth too large; where it may stay zero, by a thousandth."""
-    return (1 + 0.001 * unit) * rates(t, state) + 0.001 * at_rest * unit
-
-
 @pytest.mark.parametrize("name", EXACT)
 @pytest.mark.parametrize("begin", [0.0, -2.5])
 def test_the_exact_motion_is_the_solved_one(name, begin):

@@ -23,9 +23,8 @@ def test_seen_from_space_only_the_spring_acts():
         rate = np.array(frames.rates(t, state, **turntable))
         before, after = (frames.to_space(t + s, state + s * rate, spin=turntable["spin"]) for s in (-h, h))
         r, v = np.split(frames.to_space(t, state, spin=turntable["spin"]), 2)
-        assert (after - before) / (2 * h) == pytest.approx(
-            [*v, *(-turntable["stiffness"] / turntable["mass"] * r)], abs=1e-7
-        )
+        expected = [*v, *(-turntable["stiffness"] / turntable["mass"] * r)]
+        assert (after - before) / (2 * h) == pytest.approx(expected, abs=1e-7)
 
 
 def test_the_observer_on_the_table_adds_two_forces():
@@ -60,9 +59,8 @@ def test_a_swing_on_the_turning_earth_keeps_to_foucaults_plane():
     period = 2 * math.pi / math.hypot(math.sqrt(9.81 / 4.0), rate)
     x, y = frames.foucault_path([3 * period], **earth)[0]
     assert math.atan2(y, x) == pytest.approx(float(frames.foucault(3 * period, **earth)), abs=1e-12)
-    assert frames.foucault(
-        86164.0, **{**earth, "latitude": math.pi / 2, "spin": 2 * math.pi / 86164.0}
-    ) == pytest.approx(-2 * math.pi)
+    pole = {**earth, "latitude": math.pi / 2, "spin": 2 * math.pi / 86164.0}
+    assert frames.foucault(86164.0, **pole) == pytest.approx(-2 * math.pi)
 
 
 def wandering(t, coefficients):
@@ -191,11 +189,9 @@ def test_box_and_disk_are_the_limits_of_many_particles():
     size = np.array([0.6, 1.0, 1.7])
     middles = (np.arange(30) + 0.5) / 30 - 0.5
     grid = np.stack(np.meshgrid(middles, middles, middles), axis=-1).reshape(-1, 3) * size
-    assert inertia.of_box(2.0, size) == pytest.approx(
-        inertia.inertia(grid, np.full(27000, 2.0 / 27000)), rel=2e-3, abs=1e-12
-    )
-    flat = grid[(grid[:, :2] / size[:2] @ np.eye(2)).__pow__(2).sum(axis=1) <= 0.25] / size * [2, 2, 0]
-    assert inertia.of_disk(3.0, 1.0) == pytest.approx(
-        inertia.inertia(flat, np.full(len(flat), 3.0 / len(flat))), rel=2e-2, abs=1e-2
-    )
+    many_particles = inertia.inertia(grid, np.full(27000, 2.0 / 27000))
+    assert inertia.of_box(2.0, size) == pytest.approx(many_particles, rel=2e-3, abs=1e-12)
+    flat = grid[((grid[:, :2] / size[:2]) ** 2).sum(axis=1) <= 0.25] / size * [2, 2, 0]
+    many_particles = inertia.inertia(flat, np.full(len(flat), 3.0 / len(flat)))
+    assert inertia.of_disk(3.0, 1.0) == pytest.approx(many_particles, rel=2e-2, abs=1e-2)
     assert inertia.principal(inertia.of_disk(3.0, 1.0))[0] == pytest.approx([0.75, 0.75, 1.5])

@@ -25,8 +25,6 @@ from tam570.show.page import page
 from tam570.show.patience import patience
 from tam570.show.plots import drift_plot
 from tam570.show.scene import Panel, Scene, Shape, frame_times
-from tam570.show.scenes import hw11, hw13
-from tam570.show.student import Student
 from tam570_grader.checks import assignments
 from tam570_grader.diagnosis.mistakes import overlays
 
@@ -279,31 +277,6 @@ def test_show_opens_the_page_in_a_browser_where_there_is_a_screen(course, tmp_pa
     page = tmp_path / "hw05_constrained_pendulum.html"
     assert opened == [page.as_uri()] * screen and 'id="scrub"' in page.read_text()
     assert page.name in capsys.readouterr().out
-
-
-def test_the_pictures_eye_is_that_of_hw04(course):
-    points = np.random.default_rng(1).normal(size=(20, 3))
-    solution = load_student(course / "solutions" / "hw04_hanging_spring.py", "hw04_hanging_spring")
-    np.testing.assert_allclose(pictures._seen(points, (0.7, -0.4)), solution.project(points, 0.7, -0.4), atol=1e-15)
-
-
-def test_what_rolls_stands_still_where_it_touches(course):
-    """The mark of hw11's coins on the ground, and the spoke of hw13's cylinder on its ramp; 40001 steps of time."""
-    times = np.linspace(0.0, 2.0, 40001)
-    student = Student(load_student(course / "solutions" / "hw11_disk_steady.py", "hw11_disk_steady"))
-    shared, slope = {name: hw11.EXAMPLE[name] for name in hw11.ALL}, hw13.EXAMPLE["slope"]
-    for lean, track_radius in zip(hw11.EXAMPLE["leans"], hw11.EXAMPLE["track_radii"], strict=True):
-        coin = hw11._coin(times, hw11._rolling(student, lean, track_radius, shared), hw11.EXAMPLE["radius"], 0)
-        stands_still(coin, [0, 0, 1], times)
-    stands_still(hw13._rolling(5.0 * times - 1.0, 0, 9.0, hw13.EXAMPLE), [np.sin(slope), np.cos(slope)], times)
-
-
-def stands_still(shapes, up, times):
-    """The end of the first line that moves, where it is lowest: on the ground, and slow beside its largest speed."""
-    (points, *_) = (shape.points for shape in shapes if shape.points.ndim == 3 and shape.points.shape[1] == 2)
-    end = points[:, 1]
-    speeds, heights = np.linalg.norm(np.gradient(end, times, axis=0), axis=1), end @ up
-    assert speeds[heights.argmin()] < 1e-3 * speeds.max() and abs(heights.min()) < 1e-6
 
 
 @pytest.mark.parametrize("slug", first(2, SLUGS))
