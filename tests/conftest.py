@@ -12,6 +12,7 @@ import warnings
 import zlib
 from functools import cache
 
+import hypothesis
 import numpy as np
 import pytest
 from parameters import SLUGS, first
@@ -52,6 +53,10 @@ for line in sys.stdin:
     print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), flush=True)
 """
 
+
+# The same examples on every machine, at any speed, and no file of theirs.
+hypothesis.settings.register_profile("tests", deadline=None, derandomize=True, database=None)
+hypothesis.settings.load_profile("tests")
 
 # What runs in the background of a shell ignores Ctrl-C, and so would all that it starts.
 signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -184,6 +189,7 @@ def open_tab(browser):
         viewport = dict(zip(("width", "height"), size, strict=True))
         contexts.append(browser.new_context(viewport=viewport, **options))
         tab = contexts[-1].new_page()
+        tab.set_default_timeout(300_000)  # ms: a busy machine fails no test
         tab.on("console", lambda entry: complaints.append(entry.text) if entry.type in ("error", "warning") else None)
         tab.on("pageerror", lambda error: complaints.append(str(error)))
         tab.on("request", lambda request: request.url.startswith(allowed) or complaints.append(request.url))

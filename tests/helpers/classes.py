@@ -57,12 +57,13 @@ def rows(path):
 
 
 def results(folder):
-    """Return the records of a run."""
-    return [json.loads(line) for line in (folder / "results.jsonl").read_text().splitlines()]
+    """Return the records of a run, in the order of students and assignments."""
+    records = [json.loads(line) for line in (folder / "results.jsonl").read_text().splitlines()]
+    return sorted(records, key=lambda record: (record["student"], record["assignment"]))
 
 
 def outcome(folder):
     """Return what must be the same in two runs: the results but for their seconds, the grades, the pages."""
-    lines = sorted(json.dumps({**record, "seconds": 0}) for record in results(folder))
+    lines = [json.dumps({**record, "seconds": 0}) for record in results(folder)]
     pages = {path.relative_to(folder): path.read_text() for path in sorted((folder / "feedback").rglob("*.*"))}
     return lines, (folder / "grades.csv").read_text(), pages

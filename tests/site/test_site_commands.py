@@ -73,9 +73,7 @@ def run(block, folder, environment):
     program = [sys.executable, "-W", "error", "-"] if block.language == "python" else ["bash", "-e", "-s"]
     if block.prepared:
         subprocess.run(["bash", "-e", "-c", block.prepared], cwd=folder, env=environment, check=True)
-    return subprocess.run(
-        program, input=block.text, cwd=folder, env=environment, capture_output=True, text=True, timeout=120
-    )
+    return subprocess.run(program, input=block.text, cwd=folder, env=environment, capture_output=True, text=True)
 
 
 @pytest.fixture

@@ -1,6 +1,7 @@
 """The notebook that students work in: its cells, and what it says of the stub and of the solution."""
 
 import json
+import re
 import sqlite3
 import subprocess
 import sys
@@ -26,11 +27,8 @@ def made_notebook(course, slug):
 def test_every_part_has_its_text_and_its_points(course, slug):
     assignment, cells = assignments.assignment(course, slug), made_notebook(course, slug)["cells"]
     text = problem((course / "assignments" / slug / "README.md").read_text())
-    graded = {
-        item["metadata"]["nbgrader"]["grade_id"]: item["metadata"]["nbgrader"]["points"]
-        for item in cells
-        if item["metadata"]
-    }
+    of_nbgrader = [item["metadata"]["nbgrader"] for item in cells if item["metadata"]]
+    graded = {item["grade_id"]: item["points"] for item in of_nbgrader}
     assert text.parts and {*part_points(assignment), *assignment.manual} <= set(text.parts)
     assert {f"part-{part}": points for part, points in part_points(assignment).items()}.items() <= graded.items()
     assert {f"manual-{part}": points for part, (points, _) in assignment.manual.items()}.items() <= graded.items()
@@ -39,14 +37,10 @@ def test_every_part_has_its_text_and_its_points(course, slug):
 
 
 def test_every_visible_test_belongs_to_one_part_and_every_function_to_its_check(course, slug):
-    assignment, text = (
-        assignments.assignment(course, slug),
-        (course / "assignments" / slug / f"test_{slug}.py").read_text(),
-    )
+    assignment = assignments.assignment(course, slug)
+    text = (course / "assignments" / slug / f"test_{slug}.py").read_text()
     placed = [name for names in visible_by_part(assignment, text).values() for name in names]
-    assert sorted(placed) == sorted(
-        line[4:].split("(")[0] for line in text.splitlines() if line.startswith("def test_")
-    )
+    assert sorted(placed) == sorted(re.findall(r"^def (test_\w+)", text, re.MULTILINE))
     assert set(functions_by_part(assignment).values()) <= set(part_points(assignment))
 
 
@@ -54,9 +48,8 @@ def test_everything_that_a_student_gets_is_no_secret(course, tmp_path, made_cour
     built, _ = made_course(tmp_path, [slug])
     names = {f"{slug}.py", f"{slug}.ipynb", f"test_{slug}.py", "README.md", "figure.svg", "lab.py"}
     assert {path.name for path in (built / "source" / slug).iterdir()} == names
-    assert (built / "source" / slug / f"{slug}.py").read_text() == stub(
-        (course / "solutions" / f"{slug}.py").read_text()
-    )
+    solution = (course / "solutions" / f"{slug}.py").read_text()
+    assert (built / "source" / slug / f"{slug}.py").read_text() == stub(solution)
 
 
 def test_what_the_teacher_wrote_into_a_source_stays_and_is_named(course, tmp_path, made_course, capsys):

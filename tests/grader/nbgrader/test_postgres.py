@@ -55,15 +55,14 @@ def server():
             subprocess.run(command(*words), check=True, stdout=subprocess.DEVNULL, cwd="/")
 
         def start():
-            run(
-                "pg_ctl", "-w", "-o", f"-p {port} -k {name} -c listen_addresses=127.0.0.1", "-l", f"{name}/log", "start"
-            )
+            options = f"-p {port} -k {name} -c listen_addresses=127.0.0.1"
+            run("pg_ctl", "-w", "-o", options, "-l", f"{name}/log", "start")
 
         run("initdb", "--auth=trust", f"--username={SERVER}")
         start()
-        stop = command("pg_ctl", "-w", "-m", "immediate", "stop")
-        yield port, stop, start
-        subprocess.run(stop, check=True, stdout=subprocess.DEVNULL, cwd="/")
+        stop = "pg_ctl", "-w", "-m", "immediate", "stop"
+        yield port, command(*stop), start
+        run(*stop)
 
 
 def test_a_command_whose_server_is_lost_says_so_and_finishes_when_given_again(

@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from parameters import SLUGS, first
 
@@ -149,7 +149,6 @@ def test_a_curve_says_too_little_to_carry_an_input_out():
     assert SLOTS * math.log2(max(len(levels), len(drifts))) <= BITS <= 80
 
 
-@settings(max_examples=100, deadline=None)
 @given(
     rows=st.lists(st.floats(allow_nan=False, allow_infinity=False), min_size=3, max_size=200),
     is_kept=st.booleans(),
