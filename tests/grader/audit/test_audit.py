@@ -106,12 +106,12 @@ def test_right_submissions_are_fair_and_what_is_kept_is_not_run_again(tmp_path, 
 
 
 def test_a_diagnosis_tells_named_from_unnamed_and_misled():
-    def said(mistake, suspect, known=("the transpose",)):
-        failed = result("s", check_result(suspect=suspect, failure=Failure()))
-        return diagnosis.diagnosis(failed, Mistake("", mistake, "a", ""), known)
+    def said(mistake, cause, messages=("the transpose",)):
+        failed = result("s", check_result(suspect=cause, failure=Failure()))
+        return diagnosis.diagnosis(failed, Mistake("", mistake, "a", ""), messages)
 
     correct, silent = said("the transpose", "the transpose"), said("the transpose", None)
-    wrong, actual = said("a sign", "the transpose"), said("a sign", "the transpose", known=())
+    wrong, actual = said("a sign", "the transpose"), said("a sign", "the transpose", messages=())
     assert [item.is_named for item in (correct, silent, wrong, actual)] == [True, False, False, False]
     assert [item.misled for item in (correct, silent, wrong, actual)] == [False, False, True, False]
     assert diagnosis.faults([correct, silent]) == 1 and diagnosis.faults([correct]) == 0

@@ -26,9 +26,9 @@ SLUGS = ("hw07_double_pendulum", "hw08_axis_angle")
 INFOS = {slug: AssignmentInfo(f"Title of {slug[:4]}", {}, {}, {}) for slug in SLUGS}
 
 
-def check(name, outcome="passed", suspect=None, **fields):
+def check(name, outcome="passed", cause=None, **fields):
     points = {"passed": 5.0, "grader_error": None}.get(outcome, 0.0)
-    return check_result(name, outcome, points, suspect=suspect, **fields)
+    return check_result(name, outcome, points, suspect=cause, **fields)
 
 
 CLASS = [

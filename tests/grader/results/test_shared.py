@@ -11,9 +11,9 @@ from tam570_grader.results.shared import Notes
 ODD = np.array([0.123456789012345, -2.0, 0.7])
 
 
-def sharer(student, actual, *, suspect=None, near_miss=False, checks=("skew_is_the_cross_product",)):
+def sharer(student, actual, *, cause=None, near_miss=False, checks=("skew_is_the_cross_product",)):
     failure = Failure(quantity="skew(v)", error=1.0, limit=1e-12, near_miss=near_miss, actual=actual)
-    return result(student, *(check_result(name, suspect=suspect, failure=failure) for name in checks))
+    return result(student, *(check_result(name, suspect=cause, failure=failure) for name in checks))
 
 
 def groups(*results):
@@ -43,7 +43,7 @@ def test_the_newest_result_counts_and_checks_of_one_group_stand_together():
         (np.array([-2 * np.pi / 3, np.sqrt(2) / 2, 0.0]), {}),
         (None, {}),
         ("text", {}),
-        (ODD, {"suspect": "The sign is wrong."}),
+        (ODD, {"cause": "The sign is wrong."}),
         (ODD, {"near_miss": True}),
     ],
 )

@@ -27,7 +27,7 @@ def test_a_function_that_hangs_fails_alone(grade, solution_text):
 def test_one_that_sleeps_through_its_calls_is_ended(grade, solution_text, monkeypatch):
     monkeypatch.setattr("tam570_grader.sandbox.student.PATIENCE", 1)
     received, receive = [], SandboxProcess.receive
-    monkeypatch.setattr(SandboxProcess, "receive", lambda *given: received.append(receive(*given)) or received[-1])
+    monkeypatch.setattr(SandboxProcess, "receive", lambda *args: received.append(receive(*args)) or received[-1])
     text = solution_text(SLUG) + "\n_skew = skew\ndef skew(v):\n    time.sleep(0.3)\n    return _skew(v)\nimport time\n"
     outcome = grade(SLUG, text, limits=ResourceLimits(cpu=2, call=1))
     assert outcome.status == "timeout" and outcome.score < 10 and "little processor time" in outcome.message
