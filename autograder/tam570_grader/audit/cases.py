@@ -5,6 +5,7 @@ what tells a mistake from those that feedback looks for before it.
 """
 
 import ast
+import sys
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -22,7 +23,7 @@ from tam570_grader.checks import assignments
 from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.checks.check import Check
 from tam570_grader.checks.returns import Array, Group
-from tam570_grader.diagnosis.mistakes import answer, candidates, mistakes, same, solution_with, tolerance_of
+from tam570_grader.diagnosis.mistakes import answer, candidates, mistakes, same, tolerance_of
 from tam570_grader.diagnosis.mutants import reached
 from tam570_grader.grading.executor import TaskExecutor, in_order
 
@@ -103,15 +104,17 @@ def judged_cases(run: CaseRun) -> tuple[dict[Key, float], dict[Subject, frozense
 @cache
 def _solution(course: Path, slug: str, seed: int) -> Replies:
     """Return the solution's replies, for all that one seed asks."""
-    return Replies(solution_with(assignments.assignment(course, slug).solution, ""))
+    return Replies(_module(assignments.assignment(course, slug).solution))
 
 
 def _module(text: str) -> ModuleType:
     """Return a module that may raise at import: then none of its functions is there."""
+    module = sys.modules["_audited"] = ModuleType("_audited")  # a dataclass looks for its module there
     try:
-        return solution_with(text, "")
+        exec(compile(text, "<submission>", "exec"), vars(module))
     except Exception:
         return ModuleType("_raises")
+    return module
 
 
 def _mutants(assignment: LoadedAssignment) -> Iterator[Wrong]:
