@@ -47,9 +47,9 @@ def free_body_diagram(state, locked, *, mass, front, rear, friction, gravity):
     known = {"mass": mass, "front": front, "rear": rear, "friction": friction, "gravity": gravity}
     along, aside = friction_force(state, locked, **known)
     free, arm = _axles(locked, front, rear)
-    forward, left = (np.array([math.cos(angle), math.sin(angle)]) for angle in (heading, heading + math.pi / 2))
+    forward, sideways = (np.array([math.cos(angle), math.sin(angle)]) for angle in (heading, heading + math.pi / 2))
     at_free, at_locked = (np.array([x, y]) + distance * forward for distance in (free, free + arm))
-    return [(at_locked, along * forward + aside * left), (at_free, left)]
+    return [(at_locked, along * forward + aside * sideways), (at_free, sideways)]
 
 
 def axle_load(locked, *, mass, front, rear, gravity):
@@ -230,8 +230,8 @@ def _sliding_speed(speed, yaw_rate, arm):
 
 def _accelerations(speed, yaw_rate, *, mass, inertia, free, arm, drag):
     """Rates of speed and yaw rate: forces forward, and moments about the free axle."""
-    forward, left = _drag_force(speed, yaw_rate, arm=arm, drag=drag)
-    return (forward / mass - free * yaw_rate * yaw_rate, (arm * left + mass * free * speed * yaw_rate) / inertia)
+    forward, sideways = _drag_force(speed, yaw_rate, arm=arm, drag=drag)
+    return (forward / mass - free * yaw_rate * yaw_rate, (arm * sideways + mass * free * speed * yaw_rate) / inertia)
 
 
 def _rates(t, state, *, free, **car):

@@ -262,15 +262,15 @@ G1, G2, P, Q, CEILING, ELBOW = slice(0, 2), slice(2, 4), 4, 5, slice(6, 8), slic
 def _balances_and_constraints(along, across, masses):
     """(10, 10) matrix of the unknowns; the rows are in their order: two bars' momenta, angular momenta, two hinges."""
     part1, part2 = np.array(masses) / sum(masses)
-    one = np.eye(2)
+    unit = np.eye(2)
     matrix = np.zeros((10, 10))
-    matrix[G1, G1], matrix[G1, CEILING], matrix[G1, ELBOW] = part1 * one, -one, part2 * one
-    matrix[G2, G2], matrix[G2, ELBOW] = one, -one
+    matrix[G1, G1], matrix[G1, CEILING], matrix[G1, ELBOW] = part1 * unit, -unit, part2 * unit
+    matrix[G2, G2], matrix[G2, ELBOW] = unit, -unit
     matrix[P, P], matrix[P, CEILING], matrix[P, ELBOW] = part1 / 6, across[0], part2 * across[0]
     matrix[Q, Q], matrix[Q, ELBOW] = 1 / 6, across[1]
-    matrix[CEILING, G1], matrix[CEILING, P] = one, -across[0] / 2
-    matrix[ELBOW, G1], matrix[ELBOW, P] = one, across[0] / 2
-    matrix[ELBOW, G2], matrix[ELBOW, Q] = -one, across[1] / 2
+    matrix[CEILING, G1], matrix[CEILING, P] = unit, -across[0] / 2
+    matrix[ELBOW, G1], matrix[ELBOW, P] = unit, across[0] / 2
+    matrix[ELBOW, G2], matrix[ELBOW, Q] = -unit, across[1] / 2
     return matrix
 
 

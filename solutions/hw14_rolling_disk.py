@@ -203,8 +203,8 @@ def contact_force(state, *, mass, radius, inertia, gravity):
     state : (8,) Euler state
     Returns (3,) N, space axes.
     """
-    given = {"mass": mass, "radius": radius, "inertia": inertia, "gravity": gravity}
-    *_, yaw_acceleration, tilt_acceleration, roll_acceleration = euler_state_derivative(0.0, state, **given)
+    disk = {"mass": mass, "radius": radius, "inertia": inertia, "gravity": gravity}
+    *_, yaw_acceleration, tilt_acceleration, roll_acceleration = euler_state_derivative(0.0, state, **disk)
     _, _, _, tilt, _, yaw_rate, tilt_rate, _ = state
     c, s, spin = math.cos(tilt), math.sin(tilt), _spin(state)
     spin_acceleration = roll_acceleration + yaw_acceleration * c - yaw_rate * tilt_rate * s
@@ -285,8 +285,8 @@ def _frame(state):
 def _states(derivative, t, state, mass, radius, inertia, gravity):
     from tam570.integrate import solve
 
-    given = {"mass": mass, "radius": radius, "inertia": tuple(inertia), "gravity": gravity}
-    return solve(derivative, t, state, parameters=given, rtol=TOLERANCE)
+    disk = {"mass": mass, "radius": radius, "inertia": tuple(inertia), "gravity": gravity}
+    return solve(derivative, t, state, parameters=disk, rtol=TOLERANCE)
 
 
 TOLERANCE = 1e-13  # keeps the energy to 1e-11 over 1e3 s; R^T R = I is kept by the same accuracy

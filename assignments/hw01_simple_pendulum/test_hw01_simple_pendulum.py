@@ -32,9 +32,9 @@ def test_held_out_horizontally_it_falls_with_g_over_l(name):
 
 @pytest.mark.parametrize("name", BALANCES)
 def test_it_falls_towards_the_bottom_from_both_sides(name):
-    right, left = (float(getattr(hw, name)(theta, 1.0, **PENDULUM)[0]) for theta in (0.3, -0.3))
-    assert right == pytest.approx(-left)
-    assert right < 0
+    positive, negative = (float(getattr(hw, name)(theta, 1.0, **PENDULUM)[0]) for theta in (0.3, -0.3))
+    assert positive == pytest.approx(-negative)
+    assert positive < 0
 
 
 def test_at_rest_at_the_bottom_the_rod_carries_the_weight():
@@ -58,8 +58,8 @@ def test_gravity_has_no_power_at_the_bottom():
 
 def value(formula, **numbers):
     """The formula with these numbers for the symbols of these names."""
-    named = {symbol: numbers[symbol.name] for symbol in formula.free_symbols}
-    return complex(formula.subs(named).evalf())
+    symbols = {symbol: numbers[symbol.name] for symbol in formula.free_symbols}
+    return complex(formula.subs(symbols).evalf())
 
 
 NUMBERS = {"theta": 0.7, "omega": -3.0, "m": 2.0, "l": 0.5, "g": 10.0}
@@ -77,8 +77,8 @@ def test_lagrange_equation_agrees_with_the_balances():
 
 def test_the_action_of_uniform_rotation_without_gravity():
     t = np.linspace(0.0, 2.0, 20001)
-    found = float(hw.action(3.0 * t, t[1], mass=2.0, length=0.5, gravity=0.0))
-    assert found == pytest.approx(2.0 * (0.5 * 3.0) ** 2 / 2 * 2.0)  # m v^2 / 2 for 2 s
+    action = float(hw.action(3.0 * t, t[1], mass=2.0, length=0.5, gravity=0.0))
+    assert action == pytest.approx(2.0 * (0.5 * 3.0) ** 2 / 2 * 2.0)  # m v^2 / 2 for 2 s
 
 
 def test_the_action_of_a_mass_that_is_held_still():
@@ -89,8 +89,8 @@ def test_the_action_of_a_mass_that_is_held_still():
 
 def test_the_small_angle_solution_starts_as_given_and_swings():
     quarter = np.pi / 2 / np.sqrt(20.0)
-    found = np.asarray(hw.small_angle_solution(np.array([0.0, quarter]), 0.1, 0.2, **ROD), float)
-    np.testing.assert_allclose(found, [[0.1, 0.2], [0.2 / np.sqrt(20.0), -0.1 * np.sqrt(20.0)]], atol=1e-12)
+    states = np.asarray(hw.small_angle_solution(np.array([0.0, quarter]), 0.1, 0.2, **ROD), float)
+    np.testing.assert_allclose(states, [[0.1, 0.2], [0.2 / np.sqrt(20.0), -0.1 * np.sqrt(20.0)]], atol=1e-12)
 
 
 def test_the_period_grows_with_the_amplitude():

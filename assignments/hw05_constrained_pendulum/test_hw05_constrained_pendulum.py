@@ -14,8 +14,8 @@ def numbers(result):
     return np.asarray(result, float)
 
 
-def state(place, velocity=(0.0, 0.0)):
-    return np.array([*place, *velocity])
+def state(position, velocity=(0.0, 0.0)):
+    return np.array([*position, *velocity])
 
 
 def test_two_forces_act_on_the_particle():
@@ -62,16 +62,16 @@ def test_the_energy_counts_from_the_height_of_the_hinge():
 
 def test_without_gravity_it_goes_round_uniformly():
     t = np.linspace(0, np.pi, 5)  # s: at 4 m/s once around
-    found = numbers(hw.simulate(t, state(BOTTOM, (4, 0)), **FREE))
-    assert found[:, :2] == pytest.approx(np.array([BOTTOM, RIGHT, TOP, (-2, 0), BOTTOM]), abs=1e-4)
+    states = numbers(hw.simulate(t, state(BOTTOM, (4, 0)), **FREE))
+    assert states[:, :2] == pytest.approx(np.array([BOTTOM, RIGHT, TOP, (-2, 0), BOTTOM]), abs=1e-4)
 
 
 def test_it_swings_as_high_as_it_came_from():
     t = np.linspace(0, 5, 501)
-    found = numbers(hw.simulate(t, state(RIGHT), **PENDULUM))
-    assert found[0] == pytest.approx(state(RIGHT))
-    assert found[:, 0].min() == pytest.approx(-2, abs=1e-2)
-    assert found[:, 1].max() < 1e-4
+    states = numbers(hw.simulate(t, state(RIGHT), **PENDULUM))
+    assert states[0] == pytest.approx(state(RIGHT))
+    assert states[:, 0].min() == pytest.approx(-2, abs=1e-2)
+    assert states[:, 1].max() < 1e-4
 
 
 def test_it_stays_on_the_circle_for_a_while():

@@ -52,13 +52,13 @@ def by_lagrange(values):
 
 
 def test_the_velocity_terms_belong_to_the_mass_matrix():
-    terms = hw.velocity_terms(RIGHT_ANGLE, np.array([3.0, 2.0]), **EQUAL)
-    np.testing.assert_allclose(by_lagrange(terms), [2.0, -4.5], atol=1e-9)
+    forces = hw.velocity_terms(RIGHT_ANGLE, np.array([3.0, 2.0]), **EQUAL)
+    np.testing.assert_allclose(by_lagrange(forces), [2.0, -4.5], atol=1e-9)
 
 
 def test_the_gravity_terms_belong_to_the_mass_matrix():
-    terms = hw.gravity_terms(RIGHT_ANGLE, gravity=10.0, **EQUAL)
-    np.testing.assert_allclose(by_lagrange(terms), [15.0, 0.0], atol=1e-9)
+    forces = hw.gravity_terms(RIGHT_ANGLE, gravity=10.0, **EQUAL)
+    np.testing.assert_allclose(by_lagrange(forces), [15.0, 0.0], atol=1e-9)
 
 
 def test_bars_in_line_have_no_velocity_terms():
@@ -95,8 +95,8 @@ def test_the_energy_of_bars_at_rest_is_potential():
 
 
 def test_bars_in_line_that_turn_as_one_have_the_angular_momentum_of_one_bar():
-    one = {"masses": np.ones(2), "lengths": np.ones(2)}  # a bar of mass 2 and length 2: m l^2/3 = 8/3
-    assert float(hw.angular_momentum(np.full(2, 0.4), np.full(2, 3.0), **one)) == pytest.approx(3.0 * 8 / 3)
+    long_bar = {"masses": np.ones(2), "lengths": np.ones(2)}  # a bar of mass 2 and length 2: m l^2/3 = 8/3
+    assert float(hw.angular_momentum(np.full(2, 0.4), np.full(2, 3.0), **long_bar)) == pytest.approx(3.0 * 8 / 3)
 
 
 def test_the_energy_stays():

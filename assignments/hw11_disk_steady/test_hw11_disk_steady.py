@@ -20,7 +20,7 @@ def residual(lean, precession, spin, force, disk):
 
 def force_on(lean, precession, spin, disk):
     body = {key: disk[key] for key in ("mass", "radius", "gravity")}
-    return [float(one) for one in hw.contact_force(lean, precession, spin, **body)]
+    return [float(component) for component in hw.contact_force(lean, precession, spin, **body)]
 
 
 def test_the_thin_disk_on_a_wide_track():

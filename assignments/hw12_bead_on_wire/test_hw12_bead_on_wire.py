@@ -11,8 +11,8 @@ NUMBERS = {"x": 0.7, "v": -1.5, "m": 2.0, "c": 0.8, "g": 10.0}
 
 def value(formula, **numbers):
     """The formula with these numbers for the symbols of these names."""
-    named = {symbol: numbers[symbol.name] for symbol in formula.free_symbols}
-    return complex(formula.subs(named).evalf())
+    symbols = {symbol: numbers[symbol.name] for symbol in formula.free_symbols}
+    return complex(formula.subs(symbols).evalf())
 
 
 def test_two_forces_act_on_the_bead():
@@ -41,9 +41,9 @@ def test_near_the_bottom_it_is_an_oscillator():
 
 
 def test_the_bead_is_pushed_towards_the_bottom_from_both_sides():
-    right, left = (float(hw.acceleration_newton(x, 1.5, **WIRE)) for x in (0.7, -0.7))
-    assert right < 0 < left
-    assert right == pytest.approx(-left)
+    positive, negative = (float(hw.acceleration_newton(x, 1.5, **WIRE)) for x in (0.7, -0.7))
+    assert positive < 0 < negative
+    assert positive == pytest.approx(-negative)
 
 
 def test_passing_the_bottom_the_wire_carries_and_turns_the_bead():

@@ -47,10 +47,10 @@ def test_at_rest_both_methods_agree_and_in_motion_they_do_not():
 def test_the_missing_moment_closes_the_gap():
     phi, phi_dot = 1.0, -3.0
     inertia = float(hw.contact_inertia(phi, **BODY))
-    left = inertia * float(hw.acceleration(phi, phi_dot, **BODY, **RAMP))
-    left += float(hw.missing_moment(phi, phi_dot, mass=2.0, radius=0.5, offset=0.2))
+    sides = inertia * float(hw.acceleration(phi, phi_dot, **BODY, **RAMP))
+    sides += float(hw.missing_moment(phi, phi_dot, mass=2.0, radius=0.5, offset=0.2))
     moment = inertia * float(hw.naive_contact_acceleration(phi, **BODY, **RAMP))
-    assert left == pytest.approx(moment)
+    assert sides == pytest.approx(moment)
 
 
 def test_at_rest_on_level_ground_the_force_carries_the_weight():

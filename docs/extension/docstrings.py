@@ -22,11 +22,11 @@ def listed(lines):
     """The lines with each argument as an item of a list; other blocks that are indented are code."""
     result, previous = [], ""
     for line in lines:
-        kind = _kind(line, previous)
-        if kind != previous:
-            result += ["", "::", ""] if kind == "code" else [""]
-        result.append(_written(line, kind))
-        previous = kind
+        block = _kind(line, previous)
+        if block != previous:
+            result += ["", "::", ""] if block == "code" else [""]
+        result.append(_written(line, block))
+        previous = block
     return result
 
 
@@ -41,13 +41,13 @@ def _kind(line, before):
     return "list" if line.startswith(ITEM) else ""
 
 
-def _written(line, kind):
+def _written(line, block):
     match = ARGUMENT.fullmatch(line)
     if match:
         return f"* ``{match['names']}`` : {_safe(match['text'])}"
-    if kind == "argument":
+    if block == "argument":
         return f"  {_safe(line.strip())}"
-    return line if kind in ("code", "example") else _safe(line)
+    return line if block in ("code", "example") else _safe(line)
 
 
 def _safe(text):

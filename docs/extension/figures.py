@@ -161,8 +161,8 @@ def _rotations(results):
     worst = max(row["eps"] for row in results["errors"])
     scipy = max(row["scipy_eps"] or 0 for row in results["errors"])
     text = _table(["rotations in a call", "smallest", "median", "largest"], lines)
-    note = f"The largest error of a round trip is {worst:.1f} eps here. SciPy's is {scipy:.1g} eps, in gimbal lock."
-    return f"{text}\n\n{note}"
+    caption = f"The largest error of a round trip is {worst:.1f} eps here. SciPy's is {scipy:.1g} eps, in gimbal lock."
+    return f"{text}\n\n{caption}"
 
 
 def _ratios(results):

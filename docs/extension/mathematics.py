@@ -34,8 +34,8 @@ def mathml(text, display="inline"):
 def _apart(match):
     """The name of a function with a space to a factor before it, and to an argument without parentheses."""
     before, after = match.string[: match.start()], match.string[match.end() :]
-    left = "" if before.endswith(("</mo>", "row>", "<mfrac>", "<math>", "/>")) else THIN
-    return left + match[0] + ("" if re.match(r"<mo[^>]*>\(", after) else THIN)
+    space = "" if before.endswith(("</mo>", "row>", "<mfrac>", "<math>", "/>")) else THIN
+    return space + match[0] + ("" if re.match(r"<mo[^>]*>\(", after) else THIN)
 
 
 def _unescaped(match):

@@ -122,7 +122,7 @@ def _add_help(commands: Commands) -> None:
     command.set_defaults(command=_hint)
     command.add_argument("assignment", nargs="?", help="default: the one in this folder")
     command.add_argument("function", nargs="?", help="default: the functions that there are hints for")
-    command.add_argument("--again", action="store_true", help="begin with the first hint again")
+    command.add_argument("--again", dest="restart", action="store_true", help="begin with the first hint again")
     command.add_argument("--all", action="store_true", help="all hints for the function")
 
     command = commands.add_parser("update", help="bring the problem and the tests up to this kit")
@@ -214,7 +214,7 @@ def _check(arguments: argparse.Namespace) -> int:
 
 
 def _handin(arguments: argparse.Namespace) -> int:
-    hand_in(*work.one(arguments.what))
+    hand_in(*work.single(arguments.what))
     return 0
 
 
@@ -228,7 +228,7 @@ def _show(arguments: argparse.Namespace) -> int:
         if not file.is_file():
             raise Unknown(f"there is no file {file}")
     else:
-        file, slug = work.one(arguments.what, arguments.assignment)
+        file, slug = work.single(arguments.what, arguments.assignment)
     return command(file, slug, arguments.set, arguments.save, ask_for_predictions(file.parent, slug))
 
 
@@ -242,7 +242,7 @@ def _hint(arguments: argparse.Namespace) -> int:
     if function not in hints:
         raise Unknown(f"no hints for {function!r}; there are hints for {', '.join(hints)}")
     steps = hints[function]
-    seen = 0 if arguments.again else hints_given(released.name, function)
+    seen = 0 if arguments.restart else hints_given(released.name, function)
     step = len(steps) - 1 if arguments.all else min(seen, len(steps) - 1)
     for number in range(0 if arguments.all else step, step + 1):
         print(textwrap.fill(steps[number], 80))
@@ -255,7 +255,7 @@ def _hint(arguments: argparse.Namespace) -> int:
 def _hinted(assignment: str | None, function: str | None) -> tuple[Path, str | None]:
     """Return the assignment and the function of a hint; one word may be a function of the assignment in this folder."""
     if assignment is None:
-        return folder(work.one(None)[1]), None
+        return folder(work.single(None)[1]), None
     try:
         return folder(assignment), function
     except Unknown:

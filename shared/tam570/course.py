@@ -9,7 +9,7 @@ from pathlib import Path
 
 from tam570.values import Json
 
-__all__ = ["Stub", "Unknown", "assignments", "contract", "folder", "named", "stubs", "title"]
+__all__ = ["Stub", "Unknown", "assignments", "contract", "folder", "slug_of", "stubs", "title"]
 
 
 class Unknown(Exception):
@@ -63,7 +63,7 @@ def _meant(name: str, or_lecture: bool) -> str:
     return f"{close or ';'} `tam570 list` shows all{lectures}"
 
 
-def named(file: Path) -> str:
+def slug_of(file: Path) -> str:
     """Return the assignment that a file is work on, by its name, hw07-final.py, else by its folder's.
 
     Unknown if neither.

@@ -15,9 +15,9 @@ __all__ = [
     "PASSED",
     "Progress",
     "hints_given",
-    "kept",
     "progress",
     "recalled",
+    "remembered",
     "remember",
     "remember_hints",
     "rows",
@@ -77,7 +77,7 @@ def said(state: Progress) -> str:
     )
 
 
-def kept(file: Path) -> dict[str, tuple[str, str]]:
+def remembered(file: Path) -> dict[str, tuple[str, str]]:
     """Return what was remembered of the tests of a file: for each its key and its outcome."""
     outcomes = _read(PROGRESS).get(_name(file), {}).get("outcomes", {})
     return {test: (key, outcome) for test, (key, outcome) in outcomes.items()}

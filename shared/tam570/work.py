@@ -3,10 +3,10 @@
 from collections.abc import Iterator
 from pathlib import Path
 
-from tam570.course import Unknown, assignments, folder, named, stubs
+from tam570.course import Unknown, assignments, folder, slug_of, stubs
 from tam570.loading import SUFFIXES
 
-__all__ = ["Work", "beside", "chosen", "here", "one", "work_of"]
+__all__ = ["Work", "beside", "chosen", "here", "single", "work_of"]
 
 Work = tuple[Path, str]  # a file and its assignment
 
@@ -24,7 +24,7 @@ def chosen(what: str | None, assignment: str | None = None, or_lecture: bool = F
     if path.is_file():
         if path.suffix not in SUFFIXES:
             raise Unknown(f"{what} is neither a Python module (.py) nor a notebook (.ipynb)")
-        return [(path, folder(assignment).name if assignment else named(path))]
+        return [(path, folder(assignment).name if assignment else slug_of(path))]
     if path.is_dir():
         slugs = [folder(assignment).name] if assignment else assignments()
         matches = [(file, slug) for slug in slugs if (file := _in(path, slug))]
@@ -36,7 +36,7 @@ def chosen(what: str | None, assignment: str | None = None, or_lecture: bool = F
     return [(file, slug)] if file else _nothing(f"{what} is not", slug[:4])
 
 
-def one(what: str | None, assignment: str | None = None) -> Work:
+def single(what: str | None, assignment: str | None = None) -> Work:
     """Return the only file that is meant. Unknown if there are several."""
     matches = chosen(what, assignment, or_lecture=True)  # only `show` asks for one by name
     if len(matches) > 1:

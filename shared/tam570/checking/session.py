@@ -21,7 +21,7 @@ from tam570.checking.visible import Outcomes, Test, collect_tests
 from tam570.course import Stub, contract, folder, stubs
 from tam570.loading import Trouble, guarded_import, loaded, not_utf8, replaced, source_of
 from tam570.notebooks import text_of
-from tam570.progress import PASSED, Progress, kept, progress, remember
+from tam570.progress import PASSED, Progress, progress, remember, remembered
 
 __all__ = ["check", "run_tests", "tests_of", "warm_up"]
 
@@ -76,19 +76,19 @@ def check(
         report.trouble(slug, str(trouble))
         return False
     report.imported(skipped, printed, not_utf8(file))
-    remembered = kept(file) if changed or functions else {}
-    remembered = {test: was for test, was in remembered.items() if was[0] == now.get(_function(test))}
-    tests = _chosen(tests, used, remembered if changed else {}, functions)
+    before = remembered(file) if changed or functions else {}
+    current = {test: was for test, was in before.items() if was[0] == now.get(_function(test))}
+    tests = _chosen(tests, used, current if changed else {}, functions)
     student.trail = trail
     student.hanging |= {name: (OUT_OF_TIME if slow else ENDED).format(name=name) for name, slow in lost.items()}
     outcomes = Outcomes(student, report.terminal())
     outcomes.run(tests)
     report.cleared(outcomes.terminal)
-    remembered |= {test: (now.get(_function(test), ""), outcome) for test, outcome in outcomes.passed.items()}
+    current |= {test: (now.get(_function(test), ""), outcome) for test, outcome in outcomes.passed.items()}
     lasted = time.time() - file.stat().st_mtime
     since = f"      {len(tests)} tests run, {lasted:.2f} s after saving\n" if changed else ""
     examples = next((module.examples for module in modules if module.examples), None)
-    return _report(file, slug, remembered, outcomes, used, released, since, functions, examples)
+    return _report(file, slug, current, outcomes, used, released, since, functions, examples)
 
 
 def _chosen(
@@ -106,7 +106,7 @@ def _chosen(
 def _report(
     file: Path,
     slug: str,
-    remembered: Remembered,
+    current: Remembered,
     outcomes: Outcomes,
     used: Mapping[str, set[str]],
     released: Mapping[str, Stub],
@@ -115,11 +115,11 @@ def _report(
     examples: Examples | None,
 ) -> bool:
     """Print and remember what became of the tests; whether all pass."""
-    results = {test: outcome for test, (_, outcome) in remembered.items()}
+    results = {test: outcome for test, (_, outcome) in current.items()}
     calling = by_parameters(used, results)
     causes = {test: _cause(test, outcomes, calling, results) for test in outcomes.failures}
     reached = progress(slug, results, calling, causes)
-    remember(file, remembered, reached)
+    remember(file, current, reached)
     explanations = _explained(outcomes, calling, reached, released)
     explanations |= _known_mistakes(outcomes, examples, calling) if examples else {}
     report.failures(outcomes, explanations)

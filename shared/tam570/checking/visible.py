@@ -126,8 +126,8 @@ def collect_tests(path: Path, text: str, names: Parameters | None = None) -> lis
 
 def _with_parameters(name: str, function: Callable[..., object]) -> Iterator[Test]:
     """Yield a test for each combination of its parameters."""
-    marks = [mark for mark in getattr(function, "pytestmark", ()) if mark.name == "parametrize"]
-    cases = [list(_cases(*mark.args[:2])) for mark in marks]
+    marks = [pytest_mark for pytest_mark in getattr(function, "pytestmark", ()) if pytest_mark.name == "parametrize"]
+    cases = [list(_cases(*pytest_mark.args[:2])) for pytest_mark in marks]
     for combination in itertools.product(*cases):
         values = {key: value for case, _ in combination for key, value in case.items()}
         suffix = "-".join(label for _, label in combination)

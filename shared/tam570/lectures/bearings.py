@@ -9,7 +9,7 @@ round with the body (Greenwood, Principles of Dynamics, section 8-2).
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.given import array, finite
+from tam570.arguments import array, finite
 from tam570.rotations import matrix_from_axis_angle
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving

@@ -11,7 +11,7 @@ from math import nan, sqrt
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.given import divisors, nonnegative, numbers, positives, sequence
+from tam570.arguments import divisors, nonnegative, numbers, positives, sequence
 from tam570.integrate import solve
 from tam570.show.live import Live, drag, energies
 from tam570.show.plots import state_energy_plot, values
@@ -119,7 +119,7 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
     n = len(start) // 6
     dim = 3 if states[:, 2 : 3 * n : 3].any() else 2
 
-    def draw(states: Array, parameters: Parameters) -> list[Shape]:
+    def drawing(states: Array, parameters: Parameters) -> list[Shape]:
         places = np.reshape(states[:, : 3 * n], (-1, n, 3))[..., :dim]
         trails = [Shape("trail", places[:, [i]], i % 6, width=2) for i in range(n)]
         return [*trails, *(Shape("dot", places[:, [i]], i % 6, f"body {i + 1}", width=8) for i in range(n))]
@@ -130,8 +130,8 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
         "Bodies attract each other and move on paths that bend around each other. In the example three equal bodies "
         "chase each other on one curve in the shape of an eight.",
         times,
-        [Panel(draw(states, parameters))],
+        [Panel(drawing(states, parameters))],
         [state_energy_plot(times, states, 3 * n, lambda rows: values(energy, rows, **parameters))],
         still_time=0.2,
-        live=Live(rates, parameters, STATE, start, draw, handles, energies(energy, 3 * n)),
+        live=Live(rates, parameters, STATE, start, drawing, handles, energies(energy, 3 * n)),
     )

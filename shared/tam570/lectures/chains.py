@@ -19,7 +19,7 @@ from math import inf, sqrt
 
 import numpy as np
 
-from tam570.given import finite, nonnegative, positive
+from tam570.arguments import finite, nonnegative, positive
 from tam570.integrate import solve
 from tam570.show.scene import Array, Scene, frame_times
 

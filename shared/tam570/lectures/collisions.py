@@ -12,7 +12,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.given import array, numbers
+from tam570.arguments import array, numbers
 from tam570.show.scene import Array, Scene
 
 __all__ = ["collide", "cradle", "film"]

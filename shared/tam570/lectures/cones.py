@@ -12,7 +12,7 @@ from math import atan2, hypot
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.given import array, finite, positive
+from tam570.arguments import array, finite, positive
 from tam570.show.drawing import circle, cone
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving, with_slider

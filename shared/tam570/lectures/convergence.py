@@ -15,7 +15,7 @@ from types import SimpleNamespace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.given import nonnegative, numbers, positives, sequence
+from tam570.arguments import nonnegative, numbers, positives, sequence
 from tam570.integrate import solve
 from tam570.invariants import observed_order
 from tam570.show.scene import Array, Scene

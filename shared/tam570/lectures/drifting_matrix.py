@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.given import numbers, positives, sequence
+from tam570.arguments import numbers, positives, sequence
 from tam570.integrate import solve, solve_rotation
 from tam570.invariants import rotation_defect
 from tam570.show.drawing import brick

@@ -8,7 +8,7 @@ alone it takes nine: R = sum of R_ij ei ej with R_ij = ei . R ej. Triads are (3,
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.given import array, numbers
+from tam570.arguments import array, numbers
 from tam570.rotations import exp, log
 from tam570.show.plots import plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving

@@ -15,7 +15,7 @@ from types import SimpleNamespace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tam570.given import array, finite, nonnegative, numbers, positive, sequence
+from tam570.arguments import array, finite, nonnegative, numbers, positive, sequence
 from tam570.show.scene import Array, Scene
 
 __all__ = [

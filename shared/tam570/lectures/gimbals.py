@@ -10,7 +10,7 @@ Dynamics, section 7-13). Space: z is the first axis.
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.given import numbers, one_of, positive
+from tam570.arguments import numbers, one_of, positive
 from tam570.rotations import euler_from_matrix, matrix_from_axis_angle
 from tam570.show.drawing import circle
 from tam570.show.plots import drift_note, plot_samples, value_plot

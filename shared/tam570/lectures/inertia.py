@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.given import array, numbers, positive, positives
+from tam570.arguments import array, numbers, positive, positives
 from tam570.rotations import matrix_from_axis_angle
 from tam570.show.plots import plot_samples, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving

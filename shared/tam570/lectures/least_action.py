@@ -12,7 +12,7 @@ from math import copysign, pi, sin, sqrt
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.given import finite, numbers, positive, whole
+from tam570.arguments import finite, numbers, positive, whole_number
 from tam570.show.scene import Array, Scene, with_slider
 from tam570.values import Parameters
 
@@ -32,7 +32,7 @@ def path(a: float, b: float, duration: float, *, points: int, length: float, gra
     Newton's method by elimination, damped until the action shrinks. A bump of a thousandth breaks the symmetry.
     """
     finite(a=a, b=b)
-    whole(2, points=points)
+    whole_number(2, points=points)
     share = np.linspace(0.0, 1.0, points)
     angles = a + (b - a) * share + 1e-3 * np.sin(pi * share)
     angles[-1] = b

@@ -8,7 +8,7 @@ frequencies, negative where the equilibrium is unstable (Greenwood, Principles o
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.given import array, finite, positive, whole
+from tam570.arguments import array, finite, positive, whole_number
 from tam570.show.drawing import coil
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times
@@ -40,7 +40,7 @@ def modes(mass: ArrayLike, stiffness: ArrayLike) -> tuple[Array, Array]:
 
 def chain(n: int, *, mass: float, stiffness: float) -> tuple[Array, Array]:
     """M and K (n, n), kg and N/m, of n masses in a line, with a spring between neighbours and at each wall."""
-    whole(1, n=n)
+    whole_number(1, n=n)
     positive(mass=mass, stiffness=stiffness)
     beside = np.eye(n, k=1)
     return mass * np.eye(n), stiffness * (2 * np.eye(n) - beside - beside.T)

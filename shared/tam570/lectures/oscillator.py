@@ -11,7 +11,7 @@ from math import sqrt
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.given import numbers, positive, sequence
+from tam570.arguments import numbers, positive, sequence
 from tam570.integrate import solve
 from tam570.show.drawing import axes, circle
 from tam570.show.live import Live, drag, energies

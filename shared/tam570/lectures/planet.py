@@ -13,7 +13,7 @@ from types import SimpleNamespace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.given import numbers, positive, sequence
+from tam570.arguments import numbers, positive, sequence
 from tam570.show.scene import Array, Scene
 
 __all__ = ["angular_momentum", "elements", "energy", "exact", "film", "laplace_runge_lenz", "rates"]

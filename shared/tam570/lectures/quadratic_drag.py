@@ -10,7 +10,7 @@ from math import asinh, copysign, hypot, inf, isfinite, sqrt
 
 import numpy as np
 
-from tam570.given import nonnegative, positive, sequence
+from tam570.arguments import nonnegative, positive, sequence
 from tam570.integrate import solve
 from tam570.show.live import Live, drag
 from tam570.show.plots import value_plot

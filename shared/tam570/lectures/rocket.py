@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tam570.given import finite, nonnegative, numbers, positive, sequence
+from tam570.arguments import finite, nonnegative, numbers, positive, sequence
 from tam570.integrate import solve
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from tam570.given import numbers
+from tam570.arguments import numbers
 from tam570.show.plots import plot_samples, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.values import Numbers, Parameters

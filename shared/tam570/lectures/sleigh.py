@@ -14,7 +14,7 @@ from types import SimpleNamespace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.given import finite, numbers, positive, sequence
+from tam570.arguments import finite, numbers, positive, sequence
 from tam570.show.scene import Array, Scene
 
 __all__ = ["energy", "exact", "film", "rates", "straight_growth_rate"]

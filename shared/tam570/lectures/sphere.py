@@ -12,7 +12,7 @@ from math import atan2, cos, hypot, pi, sin
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.given import numbers
+from tam570.arguments import numbers
 from tam570.rotations import exp
 from tam570.show.drawing import circle
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times

@@ -16,7 +16,7 @@ from types import SimpleNamespace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.given import finite, nonnegative, numbers, positive, positives, sequence
+from tam570.arguments import finite, nonnegative, numbers, positive, positives, sequence
 from tam570.integrate import solve
 from tam570.show.scene import Array, Scene
 

@@ -8,7 +8,7 @@ and about the point in which the forces of the ground meet a single one, for d a
 
 import numpy as np
 
-from tam570.given import nonnegative, one_of, positive
+from tam570.arguments import nonnegative, one_of, positive
 from tam570.show.scene import Scene
 from tam570.values import Parameters
 

@@ -11,7 +11,7 @@ from math import nan
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.given import finite, numbers, positive, positives, sequence
+from tam570.arguments import finite, numbers, positive, positives, sequence
 from tam570.integrate import solve
 from tam570.show.drawing import unit_circle
 from tam570.show.live import Handle, Live, energies
@@ -97,7 +97,7 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
     edge = np.column_stack([1.1 * farthest * unit_circle(61), np.zeros(61)])
     table = [Shape("fill", edge, GREY, faint=True), Shape("path", edge, GREY, "table", width=2)]
 
-    def draw(states: Array, parameters: Parameters) -> list[Shape]:
+    def drawing(states: Array, parameters: Parameters) -> list[Shape]:
         above = np.column_stack(_on_table(states.T))
         below = np.column_stack([0 * above[:, :2], states[:, 0] - 2.2 * farthest])
         return [
@@ -114,14 +114,14 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
         "A mass circles on a table. The string through the hole holds a second mass below the table. The circle's "
         "radius swings in and out, and the mass below goes down and up with it.",
         times,
-        [Panel([*table, *draw(states, parameters)])],
+        [Panel([*table, *drawing(states, parameters)])],
         [
             state_energy_plot(times, states, 2, lambda rows: values(energy, rows, **parameters)),
             value_plot("distance from the hole", times, {"": states[:, 0]}, "m", f"angular momentum: {drift}", alarm),
         ],
         view=(0.6, 0.25),
         still_time=0.35,
-        live=Live(rates, parameters, STATE, start, draw, [HANDLE], energies(energy, 2), backdrop=table),
+        live=Live(rates, parameters, STATE, start, drawing, [HANDLE], energies(energy, 2), backdrop=table),
     )
 
 

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.given import finite, numbers, one_of, positive, sequence
+from tam570.arguments import finite, numbers, one_of, positive, sequence
 from tam570.integrate import solve
 from tam570.show.live import Handle, Live, energies
 from tam570.show.plots import drift_note, value_plot, values

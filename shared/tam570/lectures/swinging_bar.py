@@ -13,7 +13,7 @@ from math import cos, pi, sin, sqrt
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.given import numbers, positive, sequence
+from tam570.arguments import numbers, positive, sequence
 from tam570.integrate import solve
 from tam570.show.drawing import unit_circle
 from tam570.show.live import Live, energies

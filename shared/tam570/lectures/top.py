@@ -15,7 +15,7 @@ from math import copysign, cos, inf, nan, sin, sqrt
 
 from numpy.typing import ArrayLike
 
-from tam570.given import finite, numbers, positive, sequence
+from tam570.arguments import finite, numbers, positive, sequence
 from tam570.integrate import solve
 from tam570.show.live import Live, energies
 from tam570.show.scene import Scene, with_slider
@@ -129,7 +129,7 @@ def _weight(mass: float, distance: float, axial: float, transverse: float, gravi
 
 def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
     """Return the same top let go, precessing steadily and asleep, with a slider for the rate of its spin."""
-    from tam570.show.scenes.top import HANDLE, draw, tops
+    from tam570.show.scenes.top import HANDLE, drawing, tops
 
     def make(spin: float) -> Scene:
         begin = (*start[:5], spin)
@@ -140,6 +140,6 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
             partial(steady_precession, **parameters),
             {name: partial(law, **parameters) for name, law in INVARIANTS.items()},
         )
-        return replace(scene, live=Live(rates, parameters, STATE, begin, draw, [HANDLE], energies(energy, 3)))
+        return replace(scene, live=Live(rates, parameters, STATE, begin, drawing, [HANDLE], energies(energy, 3)))
 
     return with_slider(make, "rate of phi", "rad/s", SPINS, start[5])

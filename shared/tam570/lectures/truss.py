@@ -13,7 +13,7 @@ from types import SimpleNamespace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.given import array, numbers, positive, positives, sequence
+from tam570.arguments import array, numbers, positive, positives, sequence
 from tam570.show.scene import Array, Scene
 from tam570.values import Numbers, Parameters
 

@@ -11,7 +11,7 @@ from math import sqrt
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.given import finite, nonnegative, numbers, positive, positives, sequence
+from tam570.arguments import finite, nonnegative, numbers, positive, positives, sequence
 from tam570.integrate import solve
 from tam570.show.drawing import coil
 from tam570.show.live import Handle, Live, energies

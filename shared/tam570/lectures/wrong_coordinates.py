@@ -12,7 +12,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.given import numbers, positives, sequence
+from tam570.arguments import numbers, positives, sequence
 from tam570.integrate import solve
 from tam570.show.drawing import brick
 from tam570.show.plots import drift_note, value_plot, values

@@ -7,7 +7,7 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-from tam570.course import folder, named
+from tam570.course import folder, slug_of
 from tam570.show.lecture import filmed, lecture_module, scene_of_lecture, settings
 from tam570.show.patience import patience
 from tam570.show.scene import Scene
@@ -91,7 +91,7 @@ def _scene(what: Numbers, assignment: str | None, numbers: Parameters | None) ->
     if assignment is None and (hasattr(what, "EXAMPLE") or _is_lecture(what)):
         return scene_of_lecture(lecture_module(str(what)) if isinstance(what, str | Path) else what, numbers)
     if isinstance(what, str | Path):
-        slug = folder(assignment).name if assignment else named(Path(what))
+        slug = folder(assignment).name if assignment else slug_of(Path(what))
         return scene_of(load_student(Path(what), slug), slug, numbers)
     if isinstance(what, dict):
         from types import SimpleNamespace

@@ -84,9 +84,9 @@ class _Points:
             return self.still(track[0])
         return self._number(np.rint(track).tobytes(), self.tracks, TRACK, lambda: track)
 
-    def _number(self, key: bytes, stored: list[Numbers], kind: int, value: Callable[[], Numbers]) -> int:
+    def _number(self, key: bytes, stored: list[Numbers], storage: int, value: Callable[[], Numbers]) -> int:
         if key not in self._known:
-            self._known[key] = 3 * len(stored) + kind
+            self._known[key] = 3 * len(stored) + storage
             stored.append(value())
         return self._known[key]
 
@@ -211,7 +211,7 @@ def _in_space(points: Array, in_space: bool) -> Array:
 def _packed_shape(shape: Shape, points: Array, store: _Points) -> Json:
     still = points.ndim == 2
     numbers = [store.still(point) for point in points] if still else store.body(points)
-    result = {"kind": shape.kind, "at": numbers, "color": shape.color, "width": shape.width}
+    result = {"kind": shape.form, "at": numbers, "color": shape.color, "width": shape.width}
     optional = {"name": shape.name, "words": shape.words, "faint": shape.faint}
     return result | {name: value for name, value in optional.items() if value}
 
@@ -229,7 +229,7 @@ def _packed_time_plot(time_plot: TimePlot) -> Json:
         "scale": unit,
         "span": time_plot.span,
         "unit": time_plot.unit,
-        "note": time_plot.note,
+        "note": time_plot.caption,
         "alarm": bool(time_plot.alarm),
     }
 

@@ -10,8 +10,8 @@ from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 
+from tam570.arguments import finite, positive
 from tam570.course import Unknown
-from tam570.given import finite, positive
 from tam570.lectures import catalogue, load
 from tam570.show.patience import patience
 from tam570.show.scene import Scene, drawable_rate

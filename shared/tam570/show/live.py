@@ -44,7 +44,7 @@ class Live:
     """A scene as equations, in the first of its panels.
 
     rates     : rates(t, state, **parameters) -> the state's rates
-    draw      : draw(states, parameters) -> Shapes, as for a film of one sample, states (1, k)
+    drawing   : drawing(states, parameters) -> Shapes, as for a film of one sample, states (1, k)
     handles   : what can be dragged
     measures  : by name, f(state, **parameters) -> a number to plot over time
     unit      : of the measures
@@ -58,7 +58,7 @@ class Live:
     parameters: Parameters
     state: Mapping[str, str]
     start: Sequence[float]
-    draw: Callable[[Numbers, Parameters], Sequence[Shape]]
+    drawing: Callable[[Numbers, Parameters], Sequence[Shape]]
     handles: Sequence[Handle] = ()
     measures: Mapping[str, Function] = field(default_factory=dict)
     unit: str = "J"
@@ -137,7 +137,7 @@ class _Writer:
         self.live, self.sliders, self.k, self.m = live, sliders, len(live.start), len(sliders)
 
     def program(self) -> Program:
-        rates, draw = self.live.rates, self.live.draw  # a trace goes into the functions of a closure
+        rates, drawing = self.live.rates, self.live.drawing  # a trace goes into the functions of a closure
         of_rates = self._traced(lambda t, state, arguments, pointer: rates(t, state, **arguments))
         self._compare(of_rates)
         shapes: list[Json] = []
@@ -148,7 +148,7 @@ class _Writer:
 
         def drawn(t: Numbers, state: Numbers, parameters: Parameters, target: Numbers) -> list[Numbers]:
             points: list[Value] = []
-            shapes[:] = [_shape(shape, points) for shape in [*still, *draw(np.reshape(state, (1, -1)), parameters)]]
+            shapes[:] = [_shape(shape, points) for shape in [*still, *drawing(np.reshape(state, (1, -1)), parameters)]]
             return points + more([], (state,), parameters)
 
         def grabbed(t: Numbers, state: Numbers, parameters: Parameters, target: Numbers) -> list[Numbers]:
@@ -261,7 +261,7 @@ def _shape(shape: Shape, points: list[Value]) -> Json:
     for row in rows:
         at.append(len(points))
         points.extend(row.tolist())
-    result = {"kind": shape.kind, "at": at, "dim": rows.shape[-1], "color": shape.color, "width": shape.width}
+    result = {"kind": shape.form, "at": at, "dim": rows.shape[-1], "color": shape.color, "width": shape.width}
     optional = {"name": shape.name, "words": shape.words, "faint": shape.faint}
     return result | {name: value for name, value in optional.items() if value}
 

@@ -128,17 +128,17 @@ def _shape(ax: Axes, shape: Shape, points: Array, head_size: float) -> Update:
         chosen: Array = points if still else points[sample]
         return chosen
 
-    if shape.kind == "fill":
+    if shape.form == "fill":
         patch = Polygon(at(0), closed=True, linewidth=0, **look)
         ax.add_patch(patch)
         return lambda sample: patch.set_xy(at(sample))
-    if shape.kind == "text":
+    if shape.form == "text":
         text = ax.text(at(0)[0, 0], at(0)[0, 1], shape.words, **look)
         return lambda sample: text.set_position(at(sample)[0])
-    joined: Numbers = {"lines": _apart, "arrow": partial(_arrows, longest=head_size)}.get(shape.kind, lambda rows: rows)
-    style: Json = {"marker": "o", "markersize": 1.5 * shape.width, "linestyle": ""} if shape.kind == "dot" else {}
+    joined: Numbers = {"lines": _apart, "arrow": partial(_arrows, longest=head_size)}.get(shape.form, lambda rows: rows)
+    style: Json = {"marker": "o", "markersize": 1.5 * shape.width, "linestyle": ""} if shape.form == "dot" else {}
     (line,) = ax.plot([], [], linewidth=0.8 * shape.width, label=shape.name or "_", clip_on=False, **style, **look)
-    if shape.kind == "trail":
+    if shape.form == "trail":
         so_far = np.concatenate([points, np.full((1, *points.shape[1:]), np.nan)])
         return lambda sample: line.set_data(*so_far[np.r_[0 : sample + 1, -1]].swapaxes(0, 1).reshape(-1, 2).T)
     return lambda sample: line.set_data(*joined(at(sample)).T)
@@ -168,7 +168,10 @@ def _time_plot(ax: Axes, time_plot: TimePlot, scene: Scene) -> Update:
         ax.plot(time_plot.times, curve, color=color, linewidth=1.2, label=name or "_")
     ax.set(xlim=scene.times[[0, -1]], ylim=time_plot.span, xlabel="t (s)", ylabel=f"({time_plot.unit})")
     ax.set_title(
-        f"{time_plot.title}\n{time_plot.note}", fontsize=8, color="#b00020" if time_plot.alarm else "#1b1f24", wrap=True
+        f"{time_plot.title}\n{time_plot.caption}",
+        fontsize=8,
+        color="#b00020" if time_plot.alarm else "#1b1f24",
+        wrap=True,
     )
     ax.tick_params(labelsize=8)
     if len(time_plot.curves) > 1:

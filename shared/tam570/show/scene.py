@@ -42,7 +42,7 @@ INK, GREY = -1, -2  # colours beside the numbered ones of the palette
 class Shape:
     """One thing that is drawn.
 
-    kind   : "lines" (points in pairs), "path", "fill", "dot", "trail" (where the point has been), "arrow", "text"
+    form   : "lines" (points in pairs), "path", "fill", "dot", "trail" (where the point has been), "arrow", "text"
     points : (m, dim) if it stands still, else (n, m, dim) at the scene's times; m
     color  : of the palette, or INK or GREY
     name   : for the legend
@@ -51,7 +51,7 @@ class Shape:
     faint  : half transparent
     """
 
-    kind: str
+    form: str
     points: Array
     color: int = INK
     name: str = ""
@@ -80,8 +80,8 @@ class TimePlot:
     curves : by name, (m,) each
     span   : of the axis
     unit   : of the curves and the axis
-    note   : what they come to
-    alarm  : the note says that something is wrong
+    caption: what they come to
+    alarm  : the caption says that something is wrong
     """
 
     title: str
@@ -89,7 +89,7 @@ class TimePlot:
     curves: Mapping[str, Array]
     span: tuple[float, float]
     unit: str
-    note: str = ""
+    caption: str = ""
     alarm: bool = False
 
 

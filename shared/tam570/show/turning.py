@@ -40,7 +40,7 @@ def live_body(
         omega = np.array(state[9:])
         return reach * (omega if in_space else np.reshape(state[:9], (3, 3)) @ omega)
 
-    def draw(states: Array, parameters: Parameters) -> list[Shape]:
+    def drawing(states: Array, parameters: Parameters) -> list[Shape]:
         return [
             *brick(np.reshape(states[:, :9], (1, 3, 3)), size, 0, "body"),
             Shape("trail", tip(states[0])[None, None], 1, width=1.2),
@@ -52,4 +52,4 @@ def live_body(
         return [*state[:9], *(omega if in_space else np.reshape(state[:9], (3, 3)).T @ omega)]
 
     measures = {"total E": lambda state, **parameters: energy([*state], **parameters)}
-    return Live(rates, parameters, names, start, draw, [Handle(tip, grab)], measures, title=title)
+    return Live(rates, parameters, names, start, drawing, [Handle(tip, grab)], measures, title=title)

@@ -21,7 +21,7 @@ def shapes(diagram, notes=None, **how):
 def test_arrows_are_where_they_act_and_along_their_direction():
     pull, hinge = shapes(lambda x: [((x, 0), (0, -9.81)), ((x, 1), None)])
     np.testing.assert_allclose(pull.points[2], [(2, 0), (2, -0.5)])
-    assert (pull.kind, hinge.kind) == ("arrow", "dot")
+    assert (pull.form, hinge.form) == ("arrow", "dot")
     np.testing.assert_allclose(hinge.points[:, 0], [(0, 1), (1, 1), (2, 1)])
 
 
@@ -41,7 +41,7 @@ def test_a_diagram_in_axes_of_its_own_is_moved_and_turned():
 def test_every_scene_draws_the_diagram(scenes, slug):
     """The weight is vertical, and acts on what moves."""
     scene = scenes(slug)
-    forces = [shape for shape in scene.panels[0].shapes if shape.kind == "arrow" and shape.name.startswith("forces o")]
+    forces = [shape for shape in scene.panels[0].shapes if shape.form == "arrow" and shape.name.startswith("forces o")]
     assert not scene.notes and forces
     if slug[:4] != "hw06":  # which is seen from above
         weight = np.diff(forces[0].points, axis=1)[:, 0]

@@ -44,13 +44,13 @@ def test_nothing_jumps(scene, request):
     for film in scene.slider.scenes if scene.slider else [scene]:
         for panel in film.panels:
             for shape in panel.shapes:
-                if (name, shape.kind) not in JUMPS:
-                    assert not jumps(shape, size(panel)), (panel.title, shape.kind, shape.name)
+                if (name, shape.form) not in JUMPS:
+                    assert not jumps(shape, size(panel)), (panel.title, shape.form, shape.name)
 
 
 def test_no_body_is_where_another_is(scene):
     for panel in scene.panels:
-        bodies = [shape for shape in panel.shapes if shape.kind == "fill" and shape.points.shape[-1] == 2]
+        bodies = [shape for shape in panel.shapes if shape.form == "fill" and shape.points.shape[-1] == 2]
         for body, other in combinations(bodies, 2):
             frames = range(0, len(scene.times), 5)
             a, b = (np.broadcast_to(s.points, (len(scene.times), *s.points.shape[-2:])) for s in (body, other))

@@ -169,7 +169,7 @@ def test_without_an_energy_the_motion_is_shown_all_the_same(edited, tmp_path, ca
 def test_wrong_physics_looks_wrong(edited):
     wrong = overlays(CHECKS / HW07)["sign_of_the_sine_term"]
     time_plot, _ = show(edited(HW07, wrong)).scene.time_plots
-    assert time_plot.alarm and "not conserved" in time_plot.note and time_plot.span[1] > 10.0  # %
+    assert time_plot.alarm and "not conserved" in time_plot.caption and time_plot.span[1] > 10.0  # %
 
 
 @pytest.mark.slow
@@ -221,7 +221,7 @@ def short(scenes):
     scene = scenes(HW07)
     n = 13
     panels = [
-        Panel([Shape(p.kind, p.points if p.points.ndim == 2 else p.points[:n], p.color, p.name) for p in panel.shapes])
+        Panel([Shape(p.form, p.points if p.points.ndim == 2 else p.points[:n], p.color, p.name) for p in panel.shapes])
         for panel in scene.panels
     ]
     return Scene(scene.title, scene.alt_text, scene.times[:n], panels, scene.time_plots)

@@ -129,7 +129,7 @@ def test_a_scene_in_space_is_turned_by_touch(opened):
 
 def test_the_tip_is_where_the_student_has_it(opened, scenes):
     tab, scene = opened(PLANE), scenes(PLANE)
-    (tip,) = (shape.points[:, 0] for shape in scene.panels[0].shapes if shape.kind == "trail")
+    (tip,) = (shape.points[:, 0] for shape in scene.panels[0].shapes if shape.form == "trail")
     for sample in (0, 333, 700, 1200):
         tab.evaluate("time => goTo(time)", scene.times[sample])
         x, y, unit = tab.evaluate(

@@ -28,7 +28,7 @@ def film(frames: Numbers, parameters: Mapping[str, float], start: Sequence[float
     rim, jacobi = 1.1 * float(np.hypot(*seen[:, :2].T).max()), frames.jacobi_integral
     measures = {"Jacobi's integral": lambda state, **parameters: jacobi([*state], **parameters)}
 
-    def draw(states: Array, parameters: Mapping[str, float]) -> list[Shape]:
+    def drawing(states: Array, parameters: Mapping[str, float]) -> list[Shape]:
         return _table(states, np.zeros(len(states)), rim, spring=True)
 
     return Scene(
@@ -53,7 +53,7 @@ def film(frames: Numbers, parameters: Mapping[str, float], start: Sequence[float
         ],
         still_time=0.4,
         live=Live(
-            *(frames.rates, parameters, frames.STATE, start, draw, [drag(0, 2)], measures),
+            *(frames.rates, parameters, frames.STATE, start, drawing, [drag(0, 2)], measures),
             title="seen from the turntable",
         ),
     )

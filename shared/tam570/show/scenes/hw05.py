@@ -60,7 +60,7 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float]) -> L
     def rates(t: float, state: Numbers, **parameters: Numbers) -> list[Numbers]:
         return [*state[2:], *acceleration(state, **parameters)]
 
-    def draw(states: Numbers, parameters: Parameters) -> list[Shape]:
+    def drawing(states: Numbers, parameters: Parameters) -> list[Shape]:
         particle = states[:, :2]
         return [
             Shape("path", parameters["length"] * unit_circle(121), GREY, "the circle", width=1.5),
@@ -77,7 +77,7 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float]) -> L
         return energy(state, mass=mass, gravity=gravity)
 
     handle = Handle(lambda state, **arguments: state[:2], grab)
-    return Live(rates, parameters, STATE, start, draw, [handle], energies(total, 2))
+    return Live(rates, parameters, STATE, start, drawing, [handle], energies(total, 2))
 
 
 def _forces(student: Student, states: Array, parameters: Parameters) -> list[Shape]:

@@ -66,7 +66,7 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float], road
     def rates(t: float, state: Numbers, **parameters: Numbers) -> Numbers:
         return derivative(t, state, "rear", **parameters)
 
-    def draw(states: Numbers, parameters: Parameters) -> list[Shape]:
+    def drawing(states: Numbers, parameters: Parameters) -> list[Shape]:
         return _car(states, "rear", lane, parameters)
 
     def nose(state: Numbers, *, front: Numbers, **parameters: Numbers) -> list[Numbers]:
@@ -88,7 +88,7 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float], road
         parameters,
         STATE,
         start,
-        draw,
+        drawing,
         handles,
         {"kinetic": kinetic},
         conserved=False,

@@ -71,7 +71,7 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float]) -> L
         parameters = {"masses": np.array(masses), "lengths": np.array(lengths), "gravity": gravity}
         return [*state[2:], *acceleration(np.array(state[:2]), np.array(state[2:]), **parameters)]
 
-    def draw(states: Numbers, parameters: Parameters) -> list[Shape]:
+    def drawing(states: Numbers, parameters: Parameters) -> list[Shape]:
         elbow, tip = joints(states[:, :2].T, parameters["lengths"])
         hinge = np.zeros_like(elbow)
         return _bars(*(moving(*ends) for ends in ((hinge, elbow), (elbow, tip))))
@@ -81,7 +81,7 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float]) -> L
         return energy(np.array(state[:2]), np.array(state[2:]), **parameters)
 
     handles = rod_handles(2, lambda parameters: parameters["lengths"])
-    return Live(rates, parameters, STATE, start, draw, handles, energies(total, 2))
+    return Live(rates, parameters, STATE, start, drawing, handles, energies(total, 2))
 
 
 def _bars(first: Array, second: Array) -> list[Shape]:

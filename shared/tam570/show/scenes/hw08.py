@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tam570.given import array
+from tam570.arguments import array
 from tam570.show.drawing import axes
 from tam570.show.plots import plot_samples, value_plot
 from tam570.show.scene import Array, Panel, Scene, Shape, TimePlot, frame_times

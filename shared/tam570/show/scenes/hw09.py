@@ -5,7 +5,7 @@ from functools import partial
 
 import numpy as np
 
-from tam570.given import positives
+from tam570.arguments import positives
 from tam570.show.drawing import axes, box_face
 from tam570.show.plots import plot_samples, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times

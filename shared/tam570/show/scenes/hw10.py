@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from tam570.given import positive, positives
+from tam570.arguments import positive, positives
 from tam570.show.drawing import box_face, brick, circle, cone
 from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.plots import drift_note, plot_samples, value_plot
@@ -67,7 +67,7 @@ def _live(student: Student, inertia: Array, size: Array, spin: Array) -> Live:
     def tip(state: Numbers, **parameters: Numbers) -> Numbers:
         return reach * (np.reshape(state[:9], (3, 3)) @ np.array(state[9:]))
 
-    def draw(states: Numbers, parameters: Parameters) -> list[Shape]:
+    def drawing(states: Numbers, parameters: Parameters) -> list[Shape]:
         R, omega = np.reshape(states[:, :9], (1, 3, 3)), states[0, 9:]
         H = 0.7 * reach * (R[0] @ (np.array(parameters["inertia"]) / inertia.mean() * omega))
         return [
@@ -86,7 +86,7 @@ def _live(student: Student, inertia: Array, size: Array, spin: Array) -> Live:
 
     arguments = {"inertia": tuple(inertia.tolist())}
     state = {**dict.fromkeys(names, "1"), **STATE}
-    return Live(rates, arguments, state, start, draw, [Handle(tip, grab)], {"energy": kinetic}, title="box in space")
+    return Live(rates, arguments, state, start, drawing, [Handle(tip, grab)], {"energy": kinetic}, title="box in space")
 
 
 def _inertia(mass: float, size: Sequence[float]) -> Array:

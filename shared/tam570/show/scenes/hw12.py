@@ -60,7 +60,7 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float]) -> L
     def rates(t: float, state: Numbers, *, mass: Numbers, curvature: Numbers, gravity: Numbers) -> list[Numbers]:
         return [state[1], acceleration(*state, curvature=curvature, gravity=gravity)]
 
-    def draw(states: Numbers, parameters: Parameters) -> list[Shape]:
+    def drawing(states: Numbers, parameters: Parameters) -> list[Shape]:
         bead = _on_wire(states[:, 0], parameters["curvature"])
         wire = Shape("path", _on_wire(xs, parameters["curvature"]), GREY, "wire", width=3)
         return [wire, Shape("dot", bead[:, None], 0, "bead", width=8)]
@@ -70,7 +70,7 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float]) -> L
         lambda point, state, **arguments: [point[0], 0.0],
     )
     measures = energies(lambda state, **arguments: energy(*state, **arguments), 1)
-    return Live(rates, parameters, STATE, start, draw, [handle], measures)
+    return Live(rates, parameters, STATE, start, drawing, [handle], measures)
 
 
 def _forces(student: Student, states: Array, parameters: Parameters) -> list[Shape]:

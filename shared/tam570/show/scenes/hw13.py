@@ -60,7 +60,7 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float], fart
     def rates(t: float, state: Numbers, **parameters: Numbers) -> list[Numbers]:
         return [state[1], acceleration(*state, **parameters)]
 
-    def draw(states: Numbers, parameters: Parameters) -> list[Shape]:
+    def drawing(states: Numbers, parameters: Parameters) -> list[Shape]:
         return _rolling(states[:, 0], 0, farthest, parameters)
 
     def centre(state: Numbers, *, radius: Numbers, slope: Numbers, **parameters: Numbers) -> list[Numbers]:
@@ -73,7 +73,7 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float], fart
         return [(point[0] * np.cos(slope) - point[1] * np.sin(slope)) / radius, state[1]]
 
     measures = energies(lambda state, **arguments: energy(*state, **arguments), 1)
-    return Live(rates, parameters, STATE, start, draw, [Handle(centre, grab)], measures, title=BALANCED)
+    return Live(rates, parameters, STATE, start, drawing, [Handle(centre, grab)], measures, title=BALANCED)
 
 
 def _naive(student: Student, times: Array, start: Sequence[float], parameters: Parameters) -> Array:

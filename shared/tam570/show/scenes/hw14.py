@@ -68,7 +68,7 @@ def film(student: Student, disk: Parameters, start: Sequence[float], seconds: fl
 
 
 def _live(student: Student, disk: Parameters, start: Sequence[float], still: list[Shape]) -> Live:
-    def draw(states: Numbers, parameters: Parameters) -> list[Shape]:
+    def drawing(states: Numbers, parameters: Parameters) -> list[Shape]:
         x, y, yaw, tilt, roll = states[:, :5].T
         contact = np.column_stack([x, y, 0 * x])
         ahead = np.column_stack([np.cos(yaw), np.sin(yaw), 0 * yaw])
@@ -98,7 +98,7 @@ def _live(student: Student, disk: Parameters, start: Sequence[float], still: lis
         return [x, y, yaw, np.arctan2(point[2], aside), *state[4:]]
 
     rates, measures = student.function("euler_state_derivative"), energies(student.function("energy"), 5)
-    return Live(rates, disk, STATE, start, draw, [Handle(top, grab)], measures, backdrop=still)
+    return Live(rates, disk, STATE, start, drawing, [Handle(top, grab)], measures, backdrop=still)
 
 
 def _tilt(student: Student, times: Array, states_by_angles: Array, frame: Array, disk: Parameters) -> TimePlot:

@@ -28,7 +28,7 @@ def film(lecture: Numbers, parameters: Mapping[str, float], start: Sequence[floa
     plane = _plane(states[0])
     flat = np.hstack([states[:, :3] @ plane.T, states[:, 3:] @ plane.T])
 
-    def draw(states: Array, parameters: Parameters) -> list[Shape]:
+    def drawing(states: Array, parameters: Parameters) -> list[Shape]:
         return _planet(states[:, :3] @ plane.T, 0, "planet")
 
     def grab(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numbers]:
@@ -39,7 +39,7 @@ def film(lecture: Numbers, parameters: Mapping[str, float], start: Sequence[floa
         handle = Handle(lambda state, **parameters: plane @ np.array(state[:3]), grab)
         first = scene.panels[0]
         live = Live(
-            *(lecture.rates, parameters, lecture.STATE, start, draw, [handle], energies(lecture.energy, 3)),
+            *(lecture.rates, parameters, lecture.STATE, start, drawing, [handle], energies(lecture.energy, 3)),
             title=first.title,
             backdrop=[shape for shape in first.shapes if shape.points.ndim == 2],
         )

@@ -26,14 +26,14 @@ def film(lecture: Numbers, parameters: Mapping[str, float], start: Sequence[floa
     measures = {"total E": lambda state, **parameters: energy([*state], **parameters)}
     handles = [drag(0, 2), Handle(_nose, _turn_to)]
 
-    def draw(states: Array, parameters: Mapping[str, float]) -> list[Shape]:
+    def drawing(states: Array, parameters: Mapping[str, float]) -> list[Shape]:
         return _sleigh(states, parameters["offset"], size)
 
     def scene_at(speed: float) -> Scene:
         share = speed / start[3] if start[3] else 1.0
         begin = (*start[:3], speed, share * start[4])
         states = solve(lecture.rates, times, begin, parameters=parameters, rtol=1e-8)
-        live = Live(lecture.rates, parameters, lecture.STATE, begin, draw, handles, measures)
+        live = Live(lecture.rates, parameters, lecture.STATE, begin, drawing, handles, measures)
         return replace(_one(times, states, energy, parameters), live=live)
 
     speeds = [share * start[3] for share in SHARES] if start[3] else []

@@ -10,7 +10,7 @@ from tam570.show.plots import drift_note, value_plot, values
 from tam570.show.scene import FASTEST, GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Numbers, Parameters
 
-__all__ = ["HANDLE", "draw", "tops"]
+__all__ = ["HANDLE", "drawing", "tops"]
 
 LENGTH, HEIGHT, RADIUS = 1.0, 0.6, 0.45  # m, of the picture: the axis, its disk
 NUDGED = 0.02  # rad, the tilt of a top that may sleep
@@ -75,7 +75,7 @@ def _ground() -> list[Shape]:
     return [Shape("path", level, GREY, width=1), Shape("dot", np.zeros((1, 3)), INK, width=4)]
 
 
-def draw(states: Array, parameters: Parameters) -> list[Shape]:
+def drawing(states: Array, parameters: Parameters) -> list[Shape]:
     """Draw the top that is let go; states (n, 6)."""
     return _top(states, 0, "let go")
 

@@ -36,14 +36,14 @@ def film(lecture: Numbers, parameters: Parameters, start: Sequence[float], secon
 def _one(times: Array, states: Array, body: Array, parameters: Parameters) -> Scene:
     shape = (len(times), -1, 2)
     particles, rigid = (history[:, : history.shape[1] // 2].reshape(shape) for history in (states, body))
-    behind = Shape("lines", rigid[:, np.ravel(parameters["bars"])], GREY, "rigid body", width=7, faint=True)
+    rigid_body = Shape("lines", rigid[:, np.ravel(parameters["bars"])], GREY, "rigid body", width=7, faint=True)
     farthest = np.linalg.norm(particles - rigid, axis=2).max(axis=1)
     return Scene(
         "Truss as a rigid body",
         "Particles that are joined by springs fly and turn. Behind them the rigid body of the same start. The stiffer "
         "the springs, the longer they stay together.",
         times,
-        [Panel([behind, *_draw(states, parameters)])],
+        [Panel([rigid_body, *_draw(states, parameters)])],
         [value_plot("farthest particle from the rigid body", times, {"": farthest}, "m")],
         still_time=0.3,
     )

@@ -16,77 +16,77 @@ __all__ = [
     "positive",
     "positives",
     "sequence",
-    "whole",
+    "whole_number",
 ]
 
 
-def positive(**named: float) -> None:
+def positive(**arguments: float) -> None:
     """Refuses what is not a finite number above 0, as in positive(mass=mass)."""
-    for name, value in named.items():
+    for name, value in arguments.items():
         if not (_is_symbol(value) or _is_real(value) and 0.0 < value < math.inf):
             raise ValueError(f"{name}: must be a positive number, got {value!r}")
 
 
-def nonnegative(**named: float) -> None:
+def nonnegative(**arguments: float) -> None:
     """Refuses what is not a finite number of 0 or more."""
-    for name, value in named.items():
+    for name, value in arguments.items():
         if not (_is_symbol(value) or _is_real(value) and 0.0 <= value < math.inf):
             raise ValueError(f"{name}: must be a number of 0 or more, got {value!r}")
 
 
-def finite(**named: float) -> None:
+def finite(**arguments: float) -> None:
     """Refuses what is not a finite number."""
-    for name, value in named.items():
+    for name, value in arguments.items():
         if not (_is_symbol(value) or _is_real(value) and math.isfinite(value)):
             raise ValueError(f"{name}: must be a finite number, got {value!r}")
 
 
-def whole(least: int, **named: int) -> None:
+def whole_number(least: int, **arguments: int) -> None:
     """Refuses what is not a whole number of `least` or more."""
-    for name, value in named.items():
+    for name, value in arguments.items():
         if not isinstance(value, int | np.integer) or value < least:
             raise ValueError(f"{name}: must be a whole number of {least} or more, got {value!r}")
 
 
-def one_of(choices: Collection[str], **named: object) -> None:
+def one_of(choices: Collection[str], **arguments: object) -> None:
     """Refuses what is not among the choices."""
-    for name, value in named.items():
+    for name, value in arguments.items():
         if not (isinstance(value, str) and value in choices):
             raise ValueError(f"{name}: must be one of {', '.join(map(repr, choices))}, got {value!r}")
 
 
-def sequence(count: int, **named: Sequence[float]) -> None:
+def sequence(count: int, **arguments: Sequence[float]) -> None:
     """Refuses what is not a flat list of `count`; the numbers themselves may be symbols."""
-    for name, value in named.items():
+    for name, value in arguments.items():
         if len(_shape(name, value)) != 1 or len(value) != count:
             raise ValueError(f"{name}: must be {count} numbers, got {value!r}")
 
 
-def array(shape: tuple[int | None, ...], **named: ArrayLike) -> NDArray[np.float64]:
+def array(shape: tuple[int | None, ...], **arguments: ArrayLike) -> NDArray[np.float64]:
     """Return the one array that is named, of finite floats and this shape; None stands for any length."""
-    ((name, value),) = named.items()
-    found = _shape(name, value)
-    if len(found) != len(shape) or any(n is not None and m != n for m, n in zip(found, shape, strict=True)):
+    ((name, value),) = arguments.items()
+    actual = _shape(name, value)
+    if len(actual) != len(shape) or any(n is not None and m != n for m, n in zip(actual, shape, strict=True)):
         wanted = ", ".join("n" if n is None else str(n) for n in shape)
-        raise ValueError(f"{name}: must have the shape ({wanted}), got {found}")
+        raise ValueError(f"{name}: must have the shape ({wanted}), got {actual}")
     values = _floats(name, value)
     if values.dtype != object and not np.isfinite(values).all():
         raise ValueError(f"{name}: must be finite, got {values}")
     return values
 
 
-def positives(count: int | None = None, **named: Sequence[float]) -> tuple[float, ...]:
+def positives(count: int | None = None, **arguments: Sequence[float]) -> tuple[float, ...]:
     """Return the one sequence that is named, of `count` positive floats."""
-    ((name, value),) = named.items()
-    values = numbers(count, **named)
+    ((name, value),) = arguments.items()
+    values = numbers(count, **arguments)
     if values.dtype != object and not (values > 0.0).all():
         raise ValueError(f"{name}: must be positive numbers, got {value!r}")
     return tuple(values.tolist())
 
 
-def numbers(count: int | None = None, **named: ArrayLike) -> NDArray[np.float64]:
+def numbers(count: int | None = None, **arguments: ArrayLike) -> NDArray[np.float64]:
     """Return the one flat array that is named, of `count` finite floats."""
-    return array((count,), **named)
+    return array((count,), **arguments)
 
 
 def _is_symbol(value: object) -> bool:
