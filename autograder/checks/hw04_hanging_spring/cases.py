@@ -93,18 +93,19 @@ def period(case):
 
 
 def motions(periods, label, first=None, gravities=(None,), count=12):
-    """Random starts at uneven times, the first of which is not zero unless that is said."""
+    """Random starts at uneven times, the first of which, in periods, is not zero unless that is said."""
 
     def cases(rng):
         for gravity in gravities:
             case = random(rng, gravity)
-            yield case.with_leading(uneven(rng, periods * period(case), count, first)).labelled(label)
+            start = None if first is None else first * period(case)
+            yield case.with_leading(uneven(rng, periods * period(case), count, start)).labelled(label)
 
     return cases
 
 
 moving = motions(1.2, "uneven times, t[0] not 0", gravities=(None, 0.0))
-many_periods = motions(5.2, "five periods, t[0] not 0", 1.0, count=20)
+many_periods = motions(5.2, "five periods, t[0] not 0", 0.4, count=20)
 
 
 def at_two_times(rng):

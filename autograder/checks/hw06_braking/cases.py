@@ -18,7 +18,6 @@ ODD_CARS = {
     "all parameters 1": ONES,
     "friction 0": NO_FRICTION,
     "gravity 0": NO_GRAVITY,
-    "friction and gravity 0": NO_FRICTION | NO_GRAVITY,
     "friction above 1": {"friction": 1.6},
 }
 # ways to move: (speed, yaw rate) in the car's usual ones
@@ -100,7 +99,7 @@ def odd_cars(rng):
 def headings(rng):
     """Along the axes and beyond a turn, with G at the origin."""
     cases = itertools.cycle(ways(TURN, "straight motion in reverse")(rng))
-    for heading, case in zip((0.0, math.pi / 2, math.pi, -math.pi / 2, 9.0, -20.0), cases, strict=False):
+    for heading, case in zip((0.0, math.pi, -math.pi / 2, 9.0), cases, strict=False):
         state = np.array([0, 0, heading, *case.args[0][3:]])
         yield case.replace(state).labelled(f"G at the origin, heading {heading:.3g}, {case.label}")
 
@@ -197,19 +196,13 @@ braking = runs(("braking", "front", BRAKING, 0.6, 20), ("braking in reverse", "r
 
 
 def few_times(rng):
-    """Few times: straight in reverse, turning on the spot, what is kept between calls."""
-    straight = "straight motion in reverse"
+    """Few times, turning on the spot, what is kept between calls."""
     first = run(rng, "friction above 1", "rear", BRAKING, 0.2, 4, {"friction": rng.uniform(1.2, 2)})
     spot = state(rng, first.kwargs, NONE, TURNING)
-    return [
-        run(rng, straight, "front", WAYS[straight], 0.3, 2),
-        first,
-        *repeated_calls(rng, first, start=(spot, "front"), mass=None, front=None, rear=None),
-    ]
+    return [first, *repeated_calls(rng, first, start=(spot, "front"), mass=None, front=None, rear=None)]
 
 
-# without friction or gravity, with the free axle behind at first; slow: at some mm/s, above what may be called rest
-gliding = runs(("gravity 0", "front", (REVERSE, (0.1, 0.3)), 6, 12, NO_GRAVITY))
+# at some mm/s
 gliding_slowly = runs(("a slow car, friction 0", "front", ((0.008, 0.01), (0.003, 0.004)), 0.05, 4, NO_FRICTION))
 
 
