@@ -78,7 +78,7 @@ def turning(rng):
 def quick(rng):
     """A small swing of a rod of millimetres, at 35 to 45 rad/s: steps of a millisecond follow it, those of ten do not.
 
-    In a period the linear motion falls behind by 6 A^3/16, 3e-4 rad.
+    In a period the linear motion falls behind by 6 A^3/16, 6e-4 rad and more.
     """
     rate, sign = rng.uniform(35, 45), rng.choice([-1, 1], 2)
     length = rng.uniform(6e-3, 9e-3)

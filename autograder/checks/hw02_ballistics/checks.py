@@ -67,7 +67,6 @@ def forces_on_the_particle(student, rng):
     compare_diagrams(student.free_body_diagram, reference, cases.without_time(rng))
 
 
-SIMULATION = {"tolerance": SIMULATED, "restart": lambda row: (row, None)}
 FORCES = "Draw the two forces on the particle: which way does each point when it falls?"
 
 
@@ -100,8 +99,11 @@ def of_ground(motion):
     return "There is no ground: the path goes on below y = 0." if ends else ""
 
 
-def by_rates(student):
-    return OwnRates(student.state_derivative, reference, lambda t, row: (t, row))
+def compare_flights(student, flights):
+    """Compare simulated flights, and the student's rates along them."""
+    own_rates = OwnRates(student.state_derivative, reference, lambda t, row: (t, row))
+    words = {"hint": of_ground, "own_rates": own_rates, "restart": lambda row: (row, None)}
+    compare_trajectory(student.simulate, reference, flights, tolerance=SIMULATED, **words)
 
 
 @check(
@@ -111,9 +113,7 @@ def by_rates(student):
     line="simulate gives the states at uneven times, launched at t[0], whatever t[0] is.",
 )
 def simulation_follows_the_motion(student, rng):
-    compare_trajectory(
-        student.simulate, reference, cases.flights(rng), hint=of_ground, own_rates=by_rates(student), **SIMULATION
-    )
+    compare_flights(student, cases.flights(rng))
 
 
 @check(
@@ -124,14 +124,7 @@ def simulation_follows_the_motion(student, rng):
     line="simulate goes straight without gravity, a parabola without drag, whatever was asked before.",
 )
 def simulation_without_drag_or_gravity(student, rng):
-    compare_trajectory(
-        student.simulate,
-        reference,
-        cases.flights_without(rng),
-        hint=of_ground,
-        own_rates=by_rates(student),
-        **SIMULATION,
-    )
+    compare_flights(student, cases.flights_without(rng))
 
 
 def of_closed_form(case, result, expected):
