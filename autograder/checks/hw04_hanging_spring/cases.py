@@ -123,7 +123,7 @@ def few_times(rng):
 
 def like_the_first(rng):
     """A motion, at other times, from another start, of another spring."""
-    (first,) = motions(1, "three times", 0.0, count=3)(rng)
+    (first,) = motions(0.7, "three times", 0.0, count=3)(rng)
     return [first, *repeated_calls(rng, first)]
 
 
@@ -145,10 +145,10 @@ def from_any_time(rng):
 
 
 def stiff(rng):
-    """At 60 to 80 rad/s four periods, which steps of a millisecond follow, and steps of ten milliseconds do not."""
-    case = random(rng, label="two times far apart, a stiff spring")
+    """At 60 to 80 rad/s two periods, which steps of a millisecond follow, and steps of ten milliseconds do not."""
+    case = random(rng, label="two times, a stiff spring")
     case = case.replace(stiffness=case.kwargs["mass"] * rng.uniform(60, 80) ** 2)
-    return [case.with_leading(1 + np.array([0.0, rng.uniform(4.2, 4.4) * period(case)]))]
+    return [case.with_leading(1 + np.array([0.0, rng.uniform(2.2, 2.4) * period(case)]))]
 
 
 # Ellipses

@@ -130,7 +130,7 @@ FIXED = "Neither a fixed step nor a fixed number of steps does for every spring 
     points=0.5,
     part="a",
     after=simulate_moves_as_it_must,
-    line="the same with only two times, many periods apart, whatever was asked before.",
+    line="the same with only two times, periods apart, whatever was asked before.",
 )
 def simulate_does_not_depend_on_the_sampling(student, rng):
     compare_trajectory(
