@@ -212,5 +212,12 @@ def at_rest(rng):
 
 stops = runs(  # and go on beyond
     ("a car that stops", "front", ((0.7, 1.5), (0.2, 0.6)), 2.1, 20),
-    ("a car that stops, spinning, only two times", "rear", ((0.05, 0.2), (0.8, 1.2)), 1.12, 2),
+    (
+        "a car that stops, spinning on ice",
+        "rear",
+        ((0.05, 0.2), (0.8, 1.2)),
+        1.12,
+        2,
+        {"friction": 0.02, "gravity": 10.0},
+    ),
 )

@@ -21,6 +21,7 @@ from .checks import (
     simulate_brakes,
     simulate_comes_to_rest_and_stays,
     simulate_glides_without_friction,
+    simulate_needs_no_dense_times,
     small_yaw_rate_is_the_linear_solution,
     stability_refuses_other_axles,
 )
@@ -199,13 +200,22 @@ def simulate(reference, t, state, locked, **car):
 
 
 @mistake(
-    "You stop a car that goes back because its speed is not positive; test for zero speed.", first_fails=simulate_brakes
+    "You stop a car that goes back because its speed is not positive; it stops where speed and yaw rate are zero.",
+    first_fails=simulate_brakes,
 )
 def simulate(reference, t, state, locked, **car):
     rows = reference(t, state, locked, **car)
     if state[3] < 0:
         rows[1:] = [*state[:3], 0.0, 0.0]
     return rows
+
+
+@mistake(
+    "You leave a car of zero speed where it is; it may still turn about its free axle.",
+    first_fails=simulate_needs_no_dense_times,
+)
+def simulate(reference, t, state, locked, **car):
+    return reference(t, state, locked, **car) if state[3] else np.tile(state, (len(t), 1))
 
 
 @mistake(
