@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from tam570.arguments import array, finite
 from tam570.rotations import matrix_from_axis_angle
-from tam570.show.plots import drift_note, plot_samples, value_plot
+from tam570.show.plots import drift_note, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Parameters
 
@@ -52,13 +52,12 @@ def film(parameters: Parameters) -> Scene:
     felt = np.array([moment(matrix, speed, spin_rate) for speed in speeds])
     in_space = np.einsum("nij,nj->ni", R, felt)
     longest = float(np.linalg.norm(felt[:, :2], axis=1).max()) or 1.0
-    shown = plot_samples(times)
-    across = np.linalg.norm(felt[shown, :2], axis=1)
+    across = np.linalg.norm(felt[:, :2], axis=1)
     if spin_rate:
         # Across the axis M has the size of sqrt(Ixz^2 + Iyz^2) sqrt(spin_rate^2 + spin^4), whatever the angle.
-        across = across / np.hypot(spin_rate, speeds[shown] ** 2)
+        across = across / np.hypot(spin_rate, speeds**2)
     drift, alarm = drift_note({"": across}, float(across[0]) or 1.0, "itself")
-    curves = dict(zip(("x", "y", "z"), in_space[shown].T, strict=True))
+    curves = dict(zip(("x", "y", "z"), in_space.T, strict=True))
     arrow = Shape(
         "arrow", moving(np.zeros(3), 1.2 * in_space * [1, 1, 0] / longest), 1, "moment across the axis", width=3
     )
@@ -72,10 +71,8 @@ def film(parameters: Parameters) -> Scene:
             Panel(_body(np.diag(np.diag(matrix)), R), "balanced", ruler=False),
         ],
         [
-            value_plot("moment on the unbalanced body, in space", times[shown], curves, "N m"),
-            value_plot(
-                "spin", times[shown], {"": speeds[shown]}, "rad/s", f"size of the moment for it: {drift}", alarm
-            ),
+            value_plot("moment on the unbalanced body, in space", times, curves, "N m"),
+            value_plot("spin", times, {"": speeds}, "rad/s", f"size of the moment for it: {drift}", alarm),
         ],
         view=(0.6, 0.35),
         still_time=0.3,

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from tam570.arguments import array, finite, positive
 from tam570.show.drawing import circle, cone
-from tam570.show.plots import drift_note, plot_samples, value_plot
+from tam570.show.plots import drift_note, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving, with_slider
 
 __all__ = ["axis", "body_cone", "body_rate", "film", "omega", "precession_rate", "space_cone"]
@@ -100,10 +100,9 @@ def _film(parameters: Mapping[str, float]) -> Scene:
     scale = 1.0 / hypot(spin, parameters["wobble"])
     tip, wide = scale * turning, scale * abs(parameters["wobble"])
     space_rim = circle([0.0, 0.0, tip[0, 2]], [tip[0, 0], 0.0, 0.0], [0.0, tip[0, 0], 0.0], 37)
-    shown = plot_samples(times)
     H = transverse * turning + (axial - transverse) * np.einsum("ni,ni->n", turning, along)[:, None] * along
-    omegas = dict(zip("xyz", turning[shown].T, strict=True))
-    drift = drift_note({"": H[shown]}, float(H[0, 2]) or 1.0, "the angular momentum")
+    omegas = dict(zip("xyz", turning.T, strict=True))
+    drift = drift_note({"": H}, float(H[0, 2]) or 1.0, "the angular momentum")
     return Scene(
         "Free symmetric body",
         "A cone fixed in the body rolls without slip on a cone fixed in space. They touch along the angular velocity. "
@@ -122,7 +121,7 @@ def _film(parameters: Mapping[str, float]) -> Scene:
                 ruler=False,
             )
         ],
-        [value_plot("angular velocity in space", times[shown], omegas, "rad/s", *drift)],
+        [value_plot("angular velocity in space", times, omegas, "rad/s", *drift)],
         view=(0.5, 0.3),
         still_time=0.1,
     )

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from tam570.arguments import array, numbers
 from tam570.rotations import exp, log
-from tam570.show.plots import plot_samples, value_plot
+from tam570.show.plots import value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Parameters
 
@@ -82,14 +82,13 @@ def film(parameters: Parameters) -> Scene:
         Shape("arrow", np.array([origin, vector]), 5, "r", width=2.5),
         Shape("arrow", moving(origin, turned), INK, "R r", width=3.5),
     ]
-    shown = plot_samples(times)
     return Scene(
         "A rotation as three dyads",
         "Three base vectors turn to another triad and back. A vector turns with them: its parts along the base vectors "
         "keep their lengths, ei' (ei . r), and add up to it.",
         times,
         [Panel(shapes, ruler=False)],
-        [value_plot("parts of the vector in space", times[shown], dict(zip("xyz", turned[shown].T, strict=True)), "m")],
+        [value_plot("parts of the vector in space", times, dict(zip("xyz", turned.T, strict=True)), "m")],
         view=(0.2, 0.5),
         still_time=0.35,
     )

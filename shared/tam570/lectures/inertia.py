@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from tam570.arguments import array, numbers, positive, positives
 from tam570.rotations import matrix_from_axis_angle
-from tam570.show.plots import plot_samples, value_plot
+from tam570.show.plots import value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Parameters
 
@@ -92,8 +92,7 @@ def film(parameters: Parameters) -> Scene:
     about = np.einsum("ni,ij,nj->n", n, matrix, n)
     H = n @ matrix
     aside = np.degrees(np.arctan2(np.linalg.norm(np.cross(H, n), axis=1), about))
-    shown = plot_samples(times)
-    levels = {f"principal {i + 1}": np.full(len(shown), moment) for i, moment in enumerate(moments)}
+    levels = {f"principal {i + 1}": np.full(len(times), moment) for i, moment in enumerate(moments)}
     reach = 1.3 * float(np.linalg.norm(r - m @ r / m.sum(), axis=1).max())
     return Scene(
         "Moments of inertia and principal axes",
@@ -102,8 +101,8 @@ def film(parameters: Parameters) -> Scene:
         times,
         [Panel([*_body(r - m @ r / m.sum(), m, n), *_arrows(axes, n, H, reach)], ruler=False)],
         [
-            value_plot("moment of inertia about the axis", times[shown], {"": about[shown], **levels}, "kg m²"),
-            value_plot("angle from the axis to H", times[shown], {"": aside[shown]}, "degrees"),
+            value_plot("moment of inertia about the axis", times, {"": about, **levels}, "kg m²"),
+            value_plot("angle from the axis to H", times, {"": aside}, "degrees"),
         ],
         view=(0.6, 0.35),
         still_time=0.86,

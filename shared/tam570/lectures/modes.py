@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from tam570.arguments import array, finite, positive, whole_number
 from tam570.show.drawing import coil
-from tam570.show.plots import drift_note, plot_samples, value_plot
+from tam570.show.plots import drift_note, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times
 from tam570.values import Parameters
 
@@ -90,8 +90,7 @@ def film(parameters: Parameters) -> Scene:
     }
     rows["all together"] = (waves * amounts) @ shapes.T
     drawn = [shape for j, (name, q) in enumerate(rows.items()) for shape in _chain(q, -0.6 * j, min(j, 5), name)]
-    shown = plot_samples(times)
-    q, rate = rows["all together"][shown], -np.sin(np.outer(times[shown], frequencies)) * frequencies * amounts
+    q, rate = rows["all together"], -np.sin(np.outer(times, frequencies)) * frequencies * amounts
     one_by_one = (rate**2 + squares * (q @ M @ shapes) ** 2) / 2
     curves = {f"mode {j + 1}": one_by_one[:, j] for j in range(n)}
     places = {f"mass {j + 1}": q[:, j] for j in range(n)}
@@ -103,8 +102,8 @@ def film(parameters: Parameters) -> Scene:
         times,
         [Panel(drawn)],
         [
-            value_plot("last row: displacements", times[shown], places, "m"),
-            value_plot("last row: energy in each mode", times[shown], curves, "J", *drift),
+            value_plot("last row: displacements", times, places, "m"),
+            value_plot("last row: energy in each mode", times, curves, "J", *drift),
         ],
         still_time=0.02,
     )

@@ -12,7 +12,7 @@ import numpy as np
 
 from tam570.arguments import nonnegative, positive, sequence
 from tam570.integrate import solve
-from tam570.show.live import Live, drag
+from tam570.show.live import Live, drag, energies
 from tam570.show.plots import value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, with_slider
 from tam570.values import Numbers
@@ -89,11 +89,7 @@ def _one(parameters: Mapping[str, float], start: Sequence[float], seconds: float
         [_speed(times, states, parameters)],
         still_time=0.45,
         live=Live(
-            *(rates, parameters, STATE, start, _draw, [drag(0, 2)]),
-            measures={
-                "total E": _energy,
-                "potential V": lambda state, **parameters: _energy([*state[:2], 0, 0], **parameters),
-            },
+            *(rates, parameters, STATE, start, _draw, [drag(0, 2)], energies(_energy, 2)),
             conserved=False,
             title="as far as they go",
             backdrop=[Shape("lines", ground, GREY)],

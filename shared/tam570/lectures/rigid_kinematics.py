@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.arguments import finite, numbers, positive
-from tam570.show.plots import plot_samples, value_plot
+from tam570.show.plots import value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 
 __all__ = ["acceleration", "film", "five_terms", "turning_vector", "velocity"]
@@ -79,8 +79,7 @@ def film(parameters: Mapping[str, float]) -> Scene:
     parts = {name: np.array([row[name] for row in each]) for name in TERMS}
     total = np.sum(list(parts.values()), axis=0)
     tip = np.array([velocity(v, w, length * d) for v, w, d in zip(v_a, omega, e, strict=True)])
-    shown = plot_samples(times)
-    sizes = {name: np.linalg.norm(term[shown], axis=1) for name, term in parts.items()}
+    sizes = {name: np.linalg.norm(term, axis=1) for name, term in parts.items()}
     return Scene(
         "Points of a rigid body",
         "A bar turns while its end A goes to and fro. On the left, the velocity of its tip is that of A and "
@@ -91,7 +90,7 @@ def film(parameters: Mapping[str, float]) -> Scene:
             Panel([*_bar(A, A + length * e), *_velocities(A, length * e, v_a, tip)], "velocity of the tip"),
             Panel([*_bar(A, A + length * e), *_polygon(bead, parts, total)], "acceleration of the bead"),
         ],
-        [value_plot("size of each term", times[shown], sizes, "m/s²")],
+        [value_plot("size of each term", times, sizes, "m/s²")],
         still_time=0.06,
     )
 

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tam570.arguments import finite, nonnegative, numbers, positive, sequence
 from tam570.integrate import solve
-from tam570.show.plots import drift_note, plot_samples, value_plot
+from tam570.show.plots import drift_note, value_plot, values
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
 
 __all__ = ["coasting_energy", "exact", "film", "rates", "wrong_rates"]
@@ -93,14 +93,14 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
     """One start by both equations."""
     times = frame_times(seconds)
     correct, wrong = (solve(equations, times, start, parameters=parameters) for equations in (rates, wrong_rates))
-    shown, apart = plot_samples(times), 0.1 * float(np.ptp(np.concatenate([correct[:, 0], wrong[:, 0]])))
+    apart = 0.1 * float(np.ptp(np.concatenate([correct[:, 0], wrong[:, 0]])))
     burning = correct[:, 2] > parameters["empty_mass"]
     shapes = [
         Shape("lines", np.array([[-2 * apart, 0.0], [2 * apart, 0.0]]), GREY, "start", width=2),
         *_rocket(correct, -apart, burning, 0, "momentum of rocket and exhaust"),
         *_rocket(wrong, apart, burning, 1, "d(mv)/dt = F of the rocket alone"),
     ]
-    energies = [coasting_energy(state, **parameters) for state in correct[shown]]
+    energies = values(coasting_energy, correct, **parameters)
     drift, alarm = drift_note({"": energies}, abs(energies[0]) or 1.0, "itself")
     return Scene(
         "Rocket",
@@ -109,8 +109,8 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
         times,
         [Panel(shapes)],
         [
-            value_plot("speed", times[shown], {"right": correct[shown, 1], "wrong": wrong[shown, 1]}, "m/s"),
-            value_plot("mass", times[shown], {"": correct[shown, 2]}, "kg", f"energy at its end: {drift}", alarm),
+            value_plot("speed", times, {"right": correct[:, 1], "wrong": wrong[:, 1]}, "m/s"),
+            value_plot("mass", times, {"": correct[:, 2]}, "kg", f"energy at its end: {drift}", alarm),
         ],
         still_time=0.7,
     )

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from tam570.show.plots import drift_plot, plot_samples, value_plot
+from tam570.show.plots import drift_plot, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, moving
 
 __all__ = ["chains"]
@@ -32,7 +32,7 @@ def chains(
     readings : (n,) N, of the scale
     """
     length, weight = parameters["length"], parameters["density"] * parameters["gravity"]
-    most, shown = LARGEST * weight * length, plot_samples(times)  # N
+    most = LARGEST * weight * length  # N
     risen = np.minimum(parameters["speed"] * times, length)
     ground = Shape("lines", DISTANCE * length * np.array([[-2.0, 0.0], [6.0, 0.0]]), GREY, width=3)
     lifting, pouring = [ground], [ground]
@@ -60,11 +60,8 @@ def chains(
         ],
         [
             _energy(times, folds[0], folds[1], parameters),
-            value_plot("force that lifts", times[shown], {name: pull[shown] for name, pull in pulls.items()}, "N"),
-            replace(
-                value_plot("the scale", times[shown], {name: f[shown] for name, f in on_scale.items()}, "N"),
-                span=(-0.1 * most, most),
-            ),
+            value_plot("force that lifts", times, pulls, "N"),
+            replace(value_plot("the scale", times, on_scale, "N"), span=(-0.1 * most, most)),
         ],
         still_time=0.72,
     )
@@ -103,7 +100,6 @@ def _energy(times: Array, remaining: Array, lost: Array, parameters: Mapping[str
     """Of the folded chain, as long as both fall."""
     length, density, gravity = (parameters[name] for name in ("length", "density", "gravity"))
     falling = np.flatnonzero((remaining[:, 0] < length) & (lost[:, 0] < length))
-    shown = falling[plot_samples(times[falling])]
 
     def energy(x: Array, v: Array) -> Array:
         return density * ((length - x) * v**2 - gravity * (2 * length * x - x**2)) / 4
@@ -111,9 +107,9 @@ def _energy(times: Array, remaining: Array, lost: Array, parameters: Mapping[str
     scale = density * gravity * length**2 / 4
     return drift_plot(
         "folded: energy, change",
-        times[shown],
-        {"by energy": energy(*remaining[shown].T)},
+        times[falling],
+        {"by energy": energy(*remaining[falling].T)},
         scale,
         "the potential energy",
-        beside={"inelastic": energy(*lost[shown].T)},
+        beside={"inelastic": energy(*lost[falling].T)},
     )

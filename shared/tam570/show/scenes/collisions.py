@@ -6,7 +6,7 @@ from math import inf, pi, sqrt
 import numpy as np
 
 from tam570.show.drawing import unit_circle
-from tam570.show.plots import drift_note, plot_samples, value_plot
+from tam570.show.plots import drift_note, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Function
 
@@ -23,14 +23,13 @@ ARM, FALL, TURN, HIT = 0.3, 0.5, 0.4, 2.0  # m from G to the peg, m/s, rad/s, s
 def cradle_and_rod(cradle: Callable[[Array], Array], collide: Function, restitution: float) -> Scene:
     """Both scenes in one; the functions are those of the lecture, with the restitution in place."""
     times = frame_times(SECONDS)
-    shown = plot_samples(times)
     angles, speeds = _swings(times, cradle)
     places, about_peg, energies = _rod(times, collide)
-    total = about_peg[shown].sum(axis=1)
-    momenta = {"of G": about_peg[shown, 0], "about G": about_peg[shown, 1], "sum": total}
+    total = about_peg.sum(axis=1)
+    momenta = {"of G": about_peg[:, 0], "about G": about_peg[:, 1], "sum": total}
     caption = drift_note({"": total}, float(np.abs(about_peg).max()), "its largest part")
-    of_cradle = (speeds[shown] ** 2 + GRAVITY * LENGTH * angles[shown] ** 2).sum(axis=1) / 2
-    loss = {"cradle": 100 * of_cradle / of_cradle[0], "rod": 100 * energies[shown] / energies[0]}
+    of_cradle = (speeds**2 + GRAVITY * LENGTH * angles**2).sum(axis=1) / 2
+    loss = {"cradle": 100 * of_cradle / of_cradle[0], "rod": 100 * energies / energies[0]}
     return Scene(
         f"Collisions, restitution {restitution:g}",
         "Two balls of a cradle swing down, and two fly off at the other end, again and again. Beside it a rod without "
@@ -38,8 +37,8 @@ def cradle_and_rod(cradle: Callable[[Array], Array], collide: Function, restitut
         times,
         [Panel(_balls(angles), "cradle"), Panel(places, "rod on a peg")],
         [
-            value_plot("rod: angular momentum about the peg", times[shown], momenta, "kg m²/s", *caption),
-            value_plot("energy, of that at the start", times[shown], loss, "%"),
+            value_plot("rod: angular momentum about the peg", times, momenta, "kg m²/s", *caption),
+            value_plot("energy, of that at the start", times, loss, "%"),
         ],
         still_time=0.13,
     )

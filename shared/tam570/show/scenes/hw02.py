@@ -6,7 +6,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from tam570.show.diagrams import force_shapes
-from tam570.show.plots import plot_samples, value_plot
+from tam570.show.plots import value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times
 from tam570.show.student import Student, Trouble
 from tam570.values import Parameters
@@ -70,9 +70,8 @@ def _throw(numerical: Array, closed: Array, best: bool) -> list[Shape]:
 
 
 def _heights(times: Array, angles: list[float], pairs: list[tuple[Array, Array]], farthest: float) -> TimePlot:
-    shown = plot_samples(times)
-    gaps = np.max([np.linalg.norm(path - other, axis=1) for path, other in pairs], axis=0)[shown]
+    gaps = np.max([np.linalg.norm(path - other, axis=1) for path, other in pairs], axis=0)
     largest = float(gaps.max()) / farthest
     caption = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.2g} of the range"
-    heights = {f"{math.degrees(a):.0f}°": numerical[shown, 1] for a, (numerical, _) in zip(angles, pairs, strict=True)}
-    return value_plot("height", times[shown], heights, "m", f"from the closed form: {caption}", largest > LARGE)
+    heights = {f"{math.degrees(a):.0f}°": numerical[:, 1] for a, (numerical, _) in zip(angles, pairs, strict=True)}
+    return value_plot("height", times, heights, "m", f"from the closed form: {caption}", largest > LARGE)

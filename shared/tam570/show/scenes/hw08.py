@@ -54,13 +54,12 @@ def _corner(student: Student, corner: Array, axis: Array, angles: Array) -> Shap
 
 
 def _defect(times: Array, rotations: Array) -> TimePlot:
-    shown = plot_samples(times)
-    R = rotations[shown]
+    R = rotations
     off = np.abs(np.swapaxes(R, 1, 2) @ R - np.eye(3)).max(axis=(1, 2))
     largest = float(off.max())
     caption = f"RᵀR - I is {'not zero: ' if largest > LARGE else ''}at most {largest:.2g}"
     entries = {f"R{i + 1}{i + 1}": R[:, i, i] for i in range(3)}
-    return value_plot("on the diagonal of R", times[shown], entries, "", caption, largest > LARGE)
+    return value_plot("on the diagonal of R", times, entries, "", caption, largest > LARGE)
 
 
 def _apart(student: Student, times: Array, axis: Array, by_matrix: Array, corner: Array) -> TimePlot:

@@ -7,7 +7,7 @@ import numpy as np
 
 from tam570.arguments import positives
 from tam570.show.drawing import axes, box_face
-from tam570.show.plots import plot_samples, value_plot
+from tam570.show.plots import value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times
 from tam570.show.student import Student, make_each
 from tam570.values import Parameters
@@ -69,12 +69,11 @@ def _axis(student: Student, R: Array) -> Shape:
 
 
 def _angles(times: Array, turned: dict[str, Array]) -> TimePlot:
-    shown = plot_samples(times)
     off, angles = {}, {}
     for title, rotations in turned.items():
-        R = rotations[shown]
+        R = rotations
         off[title[:3]] = np.abs(np.swapaxes(R, 1, 2) @ R - np.eye(3)).max(axis=(1, 2))
         angles[title[:3]] = np.degrees(np.arccos(np.clip((np.trace(R, axis1=1, axis2=2) - 1) / 2, -1.0, 1.0)))
     largest = max(float(defect.max()) for defect in off.values())
     caption = f"{'no rotation: ' if largest > LARGE else ''}RᵀR - I is at most {largest:.2g}"
-    return value_plot("angle of the one turn that does the same", times[shown], angles, "°", caption, largest > LARGE)
+    return value_plot("angle of the one turn that does the same", times, angles, "°", caption, largest > LARGE)

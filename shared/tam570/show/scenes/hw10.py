@@ -227,11 +227,10 @@ def _once_round(vectors: Array) -> Array:
 
 
 def _energy(student: Student, times: Array, omegas: Array, inertia: Array) -> TimePlot:
-    shown = plot_samples(times)
-    energy = student.each("energy", omegas[shown], inertia=inertia)
-    curves = {f"omega {name}": part for name, part in zip("ABC", omegas[shown].T, strict=True)}
+    energy = student.each("energy", omegas[plot_samples(times)], inertia=inertia)
+    curves = {f"omega {name}": part for name, part in zip("ABC", omegas.T, strict=True)}
     caption, alarm = drift_note({"": energy}, abs(energy[0]) or 1.0, "itself")
-    return value_plot("angular velocity in the body", times[shown], curves, "rad/s", f"energy: {caption}", alarm)
+    return value_plot("angular velocity in the body", times, curves, "rad/s", f"energy: {caption}", alarm)
 
 
 def _momentum(student: Student, times: Array, omegas: Array, rotations: Array, inertia: Array) -> TimePlot:

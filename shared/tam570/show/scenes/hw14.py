@@ -9,7 +9,7 @@ import numpy as np
 from tam570.show.diagrams import force_shapes
 from tam570.show.drawing import circle, floor
 from tam570.show.live import Handle, Live, energies, live_if_written
-from tam570.show.plots import plot_samples, state_energy_plot, value_plot
+from tam570.show.plots import state_energy_plot, value_plot
 from tam570.show.scene import Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student, make_each
 from tam570.values import Numbers, Parameters
@@ -105,9 +105,8 @@ def _tilt(student: Student, times: Array, states_by_angles: Array, frame: Array,
     """Return the tilt; and the centre by the matrices beside that by the Euler angles, the middle of a diameter."""
     first = student("matrix_state", states_by_angles[0], radius=disk["radius"], shape=(15,))
     states = student("simulate_matrix", times, first, **disk, shape=(len(times), 15))
-    shown = plot_samples(times)
-    off = np.linalg.norm(states[:, :3] - frame[:, -1].mean(axis=1), axis=1)[shown]
+    off = np.linalg.norm(states[:, :3] - frame[:, -1].mean(axis=1), axis=1)
     largest = float(off.max()) / disk["radius"]
     caption = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.2g} of the radius"
-    tilt = {"": np.degrees(states_by_angles[shown, 3])}
-    return value_plot("tilt", times[shown], tilt, "°", f"by matrices and by Euler angles: {caption}", largest > LARGE)
+    tilt = {"": np.degrees(states_by_angles[:, 3])}
+    return value_plot("tilt", times, tilt, "°", f"by matrices and by Euler angles: {caption}", largest > LARGE)

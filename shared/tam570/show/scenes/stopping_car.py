@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from tam570.show.plots import plot_samples, value_plot
+from tam570.show.plots import value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Function, Parameters
 
@@ -29,8 +29,7 @@ def film(by_one_point: Function, parameters: Parameters) -> Scene:
     slowest = min(d for d, _, _ in result.values())
     times = frame_times(min(1.2 * SPEED / slowest, 10.0) if slowest else 5.0)
     panels = [Panel(_car(times, motion, parameters, locked), f"locked: {locked}") for locked, motion in result.items()]
-    shown = plot_samples(times)
-    speeds = {f"locked: {locked}": np.maximum(SPEED - d * times[shown], 0.0) for locked, (d, _, _) in result.items()}
+    speeds = {f"locked: {locked}": np.maximum(SPEED - d * times, 0.0) for locked, (d, _, _) in result.items()}
     return Scene(
         "Stopping car",
         "Cars brake side by side from one speed, with the front wheels, the rear wheels, or both locked. Arrows show "
@@ -38,7 +37,7 @@ def film(by_one_point: Function, parameters: Parameters) -> Scene:
         "really nice point: about it only the weight and m a have moments.",
         times,
         panels,
-        [value_plot("speed", times[shown], speeds, "m/s")],
+        [value_plot("speed", times, speeds, "m/s")],
         notes=notes,
         still_time=0.2,
     )
