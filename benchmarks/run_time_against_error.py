@@ -1,7 +1,7 @@
 """Run time against error: every method and every peer installed, on the assignments' scenes and on public problems.
 
 The error is that of the state at the end, its largest component over the largest of the state, against a reference
-to 30 digits. Times are processor time: warm ones the median of repeated runs, the methods in turn; compiling is what
+to 30 digits. Times are processor time: warm ones the least of repeated runs, the methods in turn; compiling is what
 the first run of a right-hand side took more; cold ones are those of a new process, imports and compilation included,
 at the first tolerance that reaches an error of 1e-9.
 
@@ -99,12 +99,12 @@ def measured(method, scene, tolerance, reference):
             run = methods.METHODS[method](scene, tolerance)
             state = run()
             first = time.process_time() - began
-            return (_median_time(run, first), error(state, reference), first) if np.isfinite(state).all() else None
+            return (_least_time(run), error(state, reference), first) if np.isfinite(state).all() else None
     except (ValueError, ArithmeticError, RuntimeError, NotImplementedError, TypeError):
         return None
 
 
-def _median_time(run, first):
+def _least_time(run):
     """Of runs so many at a time that the clock is good to a thousandth."""
     together, times, began = 1, [], time.process_time()
     while time.process_time() - began < REPEATED or len(times) < 3:
@@ -118,7 +118,7 @@ def _median_time(run, first):
         times.append(passed / together)
         if times[-1] > 0.1:
             break
-    return float(np.median(times))
+    return min(times)
 
 
 def curves(name, tolerances, reference, names):
