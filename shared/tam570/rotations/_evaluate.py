@@ -126,11 +126,11 @@ def _evaluate_batch(
     with np.errstate(all="ignore"):  # what is not a number is refused by name; underflow is harmless
         for start in range(0, count, block):
             rows, part = [table[start : start + block] for table in tables], results[start : start + block]
-            measure = formula([table.T for table in rows], workspace[:, : len(part)], part)
+            room = workspace if len(part) == block else workspace[:, : len(part)]
+            measure = formula([table.T for table in rows], room, part)
             least, greatest = measure[measure.argmin()], measure[measure.argmax()]  # no number if one is none
             if not (least >= within[0] and greatest <= within[1]):
-                mended = [_mended(*each).T for each in zip(names, kinds, rows, strict=True)]
-                formula(mended, workspace[:, : len(part)], part)
+                formula([_mended(*each).T for each in zip(names, kinds, rows, strict=True)], room, part)
     return results.reshape(batch + shape)
 
 
