@@ -5,6 +5,7 @@ compared with SciPy's DOP853 at its best tolerance and with short steps, stretch
 time, or with an exact answer. The same call is made three times: no answer depends on what ran before.
 """
 
+import bisect
 import copy
 import functools
 import math
@@ -14,6 +15,7 @@ import struct
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from scipy.interpolate import CubicSpline, interp1d
 
 from tam570.integrate import solve
 
@@ -386,6 +388,81 @@ def test_it_is_right_and_the_same_whatever_ran_before(name):
     assert compiled == pytest.approx(exact, rel=100 * RTOL, abs=100 * RTOL)
 
 
+EDGE = [1.0, 1.01]
+HAT = interp1d([0, 1, 1.0001, 1.0099, 1.01, 9], [0, 0, 1, 1, 0, 0])
+TOOTHED = CubicSpline(np.arange(41) / 10, np.arange(41) == 25)
+WIDE = CubicSpline(np.arange(41) / 10, np.arange(41) == 25).integrate(0, 3)
+
+
+class Window:
+    """A window that keeps where it is, and what it was asked."""
+
+    def __init__(self):
+        self.table, self.asked = HAT, []
+
+    def __call__(self, x):
+        self.asked.append(x)
+        return float(self.table(x))
+
+
+# What a rate of 1 is raised by inside of a short window of x, its integral over x from 0 to 3, and for x in the state
+# the time that it saves.
+WINDOWS = {
+    "between": (lambda x: 1 < x < 1.01, 0.01, 0.005),
+    "absolute": (lambda x: abs(x - 1) < 0.005, 0.01, 0.005),
+    "modulo": (lambda x: 1.0 < x % 1.5 < 1.02, 0.04, 0.02),
+    "numpy.mod": (lambda x: (np.mod(x, 1.5) > 1) & (np.mod(x, 1.5) < 1.02), 0.04, 0.02),
+    "fmod": (lambda x: 1.0 < math.fmod(x, 1.5) < 1.02, 0.04, 0.02),
+    "sine": (lambda x: math.sin(x) > math.cos(0.01), 0.02, 0.01),
+    "product": (lambda x: 1.0 < x * x < 1.0201, 0.01, 0.005),
+    "logical_and": (lambda x: np.logical_and(x > 1, x < 1.01), 0.01, 0.005),
+    "product of truths": (lambda x: (x > 1) * (x < 1.01), 0.01, 0.005),
+    "hypot": (lambda x: math.hypot(x - 1, 0.003) < 0.005, 0.008, 0.004),
+    "floor": (lambda x: math.floor(100 * x) == 100, 0.01, 0.005),
+    "round": (lambda x: round(100 * x) == 100, 0.01, 0.005),
+    "ceil": (lambda x: np.ceil(100 * x) == 100, 0.01, 0.005),
+    "clip": (lambda x: np.clip(x, 1, 1.01) not in (1, 1.01), 0.01, 0.005),
+    "signs": (lambda x: (np.sign(x - 1) - np.sign(x - 1.01)) / 2, 0.01, 0.005),
+    "heaviside": (lambda x: np.heaviside(x - 1, 1) - np.heaviside(x - 1.01, 1), 0.01, 0.005),
+    "where": (lambda x: np.where((x > 1) & (x < 1.01), 1.0, 0.0), 0.01, 0.005),
+    "piecewise": (lambda x: np.piecewise(x, [x < 1, (x >= 1) & (x < 1.01)], [0.0, 1.0, 0.0]), 0.01, 0.005),
+    "select": (lambda x: np.select([x < 1, x < 1.01], [0.0, 1.0], 0.0), 0.01, 0.005),
+    "isclose": (lambda x: math.isclose(x, 1, abs_tol=0.005, rel_tol=0), 0.01, 0.005),
+    "numpy.isclose": (lambda x: np.isclose(x, 1, atol=0.005, rtol=0), 0.01, 0.005),
+    "searchsorted": (lambda x: np.searchsorted(EDGE, [x])[0] == 1, 0.01, 0.005),
+    "bisect": (lambda x: bisect.bisect(EDGE, x) == 1, 0.01, 0.005),
+    "dictionary": (lambda x: {100: 1.0}.get(int(100 * x), 0.0), 0.01, 0.005),
+    "text": (lambda x: str(float(x)).startswith("1.00"), 0.01, 0.005),
+    "counted": (lambda x: sum(1 for edge in (1.0, 2.0) if edge <= x < edge + 0.01), 0.02, 0.01),
+    "numpy.interp": (lambda x: np.interp(x, HAT.x, HAT.y), 0.0099, None),
+    "interp1d": (lambda x: float(HAT(x)), 0.0099, None),
+    "in an object": (Window(), 0.0099, None),
+    "a tooth of a spline": (lambda x: float(TOOTHED(x)), WIDE, None),
+}
+
+
+@pytest.mark.parametrize("name", WINDOWS)
+def test_no_window_of_time_or_state_is_stepped_over(name):
+    window, of_time, of_state = WINDOWS[name]
+    end = solve(lambda t, y: (1.0 + float(window(t)),), [0, 3], [0.0], rtol=RTOL)[-1, 0]
+    assert end == pytest.approx(3 + of_time, rel=100 * RTOL)
+    if of_state:
+        end = solve(lambda t, y: (1.0 + float(window(y[0])),), [0, 2.9], [0.0], rtol=RTOL)[-1, 0]
+        assert end == pytest.approx(2.9 + of_state, rel=100 * RTOL)
+
+
+def test_what_a_function_keeps_are_numbers():
+    assert {type(x) for x in WINDOWS["in an object"][0].asked} <= {float}
+    times = []
+
+    def rates(t, y):
+        times.append(t)
+        return y[1], -y[0] if y[0] < 0.5 else -1.0
+
+    solve(rates, [0, 3], [0.0, 1.0])
+    assert {type(t) for t in times} == {float}
+
+
 def remembers():
     held = [0.0]
 
@@ -451,6 +528,16 @@ REFUSED = {
     "infinite": (lambda t, y: (y[0] ** 2,), (0, 2), [1.0], ArithmeticError, "infinite"),
     "infinite, not traced": (lambda t, y: (y[0] ** 2 if y[0] else 0.0,), (0, 2), [1.0], ArithmeticError, "infinite"),
     "friction that holds": (lambda t, y: (-np.sign(y[0]),), (0, 3), [1.0], ArithmeticError, "to and fro at t = 1"),
+    "a pole of time": (lambda t, y: (math.tan(t),), (0, 2), [0.0], ArithmeticError, r"t = 1\.57"),
+    "a pole": (lambda t, y: (1 / math.sin(t),), (1, 4), [0.0], ArithmeticError, r"t = 3\.14"),
+    "a pole of the state": (lambda t, y: (1, 1 / (y[0] - 1)), (0, 2), [0.0, 0.0], ArithmeticError, r"t = (1|0\.99)"),
+    "a belt that holds": (
+        lambda t, y: (y[1], -y[0] - 5.0 if -0.51 < y[1] < -0.5 else -y[0]),
+        (0, 5),
+        [1.0, 0.0],
+        ArithmeticError,
+        "to and fro at t = 2.6",
+    ),
     "complex start": (lambda t, y: (-y[0],), (0, 1), [1.0 + 1j], ValueError, "^y0"),
     "a column": (lambda t, y: (y[1], -y[0]), (0, 1), [[1.0], [0.0]], ValueError, "^y0.*ravel"),
 }

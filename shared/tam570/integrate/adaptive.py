@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from tam570.integrate.adaptive_loop import LARGEST, RUNNING, SETS_IN, STOPPED, State
-from tam570.integrate.arguments import SMALLEST_RTOL, Array
-from tam570.integrate.binding import TRIAL_ERRORS, NewBreak, check_start
+from tam570.integrate.arguments import Array
+from tam570.integrate.binding import TRIAL_ERRORS, check_start
 from tam570.integrate.compilation import Estimate, WorthCompiling
 from tam570.integrate.engine import Engine, Mistraced
 from tam570.integrate.error_scale import NO_SCALE, SHARE, error_scale
@@ -21,7 +21,6 @@ __all__ = ["BETWEEN_LOOKS", "Control", "Run", "Solution", "integrate", "shortest
 BETWEEN_LOOKS = 500  # steps
 OUT_OF_REACH = 1e9  # steps that nobody waits for
 LOOKS = 40  # in a row: stiffness, where that is the cause, is told before
-KINKS = 30.0  # of the tolerance, so many times less where the rates may have kinks
 AFTER_A_JUMP = 6  # steps in a row, each as much longer than the one before as it may be
 FOREVER = 2**62
 
@@ -115,19 +114,14 @@ def _integrate(
     t, y, row, end = float(times[0]), start, 1, float(times[-1])
     a: Sequence[float] = ()
     steps = refusals = 0
-    if not engine.is_traced:  # it may have kinks, of which an estimate sees but a part
-        control = control._replace(rtol=max(control.rtol / KINKS, SMALLEST_RTOL))
     while True:
-        stop = engine.next_break(t, float(times[0]), end, y)
+        stop = engine.next_break(t, float(times[0]), end)
         through = max(row, int(np.searchsorted(times, stop, side="right")))
         samples = np.concatenate(
             [[t], times[row:through], [stop] if through == row or times[through - 1] != stop else []]
         )
         run = start_run(engine, samples, y, control, estimate)
-        try:
-            _run_stretch(run, how, a)
-        except NewBreak:  # noted: the rest of the stretch is another one
-            stop = run.origin + run.last.t
+        _run_stretch(run, how, a)
         last = run.last
         if last.halt == SETS_IN:
             stop = run.origin + last.t

@@ -30,6 +30,7 @@ DOUBLED = 2.0  # step size after an error that was rounding
 EXPONENT = -1 / 8  # of order 8
 JUMP = 1e-9  # move of the state, relative, by a change of the rates within the shortest of all steps: a jump of the
 # rates makes less of it, a singularity more
+NOTHING = 0.1  # of the state: where rounding moves it by more it is all noise
 SUSPICIOUS = 0.005  # of the third's power 9/4: the error of exp(a t) and of its like is 0.02 and more, so that less is
 # an estimate of order 5 that passes through zero
 NOT_SMOOTH = 0.01  # fifth over third, squared: with a short step of a smooth motion it is less
@@ -45,6 +46,7 @@ GENERATED = (
     "roundoff",
     "lesser",
     "reach",
+    "passed",
     "dense",
     "at",
 )  # the functions that `advance` is given
@@ -68,6 +70,7 @@ class State(NamedTuple):
     steps: int
     refusals: int
     halt: int  # RUNNING, or why it goes no further
+    pace: float = 0.0  # s, of the steps before a switch cut one short
 
 
 def first_step_with(rhs: Any, euler: Any) -> Callable[..., float]:
@@ -116,14 +119,16 @@ def advance(
     generated : functions, as GENERATED names them; times : since `origin`; state : a `State`, as returned
     longest   : s, of a step
     """
-    (step, error_norms, jump, roundoff, lesser, reach, dense, at), end = generated, times[len(times) - 1]
-    row, t, h, y, r, f, a, b, measured, growth, refused, steps, refusals, halt = state
+    (step, error_norms, jump, roundoff, lesser, reach, passed, dense, at), end = generated, times[len(times) - 1]
+    row, t, h, y, r, f, a, b, measured, growth, refused, steps, refusals, halt, pace = state
     suspicious = SUSPICIOUS * rtol**1.25  # of errors in units of the tolerance
     while row < len(times) and budget > 0 and halt == RUNNING:
         budget -= 1
         remaining = end - t
         shortest = max(2.0**-50 * max(t, abs(origin + t)), 1e-30 * end)  # t + h would hardly differ from t
-        h = max(min(h, longest, reach(origin + t, h, y, f, c)), shortest)
+        limit = reach(origin + t, h, y, f, c)
+        pace = max(pace, h) if limit < h else pace
+        h = max(min(h, longest, limit), shortest)
         at_last = h <= shortest
         if h >= remaining:
             h, new = remaining, end
@@ -138,31 +143,66 @@ def advance(
         if may_be_rounding:
             before, measured = measured, roundoff(origin + t, h, y, f, b, c)
             b = lesser(before, measured)
-            fifth, third = error_norms(h, y, n, f, g, a, measured, part, part * rtol, stages)
-            error = _error(fifth, third, suspicious)
+            if not _is_at_a_pole(measured, y, n, at_last):
+                fifth, third = error_norms(h, y, n, f, g, a, measured, part, part * rtol, stages)
+                error = _error(fifth, third, suspicious)
         jumps = not error <= 1.0 and at_last and fifth < inf and _finite(n) and jump(h, y, n, f, g, a, rtol) <= JUMP
         if error <= 1.0 and not at_last and h > 2.0 * reach(origin + new, h, n, g, c):
             error = UNSEEN
-        if error <= 1.0 or jumps:
+        sure = passed(origin + t, h, y, f, n, g, error, shortest, c) if fifth < inf else inf
+        is_cut = sure < h and not at_last
+        jumps = jumps or (at_last and sure <= h and _finite(n))
+        if (error <= 1.0 or jumps) and not is_cut:
             if jumps and _sets_in(y, n, a):
                 halt = SETS_IN
             if times[row] <= new:
                 row = _sampled(dense, at, origin, times, out, row, t, new, h, (y, n, f, g, stages), c)
             t, y, r, f = new, n, rest, g
-            if may_be_rounding and error <= 1.0:  # an error that is the rounding's falls with no shorter step
-                h *= min(growth, DOUBLED)
-            elif 0 < error <= 1:
-                h *= min(growth, SAFETY * error**EXPONENT)
-            else:
-                h = max(h, min(growth * h, end / AT_REST))
+            h = _longer(h, error, growth, may_be_rounding, end)
+            if at_last and pace > 0.0:  # it may have gone across a switch
+                h, pace = max(h, pace), 0.0
+                if sure <= h and _has_no_scale(a):
+                    halt = SETS_IN
             growth, refused = LARGEST, 0
             steps += 1
         else:
             refused, refusals, growth = refused + 1, refusals + 1, 1.0
             if at_last:
                 halt = TOO_SHORT if _finite(n) and fifth < inf else NOT_FINITE
-            h = h * max(SMALLEST, SAFETY * error**EXPONENT) if error < 1e300 else 0.1 * h
-    return State(row, t, h, y, r, f, a, b, measured, growth, refused, steps, refusals, halt)
+            pace = max(h, pace) if is_cut else pace
+            refused = 0 if is_cut else refused
+            h = _shorter(h, error, sure)
+    return State(row, t, h, y, r, f, a, b, measured, growth, refused, steps, refusals, halt, pace)
+
+
+def _longer(h: Any, error: Any, growth: Any, may_be_rounding: Any, end: Any) -> Any:
+    """Return the step after one with an error that is allowed."""
+    if may_be_rounding and error <= 1.0:  # an error that is the rounding's falls with no shorter step
+        h = h * min(growth, DOUBLED)
+    elif 0 < error <= 1:
+        h = h * min(growth, SAFETY * error**EXPONENT)
+    else:
+        h = max(h, min(growth * h, end / AT_REST))
+    return h
+
+
+def _shorter(h: Any, error: Any, sure: Any) -> Any:
+    """Return the step after one that was too long, or passed a switch at `sure`."""
+    if sure < h:
+        h = sure if error <= 1.0 else min(sure, 0.5 * h)
+    elif error < 1e300:
+        h = h * max(SMALLEST, SAFETY * error**EXPONENT)
+    else:
+        h = 0.1 * h
+    return h
+
+
+def _is_at_a_pole(b: Any, y: Any, n: Any, at_last: Any) -> Any:
+    """Return whether the rates are known so badly that a step says little, and are more than noise."""
+    noise, size = 0.0, 0.0
+    for i in range(len(n)):
+        noise, size = max(noise, b[i]), max(size, abs(y[i]), abs(n[i]))
+    return JUMP * size < noise and (at_last or noise < NOTHING * size)
 
 
 def _error(fifth: Any, third: Any, suspicious: Any) -> Any:
@@ -196,6 +236,14 @@ def _sets_in(y: Any, n: Any, a: Any) -> Any:
     for i in range(len(n)):
         moves = moves or (a[i] <= NO_SCALE and y[i] == 0.0 and n[i] != 0.0)
     return moves
+
+
+def _has_no_scale(a: Any) -> Any:
+    """Return whether a component has no scale yet."""
+    lacks_scale = False
+    for i in range(len(a)):
+        lacks_scale = lacks_scale or a[i] <= NO_SCALE
+    return lacks_scale
 
 
 def _finite(n: Any) -> Any:

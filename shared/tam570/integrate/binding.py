@@ -9,22 +9,10 @@ from typing import Any
 import numpy as np
 
 from tam570.integrate.arguments import Array
-from tam570.integrate.clock import Clock
 
-__all__ = [
-    "TRIAL_ERRORS",
-    "CalledRates",
-    "NewBreak",
-    "Rates",
-    "RhsError",
-    "is_same",
-    "bound",
-    "check_start",
-    "reversed_rates",
-]
+__all__ = ["TRIAL_ERRORS", "CalledRates", "Rates", "RhsError", "is_same", "bound", "check_start", "reversed_rates"]
 
 Rates = Callable[[float, Any], Any]
-BETWEEN_CLOCKS = 25  # calls: a clock is slow; a step has 12, so that every stage gets one in turn
 ROUNDED = 4.0  # units in the last place: the time of two calls is rounded in two ways
 PLAIN = (float, int, np.float64)
 TRIAL_ERRORS = (ArithmeticError, ValueError, LookupError)  # a step that is too long may leave the domain
@@ -32,10 +20,6 @@ TRIAL_ERRORS = (ArithmeticError, ValueError, LookupError)  # a step that is too 
 
 class RhsError(Exception):
     """The right-hand side does not return what it should: told as a ValueError, and by no shorter step."""
-
-
-class NewBreak(Exception):
-    """The right-hand side compares time with one inside the stretch that was taken for smooth."""
 
 
 def bound(rhs: Callable[..., Any], parameters: Mapping[str, Any] | None, name: str = "rhs") -> Rates:
@@ -80,62 +64,19 @@ def _misfit(rhs: Callable[..., Any], names: tuple[str, ...]) -> str:
 
 
 class CalledRates:
-    """Calls of rates(t, y) with arrays, as SciPy makes them: floats come back.
-
-    Time stays within (low, high), between two breaks: a run that ends at a jump never looks beyond it. `breaks` are
-    the times that a `Clock` noted so far, `error` is the last one that the function raised.
-    """
+    """Calls of rates(t, y) with arrays, as SciPy makes them: floats come back. error : the last one raised."""
 
     def __init__(self, rates: Rates, size: int) -> None:
         self.rates, self.size = rates, size
-        self.low, self.high = -math.inf, math.inf
-        self.calls = 0
-        self.timed = False  # whether the function gets a `Clock`
-        self.breaks: set[float] = set()
         self.error: Exception | None = None
 
     def __call__(self, t: float, y: Sequence[float]) -> Sequence[float]:
-        t = self.low if t < self.low else self.high if t > self.high else t
-        self.calls += 1
-        if self.timed and self.calls % BETWEEN_CLOCKS == 0:
-            self._look_inside(t, np.array(y))
         try:
             value = self.rates(t, np.array(y))
         except TRIAL_ERRORS as error:
             self.error = error
             raise
         return _floats(value, self.size)
-
-    def _look_inside(self, t: float, y: Array) -> None:
-        """Note the times that the function compares t with. Raises NewBreak where one is in this stretch."""
-        times = self._compared(t, y)
-        self.breaks |= times
-        if any(self.low < time < self.high for time in times):
-            raise NewBreak
-
-    def look_near(self, t: float, y: Array) -> None:
-        """Note the times that the function compares t with, is there a state; and whether it takes a `Clock` at all."""
-        times = self._compared(t, y)
-        self.timed = bool(times)
-        self.breaks |= times
-
-    def _compared(self, t: float, y: Array) -> set[float]:
-        """Return the times that a `Clock` notes, those that change with the state aside.
-
-        None where t has to be a float.
-        """
-        noted = []
-        for state in (y, y * (1 + 1e-7) + 1e-12):
-            seen: list[float] = []
-            try:
-                plain = np.asarray(self.rates(t, state.copy()), dtype=float)
-                clocked = np.asarray(self.rates(Clock(t, 1.0, 0.0, seen), state.copy()), dtype=float)
-            except Exception:  # whatever it says to a clock, it then gets a float
-                return set()
-            if plain.shape != clocked.shape or not np.array_equal(plain, clocked, equal_nan=True):
-                return set()
-            noted.append(set(seen))
-        return noted[0] & noted[1]
 
     def check_memory(self, t: float, y: Sequence[float], f: Sequence[float]) -> None:
         """RhsError where rates that were f are others now: the function is random, or remembers earlier calls."""

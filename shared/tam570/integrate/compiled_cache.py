@@ -26,7 +26,7 @@ LARGEST = 20_000  # numbers in the result of a run that is kept
 def compile_run(engine: Engine, times: Array, control: Control) -> CompiledRun:
     """States at `times` from a start, by Taylor's method alone; None where it does not get there."""
     begin, end = float(times[0]), float(times[-1])
-    if engine.graph is None or not available() or engine.next_break(begin, begin, end, times) != end:
+    if engine.graph is None or not available() or engine.next_break(begin, begin, end) != end:
         return _nothing
     rows = np.empty((len(times), engine.formulas.size))
     run = Run(engine, float(times[0]), times - times[0], rows, control)

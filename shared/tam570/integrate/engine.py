@@ -9,8 +9,6 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-import numpy as np
-
 from tam570.integrate.adaptive_loop import GENERATED, first_step_with, loop_with
 from tam570.integrate.arguments import Array
 from tam570.integrate.binding import CalledRates, Rates, bound, check_start, is_same, reversed_rates
@@ -19,12 +17,11 @@ from tam570.integrate.cache_key import Changeable, call_key
 from tam570.integrate.dop853_source import compiled
 from tam570.integrate.formulas import Formulas, call_of, written
 from tam570.integrate.roundoff import roundoff_by_neighbours
+from tam570.integrate.switches import Switches
 from tam570.integrate.symbols import Untraceable
 from tam570.integrate.trace import Graph, traced
 
 __all__ = ["Engine", "Mistraced", "engine"]
-
-ULPS = 4.0  # of a break, as it is computed, from which the stretches before and after it keep away
 
 
 class Mistraced(Exception):
@@ -43,26 +40,20 @@ class Engine:
     untraced_reason: str = ""
     sign: float = 1.0  # of the clock: -1 where the times are those of -t
     called_rates: CalledRates | None = None
+    switches: Switches | None = None
 
     @property
     def is_traced(self) -> bool:
         return self.graph is not None
 
-    def next_break(self, t: float, begin: float, end: float, y: Array) -> float:
+    def next_break(self, t: float, begin: float, end: float) -> float:
         """Return where a stretch from t on ends in a run from begin to end.
 
-        Where the rates may jump next, or at `end`.
+        Where a traced function of time may be passed, or at `end`.
         """
-        if self.called_rates is None:
-            if not self.formulas.timed:
-                return end
-            assert self.graph is not None
-            return next((time for time in breaks_of(self.graph, begin, end) if time > t), end)
-        near = ULPS * float(np.spacing(max(abs(t), abs(end))))
-        self.called_rates.look_near(t + near, y)
-        stop = min((time for time in self.called_rates.breaks if t + near < time < end - near), default=end)
-        self.called_rates.low, self.called_rates.high = t + near, stop - near
-        return stop
+        if self.graph is None or not self.formulas.timed:
+            return end
+        return next((time for time in breaks_of(self.graph, begin, end) if time > t), end)
 
 
 def engine(
@@ -138,8 +129,10 @@ def _called_engine(run: _Run, reason: str) -> Engine:
     called_rates = CalledRates(rates, len(run.start))
     formulas = call_of(len(run.start))
     functions = compiled(formulas, run.sampled, called_rates)
-    functions = _with_loop({**functions, "roundoff": roundoff_by_neighbours(called_rates)})
-    return Engine(rates, functions, (), formulas, None, reason, run.sign, called_rates)
+    switches = Switches(rates, len(run.start), float(run.times[-1] - run.times[0]), run.sign)
+    by_call = {"roundoff": roundoff_by_neighbours(called_rates), "reach": switches.reach, "passed": switches.passed}
+    functions = _with_loop({**functions, **by_call})
+    return Engine(rates, functions, (), formulas, None, reason, run.sign, called_rates, switches)
 
 
 @lru_cache(maxsize=256)

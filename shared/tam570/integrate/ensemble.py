@@ -35,4 +35,4 @@ def _is_smooth(engine: Engine, times: Array, control: Control) -> bool:
     end = float(times[-1])
     plain = control.max_step == np.inf and control.first_step is None
     begin = float(times[0])
-    return plain and engine.is_traced and engine.next_break(begin, begin, end, times) == end
+    return plain and engine.is_traced and engine.next_break(begin, begin, end) == end

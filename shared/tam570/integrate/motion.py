@@ -21,6 +21,8 @@ class Report:
         "Python" or "compiled".
     untraced_reason : str
         Why the right-hand side was called unchanged instead of traced; empty if it was traced.
+    unseen_reason : str
+        Why nobody can see where such a function switches; its steps are then at most a thousandth of the run.
     steps : int
     refusals : int
         Steps that were too long and were repeated.
@@ -32,6 +34,7 @@ class Report:
 
     engine: str
     untraced_reason: str
+    unseen_reason: str
     steps: int
     refusals: int
     evaluations: int | None

@@ -5,6 +5,8 @@ term along; what occurs twice is computed once. A function that asks what a numb
 convergence, a compiled routine) cannot be written down like this and is called as it stands.
 """
 
+import contextlib
+import dis
 import functools
 import math
 import types
@@ -17,13 +19,10 @@ import numpy as np
 from tam570.integrate.cache_key import global_names
 from tam570.integrate.symbols import FUNCTIONS, Symbol, Tape, Untraceable, Value
 
-__all__ = ["Graph", "traced"]
+__all__ = ["Graph", "substituted", "traced"]
 
 # What Python, NumPy and a careful function answer to an argument that is not a number.
 ANSWERS = (TypeError, ValueError, AttributeError, ArithmeticError, LookupError, AssertionError, RuntimeError)
-
-
-BUILTINS = "built-in names"  # what a translation knows beside functions
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,7 +45,7 @@ def traced(rates: Callable[..., Any], size: int, stand_ins: Mapping[str, Any] | 
     tape = Tape()
     time, state = tape.record("t"), [tape.record(f"s{i}") for i in range(size)]
     try:
-        values = _translated(rates, {BUILTINS: stand_ins or {}})(time, np.array(state))
+        values = substituted(rates, _substitute, {**STAND_INS, **(stand_ins or {})})(time, np.array(state))
         listed = tuple(v if isinstance(v, Symbol) else float(v) for v in values)
     except Exception as answer:
         raise _refusal(answer) from answer
@@ -97,31 +96,59 @@ def _checked_isinstance(value: Any, kinds: Any) -> bool:
     return isinstance(value, kinds)
 
 
-def _translated(value: Any, twins: dict[int | str, Any]) -> Any:
-    """Return `value` with math replaced by its symbolic kin, in all the functions that it calls."""
+STAND_INS = {"isinstance": _checked_isinstance}
+
+
+def _substitute(value: Any) -> Any:
+    """Return what stands in for math and its functions."""
     if value is math:
         return _Mathematics()
-    if isinstance(value, types.BuiltinFunctionType):
-        return _symbolic(value) if value.__module__ == "math" else value
+    return _symbolic(value) if isinstance(value, types.BuiltinFunctionType) and value.__module__ == "math" else value
+
+
+def substituted(
+    value: Any,
+    substitute: Callable[[Any], Any],
+    stand_ins: Mapping[str, Any],
+    twins: dict[int, types.FunctionType] | None = None,
+) -> Any:
+    """Return a function that finds other values in the place of those that it uses, as all functions that it calls do.
+
+    substitute : of a value, what is found in its place; the value itself if nothing is
+    stand_ins  : the same by name, for built-in names
+    twins      : of functions, by their id; one may call itself
+    """
+    twins = {} if twins is None else twins
+    if (other := substitute(value)) is not value:
+        return other
     if isinstance(value, functools.partial):
-        return functools.partial(_translated(value.func, twins), *value.args, **value.keywords)
+        return functools.partial(substituted(value.func, substitute, stand_ins, twins), *value.args, **value.keywords)
     if isinstance(value, types.MethodType):
-        return types.MethodType(_translated(value.__func__, twins), value.__self__)
-    if isinstance(value, types.FunctionType) and not (value.__module__ or "").startswith("numpy"):
-        return twins[id(value)] if id(value) in twins else _translated_function(value, twins)
-    return value
+        return types.MethodType(substituted(value.__func__, substitute, stand_ins, twins), value.__self__)
+    if not isinstance(value, types.FunctionType) or (value.__module__ or "").startswith("numpy"):
+        return value
+    if id(value) in twins:
+        return twins[id(value)]
+    names = {**stand_ins, **value.__globals__}
+    cells = tuple(types.CellType() for _ in value.__closure__ or ())
+    twin = types.FunctionType(value.__code__, names, value.__name__, None, cells)
+    sets_items = any(line.opname == "STORE_SUBSCR" for line in dis.get_instructions(value.__code__))
+    twins[id(value)] = twin  # before its names are looked at: it may call itself
 
+    def found(used: Any) -> Any:
+        """Copy lists and arrays: what the function puts there stays its own."""
+        if type(used) is np.ndarray and used.dtype == float and sets_items:
+            return used.astype(object)
+        if type(used) in (list, tuple, set):
+            return type(used)(map(found, used))
+        if type(used) is dict:
+            return {key: found(item) for key, item in used.items()}
+        return substituted(used, substitute, stand_ins, twins)
 
-def _translated_function(function: types.FunctionType, twins: dict[int | str, Any]) -> types.FunctionType:
-    names = {**twins[BUILTINS], **function.__globals__}
-    cells = tuple(types.CellType() for _ in function.__closure__ or ())
-    twin = types.FunctionType(function.__code__, names, function.__name__, function.__defaults__, cells)
-    twin.__kwdefaults__ = function.__kwdefaults__
-    twins[id(function)] = twin  # before its names are looked at: it may call itself
-    for name in global_names(function.__code__) & names.keys():
-        names[name] = _translated(names[name], twins)
-    if "isinstance" in function.__code__.co_names and "isinstance" not in names:
-        names["isinstance"] = _checked_isinstance
-    for cell, original in zip(cells, function.__closure__ or (), strict=True):
-        cell.cell_contents = _translated(original.cell_contents, twins)
+    for name in global_names(value.__code__) & value.__globals__.keys():
+        names[name] = found(names[name])
+    for cell, original in zip(cells, value.__closure__ or (), strict=True):
+        with contextlib.suppress(ValueError):  # it has no value yet
+            cell.cell_contents = found(original.cell_contents)
+    twin.__defaults__, twin.__kwdefaults__ = found(value.__defaults__), found(value.__kwdefaults__)
     return twin

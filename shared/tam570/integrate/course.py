@@ -1,0 +1,397 @@
+"""A right-hand side that is called as it stands, evaluated at many points of a step in one call.
+
+A `Course` is a number known at several points of a step at once. What a function decides by it, it decides as at the
+first point, and what it decides by is noted: the difference of two numbers that are compared, the distance from the
+next whole number where one is rounded, from the next entry where one is looked up in a table. Where one of these
+passes zero, the function may do something else.
+"""
+
+import copy
+import functools
+import math
+import operator
+import sysconfig
+import types
+from collections.abc import Callable, Sequence
+from numbers import Real
+from typing import Any
+
+import numpy as np
+
+from tam570.integrate.arguments import Array
+from tam570.integrate.trace import substituted
+
+__all__ = ["Course", "Decisions", "along"]
+
+FOREIGN = tuple(sysconfig.get_paths()[name] for name in ("stdlib", "platstdlib", "purelib", "platlib"))
+OURS = "tam570"
+FILLED = {"zeros", "ones", "empty", "full", "zeros_like", "ones_like", "empty_like", "full_like"}
+SATURATING = {"exp", "exp2", "expm1", "tanh", "erf", "erfc", "sinh", "cosh", "expit"}
+NUMPY_NAMES = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2", "pow": "power"}
+NUMPY_NAMES |= {f"{name}h": f"arc{name[1:]}h" for name in ("asin", "acos", "atan")}
+INSIDE = 1e-9  # of the first cell, where what is rounded is decided: at the start it may be whole
+LARGEST_TABLE = 100_000
+
+
+class Decisions:
+    """What a function decided by along a step. seen : (m,) each; saturating : arguments of exp, tanh and their like."""
+
+    def __init__(self) -> None:
+        self.seen: list[Array] = []
+        self.saturating: list[Array] = []
+
+    def sign(self, values: Array) -> float:
+        """Note a difference; return its sign on the path that the function takes."""
+        self.seen.append(values)
+        first = values[0] or next((v for v in values if v), 0.0)
+        return math.copysign(1.0, first) if first else 0.0
+
+
+def _values(other: Any) -> Any:
+    if isinstance(other, Course):
+        return other.values
+    return float(other) if isinstance(other, Real) else None
+
+
+def _arithmetic(combined: Callable[[Any, Any], Any], *, swapped: bool = False, notes: bool = False) -> Any:
+    def method(self: "Course", other: Any) -> Any:
+        b = _values(other)
+        if b is None:
+            return NotImplemented
+        values = combined(b, self.values) if swapped else combined(self.values, b)
+        is_line = self.is_line and not isinstance(other, Course)
+        if notes and is_line:
+            self.decisions.seen.append(values)
+        return Course(values, self.decisions, is_line=is_line and notes is not None)
+
+    return method
+
+
+def _comparison(compare: Callable[[Any, Any], bool]) -> Any:
+    def method(self: "Course", other: Any) -> Any:
+        b = _values(other)
+        return NotImplemented if b is None else compare(self.decisions.sign(self.values - b), 0.0)
+
+    return method
+
+
+def _quotient(a: Any, b: Any) -> Any:
+    return np.true_divide(a, b)
+
+
+def _refuse(*_: Any) -> Any:
+    raise TypeError("a function wants the digits of a number")
+
+
+class Course:
+    """A number at m points of a step. is_line : whether it is affine in time, and no more."""
+
+    __slots__ = ("decisions", "is_line", "values")
+
+    def __init__(self, values: Array, decisions: Decisions, is_line: bool = False) -> None:
+        self.values, self.decisions, self.is_line = values, decisions, is_line
+
+    __add__, __radd__ = _arithmetic(operator.add, notes=True), _arithmetic(operator.add, swapped=True, notes=True)
+    __sub__, __rsub__ = _arithmetic(operator.sub, notes=True), _arithmetic(operator.sub, swapped=True, notes=True)
+    __mul__, __rmul__ = _arithmetic(operator.mul), _arithmetic(operator.mul, swapped=True)
+    __truediv__, __rtruediv__ = _arithmetic(_quotient), _arithmetic(_quotient, swapped=True)
+
+    def __pow__(self, other: Any) -> Any:
+        return self._curved(np.power, self, other)
+
+    def __rpow__(self, other: Any) -> Any:
+        return self._curved(np.power, other, self)
+
+    def _curved(self, function: Any, *arguments: Any) -> "Course":
+        return Course(function(*(_values(a) for a in arguments)), self.decisions)
+
+    def __neg__(self) -> "Course":
+        return Course(-self.values, self.decisions, self.is_line)
+
+    def __pos__(self) -> "Course":
+        return self
+
+    def __abs__(self) -> "Course":
+        return -self if self.decisions.sign(self.values) < 0 else self
+
+    __lt__, __le__ = _comparison(operator.lt), _comparison(operator.le)
+    __gt__, __ge__ = _comparison(operator.gt), _comparison(operator.ge)
+    __eq__, __ne__ = _comparison(operator.eq), _comparison(operator.ne)
+    __hash__ = None  # type: ignore[assignment]
+    __str__ = __repr__ = __format__ = __reduce_ex__ = _refuse
+
+    def __bool__(self) -> bool:
+        return self.decisions.sign(self.values) != 0.0
+
+    def rounded(self, half: float = 0.0) -> float:
+        """Return the whole number below, or the nearest with half = 0.5; note where it changes."""
+        v = self.values + half
+        low = float(math.floor(v[0] + INSIDE * (v[1] - v[0])))
+        self.decisions.seen += [v - low, v - (low + 1)]
+        return low
+
+    def __floor__(self) -> int:
+        return int(self.rounded())
+
+    def __ceil__(self) -> int:
+        return -int((-self).rounded())
+
+    def __trunc__(self) -> int:
+        return self.__floor__() if self.decisions.sign(self.values) >= 0 else self.__ceil__()
+
+    __int__ = __trunc__
+
+    def __round__(self, digits: Any = None) -> Any:
+        scale = 10.0 ** (digits or 0)
+        value = (self * scale).rounded(0.5)
+        return int(value) if digits is None else value / scale
+
+    def __floordiv__(self, period: Any) -> Any:
+        return float((self / period).rounded())
+
+    def __mod__(self, period: Any) -> Any:
+        return self - (self / period).rounded() * period
+
+    def __rfloordiv__(self, other: Any) -> Any:
+        return float((other / self).rounded())
+
+    def __rmod__(self, other: Any) -> Any:
+        return other - (other / self).rounded() * self
+
+    def __divmod__(self, period: Any) -> Any:
+        return self // period, self % period
+
+    def __getattr__(self, name: str) -> Any:
+        """NumPy's functions ask an object for a method of their name."""
+        function = getattr(np, name, None)
+        if name.startswith("_") or not callable(function):
+            raise AttributeError(name)
+        return functools.partial(_lifted(function), self)
+
+    def note_table(self, table: Sequence[float]) -> None:
+        """Note the distance from the next numbers of a table, above and below."""
+        start = self.values[0] + INSIDE * (self.values[1] - self.values[0])
+        position = int(np.searchsorted(table, start))
+        self.decisions.seen += [self.values - level for level in table[max(position - 1, 0) : position + 1]]
+
+
+def _sign(x: Any) -> float:
+    return float(x.decisions.sign(x.values) if isinstance(x, Course) else np.sign(x))
+
+
+def _is_close(a: Any, b: Any, rtol: Any = 1e-5, atol: Any = 1e-8) -> bool:
+    return bool(abs(a - b) <= atol + rtol * abs(b))
+
+
+def _is_close_by_math(a: Any, b: Any, rel_tol: Any = 1e-9, abs_tol: Any = 0.0) -> bool:
+    return bool(abs(a - b) <= max(rel_tol * max(abs(a), abs(b)), abs_tol))
+
+
+def _fmod(a: Any, b: Any) -> Any:
+    return a % b if a >= 0 else -(-a % b)
+
+
+# Functions that decide, by the name that they have in math or NumPy.
+DECIDING: dict[str, Callable[..., Any]] = {
+    "sign": lambda x: _sign(x),
+    "copysign": lambda x, y: abs(x) * (_sign(y) or 1.0),
+    "heaviside": lambda x, at_zero: {-1.0: 0.0, 0.0: at_zero, 1.0: 1.0}[_sign(x)],
+    "fabs": abs,
+    "absolute": abs,
+    "abs": abs,
+    "maximum": max,
+    "fmax": max,
+    "minimum": min,
+    "fmin": min,
+    "clip": lambda x, low, high: min(max(x, low), high),
+    "floor": math.floor,
+    "ceil": math.ceil,
+    "trunc": math.trunc,
+    "fix": math.trunc,
+    "rint": round,
+    "round": round,
+    "remainder": operator.mod,
+    "mod": operator.mod,
+    "floor_divide": operator.floordiv,
+    "fmod": _fmod,
+    "isclose": _is_close,
+    "math.isclose": _is_close_by_math,
+    "isfinite": lambda x: True,
+    "isnan": lambda x: False,
+    "isinf": lambda x: False,
+    "nan_to_num": lambda x: x,
+}
+
+
+def _parts(value: Any) -> Any:
+    """Return the courses in an argument."""
+    if isinstance(value, Course):
+        yield value
+    elif type(value) in (list, tuple) or type(value) is np.ndarray and value.dtype == object:
+        for part in value.ravel() if type(value) is np.ndarray else value:
+            yield from _parts(part)
+
+
+def _point(value: Any, k: int) -> Any:
+    """Return an argument at one of the points."""
+    if isinstance(value, Course):
+        return float(value.values[k])
+    if type(value) in (list, tuple):
+        return type(value)(_point(part, k) for part in value)
+    if type(value) is np.ndarray and value.dtype == object:
+        return np.array([_point(part, k) for part in value.ravel()], dtype=float).reshape(value.shape)
+    return value
+
+
+def _lifted(function: Any) -> Any:
+    """Return a function of numbers, and arrays of them, as one of courses."""
+    name = "math.isclose" if function is math.isclose else getattr(function, "__name__", "")
+
+    @functools.wraps(function, updated=())
+    def lifted(*arguments: Any, **keywords: Any) -> Any:
+        courses = [*_parts(arguments), *_parts(tuple(keywords.values()))]
+        if not courses:
+            result = function(*arguments, **keywords)
+            return result.astype(object) if name in FILLED and result.dtype == float else result
+        scalars = all(isinstance(a, Course | Real) for a in arguments)
+        if name in SATURATING:
+            courses[0].decisions.saturating += [c.values for c in courses]
+        if name in DECIDING:
+            decide = functools.partial(DECIDING[name], **keywords)
+            return decide(*arguments) if scalars else np.frompyfunc(decide, len(arguments), 1)(*arguments)
+        if (
+            scalars
+            and not keywords
+            and (smooth := getattr(np, NUMPY_NAMES.get(name, name), None))
+            and isinstance(smooth, np.ufunc)
+        ):
+            return Course(smooth(*(_values(a) for a in arguments)), courses[0].decisions)
+        if not scalars and getattr(function, "__module__", "") == "numpy" or isinstance(function, np.ufunc):
+            try:
+                return function(*arguments, **keywords)
+            except (TypeError, ValueError, AttributeError):
+                pass
+        return _point_by_point(function, courses, arguments, keywords)
+
+    return lifted
+
+
+def _point_by_point(function: Any, courses: list[Course], arguments: Any, keywords: Any) -> Any:
+    """Return what a function makes of courses that nobody can look into: of tables the entries are seen."""
+    decisions = courses[0].decisions
+    for table in (*filter(_is_table, arguments), *_tables_of(function)):
+        for course in courses:
+            course.note_table(table)
+    points = range(len(courses[0].values))
+    results = [
+        function(*(_point(a, k) for a in arguments), **{key: _point(v, k) for key, v in keywords.items()})
+        for k in points
+    ]
+    return _joined(results, decisions)
+
+
+def _joined(results: list[Any], decisions: Decisions) -> Any:
+    first = results[0]
+    if isinstance(first, tuple | list):
+        return type(first)(_joined(list(part), decisions) for part in zip(*results, strict=True))
+    stacked = np.array(results)
+    if stacked.dtype.kind in "biu" and stacked.ndim == 1:  # it chose
+        decisions.seen.append(np.where(stacked == stacked[0], 1.0, -1.0))
+        return first
+    if stacked.ndim == 1:
+        return Course(stacked.astype(float), decisions)
+    flat = [Course(column, decisions) for column in stacked.reshape(len(results), -1).T.astype(float)]
+    joined = np.empty(len(flat), dtype=object)
+    joined[:] = flat
+    return joined.reshape(stacked.shape[1:])
+
+
+def _is_table(value: Any) -> bool:
+    """Return whether a value is an increasing list of numbers."""
+    if not isinstance(value, list | tuple | np.ndarray):
+        return False
+    try:
+        table = np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        return False
+    return table.ndim == 1 and 1 < table.size <= LARGEST_TABLE and bool((np.diff(table) >= 0).all())
+
+
+def _tables_of(function: Any) -> list[Any]:
+    """Return the tables that an object keeps, such as an interpolant of SciPy's."""
+    if isinstance(function, types.FunctionType | types.BuiltinFunctionType | np.ufunc | type):
+        return []
+    tables = [getattr(function, name, None) for name in dir(function) if name[0] != "_"]
+    return [table for table in tables if isinstance(table, np.ndarray) and _is_table(table)]
+
+
+class _LiftedModule:
+    """A module whose functions take courses."""
+
+    def __init__(self, module: types.ModuleType) -> None:
+        self.module = module
+
+    def __getattr__(self, name: str) -> Any:
+        return _substitute(getattr(self.module, name))
+
+
+def _substitute(value: Any) -> Any:
+    """Return what stands in for a value in a function of courses; itself where it is to be looked into."""
+    if isinstance(value, types.ModuleType):
+        return _LiftedModule(value)
+    if isinstance(value, types.BuiltinFunctionType):
+        return value if value.__module__ == "builtins" else _lifted(value)
+    if isinstance(value, types.FunctionType):
+        return _lifted(value) if _is_foreign(value) else value
+    if isinstance(value, type | functools.partial) or not callable(value):
+        return value
+    method = value if isinstance(value, types.MethodType) else types.MethodType(type(value).__call__, value)
+    if isinstance(method.__func__, types.FunctionType) and not _is_foreign(method.__func__):
+        return types.MethodType(substituted(method.__func__, _substitute, STAND_INS), _copied(method.__self__))
+    return _lifted(value)
+
+
+def _copied(instance: Any) -> Any:
+    """Return an instance with copies of its lists and their like: what its methods put there stays the copy's."""
+    if isinstance(instance, type) or not hasattr(instance, "__dict__"):
+        return instance
+    twin = copy.copy(instance)
+    for name, value in vars(instance).items():
+        twin.__dict__[name] = copy.copy(value) if isinstance(value, list | dict | set) else _substitute(value)
+    return twin
+
+
+def _is_foreign(function: types.FunctionType) -> bool:
+    module = function.__module__ or ""
+    return module.partition(".")[0] != OURS and function.__code__.co_filename.startswith(FOREIGN)
+
+
+def _float(value: Any = 0.0) -> Any:
+    if isinstance(value, np.ndarray) and value.shape == () and value.dtype == object:
+        value = value.item()
+    return value if isinstance(value, Course) else float(value)
+
+
+def _isinstance(value: Any, kinds: Any) -> bool:
+    listed = kinds if isinstance(kinds, tuple) else (kinds,)
+    listed = tuple(float if kind is _float else kind for kind in listed)
+    return isinstance(1.0 if isinstance(value, Course) else value, listed)
+
+
+STAND_INS = {"float": _float, "isinstance": _isinstance}
+
+
+def along(rates: Callable[..., Any], size: int) -> Callable[[Array, Array], tuple[Array, Decisions]]:
+    """Return profile(t, y) of rates(t, y): (k, m) rates at (m,) times and (k, m) states, and what was decided by."""
+    twin = substituted(rates, _substitute, STAND_INS)
+
+    def profile(t: Array, y: Array) -> tuple[Array, Decisions]:
+        decisions = Decisions()
+        state = np.empty(size, dtype=object)
+        state[:] = [Course(row, decisions) for row in y]
+        results = twin(Course(t, decisions, is_line=True), state)
+        listed = [part.item() if isinstance(part, np.ndarray) else part for part in results]
+        rows = [np.broadcast_to(np.asarray(_values(part), dtype=float), t.shape) for part in listed]
+        return np.array(rows).reshape(size, len(t)), decisions
+
+    return profile
