@@ -332,7 +332,9 @@ class _LiftedModule:
         self.module = module
 
     def __getattr__(self, name: str) -> Any:
-        return _substitute(getattr(self.module, name))
+        value = _substitute(getattr(self.module, name))
+        setattr(self, name, value)  # it is asked for once
+        return value
 
 
 def _substitute(value: Any) -> Any:
@@ -381,17 +383,15 @@ def _isinstance(value: Any, kinds: Any) -> bool:
 STAND_INS = {"float": _float, "isinstance": _isinstance}
 
 
-def along(rates: Callable[..., Any], size: int) -> Callable[[Array, Array], tuple[Array, Decisions]]:
-    """Return profile(t, y) of rates(t, y): (k, m) rates at (m,) times and (k, m) states, and what was decided by."""
+def along(rates: Callable[..., Any], size: int) -> Callable[[Array, Array], Decisions]:
+    """Return profile(t, y): what rates(t, y) decides by at (m,) times and (k, m) states."""
     twin = substituted(rates, _substitute, STAND_INS)
 
-    def profile(t: Array, y: Array) -> tuple[Array, Decisions]:
+    def profile(t: Array, y: Array) -> Decisions:
         decisions = Decisions()
         state = np.empty(size, dtype=object)
         state[:] = [Course(row, decisions) for row in y]
-        results = twin(Course(t, decisions, is_line=True), state)
-        listed = [part.item() if isinstance(part, np.ndarray) else part for part in results]
-        rows = [np.broadcast_to(np.asarray(_values(part), dtype=float), t.shape) for part in listed]
-        return np.array(rows).reshape(size, len(t)), decisions
+        twin(Course(t, decisions, is_line=True), state)
+        return decisions
 
     return profile

@@ -21,6 +21,7 @@ __all__ = ["Switches"]
 
 POINTS = 17  # of a step
 X = np.linspace(0.0, 1.0, POINTS)
+ENDS = np.array([0.0, 1.0])  # enough for what has not decided anything so far
 SHORT = 1e-3  # of the way to a switch: so much shorter is the next step
 AT_HAND = 2.0  # times the shortest step
 ROUNDED = (1.37, -2.91, 1.82, -5.3)  # units in the last place, by which states are changed: is it more than rounding?
@@ -44,6 +45,7 @@ class Switches:
         self.reason = ""
         self.time, self.distance = math.nan, math.inf  # from the end of the last step to the next switch
         self.pace = self.longest = 0.0  # s, of steps before the last switches, and since
+        self.decides = False  # whether it decided by anything so far
         self.is_near = False  # whether the last step was at a switch
         self.crossings: list[float] = []  # times, each soon after the one before
 
@@ -104,11 +106,16 @@ class Switches:
 
         In parts of the step; infinite where there is none.
         """
-        near = np.append(0.0, np.geomspace(min(shortest / h, 0.1 * X[1]), X[1], POINTS - 1))
         path = partial(_cubic, h=h, y=y, f=f, n=n, g=g)
+        if not self.decides:
+            decisions = self.profile(start + ENDS * h, path(ENDS))
+            self.decides = bool(decisions.seen or decisions.saturating)
+            if not self.decides:
+                return math.inf, math.inf
         seen, saturated = self._seen(X, start + X * h, path(X))
         part, ahead = _first_zero(X, seen), _next_zero(seen)
         if 0.0 < part < X[1] or self.is_near:
+            near = np.append(0.0, np.geomspace(min(shortest / h, 0.1 * X[1]), X[1], POINTS - 1))
             part = min(_first_zero(near, self._seen(near, start + near * h, path(near))[0]), part)
         elif math.isinf(part) and (turn := _first_turn(seen)):
             x = np.linspace(X[turn - 1], X[turn + 1], POINTS)
@@ -117,11 +124,11 @@ class Switches:
 
     def _seen(self, x: Array, t: Array, path: Array) -> tuple[Array, float]:
         """(q, m) switching functions, positive at the start; and the part in which nothing saturates unseen."""
-        _, decisions = self.profile(t, path)
+        decisions = self.profile(t, path)
         seen = np.array(decisions.seen).reshape(-1, len(x))
         signs = _signs(seen)
         if seen.size and ((signs * seen < 0).any() or not seen[:, 0].all()):
-            _, nearby = self.profile(t, path * (1.0 + EPS * np.resize(ROUNDED, path.shape[::-1]).T))
+            nearby = self.profile(t, path * (1.0 + EPS * np.resize(ROUNDED, path.shape[::-1]).T))
             if len(nearby.seen) == len(seen):
                 noise = np.abs(np.array(nearby.seen) - seen).max(axis=1)
                 seen = seen[np.abs(seen).max(axis=1) > NOISE * noise]
