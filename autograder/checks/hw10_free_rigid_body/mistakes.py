@@ -237,7 +237,7 @@ def symmetric_solution(reference, t, omega, *, inertia):
 
 
 @mistake(
-    "You use C/A omega_3; only for spin very near the axis is that the rate.",
+    "You use C/A omega_3; the rate is that only for omega very near the axis.",
     first_fails=wobble_goes_round_the_angular_momentum,
 )
 def wobble_rate(reference, omega, *, inertia):
@@ -287,7 +287,7 @@ def tumble_period(reference, omega, *, inertia):
 
 
 @mistake(
-    "You use the formula for omega round the axis of the smallest inertia; here it goes round the other one.",
+    "You use the formula for omega round the axis of the smallest inertia; here it goes round that of the largest.",
     first_fails=period_round_the_last_axis,
 )
 def tumble_period(reference, omega, *, inertia):
@@ -298,7 +298,7 @@ def tumble_period(reference, omega, *, inertia):
 
 
 @mistake(
-    "You use the formula for omega round the axis of the largest inertia; here it goes round the other one.",
+    "You use the formula for omega round the axis of the largest inertia; here it goes round that of the smallest.",
     first_fails=period_round_the_first_axis,
 )
 def tumble_period(reference, omega, *, inertia):
@@ -331,7 +331,9 @@ def tumble_period(reference, omega, *, inertia):
 # Drawing
 
 
-@mistake("You turn the box by the transpose of R.", first_fails=the_box_has_its_twelve_edges, compared=False)
+@mistake(
+    "You turn the box by the transpose of R; turn it by R.", first_fails=the_box_has_its_twelve_edges, compared=False
+)
 def wireframe(reference, R, *, size):
     return reference(R.T, size=size)
 
@@ -349,7 +351,7 @@ def plot_rim_paths(reference, ax, t, R, omega, *, inertia, radius):
 
 
 @mistake(
-    "You draw two opposite points of the rim; they run on one circle, for r(t) of the other is -r(t).",
+    "You draw two opposite points of the rim; they run on one circle. Draw (radius, 0, 0) and (0, radius, 0).",
     first_fails=rim_paths_are_drawn,
     compared=False,
 )

@@ -41,7 +41,7 @@ def rolling_spin(reference, lean, precession, **disk):
     return reference(lean, precession, **disk) + precession * math.sin(lean)
 
 
-@mistake("Your precession lost its sign.", first_fails=rolling_spin_balances_the_moments)
+@mistake("You drop the sign of the precession; keep it.", first_fails=rolling_spin_balances_the_moments)
 def rolling_spin(reference, lean, precession, **disk):
     return reference(lean, abs(precession), **disk)
 
@@ -117,7 +117,10 @@ def rolling_precession(reference, lean, track_radius, *, mass, radius, inertia, 
     return reference(lean, track_radius, mass=mass, radius=radius, inertia=inertia, gravity=gravity)
 
 
-@mistake("You treat a lean below 1e-4 as upright.", first_fails=rolling_precession_is_zero_where_nothing_turns_it)
+@mistake(
+    "You treat a lean below 1e-4 as upright; only lean = 0 is.",
+    first_fails=rolling_precession_is_zero_where_nothing_turns_it,
+)
 def rolling_precession(reference, lean, track_radius, **disk):
     return reference(lean if abs(lean) >= 1e-4 else 0.0, track_radius, **disk)
 
@@ -248,7 +251,7 @@ def moment_residual(reference, lean, precession, spin, inward, normal, **disk):
     return reference(lean, precession, spin, -normal, -inward, **disk)
 
 
-@mistake("You use C/2 for A; A = C/2 only for a thin disk.", first_fails=settling_energy_adds_up)
+@mistake("You use C/2 for A in the kinetic energy; A = C/2 only for a thin disk.", first_fails=settling_energy_adds_up)
 def settling_energy(reference, lean, *, mass, radius, inertia, gravity):
     A, C = inertia
     height = mass * gravity * radius * math.cos(lean)
