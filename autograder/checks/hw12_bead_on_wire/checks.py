@@ -27,7 +27,7 @@ FEW_DIGITS = 1e-4  # of x'' next to the bottom; differences of energies are good
 TRAJECTORY = 2e-5  # LSODA at rtol 1e-9, atol 1e-9 is off by 1e-6 after three periods, RK45 and DOP853 by less
 SHARP_TURN = 2e-4  # ... by 1e-5 behind the sharp turns of a steep wire
 ENERGY = 7e-5  # BDF at the same tolerances loses 7e-6 of it in thirty periods, the others 1e-6
-COARSELY = 0.1  # of the amplitude after thirty periods; rows from anywhere on the motion are off by one or two
+COARSELY = 0.03  # of the amplitude after many periods; rows from anywhere on the motion are off by one or two
 PERIOD = 1e-6  # a quadrature with a singular end, or an event of a simulation, is good to 1e-8
 TINY = 5e-4  # at micrometres an event of a simulation with an absolute tolerance of 1e-9 m is good to 5e-5
 
