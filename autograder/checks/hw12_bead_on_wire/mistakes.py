@@ -46,6 +46,13 @@ def runge_kutta(t, x, v, steps, wire):
     return np.array(rows)
 
 
+def in_longer_steps(t, x, v, wire, limit, longer):
+    """By short steps up to a duration, and by longer ones beyond it, in units of 1/sqrt(2 g c)."""
+    rate = np.sqrt(2 * wire["curvature"] * (wire["gravity"] or 10.0))
+    step = (0.002 if (t[-1] - t[0]) * rate < limit else longer) / rate
+    return runge_kutta(t, x, v, [math.ceil(span / step) for span in np.diff(t)], wire)
+
+
 # Lagrange
 
 
@@ -253,14 +260,13 @@ def simulate(reference, t, x, v, *, curvature, gravity):
 
 
 @mistake(
-    "You take a fixed number of Runge-Kutta steps, however long the motion; limit the size of a step.",
+    "You take longer steps in a long motion; the bead turns as sharply in it.",
     first_fails=simulate_slides_down_steep_wires,
     compared=False,
     numerics=True,
 )
 def simulate(reference, t, x, v, **wire):
-    shares = np.diff(t) / (t[-1] - t[0])
-    return runge_kutta(t, x, v, [math.ceil(1000 * share) for share in shares], wire)
+    return in_longer_steps(t, x, v, wire, 30, 0.06)
 
 
 @mistake(
@@ -269,11 +275,8 @@ def simulate(reference, t, x, v, **wire):
     compared=False,
     numerics=True,
 )
-def simulate(reference, t, x, v, *, curvature, gravity):
-    rate = np.sqrt(2 * curvature * (gravity or 10.0))
-    step = (0.002 if (t[-1] - t[0]) * rate < 47 else 0.25) / rate
-    steps = [math.ceil(span / step) for span in np.diff(t)]
-    return runge_kutta(t, x, v, steps, {"curvature": curvature, "gravity": gravity})
+def simulate(reference, t, x, v, **wire):
+    return in_longer_steps(t, x, v, wire, 47, 0.25)
 
 
 # The period
