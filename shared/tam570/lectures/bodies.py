@@ -6,7 +6,7 @@ each other on one curve, once round in 6.32591398 s.
 """
 
 from collections.abc import Sequence
-from math import nan, sqrt
+from math import inf, nan, sqrt
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -108,7 +108,8 @@ def _fastest(start: ArrayLike, *, masses: Sequence[float], newton: float) -> flo
     """rad/s, at which the two nearest bodies would circle each other if they had all of the mass."""
     m, r, _ = _parts(start, masses, newton)
     first, second = np.triu_indices(len(m), 1)
-    return sqrt(newton * m.sum() / ((r[first] - r[second]) ** 2).sum(axis=1).min(initial=np.inf) ** 1.5)
+    nearest = float(((r[first] - r[second]) ** 2).sum(axis=1).min(initial=inf))  # m^2
+    return sqrt(newton * m.sum() / nearest**1.5) if nearest else inf
 
 
 def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:

@@ -34,7 +34,7 @@ def live_body(
     in_space : whether omega has components in space, or in the body
     """
     size = box_size(np.array(parameters["inertia"]))
-    reach = 1.8 * float(size.max()) / float(np.linalg.norm(start[9:]))  # m per rad/s
+    reach = 1.8 * float(size.max()) / (float(np.linalg.norm(start[9:])) or 1.0)  # m per rad/s
 
     def tip(state: Numbers, **parameters: Numbers) -> Numbers:
         omega = np.array(state[9:])

@@ -1,6 +1,7 @@
 """The lecture `convergence`: two double pendulums, only one of them right, whose numerical solutions both converge."""
 
 from collections.abc import Sequence
+from types import SimpleNamespace
 
 import numpy as np
 
@@ -10,7 +11,7 @@ from tam570.show.live import Live, energies
 from tam570.show.plots import drift_note, value_plot, values
 from tam570.show.rods import joints, rod_handles
 from tam570.show.scene import INK, Array, Panel, Scene, Shape, frame_times, moving
-from tam570.values import Function, Numbers, Parameters
+from tam570.values import Function, Parameters
 
 __all__ = ["film"]
 
@@ -19,7 +20,7 @@ STEPS = 0.02 / 2.0 ** np.arange(5)  # s
 COLORS = (0, 1)  # right, wrong
 
 
-def film(lecture: Numbers, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
+def film(lecture: SimpleNamespace, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return the right equations and the wrong ones from one start.
 
     lecture : its functions

@@ -1,6 +1,7 @@
 """The lecture `frames`: one motion seen from space and from a turntable, and Foucault's pendulum."""
 
 from collections.abc import Mapping, Sequence
+from types import SimpleNamespace
 
 import numpy as np
 
@@ -8,7 +9,6 @@ from tam570.show.drawing import unit_circle
 from tam570.show.live import Live, drag
 from tam570.show.plots import drift_note, value_plot, values
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
-from tam570.values import Numbers
 
 __all__ = ["film"]
 
@@ -16,7 +16,7 @@ EARTH = {"length": 1.0, "gravity": 9.81, "latitude": 0.741, "spin": 0.4}  # m, m
 SPOKES = np.arange(6) * np.pi / 3  # rad
 
 
-def film(frames: Numbers, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
+def film(frames: SimpleNamespace, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
     """Return a spring pulls a particle to the centre of a turntable, on which nothing rubs.
 
     frames : the lecture's functions
@@ -73,7 +73,7 @@ def _table(states: Array, turned: Array, rim: float, spring: bool) -> list[Shape
     ]
 
 
-def _forces(frames: Numbers, seen: Array, parameters: Mapping[str, float], rim: float) -> list[Shape]:
+def _forces(frames: SimpleNamespace, seen: Array, parameters: Mapping[str, float], rim: float) -> list[Shape]:
     """Return the forces that only the observer on the turntable adds."""
     forces = {
         name: np.array([force(state, **parameters) for state in seen])
@@ -86,7 +86,7 @@ def _forces(frames: Numbers, seen: Array, parameters: Mapping[str, float], rim: 
     ]
 
 
-def _pendulum(frames: Numbers, times: Array) -> list[Shape]:
+def _pendulum(frames: SimpleNamespace, times: Array) -> list[Shape]:
     bob, plane = frames.foucault_path(times, **EARTH), frames.foucault(times, **EARTH)
     along = 1.1 * np.column_stack([np.cos(plane), np.sin(plane)])
     ends = 1.1 * np.array([[1.0, 0.0], [0.0, 1.0]])
@@ -99,7 +99,7 @@ def _pendulum(frames: Numbers, times: Array) -> list[Shape]:
     ]
 
 
-def _energies(frames: Numbers, times: Array, seen: Array, parameters: Mapping[str, float]) -> TimePlot:
+def _energies(frames: SimpleNamespace, times: Array, seen: Array, parameters: Mapping[str, float]) -> TimePlot:
     mass, stiffness, spin = (parameters[name] for name in ("mass", "stiffness", "spin"))
     squares = (seen[:, :2] ** 2).sum(axis=1) / 2
     curves = {

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from math import sqrt
+from types import SimpleNamespace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,12 +20,12 @@ IMPULSES = (12, 18, 30, 60)  # in the time of one orbit, or of the scene if that
 FIRST = 18
 
 
-def film(lecture: Numbers, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
+def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
     """Return all in the plane of the orbit, its x axis towards the planet at the start."""
+    period = min(lecture.elements(start, **parameters)["period"], seconds)
     drawable_rate("gm at this start", sqrt(parameters["gm"] / float(np.linalg.norm(start[:3])) ** 3))
     times = frame_times(seconds)
     states = solve(lecture.rates, times, start, parameters=parameters, rtol=1e-9)
-    period = min(lecture.elements(start, **parameters)["period"], seconds)
     plane = _plane(states[0])
     flat = np.hstack([states[:, :3] @ plane.T, states[:, 3:] @ plane.T])
 

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from math import sqrt
+from types import SimpleNamespace
 
 import numpy as np
 
@@ -19,7 +20,7 @@ SHARES = (0.6, 0.8, 1.0, 1.25)  # of the speed
 OUTLINE = np.array([[-0.4, -0.35], [1.3, -0.35], [1.7, 0.0], [1.3, 0.35], [-0.4, 0.35]])  # of offsets
 
 
-def film(lecture: Numbers, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
+def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
     """Speed and yaw rate grow together: the same motion faster."""
     times, size = frame_times(seconds), _size(parameters)
     energy = lecture.energy

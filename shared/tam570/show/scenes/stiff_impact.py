@@ -10,7 +10,7 @@ from tam570.show.drawing import coil, graph, unit_circle
 from tam570.show.live import Handle, Live, energies
 from tam570.show.plots import state_energy_plot, value_plot, values
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
-from tam570.values import Numbers, Parameters
+from tam570.values import Parameters
 
 __all__ = ["film"]
 
@@ -68,7 +68,7 @@ HANDLE = Handle(
 )
 
 
-def _pushes(lecture: Numbers, parameters: Mapping[str, float], speed: float) -> list[Shape]:
+def _pushes(lecture: SimpleNamespace, parameters: Mapping[str, float], speed: float) -> list[Shape]:
     mass, gravity = parameters["mass"], parameters["gravity"]
     curves = []
     for times in STIFFER:

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 
@@ -9,14 +10,14 @@ from tam570.integrate import solve
 from tam570.show.live import Live, drag, energies
 from tam570.show.plots import value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, with_slider
-from tam570.values import Numbers, Parameters
+from tam570.values import Parameters
 
 __all__ = ["film"]
 
 SHARES = (0.1, 0.3, 1.0, 4.0)  # of the stiffness
 
 
-def film(lecture: Numbers, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
+def film(lecture: SimpleNamespace, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return a truss that is thrown and turns."""
     times = frame_times(seconds)
     body = lecture.rigid(times, start, **parameters)
