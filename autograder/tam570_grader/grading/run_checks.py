@@ -2,7 +2,7 @@
 
 import time
 from collections.abc import Callable, Container, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 
 import numpy as np
@@ -38,14 +38,40 @@ Recorder = Callable[[str, float], None]
 class CheckOptions:
     """What is asked of the checks; what judges the grader asks for less than a student is told.
 
-    enough   : failed checks after which the rest is not run
-    recorder : told the check and every error over its limit; no comparison fails then
-    naming   : look for the mistake behind each failed check
+    enough    : failed checks after which the rest is not run
+    recorder  : told the check and every error over its limit; no comparison fails then
+    naming    : look for the mistake behind each failed check
+    yardstick : measures the speed of the simulation too, when all is graded
+    attempt   : which try of the submission it is
     """
 
     enough: int | None = None
     recorder: Recorder | None = None
     naming: bool = True
+    yardstick: Yardstick | None = None
+    attempt: Attempt = ONLY
+
+
+@dataclass(frozen=True)
+class _Run:
+    """The checks of an assignment on one submission, as they are run: what came of them, and the mistakes named."""
+
+    student: Student
+    assignment: LoadedAssignment
+    seed: int
+    options: CheckOptions
+    results: dict[str, CheckResult] = field(default_factory=dict)
+    causes: dict[str, Cause] = field(default_factory=dict)
+
+    def has_enough(self) -> bool:
+        failed = sum(check_result.outcome == "failed" for check_result in self.results.values())
+        return bool(self.options.enough) and failed >= (self.options.enough or 0)
+
+    def judge(self, check: Check, recorder: Callable[[float], None] | None = None) -> None:
+        """Run a check; the student's calls are then its own."""
+        self.student.calls.clear()
+        with budget(), np.errstate(all="ignore"), check_context(recorder=recorder, aside=self.student.aside):
+            check.run(self.student, generator(self.seed, self.assignment.slug, check))
 
 
 def graded(
@@ -54,51 +80,41 @@ def graded(
     assignment: LoadedAssignment,
     zygote: Zygote,
     seed: int,
-    yardstick: Yardstick | None = None,
-    attempt: Attempt = ONLY,
     options: CheckOptions = CheckOptions(),  # noqa: B008  it is frozen
 ) -> Result:
-    """Grade one submission of the student `name`; the same submission and seed give the same score.
-
-    yardstick : measures the speed of the simulation too, when all is graded
-    """
+    """Grade one submission of the student `name`; the same submission and seed give the same score."""
     started = time.perf_counter()
-    student = Student(source, assignment, zygote, attempt)
-    check_results: dict[str, CheckResult] = {}
-    causes: dict[str, Cause] = {}
+    student = Student(source, assignment, zygote, options.attempt)
+    run = _Run(student, assignment, seed, options)
     status, message, speed = "graded", "", None
     try:
         student.load()
         for check in assignment.checks:
-            if (
-                not options.enough
-                or sum(check_result.outcome == "failed" for check_result in check_results.values()) < options.enough
-            ):
-                check_results[check.name] = _check_result(
-                    check, student, assignment, seed, check_results, causes, options
-                )
+            if not run.has_enough():
+                run.results[check.name] = _check_result(run, check)
         message = _skipped(student.skipped)
-        speed = yardstick.speed(student, assignment, zygote) if yardstick else None
+        speed = options.yardstick.speed(student, assignment, zygote) if options.yardstick else None
         if not options.enough:
-            _judge_consequences(student, assignment, seed, check_results, causes)
+            _judge_consequences(run)
     except (NotLoaded, BudgetSpent) as ended:
         status, message = ended.status, str(ended)
     finally:
         student.leave()
-    rest = tuple(check_results.get(check.name) or _not_run(check, message) for check in assignment.checks)
-    return replace(_result(name, assignment, status, seed, rest, message, time.perf_counter() - started), speed=speed)
+    rest = tuple(run.results.get(check.name) or _not_run(check, message) for check in assignment.checks)
+    seconds = time.perf_counter() - started
+    return replace(_result(name, assignment, status, message, seed, rest), seconds=round(seconds, 3), speed=speed)
 
 
 def not_graded(name: str, assignment: LoadedAssignment, status: str, message: str, seed: int) -> Result:
     """Return the result of a submission that is missing or cannot be read: score 0, no check run."""
     check_results = tuple(_not_run(check, message) for check in assignment.checks)
-    return _result(name, assignment, status, seed, check_results, message)
+    return _result(name, assignment, status, message, seed, check_results)
 
 
 def failed_by_us(name: str, assignment: LoadedAssignment, error: str, seed: int) -> Result:
     """Return the result where the grader could not do its work: no score."""
     check_results = tuple(_grader_error(check, error) for check in assignment.checks)
-    return _result(name, assignment, "graded", seed, check_results, OUR_FAULT)
+    return _result(name, assignment, "graded", OUR_FAULT, seed, check_results)
 
 
 def generator(seed: int, slug: str, check: Check) -> np.random.Generator:
@@ -110,39 +126,30 @@ def _result(
     name: str,
     assignment: LoadedAssignment,
     status: str,
+    message: str,
     seed: int,
     check_results: tuple[CheckResult, ...],
-    message: str,
-    seconds: float = 0.0,
 ) -> Result:
     points = [check_result.points for check_result in check_results]
     score = None if None in points else round(sum(p for p in points if p is not None), 6)
-    most, elapsed = assignment.max_score, round(seconds, 3)
-    return Result(name, assignment.slug, status, score, most, seed, elapsed, isolation(), check_results, message)
+    most = assignment.max_score
+    return Result(name, assignment.slug, status, score, most, seed, 0.0, isolation(), check_results, message)
 
 
-def _check_result(
-    check: Check,
-    student: Student,
-    assignment: LoadedAssignment,
-    seed: int,
-    check_results: dict[str, CheckResult],
-    causes: dict[str, Cause],
-    options: CheckOptions,
-) -> CheckResult:
+def _check_result(run: _Run, check: Check) -> CheckResult:
     """Run one check, unless one that it builds on is wrong or missing."""
-    missing = [other.name for other in check.after if not check_results[other.name].unlocks_dependents]
+    missing = [other.name for other in check.after if not run.results[other.name].unlocks_dependents]
     if missing:
-        return _not_run(check, f"Not run: it needs “{_line(assignment.checks, missing[0])}” to pass first.")
-    listens = options.recorder and partial(options.recorder, check.name)
+        return _not_run(check, f"Not run: it needs “{_line(run.assignment.checks, missing[0])}” to pass first.")
+    student, options = run.student, run.options
     try:
-        _judge(check, student, assignment, seed, listens)
+        run.judge(check, options.recorder and partial(options.recorder, check.name))
     except NotWritten as unwritten:
         return _not_run(check, student.describe_missing(str(unwritten)), unwritten=str(unwritten))
     except Failed as failed:
-        cause, fault = _cause(check, student, assignment, seed, causes) if options.naming else (None, "")
+        cause, fault = _cause(run, check) if options.naming else (None, "")
         if cause:
-            causes[check.name] = cause
+            run.causes[check.name] = cause
         return _failed(check, failed, cause, fault)
     except (Exhausted, MemoryError) as spent:
         what = "memory" if isinstance(spent, MemoryError) else "work"
@@ -155,32 +162,18 @@ def _check_result(
     return _passed(check)
 
 
-def _judge(
-    check: Check,
-    student: Student,
-    assignment: LoadedAssignment,
-    seed: int,
-    recorder: Callable[[float], None] | None = None,
-) -> None:
-    """Run a check; the student's calls are then its own."""
-    student.calls.clear()
-    with budget(), np.errstate(all="ignore"), check_context(recorder=recorder, aside=student.aside):
-        check.run(student, generator(seed, assignment.slug, check))
-
-
-def _cause(
-    check: Check, student: Student, assignment: LoadedAssignment, seed: int, causes: Mapping[str, Cause]
-) -> tuple[Cause | None, str]:
+def _cause(run: _Run, check: Check) -> tuple[Cause | None, str]:
     """Return the mistake that explains the calls of a failed check, and what went wrong on our side in the search."""
-    earlier = _earlier(causes)
+    earlier, assignment = _earlier(run.causes), run.assignment
     try:
         with budget():
-            solution, calls = assignment.solution, [call for call in student.calls if not _is_drawn(assignment, call)]
+            solution = assignment.solution
+            calls = [call for call in run.student.calls if not _is_drawn(assignment, call)]
             folder = assignments.checks_folder(assignment.root, assignment.slug)
             cause = diagnose(solution, folder, calls, earlier)
             if cause and cause.follows_from not in ("", cause.function):
                 common = _earlier({check.name: cause})
-                if not _following(check, student, assignment, seed, [*earlier, *common]):
+                if not _following(run, check, [*earlier, *common]):
                     cause = diagnose(solution, folder, calls, earlier, may_follow=False)
             return cause, ""
     except (Exhausted, MemoryError):
@@ -196,69 +189,54 @@ def _earlier(causes: Mapping[str, Cause]) -> list[Cause]:
     return [replace(cause, function=cause.follows_from or cause.function) for cause in causes.values() if cause.answers]
 
 
-def _following(
-    check: Check, student: Student, assignment: LoadedAssignment, seed: int, earlier: Sequence[Cause]
-) -> Cause | None:
+def _following(run: _Run, check: Check, earlier: Sequence[Cause]) -> Cause | None:
     """Return the earlier mistake that explains every call of the check, when it is run to its end.
 
     None if there is none.
     """
-    with student.aside():
+    with run.student.aside():
         try:
-            _judge(check, student, assignment, seed, recorder=lambda error: None)
+            run.judge(check, recorder=lambda error: None)
         except (Failed, NotWritten, Exhausted, MemoryError):
             return None
-        if any(_is_drawn(assignment, call) for call in student.calls):
+        if any(_is_drawn(run.assignment, call) for call in run.student.calls):
             return None
-        return follows(assignment.solution, student.calls, earlier)
+        return follows(run.assignment.solution, run.student.calls, earlier)
 
 
-def _judge_consequences(
-    student: Student,
-    assignment: LoadedAssignment,
-    seed: int,
-    check_results: dict[str, CheckResult],
-    causes: dict[str, Cause],
-) -> None:
+def _judge_consequences(run: _Run) -> None:
     """Judge the checks that were not run for a mistake in another function, of which the name is known.
 
     They are worth full points where that function is not used, and a share where they follow from the mistake.
     """
-    for check in assignment.checks if causes else ():
-        before = {other.name: check_results[other.name] for other in check.after}
-        ready = all(check_result.unlocks_dependents or name in causes for name, check_result in before.items())
-        if check_results[check.name].outcome == "not_run" and ready and not check_results[check.name].unwritten:
-            functions = {causes[name].follows_from or causes[name].function for name in before if name in causes}
+    for check in run.assignment.checks if run.causes else ():
+        before = {other.name: run.results[other.name] for other in check.after}
+        ready = all(check_result.unlocks_dependents or name in run.causes for name, check_result in before.items())
+        if run.results[check.name].outcome == "not_run" and ready and not run.results[check.name].unwritten:
+            causes = [run.causes[name] for name in before if name in run.causes]
             try:
-                with student.aside():
-                    result = _consequence(check, student, assignment, seed, causes, functions)
+                with run.student.aside():
+                    result = _consequence(run, check, {cause.follows_from or cause.function for cause in causes})
             except BudgetSpent:
                 return
-            check_results[check.name] = result or check_results[check.name]
+            run.results[check.name] = result or run.results[check.name]
 
 
-def _consequence(
-    check: Check,
-    student: Student,
-    assignment: LoadedAssignment,
-    seed: int,
-    causes: dict[str, Cause],
-    functions: Container[str],
-) -> CheckResult | None:
+def _consequence(run: _Run, check: Check, functions: Container[str]) -> CheckResult | None:
     """Return the result of a check that builds on wrong functions; None where it is about these, or fails by itself."""
     try:
-        _judge(check, student, assignment, seed)
+        run.judge(check)
     except Failed as failed:
-        cause = _following(check, student, assignment, seed, _earlier(causes))
+        cause = _following(run, check, _earlier(run.causes))
         if cause is None or cause.function in functions:
             return None
-        causes[check.name] = cause
+        run.causes[check.name] = cause
         return _failed(check, failed, cause)
     except Over:
         raise
     except Exception:  # it was not run before, and is not now
         return None
-    function_names = {call.name for call in student.calls} or {check.function}
+    function_names = {call.name for call in run.student.calls} or {check.function}
     return _passed(check) if any(name not in functions for name in function_names) else None
 
 

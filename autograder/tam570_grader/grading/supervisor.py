@@ -7,7 +7,7 @@ from pathlib import Path
 
 from tam570_grader.checks import assignments, expected
 from tam570_grader.errors import UsageError
-from tam570_grader.grading.run_checks import failed_by_us, graded, not_graded
+from tam570_grader.grading.run_checks import CheckOptions, failed_by_us, graded, not_graded
 from tam570_grader.grading.speed import Yardstick
 from tam570_grader.grading.submissions import CannotRead
 from tam570_grader.results.records import Result
@@ -88,8 +88,7 @@ def _graded(task: GradeTask, zygote: Zygote, attempt: Attempt) -> Result:
         assignments.assignment(task.course, task.slug),
         zygote,
         task.seed,
-        _yardstick(task.course) if task.conditions.speed else None,
-        attempt,
+        CheckOptions(yardstick=_yardstick(task.course) if task.conditions.speed else None, attempt=attempt),
     )
 
 

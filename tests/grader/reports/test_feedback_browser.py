@@ -7,7 +7,7 @@ import pytest
 
 from tam570_grader.checks import assignments
 from tam570_grader.diagnosis.mistakes import overlays
-from tam570_grader.grading.run_checks import graded, not_graded
+from tam570_grader.grading.run_checks import CheckOptions, graded, not_graded
 from tam570_grader.grading.speed import Yardstick
 from tam570_grader.reports import feedback, report
 from tam570_grader.results import store
@@ -32,7 +32,11 @@ def folder(tmp_path_factory, course, zygotes):
         assignment = assignments.assignment(course, slug)
         for student, text in {"ada": correct, "ben": f"{correct}\n\n{wrong}", "cora": ""}.items():
             source = Source(text.encode())
-            records.append(graded(student, source, assignment, zygotes(slug, ResourceLimits()), 1, yardstick).record())
+            records.append(
+                graded(
+                    student, source, assignment, zygotes(slug, ResourceLimits()), 1, CheckOptions(yardstick=yardstick)
+                ).record()
+            )
     for slug in ("hw03_angular_momentum_rate", assignment.slug):  # one with a long title
         records.append(not_graded("dan", assignments.assignment(course, slug), "missing", "no file", 1).record())
     (folder / "results.jsonl").write_text("".join(json.dumps(item) + "\n" for item in records))

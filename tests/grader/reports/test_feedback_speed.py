@@ -9,7 +9,7 @@ from classes import hand_in
 
 from tam570_grader import cli
 from tam570_grader.checks import assignments
-from tam570_grader.grading.run_checks import graded
+from tam570_grader.grading.run_checks import CheckOptions, graded
 from tam570_grader.grading.speed import Yardstick
 from tam570_grader.reports.pictures import BOTTOM, LAST, LEFT, TOP, among
 from tam570_grader.results.run_time import scenes
@@ -27,7 +27,14 @@ def measured(course, zygotes):
 
     def measured(slug, text):
         zygote = zygotes(slug, ResourceLimits())
-        return graded("someone", Source(text.encode()), assignments.assignment(course, slug), zygote, 1, yardstick)
+        return graded(
+            "someone",
+            Source(text.encode()),
+            assignments.assignment(course, slug),
+            zygote,
+            1,
+            CheckOptions(yardstick=yardstick),
+        )
 
     return measured
 

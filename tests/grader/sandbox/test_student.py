@@ -6,7 +6,7 @@ import pytest
 from tam570_grader.checks import assignments
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed, check_context, expect
-from tam570_grader.grading.run_checks import graded
+from tam570_grader.grading.run_checks import CheckOptions, graded
 from tam570_grader.grading.supervisor import GradeTask, result
 from tam570_grader.sandbox.launch import isolation
 from tam570_grader.sandbox.pool import ATTEMPTS, sandboxes
@@ -53,7 +53,9 @@ def test_a_submission_has_a_process_group_of_its_own(grade, solution_text):
 def test_one_that_is_tried_again_is_not_quoted(course, zygotes):
     source = Source(b"1 / 0")
     assignment, zygote = assignments.assignment(course, SLUG), zygotes(SLUG, ResourceLimits())
-    first, second = (graded("dan", source, assignment, zygote, 1, attempt=attempt) for attempt in ATTEMPTS[:2])
+    first, second = (
+        graded("dan", source, assignment, zygote, 1, CheckOptions(attempt=attempt)) for attempt in ATTEMPTS[:2]
+    )
     assert "division" in first.message and "second time" in second.message and "division" not in second.message
 
 
@@ -161,7 +163,7 @@ def test_who_looks_as_if_killed_by_others_is_not_tried_again(death, course, zygo
     """The kernel counts processor time by ticks of 4 ms where it ends a process for it."""
     source = Source(f"{solution_text(SLUG)}{TICKS}\ndef skew(v):\n    {death}\n".encode())
     zygote = zygotes(SLUG, ResourceLimits(cpu=2, call=1.5))
-    outcome = graded("eve", source, assignments.assignment(course, SLUG), zygote, 1, attempt=ATTEMPTS[0])
+    outcome = graded("eve", source, assignments.assignment(course, SLUG), zygote, 1, CheckOptions(attempt=ATTEMPTS[0]))
     assert outcome.score < 10
 
 
