@@ -125,8 +125,8 @@ def _collect(arguments: argparse.Namespace) -> int:
     from tam570_grader.lms import submission_import
 
     _, slugs, slug = _course_and_slug(arguments, [arguments.source, arguments.to])
-    tables = {name: getattr(arguments, name) for name in ("roster", "groups", "times")}
-    return submission_import.run(arguments.source, arguments.system, arguments.to, slugs, slug, **tables)
+    lists = submission_import.Lists(arguments.roster, arguments.groups, arguments.times)
+    return submission_import.run(arguments.source, arguments.system, arguments.to, slugs, slug, lists)
 
 
 def _export(arguments: argparse.Namespace) -> int:
@@ -173,10 +173,12 @@ def _lms(arguments: argparse.Namespace) -> int:
         lacking = feedback_export.run(pages, *names)
     for line in filter(None, [*lacking, _stale_policy(grades.parent, course)]):
         warn(line)
-    fields = ("roster", "identity", "out", "only", "absent", "new", "overwrite")
     columns = course_toml.columns(course, arguments.to)
-    options = {name: getattr(arguments, name) for name in fields}
-    return score_export.run(grades, arguments.to, columns=columns, **options) or bool(lacking)
+    options = score_export.ExportOptions(
+        arguments.roster, arguments.identity, columns, arguments.new, arguments.overwrite
+    )
+    code = score_export.run(grades, arguments.to, arguments.out, options, arguments.only, arguments.absent)
+    return code or bool(lacking)
 
 
 def _ungraded(folder: Path, course: Path, only: Sequence[str]) -> list[str]:

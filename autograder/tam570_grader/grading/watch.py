@@ -149,28 +149,25 @@ class Queue:
         )
 
 
+@dataclass
 class Desk:
     """Looks for what arrives, has it graded, and puts the pages back."""
 
-    def __init__(
-        self,
-        source: Path,
-        course: Path,
-        queue: Queue,
-        store: ResultStore,
-        executor: TaskExecutor,
-        secret: bytes,
-        *,
-        assignment: str | None = None,
-        jobs: int = 1,
-        once: bool = False,
-    ) -> None:
-        self.source: Path = source.absolute()
-        self.course, self.queue, self.store, self.executor, self.secret = course, queue, store, executor, secret
-        self.jobs, self.once = jobs, once
+    source: Path
+    course: Path
+    queue: Queue
+    store: ResultStore
+    executor: TaskExecutor
+    secret: bytes
+    assignment: str | None = None  # what is handed in, where the names do not tell
+    jobs: int = 1
+    once: bool = False
+
+    def __post_init__(self) -> None:
+        self.source = self.source.absolute()
         self.is_exchange = (self.source / "inbound").is_dir()
-        self.slugs = assignments.slugs(course)
-        self.slug = assignments.match_slug(assignment, self.slugs)
+        self.slugs = assignments.slugs(self.course)
+        self.slug = assignments.match_slug(self.assignment, self.slugs)
         self._stamps: dict[Path, tuple[int, int, int]] = {}
         self._infos: dict[str, AssignmentInfo] = {}
 

@@ -18,6 +18,24 @@ Scores = Mapping[tuple[str, str], tuple[str, str]]
 KEPT = (EX, "N/A")  # in Canvas's gradebook: excused, and not assigned to this student
 
 
+@dataclass(frozen=True)
+class ExportOptions:
+    """What an instructor chooses of a table.
+
+    roster    : the gradebook or the participants that the system exported: students are joined by their ids
+    identity  : what Moodle shall know students by: username, idnumber or email
+    columns   : the heading, or id, of an assignment's column in the gradebook, by course.toml
+    new       : make columns that the gradebook does not have
+    overwrite : put our scores in the place of others that the gradebook has
+    """
+
+    roster: Path | None = None
+    identity: str = "username"
+    columns: Mapping[str, str] = field(default_factory=dict)
+    new: bool = False
+    overwrite: bool = False
+
+
 @dataclass
 class Export:
     """A table to import, what is left of the gradebook in it, and what needs the instructor."""
@@ -28,35 +46,20 @@ class Export:
 
 
 def run(
-    grades: Path,
-    system: str,
-    roster: Path | None,
-    identity: str,
-    out: Path | None,
-    only: Sequence[str] = (),
-    absent: str = "zero",
-    *,
-    columns: Mapping[str, str] | None = None,
-    new: bool = False,
-    overwrite: bool = False,
+    grades: Path, system: str, out: Path | None, options: ExportOptions, only: Sequence[str] = (), absent: str = "zero"
 ) -> int:
     """Write the table for a system; the exit code.
 
-    grades    : grades.csv, of `tam570-grader grade --out` or of `nbgrader export`
-    roster    : the gradebook or the participants that the system exported: students are joined by their ids
-    identity  : what Moodle shall know students by: username, idnumber or email
-    only      : names of assignments, hw07 say; default: all
-    absent    : zero, or blank, for who did not hand in what others did
-    columns   : the heading, or id, of an assignment's column in the gradebook, by course.toml
-    new       : make columns that the gradebook does not have
-    overwrite : put our scores in the place of others that the gradebook has
+    grades : grades.csv, of `tam570-grader grade --out` or of `nbgrader export`
+    only   : names of assignments, hw07 say; default: all
+    absent : zero, or blank, for who did not hand in what others did
 
     With a roster the exit code is 1 if a score belongs to nobody on it, or somebody on it has no score.
     """
     scores = _only(read_scores(grades, absent), only)
     layout = SYSTEMS[system].table
     assert layout is not None
-    result = export(scores, layout, roster, identity, columns or {}, new=new, overwrite=overwrite)
+    result = export(scores, layout, options)
     if out:
         with writing(out):
             write_table(out, result.rows, exact=True)
@@ -67,19 +70,11 @@ def run(
     return 1 if result.troubles else 0
 
 
-def export(
-    scores: Scores,
-    layout: Table,
-    roster: Path | None,
-    identity: str = "username",
-    columns: Mapping[str, str] | None = None,
-    *,
-    new: bool = False,
-    overwrite: bool = False,
-) -> Export:
-    """Return the table of these scores, for the rows of a roster, else for whoever has a score; options as of `run`."""
+def export(scores: Scores, layout: Table, options: ExportOptions) -> Export:
+    """Return the table of these scores, for the rows of a roster, else for whoever has a score."""
     slugs = sorted({slug for _, slug in scores})
-    keys = (layout.identities[identity],) if layout.identities else layout.keys
+    keys = (layout.identities[options.identity],) if layout.identities else layout.keys
+    roster = options.roster
     if roster is None:
         return _without_roster(scores, slugs, layout, keys)
     heading, *below = table(roster)
@@ -88,7 +83,7 @@ def export(
     if not own_keys or (layout.identities and keys[0] not in heading):
         choose = ", or choose another --identity" if layout.identities else ""
         raise UsageError(f"the roster has no column {' or '.join(keys)}: export it with that column{choose}")
-    headings = {slug: _column(layout, heading, slug, (columns or {}).get(slug, ""), new=new) for slug in slugs}
+    headings = {slug: _column(layout, heading, slug, options.columns.get(slug, ""), new=options.new) for slug in slugs}
     everyone = Directory(rosters.people(roster))
     result = Export([[*own_keys, *headings.values(), *_end(layout, 0)]])
     if layout.possible:
@@ -96,7 +91,9 @@ def export(
         result.rows.append(_possible_row(first, heading, own_keys, headings, scores, result))
     joined = _joined(scores, everyone, result)
     for person in everyone.people:
-        cells = [_cell(joined, person, slug, headings[slug], layout, result, overwrite=overwrite) for slug in slugs]
+        scored = {slug: joined.get((id(person), slug), "") for slug in slugs}
+        ours = {slug: layout.excused if score == EX else score for slug, score in scored.items()}
+        cells = [_cell(ours[slug], person, headings[slug], result, options.overwrite) for slug in slugs]
         result.rows.append([*(person.row.get(name, "") for name in own_keys), *cells, *_end(layout, 1)])
     return result
 
@@ -200,19 +197,9 @@ def _joined(scores: Scores, everyone: Directory, export: Export) -> dict[tuple[i
     return joined
 
 
-def _cell(
-    scores: Mapping[tuple[int, str], str],
-    person: Person,
-    slug: str,
-    column: str,
-    layout: Table,
-    export: Export,
-    *,
-    overwrite: bool,
-) -> str:
+def _cell(ours: str, person: Person, column: str, export: Export, overwrite: bool) -> str:
     """Return a score, or what the gradebook has in its place: excused, not assigned, or changed there."""
-    ours, theirs = scores.get((id(person), slug), ""), person.row.get(column, "").strip()
-    ours = layout.excused if ours == EX else ours
+    theirs = person.row.get(column, "").strip()
     if theirs.upper() in KEPT:
         if ours not in ("", theirs.upper()):
             export.unchanged.append(

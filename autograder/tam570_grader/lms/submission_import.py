@@ -45,37 +45,56 @@ class Taken:
     reason: str = ""
 
 
+@dataclass(frozen=True)
+class Lists:
+    """What an instructor has besides the download.
+
+    roster : all students, by whose logins folders are named
+    groups : who is in which group, where one member hands in for all; a roster with a column Group does, too
+    times  : when work came, where the download does not tell: Moodle's worksheet or log
+    """
+
+    roster: Path | None = None
+    groups: Path | None = None
+    times: Path | None = None
+
+
+@dataclass(frozen=True)
+class Students:
+    """Who may have handed in, as a system names them."""
+
+    system: str
+    everyone: Directory
+    teams: Mapping[str, Sequence[Person]]
+
+
 def run(
     source: Path,
     system: str,
     out: Path,
     slugs: Sequence[str],
     slug_given: str | None = None,
-    *,
-    roster: Path | None = None,
-    groups: Path | None = None,
-    times: Path | None = None,
+    lists: Lists = Lists(),  # noqa: B008  it is frozen
 ) -> int:
     """Collect a download; the exit code is 1 if anything is left that needs the instructor.
 
     slug_given : the assignment, where names of files do not tell; a download is of one
-    roster : all students, by whose logins folders are named
-    groups : who is in which group, where one member hands in for all; a roster with a column Group does, too
-    times  : when work came, where the download does not tell: Moodle's worksheet or log
     """
     if not source.exists():
         raise UsageError(f"{source} does not exist: name the zip file that {SYSTEMS[system].title} gave you")
-    everyone = Directory(rosters.people(path) if (path := roster or groups) else ())
-    teams = {name: who for path in (roster, groups) if path for name, who in rosters.groups(path, everyone).items()}
+    everyone = Directory(rosters.people(path) if (path := lists.roster or lists.groups) else ())
+    tables = filter(None, (lists.roster, lists.groups))
+    teams = {name: who for path in tables for name, who in rosters.groups(path, everyone).items()}
+    students = Students(system, everyone, teams)
     everything = list(read(members(source), system))
     strays = [handed for handed in everything if isinstance(handed, File)]
     unpacked = _unpacked([handed for handed in everything if isinstance(handed, Handed)])
     if not unpacked:
         raise UsageError(f"{source} holds nothing that is named as {system} names submissions: is --from right?")
     slug = slug_given or _assignment_of(unpacked, slugs)
-    rows = [row for handed in unpacked for row in _taken(handed, system, everyone, teams, slug, slugs, slug_given)]
+    rows = [row for handed in unpacked for row in _taken(handed, students, slug, slugs, slug_given)]
     rows = _with_work(_newest(_told_apart(rows, everyone)))
-    rows = _timed(rows, times, everyone)
+    rows = _timed(rows, lists.times, everyone)
     replaced = _write(rows, out)
     troubles = [(row.student, _told(row)) for row in rows if row.reason and row.reason not in (OLDER, RELEASED)]
     troubles += [(row.student, message) for row, message in _newer_notebooks(rows, out)]
@@ -131,17 +150,9 @@ def _unpack(handed: Handed, quota: Quota) -> list[Handed]:
     ]
 
 
-def _taken(
-    handed: Handed,
-    system: str,
-    everyone: Directory,
-    teams: Mapping[str, Sequence[Person]],
-    slug: str,
-    slugs: Sequence[str],
-    slug_given: str | None,
-) -> list[Taken]:
+def _taken(handed: Handed, students: Students, slug: str, slugs: Sequence[str], slug_given: str | None) -> list[Taken]:
     """Return a row for the student, or for each member of the group, to whom a file goes."""
-    owners, why = _owners(handed, system, everyone, teams)
+    owners, why = _owners(handed, students)
     title = _title(handed)
     other = of_name(title, slugs)
     if handed.file.refused:
@@ -178,14 +189,13 @@ def _with_work(rows: Sequence[Taken]) -> list[Taken]:
     ]
 
 
-def _owners(
-    handed: Handed, system: str, everyone: Directory, teams: Mapping[str, Sequence[Person]]
-) -> tuple[Sequence[Person], str]:
+def _owners(handed: Handed, students: Students) -> tuple[Sequence[Person], str]:
     """Return the students whose a file is; none and a sentence if somebody has to say whose."""
+    everyone, system = students.everyone, students.system
     who = everyone.owner(handed.keys, handed.name, must_agree=SYSTEMS[system].must_agree)
     if isinstance(who, Person):
         return [who], ""
-    team = teams.get(rosters.group_key(handed.name), []) if handed.name else []
+    team = students.teams.get(rosters.group_key(handed.name), []) if handed.name else []
     if system == "canvas" and team and not any(person in team for person in everyone.number_of(handed.keys)):
         return [], f"its number is of nobody in the group {handed.name}"
     return (team, "") if team else ([], who)

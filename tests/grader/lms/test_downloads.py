@@ -144,7 +144,7 @@ def export(tmp_path, system, scores=SCORES, roster=None, **options):
     path = tmp_path / "roster.csv" if roster else None
     if path:
         tables.write_table(path, roster, exact=True)
-    return score_export.export(scores, SYSTEMS[system].table, path, **options).rows
+    return score_export.export(scores, SYSTEMS[system].table, score_export.ExportOptions(path, **options)).rows
 
 
 def test_tables_have_the_columns_of_the_system_and_the_names_of_the_roster(tmp_path):
