@@ -50,7 +50,7 @@ Reference = Function | ModuleType
 HintOfCase = str | Callable[[Case, Numbers, Numbers], str]  # of a case, the result and the right one
 
 
-def compare(
+def compare(  # noqa: PLR0913  what a check says of a comparison, each by its name
     function: StudentFunction,
     reference: Reference,
     cases: Iterable[Case],
@@ -299,7 +299,7 @@ def digits_lost(actual: Numbers, expected: Numbers) -> str:
     return ""
 
 
-def compare_columns(
+def compare_columns(  # noqa: PLR0913  as `compare`
     function: StudentFunction,
     reference: Reference,
     cases: Iterable[Case],

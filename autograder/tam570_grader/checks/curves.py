@@ -24,7 +24,7 @@ LARGEST = 1e100  # of a drift, which is cut to this
 BITS = math.ceil(SLOTS * math.log2(max(LEVELS * (CEILING - FLOOR), 2 * STEPS) + 2) + math.log2(90 * 640))
 
 
-def curve(
+def curve(  # noqa: PLR0913  what is compared, and the words for it
     t: Numbers, actual: Numbers, expected: Numbers, scale: Numbers, *, tolerance: float, quantity: str, unit: str
 ) -> Curve | None:
     """Return the error along the times t, None if there is no course of it to draw.

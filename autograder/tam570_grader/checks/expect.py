@@ -114,7 +114,7 @@ def check_context(**fields: Any) -> Iterator[CheckContext]:
         _current.reset(token)
 
 
-def expect(
+def expect(  # noqa: PLR0913  what a check says of a comparison, each by its name
     actual: Numbers,
     expected: Numbers,
     *,
@@ -125,8 +125,6 @@ def expect(
     scale: Numbers = 1.0,
     t: Numbers = None,
     partial: Mapping[float, float] | Callable[[float], float] | None = None,
-    label: str = "",
-    at: object = None,
     keeps: Callable[[], Curve | None] | None = None,
     near_miss_credit: bool = True,
 ) -> None:
@@ -137,7 +135,6 @@ def expect(
     t        : times along the first axis of actual; the message names the time of the largest error
     partial  : {limit: share of the points} for larger errors, or a function of the error; up to ten limits
                NEAR_MISS_SHARE is left
-    label, at : the label of the input and the input, where they are not those of the call that was compared last
     near_miss_credit : False where an error of a few limits is no sign that the physics is right
     keeps    : `conserved_curve(...)`, asked for on failure: what becomes of an invariant along the student's motion
     """
@@ -150,12 +147,14 @@ def expect(
     elif not error <= tolerance:
         numbers = {"error": error, "limit": tolerance, "expected": expected, "actual": actual}
         numbers["time"] = _time(t, errors, worst)
-        numbers["curve"] = _curve(t, actual, expected, scale, tolerance, quantity, unit, keeps)
+        if t is not None:
+            plotted = curve(t, actual, expected, scale, tolerance=tolerance, quantity=quantity, unit=unit)
+            numbers["curve"] = {**plotted, "keeps": keeps()} if plotted and keeps else plotted
         share = _share(error, tolerance if near_miss_credit else 0.0, partial)
         numbers["near_miss"] = near_miss_credit and (
             error <= NEAR_MISS * tolerance or (callable(partial) and share >= UNLOCKING_SHARE)
         )
-        fail("", quantity=quantity, unit=unit, hint=hint, label=label, at=at, share=share, **numbers)
+        fail("", quantity=quantity, unit=unit, hint=hint, share=share, **numbers)
 
 
 def expect_that(
@@ -210,24 +209,6 @@ def _share(error: float, tolerance: float, partial: Mapping[float, float] | Call
         return NEAR_MISS_SHARE if error <= NEAR_MISS * tolerance else partial(error)
     shares = {**(partial or {}), NEAR_MISS * tolerance: NEAR_MISS_SHARE}
     return max((share for limit, share in shares.items() if error <= limit), default=0.0)
-
-
-def _curve(
-    t: Numbers,
-    actual: Numbers,
-    expected: Numbers,
-    scale: Numbers,
-    tolerance: float,
-    quantity: str,
-    unit: str,
-    keeps: Callable[[], Curve | None] | None,
-) -> Curve | None:
-    if t is None:
-        return None
-    plotted = curve(t, actual, expected, scale, tolerance=tolerance, quantity=quantity, unit=unit)
-    if plotted and keeps:
-        plotted["keeps"] = keeps()
-    return plotted
 
 
 def _time(t: Numbers, errors: NDArray[np.float64], worst: int) -> float | None:

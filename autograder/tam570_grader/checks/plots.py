@@ -84,7 +84,7 @@ def _apart(places: Complex, starts: Complex, ends: Complex) -> Array:
     return np.asarray(np.abs(places - starts - share * sides))
 
 
-def path_drawn(
+def path_drawn(  # noqa: PLR0913  as `compare`
     line: Line,
     path: Array,
     *,

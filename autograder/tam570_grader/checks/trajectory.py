@@ -66,7 +66,7 @@ class OwnRates:
         return f"{name} is wrong along this motion, too: look there first"
 
 
-def compare_trajectory(
+def compare_trajectory(  # noqa: PLR0913  as `compare`
     function: StudentFunction,
     reference: Reference,
     cases: Iterable[Case],
@@ -111,19 +111,12 @@ def compare_trajectory(
         get_context().set_call(function.name, motion.case)
         if not chaotic:
             _note(motion, columns, tolerance)
-        _compare(
-            motion,
-            columns,
-            tolerance,
-            partial(_hint, motion, motions, turns, near_miss, hint, own_rates),
-            keeps,
-            near_miss_credit,
-            loose_tolerance_credit,
-        )
+        ask = partial(_hint, motion, motions, turns, near_miss, hint, own_rates)
+        _compare(motion, columns, _Limits(tolerance, keeps, near_miss_credit, loose_tolerance_credit), ask)
     return motions
 
 
-def check_conserved(
+def check_conserved(  # noqa: PLR0913  as `compare`
     function: StudentFunction,
     reference: Reference,
     cases: Iterable[Case],
@@ -229,32 +222,33 @@ def _scales(columns: Sequence[Column], case: Case, expected: Array) -> Array:
     return scales
 
 
-def _compare(
-    motion: Motion,
-    columns: Sequence[Column],
-    tolerance: float,
-    hint: Callable[[], str],
-    keeps: Invariant | None,
-    near_miss_credit: bool,
-    loose_tolerance_credit: bool,
-) -> None:
+@dataclass(frozen=True)
+class _Limits:
+    """What is allowed of a motion, and what is left of the points beyond."""
+
+    tolerance: float
+    keeps: Invariant | None
+    near_miss_credit: bool
+    loose_tolerance_credit: bool
+
+
+def _compare(motion: Motion, columns: Sequence[Column], limits: _Limits, hint: Callable[[], str]) -> None:
     """Judge the column that is off most, in its own unit."""
     where = [column.where for column in columns]
     worst = int(np.argmax([np.max(motion.errors[:, indices], initial=0.0) for indices in where]))
     size, column = float(np.max(motion.scales[where[worst]])), columns[worst]
+    has_shares = limits.near_miss_credit and limits.loose_tolerance_credit
     expect(
         motion.actual[:, column.where],
         motion.expected[:, column.where],
-        tolerance=tolerance * size,
+        tolerance=limits.tolerance * size,
         quantity=column.quantity,
         unit=column.unit,
         t=motion.case.args[0],
-        partial=partial(loose_tolerance_share, motion, tolerance, size)
-        if near_miss_credit and loose_tolerance_credit
-        else None,
-        near_miss_credit=near_miss_credit,
+        partial=partial(loose_tolerance_share, motion, limits.tolerance, size) if has_shares else None,
+        near_miss_credit=limits.near_miss_credit,
         hint=hint,
-        keeps=partial(_along, keeps, motion) if keeps else None,
+        keeps=partial(_along, limits.keeps, motion) if limits.keeps else None,
     )
 
 

@@ -73,7 +73,7 @@ class Mistake:
 Body = TypeVar("Body", bound=Function)
 
 
-def mistake(
+def mistake(  # noqa: PLR0913  the fields of a `Mistake`
     message: str,
     *,
     first_fails: Check,

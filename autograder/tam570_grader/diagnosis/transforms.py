@@ -1,5 +1,6 @@
 """Wrong answers that are made of the right function: its arguments or its result changed, in ways that people err."""
 
+import functools
 import inspect
 import math
 import re
@@ -72,7 +73,7 @@ class WrongArgument:
 
     def arguments(self, function: Function, case: Case) -> dict[str, Numbers]:
         """Return what a function gets in its place; unchanged where it does not take this argument."""
-        values = _named(list(inspect.signature(function).parameters), case)
+        values = _named(function, case)
         return {name: self.change(value) if name == self.key else value for name, value in values.items()}
 
 
@@ -97,8 +98,7 @@ def other_results(name: str, example: ComparedCall, vary: bool) -> Iterator[Tran
 
 def other_arguments(name: str, reference: Function, example: ComparedCall) -> Iterator[Transform]:
     """Yield an argument of the wrong sign, in degrees, ignored, or in another's place."""
-    names = list(inspect.signature(reference).parameters)
-    values = _named(names, example.case)
+    values = _named(reference, example.case)
     for key, value in values.items():
         thin = THIN.items() if INERTIA.search(key) and np.shape(value) == (2,) else ()
         for words, change in (*_other_values(np.asarray(value)), *thin):
@@ -106,16 +106,16 @@ def other_arguments(name: str, reference: Function, example: ComparedCall) -> It
     if "gravity" in values:
         words = f"In {name}, gravity is ignored, as if it were {GRAVITY}"
         yield words, WrongArgument(reference, "gravity", lambda value: GRAVITY)
-    yield from _other_points(name, reference, names, values)
+    yield from _other_points(name, reference, values)
     for first, other in combinations(values, 2):
         if np.shape(values[first]) == np.shape(values[other]):
-            yield f"In {name}, {first} and {other} are exchanged", partial(_exchanged, reference, names, first, other)
+            yield f"In {name}, {first} and {other} are exchanged", partial(_exchanged, reference, first, other)
 
 
 def other_forms(name: str, reference: Function, example: ComparedCall) -> Iterator[Transform]:
     """Yield a result that is linear in what it starts from, or one of several results; components of both exchanged."""
-    names = list(inspect.signature(reference).parameters)
-    values = _named(names, example.case)
+    names = _parameters(reference)
+    values = _named(reference, example.case)
     starts = [key for key in names[: len(example.case.args)] if np.asarray(values[key]).dtype.kind in "fi"]
     starts = [key for key in starts if key != "t"]
     single = [[key] for key in starts if np.size(values[key]) <= SPACE]
@@ -123,19 +123,17 @@ def other_forms(name: str, reference: Function, example: ComparedCall) -> Iterat
     for key in (key for key in starts if len(shape) == 1 and np.shape(values[key]) == shape):
         for j, k in combinations(range(*shape), 2):
             words = f"In {name}, {key} and the result have components {j + 1} and {k + 1} exchanged"
-            yield words, partial(_relabelled, reference, names, key, [j, k])
+            yield words, partial(_relabelled, reference, key, [j, k])
     count = min(len(parts(example.result)), len(ORDINALS))
     for keys in [*single, *([starts] if len(starts) > 1 or not single else [])]:
         for which in (None, *range(count if count > 1 else 0)):
             ordinal = "" if which is None else ORDINALS[which]
             words = f"The {ordinal}result of {name} is linear in {', '.join(keys)}, as for small motions"
-            yield words, partial(_linearised, reference, names, keys, which)
+            yield words, partial(_linearised, reference, keys, which)
 
 
-def _linearised(
-    reference: Function, names: Sequence[str], keys: Sequence[str], which: int | None, call: ComparedCall
-) -> Numbers:
-    values = _named(names, call.case)
+def _linearised(reference: Function, keys: Sequence[str], which: int | None, call: ComparedCall) -> Numbers:
+    values = _named(reference, call.case)
 
     def at(share: float) -> list[Numbers]:
         changed = {key: np.multiply(values[key], share) for key in keys}
@@ -146,24 +144,23 @@ def _linearised(
     return tuple(results) if isinstance(call.expected, tuple) else results[0]
 
 
-def _other_points(name: str, reference: Function, names: Sequence[str], values: Parameters) -> Iterator[Transform]:
+def _other_points(name: str, reference: Function, values: Parameters) -> Iterator[Transform]:
     """Yield a moment of inertia about another point than the right one."""
     lengths = [key for key in values if key in LENGTHS and "mass" in values]
     for key, length, power in product(filter(INERTIA.search, values), lengths, (1, -1)):
         for k in range(np.size(values[key])):
             which = f"component {k + 1} of {key}" if np.ndim(values[key]) else key
             words = f"has mass {length}^2 too many" if power > 0 else f"lacks mass {length}^2"
-            yield f"In {name}, {which} {words}", partial(_about_another_point, reference, names, key, k, length, power)
+            yield f"In {name}, {which} {words}", partial(_about_another_point, reference, key, k, length, power)
 
 
 def other_products(name: str, reference: Function, example: ComparedCall) -> Iterator[Transform]:
     """Yield a factor that is missing beside an argument, or one too many."""
-    names = list(inspect.signature(reference).parameters)
-    values = {key: np.asarray(value) for key, value in _named(names, example.case).items()}
+    values = {key: np.asarray(value) for key, value in _named(reference, example.case).items()}
     numbers = [key for key, value in values.items() if value.dtype.kind in "fiu"]
     for key, other in permutations(numbers, 2):
         if values[other].ndim == 0:
-            missing, extra = (partial(_with_product, reference, names, key, other, power) for power in (-1, 1))
+            missing, extra = (partial(_with_product, reference, key, other, power) for power in (-1, 1))
             yield f"In {name}, {key} lacks a factor {other}", missing
             yield f"In {name}, {key} has a factor {other} too many", extra
 
@@ -261,33 +258,35 @@ def _reversed(call: ComparedCall) -> Numbers:
     return tuple(np.negative(part) for part in parts(call.expected))
 
 
-def _with_product(
-    reference: Function, names: Sequence[str], key: str, other: str, power: int, call: ComparedCall
-) -> Numbers:
-    values = _named(names, call.case)
+def _with_product(reference: Function, key: str, other: str, power: int, call: ComparedCall) -> Numbers:
+    values = _named(reference, call.case)
     return reference(**{**values, key: np.asarray(values[key]) * float(values[other]) ** power})
 
 
-def _about_another_point(
-    reference: Function, names: Sequence[str], key: str, k: int, length: str, power: int, call: ComparedCall
-) -> Numbers:
-    values = _named(names, call.case)
+def _about_another_point(reference: Function, key: str, k: int, length: str, power: int, call: ComparedCall) -> Numbers:
+    values = _named(reference, call.case)
     inertia = np.array(values[key], float)
     inertia.flat[k] += power * float(values["mass"]) * float(values[length]) ** 2
     return reference(**{**values, key: inertia if inertia.ndim else float(inertia)})
 
 
-def _relabelled(reference: Function, names: Sequence[str], key: str, pair: list[int], call: ComparedCall) -> Numbers:
-    values = _named(names, call.case)
+def _relabelled(reference: Function, key: str, pair: list[int], call: ComparedCall) -> Numbers:
+    values = _named(reference, call.case)
     order = np.arange(len(values[key]))
     order[pair] = pair[::-1]
     return np.take(reference(**{**values, key: np.take(values[key], order)}), order)
 
 
-def _exchanged(reference: Function, names: Sequence[str], first: str, other: str, call: ComparedCall) -> Numbers:
-    values = _named(names, call.case)
+def _exchanged(reference: Function, first: str, other: str, call: ComparedCall) -> Numbers:
+    values = _named(reference, call.case)
     return reference(**{**values, first: values[other], other: values[first]})
 
 
-def _named(names: Sequence[str], case: Case) -> dict[str, Numbers]:
-    return {**dict(zip(names, case.args, strict=False)), **case.kwargs}
+def _named(function: Function, case: Case) -> dict[str, Numbers]:
+    """Return the arguments of a call, by the names that the function has for them."""
+    return {**dict(zip(_parameters(function), case.args, strict=False)), **case.kwargs}
+
+
+@functools.lru_cache(maxsize=256)
+def _parameters(function: Function) -> tuple[str, ...]:
+    return tuple(inspect.signature(function).parameters)

@@ -44,6 +44,17 @@ class Module:
     examples: Examples | None = None
 
 
+@dataclass(frozen=True)
+class Work:
+    """A student's file, what was handed out for it, and the tests that call its functions."""
+
+    file: Path
+    slug: str
+    released: Mapping[str, Stub]
+    used: Mapping[str, set[str]]  # by test, the functions that it calls
+    examples: Examples | None
+
+
 def check(
     file: Path,
     slug: str,
@@ -88,7 +99,7 @@ def check(
     lasted = time.time() - file.stat().st_mtime
     since = f"      {len(tests)} tests run, {lasted:.2f} s after saving\n" if changed else ""
     examples = next((module.examples for module in modules if module.examples), None)
-    return _report(file, slug, current, outcomes, used, released, since, functions, examples)
+    return _report(Work(file, slug, released, used, examples), current, outcomes, functions, since)
 
 
 def _chosen(
@@ -103,35 +114,25 @@ def _chosen(
     return chosen
 
 
-def _report(
-    file: Path,
-    slug: str,
-    current: Remembered,
-    outcomes: Outcomes,
-    used: Mapping[str, set[str]],
-    released: Mapping[str, Stub],
-    since: str,
-    functions: Collection[str],
-    examples: Examples | None,
-) -> bool:
+def _report(work: Work, current: Remembered, outcomes: Outcomes, functions: Collection[str], since: str) -> bool:
     """Print and remember what became of the tests; whether all pass."""
     results = {test: outcome for test, (_, outcome) in current.items()}
-    calling = by_parameters(used, results)
+    calling = by_parameters(work.used, results)
     causes = {test: _cause(test, outcomes, calling, results) for test in outcomes.failures}
-    reached = progress(slug, results, calling, causes)
-    remember(file, current, reached)
-    explanations = _explained(outcomes, calling, reached, released)
-    explanations |= _known_mistakes(outcomes, examples, calling) if examples else {}
+    reached = progress(work.slug, results, calling, causes)
+    remember(work.file, current, reached)
+    explanations = _explained(outcomes, calling, reached, work.released)
+    explanations |= _known_mistakes(outcomes, work.examples, calling) if work.examples else {}
     report.failures(outcomes, explanations)
     report.slow(outcomes.functions.longest, outcomes.functions.total)
     if functions:
         passed = [*outcomes.passed.values()].count(PASSED)
-        print(f"{slug[:4]}: {passed} of {len(outcomes.passed)} pass")
+        print(f"{work.slug[:4]}: {passed} of {len(outcomes.passed)} pass")
     else:
         report.before(
             [name for name, outcome in results.items() if outcome != PASSED and name not in outcomes.failures]
         )
-        report.progressed(slug, reached, since)
+        report.progressed(work.slug, reached, since)
     return bool(results) and not outcomes.failures and (bool(functions) or all(r == PASSED for r in results.values()))
 
 
