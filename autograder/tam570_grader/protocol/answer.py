@@ -2,10 +2,8 @@
 
 import builtins
 import random
-from collections.abc import Callable, Mapping
 from functools import partial
 from types import ModuleType
-from typing import Any
 
 import numpy as np
 import numpy.polynomial  # before the fork, as the next: NumPy puts it off until it is used
@@ -13,6 +11,7 @@ import numpy.random
 
 from tam570.bans import IN_ONE, Change, Unusable, everywhere, refused
 from tam570.formulas import form_of
+from tam570.values import Function, Json, Numbers
 
 from .picture import picture
 from .wire import portable
@@ -25,7 +24,7 @@ CANCELLED = 1e-13  # of a value: it has 25 digits before it is rounded
 NOTHING = 1e-60  # what is zero comes out below it, of up to 100 digits
 
 
-def answer(module: ModuleType, request: Mapping[str, Any], args: list[Any], kwargs: dict[str, Any]) -> dict[str, Any]:
+def answer(module: ModuleType, request: Json, args: list[Numbers], kwargs: Json) -> Json:
     """Return the reply to one call: {"value": ..., "changed": were the arguments changed} or {"error": ...}."""
     try:
         function = getattr(module, request["function"])
@@ -41,7 +40,7 @@ def answer(module: ModuleType, request: Mapping[str, Any], args: list[Any], kwar
         return {"error": error_report(error)}
 
 
-def error_report(error: BaseException) -> dict[str, Any]:
+def error_report(error: BaseException) -> Json:
     """Return what is known of an exception.
 
     The names of its classes, its text, and where in the student's file it arose.
@@ -60,7 +59,7 @@ def error_report(error: BaseException) -> dict[str, Any]:
     }
 
 
-def _stood_in(module: ModuleType, request: Mapping[str, Any]) -> list[Change]:
+def _stood_in(module: ModuleType, request: Json) -> list[Change]:
     """Put stand-ins for functions of the file, by whatever name they go: for refused ones, for one that is moved.
 
     The function that is called stays, though it be a refused one by another name. What was there, to be put back.
@@ -76,7 +75,7 @@ def _stood_in(module: ModuleType, request: Mapping[str, Any]) -> list[Change]:
     return originals
 
 
-def _moved(function: Callable[..., Any], *args: Any, **kwargs: Any) -> Any:
+def _moved(function: Function, *args: Numbers, **kwargs: Numbers) -> Numbers:
     """Results that are larger by one."""
     return np.asarray(function(*args, **kwargs), float) + 1.0
 
@@ -94,17 +93,17 @@ def _text(error: BaseException) -> str:
         return ""
 
 
-def _contents(args: list[Any], kwargs: dict[str, Any]) -> list[Any]:
+def _contents(args: list[Numbers], kwargs: Json) -> list[Numbers]:
     """Return what the arguments hold now; of an array the bytes, for a NaN is not equal to itself."""
     arguments = [*args, *kwargs.values()]
     return [argument.tobytes() if isinstance(argument, np.ndarray) else repr(argument) for argument in arguments]
 
 
-def _value(function: Callable[..., Any], args: list[Any], kwargs: dict[str, Any], request: Any) -> Any:
+def _value(function: Function, args: list[Numbers], kwargs: Json, request: Json) -> Numbers:
     return portable(function(*args, **kwargs))
 
 
-def _formula(function: Callable[..., Any], args: list[Any], kwargs: dict[str, Any], request: Any) -> Any:
+def _formula(function: Function, args: list[Numbers], kwargs: Json, request: Json) -> Numbers:
     """Values of the SymPy expression that the function returns, at the request's points; symbols go by their names.
 
     Another symbol may stand in it if it cancels: if the values are the same whatever it is.
@@ -127,7 +126,7 @@ def _formula(function: Callable[..., Any], args: list[Any], kwargs: dict[str, An
     return [portable(value) for value in values] if cancels else {"strangers": unexpected}
 
 
-def _values(expression: Any, request: Any, unexpected: list[str], stand_in: float) -> list[complex]:
+def _values(expression: Numbers, request: Json, unexpected: list[str], stand_in: float) -> list[complex]:
     """At each point, the strange symbols being numbers from the stand-in on."""
     others = {name: stand_in + number for number, name in enumerate(unexpected)}
     names = {symbol: symbol.name for symbol in expression.free_symbols}
@@ -137,7 +136,7 @@ def _values(expression: Any, request: Any, unexpected: list[str], stand_in: floa
     ]
 
 
-def _drawing(function: Callable[..., Any], args: list[Any], kwargs: dict[str, Any], request: Any) -> Any:
+def _drawing(function: Function, args: list[Numbers], kwargs: Json, request: Json) -> Numbers:
     return picture(function, args, kwargs, looked_at=not request.get("moved"))
 
 

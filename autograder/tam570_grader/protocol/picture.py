@@ -7,14 +7,18 @@ A curve shows where the paper changes when it alone is drawn: no list of colours
 """
 
 import builtins
-from collections.abc import Callable, Iterator
-from typing import Any
+from collections.abc import Iterator
+from typing import Any, TypeAlias
 
 import numpy as np
+
+from tam570.values import Function, Json, Numbers
 
 from .wire import LARGEST_ARRAY
 
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
+
+Artist: TypeAlias = Any  # of Matplotlib: axes, figures, canvases and what they hold
 
 LONGEST_TEXT = 300
 MOST_LINES = 500
@@ -27,9 +31,7 @@ SMALLEST = 2  # points, of a letter's lower side
 BLOCK = 12  # pixels; dots and dashes leave smaller gaps
 
 
-def picture(
-    function: Callable[..., Any], args: list[Any], kwargs: dict[str, Any], *, looked_at: bool = True
-) -> dict[str, Any]:
+def picture(function: Function, args: list[Numbers], kwargs: Json, *, looked_at: bool = True) -> Json:
     """Return what the function draws on the Axes it is given; nothing of it shows where nobody looks.
 
     lines          : of each its points (n, 2), label, whether it is a scatter; the shares of its points that show and
@@ -58,7 +60,7 @@ def picture(
     return {"lines": lines, **labels, "labels_show": _labels_show(axes, prints), **_scales(axes)}
 
 
-def _drawn(axes: Any) -> Iterator[tuple[Any, list[Any], bool]]:
+def _drawn(axes: Artist) -> Iterator[tuple[Artist, list[Numbers], bool]]:
     """Yield every artist of curves, its curves as points, whether it is a scatter."""
     from matplotlib.collections import PathCollection
 
@@ -71,7 +73,7 @@ def _drawn(axes: Any) -> Iterator[tuple[Any, list[Any], bool]]:
             yield collection, [_real(collection.get_offsets())], True
 
 
-def _joined(pieces: list[Any]) -> list[Any]:
+def _joined(pieces: list[Numbers]) -> list[Numbers]:
     """One line of pieces that each begin where the last one ends, as a line of many colours has them."""
     compare_trajectory = zip(pieces[1:], pieces, strict=False)
     if len(pieces) < 2 or not all(len(b) and len(a) and np.array_equal(b[0], a[-1]) for b, a in compare_trajectory):
@@ -79,19 +81,19 @@ def _joined(pieces: list[Any]) -> list[Any]:
     return [np.concatenate([pieces[0], *(piece[1:] for piece in pieces[1:])])]
 
 
-def _real(points: Any) -> Any:
+def _real(points: Numbers) -> Numbers:
     return np.ma.filled(np.ma.asarray(points, float), np.nan).reshape(-1, 2)
 
 
-def _is_curve(pieces: list[Any]) -> bool:
+def _is_curve(pieces: list[Numbers]) -> bool:
     return any(len(points) >= FEWEST and len(np.unique(points, axis=0)) >= FEWEST for points in pieces)
 
 
-def _text(text: Any) -> str:
+def _text(text: Artist) -> str:
     return str(text)[:LONGEST_TEXT]
 
 
-def _prints(axes: Any, curves: list[Any]) -> dict[Any, Any]:
+def _prints(axes: Artist, curves: list[Artist]) -> dict[Artist, Numbers]:
     """Print the picture by its axes, of the same without curves and labels by None, of a curve alone by it."""
     from matplotlib import rc_context
     from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -118,7 +120,7 @@ def _prints(axes: Any, curves: list[Any]) -> dict[Any, Any]:
     return prints
 
 
-def _without_words(figure: Any, labels: tuple[Any, Any]) -> None:
+def _without_words(figure: Artist, labels: tuple[Artist, Artist]) -> None:
     """Take away what takes long to draw, or needs TeX; of the two labels an x stays, like them in all but the words."""
     from matplotlib.text import Text
     from matplotlib.ticker import NullLocator
@@ -132,7 +134,7 @@ def _without_words(figure: Any, labels: tuple[Any, Any]) -> None:
         text.set(usetex=False, text="x" if text in labels and text.get_text().strip() else "")
 
 
-def _printed(canvas: Any) -> Any:
+def _printed(canvas: Artist) -> Numbers:
     canvas.draw()
     colours = np.array(canvas.buffer_rgba())
     opaque = colours[..., 3:]
@@ -142,14 +144,14 @@ def _printed(canvas: Any) -> Any:
     return colours
 
 
-def _ink(first: Any, other: Any) -> Any:
+def _ink(first: Numbers, other: Numbers) -> Numbers:
     """Compare the colours where two prints differ at all, which is in few pixels."""
     ink = (first.view(np.uint32) != other.view(np.uint32))[..., 0]
     ink[ink] = (np.abs(first[ink].astype(np.int16) - other[ink]) > CONTRAST).any(axis=1)
     return ink
 
 
-def _shown(axes: Any, points: Any, alone: Any, empty: Any) -> dict[str, float]:
+def _shown(axes: Artist, points: Numbers, alone: Numbers, empty: Numbers) -> dict[str, float]:
     """Of the points, or of every kth: the shares that have ink near them and that lie within the limits, the extent."""
     points = points[np.isfinite(points).all(axis=1)]
     points = points[:: max(1, len(points) // LOOKED_AT)]
@@ -169,7 +171,7 @@ def _shown(axes: Any, points: Any, alone: Any, empty: Any) -> dict[str, float]:
     return {"shows": float(near.sum() / len(points)), "within": len(visible) / len(points), "extent": float(extent)}
 
 
-def _near(ink: Any, places: Any) -> Any:
+def _near(ink: Numbers, places: Numbers) -> Numbers:
     """Return whether there is ink in the block of each of the places, or in one beside it."""
     rows, columns = (-(-size // BLOCK) for size in ink.shape)
     blocks = np.zeros((rows * BLOCK, columns * BLOCK), bool)
@@ -184,7 +186,7 @@ def _near(ink: Any, places: Any) -> Any:
     return near[row + 1, column + 1]
 
 
-def _labels_show(axes: Any, prints: dict[Any, Any]) -> list[bool]:
+def _labels_show(axes: Artist, prints: dict[Artist, Numbers]) -> list[bool]:
     """Of the labels of x and of y."""
     if not prints:
         return [False, False]
@@ -198,7 +200,7 @@ def _labels_show(axes: Any, prints: dict[Any, Any]) -> list[bool]:
     return shown
 
 
-def _scales(axes: Any) -> dict[str, Any]:
+def _scales(axes: Artist) -> Json:
     """Pixels to a unit of x and of y, negative where an axis runs backwards; and whether units are evenly long."""
     (left, right), (bottom, top) = sorted(axes.get_xlim()), sorted(axes.get_ylim())
     middle = (left + right) / 2, (bottom + top) / 2

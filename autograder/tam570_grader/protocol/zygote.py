@@ -18,7 +18,10 @@ import tempfile
 import time
 import traceback
 from collections.abc import Callable
+from types import ModuleType
 from typing import Any
+
+from tam570.values import Json, Numbers
 
 from . import jail
 from .answer import answer, error_report, seed_generators
@@ -128,7 +131,7 @@ def _confined(limits: jail.Limits, channel: socket.socket, folder: str) -> None:
     _send({"confined": True})
 
 
-def _read(name: str, reading: Callable[[bytes], Any], text: bytes) -> dict[str, Any]:
+def _read(name: str, reading: Callable[[bytes], object], text: bytes) -> Json:
     """Return what is read of a notebook or a module, nothing of which is run."""
     try:
         return {name: reading(text)}
@@ -136,7 +139,7 @@ def _read(name: str, reading: Callable[[bytes], Any], text: bytes) -> dict[str, 
         return {"error": error_report(error)}
 
 
-def _loaded(request: dict[str, Any]) -> Any:
+def _loaded(request: Json) -> ModuleType | None:
     """Import the submission, and report the contract's functions that it defines.
 
     The first reply, on whether it is Python, is sent before any of it runs.
@@ -156,12 +159,12 @@ def _loaded(request: dict[str, Any]) -> Any:
         return None
 
 
-def _answer_all(module: Any, request: dict[str, Any]) -> None:
+def _answer_all(module: Any, request: Json) -> None:
     """One reply for each call; after an error the rest is not computed, unless every one is asked for.
 
     Replies to quick calls travel in one message, results alike as one array.
     """
-    unsent, sent = list[dict[str, Any]](), time.monotonic()
+    unsent, sent = list[Json](), time.monotonic()
     for args, kwargs in request["calls"]:
         reply = answer(module, request, [_own(arg) for arg in args], {key: _own(arg) for key, arg in kwargs.items()})
         unsent.append(reply)
@@ -174,23 +177,23 @@ def _answer_all(module: Any, request: dict[str, Any]) -> None:
         _send(_together(unsent))
 
 
-def _together(replies: list[dict[str, Any]]) -> dict[str, Any]:
+def _together(replies: list[Json]) -> Json:
     """Return a message of several replies."""
     good = all(reply.get("changed") is False for reply in replies)
     values = stacked([reply["value"] for reply in replies]) if good else None
     return {"replies": replies} if values is None else {"values": values}
 
 
-def _own(argument: Any) -> Any:
+def _own(argument: Numbers) -> Numbers:
     """Return a writable copy of an array; a list of tuples of a list of lists."""
     if isinstance(argument, list):
         return [tuple(item) if isinstance(item, list) else item for item in argument]
     return argument.copy() if hasattr(argument, "copy") else argument
 
 
-def _received() -> dict[str, Any]:
+def _received() -> Json:
     (size,) = LENGTH.unpack(_exactly(LENGTH.size))
-    request: dict[str, Any] = unpacked(_exactly(size))
+    request: Json = unpacked(_exactly(size))
     return request
 
 
@@ -204,7 +207,7 @@ def _exactly(size: int) -> bytes:
     return bytes(data)
 
 
-def _send(reply: dict[str, Any]) -> None:
+def _send(reply: Json) -> None:
     data = packed(reply)
     unsent = memoryview(LENGTH.pack(len(data)) + data)
     while unsent:
