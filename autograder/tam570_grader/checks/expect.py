@@ -125,6 +125,8 @@ def expect(  # noqa: PLR0913  what a check says of a comparison, each by its nam
     scale: Numbers = 1.0,
     t: Numbers = None,
     partial: Mapping[float, float] | Callable[[float], float] | None = None,
+    label: str = "",
+    at: object = None,
     keeps: Callable[[], Curve | None] | None = None,
     near_miss_credit: bool = True,
 ) -> None:
@@ -135,6 +137,7 @@ def expect(  # noqa: PLR0913  what a check says of a comparison, each by its nam
     t        : times along the first axis of actual; the message names the time of the largest error
     partial  : {limit: share of the points} for larger errors, or a function of the error; up to ten limits
                NEAR_MISS_SHARE is left
+    label, at : the label of the input and the input, where they are not those of the call that was compared last
     near_miss_credit : False where an error of a few limits is no sign that the physics is right
     keeps    : `conserved_curve(...)`, asked for on failure: what becomes of an invariant along the student's motion
     """
@@ -154,7 +157,7 @@ def expect(  # noqa: PLR0913  what a check says of a comparison, each by its nam
         numbers["near_miss"] = near_miss_credit and (
             error <= NEAR_MISS * tolerance or (callable(partial) and share >= UNLOCKING_SHARE)
         )
-        fail("", quantity=quantity, unit=unit, hint=hint, share=share, **numbers)
+        fail("", quantity=quantity, unit=unit, hint=hint, label=label, at=at, share=share, **numbers)
 
 
 def expect_that(
