@@ -67,7 +67,7 @@ class _Run:
         failed = sum(check_result.outcome == "failed" for check_result in self.results.values())
         return bool(self.options.enough) and failed >= (self.options.enough or 0)
 
-    def judge(self, check: Check, recorder: Callable[[float], None] | None = None) -> None:
+    def perform(self, check: Check, recorder: Callable[[float], None] | None = None) -> None:
         """Run a check; the student's calls are then its own."""
         self.student.calls.clear()
         with budget(), np.errstate(all="ignore"), check_context(recorder=recorder, aside=self.student.aside):
@@ -143,7 +143,7 @@ def _check_result(run: _Run, check: Check) -> CheckResult:
         return _not_run(check, f"Not run: it needs “{_line(run.assignment.checks, missing[0])}” to pass first.")
     student, options = run.student, run.options
     try:
-        run.judge(check, options.recorder and partial(options.recorder, check.name))
+        run.perform(check, options.recorder and partial(options.recorder, check.name))
     except NotWritten as unwritten:
         return _not_run(check, student.describe_missing(str(unwritten)), unwritten=str(unwritten))
     except Failed as failed:
@@ -196,7 +196,7 @@ def _following(run: _Run, check: Check, earlier: Sequence[Cause]) -> Cause | Non
     """
     with run.student.aside():
         try:
-            run.judge(check, recorder=lambda error: None)
+            run.perform(check, recorder=lambda error: None)
         except (Failed, NotWritten, Exhausted, MemoryError):
             return None
         if any(_is_drawn(run.assignment, call) for call in run.student.calls):
@@ -225,7 +225,7 @@ def _judge_consequences(run: _Run) -> None:
 def _consequence(run: _Run, check: Check, functions: Container[str]) -> CheckResult | None:
     """Return the result of a check that builds on wrong functions; None where it is about these, or fails by itself."""
     try:
-        run.judge(check)
+        run.perform(check)
     except Failed as failed:
         cause = _following(run, check, _earlier(run.causes))
         if cause is None or cause.function in functions:

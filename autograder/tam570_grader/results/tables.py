@@ -10,7 +10,7 @@ from typing import TypeVar
 
 from tam570_grader.errors import UsageError, say, warn
 
-Cell = TypeVar("Cell")
+V = TypeVar("V")
 DELIMITERS = ",;\t"
 # how formulas begin; spreadsheets take the wide forms for the narrow ones
 FORMULA = "=+\\-@\t\r\n\uff1d\uff0b\uff0d\uff20"
@@ -60,7 +60,7 @@ def table_text(rows: Iterable[Iterable[object]], *, exact: bool = False) -> str:
     return text.getvalue()
 
 
-def cell(value: Cell) -> Cell:
+def cell(value: V) -> V:
     """Return a value that no spreadsheet takes for a formula, wherever it splits.
 
     A quote stands before what could be one.
