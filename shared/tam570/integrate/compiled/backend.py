@@ -5,7 +5,7 @@ import struct
 from collections.abc import Callable
 from functools import lru_cache
 from types import ModuleType
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from tam570.integrate.adaptive_loop import State
 from tam570.integrate.arguments import Array
 from tam570.integrate.compiled import loops, taylor, taylor_loop, taylor_memory
 from tam570.integrate.compiled.coefficients import LANES
+from tam570.integrate.compiled.ir import Operand
 from tam570.integrate.compiled.llvm import function
 from tam570.integrate.compiled.recurrences import NotAnalytic, Recurrences, recurrences
 from tam570.integrate.compiled.series import layout
@@ -24,6 +25,7 @@ from tam570.integrate.fixed_loop import FixedState
 from tam570.integrate.formulas import Formulas
 from tam570.integrate.stiffness import Look
 from tam570.integrate.trace import Graph
+from tam570.values import Function
 
 __all__ = [
     "Memory",
@@ -57,7 +59,7 @@ def analytic(graph: Graph) -> tuple[Recurrences, tuple[float, ...]] | None:
 
 
 @lru_cache(maxsize=256)
-def _taylor(laws: Recurrences, lanes: int = 1) -> Any:
+def _taylor(laws: Recurrences, lanes: int = 1) -> Operand:
     effort = EFFORT if lanes == 1 else 2
     return function(repr((laws, lanes)), lambda: taylor.taylor_text(laws, lanes), "advance", taylor.KINDS, effort)
 
@@ -77,7 +79,7 @@ class Memory(NamedTuple):
 class Motion(NamedTuple):
     """What a run of one start takes."""
 
-    advance: Any
+    advance: Operand
     doubles: int  # of work
     constants: tuple[float, ...]
     numbers: struct.Struct  # of the state that is handed over in z
@@ -205,7 +207,7 @@ def until_done(some: Callable[[int], bool]) -> None:
         budget = min(2 * budget, MOST)
 
 
-def by_moments(run: Callable[[Any, int], Any], share: Callable[[Any], float], state: Any) -> Any:
+def by_moments(run: Callable[[Operand, int], Operand], share: Callable[[Operand], float], state: Operand) -> Operand:
     """Return the state at the end of run(state, budget), called again and again."""
 
     def some(budget: int) -> bool:
@@ -234,13 +236,13 @@ def fixed(source: str, size: int, stages: int, constants: int) -> Callable[..., 
 
 
 def _loop(
-    loop: ModuleType, generated: str, entry: str, like: Any, constants: int, handed: tuple[str, ...] = ()
-) -> Callable[..., Any]:
+    loop: ModuleType, generated: str, entry: str, like: Operand, constants: int, handed: tuple[str, ...] = ()
+) -> Function:
     """Return a loop of the Python engine, compiled, that takes and gives what it does in Python."""
     key = repr((loop.__name__, generated, constants))
     march = function(key, lambda: loops.loop_text(loop, generated, entry, like, constants, handed), entry, loops.KINDS)
 
-    def run(origin: float, times: Array, out: Array, state: Any, c: Any, x: float, *rest: float) -> Any:
+    def run(origin: float, times: Array, out: Array, state: Operand, c: Operand, x: float, *rest: float) -> Operand:
         numbers, call_arguments = np.array(loops.flat(state)), np.array(c, dtype=float)
         longest, budget = rest if len(rest) == 2 else (math.inf, *rest)
         march(

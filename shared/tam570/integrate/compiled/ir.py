@@ -26,8 +26,8 @@ class Array:
     """Doubles at an address; the first of two indices counts rows of `row` doubles."""
 
     text: str
-    row: Any = None
-    length: Any = None
+    row: Operand = None
+    length: Operand = None
 
 
 @dataclass(frozen=True)
@@ -71,10 +71,10 @@ class Writer:
     def jump(self, label: str) -> None:
         self.do(f"br label %{label}")
 
-    def branch(self, test: Any, yes: str, no: str) -> None:
+    def branch(self, test: Operand, yes: str, no: str) -> None:
         self.do(f"br i1 {self.text(test, 'i1')}, label %{yes}, label %{no}")
 
-    def text(self, value: Any, ir_type: str) -> str:
+    def text(self, value: Operand, ir_type: str) -> str:
         """Return the value as an operand of that kind."""
         if ir_type[0] == "<" and not (isinstance(value, Value) and value.ir_type == ir_type):
             return self.spread(value, ir_type)
@@ -87,7 +87,7 @@ class Writer:
             raise Untranslatable(f"a {value.ir_type} where a {ir_type} is needed")
         return self.emit(ir_type, change.format(value.text)).text
 
-    def spread(self, value: Any, vector: str) -> str:
+    def spread(self, value: Operand, vector: str) -> str:
         """Return a vector that holds the value everywhere."""
         count, _, ir_type = vector[1:-1].partition(" x ")
         first = f"insertelement {vector} poison, {ir_type} {self.text(value, ir_type)}, i32 0"
@@ -104,10 +104,10 @@ class Writer:
     def load(self, slot: Slot) -> Value:
         return self.emit(slot.ir_type, f"load {slot.ir_type}, ptr {slot.text}")
 
-    def store(self, value: Any, slot: Slot) -> None:
+    def store(self, value: Operand, slot: Slot) -> None:
         self.do(f"store {slot.ir_type} {self.text(value, slot.ir_type)}, ptr {slot.text}")
 
-    def element(self, array: str, index: Any) -> str:
+    def element(self, array: str, index: Operand) -> str:
         """Return the address of a double in memory."""
         return self.emit("ptr", f"getelementptr double, ptr {array}, i64 {self.text(index, 'i64')}").text
 
@@ -121,7 +121,7 @@ _CHANGES = {
 }
 
 
-def _literal(value: Any, ir_type: str) -> str:
+def _literal(value: Operand, ir_type: str) -> str:
     if not isinstance(value, int | float):
         raise Untranslatable(f"{value!r} where a {ir_type} is needed")
     if ir_type == "double":

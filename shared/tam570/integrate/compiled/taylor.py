@@ -6,15 +6,15 @@ import inspect
 import math
 import struct
 from functools import lru_cache
-from typing import Any
 
 from tam570.integrate.compiled import taylor_loop, taylor_memory, taylor_scale
 from tam570.integrate.compiled.coefficients import FAST, HIGHEST
-from tam570.integrate.compiled.ir import Array, Value, number
+from tam570.integrate.compiled.ir import Array, Operand, Value, number
 from tam570.integrate.compiled.llvm import assembled
 from tam570.integrate.compiled.recurrences import Recurrences
 from tam570.integrate.compiled.series import exponents, layout, series_text
 from tam570.integrate.compiled.translate import Translator, functions_of
+from tam570.values import Json
 
 __all__ = ["BUDGET", "CALL", "KINDS", "order_for", "taylor_text"]
 
@@ -52,7 +52,7 @@ def taylor_text(laws: Recurrences, lanes: int = 1) -> str:
         "ACROSS": memory_layout.across,
         "ALONG": memory_layout.along,
     }
-    names: dict[str, Any] = {
+    names: Json = {
         **{name: value for module in MODULES for name, value in vars(module).items() if name.isupper()},
         **{name: Value("i64", str(value)) for name, value in integers.items()},
         **{name: _call_of(name) for name in ("coefficients", "rates", "roundoff", "reach")},
@@ -67,7 +67,7 @@ def taylor_text(laws: Recurrences, lanes: int = 1) -> str:
     translator = Translator(written, names)
     translator.flags, translator.components = " contract", padded
     translator.width = taylor_memory.width(size) if lanes == 1 else 1
-    arguments: list[Any] = [Array(f"%{name}") for name in ("z", "work", "time", "c")]
+    arguments: list[Operand] = [Array(f"%{name}") for name in ("z", "work", "time", "c")]
     arguments += [Array("%times", None, Value("i64", "%rows")), Array("%out", size)]
     several = [] if lanes == 1 else [Array("%members", 1 + 2 * size, Value("i64", "%several"))]
     arguments += [*several, Value("double", "%origin"), Value("double", "%rtol"), Value("i64", "%budget")]
@@ -84,33 +84,33 @@ def _head() -> list[str]:
     return lines
 
 
-def _call_of(name: str) -> Any:
-    def call(writer: Any, work: Array, c: Array, time: Array, order: Value) -> int:
+def _call_of(name: str) -> Operand:
+    def call(writer: Operand, work: Array, c: Array, time: Array, order: Value) -> int:
         writer.do(f"call void @{name}(ptr {work.text}, ptr {c.text}, ptr {time.text}, i64 {order.text})")
         return 0
 
     return call
 
 
-def _wide(writer: Any, x: Any) -> Any:
+def _wide(writer: Operand, x: Operand) -> Operand:
     return x if writer.width == 1 else Value(f"<{writer.width} x double>", writer.text(x, f"<{writer.width} x double>"))
 
 
-def _largest(writer: Any, x: Any) -> Any:
+def _largest(writer: Operand, x: Operand) -> Operand:
     return x if writer.width == 1 else _reduced(writer, "nnan", f"fmax.v{writer.width}f64({x.ir_type} {x.text})")
 
 
-def _summed(writer: Any, x: Any) -> Any:
+def _summed(writer: Operand, x: Operand) -> Operand:
     if writer.width == 1:
         return x
     return _reduced(writer, FAST, f"fadd.v{writer.width}f64(double {number(0.0)}, {x.ir_type} {x.text})")
 
 
-def _reduced(writer: Any, flags: str, call: str) -> Value:
+def _reduced(writer: Operand, flags: str, call: str) -> Value:
     return Value("double", writer.emit("double", f"call {flags} double @llvm.vector.reduce.{call}").text)
 
 
-def _logarithm(writer: Any, x: Value) -> Value:
+def _logarithm(writer: Operand, x: Value) -> Value:
     """To base 2, from the exponent and the fraction: a double's bits are almost that, to 0.09."""
     whole = x.ir_type.replace("double", "i64")
     bits = writer.emit(whole, f"bitcast {x.ir_type} {x.text} to {whole}").text
@@ -120,7 +120,7 @@ def _logarithm(writer: Any, x: Value) -> Value:
     return Value(x.ir_type, writer.arithmetic(ast.Mult(), exact, 2.0**-52).text)
 
 
-def _power_of_2(writer: Any, x: Value) -> Value:
+def _power_of_2(writer: Operand, x: Value) -> Value:
     """Two to a number between -1000 and 1000: its whole part is the exponent, a parabola serves the rest."""
     limited = writer.extreme("max", [writer.extreme("min", [x, 1000.0]), -1000.0])
     floor = writer.emit("double", f"call double @llvm.floor.f64(double {limited.text})")

@@ -6,7 +6,6 @@ happens to be zero deceives it.
 """
 
 from math import inf, log2
-from typing import Any
 
 from tam570.integrate.compiled.taylor_memory import (
     FIRST,
@@ -48,6 +47,7 @@ from tam570.integrate.compiled.taylor_memory import (
 )
 from tam570.integrate.compiled.taylor_scale import lacking, sized
 from tam570.integrate.error_scale import NO_SCALE, SHARE
+from tam570.values import Numbers
 
 __all__ = ["DONE", "FRESH", "IDLE", "RUNNING", "advance", "advance_all"]
 
@@ -56,13 +56,23 @@ TOLERATED = 1.6  # the derivative may be off by so many times (ORDER + 1) of the
 ROUNDINGS = 8.0  # and by so many times the bound of its rounding: the polynomial adds up as many terms
 GROWTH = 6.0  # of the step where all coefficients in the window are zero
 
-coefficients: Any = None
-logarithm: Any = None  # to base 2, to a tenth: a root of it is wanted
-power_of_2: Any = None  # to a hundredth
-shifted: Any = None  # behind(array, k): from its k-th number on
+coefficients: Numbers = None
+logarithm: Numbers = None  # to base 2, to a tenth: a root of it is wanted
+power_of_2: Numbers = None  # to a hundredth
+shifted: Numbers = None  # behind(array, k): from its k-th number on
 
 
-def advance(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, origin: Any, rtol: Any, budget: Any) -> Any:
+def advance(
+    z: Numbers,
+    work: Numbers,
+    time: Numbers,
+    c: Numbers,
+    times: Numbers,
+    out: Numbers,
+    origin: Numbers,
+    rtol: Numbers,
+    budget: Numbers,
+) -> Numbers:
     """Step until the last sample, `budget` steps are tried, or no step is possible: z[STATUS] tells."""
     pace = log2(rtol) / ORDER, 1.0 / ORDER, 1.0 / (ORDER - 1), 1.0 / (ORDER - 2), 1.0 / (ORDER - 3)
     if z[STATUS] == FRESH:
@@ -79,7 +89,7 @@ def advance(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, origin: 
         settle(z, work, time, c, times, out, 0, rtol, pace)
 
 
-def start_motion(z: Any, out: Any) -> Any:
+def start_motion(z: Numbers, out: Numbers) -> Numbers:
     """Return the first row, and the magnitudes of a start that nobody has looked at."""
     z[STATUS] = RUNNING
     for i in range(SIZE):
@@ -92,8 +102,17 @@ def start_motion(z: Any, out: Any) -> Any:
 
 
 def advance_all(
-    z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, members: Any, origin: Any, rtol: Any, budget: Any
-) -> Any:
+    z: Numbers,
+    work: Numbers,
+    time: Numbers,
+    c: Numbers,
+    times: Numbers,
+    out: Numbers,
+    members: Numbers,
+    origin: Numbers,
+    rtol: Numbers,
+    budget: Numbers,
+) -> Numbers:
     """Write the same for many motions, as many at a time as there are lanes.
 
     members : what a motion starts with, a row each: its first step at most, y, m; and as it ends, its status
@@ -122,7 +141,7 @@ def advance_all(
             time[lane] = origin + lane_memory[NEW]
 
 
-def begin(z: Any, work: Any, members: Any, who: Any, lane: Any) -> Any:
+def begin(z: Numbers, work: Numbers, members: Numbers, who: Numbers, lane: Numbers) -> Numbers:
     """Put a motion's start where it belongs."""
     for k in range(NUMBERS + 7 * SIZE):
         z[k] = 0.0
@@ -137,7 +156,17 @@ def begin(z: Any, work: Any, members: Any, who: Any, lane: Any) -> Any:
     return 0
 
 
-def settle(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, lane: Any, rtol: Any, pace: Any) -> Any:  # noqa: C901  one function, for it is compiled as a whole
+def settle(  # noqa: C901  one function, for it is compiled as a whole
+    z: Numbers,
+    work: Numbers,
+    time: Numbers,
+    c: Numbers,
+    times: Numbers,
+    out: Numbers,
+    lane: Numbers,
+    rtol: Numbers,
+    pace: Numbers,
+) -> Numbers:
     """Judge the step that was tried, and try the next: `work` holds the coefficients at the state in z."""
     limit = inf
     if SATURATES:
@@ -181,7 +210,7 @@ def settle(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, lane: Any
     return 0
 
 
-def refused(z: Any, work: Any, time: Any, c: Any, lane: Any, rtol: Any) -> Any:
+def refused(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, rtol: Numbers) -> Numbers:
     """Return whether the derivative at the end of the step is not the polynomial's; what is but rounding passes."""
     limit = TOLERATED * (ORDER + 1) * max(rtol, 2.0**-52)
     if not off(z, work, lane, limit, 0.0):
@@ -193,7 +222,7 @@ def refused(z: Any, work: Any, time: Any, c: Any, lane: Any, rtol: Any) -> Any:
     return off(z, work, lane, limit, ROUNDINGS)
 
 
-def off(z: Any, work: Any, lane: Any, limit: Any, roundings: Any) -> Any:
+def off(z: Numbers, work: Numbers, lane: Numbers, limit: Numbers, roundings: Numbers) -> Numbers:
     """Return whether an error of a derivative times the step is more than is allowed, or not a number."""
     h = z[H]
     wrong = wide(0.0)
@@ -206,7 +235,7 @@ def off(z: Any, work: Any, lane: Any, limit: Any, roundings: Any) -> Any:
     return largest(wrong) > 0.0
 
 
-def take_step(z: Any, times: Any, out: Any) -> Any:
+def take_step(z: Numbers, times: Numbers, out: Numbers) -> Numbers:
     """Return samples of the step that proved right; what had no scale has one now."""
     row = int(z[ROW])
     while row < len(times) and times[row] <= z[NEW]:
@@ -228,7 +257,7 @@ def take_step(z: Any, times: Any, out: Any) -> Any:
     return 0
 
 
-def evaluate(z: Any, i: Any, x: Any) -> Any:
+def evaluate(z: Numbers, i: Numbers, x: Numbers) -> Numbers:
     """Component i at x, s after the start of the step."""
     first = at(POLYNOMIAL, i)
     value = 0.0
@@ -237,7 +266,7 @@ def evaluate(z: Any, i: Any, x: Any) -> Any:
     return z[first] + (z[at(REST, i)] + value * x)
 
 
-def longest(z: Any, work: Any, lane: Any, pace: Any) -> Any:
+def longest(z: Numbers, work: Numbers, lane: Numbers, pace: Numbers) -> Numbers:
     """Return the step from the last coefficients, the whole state together.
 
     Infinite where all are zero, 0 if none will do.
@@ -262,7 +291,7 @@ def longest(z: Any, work: Any, lane: Any, pace: Any) -> Any:
     return power_of_2(pace[0] - largest(nearest))
 
 
-def attempt(z: Any, work: Any, times: Any, lane: Any, h: Any) -> Any:
+def attempt(z: Numbers, work: Numbers, times: Numbers, lane: Numbers, h: Numbers) -> Numbers:
     """Return the state and the polynomial's derivative at the end of a step of about h."""
     t = z[T]
     end = times[len(times) - 1]

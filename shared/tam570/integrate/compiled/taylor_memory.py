@@ -5,9 +5,8 @@ side by side, in vectors, with zeros up to PADDED. Names put in place for one ri
 the run, ACROSS, ALONG and LANES of `series.Layout`.
 """
 
-from typing import Any
-
 from tam570.integrate.compiled.coefficients import HIGHEST
+from tam570.values import Numbers
 
 __all__ = [
     "ACROSS",
@@ -64,15 +63,17 @@ Y, REST, M, SLOPE, NEXT, BASE, NOISE, POLYNOMIAL = range(8)
 SIZE = PADDED = ORDER = ACROSS = ALONG = LANES = MEMORY = 0
 TIMED = False  # whether the right-hand side depends on time
 SATURATES = False  # whether it has exp, tanh or their like of the state
-rates: Any = None  # rates(work, c, time, ORDER): the coefficients of order 1
-reach: Any = None  # the same: in the place of the first, the longest step for what saturates
-roundoff: Any = None  # the same: in their place, a bound of their rounding
+rates: Numbers = None  # rates(work, c, time, ORDER): the coefficients of order 1
+reach: Numbers = None  # the same: in the place of the first, the longest step for what saturates
+roundoff: Numbers = None  # the same: in their place, a bound of their rounding
 
 
-components: Any = None  # components(): their indices, as many at a time as fit in a vector if there is one motion alone
-wide: Any = None  # wide(x): as many of it
-largest: Any = None  # largest(x): of a vector
-summed: Any = None  # summed(x): of a vector
+components: Numbers = (
+    None  # components(): their indices, as many at a time as fit in a vector if there is one motion alone
+)
+wide: Numbers = None  # wide(x): as many of it
+largest: Numbers = None  # largest(x): of a vector
+summed: Numbers = None  # summed(x): of a vector
 
 
 def width(size: int) -> int:
@@ -90,11 +91,11 @@ def memory(size: int) -> int:
     return NUMBERS + size * (POLYNOMIAL + HIGHEST + 1)
 
 
-def at(part: Any, i: Any) -> Any:
+def at(part: Numbers, i: Numbers) -> Numbers:
     """Return where in z that part of component i is, or the first coefficient of its polynomial."""
     return NUMBERS + part * PADDED + i
 
 
-def coefficient(i: Any, n: Any, lane: Any) -> Any:
+def coefficient(i: Numbers, n: Numbers, lane: Numbers) -> Numbers:
     """Return where in `work` the coefficient of order n of component i is."""
     return i * ACROSS + n * ALONG + lane

@@ -4,10 +4,10 @@ As in `error_scale`, which this follows, what is zero and has a rate of zero tak
 """
 
 from math import inf
-from typing import Any
 
 from tam570.integrate.compiled.taylor_memory import BASE, ORDER, SIZE, SLOPE, TIMED, M, Y, at, coefficient, rates
 from tam570.integrate.error_scale import CALM, COARSE, NO_SCALE, PART
+from tam570.values import Numbers
 
 __all__ = ["LONG", "lacking", "sized"]
 
@@ -15,7 +15,7 @@ LONG, SHORT = 16.0, 1e-9  # times the first step of a series: how long the other
 STILL = 0.1  # times it, where nothing turns over
 
 
-def lacking(z: Any, work: Any, lane: Any) -> Any:
+def lacking(z: Numbers, work: Numbers, lane: Numbers) -> Numbers:
     """Return whether something is zero, and so is its rate: its scale follows from others, one after the other."""
     is_found = False
     for i in range(SIZE):
@@ -24,7 +24,7 @@ def lacking(z: Any, work: Any, lane: Any) -> Any:
     return is_found
 
 
-def sized(z: Any, work: Any, time: Any, c: Any, lane: Any, h: Any) -> Any:
+def sized(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, h: Numbers) -> Numbers:
     """Return whether all that lacks a size has one now, or no later time can give it one; in steps of about h."""
     for i in range(SIZE):
         z[at(BASE, i)] = work[coefficient(i, 1, lane)]
@@ -45,7 +45,7 @@ def sized(z: Any, work: Any, time: Any, c: Any, lane: Any, h: Any) -> Any:
     return every
 
 
-def moves(work: Any, i: Any, lane: Any) -> Any:
+def moves(work: Numbers, i: Numbers, lane: Numbers) -> Numbers:
     """Return whether one of the further coefficients of component i is not zero."""
     is_found = False
     for n in range(2, ORDER + 1):
@@ -53,7 +53,7 @@ def moves(work: Any, i: Any, lane: Any) -> Any:
     return is_found
 
 
-def spread(z: Any, work: Any, time: Any, c: Any, lane: Any, duration: Any) -> Any:
+def spread(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, duration: Numbers) -> Numbers:
     """Return what the sizes do to one another within so many s, in the place of SLOPE.
 
     Whether none is turned over by that.
@@ -83,7 +83,7 @@ def spread(z: Any, work: Any, time: Any, c: Any, lane: Any, duration: Any) -> An
     return True
 
 
-def changed(z: Any, work: Any, time: Any, c: Any, lane: Any, part: Any) -> Any:
+def changed(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, part: Numbers) -> Numbers:
     """Return the rates where each component is changed by a part of its size."""
     sign = 1.0
     for i in range(SIZE):

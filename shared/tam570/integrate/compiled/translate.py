@@ -6,10 +6,10 @@ what the entry is given; a tuple is known by its members; an array is an address
 
 import ast
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
 
 from tam570.integrate.compiled.expressions import Expressions, Names
-from tam570.integrate.compiled.ir import Slot, Untranslatable, Value, number
+from tam570.integrate.compiled.ir import Operand, Slot, Untranslatable, Value, number
+from tam570.values import Function, Parameters
 
 __all__ = ["Translator", "functions_of"]
 
@@ -24,17 +24,17 @@ def functions_of(source: str) -> dict[str, ast.FunctionDef]:
 class Translator(Expressions):
     """The body of one function of the representation."""
 
-    def __init__(self, functions: Mapping[str, ast.FunctionDef], names: Mapping[str, Any]) -> None:
+    def __init__(self, functions: Mapping[str, ast.FunctionDef], names: Parameters) -> None:
         super().__init__({**{name: self._inlined(node) for name, node in functions.items()}, **names})
         self.components = 0  # with what fills up the last vector
         self.tables: dict[tuple[float, ...], str] = {}
         self.loops: list[tuple[str, str]] = []  # where `continue` and `break` go
-        self.returns: list[tuple[str, Any]] = []  # where `return` goes, and its value's place
+        self.returns: list[tuple[str, Operand]] = []  # where `return` goes, and its value's place
 
-    def _inlined(self, node: ast.FunctionDef) -> Callable[..., Any]:
+    def _inlined(self, node: ast.FunctionDef) -> Function:
         straight = not any(isinstance(part, BRANCHING) for part in node.body)
 
-        def call(_: Any, *arguments: Any) -> Any:
+        def call(_: Operand, *arguments: Operand) -> Operand:
             names: Names = dict(zip((a.arg for a in node.args.args), arguments, strict=True))
             if straight:
                 return self._straight(names, node.body)
@@ -48,7 +48,7 @@ class Translator(Expressions):
 
         return call
 
-    def _straight(self, names: Names, body: Sequence[ast.stmt]) -> Any:
+    def _straight(self, names: Names, body: Sequence[ast.stmt]) -> Operand:
         """Return a function without branches: its variables need no memory."""
         for statement in body:
             if isinstance(statement, ast.Return):
@@ -64,7 +64,7 @@ class Translator(Expressions):
                 self.statement(names, statement)
         return ()
 
-    def bind(self, names: Names, target: ast.expr, value: Any) -> None:
+    def bind(self, names: Names, target: ast.expr, value: Operand) -> None:
         if isinstance(target, ast.Tuple):
             for part, item in zip(target.elts, value, strict=True):
                 self.bind(names, part, item)
@@ -73,7 +73,7 @@ class Translator(Expressions):
         else:
             self.assign(names, target, value)
 
-    def assign(self, names: Names, target: ast.expr, value: Any) -> None:
+    def assign(self, names: Names, target: ast.expr, value: Operand) -> None:
         if isinstance(target, ast.Tuple):
             for part, item in zip(target.elts, value, strict=True):
                 self.assign(names, part, item)
@@ -83,7 +83,7 @@ class Translator(Expressions):
         elif isinstance(target, ast.Name):
             names[target.id] = self.stored(names.get(target.id), value)
 
-    def stored(self, slot: Any, value: Any) -> Any:
+    def stored(self, slot: Operand, value: Operand) -> Operand:
         """Return the place of a variable that now has this value."""
         if isinstance(value, tuple):
             places = slot if isinstance(slot, tuple) and len(slot) == len(value) else [None] * len(value)
@@ -182,7 +182,7 @@ class Translator(Expressions):
             names, node.body, bounds, lambda i: self.bind(names, node.target, Value("lanes", i.text)), self.width
         )
 
-    def _bounds(self, names: Names, node: ast.expr) -> tuple[Any, ...]:
+    def _bounds(self, names: Names, node: ast.expr) -> tuple[Operand, ...]:
         if not (isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "range"):
             return ()
         arguments = [self.value(names, argument) for argument in node.args]
@@ -192,7 +192,7 @@ class Translator(Expressions):
         self,
         names: Names,
         body: Sequence[ast.stmt],
-        bounds: tuple[Any, ...],
+        bounds: tuple[Operand, ...],
         bind: Callable[[Value], None],
         step: int = 1,
     ) -> bool:
@@ -213,7 +213,7 @@ class Translator(Expressions):
         self.start(after)
         return True
 
-    def _over_table(self, names: Names, node: ast.For, rows: tuple[Any, ...]) -> bool:
+    def _over_table(self, names: Names, node: ast.For, rows: tuple[Operand, ...]) -> bool:
         """Return a loop over numbers that are known: they are kept in memory, column by column."""
         columns = list(zip(*rows, strict=True)) if isinstance(rows[0], tuple) else [rows]
         targets = node.target.elts if isinstance(node.target, ast.Tuple) else [node.target]
