@@ -1,5 +1,7 @@
 """Late work by course.toml: dates, days, extensions; one download after another; what disagrees is named."""
 
+import re
+
 import pytest
 from classes import HW08, packed
 
@@ -61,6 +63,20 @@ def test_tables_and_pages_obey(term):
         code, printed = term(*command)
         assert code == 0 and "warning" not in printed
     assert ["fay", "7.5"] in term.read("up.csv")
+
+
+def test_the_report_counts_who_is_late_and_sums_what_counts(term):
+    term.write_results({(student, HW07): 4.0 for student in CAME})
+    rows = ["*,*,drop lowest,1,", "ann,hw08,excused,1,She was ill.", "dan,*,extension,1,"]
+    assert points(term, *rows)[0] == 0
+    term.write("roster.csv", [("Username", "Name"), *((student, student.title()) for student in CAME)])
+    assert term("report", "results", "--roster", "roster.csv", "--collected", "collected.csv")[0] == 0
+    page = (term.folder / "results" / "report.html").read_text()
+    sums = dict(re.findall(r"<tr><th scope=row>([^<]*)</th>.*<td>([\d.]*)</td></tr>", page))
+    rest = {student: rest for student, (_, rest) in CAME.items()} | {"ann": 4, "dan": 10}  # ann's last one counts
+    assert {student: float(total) for student, total in sums.items()} == rest
+    cells = re.search(r'<th scope="row">hw08</th>(.*?)<svg', page)[1]
+    assert re.findall(r'class="n">(\d+)<', cells)[-1] == "4"  # all but ann, and ben within the grace
 
 
 def test_changed_terms_are_told_until_they_are_obeyed(term):
