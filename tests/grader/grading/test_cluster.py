@@ -77,7 +77,7 @@ class Net:
 
     @property
     def address(self):
-        wait_for(self._file.exists)
+        wait_for(lambda: self._file.exists() and self._file.read_text().rstrip().endswith("}"))  # written to its end
         return json.loads(self._file.read_text())["address"]
 
     def worker(self, **more):
