@@ -140,15 +140,13 @@ class _Writer:
         rates, drawing = self.live.rates, self.live.drawing  # a trace goes into the functions of a closure
         of_rates = self._traced(lambda t, state, arguments, pointer: rates(t, state, **arguments))
         self._compare(of_rates)
-        shapes: list[Json] = []
         still = self.live.backdrop
         measures = {name: measure for name, measure in self.live.measures.items() if self._is_traceable(measure)}
         more = _composed([*(handle.point for handle in self.live.handles), *measures.values()])
         grabs = _composed([handle.grab for handle in self.live.handles])
 
         def drawn(t: Numbers, state: Numbers, parameters: Parameters, target: Numbers) -> list[Numbers]:
-            points: list[Value] = []
-            shapes[:] = [_shape(shape, points) for shape in [*still, *drawing(np.reshape(state, (1, -1)), parameters)]]
+            _, points = _packed([*still, *drawing(np.reshape(state, (1, -1)), parameters)])
             return points + more([], (state,), parameters)
 
         def grabbed(t: Numbers, state: Numbers, parameters: Parameters, target: Numbers) -> list[Numbers]:
@@ -156,7 +154,8 @@ class _Writer:
 
         graphs = {"rates": of_rates, "drawn": self._traced(drawn), "grab": self._traced(grabbed)}
         code = "".join(f"{name}(t,s,p,q){{{_body(graph, self.k, self.m)}}}," for name, graph in graphs.items())
-        first = sum(len(shape["at"]) * shape["dim"] for shape in shapes)
+        shapes, points = _packed([*still, *drawing(np.reshape(self.live.start, (1, -1)), self.live.parameters)])
+        first = len(points)
         count = len(graphs["drawn"].rates) - first - len(measures)
         return Program(f"const program = {{{code}}};", self._data(shapes, first, count, list(measures)))
 
@@ -254,16 +253,17 @@ def _range(value: float) -> tuple[float, float]:
     return low, high
 
 
-def _shape(shape: Shape, points: list[Value]) -> Json:
-    """One shape, its coordinates appended to the points."""
-    rows = shape.points[0] if shape.points.ndim == 3 else shape.points
-    at = []
-    for row in rows:
-        at.append(len(points))
-        points.extend(row.tolist())
-    result = {"kind": shape.form, "at": at, "dim": rows.shape[-1], "color": shape.color, "width": shape.width}
-    optional = {"name": shape.name, "words": shape.words, "faint": shape.faint}
-    return result | {name: value for name, value in optional.items() if value}
+def _packed(shapes: Sequence[Shape]) -> tuple[list[Json], list[Value]]:
+    """Return shapes as the page reads them, and their coordinates one after the other, to which `at` refers."""
+    packed, points = list[Json](), list[Value]()
+    for shape in shapes:
+        rows = shape.points[0] if shape.points.ndim == 3 else shape.points
+        dim, at = rows.shape[-1], [len(points) + rows.shape[-1] * i for i in range(len(rows))]
+        points += np.ravel(rows).tolist()
+        entry = {"kind": shape.form, "at": at, "dim": dim, "color": shape.color, "width": shape.width}
+        optional = {"name": shape.name, "words": shape.words, "faint": shape.faint}
+        packed.append(entry | {name: value for name, value in optional.items() if value})
+    return packed, points
 
 
 def _body(graph: Graph, k: int, m: int) -> str:

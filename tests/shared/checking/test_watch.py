@@ -41,7 +41,8 @@ def watching(hw08):
     after.process = process
     yield after
     process.kill()
-    process.communicate()
+    process.wait()
+    process.stdout.close()
 
 
 def count(said):
