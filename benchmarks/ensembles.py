@@ -48,8 +48,8 @@ def compared(name, members, tolerance):
     scene = scenes.scene(name)
     many = starts(scene, members)
     ours, theirs = methods.ours_from(scene, many, tolerance), methods.heyoka_from(scene, many, tolerance)
-    one, other = ours(), theirs()
-    apart = np.abs(one - other).max(axis=1) / np.abs(other).max(axis=1)
+    ends, other = ours(), theirs()
+    apart = np.abs(ends - other).max(axis=1) / np.abs(other).max(axis=1)
     pairs = [(seconds(ours), seconds(theirs)) for _ in range(RUNS)]
     mine, peers = map(statistics.median, zip(*pairs, strict=True))
     row = {"problem": name, "members": members, "tolerance": tolerance, "seconds": mine, "heyoka": peers}
@@ -65,8 +65,8 @@ def main():
         parser.error(f"--members {options.members}: give a multiple of eight")
     if not methods.available("heyoka"):
         return print("heyoka is not installed, and nothing is compared: pip install heyoka")
-    asked = [(name, tolerance) for name in PROBLEMS for tolerance in TOLERANCES]
-    rows = [compared(name, options.members, at) for name, at in tqdm(asked, desc="runs", leave=False, disable=None)]
+    runs = [(name, tolerance) for name in PROBLEMS for tolerance in TOLERANCES]
+    rows = [compared(name, options.members, at) for name, at in tqdm(runs, desc="runs", leave=False, disable=None)]
     record.write(options.out, rows=rows)
     for row in rows:
         print(

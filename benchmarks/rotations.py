@@ -24,8 +24,8 @@ RESULTS = record.RESULTS / "rotations.json"
 
 def inputs(count, seed=570):
     """The same rotations in every form, one without a batch axis where count is 1."""
-    draw = np.random.default_rng(seed)
-    vector = draw.normal(size=(count, 3))
+    rng = np.random.default_rng(seed)
+    vector = rng.normal(size=(count, 3))
     angle = np.linalg.norm(vector, axis=1)
     rotation = Rotation.from_rotvec(vector)
     forms = {
@@ -37,7 +37,7 @@ def inputs(count, seed=570):
         "scalar last": rotation.as_quat(),  # SciPy's own order
         "313": _euler("ZXZ", rotation),
         "312": _euler("ZXY", rotation),
-        "noisy": rotation.as_matrix() + 1e-3 * draw.normal(size=(count, 3, 3)),
+        "noisy": rotation.as_matrix() + 1e-3 * rng.normal(size=(count, 3, 3)),
     }
     return {name: form[0] if count == 1 else form for name, form in forms.items()}
 
@@ -157,10 +157,10 @@ def rebuilt(R):
 
 def scenes(count, seed=571):
     """Matrices anywhere, next to no turn, next to half a turn, and next to gimbal lock of 313 and 312."""
-    draw = np.random.default_rng(seed)
-    axis, size = draw.normal(size=(count, 3)), 10.0 ** draw.uniform(-14, -3, count)
-    first, last = draw.uniform(-np.pi, np.pi, (2, count))
-    yield "any", rotations.matrix_from_axis_angle(axis, draw.uniform(0, np.pi, count))
+    rng = np.random.default_rng(seed)
+    axis, size = rng.normal(size=(count, 3)), 10.0 ** rng.uniform(-14, -3, count)
+    first, last = rng.uniform(-np.pi, np.pi, (2, count))
+    yield "any", rotations.matrix_from_axis_angle(axis, rng.uniform(0, np.pi, count))
     yield "angle near 0", rotations.matrix_from_axis_angle(axis, size)
     yield "angle near pi", rotations.matrix_from_axis_angle(axis, np.pi - size)
     yield "lock of 313", rotations.matrix_from_euler("313", np.transpose([first, size, last]))
@@ -190,9 +190,9 @@ def main():
     for row in timings([1, 1000] if options.quick else [1, 1000, 100_000]):
         result["timings"].append(row)
         unchecked = row["ratio_unchecked"]
-        note = f"   unchecked {unchecked:5.2f}" if unchecked else ""
+        unchecked_text = f"   unchecked {unchecked:5.2f}" if unchecked else ""
         figures = f"{row['ns']:9.1f} ns  SciPy {row['scipy_ns']:9.1f} ns  ratio {row['ratio']:5.2f}"
-        print(f"{row['batch']:8d}  {row['conversion']:26s}{figures}{note}")
+        print(f"{row['batch']:8d}  {row['conversion']:26s}{figures}{unchecked_text}")
     for row in errors(10_000 if options.quick else 200_000):
         result["errors"].append(row)
         scipys = "" if row["scipy_eps"] is None else f"  SciPy {row['scipy_eps']:9.3g} eps"

@@ -53,15 +53,15 @@ def references(names):
     import mpmath
     import taylor
 
-    kept = json.loads(REFERENCES.read_text()) if REFERENCES.exists() else {}
+    known_states = json.loads(REFERENCES.read_text()) if REFERENCES.exists() else {}
     for name in tqdm(names, desc="references", disable=None):
         rhs, start, parameters, end = scenes.scene(name)
-        asked = repr((rhs.__name__, start, parameters, end))
-        if kept.get(name, {}).get("asked") != asked:
+        request = repr((rhs.__name__, start, parameters, end))
+        if known_states.get(name, {}).get("asked") != request:
             state = taylor.end_state((rhs, start, parameters, end))
-            kept[name] = {"asked": asked, "state": [mpmath.nstr(x, 30) for x in state]}
-            REFERENCES.write_text(json.dumps(kept, indent=1))
-    return {name: kept[name]["state"] for name in names}
+            known_states[name] = {"asked": request, "state": [mpmath.nstr(x, 30) for x in state]}
+            REFERENCES.write_text(json.dumps(known_states, indent=1))
+    return {name: known_states[name]["state"] for name in names}
 
 
 def error(state, reference):
@@ -126,26 +126,26 @@ def curves(name, tolerances, reference, names):
 
     The methods take turns.
     """
-    scene, found, done, compiling = scenes.scene(name), {method: [] for method in names}, set(), {}
+    scene, points, done, compiling = scenes.scene(name), {method: [] for method in names}, set(), {}
     for tolerance in tolerances:
         for method in (m for m in names if m not in done):
             result = measured(method, scene, tolerance, reference)
             if result is not None:
                 seconds, wrong, first = result
-                found[method].append([tolerance, seconds, wrong])
+                points[method].append([tolerance, seconds, wrong])
                 compiling.setdefault(method, max(0.0, first - seconds))
                 if seconds > LONGEST:
                     done.add(method)
-    return found, compiling
+    return points, compiling
 
 
-def cold_times(name, found):
+def cold_times(name, curves_of):
     """{method: seconds} from the start of a new process to its first result, of those that reach 1e-9.
 
     Compiled code kept on disk counts as warm: "(first)" has an empty cache.
     """
     times = {}
-    for method, curve in found.items():
+    for method, curve in curves_of.items():
         tolerance = next((tol for tol, _, e in curve if e <= 1e-9), None)
         if tolerance is None:
             continue
@@ -194,24 +194,24 @@ def report(results):
             print("  " + ", ".join(f"{m} {s:.2f}" for m, s in sorted(scene["cold"].items(), key=lambda item: item[1])))
 
 
-def measure(names, tolerances, cold, keep, found, asked=()):
+def measure(names, tolerances, cold, keep, results, requested=()):
     """The results, handed to `keep` after every scene: a run that is stopped has not been for nothing.
 
-    found : scenes measured before, which stay beside those measured now
+    results : scenes measured before, which stay beside those measured now
     """
     exact = references(names)
-    installed = [method for method in asked or methods.METHODS if methods.available(method)]
+    installed = [method for method in requested or methods.METHODS if methods.available(method)]
     for name in tqdm(names, desc="scenes"):
         measured_curves, compiling = curves(name, tolerances, exact[name], installed)  # first: nothing is compiled yet
         scene = {"curves": measured_curves, "compiling": compiling, "condition": condition(scenes.scene(name))}
         scene["cold"] = cold_times(name, scene["curves"]) if cold else {}
-        found[name] = scene
-        keep(summary(found))
-    return summary(found)
+        results[name] = scene
+        keep(summary(results))
+    return summary(results)
 
 
-def summary(found):
-    return {**comparison.tables(found, TARGETS, scenes.SETS), "scenes": found}
+def summary(results):
+    return {**comparison.tables(results, TARGETS, scenes.SETS), "scenes": results}
 
 
 def main():
@@ -224,19 +224,21 @@ def main():
     parser.add_argument("--tolerances", nargs="+", type=float, help="these alone")
     parser.add_argument("--no-cold", action="store_true", help="no cold processes")
     parser.add_argument("--out", type=Path, help="JSON to write, also for a part of the scenes or methods")
-    given = parser.parse_args()
-    sets = [name for group in given.sets or () for name in scenes.SETS[group]]
-    usual = [*scenes.SETS["scenes"], *(scenes.SETS["public"] if given.peers else ())]
-    names = given.scenes or sets or (QUICK_SCENES if given.quick else usual)
-    tolerances = given.tolerances or (QUICK_TOLERANCES if given.quick else TOLERANCES)
-    whole = not (given.quick or given.scenes or sets or given.methods or given.tolerances or given.no_cold)
-    out = given.out or ((PEERS_RESULTS if given.peers else RESULTS) if whole else None)
+    options = parser.parse_args()
+    sets = [name for group in options.sets or () for name in scenes.SETS[group]]
+    usual = [*scenes.SETS["scenes"], *(scenes.SETS["public"] if options.peers else ())]
+    names = options.scenes or sets or (QUICK_SCENES if options.quick else usual)
+    tolerances = options.tolerances or (QUICK_TOLERANCES if options.quick else TOLERANCES)
+    is_part = options.scenes or sets or options.methods or options.tolerances
+    is_complete = not (options.quick or is_part or options.no_cold)
+    out = options.out or ((PEERS_RESULTS if options.peers else RESULTS) if is_complete else None)
     keep = (lambda results: record.write(out, **results)) if out else (lambda results: None)
-    kept = record.read(out).get("scenes", {}) if (given.scenes or sets) and out else {}
-    asked, cold = given.methods or (PEERS if given.peers else ()), not (given.quick or given.no_cold or given.peers)
+    earlier = record.read(out).get("scenes", {}) if (options.scenes or sets) and out else {}
+    requested = options.methods or (PEERS if options.peers else ())
+    cold = not (options.quick or options.no_cold or options.peers)
     with tempfile.TemporaryDirectory() as empty:  # so that compiling is measured
         os.environ["XDG_CACHE_HOME"] = empty
-        results = measure(names, tolerances, cold, keep, kept, asked)
+        results = measure(names, tolerances, cold, keep, earlier, requested)
     report(results)
     if out:
         print(f"\nwritten: {out}")

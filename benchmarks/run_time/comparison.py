@@ -28,19 +28,19 @@ def time_to(target, curve):
     return curve[0][1] if curve and curve[0][2] <= target else None
 
 
-def compiling(found):
+def compiling(scenes):
     """{method: [median, largest]} of the seconds that a first run took more than a warm one, over the scenes."""
     extra = {}
-    for scene in found.values():
+    for scene in scenes.values():
         for method, seconds in scene["compiling"].items():
             if method != "tam570, prepared":  # it has the code that "tam570, compiled" made
                 extra.setdefault(method, []).append(seconds)
     return {method: [float(np.median(values)), max(values)] for method, values in extra.items()}
 
 
-def against(found, target, ours, peer):
+def against(curves, target, ours, peer):
     """(median, worst, its scene, number) of our time over the peer's at that error."""
-    pairs = {name: (time_to(target, s.get(ours, [])), time_to(target, s.get(peer, []))) for name, s in found.items()}
+    pairs = {name: (time_to(target, s.get(ours, [])), time_to(target, s.get(peer, []))) for name, s in curves.items()}
     values = {name: a / b for name, (a, b) in pairs.items() if a and b}
     if not values:
         return None
@@ -48,12 +48,12 @@ def against(found, target, ours, peer):
     return float(np.median(list(values.values()))), values[worst], worst, len(values)
 
 
-def ratios(found, target):
+def ratios(curves, target):
     """Median over the scenes, and the largest, of each method's time over that of SciPy's DOP853 at that error."""
     table = {}
     for method in METHODS:
         pairs = [
-            (time_to(target, s.get(method, [])), time_to(target, s.get("SciPy DOP853", []))) for s in found.values()
+            (time_to(target, s.get(method, [])), time_to(target, s.get("SciPy DOP853", []))) for s in curves.values()
         ]
         values = [ours / peer for ours, peer in pairs if ours and peer]
         if values:
@@ -61,9 +61,9 @@ def ratios(found, target):
     return table
 
 
-def _against(found, members, targets):
+def _against(scenes, members, targets):
     """Rows of our method, the peer, the error and what `against` tells."""
-    part = {name: curves for name, curves in found.items() if name in members}
+    part = {name: curves for name, curves in scenes.items() if name in members}
     for ours, peer, target in itertools.product(OURS, PEERS, targets):
         row = against(part, target, ours, peer)
         if row:

@@ -44,8 +44,8 @@ def scipy_ivp(method, scene, tolerance):
 
     rhs, start, parameters, end = scene
     f = functools.partial(rhs, **parameters)
-    given = {"method": method, "rtol": max(tolerance, 3e-14), "atol": tolerance}
-    return lambda: solve_ivp(f, (0.0, end), start, **given).y[:, -1]
+    options = {"method": method, "rtol": max(tolerance, 3e-14), "atol": tolerance}
+    return lambda: solve_ivp(f, (0.0, end), start, **options).y[:, -1]
 
 
 def odeint(scene, tolerance):
@@ -53,13 +53,13 @@ def odeint(scene, tolerance):
 
     rhs, start, parameters, end = scene
     f = functools.partial(rhs, **parameters)
-    given = {"tfirst": True, "rtol": tolerance, "atol": tolerance, "mxstep": 10**7, "full_output": True}
+    options = {"tfirst": True, "rtol": tolerance, "atol": tolerance, "mxstep": 10**7, "full_output": True}
 
     def states():
-        found, told = odepack(f, start, (0.0, end), **given)
-        if told["message"] != "Integration successful.":
-            raise RuntimeError(told["message"])  # it returns what it has, and no error
-        return found[-1]
+        rows, output = odepack(f, start, (0.0, end), **options)
+        if output["message"] != "Integration successful.":
+            raise RuntimeError(output["message"])  # it returns what it has, and no error
+        return rows[-1]
 
     return states
 
@@ -75,8 +75,8 @@ def cyrk(scene, tolerance):
     def rates(dy, t, y):
         dy[:] = f(t, y)
 
-    given = {"method": "DOP853", "rtol": tolerance, "atol": tolerance, "pass_dy_as_arg": True}
-    return lambda: pysolve_ivp(rates, (0.0, end), np.array(start), **given).y[:, -1]
+    options = {"method": "DOP853", "rtol": tolerance, "atol": tolerance, "pass_dy_as_arg": True}
+    return lambda: pysolve_ivp(rates, (0.0, end), np.array(start), **options).y[:, -1]
 
 
 def cyrk_compiled(scene, tolerance):
@@ -86,12 +86,12 @@ def cyrk_compiled(scene, tolerance):
 
     rhs, start, parameters, end = scene
     address = _by_numba(rhs, parameters, len(start), "dy, t, y, args", "dy[{}] = {}", cyjit).address
-    given = np.array(start)
+    start_array = np.array(start)
 
     def states():
-        found = nbsolve2_ivp(address, (0.0, end), given, method="DOP853", rtol=tolerance, atol=tolerance)
-        last = found.y[:, -1].copy()
-        found.free()
+        solution = nbsolve2_ivp(address, (0.0, end), start_array, method="DOP853", rtol=tolerance, atol=tolerance)
+        last = solution.y[:, -1].copy()
+        solution.free()
         return last
 
     return states
@@ -107,10 +107,10 @@ def numbalsoda(scene, tolerance):
     times = np.array([0.0, end])
 
     def states():
-        found, success = dop853(address, np.array(start), times, rtol=tolerance, atol=tolerance)
+        rows, success = dop853(address, np.array(start), times, rtol=tolerance, atol=tolerance)
         if not success:
             raise RuntimeError("no success")
-        return found[-1]
+        return rows[-1]
 
     return states
 
@@ -177,13 +177,13 @@ def heyoka_from(scene, starts, tolerance, lanes=8):
     run = hy.taylor_adaptive_batch(_by_heyoka(scene), np.zeros((size, lanes)), tol=tolerance)
 
     def ends():
-        found = np.empty_like(starts)
+        last = np.empty_like(starts)
         for first in range(0, len(starts), lanes):
             run.set_time(0.0)
             run.state[:] = starts[first : first + lanes].T
             run.propagate_until(end)
-            found[first : first + lanes] = run.state.T
-        return found
+            last[first : first + lanes] = run.state.T
+        return last
 
     return ends
 

@@ -25,7 +25,7 @@ Quaternion from rotation matrix, J. Guidance and Control 1 (1978).
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.rotations import _euler, _formulas, _kinds, _stacked
+from tam570.rotations import _euler, _formulas, _requirements, _stacked
 from tam570.rotations._evaluate import Array, evaluate
 
 __all__ = [
@@ -69,7 +69,7 @@ def skew(v: ArrayLike) -> Array:
     >>> skew([1, 2, 3]) @ [0, 0, 1]
     array([ 2., -1.,  0.])
     """
-    return evaluate(_formulas.skew_of_vector, _kinds.FINITE, (3, 3), ("v", _kinds.VECTOR, v))
+    return evaluate(_formulas.skew_of_vector, _requirements.FINITE, (3, 3), ("v", _requirements.VECTOR, v))
 
 
 def unskew(S: ArrayLike) -> Array:
@@ -93,7 +93,7 @@ def unskew(S: ArrayLike) -> Array:
     >>> unskew(skew([1, 2, 3]))
     array([1., 2., 3.])
     """
-    return evaluate(_formulas.vector_of_skew, _kinds.FINITE, (3,), ("S", _kinds.MATRIX, S))
+    return evaluate(_formulas.vector_of_skew, _requirements.FINITE, (3,), ("S", _requirements.MATRIX, S))
 
 
 def matrix_from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Array:
@@ -123,10 +123,10 @@ def matrix_from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Array:
     formula = _formulas.matrix_of_axis_angle
     return evaluate(
         formula,
-        _kinds.SQUARES,
+        _requirements.SQUARES,
         (3, 3),
-        ("axis", _kinds.AXIS, axis),
-        ("angle", _kinds.ANGLE, angle),
+        ("axis", _requirements.AXIS, axis),
+        ("angle", _requirements.ANGLE, angle),
         stacked=_stacked.matrix_of_axis_angle,
     )
 
@@ -156,7 +156,9 @@ def axis_angle_from_matrix(R: ArrayLike) -> tuple[Array, Array]:
     >>> axis.round(6), round(float(np.degrees(angle)), 9)
     (array([0.57735, 0.57735, 0.57735]), 120.0)
     """
-    axis_and_angle = evaluate(_formulas.axis_angle_of_matrix, _kinds.DEFECTS, (4,), ("R", _kinds.ROTATION, R))
+    axis_and_angle = evaluate(
+        _formulas.axis_angle_of_matrix, _requirements.DEFECTS, (4,), ("R", _requirements.ROTATION, R)
+    )
     return axis_and_angle[..., :3], axis_and_angle[..., 3][()]  # of one rotation a float
 
 
@@ -183,7 +185,7 @@ def matrix_from_quaternion(q: ArrayLike) -> Array:
     array([0., 1., 0.])
     """
     formula, stacked = _formulas.matrix_of_quaternion, _stacked.matrix_of_quaternion
-    return evaluate(formula, _kinds.SQUARES, (3, 3), ("q", _kinds.QUATERNION, q), stacked=stacked)
+    return evaluate(formula, _requirements.SQUARES, (3, 3), ("q", _requirements.QUATERNION, q), stacked=stacked)
 
 
 def quaternion_from_matrix(R: ArrayLike) -> Array:
@@ -208,7 +210,7 @@ def quaternion_from_matrix(R: ArrayLike) -> Array:
     >>> quaternion_from_matrix(np.diag([1, -1, -1]))
     array([0., 1., 0., 0.])
     """
-    return evaluate(_formulas.quaternion_of_matrix, _kinds.DEFECTS, (4,), ("R", _kinds.ROTATION, R))
+    return evaluate(_formulas.quaternion_of_matrix, _requirements.DEFECTS, (4,), ("R", _requirements.ROTATION, R))
 
 
 def composition(p: ArrayLike, q: ArrayLike) -> Array:
@@ -234,7 +236,11 @@ def composition(p: ArrayLike, q: ArrayLike) -> Array:
     array([0., 0., 0., 1.])
     """
     return evaluate(
-        _formulas.product_of_quaternions, _kinds.FINITE, (4,), ("p", _kinds.FACTOR, p), ("q", _kinds.FACTOR, q)
+        _formulas.product_of_quaternions,
+        _requirements.FINITE,
+        (4,),
+        ("p", _requirements.FACTOR, p),
+        ("q", _requirements.FACTOR, q),
     )
 
 
@@ -263,7 +269,7 @@ def matrix_from_euler(sequence: str, angles: ArrayLike) -> Array:
     array([ 0.866025, -0.5     ,  0.      ])
     """
     formula = _euler.matrix_of_angles(_order(sequence))
-    return evaluate(formula, _kinds.FINITE, (3, 3), ("angles", _kinds.VECTOR, angles))
+    return evaluate(formula, _requirements.FINITE, (3, 3), ("angles", _requirements.VECTOR, angles))
 
 
 def euler_from_matrix(sequence: str, R: ArrayLike) -> Array:
@@ -291,7 +297,7 @@ def euler_from_matrix(sequence: str, R: ArrayLike) -> Array:
     array([0.1, 0.2, 0.3])
     """
     formula = _euler.angles_of_matrix(_order(sequence))
-    return evaluate(formula, _kinds.DEFECTS, (3,), ("R", _kinds.ROTATION, R))
+    return evaluate(formula, _requirements.DEFECTS, (3,), ("R", _requirements.ROTATION, R))
 
 
 def euler_rates(sequence: str, angles: ArrayLike, omega: ArrayLike) -> Array:
@@ -323,7 +329,13 @@ def euler_rates(sequence: str, angles: ArrayLike, omega: ArrayLike) -> Array:
     array([2., 0., 1.])
     """
     formula = _euler.rates(_order(sequence))
-    result = evaluate(formula, _kinds.FINITE, (4,), ("angles", _kinds.VECTOR, angles), ("omega", _kinds.VECTOR, omega))
+    result = evaluate(
+        formula,
+        _requirements.FINITE,
+        (4,),
+        ("angles", _requirements.VECTOR, angles),
+        ("omega", _requirements.VECTOR, omega),
+    )
     if (np.abs(result[..., 3]) < LOCK).any():
         raise ValueError(f"angles in gimbal lock: no rates of {sequence} there; take another sequence or a matrix")
     return result[..., :3]
@@ -352,7 +364,7 @@ def exp(v: ArrayLike) -> Array:
     array([ 1., -1., -1.])
     """
     formula, stacked = _formulas.matrix_of_vector, _stacked.matrix_of_vector
-    return evaluate(formula, _kinds.TURNS, (3, 3), ("v", _kinds.TURN, v), stacked=stacked)
+    return evaluate(formula, _requirements.TURNS, (3, 3), ("v", _requirements.TURN, v), stacked=stacked)
 
 
 def log(R: ArrayLike) -> Array:
@@ -377,7 +389,7 @@ def log(R: ArrayLike) -> Array:
     >>> log(exp([0.1, 0.2, 0.3])).round(12)
     array([0.1, 0.2, 0.3])
     """
-    return evaluate(_formulas.vector_of_matrix, _kinds.DEFECTS, (3,), ("R", _kinds.ROTATION, R))
+    return evaluate(_formulas.vector_of_matrix, _requirements.DEFECTS, (3,), ("R", _requirements.ROTATION, R))
 
 
 def nearest(M: ArrayLike) -> Array:
@@ -404,7 +416,7 @@ def nearest(M: ArrayLike) -> Array:
            [0., 1., 0.],
            [0., 0., 1.]])
     """
-    return evaluate(_formulas.nearest_rotation, _kinds.STEPS, (3, 3), ("M", _kinds.NEAR_ONE, M))
+    return evaluate(_formulas.nearest_rotation, _requirements.STEPS, (3, 3), ("M", _requirements.NEAR_ONE, M))
 
 
 def _order(sequence: str) -> _euler.Sequence:

@@ -52,7 +52,7 @@ ARRAYS = Functions(np.sin, np.cos, np.tan, np.sqrt, np.arctan2, np.hypot, _norm,
 
 
 @dataclass(frozen=True)
-class Kind:
+class Requirement:
     """What an argument must be."""
 
     shape: tuple[int, ...]
@@ -63,41 +63,45 @@ class Kind:
 
 def evaluate(
     formula: Formula,
-    within: tuple[float, float],
+    measures: tuple[float, float],
     shape: tuple[int, ...],
-    *arguments: tuple[str, Kind, ArrayLike],
+    *arguments: tuple[str, Requirement, ArrayLike],
     stacked: Stacked | None = None,
 ) -> Array:
     """Return `formula` of the arguments' components, for every rotation in the batch; results of `shape` each.
 
-    within    : least and greatest measure (the formula's first result) of input that needs no second look
-    arguments : name, kind and value of each
+    measures  : least and greatest measure (the formula's first result) of input that needs no second look
+    arguments : name, requirement and value of each
     stacked   : the same formula for batches, where it is written for whole stacks of components
     """
-    names, kinds = [name for name, _, _ in arguments], [kind for _, kind, _ in arguments]
+    names, requirements = [name for name, _, _ in arguments], [requirement for _, requirement, _ in arguments]
     values = [np.asarray(value, dtype=np.float64) for _, _, value in arguments]
-    single = _evaluate_single(formula, within, shape, kinds, values)
+    single = _evaluate_single(formula, measures, shape, requirements, values)
     if single is not None:
         return single
     if stacked is not None:
-        return _evaluate_batch(stacked, STACK, within, shape, names, kinds, values)
-    return _evaluate_batch(_by_component(formula), BLOCK, within, shape, names, kinds, values)
+        return _evaluate_batch(stacked, STACK, measures, shape, names, requirements, values)
+    return _evaluate_batch(_by_component(formula), BLOCK, measures, shape, names, requirements, values)
 
 
 def _evaluate_single(
-    formula: Formula, within: tuple[float, float], shape: tuple[int, ...], kinds: list[Kind], values: list[Array]
+    formula: Formula,
+    measures: tuple[float, float],
+    shape: tuple[int, ...],
+    requirements: list[Requirement],
+    values: list[Array],
 ) -> Array | None:
     """On floats; None if there is more than one rotation, or input that needs a second look."""
     numbers: list[float] = []
-    for kind, value in zip(kinds, values, strict=True):
-        if value.shape != kind.shape:
+    for requirement, value in zip(requirements, values, strict=True):
+        if value.shape != requirement.shape:
             return None
         numbers += value.ravel().tolist()
     try:
         measure, *results = formula(FLOATS, *numbers)
     except (ValueError, ArithmeticError):  # math's way to say not a number
         return None
-    return np.array(results).reshape(shape) if within[0] <= measure <= within[1] else None
+    return np.array(results).reshape(shape) if measures[0] <= measure <= measures[1] else None
 
 
 def _by_component(formula: Formula) -> Stacked:
@@ -114,34 +118,40 @@ def _by_component(formula: Formula) -> Stacked:
 def _evaluate_batch(
     formula: Stacked,
     block: int,
-    within: tuple[float, float],
+    measures: tuple[float, float],
     shape: tuple[int, ...],
     names: list[str],
-    kinds: list[Kind],
+    requirements: list[Requirement],
     values: list[Array],
 ) -> Array:
-    batch, tables = _tables(names, kinds, values)
+    batch, tables = _tables(names, requirements, values)
     count = math.prod(batch)
     results, workspace = np.empty((count, math.prod(shape))), np.empty((ROWS, min(count, block)))
     with np.errstate(all="ignore"):  # what is not a number is refused by name; underflow is harmless
         for start in range(0, count, block):
             rows, part = [table[start : start + block] for table in tables], results[start : start + block]
-            room = workspace if len(part) == block else workspace[:, : len(part)]
-            measure = formula([table.T for table in rows], room, part)
+            part_workspace = workspace if len(part) == block else workspace[:, : len(part)]
+            measure = formula([table.T for table in rows], part_workspace, part)
             least, greatest = measure[measure.argmin()], measure[measure.argmax()]  # no number if one is none
-            if not (least >= within[0] and greatest <= within[1]):
-                formula([_mended(*each).T for each in zip(names, kinds, rows, strict=True)], room, part)
+            if not (least >= measures[0] and greatest <= measures[1]):
+                formula(
+                    [_mended(*each).T for each in zip(names, requirements, rows, strict=True)], part_workspace, part
+                )
     return results.reshape(batch + shape)
 
 
-def _tables(names: list[str], kinds: list[Kind], values: list[Array]) -> tuple[tuple[int, ...], list[Array]]:
+def _tables(
+    names: list[str], requirements: list[Requirement], values: list[Array]
+) -> tuple[tuple[int, ...], list[Array]]:
     """Return the batch's shape, and each argument as rows (n, k)."""
-    batches = list(map(_batch, names, kinds, values))
+    batches = list(map(_batch, names, requirements, values))
     try:
         batch = batches[0] if len(set(batches)) == 1 else np.broadcast_shapes(*batches)
     except ValueError as error:
         raise ValueError(f"{' and '.join(names)} do not broadcast: {error}") from None
-    return batch, [_rows(value, batch, kind.shape) for value, kind in zip(values, kinds, strict=True)]
+    return batch, [
+        _rows(value, batch, requirement.shape) for value, requirement in zip(values, requirements, strict=True)
+    ]
 
 
 def _rows(value: Array, batch: tuple[int, ...], shape: tuple[int, ...]) -> Array:
@@ -149,11 +159,11 @@ def _rows(value: Array, batch: tuple[int, ...], shape: tuple[int, ...]) -> Array
     return spread.reshape(math.prod(batch), math.prod(shape))
 
 
-def _batch(name: str, kind: Kind, value: Array) -> tuple[int, ...]:
+def _batch(name: str, requirement: Requirement, value: Array) -> tuple[int, ...]:
     """Return the leading axes."""
-    rank = value.ndim - len(kind.shape)
-    if value.shape[rank:] != kind.shape or rank < 0:
-        wanted = ", ".join(["...", *map(str, kind.shape)])
+    rank = value.ndim - len(requirement.shape)
+    if value.shape[rank:] != requirement.shape or rank < 0:
+        wanted = ", ".join(["...", *map(str, requirement.shape)])
         raise ValueError(f"{name} has shape {value.shape}, but must have shape ({wanted})")
     return value.shape[:rank]
 
@@ -163,10 +173,10 @@ def _columns(stacks: Iterable[Array]) -> list[Array]:
     return [column for stack in stacks for column in np.ascontiguousarray(stack)]
 
 
-def _mended(name: str, kind: Kind, rows: Array) -> Array:
+def _mended(name: str, requirement: Requirement, rows: Array) -> Array:
     """Return the rows of an argument, lengths brought into range; ValueError if one is not what it must be."""
-    holds = kind.holds(rows)
+    holds = requirement.holds(rows)
     if not holds.all():
-        wrong = rows[np.argmin(holds)].reshape(kind.shape)
-        raise ValueError(f"{name} {kind.demand}; one is {wrong.tolist()}")
-    return kind.mend(rows)
+        wrong = rows[np.argmin(holds)].reshape(requirement.shape)
+        raise ValueError(f"{name} {requirement.demand}; one is {wrong.tolist()}")
+    return requirement.mend(rows)

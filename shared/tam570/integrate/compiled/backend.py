@@ -191,8 +191,8 @@ def memory_for(motion: Motion, size: int) -> Memory:
 def _memory(per_lane: int, work: int, lanes: int, constants: tuple[float, ...]) -> Memory:
     first = -(-taylor.CALL.size // LINE) * LINE // 8
     places = [first, first + per_lane, first + per_lane + work, first + per_lane + work + lanes]
-    room = np.zeros(places[3] + len(constants) + LINE // 8)
-    block = room[-address_of(room) % LINE // 8 :]  # vectors lie in one line of the cache each
+    buffer = np.zeros(places[3] + len(constants) + LINE // 8)
+    block = buffer[-address_of(buffer) % LINE // 8 :]  # vectors lie in one line of the cache each
     block[places[3] : places[3] + len(constants)] = constants
     z, time, start = block[first : places[1]], block[places[2] : places[3]], address_of(block)
     whole_bytes = block.data.cast("B")

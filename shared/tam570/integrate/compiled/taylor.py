@@ -112,11 +112,11 @@ def _reduced(writer: Operand, flags: str, call: str) -> Value:
 
 def _logarithm(writer: Operand, x: Value) -> Value:
     """To base 2, from the exponent and the fraction: a double's bits are almost that, to 0.09."""
-    whole = x.ir_type.replace("double", "i64")
-    bits = writer.emit(whole, f"bitcast {x.ir_type} {x.text} to {whole}").text
-    one = writer.text(Value("i64", str(1023 << 52)), whole)
-    shifted = writer.emit(whole, f"sub {whole} {bits}, {one}").text
-    exact = writer.emit(x.ir_type, f"sitofp {whole} {shifted} to {x.ir_type}")
+    integers = x.ir_type.replace("double", "i64")
+    bits = writer.emit(integers, f"bitcast {x.ir_type} {x.text} to {integers}").text
+    bias = writer.text(Value("i64", str(1023 << 52)), integers)
+    shifted = writer.emit(integers, f"sub {integers} {bits}, {bias}").text
+    exact = writer.emit(x.ir_type, f"sitofp {integers} {shifted} to {x.ir_type}")
     return Value(x.ir_type, writer.arithmetic(ast.Mult(), exact, 2.0**-52).text)
 
 
@@ -124,8 +124,8 @@ def _power_of_2(writer: Operand, x: Value) -> Value:
     """Two to a number between -1000 and 1000: its whole part is the exponent, a parabola serves the rest."""
     limited = writer.extreme("max", [writer.extreme("min", [x, 1000.0]), -1000.0])
     floor = writer.emit("double", f"call double @llvm.floor.f64(double {limited.text})")
-    whole = writer.emit("i64", f"fptosi double {floor.text} to i64").text
-    exponent = writer.emit("i64", f"shl i64 {writer.emit('i64', f'add i64 {whole}, 1023').text}, 52").text
+    integer = writer.emit("i64", f"fptosi double {floor.text} to i64").text
+    exponent = writer.emit("i64", f"shl i64 {writer.emit('i64', f'add i64 {integer}, 1023').text}, 52").text
     power, rest = (
         writer.emit("double", f"bitcast i64 {exponent} to double"),
         writer.arithmetic(ast.Sub(), limited, floor),

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from tam570.rotations._evaluate import Array, Kind
+from tam570.rotations._evaluate import Array, Requirement
 from tam570.rotations._formulas import defect
 
 # Measures that need no second look
@@ -63,12 +63,12 @@ def _into_range(rows: Array) -> Array:
     return np.asarray(np.ldexp(rows, -exponent))
 
 
-ANGLE = Kind((), _is_finite, "must be finite")
-VECTOR = Kind((3,), _is_finite, "must be finite")
-MATRIX = Kind((3, 3), _is_finite, "must be finite")
-FACTOR = Kind((4,), _is_finite, "must be finite")
-TURN = Kind((3,), _is_short, "must be finite and shorter than 1e150 rad")
-AXIS = Kind((3,), _is_direction, "must be finite and not zero: give a vector along the axis", _into_range)
-QUATERNION = Kind((4,), _is_direction, "must be finite and not zero: no turn is (1, 0, 0, 0)", _into_range)
-NEAR_ONE = Kind((3, 3), _has_one_nearest, "must be finite and near one rotation only", _nearest_by_svd)
-ROTATION = Kind((3, 3), _is_rotation, "is not a rotation (off by more than 1e-6): repair it with nearest(R)")
+ANGLE = Requirement((), _is_finite, "must be finite")
+VECTOR = Requirement((3,), _is_finite, "must be finite")
+MATRIX = Requirement((3, 3), _is_finite, "must be finite")
+FACTOR = Requirement((4,), _is_finite, "must be finite")
+TURN = Requirement((3,), _is_short, "must be finite and shorter than 1e150 rad")
+AXIS = Requirement((3,), _is_direction, "must be finite and not zero: give a vector along the axis", _into_range)
+QUATERNION = Requirement((4,), _is_direction, "must be finite and not zero: no turn is (1, 0, 0, 0)", _into_range)
+NEAR_ONE = Requirement((3, 3), _has_one_nearest, "must be finite and near one rotation only", _nearest_by_svd)
+ROTATION = Requirement((3, 3), _is_rotation, "is not a rotation (off by more than 1e-6): repair it with nearest(R)")
