@@ -21,7 +21,7 @@ LONGEST_PATH = 1000  # characters
 ENTRY = 46  # bytes that a zip file's directory has for a file, at least
 METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)  # the others unpack a piece whole, however large it becomes
 BESIDE = (".pdf", ".png", ".jpg", ".jpeg", ".gif", ".svg", ".md", ".txt", ".docx", ".tex")  # as `tam570 handin` packs
-SYSTEMS = ("__MACOSX", ".DS_Store")  # what systems put beside the files
+JUNK = ("__MACOSX", ".DS_Store")  # what systems put beside the files
 
 
 @dataclass(frozen=True)
@@ -101,7 +101,7 @@ def _size_of_directory(data: bytes) -> int:
 
 def _files(archive: zipfile.ZipFile, most: int, name: str) -> list[zipfile.ZipInfo]:
     infos = [
-        info for info in archive.infolist() if not info.is_dir() and not set(info.filename.split("/")) & {*SYSTEMS}
+        info for info in archive.infolist() if not info.is_dir() and not set(info.filename.split("/")) & {*JUNK}
     ]
     if len(infos) > most:
         raise UsageError(f"{name} holds more than {most} files: is it the right one?")
@@ -138,7 +138,7 @@ def _regular(source: Path) -> list[Path]:
         Path(folder) / name
         for folder, _, names in os.walk(source)
         for name in names
-        if name not in SYSTEMS and "/.git/" not in f"{folder}/"
+        if name not in JUNK and "/.git/" not in f"{folder}/"
     ]
     return sorted(path for path in files if stat.S_ISREG(path.lstat().st_mode))
 
