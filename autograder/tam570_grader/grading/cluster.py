@@ -14,11 +14,13 @@ from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import CancelledError
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 from tam570_grader.errors import UsageError, say
 from tam570_grader.grading.executor import PREFETCH, TaskExecutor
 from tam570_grader.sandbox.launch import isolation
+
+Dask: TypeAlias = Any  # its client or security: it has no types
 
 ASKED = 2.0  # s between looks at how many workers there are
 LEAST = 4  # tasks that are handed out, however few workers there are
@@ -80,7 +82,7 @@ class Cluster:
             except CancelledError:
                 raise ConnectionError(f"the scheduler at {self.address} was lost") from None
 
-    def _client(self, stack: contextlib.ExitStack, jobs: int) -> Any:
+    def _client(self, stack: contextlib.ExitStack, jobs: int) -> Dask:
         dask = importlib.import_module("distributed")
         if self.is_local:
             security = dask.Security.temporary()
@@ -101,13 +103,13 @@ class Cluster:
             raise UsageError(f"no scheduler lets us in at {self.address}: {error}") from None
 
 
-def _left(client: Any) -> None:
+def _left(client: Dask) -> None:
     """Leave the scheduler, which may have been lost: what it had for us has come, or will be asked for again."""
     with contextlib.suppress(TimeoutError):
         client.close(timeout=GOODBYE)
 
 
-def _security(folder: Path | None) -> Any:
+def _security(folder: Path | None) -> Dask:
     from tam570_grader.grading.certificates import files
 
     assert folder is not None
@@ -116,7 +118,7 @@ def _security(folder: Path | None) -> Any:
     return importlib.import_module("distributed").Security(require_encryption=True, **tls)
 
 
-def _must_fit(client: Any, name: str, address: str) -> None:
+def _must_fit(client: Dask, name: str, address: str) -> None:
     """Raise UsageError if a worker refuses; those that join later say so themselves."""
     from tam570_grader.grading.cluster_worker import refusal
 
@@ -128,7 +130,7 @@ def _must_fit(client: Any, name: str, address: str) -> None:
             raise UsageError(f"the worker {worker} cannot grade: {why}")
 
 
-def _prefetch(client: Any) -> Callable[[], int]:
+def _prefetch(client: Dask) -> Callable[[], int]:
     """Tasks to hand out, by the number of workers now."""
     seen = {"at": float("-inf"), "most": 0}
 

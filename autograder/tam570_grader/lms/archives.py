@@ -100,9 +100,7 @@ def _size_of_directory(data: bytes) -> int:
 
 
 def _files(archive: zipfile.ZipFile, most: int, name: str) -> list[zipfile.ZipInfo]:
-    infos = [
-        info for info in archive.infolist() if not info.is_dir() and not set(info.filename.split("/")) & {*JUNK}
-    ]
+    infos = [info for info in archive.infolist() if not info.is_dir() and not set(info.filename.split("/")) & {*JUNK}]
     if len(infos) > most:
         raise UsageError(f"{name} holds more than {most} files: is it the right one?")
     return infos

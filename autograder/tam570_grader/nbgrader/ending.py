@@ -5,7 +5,7 @@ import os
 import sqlite3
 import sys
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 from nbgrader.apps.nbgraderapp import NbGraderApp  # type: ignore[import-untyped]
 from nbgrader.plugins import CsvExportPlugin  # type: ignore[import-untyped]
@@ -13,6 +13,8 @@ from sqlalchemy import event
 from sqlalchemy.engine import Engine, ExceptionContext
 
 from tam570_grader.errors import say
+
+Nbgrader: TypeAlias = Any  # its applications, connections, gradebooks: they have no types
 
 LOST = """nbgrader: error: the gradebook's server {url} does not answer ({why}). Start it, or mend \
 CourseDirectory.db_url in nbgrader_config.py; then give the same command again."""
@@ -33,9 +35,9 @@ def end_in_one_line() -> None:
         NbGraderApp.start = _ending(NbGraderApp.start)
 
 
-def _ending(start: Any) -> Any:
+def _ending(start: Nbgrader) -> Nbgrader:
     @functools.wraps(start)
-    def started(app: Any) -> Any:
+    def started(app: Nbgrader) -> Nbgrader:
         event.listen(Engine, "handle_error", _tell)
         event.listen(Engine, "connect", _wait)
         try:
@@ -61,7 +63,7 @@ def _tell(context: ExceptionContext) -> None:
         raise Lost(LOCKED.format(url=url, wait=WAIT, why=context.original_exception)) from None
 
 
-def _wait(connection: Any, _: Any) -> None:
+def _wait(connection: Nbgrader, _: Nbgrader) -> None:
     """Let SQLite wait for another command that writes."""
     if isinstance(connection, sqlite3.Connection):
         connection.execute(f"PRAGMA busy_timeout = {round(1000 * WAIT)}")
@@ -70,7 +72,7 @@ def _wait(connection: Any, _: Any) -> None:
 class WholeTable(CsvExportPlugin):  # type: ignore[misc]
     """nbgrader's table of grades, put in the place of an earlier one when it is whole."""
 
-    def export(self, gradebook: Any) -> None:
+    def export(self, gradebook: Nbgrader) -> None:
         target = getattr(self, "to") or "grades.csv"  # noqa: B009  its type is traitlets'
         draft = f"{target}.new"
         self.set_trait("to", draft)

@@ -8,11 +8,13 @@ import tempfile
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
+
+Binding: TypeAlias = Any  # llvmlite and what it makes: it has no types
 
 __all__ = ["assembled", "folder", "function"]
 
-_LOADED: list[Any] = []
+_LOADED: list[Binding] = []
 MARK = b"tam570 object 1\n"
 _CALLED = re.compile(r"call(?: \w+)*? (<\d+ x double>|double|void|i64) @([\w.]+)\(([^)]*)\)")
 _DEFINED = re.compile(r"^define [^@]*@([\w.]+)\(", re.MULTILINE)
@@ -31,7 +33,7 @@ def assembled(lines: list[str]) -> str:
 
 
 @cache
-def _binding() -> tuple[Any, str]:
+def _binding() -> tuple[Binding, str]:
     """llvmlite's binding, and what identifies it and this processor."""
     import llvmlite
     from llvmlite import binding
@@ -42,13 +44,13 @@ def _binding() -> tuple[Any, str]:
     return binding, f"{llvmlite.__version__} {binding.llvm_version_info} {name} {features}"
 
 
-def _machine(binding: Any, effort: int) -> Any:
+def _machine(binding: Binding, effort: int) -> Binding:
     """Return a new one each time: the engine that is given it disposes of it."""
     name, features = binding.get_host_cpu_name(), binding.get_host_cpu_features().flatten()
     return binding.Target.from_default_triple().create_target_machine(name, features, opt=effort, jit=True)
 
 
-def function(key: str, text: Callable[[], str], entry: str, kinds: tuple[Any, ...], effort: int = 2) -> Any:
+def function(key: str, text: Callable[[], str], entry: str, kinds: tuple[type, ...], effort: int = 2) -> Binding:
     """Return `entry` as a function from Python; other threads run while it does.
 
     key    : what the text follows from, together with the source of this package; it is written if it is not kept
@@ -75,7 +77,7 @@ def _source() -> str:
     return hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
 
 
-def _compiled(binding: Any, text: str, effort: int) -> bytes:
+def _compiled(binding: Binding, text: str, effort: int) -> bytes:
     module, machine = binding.parse_assembly(text), _machine(binding, effort)
     module.verify()
     module.triple, module.data_layout = binding.get_default_triple(), str(machine.target_data)
