@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from tam570.integrate.compilation import Estimate, WorthCompiling
 from tam570.integrate.engine import Engine, Mistraced
 from tam570.integrate.error_scale import NO_SCALE, SHARE, error_scale
 from tam570.integrate.stiffness import COMPILED, PYTHON, Look, stiffness_watch
+from tam570.values import Numbers
 
 __all__ = ["BETWEEN_LOOKS", "Control", "Run", "Solution", "integrate", "shortest_step", "sizes", "start_run", "step_n"]
 
@@ -39,7 +40,7 @@ class Control(NamedTuple):
     atol: Sequence[float] = ()
     max_step: float = math.inf
     first_step: float | None = None
-    project: Callable[[Array], Any] | None = None
+    project: Callable[[Array], Numbers] | None = None
     longest: Callable[[Array], float] | None = None
     on_step: Callable[..., bool] | None = None
 
@@ -200,7 +201,7 @@ def _chained(error: Exception, cause: Exception) -> Exception:
     return error
 
 
-def step_n(run: Run, advance: Any, since: Any, look: Look, state: State, budget: int) -> State:
+def step_n(run: Run, advance: Numbers, since: Numbers, look: Look, state: State, budget: int) -> State:
     """Return the state after so many steps of `advance`; since : as its code wants them."""
     last = state.steps + state.refusals + budget
     while run.share(state) < 1 and (remaining := last - state.steps - state.refusals) > 0:

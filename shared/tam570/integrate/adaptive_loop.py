@@ -6,9 +6,10 @@ The functions written for one right-hand side, which GENERATED names, are passed
 from collections.abc import Callable
 from functools import partial
 from math import inf, sqrt
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from tam570.integrate.error_scale import NO_SCALE
+from tam570.values import Function, Numbers
 
 __all__ = [
     "GENERATED",
@@ -73,10 +74,10 @@ class State(NamedTuple):
     pace: float = 0.0  # s, of the steps before a switch cut one short
 
 
-def first_step_with(rhs: Any, euler: Any) -> Callable[..., float]:
+def first_step_with(rhs: Function, euler: Numbers) -> Callable[..., float]:
     """Return the function that finds the first step of a run."""
 
-    def first_step(origin: Any, span: Any, y: Any, f: Any, c: Any) -> Any:
+    def first_step(origin: Numbers, span: Numbers, y: Numbers, f: Numbers, c: Numbers) -> Numbers:
         """Return a step across which the derivative changes little, found from above.
 
         A derivative of zero deceives nobody.
@@ -94,7 +95,7 @@ def first_step_with(rhs: Any, euler: Any) -> Callable[..., float]:
     return first_step
 
 
-def _restless(h: float, y: Any, f: Any, g: Any, part: float) -> bool:
+def _restless(h: float, y: Numbers, f: Numbers, g: Numbers, part: float) -> bool:
     """Return whether the derivative changes by more than a part of the state, or of itself, within h.
 
     What starts at zero with zero rate has no scale to compare with and is left to the estimates of the steps.
@@ -106,14 +107,22 @@ def _restless(h: float, y: Any, f: Any, g: Any, part: float) -> bool:
     return False
 
 
-def loop_with(*generated: Any) -> Callable[..., State]:
+def loop_with(*generated: Numbers) -> Callable[..., State]:
     """Return the loop over the steps of a run."""
     return partial(advance, generated)
 
 
 def advance(
-    generated: Any, origin: Any, times: Any, out: Any, state: Any, c: Any, rtol: Any, longest: Any, budget: Any
-) -> Any:
+    generated: Numbers,
+    origin: Numbers,
+    times: Numbers,
+    out: Numbers,
+    state: Numbers,
+    c: Numbers,
+    rtol: Numbers,
+    longest: Numbers,
+    budget: Numbers,
+) -> Numbers:
     """Fill the rows of `out` until none is left, `budget` steps are tried, or it has to halt.
 
     generated : functions, as GENERATED names them; times : since `origin`; state : a `State`, as returned
@@ -175,7 +184,7 @@ def advance(
     return State(row, t, h, y, r, f, a, b, measured, growth, refused, steps, refusals, halt, pace)
 
 
-def _longer(h: Any, error: Any, growth: Any, may_be_rounding: Any, end: Any) -> Any:
+def _longer(h: Numbers, error: Numbers, growth: Numbers, may_be_rounding: Numbers, end: Numbers) -> Numbers:
     """Return the step after one with an error that is allowed."""
     if may_be_rounding and error <= 1.0:  # an error that is the rounding's falls with no shorter step
         h = h * min(growth, DOUBLED)
@@ -186,7 +195,7 @@ def _longer(h: Any, error: Any, growth: Any, may_be_rounding: Any, end: Any) -> 
     return h
 
 
-def _shorter(h: Any, error: Any, sure: Any) -> Any:
+def _shorter(h: Numbers, error: Numbers, sure: Numbers) -> Numbers:
     """Return the step after one that was too long, or passed a switch at `sure`."""
     if sure < h:
         h = sure if error <= 1.0 else min(sure, 0.5 * h)
@@ -197,7 +206,7 @@ def _shorter(h: Any, error: Any, sure: Any) -> Any:
     return h
 
 
-def _is_at_a_pole(b: Any, y: Any, n: Any, at_last: Any) -> Any:
+def _is_at_a_pole(b: Numbers, y: Numbers, n: Numbers, at_last: Numbers) -> Numbers:
     """Return whether the rates are known so badly that a step says little, and are more than noise."""
     noise, size = 0.0, 0.0
     for i in range(len(n)):
@@ -205,7 +214,7 @@ def _is_at_a_pole(b: Any, y: Any, n: Any, at_last: Any) -> Any:
     return JUMP * size < noise and (at_last or noise < NOTHING * size)
 
 
-def _error(fifth: Any, third: Any, suspicious: Any) -> Any:
+def _error(fifth: Numbers, third: Numbers, suspicious: Numbers) -> Numbers:
     """Return the error of a step over what is allowed, from both estimates squared (Hairer, Norsett, Wanner, II.10)."""
     error = fifth / sqrt(fifth + 0.01 * third) if fifth > 0 else fifth
     if error < 1:  # the fifth may pass through zero
@@ -214,8 +223,18 @@ def _error(fifth: Any, third: Any, suspicious: Any) -> Any:
 
 
 def _sampled(
-    dense: Any, at: Any, origin: Any, times: Any, out: Any, row: Any, t: Any, new: Any, h: Any, step: Any, c: Any
-) -> Any:
+    dense: Numbers,
+    at: Numbers,
+    origin: Numbers,
+    times: Numbers,
+    out: Numbers,
+    row: Numbers,
+    t: Numbers,
+    new: Numbers,
+    h: Numbers,
+    step: Numbers,
+    c: Numbers,
+) -> Numbers:
     """Return the next row, those that the step reaches being filled."""
     y, n, f, g, stages = step
     if times[row] < new:
@@ -230,7 +249,7 @@ def _sampled(
     return row
 
 
-def _sets_in(y: Any, n: Any, a: Any) -> Any:
+def _sets_in(y: Numbers, n: Numbers, a: Numbers) -> Numbers:
     """Return whether something begins to move that has no scale: it is to get one, as at a start."""
     moves = False
     for i in range(len(n)):
@@ -238,7 +257,7 @@ def _sets_in(y: Any, n: Any, a: Any) -> Any:
     return moves
 
 
-def _has_no_scale(a: Any) -> Any:
+def _has_no_scale(a: Numbers) -> Numbers:
     """Return whether a component has no scale yet."""
     lacks_scale = False
     for i in range(len(a)):
@@ -246,7 +265,7 @@ def _has_no_scale(a: Any) -> Any:
     return lacks_scale
 
 
-def _finite(n: Any) -> Any:
+def _finite(n: Numbers) -> Numbers:
     """Return whether all is finite."""
     finite = True
     for i in range(len(n)):

@@ -2,17 +2,17 @@
 
 import inspect
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from functools import lru_cache
-from typing import Any
 
 import numpy as np
 
 from tam570.integrate.arguments import Array
+from tam570.values import Function, Numbers, Parameters
 
 __all__ = ["TRIAL_ERRORS", "CalledRates", "Rates", "RhsError", "is_same", "bound", "check_start", "reversed_rates"]
 
-Rates = Callable[[float, Any], Any]
+Rates = Callable[[float, Numbers], Numbers]
 ROUNDED = 4.0  # units in the last place: the time of two calls is rounded in two ways
 PLAIN = (float, int, np.float64)
 TRIAL_ERRORS = (ArithmeticError, ValueError, LookupError)  # a step that is too long may leave the domain
@@ -22,7 +22,7 @@ class RhsError(Exception):
     """The right-hand side does not return what it should: told as a ValueError, and by no shorter step."""
 
 
-def bound(rhs: Callable[..., Any], parameters: Mapping[str, Any] | None, name: str = "rhs") -> Rates:
+def bound(rhs: Function, parameters: Parameters | None, name: str = "rhs") -> Rates:
     """rhs(t, y) with the parameters in place. ValueError, with the name, where they do not fit its signature."""
     if not callable(rhs):
         raise ValueError(f"{name}: must be a function of (t, y, **parameters), got {type(rhs).__name__}")
@@ -52,7 +52,7 @@ def check_start(rates: Rates, t: float, y0: Array, sign: float) -> None:
 
 
 @lru_cache(maxsize=256)
-def _misfit(rhs: Callable[..., Any], names: tuple[str, ...]) -> str:
+def _misfit(rhs: Function, names: tuple[str, ...]) -> str:
     """Return why rhs does not take t, y and these keywords; empty if it does, or if it has no signature to look at."""
     try:
         inspect.signature(rhs).bind(0.0, None, **dict.fromkeys(names))
@@ -92,7 +92,7 @@ class CalledRates:
             )
 
 
-def _floats(value: Any, size: int) -> Sequence[float]:
+def _floats(value: Numbers, size: int) -> Sequence[float]:
     if type(value) is np.ndarray and value.dtype == float and value.shape == (size,):
         return value.tolist()  # type: ignore[no-any-return]
     if type(value) in (tuple, list) and len(value) == size:
@@ -103,7 +103,7 @@ def _floats(value: Any, size: int) -> Sequence[float]:
     return _checked(value, size).tolist()  # type: ignore[no-any-return]
 
 
-def is_same(rates: Rates, written: Callable[..., Any], constants: tuple[float, ...], times: Array, y0: Array) -> bool:
+def is_same(rates: Rates, written: Function, constants: tuple[float, ...], times: Array, y0: Array) -> bool:
     """Return whether `written(t, y, constants)` gives what `rates` gives: at the start, and at points around it.
 
     Points that are not allowed are replaced by nearer ones, or left out: the answer is the code's, not the start's.
@@ -130,7 +130,7 @@ def is_same(rates: Rates, written: Callable[..., Any], constants: tuple[float, .
     return True
 
 
-def _checked(value: Any, size: int) -> Array:
+def _checked(value: Numbers, size: int) -> Array:
     rates_array = np.asarray(value)
     if rates_array.shape != (size,):
         raise RhsError(f"rhs: must return {size} numbers, as many as y0 has, got shape {rates_array.shape}")

@@ -1,8 +1,7 @@
 """Compiled runs that differ from an earlier one in their start alone: all else is ready."""
 
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Callable, Hashable
 from functools import lru_cache, partial
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,10 +12,11 @@ from tam570.integrate.cache_key import Changeable, call_key
 from tam570.integrate.compilation import available
 from tam570.integrate.engine import Engine
 from tam570.integrate.stiffness import COMPILED
+from tam570.values import Numbers, Parameters
 
 __all__ = ["CompiledRun", "Slot", "compile_run", "keep", "slot_of"]
 
-CompiledRun = Callable[[Any], Array | None]
+CompiledRun = Callable[[Numbers], Array | None]
 Slot = list[CompiledRun]  # empty, or with what to try last in it
 
 METHODS = ("auto", "compiled")  # whose runs are kept
@@ -40,7 +40,7 @@ def compile_run(engine: Engine, times: Array, control: Control) -> CompiledRun:
 
 
 def slot_of(
-    method: str, rhs: Any, t: ArrayLike, y0: Any, parameters: Mapping[str, Any] | None, rtol: float, atol: Any
+    method: str, rhs: Numbers, t: ArrayLike, y0: Numbers, parameters: Parameters | None, rtol: float, atol: Numbers
 ) -> Slot | None:
     """Return where a run with such arguments is kept.
 
@@ -75,5 +75,5 @@ def keep(slot: Slot, engine: Engine, times: Array, control: Control) -> None:
         slot.append(compile_run(engine, times, control))
 
 
-def _nothing(y0: Any) -> None:
+def _nothing(y0: Numbers) -> None:
     return None

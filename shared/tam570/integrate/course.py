@@ -14,12 +14,12 @@ import sysconfig
 import types
 from collections.abc import Callable, Sequence
 from numbers import Real
-from typing import Any
 
 import numpy as np
 
 from tam570.integrate.arguments import Array
 from tam570.integrate.trace import substituted
+from tam570.values import Function, Numbers
 
 __all__ = ["Course", "Decisions", "along"]
 
@@ -47,14 +47,16 @@ class Decisions:
         return math.copysign(1.0, first) if first else 0.0
 
 
-def _values(other: Any) -> Any:
+def _values(other: Numbers) -> Numbers:
     if isinstance(other, Course):
         return other.values
     return float(other) if isinstance(other, Real) else None
 
 
-def _arithmetic(combined: Callable[[Any, Any], Any], *, swapped: bool = False, notes: bool = False) -> Any:
-    def method(self: "Course", other: Any) -> Any:
+def _arithmetic(
+    combined: Callable[[Numbers, Numbers], Numbers], *, swapped: bool = False, notes: bool = False
+) -> Numbers:
+    def method(self: "Course", other: Numbers) -> Numbers:
         b = _values(other)
         if b is None:
             return NotImplemented
@@ -67,19 +69,19 @@ def _arithmetic(combined: Callable[[Any, Any], Any], *, swapped: bool = False, n
     return method
 
 
-def _comparison(compare: Callable[[Any, Any], bool]) -> Any:
-    def method(self: "Course", other: Any) -> Any:
+def _comparison(compare: Callable[[Numbers, Numbers], bool]) -> Numbers:
+    def method(self: "Course", other: Numbers) -> Numbers:
         b = _values(other)
         return NotImplemented if b is None else compare(self.decisions.sign(self.values - b), 0.0)
 
     return method
 
 
-def _quotient(a: Any, b: Any) -> Any:
+def _quotient(a: Numbers, b: Numbers) -> Numbers:
     return np.true_divide(a, b)
 
 
-def _refuse(*_: Any) -> Any:
+def _refuse(*_: Numbers) -> Numbers:
     raise TypeError("a function wants the digits of a number")
 
 
@@ -96,13 +98,13 @@ class Course:
     __mul__, __rmul__ = _arithmetic(operator.mul), _arithmetic(operator.mul, swapped=True)
     __truediv__, __rtruediv__ = _arithmetic(_quotient), _arithmetic(_quotient, swapped=True)
 
-    def __pow__(self, other: Any) -> Any:
+    def __pow__(self, other: Numbers) -> Numbers:
         return self._curved(np.power, self, other)
 
-    def __rpow__(self, other: Any) -> Any:
+    def __rpow__(self, other: Numbers) -> Numbers:
         return self._curved(np.power, other, self)
 
-    def _curved(self, function: Any, *arguments: Any) -> "Course":
+    def _curved(self, function: Function, *arguments: Numbers) -> "Course":
         return Course(function(*(_values(a) for a in arguments)), self.decisions)
 
     def __neg__(self) -> "Course":
@@ -141,27 +143,27 @@ class Course:
 
     __int__ = __trunc__
 
-    def __round__(self, digits: Any = None) -> Any:
+    def __round__(self, digits: Numbers = None) -> Numbers:
         scale = 10.0 ** (digits or 0)
         value = (self * scale).rounded(0.5)
         return int(value) if digits is None else value / scale
 
-    def __floordiv__(self, period: Any) -> Any:
+    def __floordiv__(self, period: Numbers) -> Numbers:
         return float((self / period).rounded())
 
-    def __mod__(self, period: Any) -> Any:
+    def __mod__(self, period: Numbers) -> Numbers:
         return self - (self / period).rounded() * period
 
-    def __rfloordiv__(self, other: Any) -> Any:
+    def __rfloordiv__(self, other: Numbers) -> Numbers:
         return float((other / self).rounded())
 
-    def __rmod__(self, other: Any) -> Any:
+    def __rmod__(self, other: Numbers) -> Numbers:
         return other - (other / self).rounded() * self
 
-    def __divmod__(self, period: Any) -> Any:
+    def __divmod__(self, period: Numbers) -> Numbers:
         return self // period, self % period
 
-    def __getattr__(self, name: str) -> Any:
+    def __getattr__(self, name: str) -> Numbers:
         """NumPy's functions ask an object for a method of their name."""
         function = getattr(np, name, None)
         if name.startswith("_") or not callable(function):
@@ -175,24 +177,24 @@ class Course:
         self.decisions.seen += [self.values - level for level in table[max(position - 1, 0) : position + 1]]
 
 
-def _sign(x: Any) -> float:
+def _sign(x: Numbers) -> float:
     return float(x.decisions.sign(x.values) if isinstance(x, Course) else np.sign(x))
 
 
-def _is_close(a: Any, b: Any, rtol: Any = 1e-5, atol: Any = 1e-8) -> bool:
+def _is_close(a: Numbers, b: Numbers, rtol: Numbers = 1e-5, atol: Numbers = 1e-8) -> bool:
     return bool(abs(a - b) <= atol + rtol * abs(b))
 
 
-def _is_close_by_math(a: Any, b: Any, rel_tol: Any = 1e-9, abs_tol: Any = 0.0) -> bool:
+def _is_close_by_math(a: Numbers, b: Numbers, rel_tol: Numbers = 1e-9, abs_tol: Numbers = 0.0) -> bool:
     return bool(abs(a - b) <= max(rel_tol * max(abs(a), abs(b)), abs_tol))
 
 
-def _fmod(a: Any, b: Any) -> Any:
+def _fmod(a: Numbers, b: Numbers) -> Numbers:
     return a % b if a >= 0 else -(-a % b)
 
 
 # Functions that decide, by the name that they have in math or NumPy.
-DECIDING: dict[str, Callable[..., Any]] = {
+DECIDING: dict[str, Function] = {
     "sign": lambda x: _sign(x),
     "copysign": lambda x, y: abs(x) * (_sign(y) or 1.0),
     "heaviside": lambda x, at_zero: {-1.0: 0.0, 0.0: at_zero, 1.0: 1.0}[_sign(x)],
@@ -223,7 +225,7 @@ DECIDING: dict[str, Callable[..., Any]] = {
 }
 
 
-def _parts(value: Any) -> Any:
+def _parts(value: Numbers) -> Numbers:
     """Return the courses in an argument."""
     if isinstance(value, Course):
         yield value
@@ -232,7 +234,7 @@ def _parts(value: Any) -> Any:
             yield from _parts(part)
 
 
-def _point(value: Any, k: int) -> Any:
+def _point(value: Numbers, k: int) -> Numbers:
     """Return an argument at one of the points."""
     if isinstance(value, Course):
         return float(value.values[k])
@@ -243,12 +245,12 @@ def _point(value: Any, k: int) -> Any:
     return value
 
 
-def _lifted(function: Any) -> Any:
+def _lifted(function: Function) -> Numbers:
     """Return a function of numbers, and arrays of them, as one of courses."""
     name = "math.isclose" if function is math.isclose else getattr(function, "__name__", "")
 
     @functools.wraps(function, updated=())
-    def lifted(*arguments: Any, **keywords: Any) -> Any:
+    def lifted(*arguments: Numbers, **keywords: Numbers) -> Numbers:
         courses = [*_parts(arguments), *_parts(tuple(keywords.values()))]
         if not courses:
             result = function(*arguments, **keywords)
@@ -276,7 +278,7 @@ def _lifted(function: Any) -> Any:
     return lifted
 
 
-def _point_by_point(function: Any, courses: list[Course], arguments: Any, keywords: Any) -> Any:
+def _point_by_point(function: Function, courses: list[Course], arguments: Numbers, keywords: Numbers) -> Numbers:
     """Return what a function makes of courses that nobody can look into: of tables the entries are seen."""
     decisions = courses[0].decisions
     for table in (*filter(_is_table, arguments), *_tables_of(function)):
@@ -290,7 +292,7 @@ def _point_by_point(function: Any, courses: list[Course], arguments: Any, keywor
     return _joined(results, decisions)
 
 
-def _joined(results: list[Any], decisions: Decisions) -> Any:
+def _joined(results: list[Numbers], decisions: Decisions) -> Numbers:
     first = results[0]
     if isinstance(first, tuple | list):
         return type(first)(_joined(list(part), decisions) for part in zip(*results, strict=True))
@@ -306,7 +308,7 @@ def _joined(results: list[Any], decisions: Decisions) -> Any:
     return joined.reshape(stacked.shape[1:])
 
 
-def _is_table(value: Any) -> bool:
+def _is_table(value: Numbers) -> bool:
     """Return whether a value is an increasing list of numbers."""
     if not isinstance(value, list | tuple | np.ndarray):
         return False
@@ -317,7 +319,7 @@ def _is_table(value: Any) -> bool:
     return table.ndim == 1 and 1 < table.size <= LARGEST_TABLE and bool((np.diff(table) >= 0).all())
 
 
-def _tables_of(function: Any) -> list[Any]:
+def _tables_of(function: Function) -> list[Numbers]:
     """Return the tables that an object keeps, such as an interpolant of SciPy's."""
     if isinstance(function, types.FunctionType | types.BuiltinFunctionType | np.ufunc | type):
         return []
@@ -331,13 +333,13 @@ class _LiftedModule:
     def __init__(self, module: types.ModuleType) -> None:
         self.module = module
 
-    def __getattr__(self, name: str) -> Any:
+    def __getattr__(self, name: str) -> Numbers:
         value = _substitute(getattr(self.module, name))
         setattr(self, name, value)  # it is asked for once
         return value
 
 
-def _substitute(value: Any) -> Any:
+def _substitute(value: Numbers) -> Numbers:
     """Return what stands in for a value in a function of courses; itself where it is to be looked into."""
     if isinstance(value, types.ModuleType):
         return _LiftedModule(value)
@@ -353,7 +355,7 @@ def _substitute(value: Any) -> Any:
     return _lifted(value)
 
 
-def _copied(instance: Any) -> Any:
+def _copied(instance: Numbers) -> Numbers:
     """Return an instance with copies of its lists and their like: what its methods put there stays the copy's."""
     if isinstance(instance, type) or not hasattr(instance, "__dict__"):
         return instance
@@ -368,13 +370,13 @@ def _is_foreign(function: types.FunctionType) -> bool:
     return module.partition(".")[0] != OURS and function.__code__.co_filename.startswith(FOREIGN)
 
 
-def _float(value: Any = 0.0) -> Any:
+def _float(value: Numbers = 0.0) -> Numbers:
     if isinstance(value, np.ndarray) and value.shape == () and value.dtype == object:
         value = value.item()
     return value if isinstance(value, Course) else float(value)
 
 
-def _isinstance(value: Any, kinds: Any) -> bool:
+def _isinstance(value: Numbers, kinds: Numbers) -> bool:
     listed = kinds if isinstance(kinds, tuple) else (kinds,)
     listed = tuple(float if kind is _float else kind for kind in listed)
     return isinstance(1.0 if isinstance(value, Course) else value, listed)
@@ -383,7 +385,7 @@ def _isinstance(value: Any, kinds: Any) -> bool:
 STAND_INS = {"float": _float, "isinstance": _isinstance}
 
 
-def along(rates: Callable[..., Any], size: int) -> Callable[[Array, Array], Decisions]:
+def along(rates: Function, size: int) -> Callable[[Array, Array], Decisions]:
     """Return profile(t, y): what rates(t, y) decides by at (m,) times and (k, m) states."""
     twin = substituted(rates, _substitute, STAND_INS)
 

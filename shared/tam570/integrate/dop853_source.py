@@ -7,15 +7,14 @@ a_i + b_i + rtol max(|y_i|, |n_i|).
 """
 
 import math
-from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache
 from types import CodeType
-from typing import Any
 
 from tam570.integrate.error_scale import NO_SCALE, PART
 from tam570.integrate.formulas import Formulas, by_call, names, tuple_of, unpacked
 from tam570.integrate.tableau import FIFTH, LESS, NODES, ROWS, Row, interpolant
+from tam570.values import Function, Numbers
 
 __all__ = ["ESTIMATE_ROUNDOFF", "REACH", "compiled", "functions"]
 
@@ -247,9 +246,9 @@ def _at(formulas: Formulas) -> list[str]:
     return lines
 
 
-def compiled(formulas: Formulas, sampled: bool, called_function: Callable[..., Any] | None = None) -> dict[str, Any]:
+def compiled(formulas: Formulas, sampled: bool, called_function: Function | None = None) -> dict[str, Numbers]:
     """Return the functions by name; `given` is what formulas of `call_of` call."""
-    namespace: dict[str, Any] = {**vars(math), "given": called_function, "dense": None, "at": None}
+    namespace: dict[str, Numbers] = {**vars(math), "given": called_function, "dense": None, "at": None}
     exec(_code(formulas, sampled), namespace)
     return namespace
 

@@ -4,10 +4,10 @@ What was traced is kept for the next run of a right-hand side with the same key:
 function then, and nothing that it depends on has changed since.
 """
 
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Hashable
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from tam570.integrate.adaptive_loop import GENERATED, first_step_with, loop_with
 from tam570.integrate.arguments import Array
@@ -20,6 +20,7 @@ from tam570.integrate.roundoff import roundoff_by_neighbours
 from tam570.integrate.switches import Switches
 from tam570.integrate.symbols import Untraceable
 from tam570.integrate.trace import Graph, traced
+from tam570.values import Function, Json, Numbers, Parameters
 
 __all__ = ["Engine", "Mistraced", "engine"]
 
@@ -33,7 +34,7 @@ class Engine:
     """The functions generated for a right-hand side, and the constants of its scene."""
 
     rates: Rates  # the right-hand side itself
-    functions: dict[str, Any]
+    functions: Json
     constants: tuple[float, ...]
     formulas: Formulas
     graph: Graph | None  # None where the right-hand side is called as it stands
@@ -57,8 +58,8 @@ class Engine:
 
 
 def engine(
-    rhs: Callable[..., Any],
-    parameters: Mapping[str, Any] | None,
+    rhs: Function,
+    parameters: Parameters | None,
     times: Array,
     start: Array,
     *,
@@ -87,7 +88,7 @@ def engine(
 
 
 @lru_cache(maxsize=256)
-def _cache_slot(key: Hashable) -> list[Any]:
+def _cache_slot(key: Hashable) -> list[Numbers]:
     """Return where the engine is kept that was made for this key, or why there is none."""
     return []
 
@@ -95,8 +96,8 @@ def _cache_slot(key: Hashable) -> list[Any]:
 class _Run(NamedTuple):
     """What an engine is made of."""
 
-    rhs: Callable[..., Any]
-    parameters: Mapping[str, Any] | None
+    rhs: Function
+    parameters: Parameters | None
     times: Array
     start: Array
     sampled: bool
@@ -136,11 +137,11 @@ def _called_engine(run: _Run, reason: str) -> Engine:
 
 
 @lru_cache(maxsize=256)
-def _functions(formulas: Formulas, sampled: bool) -> dict[str, Any]:
+def _functions(formulas: Formulas, sampled: bool) -> Json:
     return _with_loop(compiled(formulas, sampled))
 
 
-def _with_loop(functions: dict[str, Any]) -> dict[str, Any]:
+def _with_loop(functions: Json) -> Json:
     """Return the generated functions and the loop around them."""
     first_step = first_step_with(functions["rhs"], functions["euler"])
     advance = loop_with(*(functions[name] for name in GENERATED))

@@ -1,10 +1,9 @@
 """Runs of which more is kept than samples: events, a function of time, a report."""
 
 from bisect import bisect_left
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from numbers import Real
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,6 +15,7 @@ from tam570.integrate.binding import bound
 from tam570.integrate.engine import Engine
 from tam570.integrate.motion import Crossing, Motion, Report
 from tam570.integrate.stiffness import PYTHON
+from tam570.values import Function, Numbers, Parameters
 
 __all__ = ["StepInterpolant", "motion", "step_by_step"]
 
@@ -104,7 +104,7 @@ def _located(event: Event, step: StepInterpolant, low: float, high: float, posit
         low, high = (low, middle) if value and (value > 0) == positive else (middle, high)
 
 
-def _event(which: int, function: Any, parameters: Mapping[str, Any] | None, sign: float) -> Event:
+def _event(which: int, function: Function, parameters: Parameters | None, sign: float) -> Event:
     """Return an event with the attributes that solve_ivp knows; `sign` of the engine's clock.
 
     ValueError if they are wrong.
@@ -136,8 +136,8 @@ def motion(
     times: Array,
     start: Array,
     control: adaptive.Control,
-    events: Any,
-    parameters: Mapping[str, Any] | None,
+    events: Numbers,
+    parameters: Parameters | None,
     dense: bool,
     how: str,
 ) -> Motion:
@@ -205,9 +205,9 @@ def function_of_time(steps: Sequence[StepInterpolant], sign: float) -> Callable[
 def step_by_step(run: adaptive.Run) -> None:
     """Step to the end; each step is limited before, and projected or looked at after."""
     functions, control, state = run.engine.functions, run.control, run.last
-    tried: list[Any] = [None]
+    tried: list[Numbers] = [None]
 
-    def step(*inputs: Any) -> Any:
+    def step(*inputs: Numbers) -> Numbers:
         tried[0] = (*inputs[:3], inputs[4], functions["step"](*inputs))  # the last one tried is the one taken
         return tried[0][-1]
 
@@ -230,14 +230,14 @@ def step_by_step(run: adaptive.Run) -> None:
             look(state.t, state.y, adaptive.sizes(state, run.rtol), state.steps)
 
 
-def _projected(run: adaptive.Run, state: State, project: Callable[[Array], Any]) -> State:
+def _projected(run: adaptive.Run, state: State, project: Callable[[Array], Numbers]) -> State:
     """Return the state brought back to where it belongs, with the derivative there."""
     y = tuple(np.asarray(project(np.array(state.y)), dtype=float).tolist())
     f = run.engine.functions["rhs"](run.origin + state.t, y, run.engine.constants)
     return state._replace(y=y, r=(0.0,) * len(y), f=f)
 
 
-def _interpolant(functions: dict[str, Any], c: Any, tried: tuple[Any, ...]) -> StepInterpolant:
+def _interpolant(functions: dict[str, Numbers], c: Numbers, tried: tuple[Numbers, ...]) -> StepInterpolant:
     start, h, y, f, (n, _, g, _, _, stages) = tried
     q = functions["dense"](start, h, y, n, f, g, stages, c)
 

@@ -9,13 +9,13 @@ function cannot be evaluated like this no step is longer than a thousandth of th
 import math
 from collections.abc import Sequence
 from functools import partial
-from typing import Any
 
 import numpy as np
 
 from tam570.integrate.arguments import Array
 from tam570.integrate.binding import Rates
 from tam570.integrate.course import along
+from tam570.values import Numbers
 
 __all__ = ["Switches"]
 
@@ -49,14 +49,23 @@ class Switches:
         self.is_near = False  # whether the last step was at a switch
         self.crossings: list[float] = []  # times, each soon after the one before
 
-    def reach(self, start: float, h: float, y: Any, f: Any, c: Any) -> float:
+    def reach(self, start: float, h: float, y: Numbers, f: Numbers, c: Numbers) -> float:
         """Return the longest step from here that ends before the next switch, as far as it is known."""
         if self.reason:
             return self.span / UNSEEN
         return self.distance if abs(start - self.time) <= 4 * EPS * abs(start) else math.inf
 
     def passed(
-        self, start: float, h: float, y: Any, f: Any, n: Any, g: Any, error: float, shortest: float, c: Any
+        self,
+        start: float,
+        h: float,
+        y: Numbers,
+        f: Numbers,
+        n: Numbers,
+        g: Numbers,
+        error: float,
+        shortest: float,
+        c: Numbers,
     ) -> float:
         """Return the length of the part of a step that passes no switch; infinite if all of it passes none.
 
@@ -87,7 +96,7 @@ class Switches:
             return h
         return _just_before(part * h, 1.0, shortest)
 
-    def _count(self, start: float, y: Any) -> None:
+    def _count(self, start: float, y: Numbers) -> None:
         """Count a step at a switch. Raises ArithmeticError where the motion does not leave it."""
         if not self.crossings or start - self.crossings[-1] > self.pace / CHATTER:
             self.crossings, self.pace, self.longest = [], self.longest, 0.0

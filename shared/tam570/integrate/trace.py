@@ -10,14 +10,14 @@ import dis
 import functools
 import math
 import types
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from tam570.integrate.cache_key import global_names
 from tam570.integrate.symbols import FUNCTIONS, Symbol, Tape, Untraceable, Value
+from tam570.values import Function, Numbers, Parameters
 
 __all__ = ["Graph", "substituted", "traced"]
 
@@ -37,7 +37,7 @@ class Graph:
     rates: tuple[Value, ...]
 
 
-def traced(rates: Callable[..., Any], size: int, stand_ins: Mapping[str, Any] | None = None) -> Graph:
+def traced(rates: Function, size: int, stand_ins: Parameters | None = None) -> Graph:
     """Return what rates(t, y) computes. Raises Untraceable, with the reason.
 
     stand_ins : by name, what functions find in the place of built-in ones, such as `float`
@@ -65,16 +65,16 @@ def _refusal(answer: Exception) -> Exception:
 class _Mathematics:
     """The module math for symbols; numbers go to the real one."""
 
-    def __getattr__(self, name: str) -> Any:
+    def __getattr__(self, name: str) -> Numbers:
         return _symbolic(getattr(math, name))
 
 
-def _symbolic(function: Any) -> Any:
+def _symbolic(function: Function) -> Numbers:
     name = getattr(function, "__name__", "")
     if name not in FUNCTIONS and name != "pow":
         return function
 
-    def either(*arguments: Any) -> Any:
+    def either(*arguments: Numbers) -> Numbers:
         symbol = next((a for a in arguments if isinstance(a, Symbol)), None)
         if symbol is None:
             return function(*arguments)
@@ -89,7 +89,7 @@ def _symbolic(function: Any) -> Any:
     return either
 
 
-def _checked_isinstance(value: Any, kinds: Any) -> bool:
+def _checked_isinstance(value: Numbers, kinds: Numbers) -> bool:
     """Of a number that is not known yet nobody can say whether it is a float."""
     if isinstance(value, Symbol):
         raise Untraceable("depends on the type of the state's components")
@@ -99,7 +99,7 @@ def _checked_isinstance(value: Any, kinds: Any) -> bool:
 STAND_INS = {"isinstance": _checked_isinstance}
 
 
-def _substitute(value: Any) -> Any:
+def _substitute(value: Numbers) -> Numbers:
     """Return what stands in for math and its functions."""
     if value is math:
         return _Mathematics()
@@ -107,11 +107,11 @@ def _substitute(value: Any) -> Any:
 
 
 def substituted(
-    value: Any,
-    substitute: Callable[[Any], Any],
-    stand_ins: Mapping[str, Any],
+    value: Numbers,
+    substitute: Callable[[Numbers], Numbers],
+    stand_ins: Parameters,
     twins: dict[int, types.FunctionType] | None = None,
-) -> Any:
+) -> Numbers:
     """Return a function that finds other values in the place of those that it uses, as all functions that it calls do.
 
     substitute : of a value, what is found in its place; the value itself if nothing is
@@ -135,7 +135,7 @@ def substituted(
     sets_items = any(line.opname == "STORE_SUBSCR" for line in dis.get_instructions(value.__code__))
     twins[id(value)] = twin  # before its names are looked at: it may call itself
 
-    def found(used: Any) -> Any:
+    def found(used: Numbers) -> Numbers:
         """Copy lists and arrays: what the function puts there stays its own."""
         if type(used) is np.ndarray and used.dtype == float and sets_items:
             return used.astype(object)
