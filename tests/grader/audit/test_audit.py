@@ -70,11 +70,8 @@ def test_the_audit_fails_when_a_mutant_survives_and_says_how_to_list_it(capsys, 
 
 
 def test_the_audit_fails_when_a_line_lists_in_vain(capsys, monkeypatch):
-    slips = {"axis / largest -> axis * largest": "it is", "axis -> largest": "it is"}
-    listed = {
-        ("_unit", "scaled @ scaled -> scaled.T @ scaled"): " ",
-        **{("_unit", slip): slips[slip] for slip in slips},
-    }
+    listed = {("_unit", "scaled @ scaled -> scaled.T @ scaled"): " "}
+    listed |= dict.fromkeys([("_unit", "axis / largest -> axis * largest"), ("_unit", "axis -> largest")], "it is")
     monkeypatch.setattr("tam570_grader.audit.mutation.equivalents", lambda course, slug: listed)
     assert cli.main(["audit", "hw08", "--function", "_unit", "--jobs", "1"]) == 1
     out = capsys.readouterr().out

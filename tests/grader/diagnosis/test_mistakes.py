@@ -41,9 +41,9 @@ AGREE = [  # a wrong f (the right one is 2 x, and g is 3 x), calls, and whether 
 ]
 
 
-@pytest.mark.parametrize(("body", "calls", "agree"), AGREE)
-def test_a_mistake_is_named_where_its_numbers_agree(body, calls, agree):
-    assert is_named(wrong(body), *calls) == agree
+@pytest.mark.parametrize(("body", "calls", "agreeing"), AGREE)
+def test_a_mistake_is_named_where_its_numbers_agree(body, calls, agreeing):
+    assert is_named(wrong(body), *calls) == agreeing
 
 
 def test_how_closely_is_said_by_the_mistake():

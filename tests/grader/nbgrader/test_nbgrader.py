@@ -13,7 +13,7 @@ from tam570_grader.checks import assignments
 from tam570_grader.checks.failure import WHOLE
 from tam570_grader.diagnosis.mistakes import overlays
 
-IN_CI = {  # assignment: the slip in what the second student hands in
+IN_CI = {  # assignment: the mistake in what the second student hands in
     "hw07_double_pendulum": "too_few_steps",
     "hw08_axis_angle": "transposed_skew",
     "hw12_bead_on_wire": "motion_kept_for_other_wires",
@@ -39,28 +39,28 @@ def regraded(course, checkout, slug, out):
 
 
 class Term:
-    """A course with two students: ann hands in the solution, ben the same with a slip."""
+    """A course with two students: ann hands in the solution, ben the same with a mistake."""
 
-    def __init__(self, checkout, folder, nbgrader, made_course, slips):
-        self.checkout, self.nbgrader, self.slips = checkout, nbgrader, slips
-        self.course, config = made_course(folder, list(slips))
+    def __init__(self, checkout, folder, nbgrader, made_course, wrong_works):
+        self.checkout, self.nbgrader, self.wrong_works = checkout, nbgrader, wrong_works
+        self.course, config = made_course(folder, list(wrong_works))
         self.homes = {name: folder / name for name in ("ann", "ben")}
         for home in self.homes.values():
             home.mkdir()
             (home / "nbgrader_config.py").write_text(config)
 
     def released(self):
-        for slug in self.slips:
+        for slug in self.wrong_works:
             self.nbgrader(self.course, "generate_assignment", slug)
             self.nbgrader(self.course, "release_assignment", slug)
 
     def handed_in(self, name, home):
         """List, fetch, work, validate (ann: what is right must pass), submit."""
         listed = self.nbgrader(home, "list")
-        assert all(slug in listed for slug in self.slips)
-        self.nbgrader(home, "fetch_assignment", *self.slips)
-        for slug, slip in self.slips.items():
-            wrong = overlays(assignments.checks_folder(self.checkout, slug))[slip] if name == "ben" else ""
+        assert all(slug in listed for slug in self.wrong_works)
+        self.nbgrader(home, "fetch_assignment", *self.wrong_works)
+        for slug, mistake in self.wrong_works.items():
+            wrong = overlays(assignments.checks_folder(self.checkout, slug))[mistake] if name == "ben" else ""
             solution = (self.checkout / "solutions" / f"{slug}.py").read_text()
             (home / slug / f"{slug}.py").write_text(f"{solution}\n\n{wrong}")
             answer_in_words(home / slug / f"{slug}.ipynb")
@@ -68,18 +68,18 @@ class Term:
                 assert "Success" in self.nbgrader(home / slug, "validate", f"{slug}.ipynb")
             self.nbgrader(home, "submit", slug, "--student", name)
         cached = self.nbgrader(home, "list", "--cached")
-        assert all(slug in cached for slug in self.slips)
+        assert all(slug in cached for slug in self.wrong_works)
 
     def graded(self):
         """Collect, autograde, the parts that are graded by hand, feedback, and the table."""
-        for slug in self.slips:
+        for slug in self.wrong_works:
             self.nbgrader(self.course, "collect", slug)
             self.nbgrader(self.course, "autograde", slug)
             grade_by_hand(self.course, slug)
             self.nbgrader(self.course, "generate_feedback", slug)
             self.nbgrader(self.course, "release_feedback", slug)
         for name, home in self.homes.items():
-            for slug in self.slips:
+            for slug in self.wrong_works:
                 self.nbgrader(home, "fetch_feedback", slug, "--student", name)
         self.nbgrader(self.course, "export")
 
@@ -112,10 +112,10 @@ def grade_by_hand(course, slug):
 
 @pytest.fixture
 def a_whole_term(course, tmp_path, nbgrader, made_course):
-    """`a_whole_term(slips)` -> the term from release to fetched feedback and exported table."""
+    """`a_whole_term(wrong_works)` -> the term from release to fetched feedback and exported table."""
 
-    def a_whole_term(slips):
-        term = Term(course, tmp_path, nbgrader, made_course, slips)
+    def a_whole_term(wrong_works):
+        term = Term(course, tmp_path, nbgrader, made_course, wrong_works)
         term.released()
         for name, home in term.homes.items():
             term.handed_in(name, home)
@@ -130,7 +130,7 @@ def assert_the_same_scores(term, grades, out):
     actual, fractions = grades(term.course), 0
     rows = csv.DictReader((term.course / "grades.csv").read_text().splitlines())
     exported = {(row["student_id"], row["assignment"]): row for row in rows}
-    for slug in term.slips:
+    for slug in term.wrong_works:
         manual = sum(points for points, _ in assignments.assignment(term.checkout, slug).manual.values())
         for record in regraded(term.course, term.checkout, slug, out / slug):
             who, parts = (record["student"], slug), by_part(record)
@@ -147,7 +147,7 @@ def assert_the_same_scores(term, grades, out):
 def assert_the_feedback_says_what_was_lost(term):
     """Every message and picture of ben's failures, nothing hidden, and none of it to ann."""
     pictures, secrets = 0, 0
-    for slug in term.slips:
+    for slug in term.wrong_works:
         pages = [html.unescape(term.page(name, slug)) for name in term.homes]
         results = (term.course / "tam570_results" / slug / "results.jsonl").read_text().splitlines()
         ben = next(r for r in map(json.loads, results) if r["student"] == "ben")
