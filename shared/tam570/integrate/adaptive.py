@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tam570.integrate.adaptive_loop import LARGEST, RUNNING, SETS_IN, STOPPED, State
-from tam570.integrate.arguments import Array
+from tam570.integrate.arguments import SMALLEST_RTOL, Array
 from tam570.integrate.binding import TRIAL_ERRORS, check_start
 from tam570.integrate.compilation import Estimate, WorthCompiling
 from tam570.integrate.engine import Engine, Mistraced
@@ -22,6 +22,7 @@ __all__ = ["BETWEEN_LOOKS", "Control", "Run", "Solution", "integrate", "shortest
 BETWEEN_LOOKS = 500  # steps
 OUT_OF_REACH = 1e9  # steps that nobody waits for
 LOOKS = 40  # in a row: stiffness, where that is the cause, is told before
+KINKS = 30.0  # of the tolerance, so many times less where the rates may have kinks
 AFTER_A_JUMP = 6  # steps in a row, each as much longer than the one before as it may be
 FOREVER = 2**62
 
@@ -115,6 +116,8 @@ def _integrate(
     t, y, row, end = float(times[0]), start, 1, float(times[-1])
     a: Sequence[float] = ()
     steps = refusals = 0
+    if not engine.is_traced:  # it may have kinks, of which an estimate sees but a part
+        control = control._replace(rtol=max(control.rtol / KINKS, SMALLEST_RTOL))
     while True:
         stop = engine.next_break(t, float(times[0]), end)
         through = max(row, int(np.searchsorted(times, stop, side="right")))

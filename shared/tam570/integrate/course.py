@@ -333,8 +333,8 @@ class _LiftedModule:
     def __init__(self, module: types.ModuleType) -> None:
         self.module = module
 
-    def __getattr__(self, name: str) -> Numbers:
-        value = _substitute(getattr(self.module, name))
+    def __getattr__(self, name: str) -> Any:
+        value = substituted(getattr(self.module, name), _substitute, STAND_INS)
         setattr(self, name, value)  # it is asked for once
         return value
 

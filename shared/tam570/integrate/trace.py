@@ -135,20 +135,20 @@ def substituted(
     sets_items = any(line.opname == "STORE_SUBSCR" for line in dis.get_instructions(value.__code__))
     twins[id(value)] = twin  # before its names are looked at: it may call itself
 
-    def found(used: Numbers) -> Numbers:
+    def stand_in(used: Any) -> Any:
         """Copy lists and arrays: what the function puts there stays its own."""
         if type(used) is np.ndarray and used.dtype == float and sets_items:
             return used.astype(object)
         if type(used) in (list, tuple, set):
-            return type(used)(map(found, used))
+            return type(used)(map(stand_in, used))
         if type(used) is dict:
-            return {key: found(item) for key, item in used.items()}
+            return {key: stand_in(item) for key, item in used.items()}
         return substituted(used, substitute, stand_ins, twins)
 
     for name in global_names(value.__code__) & value.__globals__.keys():
-        names[name] = found(names[name])
+        names[name] = stand_in(names[name])
     for cell, original in zip(cells, value.__closure__ or (), strict=True):
         with contextlib.suppress(ValueError):  # it has no value yet
-            cell.cell_contents = found(original.cell_contents)
-    twin.__defaults__, twin.__kwdefaults__ = found(value.__defaults__), found(value.__kwdefaults__)
+            cell.cell_contents = stand_in(original.cell_contents)
+    twin.__defaults__, twin.__kwdefaults__ = stand_in(value.__defaults__), stand_in(value.__kwdefaults__)
     return twin
