@@ -318,12 +318,13 @@ def shortest_step(engine: Engine, times: Array, start: Array, control: Control) 
         state = step_n(run, engine.functions["advance"], [0.0, span], lambda *_: None, state, 1)
         if state.halt not in (RUNNING, SETS_IN):
             raise _trouble(run, state)
-        if state.row == 2 or state.halt:
+        at_switch = engine.switches is not None and bool(engine.switches.crossings)
+        if state.row == 2 or state.halt and not at_switch:
             break
-        if state.t > before.t:  # taken, not refused
+        if state.t > before.t or at_switch:  # taken, not refused
             length = state.t - before.t
             growing = growing + 1 if length > 0.9 * LARGEST * last and state.refusals else 0
-            if growing == AFTER_A_JUMP:
+            if growing == AFTER_A_JUMP or at_switch:
                 where = engine.sign * (run.origin + state.t)
                 raise ValueError(
                     f'method: steps of one length do not pass the jump of rhs near t = {where:.6g}; try "auto"'

@@ -251,6 +251,8 @@ def _lifted(function: Function) -> Numbers:
 
     @functools.wraps(function, updated=())
     def lifted(*arguments: Numbers, **keywords: Numbers) -> Numbers:
+        arguments = tuple(float if a is _Float else a for a in arguments)
+        keywords = {key: float if a is _Float else a for key, a in keywords.items()}
         courses = [*_parts(arguments), *_parts(tuple(keywords.values()))]
         if not courses:
             result = function(*arguments, **keywords)
@@ -333,7 +335,7 @@ class _LiftedModule:
     def __init__(self, module: types.ModuleType) -> None:
         self.module = module
 
-    def __getattr__(self, name: str) -> Any:
+    def __getattr__(self, name: str) -> Numbers:
         value = substituted(getattr(self.module, name), _substitute, STAND_INS)
         setattr(self, name, value)  # it is asked for once
         return value
@@ -370,19 +372,25 @@ def _is_foreign(function: types.FunctionType) -> bool:
     return module.partition(".")[0] != OURS and function.__code__.co_filename.startswith(FOREIGN)
 
 
-def _float(value: Numbers = 0.0) -> Numbers:
-    if isinstance(value, np.ndarray) and value.shape == () and value.dtype == object:
-        value = value.item()
-    return value if isinstance(value, Course) else float(value)
+class _FloatType(type):
+    def __instancecheck__(cls, value: Numbers) -> bool:
+        return isinstance(value, float | Course)
+
+
+class _Float(metaclass=_FloatType):
+    """What stands in for float."""
+
+    def __new__(cls, value: Numbers = 0.0) -> Numbers:
+        if isinstance(value, np.ndarray) and value.shape == () and value.dtype == object:
+            value = value.item()
+        return value if isinstance(value, Course) else float(value)
 
 
 def _isinstance(value: Numbers, kinds: Numbers) -> bool:
-    listed = kinds if isinstance(kinds, tuple) else (kinds,)
-    listed = tuple(float if kind is _float else kind for kind in listed)
-    return isinstance(1.0 if isinstance(value, Course) else value, listed)
+    return isinstance(1.0 if isinstance(value, Course) else value, kinds)
 
 
-STAND_INS = {"float": _float, "isinstance": _isinstance}
+STAND_INS = {"float": _Float, "isinstance": _isinstance}
 
 
 def along(rates: Function, size: int) -> Callable[[Array, Array], Decisions]:

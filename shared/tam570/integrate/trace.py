@@ -135,7 +135,7 @@ def substituted(
     sets_items = any(line.opname == "STORE_SUBSCR" for line in dis.get_instructions(value.__code__))
     twins[id(value)] = twin  # before its names are looked at: it may call itself
 
-    def stand_in(used: Any) -> Any:
+    def stand_in(used: Numbers) -> Numbers:
         """Copy lists and arrays: what the function puts there stays its own."""
         if type(used) is np.ndarray and used.dtype == float and sets_items:
             return used.astype(object)
