@@ -161,5 +161,5 @@ def test_an_unstable_start_grows_as_it_should_beside_what_is_large(size):
 def test_a_jump_is_nothing_for_steps_of_one_length():
     from tam570.lectures import rocket
 
-    with pytest.raises(ValueError, match=r"jump of rhs near t = 10\.\d+; try \"auto\""):
+    with pytest.raises(ValueError, match=r"jump of rhs near t = 10; try \"auto\""):
         solve(rocket.rates, [0, 18], rocket.START, parameters=rocket.EXAMPLE, method="gauss")
