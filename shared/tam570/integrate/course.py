@@ -1,9 +1,9 @@
-"""A right-hand side that is called as it stands, evaluated at many points of a step in one call.
+"""What a right-hand side that is called as it stands decides by, written down once and evaluated at many points.
 
 A `Course` is a number known at several points of a step at once. What a function decides by it, it decides as at the
 first point, and what it decides by is noted: the difference of two numbers that are compared, the distance from the
 next whole number where one is rounded, from the next entry where one is looked up in a table. Where one of these
-passes zero, the function may do something else.
+passes zero, the function may do something else. Until then the operations that lead to them are all that is repeated.
 """
 
 import copy
@@ -29,50 +29,79 @@ FILLED = {"zeros", "ones", "empty", "full", "zeros_like", "ones_like", "empty_li
 SATURATING = {"exp", "exp2", "expm1", "tanh", "erf", "erfc", "sinh", "cosh", "expit"}
 NUMPY_NAMES = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2", "pow": "power"}
 NUMPY_NAMES |= {f"{name}h": f"arc{name[1:]}h" for name in ("asin", "acos", "atan")}
-INSIDE = 1e-9  # of the first cell, where what is rounded is decided: at the start it may be whole
+INSIDE = 1e-9  # of the first cell, where what is rounded is decided
 LARGEST_TABLE = 100_000
 
 
 class Decisions:
-    """What a function decided by along a step. seen : (m,) each; saturating : arguments of exp, tanh and their like."""
+    """What a function decides by along a step.
 
-    def __init__(self) -> None:
-        self.seen: list[Array] = []
-        self.saturating: list[Array] = []
+    slots      : of each operation and each constant the value, at m points or the same at all
+    operations : slot, function and slots of its operands
+    seen       : slots of what it decides by; saturating : of the arguments of exp, tanh and their like
+    """
 
-    def sign(self, values: Array) -> float:
+    def __init__(self, t: Array, y: Array) -> None:
+        self.slots: list[Numbers] = [t, *y]
+        self.operations: list[tuple[int, Function, tuple[int, ...]]] = []
+        self.seen: list[int] = []
+        self.saturating: list[int] = []
+
+    def sign(self, course: "Course") -> float:
         """Note a difference; return its sign on the path that the function takes."""
-        self.seen.append(values)
-        first = values[0] or next((v for v in values if v), 0.0)
+        self.seen.append(course.slot)
+        first = course.values[0] or next((v for v in course.values if v), 0.0)
         return math.copysign(1.0, first) if first else 0.0
 
+    def slot_of(self, value: Numbers) -> int:
+        if isinstance(value, Course):
+            return value.slot
+        self.slots.append(float(value))
+        return len(self.slots) - 1
 
-def _values(other: Numbers) -> Numbers:
-    if isinstance(other, Course):
-        return other.values
-    return float(other) if isinstance(other, Real) else None
+    def forget_results(self) -> None:
+        """Keep the operations that lead to what is noted."""
+        needed = {*self.seen, *self.saturating}
+        for slot, _, operands in reversed(self.operations):
+            needed.update(operands if slot in needed else ())
+        self.operations = [operation for operation in self.operations if operation[0] in needed]
+
+    def again(self, t: Array, y: Array) -> tuple[list[Array], list[Array]]:
+        """Return what was seen, and what saturates, at other points, as far as the function decides the same."""
+        slots = self.slots
+        slots[: len(y) + 1] = t, *y
+        for slot, function, operands in self.operations:
+            slots[slot] = function(*[slots[i] for i in operands])
+        return [slots[i] for i in self.seen], [slots[i] for i in self.saturating]
 
 
-def _arithmetic(
-    combined: Callable[[Numbers, Numbers], Numbers], *, swapped: bool = False, notes: bool = False
-) -> Numbers:
+def _applied(function: Function, *operands: Numbers, is_line: bool = False) -> "Course":
+    """Return what a function makes of courses and numbers, point by point; written down."""
+    decisions: Decisions = next(operand.decisions for operand in operands if isinstance(operand, Course))
+    numbers = tuple(map(decisions.slot_of, operands))
+    decisions.slots.append(function(*(decisions.slots[i] for i in numbers)))
+    decisions.operations.append((len(decisions.slots) - 1, function, numbers))
+    return Course(decisions, len(decisions.slots) - 1, is_line)
+
+
+def _arithmetic(function: Function, *, swapped: bool = False, notes: bool = False) -> Numbers:
     def method(self: "Course", other: Numbers) -> Numbers:
-        b = _values(other)
-        if b is None:
+        if not isinstance(other, Course | Real):
             return NotImplemented
-        values = combined(b, self.values) if swapped else combined(self.values, b)
         is_line = self.is_line and not isinstance(other, Course)
+        result = _applied(function, *((other, self) if swapped else (self, other)), is_line=is_line)
         if notes and is_line:
-            self.decisions.seen.append(values)
-        return Course(values, self.decisions, is_line=is_line and notes is not None)
+            self.decisions.seen.append(result.slot)
+        return result
 
     return method
 
 
 def _comparison(compare: Callable[[Numbers, Numbers], bool]) -> Numbers:
     def method(self: "Course", other: Numbers) -> Numbers:
-        b = _values(other)
-        return NotImplemented if b is None else compare(self.decisions.sign(self.values - b), 0.0)
+        if not isinstance(other, Course | Real):
+            return NotImplemented
+        return compare(self.decisions.sign(_applied(operator.sub, self, other)), 0.0)
 
     return method
 
@@ -86,12 +115,13 @@ def _refuse(*_: Numbers) -> Numbers:
 
 
 class Course:
-    """A number at m points of a step. is_line : whether it is affine in time, and no more."""
+    """A number at m points of a step. slot : where it is written down; is_line : whether it is affine in time alone."""
 
-    __slots__ = ("decisions", "is_line", "values")
+    __slots__ = ("decisions", "is_line", "slot", "values")
 
-    def __init__(self, values: Array, decisions: Decisions, is_line: bool = False) -> None:
-        self.values, self.decisions, self.is_line = values, decisions, is_line
+    def __init__(self, decisions: Decisions, slot: int, is_line: bool = False) -> None:
+        self.decisions, self.slot, self.is_line = decisions, slot, is_line
+        self.values = decisions.slots[slot]
 
     __add__, __radd__ = _arithmetic(operator.add, notes=True), _arithmetic(operator.add, swapped=True, notes=True)
     __sub__, __rsub__ = _arithmetic(operator.sub, notes=True), _arithmetic(operator.sub, swapped=True, notes=True)
@@ -99,22 +129,19 @@ class Course:
     __truediv__, __rtruediv__ = _arithmetic(_quotient), _arithmetic(_quotient, swapped=True)
 
     def __pow__(self, other: Numbers) -> Numbers:
-        return self._curved(np.power, self, other)
+        return _applied(np.power, self, other)
 
     def __rpow__(self, other: Numbers) -> Numbers:
-        return self._curved(np.power, other, self)
-
-    def _curved(self, function: Function, *arguments: Numbers) -> "Course":
-        return Course(function(*(_values(a) for a in arguments)), self.decisions)
+        return _applied(np.power, other, self)
 
     def __neg__(self) -> "Course":
-        return Course(-self.values, self.decisions, self.is_line)
+        return _applied(operator.neg, self, is_line=self.is_line)
 
     def __pos__(self) -> "Course":
         return self
 
     def __abs__(self) -> "Course":
-        return -self if self.decisions.sign(self.values) < 0 else self
+        return -self if self.decisions.sign(self) < 0 else self
 
     __lt__, __le__ = _comparison(operator.lt), _comparison(operator.le)
     __gt__, __ge__ = _comparison(operator.gt), _comparison(operator.ge)
@@ -123,14 +150,21 @@ class Course:
     __str__ = __repr__ = __format__ = __reduce_ex__ = _refuse
 
     def __bool__(self) -> bool:
-        return self.decisions.sign(self.values) != 0.0
+        return self.decisions.sign(self) != 0.0
 
     def rounded(self, half: float = 0.0) -> float:
         """Return the whole number below, or the nearest with half = 0.5; note where it changes."""
-        v = self.values + half
-        low = float(math.floor(v[0] + INSIDE * (v[1] - v[0])))
-        self.decisions.seen += [v - low, v - (low + 1)]
+        course = _applied(operator.add, self, half)
+        low = float(math.floor(course.soon()))
+        course.note_levels(low, low + 1)
         return low
+
+    def soon(self) -> float:
+        """Return it just beyond the start, where it may be whole."""
+        return float(self.values[0] + INSIDE * (self.values[1] - self.values[0]))
+
+    def note_levels(self, *levels: float) -> None:
+        self.decisions.seen += [_applied(operator.sub, self, level).slot for level in levels]
 
     def __floor__(self) -> int:
         return int(self.rounded())
@@ -139,7 +173,7 @@ class Course:
         return -int((-self).rounded())
 
     def __trunc__(self) -> int:
-        return self.__floor__() if self.decisions.sign(self.values) >= 0 else self.__ceil__()
+        return self.__floor__() if self.decisions.sign(self) >= 0 else self.__ceil__()
 
     __int__ = __trunc__
 
@@ -172,13 +206,12 @@ class Course:
 
     def note_table(self, table: Sequence[float]) -> None:
         """Note the distance from the next numbers of a table, above and below."""
-        start = self.values[0] + INSIDE * (self.values[1] - self.values[0])
-        position = int(np.searchsorted(table, start))
-        self.decisions.seen += [self.values - level for level in table[max(position - 1, 0) : position + 1]]
+        position = int(np.searchsorted(table, self.soon()))
+        self.note_levels(*table[max(position - 1, 0) : position + 1])
 
 
 def _sign(x: Numbers) -> float:
-    return float(x.decisions.sign(x.values) if isinstance(x, Course) else np.sign(x))
+    return float(x.decisions.sign(x) if isinstance(x, Course) else np.sign(x))
 
 
 def _is_close(a: Numbers, b: Numbers, rtol: Numbers = 1e-5, atol: Numbers = 1e-8) -> bool:
@@ -234,15 +267,18 @@ def _parts(value: Numbers) -> Numbers:
             yield from _parts(part)
 
 
-def _point(value: Numbers, k: int) -> Numbers:
-    """Return an argument at one of the points."""
+def _replaced(value: Numbers, replace: Function) -> Numbers:
+    """Return a copy of an argument with others in the place of its courses."""
     if isinstance(value, Course):
-        return float(value.values[k])
+        return replace(value)
     if type(value) in (list, tuple):
-        return type(value)(_point(part, k) for part in value)
+        return type(value)(_replaced(part, replace) for part in value)
     if type(value) is np.ndarray and value.dtype == object:
-        return np.array([_point(part, k) for part in value.ravel()], dtype=float).reshape(value.shape)
-    return value
+        parts = np.empty(value.size, dtype=object)
+        parts[:] = [_replaced(part, replace) for part in value.ravel()]
+        keeps_courses = any(isinstance(part, Course) for part in parts)
+        return (parts if keeps_courses else parts.astype(float)).reshape(value.shape)
+    return value.copy() if type(value) is np.ndarray else value
 
 
 def _lifted(function: Function) -> Numbers:
@@ -259,7 +295,7 @@ def _lifted(function: Function) -> Numbers:
             return result.astype(object) if name in FILLED and result.dtype == float else result
         scalars = all(isinstance(a, Course | Real) for a in arguments)
         if name in SATURATING:
-            courses[0].decisions.saturating += [c.values for c in courses]
+            courses[0].decisions.saturating += [c.slot for c in courses]
         if name in DECIDING:
             decide = functools.partial(DECIDING[name], **keywords)
             return decide(*arguments) if scalars else np.frompyfunc(decide, len(arguments), 1)(*arguments)
@@ -269,7 +305,7 @@ def _lifted(function: Function) -> Numbers:
             and (smooth := getattr(np, NUMPY_NAMES.get(name, name), None))
             and isinstance(smooth, np.ufunc)
         ):
-            return Course(smooth(*(_values(a) for a in arguments)), courses[0].decisions)
+            return _applied(smooth, *arguments)
         if not scalars and getattr(function, "__module__", "") == "numpy" or isinstance(function, np.ufunc):
             try:
                 return function(*arguments, **keywords)
@@ -282,32 +318,33 @@ def _lifted(function: Function) -> Numbers:
 
 def _point_by_point(function: Function, courses: list[Course], arguments: Numbers, keywords: Numbers) -> Numbers:
     """Return what a function makes of courses that nobody can look into: of tables the entries are seen."""
-    decisions = courses[0].decisions
     for table in (*filter(_is_table, arguments), *_tables_of(function)):
         for course in courses:
             course.note_table(table)
-    points = range(len(courses[0].values))
-    results = [
-        function(*(_point(a, k) for a in arguments), **{key: _point(v, k) for key, v in keywords.items()})
-        for k in points
-    ]
-    return _joined(results, decisions)
+    call = _replaced((arguments, tuple(keywords.values())), lambda course: course)  # the function may change them later
+
+    def results(*values: Array) -> list[Numbers]:
+        known = {course.slot: v.tolist() for course, v in zip(courses, values, strict=True)}
+        calls = [_replaced(call, lambda course, k=k: known[course.slot][k]) for k in range(len(values[0]))]
+        return [function(*positional, **dict(zip(keywords, named, strict=True))) for positional, named in calls]
+
+    return _joined(_applied(results, *courses))
 
 
-def _joined(results: list[Numbers], decisions: Decisions) -> Numbers:
-    first = results[0]
+def _joined(results: Course) -> Numbers:
+    """Return the courses of what came at each point."""
+    first = results.values[0]
     if isinstance(first, tuple | list):
-        return type(first)(_joined(list(part), decisions) for part in zip(*results, strict=True))
-    stacked = np.array(results)
-    if stacked.dtype.kind in "biu" and stacked.ndim == 1:  # it chose
-        decisions.seen.append(np.where(stacked == stacked[0], 1.0, -1.0))
+        parts = (_applied(lambda r, i=i: [part[i] for part in r], results) for i in range(len(first)))
+        return type(first)(map(_joined, parts))
+    array = np.asarray(first)
+    if array.dtype.kind in "biu" and array.ndim == 0:  # it chose
+        results.decisions.sign(_applied(lambda r: np.where(np.array(r) == first, 1.0, -1.0), results))
         return first
-    if stacked.ndim == 1:
-        return Course(stacked.astype(float), decisions)
-    flat = [Course(column, decisions) for column in stacked.reshape(len(results), -1).T.astype(float)]
+    flat = [_applied(lambda r, i=i: np.array([np.ravel(a)[i] for a in r], float), results) for i in range(array.size)]
     joined = np.empty(len(flat), dtype=object)
     joined[:] = flat
-    return joined.reshape(stacked.shape[1:])
+    return joined.reshape(array.shape) if array.ndim else flat[0]
 
 
 def _is_table(value: Numbers) -> bool:
@@ -398,10 +435,11 @@ def along(rates: Function, size: int) -> Callable[[Array, Array], Decisions]:
     twin = substituted(rates, _substitute, STAND_INS)
 
     def profile(t: Array, y: Array) -> Decisions:
-        decisions = Decisions()
+        decisions = Decisions(t, y)
         state = np.empty(size, dtype=object)
-        state[:] = [Course(row, decisions) for row in y]
-        twin(Course(t, decisions, is_line=True), state)
+        state[:] = [Course(decisions, i + 1) for i in range(size)]
+        twin(Course(decisions, 0, is_line=True), state)
+        decisions.forget_results()
         return decisions
 
     return profile

@@ -14,14 +14,13 @@ import numpy as np
 
 from tam570.integrate.arguments import Array
 from tam570.integrate.binding import Rates
-from tam570.integrate.course import along
+from tam570.integrate.course import Decisions, along
 from tam570.values import Numbers
 
 __all__ = ["Switches"]
 
 POINTS = 17  # of a step
 X = np.linspace(0.0, 1.0, POINTS)
-ENDS = np.array([0.0, 1.0])  # enough for what has not decided anything so far
 SHORT = 1e-3  # of the way to a switch: so much shorter is the next step
 AT_HAND = 2.0  # times the shortest step
 ROUNDED = (1.37, -2.91, 1.82, -5.3)  # units in the last place, by which states are changed: is it more than rounding?
@@ -31,6 +30,17 @@ CHATTER = 60  # switches in a row
 MOVES_ON = 1e-4  # of the step that they cut, from one switch to the next: with less the motion does not move on
 REACH = 4.0  # tanh(4) is 1 to 7e-4, exp(-4) is 0.02: from twice that on a pulse is seen
 EPS = 2.0**-52
+
+
+def _basis(x: Array) -> Array:
+    """(3, m) weights at parts x of a step: of the whole move, and of h times the derivatives at both ends."""
+    z = 1.0 - x
+    return np.array([x * (1.0 + z * (x - z)), x * z * z, -x * x * z])
+
+
+BASIS = _basis(X)
+DIFFERENCES = np.diff(np.eye(POINTS), 2, axis=0).T  # of neighbouring points, and the slope at the end of the step
+DIFFERENCES = np.column_stack([DIFFERENCES, (POINTS - 1) * np.r_[np.zeros(POINTS - 3), 0.5, -2.0, 1.5]])
 
 
 class Switches:
@@ -45,7 +55,9 @@ class Switches:
         self.reason = ""
         self.time, self.distance = math.nan, math.inf  # from the end of the last step to the next switch
         self.pace = self.longest = 0.0  # s, of steps before the last switches, and since
-        self.decides = False  # whether it decided by anything so far
+        self.decisions: Decisions | None = None  # what it decided by last
+        self.signs = np.empty((0, 1))  # of that, at the start of the step
+        self.is_smooth = False  # whether it decides nothing
         self.is_near = False  # whether the last step was at a switch
         self.crossings: list[float] = []  # times, each soon after the one before
 
@@ -71,13 +83,13 @@ class Switches:
 
         The shortest step may pass one: then its own length.
         """
-        if self.reason:
+        if self.reason or self.is_smooth:
             return math.inf
-        y, f, n, g = (np.array(v)[:, None] for v in (y, f, n, g))
-        if not error <= 1.0:  # the end of a step that is too long tells nothing of its beginning
-            n, g = y + h * f, f
+        moves = np.array((n, f, g)) if error <= 1.0 else np.array((f, f, f))  # of a step too long the end tells nothing
+        moves[1:] *= h
+        moves[0] = moves[0] - y if error <= 1.0 else moves[1]
         try:
-            part, ahead = self._first_switch(start, h, shortest, y, f, n, g)
+            part, ahead = self._first_switch(start, h, shortest, np.array(y)[:, None], moves.T)
         except Exception as reason:  # whatever it says to courses, it then gets numbers alone
             self.reason = f"{type(reason).__name__}: {reason}"
             return math.inf
@@ -103,46 +115,48 @@ class Switches:
         self.crossings.append(start)
         if len(self.crossings) > CHATTER and start - self.crossings[-CHATTER] < CHATTER * MOVES_ON * self.pace:
             raise ArithmeticError(
-                f"the rates jump to and fro at t = {self.sign * start:.9g}, y = {y.ravel().tolist()}: the motion stays "
+                f"the rates jump to and fro at t = {self.sign * start:.9g}, y = {list(y)}: the motion stays "
                 "where they jump. Friction that holds a body at rest has no rate there: stop at an event, or smooth "
                 "the jump"
             )
 
-    def _first_switch(
-        self, start: float, h: float, shortest: float, y: Array, f: Array, n: Array, g: Array
-    ) -> tuple[float, float]:
+    def _first_switch(self, start: float, h: float, shortest: float, y: Array, moves: Array) -> tuple[float, float]:
         """Return the part of the step at which a switch is passed first, and how far beyond its end the next one is.
 
         In parts of the step; infinite where there is none.
         """
-        path = partial(_cubic, h=h, y=y, f=f, n=n, g=g)
-        if not self.decides:
-            decisions = self.profile(start + ENDS * h, path(ENDS))
-            self.decides = bool(decisions.seen or decisions.saturating)
-            if not self.decides:
-                return math.inf, math.inf
-        seen, saturated = self._seen(X, start + X * h, path(X))
-        part, ahead = _first_zero(X, seen), _next_zero(seen)
+        look = partial(self._look, start, h, y, moves)
+        positive, saturated = look(X, BASIS)
+        if not len(positive):
+            return saturated, math.inf
+        part, differences = _first_zero(X, positive), positive @ DIFFERENCES
         if 0.0 < part < X[1] or self.is_near:
             near = np.append(0.0, np.geomspace(min(shortest / h, 0.1 * X[1]), X[1], POINTS - 1))
-            part = min(_first_zero(near, self._seen(near, start + near * h, path(near))[0]), part)
-        elif math.isinf(part) and (turn := _first_turn(seen)):
+            part = min(_first_zero(near, look(near, _basis(near))[0]), part)
+        elif math.isinf(part) and (turn := _first_turn(positive, differences[:, :-1])):
             x = np.linspace(X[turn - 1], X[turn + 1], POINTS)
-            part = _first_zero(x, self._seen(x, start + x * h, path(x))[0])
-        return min(part, saturated), ahead
+            part = _first_zero(x, look(x, _basis(x))[0])
+        zeros = zip(positive[:, -1].tolist(), differences[:, -1].tolist(), strict=True)
+        return min(part, saturated), min((-end / rate for end, rate in zeros if rate < 0), default=math.inf)
 
-    def _seen(self, x: Array, t: Array, path: Array) -> tuple[Array, float]:
+    def _look(self, start: float, h: float, y: Array, moves: Array, x: Array, basis: Array) -> tuple[Array, float]:
         """(q, m) switching functions, positive at the start; and the part in which nothing saturates unseen."""
-        decisions = self.profile(t, path)
-        seen = np.array(decisions.seen).reshape(-1, len(x))
-        signs = _signs(seen)
-        if seen.size and ((signs * seen < 0).any() or not seen[:, 0].all()):
-            nearby = self.profile(t, path * (1.0 + EPS * np.resize(ROUNDED, path.shape[::-1]).T))
-            if len(nearby.seen) == len(seen):
-                noise = np.abs(np.array(nearby.seen) - seen).max(axis=1)
-                seen = seen[np.abs(seen).max(axis=1) > NOISE * noise]
-                signs = _signs(seen)
-        return signs * seen, _saturated(decisions.saturating)
+        t, path = start + x * h, y + moves @ basis
+        seen, saturating = self.decisions.again(t, path) if self.decisions else ([], [])
+        rows = np.array(seen).reshape(-1, len(x))
+        positive = self.signs * rows
+        if not self.decisions or not (positive > 0.0).all() and (_signs(rows) != self.signs).any():
+            self.decisions = self.profile(t, path)
+            seen, saturating = self.decisions.again(t, path)
+            rows = np.array(seen).reshape(-1, len(x))
+            self.signs = _signs(rows)
+            positive = self.signs * rows
+            self.is_smooth = not seen and not saturating
+        if not (positive > 0.0).all():
+            nearby = self.decisions.again(t, path * (1.0 + EPS * np.resize(ROUNDED, path.shape[::-1]).T))[0]
+            noise = np.abs(self.signs * nearby - positive).max(axis=1)
+            positive = positive[np.abs(positive).max(axis=1) > NOISE * noise]
+        return positive, _saturated(saturating) if saturating else math.inf
 
 
 def _just_before(time: float, closeness: float, shortest: float) -> float:
@@ -151,16 +165,11 @@ def _just_before(time: float, closeness: float, shortest: float) -> float:
     return step if step > AT_HAND * shortest else shortest
 
 
-def _cubic(x: Array, h: float, y: Array, f: Array, n: Array, g: Array) -> Array:
-    """(k, m) states within a step, by its ends and the derivatives there."""
-    z = 1.0 - x
-    return y + x * (n - y) + x * z * (z * (h * f - (n - y)) - x * (h * g - (n - y)))
-
-
 def _signs(seen: Array) -> Array:
     """(q, 1) signs at the start, or the first that is not zero."""
     first = np.argmax(seen != 0.0, axis=1)
-    return np.sign(np.take_along_axis(seen, first[:, None], axis=1))
+    signs: Array = np.sign(seen[np.arange(len(seen)), first])
+    return signs[:, None]
 
 
 def _first_zero(x: Array, positive: Array) -> float:
@@ -168,7 +177,9 @@ def _first_zero(x: Array, positive: Array) -> float:
 
     What is zero at the start, and only there, leaves zero: the derivative at the start may be that of the other side.
     """
-    if (x[0] == 0.0) and ((positive[:, 0] == 0.0) & (positive != 0.0).any(axis=1)).any():
+    if (positive > 0.0).all():
+        return math.inf
+    if x[0] == 0.0 and ((positive[:, 0] == 0.0) & (positive != 0.0).any(axis=1)).any():
         return 0.0
     below = positive < 0.0
     if not below.any():
@@ -178,26 +189,15 @@ def _first_zero(x: Array, positive: Array) -> float:
     return float(x[k - 1] + (x[k] - x[k - 1]) * (rows[:, 0] / (rows[:, 0] - rows[:, 1])).min())
 
 
-def _first_turn(positive: Array) -> int | None:
+def _first_turn(positive: Array, curvature: Array) -> int | None:
     """Return the number of a point near which one of them comes down to zero and turns back, by a parabola."""
-    if not positive.size:
-        return None
     a, b, c = positive[:, :-2], positive[:, 1:-1], positive[:, 2:]
-    curvature = a - 2 * b + c
+    if (b > 0.225 * curvature).all():
+        return None
     with np.errstate(all="ignore"):
         lowest = b - (a - c) ** 2 / (8 * curvature)
     points = np.flatnonzero(((b <= a) & (b <= c) & (curvature > 0) & (lowest < 0.1 * curvature)).any(axis=0))
     return int(points[0]) + 1 if len(points) else None
-
-
-def _next_zero(positive: Array) -> float:
-    """Return how far beyond the end, in steps, the first of them is zero, by its slope there."""
-    if not positive.size:
-        return math.inf
-    slope = (1.5 * positive[:, -1] - 2.0 * positive[:, -2] + 0.5 * positive[:, -3]) * (POINTS - 1)
-    with np.errstate(all="ignore"):
-        ahead = np.where(slope < 0, -positive[:, -1] / slope, math.inf)
-    return float(ahead.min())
 
 
 def _saturated(arguments: Sequence[Array]) -> float:
