@@ -34,12 +34,12 @@ def main():
     version = agreed_version()
     wheel, sdist = built()
     check_contents(wheel, sdist, version)
-    found = {name: path for name in PYTHONS if (path := python(name))}
-    for path in found.values():
+    pythons = {name: path for name in PYTHONS if (path := python(name))}
+    for path in pythons.values():
         tried(path, wheel, version)
-    tried(next(iter(found.values())), sdist, version)
-    absent = [name for name in PYTHONS if name not in found]
-    print(f"tam570 {version}: {wheel.name} works with Python {', '.join(found)}; {sdist.name} works too")
+    tried(next(iter(pythons.values())), sdist, version)
+    absent = [name for name in PYTHONS if name not in pythons]
+    print(f"tam570 {version}: {wheel.name} works with Python {', '.join(pythons)}; {sdist.name} works too")
     print(f"not tried, because not here: Python {', '.join(absent)}" if absent else "every Python was here")
     print(f"to publish: git tag v{version} && git push origin v{version}, then upload dist/")
 
@@ -64,23 +64,23 @@ def built():
 def check_contents(wheel, sdist, version):
     """The wheel is pure and holds every assignment; neither file holds a solution or a check."""
     with zipfile.ZipFile(wheel) as archive:
-        inside = archive.namelist()
+        names = archive.namelist()
     with tarfile.open(sdist) as archive:
         sources = [name.partition("/")[2] for name in archive.getnames()]
     if not wheel.name.endswith("-py3-none-any.whl") or version not in wheel.name:
         sys.exit(f"{wheel.name} is not a pure wheel of {version}")
-    if told := [name for name in [*inside, *sources] if SECRETS.search(name) and "tam570_grader" not in name]:
-        sys.exit(f"these files must stay out of a release: {', '.join(told)}")
-    if missing := [path.name for path in (COURSE / "assignments").glob("hw*") if f"/{path.name}/" not in str(inside)]:
+    if secret := [name for name in [*names, *sources] if SECRETS.search(name) and "tam570_grader" not in name]:
+        sys.exit(f"these files must stay out of a release: {', '.join(secret)}")
+    if missing := [path.name for path in (COURSE / "assignments").glob("hw*") if f"/{path.name}/" not in str(names)]:
         sys.exit(f"{wheel.name} lacks {', '.join(missing)}")
 
 
 def python(version):
     """The path of a Python of this version that works, or None."""
-    for place in [shutil.which(f"python{version}"), *Path.home().glob(f".pyenv/versions/{version}.*/bin/python")]:
-        ask = [str(place), "-c", "import sys, venv; print('%d.%d' % sys.version_info[:2])"]
-        if place and subprocess.run(ask, capture_output=True, text=True).stdout.strip() == version:
-            return str(place)
+    for path in [shutil.which(f"python{version}"), *Path.home().glob(f".pyenv/versions/{version}.*/bin/python")]:
+        ask = [str(path), "-c", "import sys, venv; print('%d.%d' % sys.version_info[:2])"]
+        if path and subprocess.run(ask, capture_output=True, text=True).stdout.strip() == version:
+            return str(path)
     return None
 
 

@@ -66,9 +66,9 @@ def graded(out):
     return [event for event in events if event["event"] == "graded"]
 
 
-def in_a_minute(place, count, seconds):
+def in_a_minute(root, count, seconds):
     """So many students hand in, evenly."""
-    source, out = place / "submitted", place / "results"
+    source, out = root / "submitted", root / "results"
     source.mkdir()
     process = watch(source, out)
     while not (out / "watch.key").exists():
@@ -99,13 +99,13 @@ def in_a_minute(place, count, seconds):
     }
 
 
-def made_exchange(place, teacher, student):
+def made_exchange(folder, teacher, student):
     """A course that the teacher has released, and the student's folder with the assignment."""
-    (exchange := place / "exchange").mkdir()
+    (exchange := folder / "exchange").mkdir()
     exchange.chmod(0o777)
     homes = {}
     for user in (teacher, student):
-        homes[user] = place / user
+        homes[user] = folder / user
         homes[user].mkdir()
         shutil.chown(homes[user], user)
     course, config = homes[teacher] / "course", CONFIG.format(name=NAME, exchange=exchange)
@@ -125,9 +125,9 @@ def _must(command, folder, user):
         raise SystemExit(f"{command}: {done.stderr}")
 
 
-def through_the_exchange(place, kills, draw, teacher, student):
+def through_the_exchange(folder, kills, rng, teacher, student):
     """The student hands in while the teacher's command is killed again and again."""
-    exchange, homes = made_exchange(place, teacher, student)
+    exchange, homes = made_exchange(folder, teacher, student)
     out, pipe = homes[teacher] / "results", {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True}
     nbgrader = subprocess.Popen([sys.executable, "-c", NBGRADER], cwd=homes[student], **pipe, **_as(student))
 
@@ -144,7 +144,7 @@ def through_the_exchange(place, kills, draw, teacher, student):
             (homes[student] / SLUG / f"{SLUG}.py").write_text(f"{TEXT}\n# {handed_in}\n{HALF if handed_in % 2 else ''}")
             nbgrader_does("submit", SLUG)
             handed_in += 1
-        time.sleep(draw.uniform(0.0, 8.0))
+        time.sleep(rng.uniform(0.0, 8.0))
         with contextlib.suppress(ProcessLookupError):
             os.kill(process.pid, signal.SIGKILL)
         process.wait()
@@ -173,17 +173,17 @@ def main():
     for name, default in (("--submissions", 500), ("--seconds", 60), ("--kills", 20), ("--seed", 1)):
         parser.add_argument(name, type=int, default=default)
     parser.add_argument("--users", nargs=2, metavar=("TEACHER", "STUDENT"), help="two Unix users; this needs root")
-    asked = parser.parse_args()
-    told = {}
+    options = parser.parse_args()
+    outcomes = {}
     with tempfile.TemporaryDirectory() as folder:
         os.chmod(folder, 0o755)
-        if asked.submissions:
-            told["in a folder"] = in_a_minute(Path(folder), asked.submissions, asked.seconds)
-        if asked.users:
-            draw = random.Random(asked.seed)
-            told["in nbgrader's exchange"] = through_the_exchange(Path(folder), asked.kills, draw, *asked.users)
-    print(json.dumps(told, indent=1))
-    record.write(record.RESULTS / "arrivals.json", **told)
+        if options.submissions:
+            outcomes["in a folder"] = in_a_minute(Path(folder), options.submissions, options.seconds)
+        if options.users:
+            rng = random.Random(options.seed)
+            outcomes["in nbgrader's exchange"] = through_the_exchange(Path(folder), options.kills, rng, *options.users)
+    print(json.dumps(outcomes, indent=1))
+    record.write(record.RESULTS / "arrivals.json", **outcomes)
 
 
 if __name__ == "__main__":

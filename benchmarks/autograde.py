@@ -75,9 +75,9 @@ def small(slug, folder, count, hang):
         path = folder / "submitted" / f"s{n:03}" / slug / "work.ipynb"
         _notebook(path, slug)
     if hang:
-        found = json.loads(path.read_text())
-        found["cells"][0]["source"] = "".join(found["cells"][0]["source"]) + HANGS
-        path.write_text(json.dumps(found))
+        notebook = json.loads(path.read_text())
+        notebook["cells"][0]["source"] = "".join(notebook["cells"][0]["source"]) + HANGS
+        path.write_text(json.dumps(notebook))
 
 
 RIGHT = {
@@ -110,7 +110,7 @@ def measured(slug, hang, count, repeats):
     ]
     rows = []
     for name in ways:
-        one, everyone = (min(turn[name][k] for turn in turns) for k in (0, 1))
+        single, everyone = (min(turn[name][k] for turn in turns) for k in (0, 1))
         rows.append(
             {
                 "assignment": slug,
@@ -119,7 +119,7 @@ def measured(slug, hang, count, repeats):
                 "submissions": count,
                 "seconds": everyone,
                 "seconds_each": everyone / count,
-                "one_more": (everyone - one) / (count - 1),
+                "one_more": (everyone - single) / (count - 1),
             }
         )
     return rows

@@ -28,7 +28,7 @@ def works(slug, kind):
     """What a class hands in, over and over."""
     solution = (COURSE / "solutions" / f"{slug}.py").read_text()
     mistakes = overlays(COURSE / "autograder" / "checks" / slug).values()
-    slips = [f"\n\n{one}" for one in mistakes] if kind == "wrong" else [""]
+    slips = [f"\n\n{mistake}" for mistake in mistakes] if kind == "wrong" else [""]
     return cycle(solution + slip for slip in slips)
 
 

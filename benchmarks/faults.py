@@ -79,27 +79,27 @@ def processes(pid):
     for folder in Path("/proc").glob("[0-9]*"):
         with contextlib.suppress(OSError):
             parents[int(folder.name)] = int((folder / "stat").read_text().rpartition(")")[2].split()[1])
-    depths, known = {pid: 0}, 0
-    while len(depths) > known:
-        known = len(depths)
+    depths, count = {pid: 0}, 0
+    while len(depths) > count:
+        count = len(depths)
         depths.update({child: depths[parent] + 1 for child, parent in parents.items() if parent in depths})
     return depths
 
 
-def with_kills(tree, out, kills, span, draw):
+def with_kills(tree, out, kills, span, rng):
     """Grade while processes are killed; how many of which kind, and how often the command had to be given."""
     killed, runs, left = Counter(), 0, kills
     while True:
         process, runs = start(tree, out), runs + 1
         while left and process.poll() is None:
-            time.sleep(draw.uniform(0.1, span / kills))
+            time.sleep(rng.uniform(0.1, span / kills))
             if process.poll() is not None:
                 break
             depths = processes(process.pid)
             if len({*depths.values()}) < STARTED:
                 continue
-            depth = draw.choice(sorted({*depths.values()}))
-            victim = draw.choice([pid for pid, level in depths.items() if level == depth])
+            depth = rng.choice(sorted({*depths.values()}))
+            victim = rng.choice([pid for pid, level in depths.items() if level == depth])
             with contextlib.suppress(ProcessLookupError):
                 os.kill(victim, signal.SIGKILL)
                 killed[WHO[min(depth, len(WHO) - 1)]] += 1
@@ -120,10 +120,10 @@ def disk(folder, size):
         subprocess.run(["umount", folder], check=True)
 
 
-def on_bad_disks(tree, place, calm, size):
+def on_bad_disks(tree, folder, calm, size):
     """Grade into a disk that is full, then read only, then well."""
-    with disk(place, size // HALF) as remount:
-        code, said = grade(tree, out := place / "results")
+    with disk(folder, size // HALF) as remount:
+        code, said = grade(tree, out := folder / "results")
         full = {"exit code": code, "says": said.splitlines()[-1]}
         remount("ro")
         code, said = grade(tree, out)
@@ -137,19 +137,19 @@ def main():
     parser = argparse.ArgumentParser(description="Grade while processes are killed, the disk is full, or read only.")
     for name, default in (("--submissions", 500), ("--kills", 50), ("--seed", 1)):
         parser.add_argument(name, type=int, default=default)
-    asked = parser.parse_args()
+    options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
-        place = Path(folder)
-        tree, began = hand_in(place / "submitted", asked.submissions), time.monotonic()
-        grade(tree, place / "calm")
-        span, calm = time.monotonic() - began, outcome(place / "calm")
-        kills = with_kills(tree, place / "killed", asked.kills, span, random.Random(asked.seed))
-        told = {"killed": {**kills, **compared(place / "killed", calm)}}
+        path = Path(folder)
+        tree, began = hand_in(path / "submitted", options.submissions), time.monotonic()
+        grade(tree, path / "calm")
+        span, calm = time.monotonic() - began, outcome(path / "calm")
+        kills = with_kills(tree, path / "killed", options.kills, span, random.Random(options.seed))
+        outcomes = {"killed": {**kills, **compared(path / "killed", calm)}}
         if os.geteuid() == 0:
-            size = (place / "calm" / "results.jsonl").stat().st_size
-            told |= on_bad_disks(tree, place / "disk", calm, size)
-    print(json.dumps(told, indent=1))
-    record.write(record.RESULTS / "faults.json", submissions=asked.submissions, **told)
+            size = (path / "calm" / "results.jsonl").stat().st_size
+            outcomes |= on_bad_disks(tree, path / "disk", calm, size)
+    print(json.dumps(outcomes, indent=1))
+    record.write(record.RESULTS / "faults.json", submissions=options.submissions, **outcomes)
 
 
 if __name__ == "__main__":

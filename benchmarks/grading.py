@@ -134,8 +134,8 @@ def _timed(task):
 def graded(slug, count, jobs):
     """Seconds of grading a class, of each in its second half, when all processes have started, and of the head."""
     with tempfile.TemporaryDirectory() as folder:
-        found = submissions([class_of(slug, count, Path(folder))], [slug])
-        config = RunConfig(COURSE, found, 570, jobs, ResourceLimits(), [COURSE])
+        handed_in = submissions([class_of(slug, count, Path(folder))], [slug])
+        config = RunConfig(COURSE, handed_in, 570, jobs, ResourceLimits(), [COURSE])
         started, head = time.perf_counter(), head_seconds()
         arrivals = []
         for record in tqdm(records(config), total=count, desc=slug, leave=False, disable=None):
@@ -165,7 +165,7 @@ def head_seconds():
     return usage.ru_utime + usage.ru_stime
 
 
-def told_of_jobs(slug, runs):
+def print_jobs(slug, runs):
     """How many times as fast several jobs are as one, and the most that any number can be: the head is one process."""
     if 1 not in runs:
         return
@@ -179,7 +179,7 @@ def told_of_jobs(slug, runs):
             )
 
 
-def told_of_peers(slug, runs, peers):
+def print_peers(slug, runs, peers):
     """How many times as fast as nbgrader the run with the most jobs is, its start included."""
     most = runs[max(runs)]
     for peer in peers:
@@ -285,14 +285,14 @@ def main():
         peers = [nbgrader(slug, 10) for _ in options.peers]
         rows += (new := [one_file(slug), *runs.values(), *peers])
         for row in new:
-            told(row)
-        told_of_jobs(slug, runs)
-        told_of_peers(slug, runs, peers)
+            print_row(row)
+        print_jobs(slug, runs)
+        print_peers(slug, runs, peers)
         if options.peers and not options.quick:
             record.write(RESULTS, rows=rows)  # a run takes an hour
 
 
-def told(row):
+def print_row(row):
     """Print a row of the table."""
     later = f"{row['steady_seconds_each'] * 1000:8.1f} later" if "steady_seconds_each" in row else ""
     head = f"{row['head_seconds_each'] * 1000:6.2f} of the head" if "head_seconds_each" in row else ""

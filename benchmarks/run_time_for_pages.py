@@ -25,9 +25,9 @@ def call(name):
     """(assignment, function, arguments, keywords) that a scene hands to a solution."""
     calls, original = [], scenes._handed_over
 
-    def noted(slug, function, *arguments, **given):
-        calls.append((slug, function, arguments, given))
-        return original(slug, function, *arguments, **given)
+    def noted(slug, function, *arguments, **keywords):
+        calls.append((slug, function, arguments, keywords))
+        return original(slug, function, *arguments, **keywords)
 
     scenes._handed_over = noted
     try:
@@ -37,35 +37,35 @@ def call(name):
     return calls[-1]
 
 
-def end_row(slug, function, arguments, given):
+def end_row(slug, function, arguments, keywords):
     """The last row of the solution's result, None if it is not an array of rows."""
-    found = getattr(scenes._loaded(scenes.SOLUTIONS / f"{slug}.py"), function)(*arguments, **given)
-    return None if isinstance(found, tuple) else np.asarray(found)[-1]
+    rows = getattr(scenes._loaded(scenes.SOLUTIONS / f"{slug}.py"), function)(*arguments, **keywords)
+    return None if isinstance(rows, tuple) else np.asarray(rows)[-1]
 
 
 def shared():
     """{assignment: what its page needs}, as it is written."""
     results = json.loads((HERE / "results" / "run_time_against_error.json").read_text())
     ends = json.loads((HERE / "results" / "run_time_references.json").read_text())
-    found = {}
+    pages = {}
     for name, scene in results["scenes"].items():
-        slug, function, arguments, given = call(name)
-        row, right = end_row(slug, function, arguments, given), np.array(ends[name]["state"], float)
+        slug, function, arguments, keywords = call(name)
+        row, right = end_row(slug, function, arguments, keywords), np.array(ends[name]["state"], float)
         if row is None or row.shape != right.shape or np.abs(row - right).max() > SAME * np.abs(right).max():
             continue
         curves = {
             method: [[_short(seconds), _short(error)] for _, seconds, error in scene["curves"][method] if error > 0]
             for method in METHODS
         }
-        found[slug] = {
+        pages[slug] = {
             "scene": name,
             "function": function,
             "end": right.tolist(),
             "curves": curves,
-            "arguments": [np.asarray(one).tolist() for one in arguments],
-            "keywords": {key: np.asarray(one).tolist() for key, one in given.items()},
+            "arguments": [np.asarray(argument).tolist() for argument in arguments],
+            "keywords": {key: np.asarray(argument).tolist() for key, argument in keywords.items()},
         }
-    return found
+    return pages
 
 
 def _short(number):

@@ -74,19 +74,19 @@ def graded():
     with tempfile.TemporaryDirectory() as folder:
         config = class_of(WORKS * len(SLUGS), Path(folder))
         lines = tqdm(batch.records(config), total=len(config.submissions), desc="grading", leave=False, disable=None)
-        return {work_of(one.student, one.assignment): one for one in map(read, lines)}
+        return {work_of(result.student, result.assignment): result for result in map(read, lines)}
 
 
 def work_of(student, slug):
     return slug, int(student.removeprefix("student")) % WORKS
 
 
-def write_journal(config, known, folder):
+def write_journal(config, results, folder):
     """`results.jsonl` as a run leaves it."""
     folder.mkdir()
     with open(folder / "results.jsonl", "w") as file:
         for student, slug, digest in batch.digests(config):
-            result = replace(known[work_of(student, slug)], student=student, digest=digest)
+            result = replace(results[work_of(student, slug)], student=student, digest=digest)
             file.write(json.dumps(result.record()) + "\n")
 
 
@@ -99,21 +99,21 @@ def measured(*arguments):
     return json.loads(done.stderr.splitlines()[-1])
 
 
-def costs(size, known):
+def costs(size, results):
     """What each command takes on a class of this size, in the order in which an instructor runs them."""
-    with tempfile.TemporaryDirectory() as place:
-        handed_in, out = Path(place) / "submitted", Path(place) / "out"
-        write_journal(class_of(size, handed_in), known, out)
+    with tempfile.TemporaryDirectory() as folder:
+        handed_in, out = Path(folder) / "submitted", Path(folder) / "out"
+        write_journal(class_of(size, handed_in), results, out)
         journal = (out / "results.jsonl").read_bytes()
         grade = "grade", handed_in, "--out", out, "--jobs", "1"
-        found = {"all pages": measured(*grade), "resume": measured(*grade)}
+        commands = {"all pages": measured(*grade), "resume": measured(*grade)}
         assert (out / "results.jsonl").read_bytes() == journal, "something was graded again"
         late = handed_in / "late" / SLUGS[0] / f"{SLUGS[0]}.py"
         late.parent.mkdir(parents=True)
         late.write_text(works(SLUGS[0])[0])
-        found |= {"late file": measured(*grade), "report": measured("report", out)}
+        commands |= {"late file": measured(*grade), "report": measured("report", out)}
         megabytes = (out / "report.html").stat().st_size / 1e6
-    return {"submissions": size, "journal_mb": len(journal) / 1e6, "page_mb": megabytes, **found}
+    return {"submissions": size, "journal_mb": len(journal) / 1e6, "page_mb": megabytes, **commands}
 
 
 def growth(rows, command):
@@ -123,7 +123,7 @@ def growth(rows, command):
     return math.log(seconds) / math.log(last["submissions"] / first["submissions"])
 
 
-def told(rows):
+def print_rows(rows):
     for row in rows:
         print(f"{row['submissions']} submissions, {row['journal_mb']:.1f} MB of results, page {row['page_mb']:.2f} MB")
         for command, cost in row.items():
@@ -142,11 +142,11 @@ def main():
     parser.add_argument("--sizes", type=int, nargs="+", default=[1000, 10000, 70000], metavar="N")
     parser.add_argument("--out", type=Path, default=RESULTS)
     options = parser.parse_args()
-    known, rows = graded(), []
+    results, rows = graded(), []
     for size in tqdm(sorted(options.sizes), desc="classes", leave=False, disable=None):
-        rows.append(costs(size, known))
+        rows.append(costs(size, results))
         record.write(options.out, rows=rows)
-    told(rows)
+    print_rows(rows)
 
 
 if __name__ == "__main__":

@@ -90,6 +90,6 @@ def special_motion(definition):
     return np.array([[0.0, 1, 0], [1, 1, 0], [0, -1, 0]]), np.array([[0.0, 0, 0], [1, 0, 0], [0, -1, 0]])
 
 
-def _check(definition, known="abc"):
-    if definition not in tuple(known):
-        raise ValueError(f"definition: one of {', '.join(known)}, got {definition!r}")
+def _check(definition, allowed="abc"):
+    if definition not in tuple(allowed):
+        raise ValueError(f"definition: one of {', '.join(allowed)}, got {definition!r}")

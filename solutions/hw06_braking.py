@@ -44,8 +44,8 @@ def free_body_diagram(state, locked, *, mass, front, rear, friction, gravity):
     Raises ValueError for another `locked`.
     """
     x, y, heading, _, _ = state
-    known = {"mass": mass, "front": front, "rear": rear, "friction": friction, "gravity": gravity}
-    along, aside = friction_force(state, locked, **known)
+    numbers = {"mass": mass, "front": front, "rear": rear, "friction": friction, "gravity": gravity}
+    along, aside = friction_force(state, locked, **numbers)
     free, arm = _axles(locked, front, rear)
     forward, sideways = (np.array([math.cos(angle), math.sin(angle)]) for angle in (heading, heading + math.pi / 2))
     at_free, at_locked = (np.array([x, y]) + distance * forward for distance in (free, free + arm))
@@ -123,8 +123,8 @@ def simulate(t, state, locked, *, mass, yaw_inertia, front, rear, friction, grav
         return np.tile(np.asarray(state, float), (len(t), 1))
     brink = min(since[-1], (1 - _LAST) * stop)
     times = np.append(since[since < brink], brink)
-    known = solve(_rates, times, state, parameters=car, rtol=1e-15)
-    rows = known[np.minimum(np.arange(len(t)), len(times) - 1)]
+    numbers = solve(_rates, times, state, parameters=car, rtol=1e-15)
+    rows = numbers[np.minimum(np.arange(len(t)), len(times) - 1)]
     rows[:, 3:] *= _share_of_speed(since, stop)[:, None]
     return rows
 

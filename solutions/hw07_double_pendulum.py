@@ -130,8 +130,8 @@ def on_the_fly(theta, omega, *, masses, lengths, gravity):
     """
     along, across = _directions(theta)
     matrix = _balances_and_constraints(along, across, masses)
-    known = _weights_and_centripetal(along, np.asarray(lengths) * np.square(omega), masses, gravity)
-    unknown = np.linalg.solve(matrix, known)
+    right_side = _weights_and_centripetal(along, np.asarray(lengths) * np.square(omega), masses, gravity)
+    unknown = np.linalg.solve(matrix, right_side)
     forces = unknown[6:].reshape(2, 2) * [[sum(masses)], [masses[1]]]
     return unknown[4:6] / lengths, forces
 
@@ -276,8 +276,8 @@ def _balances_and_constraints(along, across, masses):
 
 def _weights_and_centripetal(along, spins, masses, gravity):
     """(10,) right-hand side; spins = l omega^2 of the bars."""
-    known = np.zeros(10)
-    known[1], known[3] = -gravity * masses[0] / sum(masses), -gravity
-    known[CEILING] = -spins[0] / 2 * along[0]
-    known[ELBOW] = (spins[0] * along[0] + spins[1] * along[1]) / 2
-    return known
+    right_side = np.zeros(10)
+    right_side[1], right_side[3] = -gravity * masses[0] / sum(masses), -gravity
+    right_side[CEILING] = -spins[0] / 2 * along[0]
+    right_side[ELBOW] = (spins[0] * along[0] + spins[1] * along[1]) / 2
+    return right_side

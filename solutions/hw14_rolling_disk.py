@@ -144,8 +144,8 @@ def multiplier_state_derivative(t, state, *, mass, radius, inertia, gravity):
     )
     weight = np.array([0.0, 0.0, -gravity])
     gyroscopic = np.cross(omega, about_centre @ omega) / mass
-    known = np.concatenate([weight, -gyroscopic, -np.cross(omega, arm_rate)])
-    _, omega_rate, _ = np.linalg.solve(system, known).reshape(3, 3)
+    right_side = np.concatenate([weight, -gyroscopic, -np.cross(omega, arm_rate)])
+    _, omega_rate, _ = np.linalg.solve(system, right_side).reshape(3, 3)
     return np.concatenate([-np.cross(omega, arm), (_cross_matrix(omega) @ R).ravel(), omega_rate])
 
 

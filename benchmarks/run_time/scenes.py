@@ -26,13 +26,13 @@ def _capture(rhs, t, y0, *, parameters=None, **_):
     raise _Captured(rhs, tuple(float(y) for y in y0), dict(parameters or {}))
 
 
-def _handed_over(slug, function, *arguments, **given):
+def _handed_over(slug, function, *arguments, **keywords):
     """rhs, y0 and parameters of the first integration that a solution's function asks for."""
     original = tam570.integrate.solve
     tam570.integrate.solve = _capture
     try:
         module = _loaded(SOLUTIONS / f"{slug}.py")  # loaded now, so that it takes `solve` from above
-        getattr(module, function)(*arguments, **given)
+        getattr(module, function)(*arguments, **keywords)
     except _Captured as captured:
         return captured.args
     finally:
@@ -53,20 +53,20 @@ def _pendulum():
 
 
 def _ballistics():
-    given = {"mass": 0.5, "drag": 0.1, "gravity": G}
-    return *_handed_over("hw02_ballistics", "simulate", _times(20.0), 50.0, 0.8, **given), 20.0
+    keywords = {"mass": 0.5, "drag": 0.1, "gravity": G}
+    return *_handed_over("hw02_ballistics", "simulate", _times(20.0), 50.0, 0.8, **keywords), 20.0
 
 
 def _spring():
-    given = {"mass": 1.0, "stiffness": 7.0, "gravity": G}
+    keywords = {"mass": 1.0, "stiffness": 7.0, "gravity": G}
     start = [1.0, 0.2, -0.5], [0.3, -1.0, 0.4]
-    return *_handed_over("hw04_hanging_spring", "simulate", _times(100.0), *start, **given), 100.0
+    return *_handed_over("hw04_hanging_spring", "simulate", _times(100.0), *start, **keywords), 100.0
 
 
 def _constrained_pendulum():
-    given = {"mass": 1.0, "length": 1.0, "gravity": G}
+    keywords = {"mass": 1.0, "length": 1.0, "gravity": G}
     start = [1.0, 0.0, 0.0, 0.0]
-    return *_handed_over("hw05_constrained_pendulum", "simulate", _times(100.0), start, **given), 100.0
+    return *_handed_over("hw05_constrained_pendulum", "simulate", _times(100.0), start, **keywords), 100.0
 
 
 def _braking_car():
@@ -76,31 +76,31 @@ def _braking_car():
 
 
 def _double_pendulum():
-    given = {"masses": (1.0, 1.0), "lengths": (1.0, 1.0), "gravity": G}
+    keywords = {"masses": (1.0, 1.0), "lengths": (1.0, 1.0), "gravity": G}
     start = [PI / 2, PI / 2], [0.0, 0.0]
-    return *_handed_over("hw07_double_pendulum", "simulate", _times(10.0), *start, **given), 10.0
+    return *_handed_over("hw07_double_pendulum", "simulate", _times(10.0), *start, **keywords), 10.0
 
 
 def _free_rigid_body():
     start = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [0.1, 1.0, 0.2]
-    given = {"inertia": (1.0, 2.0, 3.0)}
-    return *_handed_over("hw10_free_rigid_body", "simulate", _times(100.0), *start, **given), 100.0
+    keywords = {"inertia": (1.0, 2.0, 3.0)}
+    return *_handed_over("hw10_free_rigid_body", "simulate", _times(100.0), *start, **keywords), 100.0
 
 
 def _bead():
-    given = {"curvature": 0.5, "gravity": G}
-    return *_handed_over("hw12_bead_on_wire", "simulate", _times(100.0), 2.0, 0.0, **given), 100.0
+    keywords = {"curvature": 0.5, "gravity": G}
+    return *_handed_over("hw12_bead_on_wire", "simulate", _times(100.0), 2.0, 0.0, **keywords), 100.0
 
 
 def _rolling_cylinder():
-    given = {"mass": 2.0, "radius": 0.5, "offset": 0.2, "inertia": 0.15, "slope": 0.1, "gravity": G}
-    return *_handed_over("hw13_rolling_cylinder", "simulate", _times(20.0), 0.3, 0.0, **given), 20.0
+    keywords = {"mass": 2.0, "radius": 0.5, "offset": 0.2, "inertia": 0.15, "slope": 0.1, "gravity": G}
+    return *_handed_over("hw13_rolling_cylinder", "simulate", _times(20.0), 0.3, 0.0, **keywords), 20.0
 
 
 def _rolling_disk():
-    given = {"mass": 1.0, "radius": 0.5, "inertia": (0.0625, 0.125), "gravity": G}
+    keywords = {"mass": 1.0, "radius": 0.5, "inertia": (0.0625, 0.125), "gravity": G}
     start = [0.0, 0.0, 0.0, 1.2, 0.0, 0.5, 0.1, 8.0]
-    return *_handed_over("hw14_rolling_disk", "simulate_euler", _times(10.0), start, **given), 10.0
+    return *_handed_over("hw14_rolling_disk", "simulate_euler", _times(10.0), start, **keywords), 10.0
 
 
 SCENES = {
