@@ -142,6 +142,7 @@ TABLE, VALUES = np.linspace(0, 10, 21), np.cos(1.7 * np.arange(22))
 GRID = np.linspace(0, 8, 801)
 TOOTH = np.where(np.arange(801) == 403, 100.0, 0.0)
 HALVES = tuple(np.arange(0.5, 6, 0.5))
+RAMP = (0, 6.4, 7.2, 8.8)
 JUMPS = {
     "step": against(forced(lambda t: 1.0 if t > 1 else 0.0), (0, 3), [0.0, 0.0], stops=(1,)),
     "short": against(forced(lambda t: 20.0 if 1 <= t <= 1.05 else 0.0), (0, 6), [0.0, 0.0], stops=(1, 1.05)),
@@ -162,6 +163,9 @@ JUMPS = {
         forced(lambda t: VALUES[np.searchsorted(TABLE, t)]), (0, 2.3), [1.0, 0.0], stops=HALVES[:4]
     ),
     "ramp": against(forced(lambda t: min(max(t - 1, 0.0), 0.5)), (0, 3), [1.0, 0.0], stops=(1, 1.5)),
+    "ramp at rest": against(
+        lambda t, y: (y[1], np.interp(t, RAMP, [0, 0, 2, -1]) - 0.3 * y[1]), (0, 8), [0.0, 0.0], stops=RAMP[1:3]
+    ),
     "abs in time": against(forced(lambda t: abs(t - 1.7)), (0, 3), [1.0, 0.0], stops=(1.7,)),
     "sawtooth": against(
         forced(lambda t: 5 * t - math.floor(5 * t)), (0.01, 1.1), [0.0, 0.0], stops=tuple(k / 5 for k in range(1, 6))
@@ -530,6 +534,20 @@ REFUSED = {
     "friction that holds": (lambda t, y: (-np.sign(y[0]),), (0, 3), [1.0], ArithmeticError, "to and fro at t = 1"),
     "a pole of time": (lambda t, y: (math.tan(t),), (0, 2), [0.0], ArithmeticError, r"t = 1\.57"),
     "a pole": (lambda t, y: (1 / math.sin(t),), (1, 4), [0.0], ArithmeticError, r"t = 3\.14"),
+    "a pole behind a branch": (
+        lambda t, y: (1 / math.tan(t) if t > 0 else 0.0,),
+        (1, 4),
+        [0.0],
+        ArithmeticError,
+        r"t = 3\.14",
+    ),
+    "poles behind a branch": (
+        lambda t, y: (math.tan(t) / (t * t - 2) if y[0] < 99 else 0.0,),
+        (0, 1.6),
+        [0.0],
+        ArithmeticError,
+        r"t = 1\.41",
+    ),
     "a pole of the state": (lambda t, y: (1, 1 / (y[0] - 1)), (0, 2), [0.0, 0.0], ArithmeticError, r"t = (1|0\.99)"),
     "a belt that holds": (
         lambda t, y: (y[1], -y[0] - 5.0 if -0.51 < y[1] < -0.5 else -y[0]),

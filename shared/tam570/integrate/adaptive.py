@@ -25,6 +25,8 @@ LOOKS = 40  # in a row: stiffness, where that is the cause, is told before
 KINKS = 30.0  # of the tolerance, so many times less where the rates may have kinks
 AFTER_A_JUMP = 6  # steps in a row, each as much longer than the one before as it may be
 FOREVER = 2**62
+SOON = 1e-8  # of a run: as long a ramp lasts
+RAMP = 1e-3  # of the rate soon after a start: what is less there is as good as zero
 
 
 class Control(NamedTuple):
@@ -278,9 +280,14 @@ def start_state(run: Run, a: Sequence[float] = ()) -> State:
             )
         check_start(engine.rates, origin, run.rows[0], engine.sign)
     first_step = engine.functions["first_step"]
-    h, g = first_step(origin, span, y, f, c), f
-    if h < 1e-8 * span:  # the rates may jump at the very start
-        onward = engine.functions["euler"](h, y, f)
+    g = f
+    if a and min(a) <= NO_SCALE:  # what a ramp has just set in motion: as before it
+        y = tuple(0.0 if size <= NO_SCALE else v for size, v in zip(a, y, strict=True))
+        both = zip(rhs(origin, y, c), rhs(origin + SOON * span, y, c), strict=True)
+        g = tuple(0.0 if abs(rate) < RAMP * abs(later) else rate for rate, later in both)
+    h = first_step(origin, span, y, g, c)
+    if h < SOON * span:  # the rates may jump at the very start
+        onward = engine.functions["euler"](h, y, g)
         g = rhs(origin + h, onward, c)
         h = max(h, first_step(origin + h, span, onward, g, c))
     if not control.atol:
@@ -296,7 +303,7 @@ def start_state(run: Run, a: Sequence[float] = ()) -> State:
             )
     h = control.first_step or h
     atol, nothing = tuple(control.atol) or tuple(a), (0.0,) * len(y)
-    return State(1, 0.0, h, y, nothing, f, atol, nothing, nothing, LARGEST, 0, 0, 0, RUNNING)
+    return State(1, 0.0, h, tuple(run.rows[0].tolist()), nothing, f, atol, nothing, nothing, LARGEST, 0, 0, 0, RUNNING)
 
 
 def _doubling(origin: float, h: float, span: float) -> list[float]:

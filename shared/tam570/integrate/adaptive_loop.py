@@ -31,6 +31,7 @@ DOUBLED = 2.0  # step size after an error that was rounding
 EXPONENT = -1 / 8  # of order 8
 JUMP = 1e-9  # move of the state, relative, by a change of the rates within the shortest of all steps: a jump of the
 # rates makes less of it, a singularity more
+POLE = 1e-6  # the same, where a step goes across a switch
 NOTHING = 0.1  # of the state: where rounding moves it by more it is all noise
 SUSPICIOUS = 0.005  # of the third's power 9/4: the error of exp(a t) and of its like is 0.02 and more, so that less is
 # an estimate of order 5 that passes through zero
@@ -155,13 +156,14 @@ def advance(
             if not _is_at_a_pole(measured, y, n, at_last):
                 fifth, third = error_norms(h, y, n, f, g, a, measured, part, part * rtol, stages)
                 error = _error(fifth, third, suspicious)
-        jumps = not error <= 1.0 and at_last and fifth < inf and _finite(n) and jump(h, y, n, f, g, a, rtol) <= JUMP
         if error <= 1.0 and not at_last and h > 2.0 * reach(origin + new, h, n, g, c):
             error = UNSEEN
         sure = passed(origin + t, h, y, f, n, g, error, shortest, c) if fifth < inf else inf
         is_cut = sure < h and not at_last
-        jumps = jumps or (at_last and sure <= h and _finite(n))
-        if (error <= 1.0 or jumps) and not is_cut:
+        crosses = at_last and sure <= h
+        largest = POLE if crosses else JUMP
+        jumps = at_last and fifth < inf and _finite(n) and jump(h, y, n, f, g, a, rtol) <= largest
+        if ((error <= 1.0 and not crosses) or jumps) and not is_cut:
             if jumps and _sets_in(y, n, a):
                 halt = SETS_IN
             if times[row] <= new:
@@ -170,7 +172,7 @@ def advance(
             h = _longer(h, error, growth, may_be_rounding, end)
             if at_last and pace > 0.0:  # it may have gone across a switch
                 h, pace = max(h, pace), 0.0
-                if sure <= h and _has_no_scale(a):
+                if crosses and _has_no_scale(a):
                     halt = SETS_IN
             growth, refused = LARGEST, 0
             steps += 1

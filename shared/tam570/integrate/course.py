@@ -38,7 +38,8 @@ class Decisions:
 
     slots      : of each operation and each constant the value, at m points or the same at all
     operations : slot, function and slots of its operands
-    seen       : slots of what it decides by; saturating : of the arguments of exp, tanh and their like
+    seen       : slots of what it decides by; saturating : of the arguments of exp, tanh and their like;
+    denominators : of what has a pole where it is zero
     """
 
     def __init__(self, t: Array, y: Array) -> None:
@@ -46,6 +47,7 @@ class Decisions:
         self.operations: list[tuple[int, Function, tuple[int, ...]]] = []
         self.seen: list[int] = []
         self.saturating: list[int] = []
+        self.denominators: list[int] = []
 
     def sign(self, course: "Course") -> float:
         """Note a difference; return its sign on the path that the function takes."""
@@ -60,7 +62,8 @@ class Decisions:
         return len(self.slots) - 1
 
     def forget_results(self) -> None:
-        """Keep the operations that lead to what is noted."""
+        """Keep the operations that lead to what is noted; of a function that decides by nothing else no poles."""
+        self.seen += self.denominators if self.seen else []
         needed = {*self.seen, *self.saturating}
         for slot, _, operands in reversed(self.operations):
             needed.update(operands if slot in needed else ())
@@ -89,7 +92,10 @@ def _arithmetic(function: Function, *, swapped: bool = False, notes: bool = Fals
         if not isinstance(other, Course | Real):
             return NotImplemented
         is_line = self.is_line and not isinstance(other, Course)
-        result = _applied(function, *((other, self) if swapped else (self, other)), is_line=is_line)
+        operands = (other, self) if swapped else (self, other)
+        result = _applied(function, *operands, is_line=is_line)
+        if function is _quotient and isinstance(operands[1], Course):
+            self.decisions.denominators.append(operands[1].slot)
         if notes and is_line:
             self.decisions.seen.append(result.slot)
         return result
@@ -305,6 +311,8 @@ def _lifted(function: Function) -> Numbers:
             and (smooth := getattr(np, NUMPY_NAMES.get(name, name), None))
             and isinstance(smooth, np.ufunc)
         ):
+            if name == "tan":
+                courses[0].decisions.denominators.append(_applied(np.cos, *arguments).slot)
             return _applied(smooth, *arguments)
         if not scalars and getattr(function, "__module__", "") == "numpy" or isinstance(function, np.ufunc):
             try:

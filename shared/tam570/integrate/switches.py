@@ -9,6 +9,7 @@ function cannot be evaluated like this no step is longer than a thousandth of th
 import math
 from collections.abc import Sequence
 from functools import partial
+from typing import NoReturn
 
 import numpy as np
 
@@ -27,6 +28,8 @@ ROUNDED = (1.37, -2.91, 1.82, -5.3)  # units in the last place, by which states 
 UNSEEN = 1000.0  # steps at least of a run whose switches cannot be seen
 NOISE = 16.0  # times that change: what is less has no sign
 CHATTER = 60  # switches in a row
+KEPT = 10_000  # steps refused in a row, all of them from where a switching function is zero
+NEAR = 1e-9  # of a state: what it changes in a switching function is zero
 MOVES_ON = 1e-4  # of the step that they cut, from one switch to the next: with less the motion does not move on
 REACH = 4.0  # tanh(4) is 1 to 7e-4, exp(-4) is 0.02: from twice that on a pulse is seen
 EPS = 2.0**-52
@@ -59,6 +62,10 @@ class Switches:
         self.signs = np.empty((0, 1))  # of that, at the start of the step
         self.is_smooth = False  # whether it decides nothing
         self.is_near = False  # whether the last step was at a switch
+        self.may_keep = self.is_accepted = (
+            False  # whether what is zero at both ends of the step is zero inside: a cubic is not the motion
+        )
+        self.kept = 0  # steps refused since a switching function is zero
         self.crossings: list[float] = []  # times, each soon after the one before
 
     def reach(self, start: float, h: float, y: Numbers, f: Numbers, c: Numbers) -> float:
@@ -89,6 +96,7 @@ class Switches:
         moves[1:] *= h
         moves[0] = moves[0] - y if error <= 1.0 else moves[1]
         try:
+            self.may_keep, self.is_accepted = h > 2.0 * shortest, error <= 1.0
             part, ahead = self._first_switch(start, h, shortest, np.array(y)[:, None], moves.T)
         except Exception as reason:  # whatever it says to courses, it then gets numbers alone
             self.reason = f"{type(reason).__name__}: {reason}"
@@ -96,6 +104,10 @@ class Switches:
         is_at_switch = h <= 2.0 * shortest
         if is_at_switch:
             self._count(start, y)
+        elif self.kept or error > 1.0:
+            self.kept = self.kept + (error > 1.0) if self._is_at_zero(start, np.array(y)[:, None]) else 0
+            if self.kept == KEPT:
+                self._stay(start, y)
         if part > 1.0:
             if error <= 1.0:
                 self.is_near = is_at_switch
@@ -114,11 +126,22 @@ class Switches:
             self.crossings, self.pace, self.longest = [], self.longest, 0.0
         self.crossings.append(start)
         if len(self.crossings) > CHATTER and start - self.crossings[-CHATTER] < CHATTER * MOVES_ON * self.pace:
-            raise ArithmeticError(
-                f"the rates jump to and fro at t = {self.sign * start:.9g}, y = {list(y)}: the motion stays "
-                "where they jump. Friction that holds a body at rest has no rate there: stop at an event, or smooth "
-                "the jump"
-            )
+            self._stay(start, y)
+
+    def _stay(self, start: float, y: Numbers) -> NoReturn:
+        raise ArithmeticError(
+            f"the rates jump to and fro at t = {self.sign * start:.9g}, y = {list(y)}: the motion stays "
+            "where they jump. Friction that holds a body at rest has no rate there: stop at an event, or smooth "
+            "the jump"
+        )
+
+    def _is_at_zero(self, start: float, y: Array) -> bool:
+        """Return whether a switching function is zero here, as far as a state can be known."""
+        path = y * (1.0 + NEAR * np.resize((0.0, *ROUNDED), (len(y), len(ROUNDED) + 1)))
+        rows = self.decisions.again(np.full(path.shape[1], start), path)[0] if self.decisions else []
+        seen = np.array(rows).reshape(-1, path.shape[1])
+        changes = np.abs(seen - seen[:, :1]).max(axis=1)
+        return bool(((np.abs(seen[:, 0]) <= changes) & (changes > 0.0)).any())
 
     def _first_switch(self, start: float, h: float, shortest: float, y: Array, moves: Array) -> tuple[float, float]:
         """Return the part of the step at which a switch is passed first, and how far beyond its end the next one is.
@@ -155,7 +178,13 @@ class Switches:
         if not (positive > 0.0).all():
             nearby = self.decisions.again(t, path * (1.0 + EPS * np.resize(ROUNDED, path.shape[::-1]).T))[0]
             noise = np.abs(self.signs * nearby - positive).max(axis=1)
-            positive = positive[np.abs(positive).max(axis=1) > NOISE * noise]
+            near = NEAR / EPS * noise
+            turns = np.abs(positive[:, 2]) > 3.0 * np.abs(positive[:, 1])  # twice a linear one, four times a square
+            is_kept = (np.abs(positive[:, 0]) <= near) & np.where(
+                self.is_accepted, np.abs(positive[:, -1]) <= near, turns
+            )
+            is_noise = np.abs(positive).max(axis=1) <= NOISE * noise
+            positive = positive[~(is_noise | is_kept & self.may_keep)]
         return positive, _saturated(saturating) if saturating else math.inf
 
 
