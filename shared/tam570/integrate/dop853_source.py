@@ -7,6 +7,7 @@ a_i + b_i + rtol max(|y_i|, |n_i|).
 """
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache
 from types import CodeType
@@ -16,7 +17,7 @@ from tam570.integrate.formulas import Formulas, by_call, names, tuple_of, unpack
 from tam570.integrate.tableau import FIFTH, LESS, NODES, ROWS, Row, interpolant
 from tam570.values import Function, Numbers
 
-__all__ = ["ESTIMATE_ROUNDOFF", "REACH", "compiled", "functions"]
+__all__ = ["ESTIMATE_ROUNDOFF", "REACH", "compiled", "functions", "sampling"]
 
 KEPT = range(5, 12)  # the stages that the interpolant takes over from the step
 UNIT_ROUNDOFF = 2.0**-53
@@ -32,8 +33,8 @@ SWEEPS = (
 )  # the rounding of one rate shifts that component, and so on the rates of others: chains of four
 
 
-def functions(formulas: Formulas, sampled: bool = True, forgiving: bool = True) -> str:
-    """Source of `rhs`, `euler`, and of what `adaptive_loop.GENERATED` names; of `dense` and `at` if sampled.
+def functions(formulas: Formulas, forgiving: bool = True) -> str:
+    """Source of `rhs`, `euler`, and of what `adaptive_loop.GENERATED` names but `dense` and `at`.
 
     forgiving : Python raises an error on overflow, where compiled code goes on with infinity
     """
@@ -47,7 +48,15 @@ def functions(formulas: Formulas, sampled: bool = True, forgiving: bool = True) 
     parts += [_forgiving(reach, "inf") if forgiving and formulas.exponents else reach]
     parts += [["def passed(start, h, y, f, n, g, error, shortest, c):", "return inf"]]
     parts += [_euler(formulas), _error_norms(formulas), _jump(formulas), _lesser(formulas)]
-    parts += [_dense(inner), _at(formulas)] if sampled else []
+    return _source(parts)
+
+
+def sampling(formulas: Formulas, forgiving: bool = True) -> str:
+    """Source of `dense` and `at`: states inside of a step."""
+    return _source([_dense(formulas if forgiving else by_call(formulas)), _at(formulas)])
+
+
+def _source(parts: list[list[str]]) -> str:
     return "\n\n".join("\n    ".join(part) for part in parts) + "\n"
 
 
@@ -249,10 +258,11 @@ def _at(formulas: Formulas) -> list[str]:
 def compiled(formulas: Formulas, sampled: bool, called_function: Function | None = None) -> dict[str, Numbers]:
     """Return the functions by name; `given` is what formulas of `call_of` call."""
     namespace: dict[str, Numbers] = {**vars(math), "given": called_function, "dense": None, "at": None}
-    exec(_code(formulas, sampled), namespace)
+    for write in (functions, sampling)[: 1 + sampled]:
+        exec(_code(write, formulas), namespace)
     return namespace
 
 
 @lru_cache(maxsize=256)
-def _code(formulas: Formulas, sampled: bool) -> CodeType:
-    return compile(functions(formulas, sampled), "<tam570 step>", "exec")
+def _code(write: Callable[[Formulas], str], formulas: Formulas) -> CodeType:
+    return compile(write(formulas), "<tam570 step>", "exec")

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from tam570.integrate import solve
-from tam570.integrate.dop853_source import functions
+from tam570.integrate.dop853_source import functions, sampling
 from tam570.integrate.engine import engine
 from tam570.integrate.formulas import written
 from tam570.integrate.symbols import Untraceable
@@ -18,7 +18,7 @@ from tam570.integrate.trace import traced
 def operations(rhs, size, **parameters):
     """Operations of one evaluation and of one step, counted in the generated source."""
     formulas, _ = written(traced(functools.partial(rhs, **parameters), size))
-    tree = ast.parse(functions(formulas))
+    tree = ast.parse(functions(formulas) + sampling(formulas))
     return {
         function.name: sum(isinstance(node, (ast.BinOp, ast.UnaryOp, ast.Call)) for node in ast.walk(function))
         for function in tree.body

@@ -19,7 +19,7 @@ from tam570.integrate.compiled.ir import Operand
 from tam570.integrate.compiled.llvm import function
 from tam570.integrate.compiled.recurrences import NotAnalytic, Recurrences, recurrences
 from tam570.integrate.compiled.series import layout
-from tam570.integrate.dop853_source import functions
+from tam570.integrate.dop853_source import functions, sampling
 from tam570.integrate.error_scale import NO_SCALE, SHARE
 from tam570.integrate.fixed_loop import FixedState
 from tam570.integrate.formulas import Formulas
@@ -224,7 +224,7 @@ def dop853(formulas: Formulas) -> Callable[..., State]:
     """Return `advance` of adaptive_loop, compiled."""
     zeros = (0.0,) * formulas.size
     like = State(0, 0.0, 0.0, zeros, zeros, zeros, zeros, zeros, zeros, 0.0, 0, 0, 0, 0)
-    generated = functions(formulas, forgiving=False)
+    generated = functions(formulas, forgiving=False) + sampling(formulas, forgiving=False)
     return _loop(adaptive_loop, generated, "advance", like, formulas.constants, adaptive_loop.GENERATED)
 
 
