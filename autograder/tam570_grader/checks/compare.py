@@ -91,6 +91,8 @@ def compare(  # noqa: PLR0913  what a check says of a comparison, each by its na
             get_context().add_example(
                 function, case, member, None, right_part, quantity=what, scale=size, tolerance=tolerance
             )
+            few_or_many = "many" if np.size(part) > np.size(right_part) else "few"
+            expect_that(np.shape(part) == np.shape(right_part), f"{what}: you return too {few_or_many} numbers")
             _infinite_alike(part, right_part, what, ask)
             expect(part, right_part, quantity=what, unit=its_unit, hint=ask, **limits)
     return results

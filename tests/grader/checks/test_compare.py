@@ -45,6 +45,13 @@ def test_each_member_of_a_tuple_has_words_of_its_own():
     assert "place is wrong by 5 m" in said(compare, item, lambda: (np.full(2, 6.0), 3.0), [Case()])
 
 
+@pytest.mark.parametrize("count", [1, 3])
+def test_a_result_of_any_length_with_another_length_is_wrong(count):
+    roots = array(None).described("the roots", "m")
+    with check_context(), pytest.raises(Failed):
+        compare(student(roots, np.ones(count)), lambda: np.ones(2), [Case()], tolerance=1e-9, hint=max)
+
+
 def test_rows_are_judged_by_the_columns_of_results_and_tell_the_time():
     motion = rows(2, columns=(Column("x", "m", [0]), Column("v", "m/s", [1])))
     t, actual = np.array([0.0, 1.0, 2.5]), np.array([[1.0, 2.0], [1.0, 2.0], [1.0, 9.0]])
