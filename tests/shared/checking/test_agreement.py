@@ -6,6 +6,7 @@ import pytest
 from parameters import SLUGS, first
 
 from tam570.checking import deadline, session
+from tam570.checking.examples import FILE, closed
 from tam570.checking.trail import Trail
 from tam570.progress import recalled
 from tam570_grader.checks import assignments
@@ -70,3 +71,11 @@ def test_known_mistakes_fail_at_home_and_at_the_same_function(clock, desk, cours
         else:
             assert recalled(file)[0]["next"] in faulted(grade(slug, text, naming=False)), mistake.message
     assert len(passing) <= 0.1 * len(known_mistakes), passing
+
+
+@pytest.mark.parametrize("slug", SLUGS)
+def test_home_has_the_sentences_of_today(slug, course):
+    """`tam570-grader stubs --examples` writes them again."""
+    at_home = json.loads((course / "assignments" / slug / FILE).read_text())["mistakes"]
+    today = {closed(mistake.message) for mistake in mistakes(assignments.checks_folder(course, slug))}
+    assert {mistake["message"] for mistake in at_home} <= today
