@@ -30,7 +30,7 @@ def strict(function):
     return called
 
 solution = runpy.run_path({solution!r})
-globals().update((name, strict(solution[name])) for name in solution["__all__"])
+globals().update({{name: strict(solution[name]) for name in solution["__all__"]}})
 """
 
 
