@@ -372,6 +372,12 @@ EDGES = {
     "stiff": against(lambda t, y: (-1e4 * (y[0] - math.cos(t)),), (0, 0.3), [1.0], longest=1e-3),
     "fast start": against(lambda t, y: (-1e5 * y[0], y[0]), (0, 0.05), [1.0, 0.0], exact=[0.0, 1e-5]),
     "from zero": against(lambda t, y: (y[1], 1e6 * (math.sin(t) - y[0])), (0, 0.5), [0.0, 0.0], longest=1e-3),
+    "on a circle": against(
+        lambda t, y: (y[1], -y[0]) if y[0] ** 2 + y[1] ** 2 > 1 else (y[1], -y[0]), (0, 3), [1.0, 0.0], exact=SINE
+    ),
+    "from a switch": against(
+        lambda t, y: (y[1], 0.0 if y[0] < 0.5 else -1.0), (0, 1), [0.5, 0.275], exact=[0.37625, -0.275]
+    ),
     "tiny beside large": against(lambda t, y: (y[1], -y[0], -y[2]), (0, 3), [1e6, 0.0, 1e-6], longest=0.01),
 }
 
@@ -453,6 +459,12 @@ def test_no_window_of_time_or_state_is_stepped_over(name):
     if of_state:
         end = solve(lambda t, y: (1.0 + float(window(y[0])),), [0, 2.9], [0.0], rtol=RTOL)[-1, 0]
         assert end == pytest.approx(2.9 + of_state, rel=100 * RTOL)
+
+
+def test_a_start_has_its_answer_whatever_started_before():
+    starts = np.linspace([-1.0, 0.1], [1.0, -0.4], 5)
+    passed = functools.partial(solve, lambda t, y: (y[1], 1.0 if 0.2 < y[0] < 0.5 else -y[0]), [0, 4])
+    assert (passed(starts) == [passed(start) for start in starts]).all()
 
 
 def test_what_a_function_keeps_are_numbers():
@@ -555,6 +567,13 @@ REFUSED = {
         [1.0, 0.0],
         ArithmeticError,
         "to and fro at t = 2.6",
+    ),
+    "a circle that holds": (
+        lambda t, y: (y[1], -y[0] - math.copysign(0.1, y[0] ** 2 + y[1] ** 2 - 0.9) * y[1]),
+        (0, 5),
+        [1.0, 0.0],
+        ArithmeticError,
+        "to and fro at t = 1.33",
     ),
     "complex start": (lambda t, y: (-y[0],), (0, 1), [1.0 + 1j], ValueError, "^y0"),
     "a column": (lambda t, y: (y[1], -y[0]), (0, 1), [[1.0], [0.0]], ValueError, "^y0.*ravel"),

@@ -15,6 +15,7 @@ from tam570.integrate.compilation import Estimate, WorthCompiling
 from tam570.integrate.engine import Engine, Mistraced
 from tam570.integrate.error_scale import NO_SCALE, SHARE, error_scale
 from tam570.integrate.stiffness import COMPILED, PYTHON, Look, stiffness_watch
+from tam570.integrate.switches import chatter
 from tam570.values import Numbers
 
 __all__ = ["BETWEEN_LOOKS", "Control", "Run", "Solution", "integrate", "shortest_step", "sizes", "start_run", "step_n"]
@@ -94,6 +95,8 @@ def integrate(engine: Engine, times: Array, start: Array, how: str, control: Con
     code: so the states are those of "python" or those of "compiled", to the last bit.
     ArithmeticError, with the time, where the rates or the state cease to be finite, or the equations become stiff.
     """
+    if engine.switches:
+        engine.switches.begin()
     in_python = control.project is not None or control.on_step is not None
     if how == "compiled" and (in_python or engine.graph is None):
         raise ValueError('method: "compiled" needs an rhs without branches or conversions, and no project; try "auto"')
@@ -231,11 +234,7 @@ def check_progress(run: Run, state: State) -> None:
     is_idle = state.refusals - refusals > tried / 4 and (state.t - t) * OUT_OF_REACH < (run.since[-1] - state.t) * tried
     run.looked, run.idle = (state.t, state.steps, state.refusals), run.idle + 1 if is_idle else 0
     if run.idle == LOOKS:
-        where = run.engine.sign * (run.origin + state.t)
-        raise ArithmeticError(
-            f"the rates jump to and fro at t = {where:.9g}, y = {list(state.y)}: steps of {state.h:.1g} do not end. "
-            "Friction that holds a body at rest has no rate there: stop at an event, or smooth the jump"
-        )
+        raise chatter(run.engine.sign * (run.origin + state.t), state.y)
 
 
 def sizes(state: State, rtol: float) -> list[float]:

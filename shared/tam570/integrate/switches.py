@@ -9,7 +9,6 @@ function cannot be evaluated like this no step is longer than a thousandth of th
 import math
 from collections.abc import Sequence
 from functools import partial
-from typing import NoReturn
 
 import numpy as np
 
@@ -18,7 +17,7 @@ from tam570.integrate.binding import Rates
 from tam570.integrate.course import Decisions, along
 from tam570.values import Numbers
 
-__all__ = ["Switches"]
+__all__ = ["Switches", "chatter"]
 
 POINTS = 17  # of a step
 X = np.linspace(0.0, 1.0, POINTS)
@@ -28,6 +27,7 @@ ROUNDED = (1.37, -2.91, 1.82, -5.3)  # units in the last place, by which states 
 UNSEEN = 1000.0  # steps at least of a run whose switches cannot be seen
 NOISE = 16.0  # times that change: what is less has no sign
 CHATTER = 60  # switches in a row
+LEAVING = 200  # points of a step from a switch
 KEPT = 10_000  # steps refused in a row, all of them from where a switching function is zero
 NEAR = 1e-9  # of a state: what it changes in a switching function is zero
 MOVES_ON = 1e-4  # of the step that they cut, from one switch to the next: with less the motion does not move on
@@ -46,6 +46,14 @@ DIFFERENCES = np.diff(np.eye(POINTS), 2, axis=0).T  # of neighbouring points, an
 DIFFERENCES = np.column_stack([DIFFERENCES, (POINTS - 1) * np.r_[np.zeros(POINTS - 3), 0.5, -2.0, 1.5]])
 
 
+def chatter(t: float, y: Sequence[float]) -> ArithmeticError:
+    """Return the error of a motion that stays where the rates jump."""
+    return ArithmeticError(
+        f"the rates jump to and fro at t = {t:.9g}, y = {list(y)}: the motion stays where they jump. Friction that "
+        "holds a body at rest has no rate there: stop at an event, or smooth the jump"
+    )
+
+
 class Switches:
     """What is known of the switches of one right-hand side along a run.
 
@@ -56,15 +64,18 @@ class Switches:
         self.span, self.sign = span, sign
         self.profile = along(rates, size)
         self.reason = ""
+        self.is_smooth = False  # whether it decides nothing
+        self.begin()
+
+    def begin(self) -> None:
+        """Forget the run before."""
         self.time, self.distance = math.nan, math.inf  # from the end of the last step to the next switch
         self.pace = self.longest = 0.0  # s, of steps before the last switches, and since
         self.decisions: Decisions | None = None  # what it decided by last
         self.signs = np.empty((0, 1))  # of that, at the start of the step
-        self.is_smooth = False  # whether it decides nothing
         self.is_near = False  # whether the last step was at a switch
-        self.may_keep = self.is_accepted = (
-            False  # whether what is zero at both ends of the step is zero inside: a cubic is not the motion
-        )
+        self.may_keep = self.is_accepted = False  # of the step: whether what is zero at its ends is zero inside
+        self.leaving = 0.0  # s, until the state is another than at a start at a switch
         self.kept = 0  # steps refused since a switching function is zero
         self.crossings: list[float] = []  # times, each soon after the one before
 
@@ -96,18 +107,23 @@ class Switches:
         moves[1:] *= h
         moves[0] = moves[0] - y if error <= 1.0 else moves[1]
         try:
+            path = np.array(y)[:, None], moves.T
             self.may_keep, self.is_accepted = h > 2.0 * shortest, error <= 1.0
-            part, ahead = self._first_switch(start, h, shortest, np.array(y)[:, None], moves.T)
+            part, ahead = self._first_switch(start, h, shortest, *path)
+            if part == 0.0 and not self.leaving:
+                self.leaving = self._leave(start, h, shortest, *path)
         except Exception as reason:  # whatever it says to courses, it then gets numbers alone
             self.reason = f"{type(reason).__name__}: {reason}"
             return math.inf
+        shortest = max(shortest, self.leaving)
         is_at_switch = h <= 2.0 * shortest
+        self.leaving *= error > 1.0
         if is_at_switch:
             self._count(start, y)
         elif self.kept or error > 1.0:
             self.kept = self.kept + (error > 1.0) if self._is_at_zero(start, np.array(y)[:, None]) else 0
             if self.kept == KEPT:
-                self._stay(start, y)
+                raise chatter(self.sign * start, y)
         if part > 1.0:
             if error <= 1.0:
                 self.is_near = is_at_switch
@@ -126,14 +142,7 @@ class Switches:
             self.crossings, self.pace, self.longest = [], self.longest, 0.0
         self.crossings.append(start)
         if len(self.crossings) > CHATTER and start - self.crossings[-CHATTER] < CHATTER * MOVES_ON * self.pace:
-            self._stay(start, y)
-
-    def _stay(self, start: float, y: Numbers) -> NoReturn:
-        raise ArithmeticError(
-            f"the rates jump to and fro at t = {self.sign * start:.9g}, y = {list(y)}: the motion stays "
-            "where they jump. Friction that holds a body at rest has no rate there: stop at an event, or smooth "
-            "the jump"
-        )
+            raise chatter(self.sign * start, y)
 
     def _is_at_zero(self, start: float, y: Array) -> bool:
         """Return whether a switching function is zero here, as far as a state can be known."""
@@ -161,6 +170,14 @@ class Switches:
             part = _first_zero(x, look(x, _basis(x))[0])
         zeros = zip(positive[:, -1].tolist(), differences[:, -1].tolist(), strict=True)
         return min(part, saturated), min((-end / rate for end, rate in zeros if rate < 0), default=math.inf)
+
+    def _leave(self, start: float, h: float, shortest: float, y: Array, moves: Array) -> float:
+        """Return after how many s no switching function is zero as at the start: a state of 1 moves by no 1e-30."""
+        x = np.append(0.0, np.geomspace(min(shortest / h, 1.0), 1.0, LEAVING))
+        seen = np.array(self.decisions.again(start + x * h, y + moves @ _basis(x))[0]) if self.decisions else y[:0]
+        leaving = seen[(seen[:, 0] == 0.0) & (seen != 0.0).any(axis=1)] != 0.0
+        time = 2.0 * h * float(x[np.argmax(leaving.all(axis=0))])
+        return time if time > CHATTER * shortest else shortest
 
     def _look(self, start: float, h: float, y: Array, moves: Array, x: Array, basis: Array) -> tuple[Array, float]:
         """(q, m) switching functions, positive at the start; and the part in which nothing saturates unseen."""
