@@ -423,6 +423,7 @@ WINDOWS = {
     "modulo": (lambda x: 1.0 < x % 1.5 < 1.02, 0.04, 0.02),
     "numpy.mod": (lambda x: (np.mod(x, 1.5) > 1) & (np.mod(x, 1.5) < 1.02), 0.04, 0.02),
     "fmod": (lambda x: 1.0 < math.fmod(x, 1.5) < 1.02, 0.04, 0.02),
+    "remainder": (lambda x: math.remainder(x, 2) < -0.99, 0.01, 0.005),
     "sine": (lambda x: math.sin(x) > math.cos(0.01), 0.02, 0.01),
     "product": (lambda x: 1.0 < x * x < 1.0201, 0.01, 0.005),
     "logical_and": (lambda x: np.logical_and(x > 1, x < 1.01), 0.01, 0.005),

@@ -289,17 +289,11 @@ def start_state(run: Run, a: Sequence[float] = ()) -> State:
         onward = engine.functions["euler"](h, y, g)
         g = rhs(origin + h, onward, c)
         h = max(h, first_step(origin + h, span, onward, g, c))
-    if not control.atol:
+    if not control.atol and min(a, default=0.0) <= NO_SCALE:
         later = _doubling(origin, h, span) if engine.formulas.timed else ()
-        if not a:
-            sizes = error_scale(rhs, origin, h, y, g, [0.0] * len(y), c, later)
-            a = tuple(max(SHARE * control.rtol * size, NO_SCALE) for size in sizes)
-        elif min(a) <= NO_SCALE:
-            fresh = error_scale(rhs, origin, h, y, g, [0.0] * len(y), c, later)
-            a = tuple(
-                max(SHARE * control.rtol * s, NO_SCALE) if size <= NO_SCALE else size
-                for s, size in zip(fresh, a, strict=True)
-            )
+        sizes = error_scale(rhs, origin, h, y, g, [0.0] * len(y), c, later)
+        fresh = (max(SHARE * control.rtol * size, NO_SCALE) for size in sizes)
+        a = tuple(new if old <= NO_SCALE else old for new, old in zip(fresh, a or [0.0] * len(y), strict=True))
     h = control.first_step or h
     atol, nothing = tuple(control.atol) or tuple(a), (0.0,) * len(y)
     return State(1, 0.0, h, tuple(run.rows[0].tolist()), nothing, f, atol, nothing, nothing, LARGEST, 0, 0, 0, RUNNING)

@@ -9,7 +9,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from tam570.integrate.symbols import FUNCTIONS, Symbol, Value
+from tam570.integrate.symbols import NUMPY_NAMES, Symbol, Value
 from tam570.integrate.trace import Graph
 from tam570.values import Numbers
 
@@ -113,27 +113,19 @@ def _refined(timed: list[Symbol], symbol: Symbol, low: float, high: float, *, tu
 
 def _values(timed: list[Symbol], t: Array) -> dict[int, Array]:
     """Return what each function of time is at the times."""
-    numpy_names = {plain: name for name, plain in FUNCTIONS.items() if name.startswith("arc")}
     computed: dict[int, Array] = {}
 
     def value(argument: Value) -> Numbers:
         return computed[argument.number] if isinstance(argument, Symbol) else argument
 
-    arithmetic = {
-        "+": np.add,
-        "-": np.subtract,
-        "*": np.multiply,
-        "/": np.true_divide,
-        "neg": np.negative,
-        "pow": np.power,
-    }
+    arithmetic = {"+": np.add, "-": np.subtract, "*": np.multiply, "/": np.true_divide, "neg": np.negative}
     with np.errstate(all="ignore"):
         for symbol in timed:
             operands = [value(a) for a in symbol.arguments]
             if not symbol.arguments:
                 computed[symbol.number] = t
                 continue
-            function = arithmetic.get(symbol.name) or getattr(np, numpy_names.get(symbol.name, symbol.name), None)
+            function = arithmetic.get(symbol.name) or getattr(np, NUMPY_NAMES.get(symbol.name, symbol.name), None)
             scalar = np.vectorize(getattr(math, symbol.name)) if function is None else function
             computed[symbol.number] = np.asarray(scalar(*operands), dtype=float) + 0.0 * t
     return computed

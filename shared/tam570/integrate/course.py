@@ -18,6 +18,7 @@ from numbers import Real
 import numpy as np
 
 from tam570.integrate.arguments import Array
+from tam570.integrate.symbols import NUMPY_NAMES
 from tam570.integrate.trace import substituted
 from tam570.values import Function, Numbers
 
@@ -27,8 +28,6 @@ FOREIGN = tuple(sysconfig.get_paths()[name] for name in ("stdlib", "platstdlib",
 OURS = "tam570"
 FILLED = {"zeros", "ones", "empty", "full", "zeros_like", "ones_like", "empty_like", "full_like"}
 SATURATING = {"exp", "exp2", "expm1", "tanh", "erf", "erfc", "sinh", "cosh", "expit"}
-NUMPY_NAMES = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2", "pow": "power"}
-NUMPY_NAMES |= {f"{name}h": f"arc{name[1:]}h" for name in ("asin", "acos", "atan")}
 INSIDE = 1e-9  # of the first cell, where what is rounded is decided
 LARGEST_TABLE = 100_000
 
@@ -257,6 +256,7 @@ DECIDING: dict[str, Function] = {
     "fmod": _fmod,
     "isclose": _is_close,
     "math.isclose": _is_close_by_math,
+    "math.remainder": lambda x, period: x - round(x / period) * period,
     "isfinite": lambda x: True,
     "isnan": lambda x: False,
     "isinf": lambda x: False,
@@ -289,7 +289,8 @@ def _replaced(value: Numbers, replace: Function) -> Numbers:
 
 def _lifted(function: Function) -> Numbers:
     """Return a function of numbers, and arrays of them, as one of courses."""
-    name = "math.isclose" if function is math.isclose else getattr(function, "__name__", "")
+    name = getattr(function, "__name__", "")
+    name = f"math.{name}" if function in (math.isclose, math.remainder) else name
 
     @functools.wraps(function, updated=())
     def lifted(*arguments: Numbers, **keywords: Numbers) -> Numbers:

@@ -1,9 +1,9 @@
 """Switches of a right-hand side that is called as it stands: steps end where it may begin to do something else.
 
-After each step the function is evaluated along it (see `course`). What it decides by are its switching functions:
-where the first of them passes zero within the step, the step is taken again, to just before that time; the shortest
-of all steps then goes across. So no window of time or state is stepped over, and no step is of two pieces. Where a
-function cannot be evaluated like this no step is longer than a thousandth of the run.
+What the function decides by (see `course`) are its switching functions, evaluated along each step: where the first of
+them passes zero the step is taken again, to just before that time; the shortest of all steps then goes across. So no
+window of time or state is stepped over, and no step is of two pieces. Where a function cannot be looked into like this
+no step is longer than a thousandth of the run.
 """
 
 import math
@@ -15,6 +15,7 @@ import numpy as np
 from tam570.integrate.arguments import Array
 from tam570.integrate.binding import Rates
 from tam570.integrate.course import Decisions, along
+from tam570.integrate.dop853_source import REACH
 from tam570.values import Numbers
 
 __all__ = ["Switches", "chatter"]
@@ -31,7 +32,6 @@ LEAVING = 200  # points of a step from a switch
 KEPT = 10_000  # steps refused in a row, all of them from where a switching function is zero
 NEAR = 1e-9  # of a state: what it changes in a switching function is zero
 MOVES_ON = 1e-4  # of the step that they cut, from one switch to the next: with less the motion does not move on
-REACH = 4.0  # tanh(4) is 1 to 7e-4, exp(-4) is 0.02: from twice that on a pulse is seen
 EPS = 2.0**-52
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from tam570.values import Function, Numbers
 
-__all__ = ["FUNCTIONS", "Symbol", "Tape", "Untraceable", "Value"]
+__all__ = ["FUNCTIONS", "NUMPY_NAMES", "Symbol", "Tape", "Untraceable", "Value"]
 
 
 class Untraceable(TypeError):
@@ -134,5 +134,6 @@ _NAMES = """sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh
 exp expm1 log log1p log2 log10 sqrt cbrt hypot fabs erf erfc"""
 FUNCTIONS = {name: name for name in _NAMES.split()}
 FUNCTIONS |= {"arc" + name[1:]: name for name in FUNCTIONS if name[0] == "a"} | {"absolute": "fabs"}
+NUMPY_NAMES = {plain: name for name, plain in FUNCTIONS.items() if name.startswith("arc")} | {"pow": "power"}
 
 Value = Symbol | float
