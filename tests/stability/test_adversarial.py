@@ -378,6 +378,9 @@ EDGES = {
     "from a switch": against(
         lambda t, y: (y[1], 0.0 if y[0] < 0.5 else -1.0), (0, 1), [0.5, 0.275], exact=[0.37625, -0.275]
     ),
+    "zero over zero": against(
+        lambda t, y: (y[1], math.sin(t - 2) / (t - 2) - (y[0] if y[1] < 9 else 0.0)), (0.1, 3), [0.0, 0.0]
+    ),
     "tiny beside large": against(lambda t, y: (y[1], -y[0], -y[2]), (0, 3), [1e6, 0.0, 1e-6], longest=0.01),
 }
 
@@ -560,6 +563,13 @@ REFUSED = {
         [0.0],
         ArithmeticError,
         r"t = 1\.41",
+    ),
+    "an infinite rate": (
+        lambda t, y: (1 / math.sqrt(abs(t - 2)) if t != 2 else 0.0,),
+        (1, 4),
+        [0.0],
+        ArithmeticError,
+        r"t = (2|1\.99)",
     ),
     "a pole of the state": (lambda t, y: (1, 1 / (y[0] - 1)), (0, 2), [0.0, 0.0], ArithmeticError, r"t = (1|0\.99)"),
     "a belt that holds": (

@@ -31,6 +31,7 @@ DOUBLED = 2.0  # step size after an error that was rounding
 EXPONENT = -1 / 8  # of order 8
 JUMP = 1e-9  # move of the state, relative, by a change of the rates within the shortest of all steps: a jump of the
 # rates makes less of it, a singularity more
+TRIALS, LONGER = 60, 0.02  # of the shortest steps, where the rates are not finite
 POLE = 1e-6  # the same, where a step goes across a switch
 NOTHING = 0.1  # of the state: where rounding moves it by more it is all noise
 SUSPICIOUS = 0.005  # of the third's power 9/4: the error of exp(a t) and of its like is 0.02 and more, so that less is
@@ -136,6 +137,7 @@ def advance(
         budget -= 1
         remaining = end - t
         shortest = max(2.0**-50 * max(t, abs(origin + t)), 1e-30 * end)  # t + h would hardly differ from t
+        shortest *= 1.0 + LONGER * refused  # one may meet 0/0, another does not
         limit = reach(origin + t, h, y, f, c)
         pace = max(pace, h) if limit < h else pace
         h = max(min(h, longest, limit), shortest)
@@ -163,6 +165,7 @@ def advance(
         crosses = at_last and sure <= h
         largest = POLE if crosses else JUMP
         jumps = at_last and fifth < inf and _finite(n) and jump(h, y, n, f, g, a, rtol) <= largest
+        jumps = jumps and not (crosses and _leaps(h, n, g, a, rtol))
         if ((error <= 1.0 and not crosses) or jumps) and not is_cut:
             if jumps and _sets_in(y, n, a):
                 halt = SETS_IN
@@ -178,7 +181,7 @@ def advance(
             steps += 1
         else:
             refused, refusals, growth = refused + 1, refusals + 1, 1.0
-            if at_last:
+            if at_last and (refused > TRIALS or _finite(n) and fifth < inf):
                 halt = TOO_SHORT if _finite(n) and fifth < inf else NOT_FINITE
             pace = max(h, pace) if is_cut else pace
             refused = 0 if is_cut else refused
@@ -257,6 +260,15 @@ def _sets_in(y: Numbers, n: Numbers, a: Numbers) -> Numbers:
     for i in range(len(n)):
         moves = moves or (a[i] <= NO_SCALE and y[i] == 0.0 and n[i] != 0.0)
     return moves
+
+
+def _leaps(h: Numbers, n: Numbers, g: Numbers, a: Numbers, rtol: Numbers) -> Numbers:
+    """Return whether the shortest step moves the state at all, as next to a singularity of the rates."""
+    moved, size = 0.0, 0.0
+    for i in range(len(n)):
+        if a[i] > NO_SCALE:
+            moved, size = max(moved, h * abs(g[i])), max(size, abs(n[i]), a[i] / rtol)
+    return moved > max(JUMP, rtol) * size
 
 
 def _has_no_scale(a: Numbers) -> Numbers:
