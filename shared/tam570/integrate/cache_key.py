@@ -239,9 +239,11 @@ def _looked_up(code: types.CodeType) -> tuple[tuple[str, ...], bool, str]:
     return tuple(sorted(names)), changes, ""
 
 
+@lru_cache(maxsize=1024)
 def global_names(code: types.CodeType) -> set[str]:
-    """Names that a code, or one inside it, looks up outside of its function; names of attributes among them."""
-    return {name for part in _parts(code) for name in part.co_names}
+    """Names that a code, or one inside it, looks up outside of its function; none of attributes."""
+    lines = (line for part in _parts(code) for line in dis.get_instructions(part))
+    return {line.argval for line in lines if line.opname in ("LOAD_GLOBAL", "LOAD_NAME")}
 
 
 def _parts(code: types.CodeType) -> Iterable[types.CodeType]:
