@@ -333,8 +333,8 @@ def _point_by_point(function: Function, courses: list[Course], arguments: Number
     call = _replaced((arguments, tuple(keywords.values())), lambda course: course)  # the function may change them later
 
     def results(*values: Array) -> list[Numbers]:
-        known = {course.slot: v.tolist() for course, v in zip(courses, values, strict=True)}
-        calls = [_replaced(call, lambda course, k=k: known[course.slot][k]) for k in range(len(values[0]))]
+        columns = {course.slot: v.tolist() for course, v in zip(courses, values, strict=True)}
+        calls = [_replaced(call, lambda course, k=k: columns[course.slot][k]) for k in range(len(values[0]))]
         return [function(*positional, **dict(zip(keywords, named, strict=True))) for positional, named in calls]
 
     return _joined(_applied(results, *courses))
