@@ -117,10 +117,12 @@ def watch(child: int, leash: socket.socket, lifeline: int, limits: Limits) -> No
             _tell(leash, f"{_cpu_seconds(child):.6f}\n")
         elif order is not None:
             until = time.monotonic() + (MOMENT if order == b"e" else 0.0)
-        charged = max(charged, _cpu_seconds(child, BY_TICKS))
         if ours := time.monotonic() >= until:
             _kill(child, group)
-        ended, status, usage = os.wait4(child, 0 if ours else os.WNOHANG)
+        how = 0 if ours else os.WNOHANG
+        if not hasattr(os, "waitid") or os.waitid(os.P_PID, child, os.WEXITED | os.WNOWAIT | how):
+            charged = _cpu_seconds(child, BY_TICKS)  # the clock of one that has ended goes when it is reaped
+            ended, status, usage = os.wait4(child, how)
     _reap(group)
     cpu = usage.ru_utime + usage.ru_stime
     by_another = not ours and max(cpu, charged) < limits.cpu - 0.5

@@ -5,7 +5,7 @@ import socket
 import struct
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import Any, TypeVar
 
 from tam570_grader.protocol.wire import ItemBudget, Unreadable, packed, unpacked
@@ -37,7 +37,7 @@ class SandboxProcess:
         self._channel, self._leash, self.limit = channel, leash, call_limit
         self._ended = False  # the prisoner has closed its end
         self._channel.setblocking(False)
-        self._leash.settimeout(5)  # s; the guard answers within a few hundredths
+        self._leash.settimeout(60)  # s; the guard answers within a few hundredths where the machine is not busy
         self._received = bytearray()
         self._budget, self._room = ItemBudget(), LARGEST_REPLY  # for the replies to the request before us
         self._waited = 0.0  # s, in earlier calls: no less than the CPU time they took
@@ -49,6 +49,7 @@ class SandboxProcess:
         self._stood_still = 0.0  # s, in which this process was not run: suspended, or the whole machine was
         self.monitored = True  # until the guard does not answer
         self.killed_from_outside = False  # at the end, by its guard's word
+        self._last_words: list[str] = []  # of the guard, once the prisoner has ended
 
     def send(self, request: Any) -> None:
         """Send a request, of bytes or to be packed, or raise CellLost or CellTimeout."""
@@ -111,18 +112,18 @@ class SandboxProcess:
         CellLost if its guard has gone.
         """
         try:
-            self._leash.sendall(b"c")
-            return float(self._leash_line().split()[0])
+            self._order(b"c")
+            return float(self._heard()[0])
         except (OSError, IndexError):
             raise ProcessLost from None
 
     def end(self) -> float:
         """Kill the prisoner; the CPU seconds it has used. A guard that does not answer has died with its worker."""
         try:
-            self._leash.sendall(b"e" if self._ended else b"k")
-            while len(words := self._leash_line().split()) == 1:
-                pass  # the answer to an earlier question
-            self._cpu, self.killed_from_outside = float(words[0]), words[1] == "1"
+            self._order(b"e" if self._ended else b"k")
+            while not self._last_words:
+                self._heard()  # the answer to an earlier question
+            self._cpu, self.killed_from_outside = float(self._last_words[0]), self._last_words[1] == "1"
         except OSError:
             self.monitored, self._cpu = False, max(self._cpu, self._waited)
         self.drop()
@@ -191,11 +192,19 @@ class SandboxProcess:
             idle = False
         return idle or cpu - self._waited >= self.limit or now - started > PATIENCE * self.limit
 
-    def _leash_line(self) -> str:
+    def _order(self, order: bytes) -> None:
+        """Send the guard an order. It may have gone with its prisoner, and its last words are still to be read."""
+        with suppress(ConnectionError):
+            self._leash.sendall(order)
+
+    def _heard(self) -> list[str]:
+        """Return what the guard says next; after its last words, these."""
         line = b""
-        while not line.endswith(b"\n"):
-            chunk = self._leash.recv(64)
+        while not self._last_words and not line.endswith(b"\n"):
+            chunk = self._leash.recv(1)
             if not chunk:
                 raise OSError("the guard has gone")
             line += chunk
-        return line.decode()
+        words = line.decode().split()
+        self._last_words = self._last_words or (words if len(words) > 1 else [])
+        return self._last_words or words

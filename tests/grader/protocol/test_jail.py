@@ -11,6 +11,7 @@ import pytest
 
 from tam570_grader.protocol import jail
 from tam570_grader.protocol.refusals import program
+from tam570_grader.sandbox.process import SandboxProcess
 
 ASLEEP = [sys.executable, "-c", "import time; print(flush=True); time.sleep(60)"]
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="grading needs Linux or macOS")
@@ -41,6 +42,19 @@ def test_the_monitors_last_word_is_whose_fault_a_death_is(happen, word):
     with contextlib.suppress(OSError):
         os.close(held)
     assert reply[-1] == word
+
+
+@pytest.mark.parametrize("asks_first", [False, True])
+@pytest.mark.parametrize("word", ["0", "1"])
+def test_the_supervisor_hears_the_last_word_of_a_monitor_that_has_gone(word, asks_first):
+    """It is not run for a while on a busy machine, and its next order then goes to nobody."""
+    channel, leash, monitors_end = socket.socket(), *socket.socketpair()
+    process = SandboxProcess(channel, leash, call_limit=1.0)
+    monitors_end.sendall(f"0.25\n0.5 {word}\n".encode())
+    monitors_end.close()
+    assert not asks_first or [process.seconds(), process.seconds()] == [0.25, 0.5]
+    assert process.end() == 0.5
+    assert process.monitored and process.killed_from_outside == (word == "1")
 
 
 linux = pytest.mark.skipif(sys.platform != "linux", reason="prctl and /proc are Linux's")
