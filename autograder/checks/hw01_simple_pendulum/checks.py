@@ -67,8 +67,9 @@ KEPT = Invariant("the energy", "of its start", reference.energy_of_rows, None, E
 ALPHA = number.described("alpha", "rad/s^2", RATE2)
 
 
-@check("free_body_diagram", points=0.5, part="a", line="every force on the mass, where it acts and along what.")
+@check("free_body_diagram", points=0.5)
 def forces_on_the_mass(student, rng):
+    """every force on the mass, where it acts and along what."""
     compare_diagrams(student.free_body_diagram, reference, states(rng))
 
 
@@ -76,8 +77,9 @@ def states(rng):
     return [*cases.states(rng), *cases.at_rest(rng)]
 
 
-@check("linear_momentum_balance", points=0.5, part="a", line="alpha, along the circle.")
+@check("linear_momentum_balance", points=0.5)
 def newton_gives_the_acceleration(student, rng):
+    """alpha, along the circle."""
     compare(
         student.linear_momentum_balance,
         reference,
@@ -88,8 +90,9 @@ def newton_gives_the_acceleration(student, rng):
     )
 
 
-@check("linear_momentum_balance", points=0.5, part="a", line="the tension, along the rod.")
+@check("linear_momentum_balance", points=0.5)
 def newton_gives_the_tension(student, rng):
+    """the tension, along the rod."""
     compare(
         student.linear_momentum_balance,
         reference,
@@ -100,8 +103,9 @@ def newton_gives_the_tension(student, rng):
     )
 
 
-@check("angular_momentum_balance", points=0.5, part="a", line="alpha, by M = dH/dt.")
+@check("angular_momentum_balance", points=0.5)
 def moments_give_the_acceleration(student, rng):
+    """alpha, by M = dH/dt."""
     compare(
         student.angular_momentum_balance,
         reference,
@@ -115,13 +119,15 @@ def moments_give_the_acceleration(student, rng):
 ARM = "How far from the hinge do momentum and weight act?"
 
 
-@check("angular_momentum_balance", points=0.5, part="a", line="r x m v and the moment of the weight, about the hinge.")
+@check("angular_momentum_balance", points=0.5)
 def momentum_and_moment_are_about_the_hinge(student, rng):
+    """r x m v and the moment of the weight, about the hinge."""
     compare(student.angular_momentum_balance, reference, states(rng), tolerance=FORMULA, only=(1, 2), hint=ARM)
 
 
-@check("energy_balance", points=0.5, part="a", line="T, and V, which is zero at the lowest point.")
+@check("energy_balance", points=0.5)
 def energies_are_right(student, rng):
+    """T, and V, which is zero at the lowest point."""
     compare(
         student.energy_balance,
         reference,
@@ -132,8 +138,9 @@ def energies_are_right(student, rng):
     )
 
 
-@check("energy_balance", points=0.25, part="a", line="alpha, from the constancy of the energy.")
+@check("energy_balance", points=0.25)
 def energy_gives_the_acceleration(student, rng):
+    """alpha, from the constancy of the energy."""
     compare(
         student.energy_balance,
         reference,
@@ -147,15 +154,15 @@ def energy_gives_the_acceleration(student, rng):
 CANCELLED = "Do you divide by omega? Cancel it on paper."
 
 
-@check(
-    "energy_balance", points=0.25, part="a", after=energy_gives_the_acceleration, line="alpha where omega is zero, too."
-)
+@check("energy_balance", points=0.25, after=energy_gives_the_acceleration)
 def energy_gives_the_acceleration_at_rest(student, rng):
+    """alpha where omega is zero, too."""
     compare(student.energy_balance, reference, cases.at_rest(rng), tolerance=FORMULA, only=(0, 1), hint=CANCELLED)
 
 
-@check("power_balance", points=0.25, part="a", line="the power of gravity, and alpha from it.")
+@check("power_balance", points=0.25)
 def power_gives_the_acceleration(student, rng):
+    """the power of gravity, and alpha from it."""
     compare(
         student.power_balance,
         reference,
@@ -165,37 +172,38 @@ def power_gives_the_acceleration(student, rng):
     )
 
 
-@check(
-    "power_balance", points=0.25, part="a", after=power_gives_the_acceleration, line="alpha where omega is zero, too."
-)
+@check("power_balance", points=0.25, after=power_gives_the_acceleration)
 def power_gives_the_acceleration_at_rest(student, rng):
+    """alpha where omega is zero, too."""
     compare(student.power_balance, reference, cases.at_rest(rng), tolerance=FORMULA, hint=CANCELLED)
 
 
-@check("virtual_work", points=0.5, part="a", line="the generalized force of gravity, and alpha from it.")
+@check("virtual_work", points=0.5)
 def virtual_work_gives_the_acceleration(student, rng):
+    """the generalized force of gravity, and alpha from it."""
     compare(student.virtual_work, reference, states(rng), tolerance=FORMULA, hint="dr is l dtheta, across the rod.")
 
 
 AT_REST = "Put numbers in: at rest at the lowest point it is zero, at rest elsewhere negative."
 
 
-@check("lagrangian", points=0.75, part="a", line="T - V in theta, omega, m, l, g, with V zero at the lowest point.")
+@check("lagrangian", points=0.75)
 def lagrangian_is_kinetic_less_potential(student, rng):
+    """T - V in theta, omega, m, l, g, with V zero at the lowest point."""
     compare(student.lagrangian, reference, cases.symbols(rng), tolerance=FORMULA, hint=AT_REST)
 
 
-@check("lagrange_equation", points=0.75, part="a", line="alpha in theta, l, g alone.")
+@check("lagrange_equation", points=0.75)
 def lagrange_gives_the_acceleration(student, rng):
+    """alpha in theta, l, g alone."""
     calls = cases.symbols(rng)
     hint = from_own_lagrangian(student, calls[:5], "It is the alpha of the other balances.")
     compare(student.lagrange_equation, reference, calls, tolerance=FORMULA, hint=hint)
 
 
-@check(
-    "action", points=0.5, part="a", line="its first variation vanishes on true motions, and on other paths it does not."
-)
+@check("action", points=0.5)
 def action_is_stationary_on_motions(student, rng):
+    """its first variation vanishes on true motions, and on other paths it does not."""
     paths = cases.varied_paths(rng, SMALL)
     hint = "Is it the integral of T - V, by a quadrature of second order that counts both ends as it must?"
     words = {"quantity": "the first variation", "unit": "J s/rad", "hint": hint, "near_miss_credit": False}
@@ -206,14 +214,9 @@ def action_is_stationary_on_motions(student, rng):
         expect((high - low) / (2 * SMALL), expected, tolerance=VARIATION * size, **words)
 
 
-@check(
-    "action",
-    points=0.5,
-    part="a",
-    after=action_is_stationary_on_motions,
-    line="the integral of T - V itself, to second order in the step.",
-)
+@check("action", points=0.5, after=action_is_stationary_on_motions)
 def action_is_the_integral(student, rng):
+    """the integral of T - V itself, to second order in the step."""
     compare(
         student.action,
         reference,
@@ -238,13 +241,9 @@ def of_harmonic(case, result, expected):
     return "theta does not oscillate at the rate sqrt(g/l)."
 
 
-@check(
-    "small_angle_solution",
-    points=0.5,
-    part="a",
-    line="theta and omega of theta'' + (g/l) theta = 0, from the state at t = 0.",
-)
+@check("small_angle_solution", points=0.5)
 def small_angle_solution_is_harmonic(student, rng):
+    """theta and omega of theta'' + (g/l) theta = 0, from the state at t = 0."""
     compare_columns(
         student.small_angle_solution, reference, cases.small_angles(rng), tolerance=TRAJECTORY, hint=of_harmonic
     )
@@ -253,19 +252,15 @@ def small_angle_solution_is_harmonic(student, rng):
 TO_ZERO = "What becomes of sin(w t)/w, w = sqrt(g/l), as w goes to zero?"
 
 
-@check(
-    "small_angle_solution",
-    points=0.25,
-    part="a",
-    after=small_angle_solution_is_harmonic,
-    line="without gravity the pendulum turns uniformly.",
-)
+@check("small_angle_solution", points=0.25, after=small_angle_solution_is_harmonic)
 def small_angle_solution_without_gravity(student, rng):
+    """without gravity the pendulum turns uniformly."""
     compare_columns(student.small_angle_solution, reference, cases.weightless(rng), tolerance=TRAJECTORY, hint=TO_ZERO)
 
 
-@check("period", points=0.5, part="a", line="exact at large amplitudes.")
+@check("period", points=0.5)
 def period_is_exact(student, rng):
+    """exact at large amplitudes."""
     compare(
         student.period,
         reference,
@@ -280,14 +275,9 @@ COSINES = "Do you subtract nearly equal cosines? cos a - cos b is a product of s
 LONGER = "A series in the amplitude, or a quadrature of fixed order, does not reach this far."
 
 
-@check(
-    "period",
-    points=0.25,
-    part="a",
-    after=period_is_exact,
-    line="exact from tiny amplitudes to pi, where it has no bound.",
-)
+@check("period", points=0.25, after=period_is_exact)
 def period_grows_towards_the_top(student, rng):
+    """exact from tiny amplitudes to pi, where it has no bound."""
     compare(student.period, reference, cases.least_periods(rng), tolerance=PERIOD, hint=TOO_SMALL)
     compare(student.period, reference, cases.small_periods(rng), tolerance=PERIOD, hint=COSINES)
     compare(student.period, reference, cases.next_to_top(rng), tolerance=NEXT_TO_TOP, hint=LONGER)
@@ -311,8 +301,9 @@ def period_grows_towards_the_top(student, rng):
 SWING = cases.motions(cases.swing, 10, 60, "a large swing, t[0] not 0")
 
 
-@check("simulate", points=0.5, part="a", line="large swings, row i at t[i], row 0 the given state.")
+@check("simulate", points=0.5)
 def simulate_swings(student, rng):
+    """large swings, row i at t[i], row 0 the given state."""
     compare_trajectory(
         student.simulate,
         reference,
@@ -327,24 +318,18 @@ STEPS = "A fixed number of steps, or a fixed step, does not do for every pendulu
 LINEAR = "No swing is so small that sin theta is theta: the difference adds up."
 
 
-@check(
-    "simulate", points=0.25, part="a", after=simulate_swings, line="the same at a few times, whatever was asked before."
-)
+@check("simulate", points=0.25, after=simulate_swings)
 def simulate_needs_no_dense_times(student, rng):
+    """the same at a few times, whatever was asked before."""
     small, *large = cases.few_times(rng)
     compare_motions = partial(compare_trajectory, student.simulate, reference, tolerance=TRAJECTORY)
     compare_motions([small], hint=LINEAR, loose_tolerance_credit=False)
     compare_motions(large, hint=STEPS)
 
 
-@check(
-    "simulate",
-    points=0.25,
-    part="a",
-    after=simulate_swings,
-    line="a pendulum that turns round and round; theta goes on growing.",
-)
+@check("simulate", points=0.25, after=simulate_swings)
 def simulate_turns_over_the_top(student, rng):
+    """a pendulum that turns round and round; theta goes on growing."""
     compare_trajectory(
         student.simulate,
         reference,
@@ -354,8 +339,9 @@ def simulate_turns_over_the_top(student, rng):
     )
 
 
-@check("simulate", points=0.25, part="a", after=simulate_swings, line="without gravity it turns uniformly.")
+@check("simulate", points=0.25, after=simulate_swings)
 def simulate_without_gravity(student, rng):
+    """without gravity it turns uniformly."""
     compare_trajectory(
         student.simulate, reference, cases.weightless(rng), tolerance=TRAJECTORY, hint="Is anything divided by gravity?"
     )
@@ -366,8 +352,9 @@ LOSSES = {1e-4: 0.6, 1e-2: 0.3}
 FIXED = "Tighten rtol and atol; a step of fixed length does not do for every duration."
 
 
-@check("simulate", points=0.25, part="a", after=simulate_swings, line="the energy stays what it was over many periods.")
+@check("simulate", points=0.25, after=simulate_swings)
 def simulate_keeps_the_energy(student, rng):
+    """the energy stays what it was over many periods."""
     check_conserved(student.simulate, reference, MANY(rng), KEPT, coarsely=COARSELY, partial=LOSSES, hint=FIXED)
 
 

@@ -6,125 +6,82 @@ import numpy as np
 
 from tam570_grader.diagnosis.mistakes import mistake
 
-from .checks import (
-    action_is_stationary_on_motions,
-    action_is_the_integral,
-    energies_are_right,
-    energy_gives_the_acceleration,
-    energy_gives_the_acceleration_at_rest,
-    forces_on_the_mass,
-    lagrange_gives_the_acceleration,
-    lagrangian_is_kinetic_less_potential,
-    moments_give_the_acceleration,
-    momentum_and_moment_are_about_the_hinge,
-    newton_gives_the_acceleration,
-    newton_gives_the_tension,
-    period_grows_towards_the_top,
-    period_is_exact,
-    power_gives_the_acceleration,
-    power_gives_the_acceleration_at_rest,
-    simulate_keeps_the_energy,
-    simulate_needs_no_dense_times,
-    simulate_swings,
-    simulate_turns_over_the_top,
-    simulate_without_gravity,
-    small_angle_solution_is_harmonic,
-    small_angle_solution_without_gravity,
-    virtual_work_gives_the_acceleration,
-)
+from . import checks
 
 # Balances
 
 
-@mistake(
-    "You drew a centrifugal force along the rod; no other body exerts it.",
-    first_fails=forces_on_the_mass,
-    compared=False,
-)
+@mistake(first_fails=checks.forces_on_the_mass, compared=False)
 def free_body_diagram(reference, theta, omega, **pendulum):
+    """You drew a centrifugal force along the rod; no other body exerts it."""
     weight, (r, inwards) = reference(theta, omega, **pendulum)
     return [(r, r), weight, (r, inwards)]
 
 
-@mistake("You use cos(theta) in alpha; use sin(theta).", first_fails=newton_gives_the_acceleration)
+@mistake(first_fails=checks.newton_gives_the_acceleration)
 def linear_momentum_balance(reference, theta, omega, **pendulum):
+    """You use cos(theta) in alpha; use sin(theta)."""
     return reference(math.pi / 2 - theta, omega, **pendulum)[0], reference(theta, omega, **pendulum)[1]
 
 
-@mistake("You use the whole weight in the tension; use its part along the rod.", first_fails=newton_gives_the_tension)
+@mistake(first_fails=checks.newton_gives_the_tension)
 def linear_momentum_balance(reference, theta, omega, *, mass, length, gravity):
+    """You use the whole weight in the tension; use its part along the rod."""
     alpha, _ = reference(theta, omega, mass=mass, length=length, gravity=gravity)
     return alpha, mass * (length * omega**2 + gravity)
 
 
-@mistake(
-    "You use the wrong sign for the moment of the weight; it turns the mass back down.",
-    first_fails=moments_give_the_acceleration,
-)
+@mistake(first_fails=checks.moments_give_the_acceleration)
 def angular_momentum_balance(reference, theta, omega, *, gravity, **rod):
+    """You use the wrong sign for the moment of the weight; it turns the mass back down."""
     return reference(theta, omega, gravity=-gravity, **rod)
 
 
-@mistake(
-    "You return the momentum m l omega; its moment about the hinge is m l^2 omega.",
-    first_fails=momentum_and_moment_are_about_the_hinge,
-)
+@mistake(first_fails=checks.momentum_and_moment_are_about_the_hinge)
 def angular_momentum_balance(reference, theta, omega, *, length, **pendulum):
+    """You return the momentum m l omega; its moment about the hinge is m l^2 omega."""
     alpha, momentum, moment = reference(theta, omega, length=length, **pendulum)
     return alpha, momentum / length, moment
 
 
-@mistake(
-    "You set the potential energy to zero at the hinge; it is zero at the lowest point.", first_fails=energies_are_right
-)
+@mistake(first_fails=checks.energies_are_right)
 def energy_balance(reference, theta, omega, *, mass, length, gravity):
+    """You set the potential energy to zero at the hinge; it is zero at the lowest point."""
     alpha, kinetic, potential = reference(theta, omega, mass=mass, length=length, gravity=gravity)
     return alpha, kinetic, potential - mass * gravity * length
 
 
-@mistake(
-    "You drop the sign of sin(theta); alpha is positive where theta is between -pi and 0.",
-    first_fails=energy_gives_the_acceleration,
-)
+@mistake(first_fails=checks.energy_gives_the_acceleration)
 def energy_balance(reference, theta, omega, **pendulum):
+    """You drop the sign of sin(theta); alpha is positive where theta is between -pi and 0."""
     alpha, *energies = reference(theta, omega, **pendulum)
     return -abs(alpha), *energies
 
 
-@mistake(
-    "You divide the rate of the potential energy by omega, which is 0/0 at rest; cancel omega first.",
-    first_fails=energy_gives_the_acceleration_at_rest,
-    compared=False,
-)
+@mistake(first_fails=checks.energy_gives_the_acceleration_at_rest, compared=False)
 def energy_balance(reference, theta, omega, **pendulum):
+    """You divide the rate of the potential energy by omega, which is 0/0 at rest; cancel omega first."""
     alpha, *energies = reference(theta, omega, **pendulum)
     return alpha * omega / np.float64(omega), *energies
 
 
-@mistake(
-    "You use the speed in the power; gravity's power is negative where the mass rises.",
-    first_fails=power_gives_the_acceleration,
-)
+@mistake(first_fails=checks.power_gives_the_acceleration)
 def power_balance(reference, theta, omega, **pendulum):
+    """You use the speed in the power; gravity's power is negative where the mass rises."""
     alpha, power = reference(theta, omega, **pendulum)
     return alpha, power * np.sign(omega)
 
 
-@mistake(
-    "You divide the power by omega, which is 0/0 at rest; cancel omega first.",
-    first_fails=power_gives_the_acceleration_at_rest,
-    compared=False,
-)
+@mistake(first_fails=checks.power_gives_the_acceleration_at_rest, compared=False)
 def power_balance(reference, theta, omega, *, mass, length, gravity):
+    """You divide the power by omega, which is 0/0 at rest; cancel omega first."""
     _, power = reference(theta, omega, mass=mass, length=length, gravity=gravity)
     return power / (mass * length**2 * omega), power
 
 
-@mistake(
-    "You divide the generalized force by m l; it is a moment, so divide it by m l^2.",
-    first_fails=virtual_work_gives_the_acceleration,
-)
+@mistake(first_fails=checks.virtual_work_gives_the_acceleration)
 def virtual_work(reference, theta, omega, *, length, **pendulum):
+    """You divide the generalized force by m l; it is a moment, so divide it by m l^2."""
     alpha, generalized_force = reference(theta, omega, length=length, **pendulum)
     return alpha * length, generalized_force
 
@@ -132,59 +89,52 @@ def virtual_work(reference, theta, omega, *, length, **pendulum):
 # Lagrange and Hamilton
 
 
-@mistake(
-    "You set the potential energy to zero at the hinge; it is zero at the lowest point.",
-    first_fails=lagrangian_is_kinetic_less_potential,
-)
+@mistake(first_fails=checks.lagrangian_is_kinetic_less_potential)
 def lagrangian(reference):
+    """You set the potential energy to zero at the hinge; it is zero at the lowest point."""
     import sympy
 
     mass, length, gravity = sympy.symbols("m l g")
     return reference() + mass * gravity * length
 
 
-@mistake("You add the potential energy; the Lagrangian is T - V.", first_fails=lagrangian_is_kinetic_less_potential)
+@mistake(first_fails=checks.lagrangian_is_kinetic_less_potential)
 def lagrangian(reference):
+    """You add the potential energy; the Lagrangian is T - V."""
     import sympy
 
     g = sympy.Symbol("g")
     return reference().subs(g, -g)
 
 
-@mistake(
-    "You replace sin(theta) by theta; Lagrange's equation of this Lagrangian has sin(theta).",
-    first_fails=lagrange_gives_the_acceleration,
-)
+@mistake(first_fails=checks.lagrange_gives_the_acceleration)
 def lagrange_equation(reference):
+    """You replace sin(theta) by theta; Lagrange's equation of this Lagrangian has sin(theta)."""
     import sympy
 
     theta = sympy.Symbol("theta")
     return reference().subs(sympy.sin(theta), theta)
 
 
-@mistake("You leave the mass in alpha; it cancels.", first_fails=lagrange_gives_the_acceleration, compared=False)
+@mistake(first_fails=checks.lagrange_gives_the_acceleration, compared=False)
 def lagrange_equation(reference):
+    """You leave the mass in alpha; it cancels."""
     import sympy
 
     return sympy.Symbol("m") * reference()
 
 
-@mistake(
-    "You use the potential energy of small angles, m g l theta^2/2; the path has large angles.",
-    first_fails=action_is_stationary_on_motions,
-    tolerance=1e-3,
-)
+@mistake(first_fails=checks.action_is_stationary_on_motions, tolerance=1e-3)
 def action(reference, theta, step, *, mass, length, gravity):
+    """You use the potential energy of small angles, m g l theta^2/2; the path has large angles."""
     middle = (theta[:-1] + theta[1:]) / 2
     kinetic = reference(theta, step, mass=mass, length=length, gravity=0.0)
     return kinetic - step * np.sum(mass * gravity * length * middle**2 / 2)
 
 
-@mistake(
-    "You take the potential energy at the first end of each step, which is of first order; take it at the middle.",
-    first_fails=action_is_the_integral,
-)
+@mistake(first_fails=checks.action_is_the_integral)
 def action(reference, theta, step, *, mass, length, gravity):
+    """You take the potential energy at the first end of each step, which is of first order; take it at the middle."""
     kinetic = reference(theta, step, mass=mass, length=length, gravity=0.0)
     return kinetic - step * np.sum(mass * gravity * length * (1 - np.cos(theta[:-1])))
 
@@ -192,50 +142,43 @@ def action(reference, theta, step, *, mass, length, gravity):
 # Small angles and the period
 
 
-@mistake("You use g/l as the frequency; it is the square root of g/l.", first_fails=small_angle_solution_is_harmonic)
+@mistake(first_fails=checks.small_angle_solution_is_harmonic)
 def small_angle_solution(reference, t, theta0, omega0, *, length, gravity):
+    """You use g/l as the frequency; it is the square root of g/l."""
     return reference(t, theta0, omega0, length=length**2, gravity=gravity**2)
 
 
-@mistake(
-    "You start from theta0, omega0 at t[0]; they are the state at t = 0.", first_fails=small_angle_solution_is_harmonic
-)
+@mistake(first_fails=checks.small_angle_solution_is_harmonic)
 def small_angle_solution(reference, t, theta0, omega0, **rod):
+    """You start from theta0, omega0 at t[0]; they are the state at t = 0."""
     return reference(t - t[0], theta0, omega0, **rod)
 
 
-@mistake(
-    "You divide sin(w t) by w = sqrt(g/l), which is 0/0 without gravity; use its limit t.",
-    first_fails=small_angle_solution_without_gravity,
-    compared=False,
-)
+@mistake(first_fails=checks.small_angle_solution_without_gravity, compared=False)
 def small_angle_solution(reference, t, theta0, omega0, *, length, gravity):
+    """You divide sin(w t) by w = sqrt(g/l), which is 0/0 without gravity; use its limit t."""
     k = np.sqrt(gravity / length)
     c, s = np.cos(k * t), np.sin(k * t)
     return np.column_stack([theta0 * c + omega0 * s / k, omega0 * c - theta0 * k * s])
 
 
-@mistake(
-    "You stop after two terms of the series in the amplitude; return the exact period.", first_fails=period_is_exact
-)
+@mistake(first_fails=checks.period_is_exact)
 def period(reference, amplitude, *, length, gravity):
+    """You stop after two terms of the series in the amplitude; return the exact period."""
     return 2 * math.pi * math.sqrt(length / gravity) * (1 + amplitude**2 / 16)
 
 
-@mistake("You pass the modulus k to ellipk; SciPy's takes the parameter m = k^2.", first_fails=period_is_exact)
+@mistake(first_fails=checks.period_is_exact)
 def period(reference, amplitude, *, length, gravity):
+    """You pass the modulus k to ellipk; SciPy's takes the parameter m = k^2."""
     from scipy.special import ellipk
 
     return 4 * math.sqrt(length / gravity) * ellipk(math.sin(amplitude / 2))
 
 
-@mistake(
-    "You subtract nearly equal cosines, which leaves no digits at tiny amplitudes; use a product of sines.",
-    first_fails=period_grows_towards_the_top,
-    compared=False,
-    numerics=True,
-)
+@mistake(first_fails=checks.period_grows_towards_the_top, compared=False, numerics=True)
 def period(reference, amplitude, *, length, gravity):
+    """You subtract nearly equal cosines, which leaves no digits at tiny amplitudes; use a product of sines."""
     from scipy.integrate import quad
 
     def slowness(theta):
@@ -247,24 +190,22 @@ def period(reference, amplitude, *, length, gravity):
 # Motion
 
 
-@mistake("You use the wrong sign for gravity; it pulls the mass down.", first_fails=simulate_swings, name="upside_down")
+@mistake(first_fails=checks.simulate_swings, name="upside_down")
 def _state_derivative(reference, t, state, *, length, gravity):
+    """You use the wrong sign for gravity; it pulls the mass down."""
     return reference(t, state, length=length, gravity=-gravity)
 
 
-@mistake("You integrate the linear equation; use sin(theta).", first_fails=simulate_swings)
+@mistake(first_fails=checks.simulate_swings)
 def simulate(reference, t, theta0, omega0, **rod):
+    """You integrate the linear equation; use sin(theta)."""
     return small_angle_solution(t - t[0], theta0, omega0, **rod)
 
 
-@mistake(
-    "You take one Runge-Kutta step between two times; choose the step by the motion.",
-    first_fails=simulate_needs_no_dense_times,
-    compared=False,
-    numerics=True,
-    name="a_step_a_sample",
-)
+@mistake(first_fails=checks.simulate_needs_no_dense_times, compared=False, numerics=True, name="a_step_a_sample")
 def simulate(reference, t, theta0, omega0, **rod):
+    """You take one Runge-Kutta step between two times; choose the step by the motion."""
+
     def f(y):
         return np.array(_state_derivative(0.0, y, **rod))
 
@@ -278,30 +219,23 @@ def simulate(reference, t, theta0, omega0, **rod):
     return np.array(rows)
 
 
-@mistake(
-    "You wrap theta between -pi and pi; it counts whole turns.", first_fails=simulate_turns_over_the_top, compared=False
-)
+@mistake(first_fails=checks.simulate_turns_over_the_top, compared=False)
 def simulate(reference, t, theta0, omega0, **rod):
+    """You wrap theta between -pi and pi; it counts whole turns."""
     rows = reference(t, theta0, omega0, **rod)
     return np.column_stack([(rows[:, 0] + np.pi) % (2 * np.pi) - np.pi, rows[:, 1]])
 
 
-@mistake(
-    "You measure time in units of sqrt(l/g), which is infinite without gravity; use seconds.",
-    first_fails=simulate_without_gravity,
-    compared=False,
-)
+@mistake(first_fails=checks.simulate_without_gravity, compared=False)
 def simulate(reference, t, theta0, omega0, *, length, gravity):
+    """You measure time in units of sqrt(l/g), which is infinite without gravity; use seconds."""
     unit = math.sqrt(length / gravity)
     return reference(t / unit, theta0, omega0 * unit, length=1.0, gravity=1.0) / [1, unit]
 
 
-@mistake(
-    "You return the start in every row of a long motion; integrate to the end.",
-    first_fails=simulate_keeps_the_energy,
-    compared=False,
-)
+@mistake(first_fails=checks.simulate_keeps_the_energy, compared=False)
 def simulate(reference, t, theta0, omega0, *, length, gravity):
+    """You return the start in every row of a long motion; integrate to the end."""
     if gravity and t[-1] - t[0] > 30 * math.sqrt(length / gravity):
         return np.tile([theta0, omega0], (len(t), 1))
     return reference(t, theta0, omega0, length=length, gravity=gravity)

@@ -62,35 +62,27 @@ COLUMNS = ("x", "m", PLACE), ("y", "m", PLACE), ("vx", "m/s", VELOCITY), ("vy", 
 MOTION = [Column(quantity, unit, [index], scale=scale) for index, (quantity, unit, scale) in enumerate(COLUMNS)]
 
 
-@check("free_body_diagram", points=0.5, part="a", line="every force on the particle, where it acts and along what.")
+@check("free_body_diagram", points=0.5)
 def forces_on_the_particle(student, rng):
+    """every force on the particle, where it acts and along what."""
     compare_diagrams(student.free_body_diagram, reference, cases.without_time(rng))
 
 
 FORCES = "Draw the two forces on the particle: which way does each point when it falls?"
 
 
-@check(
-    "state_derivative",
-    points=0.75,
-    part="a",
-    line="state_derivative is the velocity and (weight + drag)/mass, for velocities in any direction.",
-)
+@check("state_derivative", points=0.75)
 def rates_are_newtons(student, rng):
+    """state_derivative is the velocity and (weight + drag)/mass, for velocities in any direction."""
     compare(student.state_derivative, reference, cases.states(rng), tolerance=FORMULA, hint=FORCES)
 
 
 NO_DIVISION = "Do you divide by drag or gravity?"
 
 
-@check(
-    "state_derivative",
-    points=0.25,
-    part="a",
-    after=rates_are_newtons,
-    line="state_derivative holds where drag or gravity, or both, are zero.",
-)
+@check("state_derivative", points=0.25, after=rates_are_newtons)
 def rates_without_drag_or_gravity(student, rng):
+    """state_derivative holds where drag or gravity, or both, are zero."""
     compare(student.state_derivative, reference, cases.states_without(rng), tolerance=FORMULA, hint=NO_DIVISION)
 
 
@@ -106,24 +98,15 @@ def compare_flights(student, flights):
     compare_trajectory(student.simulate, reference, flights, tolerance=SIMULATED, **words)
 
 
-@check(
-    "simulate",
-    points=0.75,
-    part="d",
-    line="simulate gives the states at uneven times, launched at t[0], whatever t[0] is.",
-)
+@check("simulate", points=0.75, part="d")
 def simulation_follows_the_motion(student, rng):
+    """simulate gives the states at uneven times, launched at t[0], whatever t[0] is."""
     compare_flights(student, cases.flights(rng))
 
 
-@check(
-    "simulate",
-    points=0.5,
-    part="d",
-    after=simulation_follows_the_motion,
-    line="simulate goes straight without gravity, a parabola without drag, whatever was asked before.",
-)
+@check("simulate", points=0.5, part="d", after=simulation_follows_the_motion)
 def simulation_without_drag_or_gravity(student, rng):
+    """simulate goes straight without gravity, a parabola without drag, whatever was asked before."""
     compare_flights(student, cases.flights_without(rng))
 
 
@@ -140,19 +123,15 @@ def of_closed_form(case, result, expected):
     return "The equations of vx and vy are linear, of first order and apart; then x and y."
 
 
-@check("trajectory", points=0.75, part="c", line="trajectory gives the states in closed form.")
+@check("trajectory", points=0.75, part="c")
 def trajectory_is_the_motion(student, rng):
+    """trajectory gives the states in closed form."""
     compare_columns(student.trajectory, reference, cases.flights_from_zero(rng), tolerance=CLOSED, hint=of_closed_form)
 
 
-@check(
-    "trajectory",
-    points=0.25,
-    part="c",
-    after=trajectory_is_the_motion,
-    line="trajectory is launched at t = 0, at whatever times: later ones, a single one, backwards.",
-)
+@check("trajectory", points=0.25, part="c", after=trajectory_is_the_motion)
 def trajectory_counts_time_from_the_launch(student, rng):
+    """trajectory is launched at t = 0, at whatever times: later ones, a single one, backwards."""
     compare_columns(
         student.trajectory,
         reference,
@@ -165,14 +144,9 @@ def trajectory_counts_time_from_the_launch(student, rng):
 EXPM1 = "1 - e^-s is a difference of nearly equal numbers (see numpy.expm1); so is y."
 
 
-@check(
-    "trajectory",
-    points=0.75,
-    part="c",
-    after=trajectory_is_the_motion,
-    line="trajectory keeps its digits at drag 1e-12, at none, and long after e^(-c t/m) is nothing.",
-)
+@check("trajectory", points=0.75, part="c", after=trajectory_is_the_motion)
 def trajectory_with_any_drag(student, rng):
+    """trajectory keeps its digits at drag 1e-12, at none, and long after e^(-c t/m) is nothing."""
     compare_columns(student.trajectory, reference, cases.flights_with_any_drag(rng), tolerance=CLOSED, hint=EXPM1)
 
 
@@ -183,8 +157,9 @@ def of_landing(case, time, expected):
     return f"At your time y is {y:.2g} m, not 0: put it into your closed form."
 
 
-@check("flight_time", points=0.75, part="c", line="flight_time is when y is zero again.")
+@check("flight_time", points=0.75, part="c")
 def flight_ends_at_launch_height(student, rng):
+    """flight_time is when y is zero again."""
     compare(student.flight_time, reference, cases.landings(rng), tolerance=ROOT, hint=of_landing)
 
 
@@ -198,14 +173,9 @@ def of_little_drag(name, case, result, expected):
     return f"For no drag it is {without:.3g}: which term of your equation goes wrong as the drag goes to zero?"
 
 
-@check(
-    "flight_time",
-    points=0.5,
-    part="c",
-    after=flight_ends_at_launch_height,
-    line="flight_time goes over into 2 v sin(angle)/g without losing its digits.",
-)
+@check("flight_time", points=0.5, part="c", after=flight_ends_at_launch_height)
 def flight_time_with_hardly_any_drag(student, rng):
+    """flight_time goes over into 2 v sin(angle)/g without losing its digits."""
     compare(
         student.flight_time,
         reference,
@@ -218,14 +188,9 @@ def flight_time_with_hardly_any_drag(student, rng):
 SHORT = "Does a search for the root step over a flight that is short, or end at t = 0?"
 
 
-@check(
-    "flight_time",
-    points=0.25,
-    part="c",
-    after=flight_ends_at_launch_height,
-    line="flight_time holds straight up, nearly flat, at drag a thousand times the weight.",
-)
+@check("flight_time", points=0.25, part="c", after=flight_ends_at_launch_height)
 def flight_time_with_great_drag_and_straight_up(student, rng):
+    """flight_time holds straight up, nearly flat, at drag a thousand times the weight."""
     compare(
         student.flight_time,
         reference,
@@ -235,8 +200,9 @@ def flight_time_with_great_drag_and_straight_up(student, rng):
     )
 
 
-@check("horizontal_range", points=0.5, part="c", line="horizontal_range is x at the flight time.")
+@check("horizontal_range", points=0.5, part="c")
 def range_is_where_it_lands(student, rng):
+    """horizontal_range is x at the flight time."""
     compare(
         student.horizontal_range,
         reference,
@@ -246,14 +212,9 @@ def range_is_where_it_lands(student, rng):
     )
 
 
-@check(
-    "horizontal_range",
-    points=0.5,
-    part="c",
-    after=range_is_where_it_lands,
-    line="horizontal_range becomes v^2 sin(2 angle)/g, no digits lost; it holds with great drag, too.",
-)
+@check("horizontal_range", points=0.5, part="c", after=range_is_where_it_lands)
 def range_with_hardly_any_drag(student, rng):
+    """horizontal_range becomes v^2 sin(2 angle)/g, no digits lost; it holds with great drag, too."""
     compare(
         student.horizontal_range,
         reference,
@@ -270,38 +231,24 @@ def of_maximum(case, angle, expected):
     return f"At your angle the range is {1 - yours / best:.1%} below the largest."
 
 
-@check(
-    "best_angle",
-    points=0.75,
-    part="a",
-    line="best_angle maximises the range, for speeds below and above the terminal speed.",
-)
+@check("best_angle", points=0.75)
 def best_angle_has_the_largest_range(student, rng):
+    """best_angle maximises the range, for speeds below and above the terminal speed."""
     compare(student.best_angle, reference, cases.usual_speeds(rng), tolerance=ANGLE, partial=SEARCHED, hint=of_maximum)
 
 
-@check(
-    "best_angle",
-    points=0.25,
-    part="a",
-    after=best_angle_has_the_largest_range,
-    line="best_angle is 45 degrees at no drag, and leaves them as the drag grows beside the weight.",
-)
+@check("best_angle", points=0.25, after=best_angle_has_the_largest_range)
 def best_angle_is_45_degrees_without_drag(student, rng):
+    """best_angle is 45 degrees at no drag, and leaves them as the drag grows beside the weight."""
     compare(student.best_angle, reference, cases.slow_speeds(rng), tolerance=ANGLE, partial=SEARCHED, hint=of_maximum)
 
 
 VERY_FLAT = "The largest range is very flat there: solve for where its derivative vanishes, on a logarithmic scale."
 
 
-@check(
-    "best_angle",
-    points=0.5,
-    part="a",
-    after=best_angle_has_the_largest_range,
-    line="best_angle goes to zero as the speed grows, and stays good to 1 % of itself.",
-)
+@check("best_angle", points=0.5, after=best_angle_has_the_largest_range)
 def best_angle_at_a_huge_speed(student, rng):
+    """best_angle goes to zero as the speed grows, and stays good to 1 % of itself."""
     compare(
         student.best_angle,
         reference,
@@ -315,23 +262,15 @@ def best_angle_at_a_huge_speed(student, rng):
 CORNERS = "Plot your closed form at 10, 100 and 1000 times the terminal speed; launch and landing are corners, too."
 
 
-@check(
-    "limit_shape",
-    points=1,
-    part="b",
-    line="limit_shape has the corners that a path has at a speed of 1e12 terminal speeds.",
-)
+@check("limit_shape", points=1, part="b")
 def path_at_a_huge_speed_has_the_limit_shape(student, rng):
+    """limit_shape has the corners that a path has at a speed of 1e12 terminal speeds."""
     compare(student.limit_shape, reference, cases.angles(rng), tolerance=CORNER, hint=CORNERS)
 
 
-@check(
-    "plot_comparison",
-    points=0.5,
-    part="e",
-    line="plot_comparison draws both paths from t[0] to t[-1] on the same axes, at the same scale.",
-)
+@check("plot_comparison", points=0.5, part="e")
 def both_paths_are_drawn(student, rng):
+    """plot_comparison draws both paths from t[0] to t[-1] on the same axes, at the same scale."""
     case = cases.picture(rng)
     t, *start = case.args
     path = reference.trajectory(np.linspace(0.0, t[-1], FINE), *start, **case.kwargs)[:, :2]

@@ -6,78 +6,46 @@ import numpy as np
 
 from tam570_grader.diagnosis.mistakes import mistake
 
-from .checks import (
-    best_angle_at_a_huge_speed,
-    best_angle_has_the_largest_range,
-    best_angle_is_45_degrees_without_drag,
-    both_paths_are_drawn,
-    flight_ends_at_launch_height,
-    flight_time_with_great_drag_and_straight_up,
-    flight_time_with_hardly_any_drag,
-    forces_on_the_particle,
-    path_at_a_huge_speed_has_the_limit_shape,
-    range_is_where_it_lands,
-    range_with_hardly_any_drag,
-    rates_are_newtons,
-    rates_without_drag_or_gravity,
-    simulation_follows_the_motion,
-    simulation_without_drag_or_gravity,
-    trajectory_counts_time_from_the_launch,
-    trajectory_is_the_motion,
-    trajectory_with_any_drag,
-)
+from . import checks
 
 # Forces
 
 
-@mistake(
-    "You drew drag along the velocity; on the particle it opposes the velocity.",
-    first_fails=forces_on_the_particle,
-    compared=False,
-)
+@mistake(first_fails=checks.forces_on_the_particle, compared=False)
 def free_body_diagram(reference, state, **parameters):
+    """You drew drag along the velocity; on the particle it opposes the velocity."""
     weight, (r, drag) = reference(state, **parameters)
     return [weight, (r, np.negative(drag))]
 
 
-@mistake(
-    "You drew a force along the velocity; nothing pushes the particle after the launch.",
-    first_fails=forces_on_the_particle,
-    compared=False,
-)
+@mistake(first_fails=checks.forces_on_the_particle, compared=False)
 def free_body_diagram(reference, state, **parameters):
+    """You drew a force along the velocity; nothing pushes the particle after the launch."""
     return [*reference(state, **parameters), (state[:2], state[2:])]
 
 
-@mistake("You use quadratic drag, -c v^2; the drag is linear, -c v.", first_fails=rates_are_newtons)
+@mistake(first_fails=checks.rates_are_newtons)
 def state_derivative(reference, t, state, *, drag, **parameters):
+    """You use quadratic drag, -c v^2; the drag is linear, -c v."""
     return reference(t, state, drag=drag * np.hypot(*state[2:]), **parameters)
 
 
-@mistake(
-    "You point the vertical drag down in the fall too; it opposes the velocity, so there it points up.",
-    first_fails=rates_are_newtons,
-)
+@mistake(first_fails=checks.rates_are_newtons)
 def state_derivative(reference, t, state, *, mass, drag, gravity):
+    """You point the vertical drag down in the fall too; it opposes the velocity, so there it points up."""
     rates = reference(t, state, mass=mass, drag=drag, gravity=gravity)
     return rates - np.array([0, 0, 0, drag / mass * (abs(state[3]) - state[3])])
 
 
-@mistake(
-    "You divide the velocity by its size, which is zero for a particle at rest; use -c v.",
-    first_fails=rates_are_newtons,
-    compared=False,
-)
+@mistake(first_fails=checks.rates_are_newtons, compared=False)
 def state_derivative(reference, t, state, **parameters):
+    """You divide the velocity by its size, which is zero for a particle at rest; use -c v."""
     return reference(t, state, **parameters) / (1.0 if any(state[2:]) else math.nan)
 
 
-@mistake(
-    "You divide by the terminal speed m g/c, which is infinite without drag and zero without gravity; use c and g.",
-    first_fails=rates_without_drag_or_gravity,
-    compared=False,
-)
+@mistake(first_fails=checks.rates_without_drag_or_gravity, compared=False)
 def state_derivative(reference, t, state, *, mass, drag, gravity):
+    """You divide by the terminal speed m g/c, which is infinite without drag and zero without gravity; use c and g."""
     terminal = mass * gravity / drag
     return reference(t, state, mass=mass, drag=mass * gravity / terminal, gravity=gravity)
 
@@ -85,28 +53,22 @@ def state_derivative(reference, t, state, *, mass, drag, gravity):
 # Motion
 
 
-@mistake("You launch the particle at t = 0; launch it at t[0].", first_fails=simulation_follows_the_motion)
+@mistake(first_fails=checks.simulation_follows_the_motion)
 def simulate(reference, t, speed, angle, **parameters):
+    """You launch the particle at t = 0; launch it at t[0]."""
     return trajectory(t, speed, angle, **parameters)
 
 
-@mistake(
-    "You stop the particle at launch height; there is no ground.",
-    first_fails=simulation_follows_the_motion,
-    compared=False,
-)
+@mistake(first_fails=checks.simulation_follows_the_motion, compared=False)
 def simulate(reference, t, speed, angle, **parameters):
+    """You stop the particle at launch height; there is no ground."""
     rows = reference(t, speed, angle, **parameters)
     return np.column_stack([rows[:, 0], np.maximum(rows[:, 1], 0.0), rows[:, 2:]])
 
 
-@mistake(
-    "You take ten Euler steps between two times; use a method of higher order, with an error tolerance.",
-    first_fails=simulation_follows_the_motion,
-    compared=False,
-    numerics=True,
-)
+@mistake(first_fails=checks.simulation_follows_the_motion, compared=False, numerics=True)
 def simulate(reference, t, speed, angle, **parameters):
+    """You take ten Euler steps between two times; use a method of higher order, with an error tolerance."""
     rows = [np.array([0, 0, speed * np.cos(angle), speed * np.sin(angle)])]
     for step in np.diff(t):
         y = rows[-1]
@@ -116,19 +78,17 @@ def simulate(reference, t, speed, angle, **parameters):
     return np.array(rows)
 
 
-@mistake(
-    "You scale by m/c and m g/c, which are infinite without drag; use seconds and metres.",
-    first_fails=simulation_without_drag_or_gravity,
-    compared=False,
-)
+@mistake(first_fails=checks.simulation_without_drag_or_gravity, compared=False)
 def simulate(reference, t, speed, angle, *, mass, drag, gravity):
+    """You scale by m/c and m g/c, which are infinite without drag; use seconds and metres."""
     time, terminal = mass / drag, mass * gravity / drag
     scaled = reference(t / time, speed / terminal, angle, mass=1.0, drag=1.0, gravity=1.0)
     return scaled * [terminal * time, terminal * time, terminal, terminal]
 
 
-@mistake("Your constant of integration has vy(0) - m g/c; it is vy(0) + m g/c.", first_fails=trajectory_is_the_motion)
+@mistake(first_fails=checks.trajectory_is_the_motion)
 def trajectory(reference, t, speed, angle, *, mass, drag, gravity):
+    """Your constant of integration has vy(0) - m g/c; it is vy(0) + m g/c."""
     rows = reference(t, speed, angle, mass=mass, drag=drag, gravity=gravity)
     if drag == 0:
         return rows
@@ -137,20 +97,15 @@ def trajectory(reference, t, speed, angle, *, mass, drag, gravity):
     return rows - 2 * mass * gravity / drag * too_low
 
 
-@mistake(
-    "You count the times from the first one; the launch is at t = 0.",
-    first_fails=trajectory_counts_time_from_the_launch,
-)
+@mistake(first_fails=checks.trajectory_counts_time_from_the_launch)
 def trajectory(reference, t, speed, angle, **parameters):
+    """You count the times from the first one; the launch is at t = 0."""
     return reference(t - t[0], speed, angle, **parameters)
 
 
-@mistake(
-    "You subtract nearly equal numbers, which loses all digits at little drag; use numpy.expm1 and a series.",
-    first_fails=trajectory_with_any_drag,
-    compared=False,
-)
+@mistake(first_fails=checks.trajectory_with_any_drag, compared=False)
 def trajectory(reference, t, speed, angle, *, mass, drag, gravity):
+    """You subtract nearly equal numbers, which loses all digits at little drag; use numpy.expm1 and a series."""
     if drag == 0:
         return reference(t, speed, angle, mass=mass, drag=drag, gravity=gravity)
     vx, vy, k = speed * math.cos(angle), speed * math.sin(angle), drag / mass
@@ -162,22 +117,17 @@ def trajectory(reference, t, speed, angle, *, mass, drag, gravity):
 # Landing
 
 
-@mistake(
-    "You double the time to the top; with drag the way down takes longer than the way up.",
-    first_fails=flight_ends_at_launch_height,
-)
+@mistake(first_fails=checks.flight_ends_at_launch_height)
 def flight_time(reference, speed, angle, *, mass, drag, gravity):
+    """You double the time to the top; with drag the way down takes longer than the way up."""
     if drag == 0:
         return 2 * speed * math.sin(angle) / gravity
     return 2 * mass / drag * math.log1p(drag * speed * math.sin(angle) / (mass * gravity))
 
 
-@mistake(
-    "You use Lambert's W next to its branch point, where it loses half of its digits; add a Newton step.",
-    first_fails=flight_time_with_hardly_any_drag,
-    compared=False,
-)
+@mistake(first_fails=checks.flight_time_with_hardly_any_drag, compared=False)
 def flight_time(reference, speed, angle, *, mass, drag, gravity):
+    """You use Lambert's W next to its branch point, where it loses half of its digits; add a Newton step."""
     from scipy.special import lambertw
 
     if drag < 1e-9:
@@ -186,62 +136,50 @@ def flight_time(reference, speed, angle, *, mass, drag, gravity):
     return mass / drag * (a + lambertw(-a * np.exp(-a)).real)
 
 
-@mistake(
-    "You search for the landing only up to 200 m/c; with great drag the particle falls longer.",
-    first_fails=flight_time_with_great_drag_and_straight_up,
-)
+@mistake(first_fails=checks.flight_time_with_great_drag_and_straight_up)
 def flight_time(reference, speed, angle, *, mass, drag, gravity):
+    """You search for the landing only up to 200 m/c; with great drag the particle falls longer."""
     time = reference(speed, angle, mass=mass, drag=drag, gravity=gravity)
     return min(time, 200 * mass / drag) if drag else time
 
 
-@mistake("You omit drag from the horizontal motion; it acts on both components.", first_fails=range_is_where_it_lands)
+@mistake(first_fails=checks.range_is_where_it_lands)
 def horizontal_range(reference, speed, angle, **parameters):
+    """You omit drag from the horizontal motion; it acts on both components."""
     return speed * math.cos(angle) * flight_time(speed, angle, **parameters)
 
 
-@mistake(
-    "You subtract e^(-s) from 1, which loses digits at little drag; use expm1.", first_fails=range_with_hardly_any_drag
-)
+@mistake(first_fails=checks.range_with_hardly_any_drag)
 def horizontal_range(reference, speed, angle, *, mass, drag, gravity):
+    """You subtract e^(-s) from 1, which loses digits at little drag; use expm1."""
     time = flight_time(speed, angle, mass=mass, drag=drag, gravity=gravity)
     way = mass / drag * (1 - math.exp(-drag / mass * time)) if drag else time
     return speed * math.cos(angle) * way
 
 
-@mistake(
-    "You always return 45 degrees; with drag the best angle is smaller.", first_fails=best_angle_has_the_largest_range
-)
+@mistake(first_fails=checks.best_angle_has_the_largest_range)
 def best_angle(reference, speed, **parameters):
+    """You always return 45 degrees; with drag the best angle is smaller."""
     return math.pi / 4
 
 
-@mistake(
-    "You divide by the drag, which may be zero; without drag return 45 degrees.",
-    first_fails=best_angle_is_45_degrees_without_drag,
-    compared=False,
-)
+@mistake(first_fails=checks.best_angle_is_45_degrees_without_drag, compared=False)
 def best_angle(reference, speed, *, mass, drag, gravity):
+    """You divide by the drag, which may be zero; without drag return 45 degrees."""
     terminal = mass * gravity / drag
     return reference(speed / terminal, mass=1.0, drag=1.0, gravity=1.0)
 
 
-@mistake(
-    "You return 45 degrees below a tenth of the terminal speed; the angle falls in proportion to the drag.",
-    first_fails=best_angle_is_45_degrees_without_drag,
-    compared=False,
-)
+@mistake(first_fails=checks.best_angle_is_45_degrees_without_drag, compared=False)
 def best_angle(reference, speed, *, mass, drag, gravity):
+    """You return 45 degrees below a tenth of the terminal speed; the angle falls in proportion to the drag."""
     slow = drag * speed < 0.1 * mass * gravity
     return math.pi / 4 if slow else reference(speed, mass=mass, drag=drag, gravity=gravity)
 
 
-@mistake(
-    "You maximise the range, which is very flat at a huge speed; solve for where its derivative vanishes.",
-    first_fails=best_angle_at_a_huge_speed,
-    compared=False,
-)
+@mistake(first_fails=checks.best_angle_at_a_huge_speed, compared=False)
 def best_angle(reference, speed, **parameters):
+    """You maximise the range, which is very flat at a huge speed; solve for where its derivative vanishes."""
     from scipy.optimize import minimize_scalar
 
     def shortness(angle):
@@ -253,34 +191,30 @@ def best_angle(reference, speed, **parameters):
 # Pictures
 
 
-@mistake(
-    "Your top corner is at x = 1 for every angle; it is at x = cos(angle).",
-    first_fails=path_at_a_huge_speed_has_the_limit_shape,
-)
+@mistake(first_fails=checks.path_at_a_huge_speed_has_the_limit_shape)
 def limit_shape(reference, angle):
+    """Your top corner is at x = 1 for every angle; it is at x = cos(angle)."""
     return np.array([[0, 0], [1, math.tan(angle)], [1, 0]])
 
 
-@mistake(
-    "You land at x = 1; the particle falls straight down from its top corner, at x = cos(angle).",
-    first_fails=path_at_a_huge_speed_has_the_limit_shape,
-)
+@mistake(first_fails=checks.path_at_a_huge_speed_has_the_limit_shape)
 def limit_shape(reference, angle):
+    """You land at x = 1; the particle falls straight down from its top corner, at x = cos(angle)."""
     return np.array([*reference(angle)[:2], [1, 0]])
 
 
-@mistake(
-    "You drew the numerical path twice; draw trajectory's path too.", first_fails=both_paths_are_drawn, compared=False
-)
+@mistake(first_fails=checks.both_paths_are_drawn, compared=False)
 def plot_comparison(reference, ax, t, speed, angle, **parameters):
+    """You drew the numerical path twice; draw trajectory's path too."""
     x, y, _, _ = simulate(t, speed, angle, **parameters).T
     ax.plot(x, y, label="numerical")
     ax.plot(x, y, "--", label="closed form")
     ax.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
 
 
-@mistake("You drew y over the time; draw y over x.", first_fails=both_paths_are_drawn, compared=False)
+@mistake(first_fails=checks.both_paths_are_drawn, compared=False)
 def plot_comparison(reference, ax, t, speed, angle, **parameters):
+    """You drew y over the time; draw y over x."""
     for motion in (simulate, trajectory):
         ax.plot(t, motion(t, speed, angle, **parameters)[:, 1])
     ax.set(xlabel="t (s)", ylabel="y (m)")

@@ -51,28 +51,21 @@ def left_over(case, result, expected):
     return "It is rate less moment: subtract them on paper; which terms are left?"
 
 
-@check("moment", points=1, part="a", line="of the total force on P, about C.")
+@check("moment", points=1)
 def moment_is_about_C(student, rng):
+    """of the total force on P, about C."""
     compare(student.moment, reference, cases.moments(rng), tolerance=POINTWISE, hint=ARM)
 
 
-@check(
-    "angular_momentum",
-    points=1,
-    part="a",
-    line="angular_momentum by definitions a and b: the lever arm from C, the velocity as F sees it.",
-)
+@check("angular_momentum", points=1)
 def momentum_with_the_velocity_in_F(student, rng):
+    """angular_momentum by definitions a and b: the lever arm from C, the velocity as F sees it."""
     compare(student.angular_momentum, reference, cases.momenta("ab")(rng), tolerance=POINTWISE, hint=SAME)
 
 
-@check(
-    "angular_momentum",
-    points=0.75,
-    part="a",
-    line="angular_momentum by definition c: the velocity as one sees it who moves along with C.",
-)
+@check("angular_momentum", points=0.75)
 def momentum_with_the_velocity_relative_to_C(student, rng):
+    """angular_momentum by definition c: the velocity as one sees it who moves along with C."""
     compare(
         student.angular_momentum,
         reference,
@@ -85,77 +78,62 @@ def momentum_with_the_velocity_relative_to_C(student, rng):
 BOTH_MOMENTA = momentum_with_the_velocity_in_F, momentum_with_the_velocity_relative_to_C
 
 
-@check(
-    "angular_momentum",
-    points=0.25,
-    part="a",
-    after=BOTH_MOMENTA,
-    line="angular_momentum raises ValueError for another definition.",
-)
+@check("angular_momentum", points=0.25, after=BOTH_MOMENTA)
 def momentum_refuses_other_definitions(student, rng):
+    """angular_momentum raises ValueError for another definition."""
     check_domain(
         student.angular_momentum, reference, cases.letters(cases.momenta("b"))(rng), tolerance=POINTWISE, hint=LETTERS
     )
 
 
-@check("rate", points=0.5, part="a", line="rate by definition a: the derivative while C' stays where it is.")
+@check("rate", points=0.5)
 def rate_about_a_fixed_point(student, rng):
+    """rate by definition a: the derivative while C' stays where it is."""
     compare(student.rate, reference, cases.rates("a")(rng), tolerance=POINTWISE, hint=by_difference(FIXED))
 
 
-@check(
-    "rate",
-    points=1,
-    part="a",
-    line="rate by definition b: the derivative of its angular momentum along any motion of P and C.",
-)
+@check("rate", points=1)
 def rate_with_the_velocity_in_F(student, rng):
+    """rate by definition b: the derivative of its angular momentum along any motion of P and C."""
     compare(student.rate, reference, cases.rates("b")(rng), tolerance=POINTWISE, hint=PRODUCT)
 
 
-@check(
-    "rate",
-    points=0.75,
-    part="a",
-    line="rate by definition c: the derivative of its angular momentum along any motion of P and C.",
-)
+@check("rate", points=0.75)
 def rate_with_the_velocity_relative_to_C(student, rng):
+    """rate by definition c: the derivative of its angular momentum along any motion of P and C."""
     compare(student.rate, reference, cases.rates("c")(rng), tolerance=POINTWISE, hint=PRODUCT)
 
 
 BOTH_RATES = rate_about_a_fixed_point, rate_with_the_velocity_in_F
 
 
-@check("rate", points=0.25, part="a", after=BOTH_RATES, line="rate raises ValueError for another definition.")
+@check("rate", points=0.25, after=BOTH_RATES)
 def rate_refuses_other_definitions(student, rng):
+    """rate raises ValueError for another definition."""
     check_domain(student.rate, reference, cases.letters(cases.rates("b"))(rng), tolerance=POINTWISE, hint=LETTERS)
 
 
-@check("discrepancy", points=0.5, part="a", line="discrepancy by definition b: its rate less the moment.")
+@check("discrepancy", points=0.5)
 def discrepancy_with_the_velocity_in_F(student, rng):
+    """discrepancy by definition b: its rate less the moment."""
     compare(student.discrepancy, reference, cases.rates("b")(rng), tolerance=POINTWISE, hint=left_over)
 
 
-@check("discrepancy", points=0.5, part="a", line="discrepancy by definition c: its rate less the moment.")
+@check("discrepancy", points=0.5)
 def discrepancy_with_the_velocity_relative_to_C(student, rng):
+    """discrepancy by definition c: its rate less the moment."""
     compare(student.discrepancy, reference, cases.rates("c")(rng), tolerance=POINTWISE, hint=left_over)
 
 
-@check(
-    "discrepancy", points=0.25, part="a", after=discrepancy_with_the_velocity_in_F, line="discrepancy by definition a."
-)
+@check("discrepancy", points=0.25, after=discrepancy_with_the_velocity_in_F)
 def no_discrepancy_about_a_fixed_point(student, rng):
+    """discrepancy by definition a."""
     compare(student.discrepancy, reference, cases.rates("a")(rng), tolerance=POINTWISE, hint=FIXED)
 
 
-@check(
-    "discrepancy",
-    points=0.25,
-    part="a",
-    after=discrepancy_with_the_velocity_in_F,
-    line="discrepancy raises ValueError for another definition.",
-)
+@check("discrepancy", points=0.25, after=discrepancy_with_the_velocity_in_F)
 def discrepancy_refuses_other_definitions(student, rng):
+    """discrepancy raises ValueError for another definition."""
     check_domain(
         student.discrepancy, reference, cases.letters(cases.rates("b"))(rng), tolerance=POINTWISE, hint=LETTERS
     )
@@ -168,36 +146,21 @@ def judge_motion(special_motion, definition):
         fail(message, hint=special.order_hint(definition, p, c) or hint)
 
 
-@check(
-    "special_motion",
-    points=1.5,
-    part="a",
-    line="special_motion of b: a motion in which C accelerates, "
-    "for which definition b holds at every t, and c does not.",
-)
+@check("special_motion", points=1.5)
 def special_motion_of_b(student, rng):
+    """special_motion of b: a motion in which C accelerates, for which definition b holds at every t, and c does not."""
     judge_motion(student.special_motion, "b")
 
 
-@check(
-    "special_motion",
-    points=1.25,
-    part="a",
-    line="special_motion of c: a motion in which C accelerates, "
-    "for which definition c holds at every t, and b does not.",
-)
+@check("special_motion", points=1.25)
 def special_motion_of_c(student, rng):
+    """special_motion of c: a motion in which C accelerates, for which definition c holds at every t, and b does not."""
     judge_motion(student.special_motion, "c")
 
 
-@check(
-    "special_motion",
-    points=0.25,
-    part="a",
-    after=(special_motion_of_b, special_motion_of_c),
-    line="special_motion raises ValueError for another definition.",
-)
+@check("special_motion", points=0.25, after=(special_motion_of_b, special_motion_of_c))
 def special_motion_refuses_other_definitions(student, rng):
+    """special_motion raises ValueError for another definition."""
     calls = [Case(name).labelled(f'the definition "{name}"') for name in ("d", "bc", "a", *cases.LETTERS_ALIKE)]
     check_raises(student.special_motion, calls, hint='Raise ValueError for anything but "b" and "c".')
 

@@ -56,23 +56,24 @@ MOTION = Column("the position", "m", [0, 1, 2], scale=length), Column("the veloc
 KEPT = Invariant("the energy", "of its start", reference.energies, None, ENERGY)
 
 
-@check("free_body_diagram", points=0.5, part="a", line="every force on the mass, where it acts and along what.")
+@check("free_body_diagram", points=0.5)
 def forces_on_the_mass(student, rng):
+    """every force on the mass, where it acts and along what."""
     compare_diagrams(student.free_body_diagram, reference, cases.states(rng))
 
 
 BELOW = "Which two forces act on the mass, and which way, when it is below the origin?"
 
 
-@check(
-    "state_derivative", points=1.5, part="a", line="the velocity, and the acceleration by the spring and the weight."
-)
+@check("state_derivative", points=1.5)
 def derivative_is_velocity_and_force_over_mass(student, rng):
+    """the velocity, and the acceleration by the spring and the weight."""
     compare(student.state_derivative, reference, cases.states_at_times(rng), tolerance=POINTWISE, hint=BELOW)
 
 
-@check("energy", points=1, part="a", line="kinetic, of the spring, of the weight; zero at rest at the origin.")
+@check("energy", points=1)
 def energy_is_that_of_motion_spring_and_weight(student, rng):
+    """kinetic, of the spring, of the weight; zero at rest at the origin."""
     compare(
         student.energy, reference, cases.states(rng), tolerance=POINTWISE, hint="Three terms: speed, stretch, height."
     )
@@ -86,8 +87,9 @@ def of_closed_form(case, result, expected):
     return "About which point does it oscillate, and how fast?"
 
 
-@check("solution", points=1.25, part="a", line="position and velocity in closed form, given those at t = 0.")
+@check("solution", points=1.25)
 def solution_is_the_motion(student, rng):
+    """position and velocity in closed form, given those at t = 0."""
     compare_columns(student.solution, reference, cases.with_gravity(rng), tolerance=POINTWISE, hint=of_closed_form)
 
 
@@ -100,14 +102,9 @@ def at_zero(case, result, expected):
     return "Row i is the state at t[i], the given one that at t = 0."
 
 
-@check(
-    "solution",
-    points=0.5,
-    part="a",
-    after=solution_is_the_motion,
-    line="without gravity too, and at times of which none is zero.",
-)
+@check("solution", points=0.5, after=solution_is_the_motion)
 def solution_holds_without_gravity_and_from_any_time(student, rng):
+    """without gravity too, and at times of which none is zero."""
     compare_columns(student.solution, reference, cases.from_any_time(rng), tolerance=POINTWISE, hint=at_zero)
 
 
@@ -115,8 +112,9 @@ def by_rates(student):
     return OwnRates(student.state_derivative, reference, lambda t, row: (t, row))
 
 
-@check("simulate", points=0.75, part="a", line="the state at few and uneven times, the first of which is not 0.")
+@check("simulate", points=0.75)
 def simulate_moves_as_it_must(student, rng):
+    """the state at few and uneven times, the first of which is not 0."""
     compare_trajectory(
         student.simulate, reference, cases.moving(rng), tolerance=TRAJECTORY, own_rates=by_rates(student), keeps=KEPT
     )
@@ -125,28 +123,18 @@ def simulate_moves_as_it_must(student, rng):
 FIXED = "Neither a fixed step nor a fixed number of steps does for every spring and any times."
 
 
-@check(
-    "simulate",
-    points=0.5,
-    part="a",
-    after=simulate_moves_as_it_must,
-    line="the same with only two times, periods apart, whatever was asked before.",
-)
+@check("simulate", points=0.5, after=simulate_moves_as_it_must)
 def simulate_does_not_depend_on_the_sampling(student, rng):
+    """the same with only two times, periods apart, whatever was asked before."""
     compare_trajectory(
         student.simulate, reference, cases.few_times(rng), tolerance=TRAJECTORY, own_rates=by_rates(student)
     )
     compare_trajectory(student.simulate, reference, cases.stiff(rng), tolerance=TRAJECTORY, hint=FIXED)
 
 
-@check(
-    "simulate",
-    points=0.5,
-    part="a",
-    after=simulate_moves_as_it_must,
-    line="after five periods the energy has its first value.",
-)
+@check("simulate", points=0.5, after=simulate_moves_as_it_must)
 def energy_stays(student, rng):
+    """after five periods the energy has its first value."""
     check_conserved(
         student.simulate, reference, cases.many_periods(rng), KEPT, coarsely=COARSELY, partial={1e-3: 0.6, 1e-2: 0.3}
     )
@@ -160,8 +148,9 @@ def where_it_rests(case, result, expected):
     return "It is above the origin." if above else "Where do spring and weight balance?"
 
 
-@check("orbit", points=0.5, part="c", line="the centre is where the mass can rest.")
+@check("orbit", points=0.5, part="c")
 def orbit_has_its_centre_at_the_equilibrium(student, rng):
+    """the centre is where the mass can rest."""
     compare(student.orbit, reference, cases.orbits(rng), tolerance=POINTWISE, only=0, hint=where_it_rests)
 
 
@@ -188,27 +177,24 @@ def judge_axes(orbit, calls):
         expect_that(a @ a >= b @ b - RIGHT_ANGLE * square, "the larger axis is not the first")
 
 
-@check("orbit", points=1, part="c", line="the semi-axes, perpendicular, the larger first.")
+@check("orbit", points=1, part="c")
 def orbit_is_the_ellipse_of_the_motion(student, rng):
+    """the semi-axes, perpendicular, the larger first."""
     judge_axes(student.orbit, cases.orbits(rng))
 
 
-@check(
-    "orbit",
-    points=0.5,
-    part="c",
-    after=orbit_is_the_ellipse_of_the_motion,
-    line="an ellipse with one axis or both zero.",
-)
+@check("orbit", points=0.5, part="c", after=orbit_is_the_ellipse_of_the_motion)
 def orbit_may_be_a_line_or_a_point(student, rng):
+    """an ellipse with one axis or both zero."""
     judge_axes(student.orbit, cases.flat(rng))
 
 
 # The picture
 
 
-@check("project", points=1, part="a", line="what an eye far away sees, right and up.")
+@check("project", points=1)
 def projection_is_orthographic(student, rng):
+    """what an eye far away sees, right and up."""
     compare(
         student.project,
         reference,
@@ -218,14 +204,9 @@ def projection_is_orthographic(student, rng):
     )
 
 
-@check(
-    "plot_projection",
-    points=0.5,
-    part="a",
-    after=projection_is_orthographic,
-    line="plot_projection draws the projected path from t[0] to t[-1], with labels and equal scales.",
-)
+@check("plot_projection", points=0.5, after=projection_is_orthographic)
 def the_path_is_drawn(student, rng):
+    """plot_projection draws the projected path from t[0] to t[-1], with labels and equal scales."""
     case = cases.drawn(rng)
     t, r, v, *view = case.args
     places = reference.simulate(t, r, v, **case.kwargs)[:, :3]

@@ -62,8 +62,9 @@ MOTION = (
 KEPT = Invariant("the energy", "of m g l", reference.energies, absolute, ENERGY)
 
 
-@check("free_body_diagram", points=0.5, part="a", line="every force on the particle, where it acts and along what.")
+@check("free_body_diagram", points=0.5)
 def forces_on_the_particle(student, rng):
+    """every force on the particle, where it acts and along what."""
     compare_diagrams(student.free_body_diagram, reference, cases.states(rng))
 
 
@@ -75,13 +76,15 @@ def of_mending(case, result, expected):
 TWICE = "Differentiate x^2 + y^2 = l^2 twice: which unknown does F = m a leave?"
 
 
-@check("constraint_force", points=2, part="a", line="radial, and such that F = m a keeps x^2 + y^2 as it is.")
+@check("constraint_force", points=2)
 def force_keeps_the_particle_on_the_circle(student, rng):
+    """radial, and such that F = m a keeps x^2 + y^2 as it is."""
     compare(student.constraint_force, reference, cases.states(rng), tolerance=FORMULA, hint=TWICE)
 
 
-@check("acceleration", points=1.5, part="a", line="by the weight and the constraint force.")
+@check("acceleration", points=1.5)
 def acceleration_is_that_of_both_forces(student, rng):
+    """by the weight and the constraint force."""
     compare(
         student.acceleration,
         reference,
@@ -91,32 +94,24 @@ def acceleration_is_that_of_both_forces(student, rng):
     )
 
 
-@check(
-    "consistent_state",
-    points=1.25,
-    part="a",
-    line="the place goes along its radius onto the circle, v loses its radial part.",
-)
+@check("consistent_state", points=1.25)
 def consistent_state_is_the_nearest(student, rng):
+    """the place goes along its radius onto the circle, v loses its radial part."""
     compare(student.consistent_state, reference, cases.off_circle(rng), tolerance=FORMULA, hint=of_mending)
 
 
 NEAREST = "Which point of the circle is nearest to its centre?"
 
 
-@check(
-    "consistent_state",
-    points=0.25,
-    part="a",
-    after=consistent_state_is_the_nearest,
-    line="consistent_state raises ValueError where no point of the circle is the nearest.",
-)
+@check("consistent_state", points=0.25, after=consistent_state_is_the_nearest)
 def consistent_state_refuses_the_origin(student, rng):
+    """consistent_state raises ValueError where no point of the circle is the nearest."""
     check_domain(student.consistent_state, reference, cases.origin(rng), tolerance=FORMULA, hint=NEAREST)
 
 
-@check("energy", points=1, part="a", line="m v^2/2 and the potential energy of the weight, zero at y = 0.")
+@check("energy", points=1)
 def energy_is_kinetic_and_potential(student, rng):
+    """m v^2/2 and the potential energy of the weight, zero at y = 0."""
     compare(
         student.energy,
         reference,
@@ -130,8 +125,9 @@ def by_rates(student):
     return OwnRates(student.acceleration, reference, lambda t, row: (row,))
 
 
-@check("simulate", points=0.5, part="a", line="uniform motion around the circle where there is no gravity.")
+@check("simulate", points=0.5)
 def without_gravity_it_goes_round_uniformly(student, rng):
+    """uniform motion around the circle where there is no gravity."""
     compare_trajectory(
         student.simulate,
         reference,
@@ -142,8 +138,9 @@ def without_gravity_it_goes_round_uniformly(student, rng):
     )
 
 
-@check("simulate", points=0.75, part="a", line="the state at few and uneven times, the first of which is not 0.")
+@check("simulate", points=0.75)
 def with_gravity_it_swings_or_goes_round(student, rng):
+    """the state at few and uneven times, the first of which is not 0."""
     compare_trajectory(
         student.simulate,
         reference,
@@ -159,14 +156,9 @@ TIGHTEN = "Tighten rtol and atol: does it leave the circle between the samples?"
 ENERGY_SHARES = {1e-3: 0.9, np.inf: 0.8}  # most of the points are the constraint's
 
 
-@check(
-    "simulate",
-    points=1.25,
-    part="a",
-    after=with_gravity_it_swings_or_goes_round,
-    line="after 100 s the particle is still on the circle, its velocity tangent to it, its energy the first.",
-)
+@check("simulate", points=1.25, after=with_gravity_it_swings_or_goes_round)
 def it_stays_on_the_circle(student, rng):
+    """after 100 s the particle is still on the circle, its velocity tangent to it, its energy the first."""
     motions = compare_trajectory(
         student.simulate, reference, cases.long(rng), tolerance=COARSELY, hint=LEAVES, near_miss_credit=False
     )
@@ -191,14 +183,9 @@ def drift(off, out):
     return {"quantity": "the constraint x^2 + y^2 = l^2 or r . v = 0", "hint": LEAVES}
 
 
-@check(
-    "simulate",
-    points=0.5,
-    part="a",
-    after=with_gravity_it_swings_or_goes_round,
-    line="at rest straight above the hinge it is in equilibrium.",
-)
+@check("simulate", points=0.5, after=with_gravity_it_swings_or_goes_round)
 def at_the_very_top_it_stays(student, rng):
+    """at rest straight above the hinge it is in equilibrium."""
     compare_trajectory(
         student.simulate,
         reference,
@@ -209,8 +196,9 @@ def at_the_very_top_it_stays(student, rng):
     )
 
 
-@check("wireframe", points=0.5, part="a", line="one segment, from the hinge to the particle.")
+@check("wireframe", points=0.5)
 def wireframe_is_the_rod(student, rng):
+    """one segment, from the hinge to the particle."""
     compare(
         student.wireframe,
         reference,

@@ -85,13 +85,9 @@ MOTION, SLOWLY = columns(lambda case, _=None: max(way(case), wheelbase(case.kwar
 TO_REST = columns(MOTION[0].scale, AT_REST / STOPPED)
 
 
-@check(
-    "free_body_diagram",
-    points=0.5,
-    part="a",
-    line="every force on the car, seen from above, where it acts and along what.",
-)
+@check("free_body_diagram", points=0.5)
 def forces_on_the_car(student, rng):
+    """every force on the car, seen from above, where it acts and along what."""
     calls = cases.of_diagrams(rng)
     compare_diagrams(student.free_body_diagram, reference, calls)
     judge_refusals(student, [("free_body_diagram", calls[0])])
@@ -176,8 +172,9 @@ EACH_BY_ITSELF = [
 HARDLY_RATES = {"columns": EACH_BY_ITSELF, "tolerance": SOME, "hint": of_rates, "near_miss_credit": False}
 
 
-@check("axle_load", points=0.75, part="a", line="what the locked axle carries at rest.")
+@check("axle_load", points=0.75)
 def axle_load_balances_the_weight(student, rng):
+    """what the locked axle carries at rest."""
     compare(
         student.axle_load,
         reference,
@@ -187,23 +184,17 @@ def axle_load_balances_the_weight(student, rng):
     )
 
 
-@check(
-    "friction_force", points=1, part="a", line="against the velocity of the axle that drags, in proportion to its load."
-)
+@check("friction_force", points=1)
 def friction_opposes_the_sliding(student, rng):
+    """against the velocity of the axle that drags, in proportion to its load."""
     compare(
         student.friction_force, reference, cases.ways(cases.TURN, count=2)(rng), tolerance=FORMULA, hint=of_friction
     )
 
 
-@check(
-    "friction_force",
-    points=0.5,
-    part="a",
-    after=friction_opposes_the_sliding,
-    line="any motion, however slow; zero at rest.",
-)
+@check("friction_force", points=0.5, after=friction_opposes_the_sliding)
 def friction_in_any_motion_and_at_rest(student, rng):
+    """any motion, however slow; zero at rest."""
     compare(
         student.friction_force,
         reference,
@@ -215,19 +206,17 @@ def friction_in_any_motion_and_at_rest(student, rng):
     compare(student.friction_force, reference, cases.hardly_moving(rng), **HARDLY)
 
 
-@check(
-    "state_derivative", points=1.25, part="a", line="the balances of momentum; the free axle does not slip sideways."
-)
+@check("state_derivative", points=1.25)
 def equations_of_motion(student, rng):
+    """the balances of momentum; the free axle does not slip sideways."""
     compare_columns(
         student.state_derivative, reference, cases.timed(cases.ways(cases.TURN, count=2))(rng), **DERIVATIVE
     )
 
 
-@check(
-    "state_derivative", points=0.5, part="a", after=equations_of_motion, line="in reverse, on the spot, straight, slow."
-)
+@check("state_derivative", points=0.5, after=equations_of_motion)
 def equations_in_any_motion(student, rng):
+    """in reverse, on the spot, straight, slow."""
     compare_columns(
         student.state_derivative, reference, cases.timed(cases.ways(*cases.MOVING), cases.headings)(rng), **DERIVATIVE
     )
@@ -235,21 +224,17 @@ def equations_in_any_motion(student, rng):
     compare_columns(student.state_derivative, reference, cases.timed(cases.hardly_moving)(rng), **HARDLY_RATES)
 
 
-@check(
-    "state_derivative",
-    points=0.5,
-    part="a",
-    after=equations_of_motion,
-    line="without friction, without gravity; all zero at rest.",
-)
+@check("state_derivative", points=0.5, after=equations_of_motion)
 def equations_without_friction_and_at_rest(student, rng):
+    """without friction, without gravity; all zero at rest."""
     compare_columns(
         student.state_derivative, reference, cases.timed(cases.ways(cases.REST), cases.odd_cars)(rng), **DERIVATIVE
     )
 
 
-@check("kinetic_energy", points=0.5, part="a", line="of G, and of turning about it.")
+@check("kinetic_energy", points=0.5)
 def kinetic_energy_of_G_and_of_turning(student, rng):
+    """of G, and of turning about it."""
     compare(
         student.kinetic_energy,
         reference,
@@ -264,41 +249,39 @@ def compare_motions(student, motions, **limits):
     compare_trajectory(student.simulate, reference, motions, hint=of_run, own_rates=by_rates(student), **limits)
 
 
-@check("simulate", points=0.75, part="a", line="braking with either axle locked, row i at t[i], row 0 the given state.")
+@check("simulate", points=0.75)
 def simulate_brakes(student, rng):
+    """braking with either axle locked, row i at t[i], row 0 the given state."""
     compare_motions(student, cases.braking(rng), tolerance=FOLLOWED)
 
 
-@check(
-    "simulate",
-    points=0.25,
-    part="a",
-    after=simulate_brakes,
-    line="the same motion when only a few times are asked for.",
-)
+@check("simulate", points=0.25, after=simulate_brakes)
 def simulate_needs_no_dense_times(student, rng):
+    """the same motion when only a few times are asked for."""
     compare_motions(student, cases.few_times(rng), tolerance=FOLLOWED)
 
 
-@check("simulate", points=0.25, part="a", after=simulate_brakes, line="without friction it glides, however slow.")
+@check("simulate", points=0.25, after=simulate_brakes)
 def simulate_glides_without_friction(student, rng):
+    """without friction it glides, however slow."""
     compare_motions(student, cases.gliding_slowly(rng), columns=SLOWLY, tolerance=SLOW)
 
 
-@check("yaw_growth_rate", points=0.75, part="a", line="d(yaw acceleration)/d(yaw rate).")
+@check("yaw_growth_rate", points=0.75)
 def growth_rate_is_the_slope(student, rng):
+    """d(yaw acceleration)/d(yaw rate)."""
     compare(student.yaw_growth_rate, reference, cases.at_speeds(rng), tolerance=GROWTH, hint=of_rate)
 
 
-@check(
-    "critical_speed", points=0.5, part="a", line="that at which the growth rate is zero; math.inf where it never is."
-)
+@check("critical_speed", points=0.5)
 def critical_speed_is_where_growth_begins(student, rng):
+    """that at which the growth rate is zero; math.inf where it never is."""
     compare(student.critical_speed, reference, cases.parked(rng), tolerance=FORMULA, hint=where_zero)
 
 
-@check("small_yaw_rate", points=0.75, part="d", line="exact by linear theory.")
+@check("small_yaw_rate", points=0.75, part="d")
 def small_yaw_rate_is_the_linear_solution(student, rng):
+    """exact by linear theory."""
     compare(
         student.small_yaw_rate,
         reference,
@@ -324,24 +307,16 @@ def with_other_axles(case):
     return [other.labelled(f"locked={locked!r}, {case.label}") for locked, other in others]
 
 
-@check(
-    "axle_load",
-    points=0.25,
-    part="a",
-    line="axle_load, friction_force, state_derivative, kinetic_energy, simulate: ValueError for another `locked`.",
-)
+@check("axle_load", points=0.25)
 def mechanics_refuses_other_axles(student, rng):
+    """axle_load, friction_force, state_derivative, kinetic_energy, simulate: ValueError for another `locked`."""
     compare(student.axle_load, reference, cases.parked(rng)[:2], tolerance=FORMULA)
     judge_refusals(student, cases.of_mechanics(rng))
 
 
-@check(
-    "critical_speed",
-    points=0.25,
-    part="a",
-    line="critical_speed, yaw_growth_rate, small_yaw_rate: ValueError for another `locked`.",
-)
+@check("critical_speed", points=0.25)
 def stability_refuses_other_axles(student, rng):
+    """critical_speed, yaw_growth_rate, small_yaw_rate: ValueError for another `locked`."""
     compare(student.critical_speed, reference, cases.parked(rng)[1:2], tolerance=FORMULA)
     judge_refusals(student, cases.of_stability(rng))
 
@@ -349,10 +324,9 @@ def stability_refuses_other_axles(student, rng):
 # Last: a student whose integrator never gets past the stop shall lose nothing else by it.
 
 
-@check(
-    "simulate", points=0.75, part="a", after=simulate_brakes, line="it stops, and stays; a car at rest does not start."
-)
+@check("simulate", points=0.75, after=simulate_brakes)
 def simulate_comes_to_rest_and_stays(student, rng):
+    """it stops, and stays; a car at rest does not start."""
     compare_motions(student, cases.stops(rng), columns=TO_REST, tolerance=STOPPED)
     compare_motions(student, cases.at_rest(rng), tolerance=FORMULA)
 

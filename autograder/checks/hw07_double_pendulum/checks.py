@@ -53,8 +53,9 @@ KEPT_ENERGY = Invariant("the energy", "of m g l", reference.energies, MOMENT, EN
 KEPT_MOMENTUM = Invariant("the angular momentum", "of m l^2 omega", reference.momenta, SPIN, ENERGY)
 
 
-@check("free_body_diagram", points=0.5, part="a", line="every force on each bar, where it acts and along what.")
+@check("free_body_diagram", points=0.5)
 def forces_on_each_bar(student, rng):
+    """every force on each bar, where it acts and along what."""
     calls = cases.free_bars(rng)
     compare_diagrams(student.free_body_diagram, reference, calls)
     bad = [call.replace(bar).labelled("another bar") for call in calls[:1] for bar in (0, 3, -1)]
@@ -103,92 +104,64 @@ DIVIDED = "Without gravity the same equations hold: the bars still act on each o
 DOWN = "An angle of zero is down, a positive one to the right"
 
 
-@check(
-    "mass_matrix",
-    points=1,
-    part="a",
-    line="[M] of Lagrange's equations, or of the two that your {f} and {g} belong to.",
-)
+@check("mass_matrix", points=1)
 def mass_matrix_makes_the_kinetic_energy(student, rng):
+    """[M] of Lagrange's equations, or of the two that your {f} and {g} belong to."""
     agree_in_equations(student.mass_matrix, cases.states(rng), tolerance=FORMULA, hint=VELOCITIES)
 
 
-@check(
-    "velocity_terms",
-    points=1,
-    part="a",
-    line="{f} of Lagrange's equations, or of the two that your [M] and {g} belong to.",
-)
+@check("velocity_terms", points=1)
 def velocity_terms_are_centripetal(student, rng):
+    """{f} of Lagrange's equations, or of the two that your [M] and {g} belong to."""
     agree_in_equations(student.velocity_terms, cases.states(rng), tolerance=FORMULA, hint=CENTRIPETAL)
 
 
-@check(
-    "gravity_terms",
-    points=0.75,
-    part="a",
-    line="{g} of Lagrange's equations, or of the two that your [M] and {f} belong to.",
-)
+@check("gravity_terms", points=0.75)
 def gravity_terms_are_moments_of_the_weights(student, rng):
+    """{g} of Lagrange's equations, or of the two that your [M] and {f} belong to."""
     agree_in_equations(student.gravity_terms, cases.states(rng), tolerance=FORMULA, hint=HEIGHTS)
 
 
-@check("angular_acceleration", points=0.75, part="a", line="[M]{alpha} + {f} + {g} = 0, without gravity too.")
+@check("angular_acceleration", points=0.75)
 def accelerations_obey_the_equations(student, rng):
+    """[M]{alpha} + {f} + {g} = 0, without gravity too."""
     compare(student.angular_acceleration, reference, cases.states(rng), tolerance=FORMULA, hint=in_equations)
 
 
-@check(
-    "angular_acceleration",
-    points=0.25,
-    part="a",
-    after=accelerations_obey_the_equations,
-    line="angular_acceleration keeps its digits when one bar has 1e-9 of the other's mass.",
-)
+@check("angular_acceleration", points=0.25, after=accelerations_obey_the_equations)
 def accelerations_with_a_nearly_massless_bar(student, rng):
+    """angular_acceleration keeps its digits when one bar has 1e-9 of the other's mass."""
     compare(student.angular_acceleration, reference, cases.nearly_massless(rng), tolerance=MASSLESS, hint=SCALED)
 
 
-@check("on_the_fly", points=0.5, part="a", line="alpha from two free bars and two hinge constraints.")
+@check("on_the_fly", points=0.5)
 def free_bars_accelerate_as_lagranges(student, rng):
+    """alpha from two free bars and two hinge constraints."""
     compare(student.on_the_fly, reference, cases.states(rng), tolerance=FORMULA, only=0, hint=TEN)
 
 
-@check(
-    "on_the_fly",
-    points=0.75,
-    part="a",
-    after=free_bars_accelerate_as_lagranges,
-    line="with the hinge forces and the weights each bar obeys Newton's law.",
-)
+@check("on_the_fly", points=0.75, after=free_bars_accelerate_as_lagranges)
 def hinge_forces_balance(student, rng):
+    """with the hinge forces and the weights each bar obeys Newton's law."""
     compare(student.on_the_fly, reference, cases.states(rng), tolerance=FORMULA, only=1, hint=HANGING)
 
 
-@check(
-    "on_the_fly",
-    points=0.25,
-    part="a",
-    after=free_bars_accelerate_as_lagranges,
-    line="on_the_fly keeps its digits with a bar of 1e-9 of the other's mass, and straight down.",
-)
+@check("on_the_fly", points=0.25, after=free_bars_accelerate_as_lagranges)
 def free_bars_with_a_nearly_massless_one(student, rng):
+    """on_the_fly keeps its digits with a bar of 1e-9 of the other's mass, and straight down."""
     compare(student.on_the_fly, reference, cases.nearly_massless(rng), tolerance=MASSLESS, only=0, hint=SCALED)
     compare(student.on_the_fly, reference, cases.straight_down(rng), tolerance=FORMULA, only=0)
 
 
-@check(
-    "energy",
-    points=0.75,
-    part="a",
-    line="kinetic of turning bars, potential of their mass centres, zero at the ceiling.",
-)
+@check("energy", points=0.75)
 def energy_is_kinetic_and_potential(student, rng):
+    """kinetic of turning bars, potential of their mass centres, zero at the ceiling."""
     compare(student.energy, reference, cases.states(rng), tolerance=FORMULA, hint=of_energy)
 
 
-@check("angular_momentum", points=0.75, part="a", line="r x m v and I omega of both bars, about the ceiling hinge.")
+@check("angular_momentum", points=0.75)
 def angular_momentum_is_about_the_ceiling(student, rng):
+    """r x m v and I omega of both bars, about the ceiling hinge."""
     compare(student.angular_momentum, reference, cases.states(rng), tolerance=FORMULA, hint=BOTH_PARTS)
 
 
@@ -196,8 +169,9 @@ def by_rates(student):
     return OwnRates(student.angular_acceleration, reference, lambda t, row: (row[:2], row[2:]))
 
 
-@check("simulate", points=0.5, part="a", line="angles and angular velocities at uneven times, whatever t[0] is.")
+@check("simulate", points=0.5)
 def simulation_follows_the_equations(student, rng):
+    """angles and angular velocities at uneven times, whatever t[0] is."""
     compare_trajectory(
         student.simulate,
         reference,
@@ -212,14 +186,9 @@ SHARES = {1e-4: 0.75, 1e-3: 0.5, 1e-2: 0.25}
 ROUGHLY = 0.02  # of the scale: in ten seconds errors grow a thousandfold, careful ones to 1e-4; wrong motions make .3
 
 
-@check(
-    "simulate",
-    points=0.25,
-    part="a",
-    after=simulation_follows_the_equations,
-    line="from (pi/2, pi/2) at rest the energy stays for ten seconds.",
-)
+@check("simulate", points=0.25, after=simulation_follows_the_equations)
 def energy_is_conserved_from_horizontal(student, rng):
+    """from (pi/2, pi/2) at rest the energy stays for ten seconds."""
     check_conserved(
         student.simulate,
         reference,
@@ -231,14 +200,9 @@ def energy_is_conserved_from_horizontal(student, rng):
     )
 
 
-@check(
-    "simulate",
-    points=0.25,
-    part="a",
-    after=simulation_follows_the_equations,
-    line="without gravity energy and angular momentum stay.",
-)
+@check("simulate", points=0.25, after=simulation_follows_the_equations)
 def momentum_is_conserved_without_gravity(student, rng):
+    """without gravity energy and angular momentum stay."""
     check_conserved(
         student.simulate,
         reference,
@@ -251,31 +215,23 @@ def momentum_is_conserved_without_gravity(student, rng):
     )
 
 
-@check(
-    "small_oscillation_frequencies",
-    points=0.5,
-    part="a",
-    line="of [M]{th}'' + [K]{th} = 0 about hanging straight down.",
-)
+@check("small_oscillation_frequencies", points=0.5)
 def small_oscillations_have_two_frequencies(student, rng):
+    """of [M]{th}'' + [K]{th} = 0 about hanging straight down."""
     compare(student.small_oscillation_frequencies, reference, cases.thrown(rng, 3), tolerance=FREQUENCY, hint=in_order)
 
 
-@check(
-    "small_oscillation_frequencies",
-    points=0.25,
-    part="a",
-    after=small_oscillations_have_two_frequencies,
-    line="equal bars, a nearly massless bar, no gravity.",
-)
+@check("small_oscillation_frequencies", points=0.25, after=small_oscillations_have_two_frequencies)
 def frequencies_in_special_cases(student, rng):
+    """equal bars, a nearly massless bar, no gravity."""
     compare(
         student.small_oscillation_frequencies, reference, cases.special(rng), tolerance=FREQUENCY, hint=out_of_order
     )
 
 
-@check("wireframe", points=0.5, part="a", line="ceiling hinge to elbow, elbow to tip.")
+@check("wireframe", points=0.5)
 def wireframe_shows_the_bars(student, rng):
+    """ceiling hinge to elbow, elbow to tip."""
     compare(student.wireframe, reference, cases.states(rng), tolerance=FORMULA, hint=DOWN)
 
 
@@ -288,13 +244,9 @@ def tip_path(rng):
     return case, elbows, tips
 
 
-@check(
-    "plot_tip_path",
-    points=0.5,
-    part="d",
-    line="plot_tip_path draws the tip's path from t[0] to t[-1], at equal scales.",
-)
+@check("plot_tip_path", points=0.5, part="d")
 def tip_path_is_drawn(student, rng):
+    """plot_tip_path draws the tip's path from t[0] to t[-1], at equal scales."""
     case, elbows, tips = tip_path(rng)
     others = {
         "It is the elbow's path": elbows,

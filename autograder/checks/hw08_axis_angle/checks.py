@@ -34,8 +34,9 @@ def of_which_term(case, result, expected):
     return "The cosine is right in it, the sine is not." if sine > 100 * cosine else "What does each term become there?"
 
 
-@check("skew", points=1, part="a", line="skew(v) r = v x r, for any v and r.")
+@check("skew", points=1)
 def skew_is_the_cross_product(student, rng):
+    """skew(v) r = v x r, for any v and r."""
     compare(
         student.skew,
         reference,
@@ -45,13 +46,9 @@ def skew_is_the_cross_product(student, rng):
     )
 
 
-@check(
-    "rotation_matrix",
-    points=2,
-    part="a",
-    line="rotation_matrix turns by the angle about the axis, right-handed, whatever the axis's length.",
-)
+@check("rotation_matrix", points=2)
 def matrix_turns_by_the_right_hand_rule(student, rng):
+    """rotation_matrix turns by the angle about the axis, right-handed, whatever the axis's length."""
     compare(
         student.rotation_matrix,
         reference,
@@ -77,25 +74,15 @@ def vectors_by_size(function, sizes):
         compare(function, reference, calls, tolerance=tolerance)
 
 
-@check(
-    "rotation_matrix",
-    points=1,
-    part="a",
-    after=matrix_turns_by_the_right_hand_rule,
-    line="an angle of 1e-12 turns by 1e-12, one of 1e6 by 1e6; R^T R = I and det R = 1 for all of them.",
-)
+@check("rotation_matrix", points=1, after=matrix_turns_by_the_right_hand_rule)
 def matrix_holds_for_every_angle(student, rng):
+    """an angle of 1e-12 turns by 1e-12, one of 1e6 by 1e6; R^T R = I and det R = 1 for all of them."""
     rotations_by_size(student.rotation_matrix, cases.turns_by_size(rng))
 
 
-@check(
-    "rotation_matrix",
-    points=1,
-    part="a",
-    after=matrix_turns_by_the_right_hand_rule,
-    line="axes of length 1e-100 or 1e100 give the same matrix as the unit axis.",
-)
+@check("rotation_matrix", points=1, after=matrix_turns_by_the_right_hand_rule)
 def matrix_depends_on_the_direction_alone(student, rng):
+    """axes of length 1e-100 or 1e100 give the same matrix as the unit axis."""
     compare(
         student.rotation_matrix,
         reference,
@@ -105,41 +92,27 @@ def matrix_depends_on_the_direction_alone(student, rng):
     )
 
 
-@check(
-    "rotation_matrix",
-    points=1,
-    part="a",
-    after=matrix_turns_by_the_right_hand_rule,
-    line="rotation_matrix raises ValueError for an axis that is zero or not finite, whatever the angle.",
-)
+@check("rotation_matrix", points=1, after=matrix_turns_by_the_right_hand_rule)
 def matrix_refuses_what_is_no_axis(student, rng):
+    """rotation_matrix raises ValueError for an axis that is zero or not finite, whatever the angle."""
     check_domain(student.rotation_matrix, reference, cases.no_axes(rng), tolerance=POINTWISE)
 
 
-@check("rotate", points=2, part="a", line="rotate turns r as the matrix would, whatever the axis's length.")
+@check("rotate", points=2)
 def vector_turns_by_the_right_hand_rule(student, rng):
+    """rotate turns r as the matrix would, whatever the axis's length."""
     compare(student.rotate, reference, cases.turned_vectors(rng), tolerance=POINTWISE, hint=of_few_digits)
 
 
-@check(
-    "rotate",
-    points=1,
-    part="a",
-    after=vector_turns_by_the_right_hand_rule,
-    line="rotate holds for angles from 1e-12 to 1e6 and axes from 1e-100 to 1e100 long.",
-)
+@check("rotate", points=1, after=vector_turns_by_the_right_hand_rule)
 def vector_turns_by_every_angle(student, rng):
+    """rotate holds for angles from 1e-12 to 1e6 and axes from 1e-100 to 1e100 long."""
     vectors_by_size(student.rotate, cases.vectors_by_size(rng))
 
 
-@check(
-    "rotate",
-    points=1,
-    part="a",
-    after=vector_turns_by_the_right_hand_rule,
-    line="rotate raises ValueError for an axis that is zero or not finite, whatever angle and vector.",
-)
+@check("rotate", points=1, after=vector_turns_by_the_right_hand_rule)
 def rotate_refuses_what_is_no_axis(student, rng):
+    """rotate raises ValueError for an axis that is zero or not finite, whatever angle and vector."""
     check_domain(student.rotate, reference, cases.vectors_about_no_axes(rng), tolerance=POINTWISE)
 
 

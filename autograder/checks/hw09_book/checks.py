@@ -51,63 +51,45 @@ WHICH_FIRST = partial(of_few_digits, otherwise="Which matrix acts on a vector fi
 THE_EDGES = partial(of_few_digits, otherwise="Turn a real book: where do its three edges end?")
 
 
-@check(
-    "axis_rotation",
-    points=1,
-    part="a",
-    line="axis_rotation turns by the angle about x, y or z, by the right-hand rule.",
-)
+@check("axis_rotation", points=1)
 def turns_about_the_coordinate_axes(student, rng):
+    """axis_rotation turns by the angle about x, y or z, by the right-hand rule."""
     compare(student.axis_rotation, reference, cases.turns(rng), tolerance=WITHIN, hint=QUARTER_TURN)
 
 
-@check(
-    "axis_rotation",
-    points=0.5,
-    part="a",
-    after=turns_about_the_coordinate_axes,
-    line="axis_rotation raises ValueError for any other string.",
-)
+@check("axis_rotation", points=0.5, after=turns_about_the_coordinate_axes)
 def other_axes_are_refused(student, rng):
+    """axis_rotation raises ValueError for any other string."""
     check_domain(student.axis_rotation, reference, cases.no_axes(rng), tolerance=WITHIN)
 
 
-@check("space_sequence", points=1, part="a", line="space_sequence turns about axes fixed in space, first step first.")
+@check("space_sequence", points=1)
 def space_sequence_takes_the_first_step_first(student, rng):
+    """space_sequence turns about axes fixed in space, first step first."""
     compare(student.space_sequence, reference, cases.sequences(rng), tolerance=WITHIN, hint=WHICH_FIRST)
 
 
-@check(
-    "space_sequence",
-    points=0.25,
-    part="a",
-    after=space_sequence_takes_the_first_step_first,
-    line="space_sequence of one step, and of none: the identity.",
-)
+@check("space_sequence", points=0.25, after=space_sequence_takes_the_first_step_first)
 def space_sequence_takes_few_steps(student, rng):
+    """space_sequence of one step, and of none: the identity."""
     compare(student.space_sequence, reference, cases.few_steps(rng), tolerance=WITHIN)
 
 
-@check(
-    "body_sequence", points=1, part="a", line="body_sequence turns about the axes that the steps before have turned."
-)
+@check("body_sequence", points=1)
 def body_sequence_takes_the_axes_along(student, rng):
+    """body_sequence turns about the axes that the steps before have turned."""
     compare(student.body_sequence, reference, cases.sequences(rng), tolerance=WITHIN, hint=WHICH_FIRST)
 
 
-@check(
-    "body_sequence",
-    points=0.25,
-    part="a",
-    after=body_sequence_takes_the_axes_along,
-    line="body_sequence of one step, and of none: the identity.",
-)
+@check("body_sequence", points=0.25, after=body_sequence_takes_the_axes_along)
 def body_sequence_takes_few_steps(student, rng):
+    """body_sequence of one step, and of none: the identity."""
     compare(student.body_sequence, reference, cases.few_steps(rng), tolerance=WITHIN)
 
 
-@check("book_rotations", points=1, part="a", line="90 degrees about z then x, and about x then z, axes fixed in space.")
+@check("book_rotations", points=1)
 def the_book_is_turned_in_both_orders(student, rng):
+    """90 degrees about z then x, and about x then z, axes fixed in space."""
     compare(student.book_rotations, reference, [Case()], tolerance=WITHIN, hint=THE_EDGES)
 
 
@@ -162,58 +144,34 @@ def of_angle(angle, expected):
     return FLAT_COSINE if near(angle, expected, HALF) else "Test it: the trace of R is 1 + 2 cos(angle)."
 
 
-@check(
-    "axis_angle",
-    points=1,
-    part="a",
-    line="axis_angle gives the unit axis and the angle of a rotation, of the book's two and of a quarter turn too.",
-)
+@check("axis_angle", points=1)
 def axis_and_angle_are_those_of_the_matrix(student, rng):
+    """axis_angle gives the unit axis and the angle of a rotation, of the book's two and of a quarter turn too."""
     compare(student.axis_angle, reference, cases.generic(rng), tolerance=WITHIN, hint=WHAT_STAYS)
 
 
-@check(
-    "axis_angle",
-    points=0.75,
-    part="a",
-    after=axis_and_angle_are_those_of_the_matrix,
-    line="axis_angle keeps all digits of axis and angle for angles from 1e-12 to 1e-2.",
-)
+@check("axis_angle", points=0.75, after=axis_and_angle_are_those_of_the_matrix)
 def small_angles_keep_their_digits(student, rng):
+    """axis_angle keeps all digits of axis and angle for angles from 1e-12 to 1e-2."""
     compare(student.axis_angle, reference, cases.small(rng), tolerance=RELATIVE, scale=largest, hint=where_flat)
 
 
-@check(
-    "axis_angle",
-    points=0.75,
-    part="a",
-    after=axis_and_angle_are_those_of_the_matrix,
-    line="axis_angle keeps all digits 1e-12 to 1e-2 from a half turn, and at a quarter turn.",
-)
+@check("axis_angle", points=0.75, after=axis_and_angle_are_those_of_the_matrix)
 def angles_near_pi_keep_their_digits(student, rng):
+    """axis_angle keeps all digits 1e-12 to 1e-2 from a half turn, and at a quarter turn."""
     compare(student.axis_angle, reference, cases.near_pi(rng), tolerance=WITHIN, hint=where_flat)
     compare(student.axis_angle, reference, cases.near_quarters(rng), tolerance=WITHIN, hint=where_flat)
 
 
-@check(
-    "axis_angle",
-    points=0.25,
-    part="a",
-    after=angles_near_pi_keep_their_digits,
-    line="axis_angle keeps all digits near pi where a component of the axis is very small.",
-)
+@check("axis_angle", points=0.25, after=angles_near_pi_keep_their_digits)
 def axes_with_small_components_keep_their_digits(student, rng):
+    """axis_angle keeps all digits near pi where a component of the axis is very small."""
     compare(student.axis_angle, reference, cases.small_components(rng), tolerance=WITHIN, hint=where_flat)
 
 
-@check(
-    "axis_angle",
-    points=0.25,
-    part="a",
-    after=axis_and_angle_are_those_of_the_matrix,
-    line="axis_angle of a half turn: the angle pi and the axis, of either sign.",
-)
+@check("axis_angle", points=0.25, after=axis_and_angle_are_those_of_the_matrix)
 def half_turns_have_their_axis(student, rng):
+    """axis_angle of a half turn: the angle pi and the axis, of either sign."""
     for case, (axis, angle) in student.axis_angle.each(cases.half_turns(rng)):
         expect(angle, math.pi, tolerance=WITHIN, quantity="the angle", unit="rad", hint=of_angle(angle, math.pi))
         squares = (case.args[0] + np.eye(3)) / 2
@@ -221,28 +179,18 @@ def half_turns_have_their_axis(student, rng):
         expect(np.outer(axis, axis), squares, tolerance=WITHIN, quantity="the product n n^T of the axis", hint=hint)
 
 
-@check(
-    "axis_angle",
-    points=0.25,
-    part="a",
-    after=axis_and_angle_are_those_of_the_matrix,
-    line="axis_angle of the identity: the angle 0 and any unit axis.",
-)
+@check("axis_angle", points=0.25, after=axis_and_angle_are_those_of_the_matrix)
 def no_turn_has_a_unit_axis(student, rng):
+    """axis_angle of the identity: the angle 0 and any unit axis."""
     for _, (axis, angle) in student.axis_angle.each([Case(np.eye(3)).labelled("the identity")]):
         expect(angle, 0.0, tolerance=WITHIN, quantity="the angle", unit="rad")
         expect_that(np.any(axis), "the axis is the zero vector")
         expect(np.linalg.norm(axis), 1.0, tolerance=WITHIN, quantity="the length of the axis")
 
 
-@check(
-    "axis_angle",
-    points=0.25,
-    part="a",
-    after=axis_and_angle_are_those_of_the_matrix,
-    line="axis_angle refuses matrices that are not rotations, and accepts one with R^T R wrong by 9e-7.",
-)
+@check("axis_angle", points=0.25, after=axis_and_angle_are_those_of_the_matrix)
 def what_is_no_rotation_is_refused(student, rng):
+    """axis_angle refuses matrices that are not rotations, and accepts one with R^T R wrong by 9e-7."""
     compare(student.axis_angle, reference, cases.nearly_rotations(rng), tolerance=SHEARED)
     stretched = Case((1 + 4.5e-7) * np.eye(3)).labelled("the identity times 1 + 4.5e-7")
     for _, (axis, angle) in student.axis_angle.each([stretched]):
@@ -256,10 +204,9 @@ def what_is_no_rotation_is_refused(student, rng):
 # (c) The book
 
 
-@check(
-    "book_edges", points=1.5, part="c", line="book_edges are the edges of the turned book, in any order and direction."
-)
+@check("book_edges", points=1.5, part="c")
 def the_book_has_its_twelve_edges(student, rng):
+    """book_edges are the edges of the turned book, in any order and direction."""
     judge_boxes(student.book_edges, cases.books(rng), tolerance=WITHIN)
 
 

@@ -6,106 +6,71 @@ import numpy as np
 
 from tam570_grader.diagnosis.mistakes import mistake
 
-from .checks import (
-    angles_near_pi_keep_their_digits,
-    axes_with_small_components_keep_their_digits,
-    axis_and_angle_are_those_of_the_matrix,
-    body_sequence_takes_few_steps,
-    body_sequence_takes_the_axes_along,
-    half_turns_have_their_axis,
-    no_turn_has_a_unit_axis,
-    other_axes_are_refused,
-    small_angles_keep_their_digits,
-    space_sequence_takes_few_steps,
-    space_sequence_takes_the_first_step_first,
-    the_book_has_its_twelve_edges,
-    the_book_is_turned_in_both_orders,
-    turns_about_the_coordinate_axes,
-    what_is_no_rotation_is_refused,
-)
+from . import checks
 
 # Matrices and sequences
 
 
-@mistake(
-    "You drop the sign of the angle; a negative angle turns the other way.", first_fails=turns_about_the_coordinate_axes
-)
+@mistake(first_fails=checks.turns_about_the_coordinate_axes)
 def axis_rotation(reference, axis, angle):
+    """You drop the sign of the angle; a negative angle turns the other way."""
     return reference(axis, abs(angle))
 
 
-@mistake(
-    "You use z for every string except x and y; raise ValueError for other strings.",
-    first_fails=other_axes_are_refused,
-    compared=False,
-)
+@mistake(first_fails=checks.other_axes_are_refused, compared=False)
 def axis_rotation(reference, axis, angle):
+    """You use z for every string except x and y; raise ValueError for other strings."""
     return reference(axis if axis in ("x", "y") else "z", angle)
 
 
-@mistake(
-    'You look up the axis in the string "xyz", where Python also finds "", "xy" and "yz"; accept single letters only.',
-    first_fails=other_axes_are_refused,
-    compared=False,
-)
+@mistake(first_fails=checks.other_axes_are_refused, compared=False)
 def axis_rotation(reference, axis, angle):
+    """You look up the axis in the string "xyz", where Python also finds "", "xy" and "yz"; accept single letters
+    only.
+    """
     return reference("xyz"["xyz".index(axis)], angle)
 
 
-@mistake(
-    "You return after the first step; return after the loop.", first_fails=space_sequence_takes_the_first_step_first
-)
+@mistake(first_fails=checks.space_sequence_takes_the_first_step_first)
 def space_sequence(reference, steps):
+    """You return after the first step; return after the loop."""
     return reference(steps[:1])
 
 
-@mistake(
-    "You remove the steps from the given list; leave the list unchanged.",
-    first_fails=space_sequence_takes_the_first_step_first,
-    compared=False,
-)
+@mistake(first_fails=checks.space_sequence_takes_the_first_step_first, compared=False)
 def space_sequence(reference, steps):
+    """You remove the steps from the given list; leave the list unchanged."""
     return reference([steps.pop(0) for _ in list(steps)])
 
 
-@mistake(
-    "You start from the first step, which fails when there is none; start from the identity.",
-    first_fails=space_sequence_takes_few_steps,
-    compared=False,
-)
+@mistake(first_fails=checks.space_sequence_takes_few_steps, compared=False)
 def space_sequence(reference, steps):
+    """You start from the first step, which fails when there is none; start from the identity."""
     return reference([steps[0], *steps[1:]])
 
 
-@mistake(
-    "You turn about axes fixed in space; these axes turn with the body.", first_fails=body_sequence_takes_the_axes_along
-)
+@mistake(first_fails=checks.body_sequence_takes_the_axes_along)
 def body_sequence(reference, steps):
+    """You turn about axes fixed in space; these axes turn with the body."""
     return reference(steps[::-1])
 
 
-@mistake(
-    "You start from the first step, which fails when there is none; start from the identity.",
-    first_fails=body_sequence_takes_few_steps,
-    compared=False,
-)
+@mistake(first_fails=checks.body_sequence_takes_few_steps, compared=False)
 def body_sequence(reference, steps):
+    """You start from the first step, which fails when there is none; start from the identity."""
     return reference([steps[0], *steps[1:]])
 
 
-@mistake(
-    "You return the transpose of (a) as (b), which undoes (a); (b) makes the same two turns in the other order.",
-    first_fails=the_book_is_turned_in_both_orders,
-)
+@mistake(first_fails=checks.the_book_is_turned_in_both_orders)
 def book_rotations(reference):
+    """You return the transpose of (a) as (b), which undoes (a); (b) makes the same two turns in the other order."""
     R_a, _ = reference()
     return R_a, R_a.T
 
 
-@mistake(
-    "You turn the book by 1.5708 rad; use math.pi / 2.", first_fails=the_book_is_turned_in_both_orders, compared=False
-)
+@mistake(first_fails=checks.the_book_is_turned_in_both_orders, compared=False)
 def book_rotations(reference):
+    """You turn the book by 1.5708 rad; use math.pi / 2."""
     about_x, about_z = ("x", 1.5708), ("z", 1.5708)
     return space_sequence([about_z, about_x]), space_sequence([about_x, about_z])
 
@@ -113,158 +78,116 @@ def book_rotations(reference):
 # Axis and angle
 
 
-@mistake(
-    "Your angle is an arcsine, which never exceeds pi/2; beyond pi/2 the angle is pi minus the arcsine.",
-    first_fails=axis_and_angle_are_those_of_the_matrix,
-    label="far from special",
-)
+@mistake(first_fails=checks.axis_and_angle_are_those_of_the_matrix, label="far from special")
 def axis_angle(reference, R):
+    """Your angle is an arcsine, which never exceeds pi/2; beyond pi/2 the angle is pi minus the arcsine."""
     axis, angle = reference(R)
     return axis, min(angle, math.pi - angle)
 
 
-@mistake(
-    "Your axis is the vector part of the quaternion, whose length is sin(angle/2); divide by that length.",
-    first_fails=axis_and_angle_are_those_of_the_matrix,
-)
+@mistake(first_fails=checks.axis_and_angle_are_those_of_the_matrix)
 def axis_angle(reference, R):
+    """Your axis is the vector part of the quaternion, whose length is sin(angle/2); divide by that length."""
     axis, angle = reference(R)
     return math.sin(angle / 2) * axis, angle
 
 
-@mistake(
-    "You use half of the trace as the cosine of the angle; subtract 1 from the trace first.",
-    first_fails=axis_and_angle_are_those_of_the_matrix,
-)
+@mistake(first_fails=checks.axis_and_angle_are_those_of_the_matrix)
 def axis_angle(reference, R):
+    """You use half of the trace as the cosine of the angle; subtract 1 from the trace first."""
     axis, _ = reference(R)
     return axis, math.acos(max(-1.0, min(1.0, np.trace(R) / 2)))
 
 
-@mistake(
-    "You give all components of the axis one sign beyond 2 rad; R + R^T has the signs of their products.",
-    first_fails=axis_and_angle_are_those_of_the_matrix,
-)
+@mistake(first_fails=checks.axis_and_angle_are_those_of_the_matrix)
 def axis_angle(reference, R):
+    """You give all components of the axis one sign beyond 2 rad; R + R^T has the signs of their products."""
     axis, angle = reference(R)
     return math.copysign(1, axis.sum()) * np.abs(axis) if angle > 2 else axis, angle
 
 
-@mistake(
-    "Your angle is the arccos of the trace, which loses half of the digits near 0 and pi; use arctan2.",
-    first_fails=small_angles_keep_their_digits,
-)
+@mistake(first_fails=checks.small_angles_keep_their_digits)
 def axis_angle(reference, R):
+    """Your angle is the arccos of the trace, which loses half of the digits near 0 and pi; use arctan2."""
     return reference(R)[0], math.acos(np.clip((np.trace(R) - 1) / 2, -1, 1))
 
 
-@mistake(
-    "You compute the axis as the null vector of R - I, which loses digits for small angles; use R - R^T.",
-    first_fails=small_angles_keep_their_digits,
-    compared=False,
-)
+@mistake(first_fails=checks.small_angles_keep_their_digits, compared=False)
 def axis_angle(reference, R):
+    """You compute the axis as the null vector of R - I, which loses digits for small angles; use R - R^T."""
     axis, angle = reference(R)
     null = np.linalg.svd(R - np.eye(3))[2][2]
     return math.copysign(1, null @ axis) * null if 0 < angle < math.pi else axis, angle
 
 
-@mistake(
-    "Your angle is an arcsine, which loses half of the digits at a quarter turn; use arctan2.",
-    first_fails=angles_near_pi_keep_their_digits,
-    compared=False,
-)
+@mistake(first_fails=checks.angles_near_pi_keep_their_digits, compared=False)
 def axis_angle(reference, R):
+    """Your angle is an arcsine, which loses half of the digits at a quarter turn; use arctan2."""
     axis, angle = reference(R)
     arcsine = math.asin(min(np.linalg.norm(R - R.T) / math.sqrt(8), 1.0))
     return axis, angle if angle > 2 else arcsine if np.trace(R) >= 1 else math.pi - arcsine
 
 
-@mistake(
-    "You divide R - R^T by 2 sin(angle), which rounding spoils near pi; use R + R^T there.",
-    first_fails=angles_near_pi_keep_their_digits,
-)
+@mistake(first_fails=checks.angles_near_pi_keep_their_digits)
 def axis_angle(reference, R):
+    """You divide R - R^T by 2 sin(angle), which rounding spoils near pi; use R + R^T there."""
     axis, angle = reference(R)
     twice_sine_n = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
     return twice_sine_n / (2 * math.sin(angle)) if angle > 0 else axis, angle
 
 
-@mistake(
-    "You use square roots of the diagonal, which lose half of a small component's digits; use a column of R + R^T.",
-    first_fails=axes_with_small_components_keep_their_digits,
-    compared=False,
-)
+@mistake(first_fails=checks.axes_with_small_components_keep_their_digits, compared=False)
 def axis_angle(reference, R):
+    """You use square roots of the diagonal, which lose half of a small component's digits; use a column of R + R^T."""
     axis, angle = reference(R)
     squares = (np.diag(R) - math.cos(angle)) / (1 - math.cos(angle)) if angle > 3 else axis**2
     return np.copysign(np.sqrt(np.clip(squares, 0, None)), axis) if angle > 3 else axis, angle
 
 
-@mistake(
-    "You drop the signs of a half turn's axis; R + I has the signs of the products of its components.",
-    first_fails=half_turns_have_their_axis,
-)
+@mistake(first_fails=checks.half_turns_have_their_axis)
 def axis_angle(reference, R):
+    """You drop the signs of a half turn's axis; R + I has the signs of the products of its components."""
     axis, angle = reference(R)
     return np.abs(axis) if np.abs(R - R.T).max() < 1e-14 else axis, angle
 
 
-@mistake(
-    "You divide the axis of the identity by its length, which is 0; return any unit vector.",
-    first_fails=no_turn_has_a_unit_axis,
-    compared=False,
-)
+@mistake(first_fails=checks.no_turn_has_a_unit_axis, compared=False)
 def axis_angle(reference, R):
+    """You divide the axis of the identity by its length, which is 0; return any unit vector."""
     axis, angle = reference(R)
     return axis if angle > 0 else np.full(3, np.nan), angle
 
 
-@mistake(
-    "Your arccos gives NaN where the trace is larger than 3; clip the cosine to 1.",
-    first_fails=what_is_no_rotation_is_refused,
-    compared=False,
-)
+@mistake(first_fails=checks.what_is_no_rotation_is_refused, compared=False)
 def axis_angle(reference, R):
+    """Your arccos gives NaN where the trace is larger than 3; clip the cosine to 1."""
     axis, angle = reference(R)
     return axis, np.arccos((np.trace(R) - 1) / 2) if angle == 0 else angle
 
 
-@mistake(
-    "You compare R^T R with I by np.allclose, whose rtol allows 1e-5 beside a 1; set rtol=0.",
-    first_fails=what_is_no_rotation_is_refused,
-    compared=False,
-)
+@mistake(first_fails=checks.what_is_no_rotation_is_refused, compared=False)
 def _rotation(reference, R):
+    """You compare R^T R with I by np.allclose, whose rtol allows 1e-5 beside a 1; set rtol=0."""
     if not (np.isfinite(R).all() and np.allclose(R.T @ R, np.eye(3), atol=1e-6) and np.linalg.det(R) > 0):
         raise ValueError
     return R
 
 
-@mistake(
-    "You accept a matrix with NaN, for which every comparison is false; test np.isfinite.",
-    first_fails=what_is_no_rotation_is_refused,
-    compared=False,
-)
+@mistake(first_fails=checks.what_is_no_rotation_is_refused, compared=False)
 def _rotation(reference, R):
+    """You accept a matrix with NaN, for which every comparison is false; test np.isfinite."""
     return R if np.isnan(R).any() else reference(R)
 
 
-@mistake(
-    "You accept reflections; refuse a matrix with a negative determinant.",
-    first_fails=what_is_no_rotation_is_refused,
-    compared=False,
-)
+@mistake(first_fails=checks.what_is_no_rotation_is_refused, compared=False)
 def _rotation(reference, R):
+    """You accept reflections; refuse a matrix with a negative determinant."""
     return math.copysign(1, np.linalg.det(R)) * reference(math.copysign(1, np.linalg.det(R)) * R)
 
 
-@mistake(
-    "You refuse a matrix whose R^T R is wrong by more than 1e-12; the limit is 1e-6.",
-    first_fails=what_is_no_rotation_is_refused,
-    compared=False,
-)
+@mistake(first_fails=checks.what_is_no_rotation_is_refused, compared=False)
 def _rotation(reference, R):
+    """You refuse a matrix whose R^T R is wrong by more than 1e-12; the limit is 1e-6."""
     if np.abs(R.T @ R - np.eye(3)).max() > 1e-12:
         raise ValueError
     return reference(R)
@@ -273,17 +196,15 @@ def _rotation(reference, R):
 # The book's edges
 
 
-@mistake(
-    "You return one edge twice and miss another; return twelve different edges.",
-    first_fails=the_book_has_its_twelve_edges,
-    compared=False,
-)
+@mistake(first_fails=checks.the_book_has_its_twelve_edges, compared=False)
 def book_edges(reference, R, *, size):
+    """You return one edge twice and miss another; return twelve different edges."""
     edges = reference(R, size=size)
     edges[7] = edges[3][::-1]
     return edges
 
 
-@mistake("You turn the corners by R^T; turn them by R.", first_fails=the_book_has_its_twelve_edges, compared=False)
+@mistake(first_fails=checks.the_book_has_its_twelve_edges, compared=False)
 def book_edges(reference, R, *, size):
+    """You turn the corners by R^T; turn them by R."""
     return reference(R.T, size=size)

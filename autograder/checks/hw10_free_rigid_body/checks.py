@@ -47,13 +47,9 @@ def last_length(case, _):
 # Pointwise
 
 
-@check(
-    "euler_equations",
-    points=0.75,
-    part="a",
-    line="omega' of a body without moments, for any three inertias, equal ones too.",
-)
+@check("euler_equations", points=0.75)
 def euler_equations_keep_the_angular_momentum(student, rng):
+    """omega' of a body without moments, for any three inertias, equal ones too."""
     compare(
         student.euler_equations,
         reference,
@@ -63,8 +59,9 @@ def euler_equations_keep_the_angular_momentum(student, rng):
     )
 
 
-@check("attitude_rate", points=0.5, part="a", line="dR/dt for omega in body components.")
+@check("attitude_rate", points=0.5)
 def attitude_follows_omega(student, rng):
+    """dR/dt for omega in body components."""
     compare(
         student.attitude_rate,
         reference,
@@ -74,13 +71,15 @@ def attitude_follows_omega(student, rng):
     )
 
 
-@check("energy", points=0.5, part="a", line="half of omega . H.")
+@check("energy", points=0.5)
 def energy_is_half_omega_h(student, rng):
+    """half of omega . H."""
     compare(student.energy, reference, cases.turning(rng), tolerance=POINTWISE)
 
 
-@check("angular_momentum", points=0.5, part="a", line="the vector H in space components.")
+@check("angular_momentum", points=0.5)
 def angular_momentum_is_in_space_axes(student, rng):
+    """the vector H in space components."""
     compare(student.angular_momentum, reference, cases.turning_in_space(rng), tolerance=POINTWISE)
 
 
@@ -92,24 +91,15 @@ def wrong_rates(case, result, expected):
     return "It is right where the sine of theta is positive." if negative else THREE_TURNS
 
 
-@check(
-    "euler_rates_313",
-    points=0.75,
-    part="a",
-    line="the rates of psi, theta, phi that make this omega, for theta of any sign.",
-)
+@check("euler_rates_313", points=0.75)
 def euler_rates_make_omega(student, rng):
+    """the rates of psi, theta, phi that make this omega, for theta of any sign."""
     compare(student.euler_rates_313, reference, cases.euler_angles(rng), tolerance=POINTWISE, hint=wrong_rates)
 
 
-@check(
-    "euler_rates_313",
-    points=0.25,
-    part="a",
-    after=euler_rates_make_omega,
-    line="euler_rates_313 raises ValueError where abs(sin theta) < 1e-12, and nowhere else.",
-)
+@check("euler_rates_313", points=0.25, after=euler_rates_make_omega)
 def euler_rates_are_refused_where_undetermined(student, rng):
+    """euler_rates_313 raises ValueError where abs(sin theta) < 1e-12, and nowhere else."""
     check_domain(
         student.euler_rates_313,
         reference,
@@ -189,20 +179,17 @@ FOLLOWED = {"tolerance": TRAJECTORY, "restart": restart}
 TURNS = {"columns": BOTH, "coarsely": 3e-2, "hint": SHORT}
 
 
-@check(
-    "simulate",
-    points=0.75,
-    part="a",
-    line="omega against Jacobi's elliptic functions, on both sides of the separatrix.",
-)
+@check("simulate", points=0.75)
 def omega_follows_elliptic_functions(student, rng):
+    """omega against Jacobi's elliptic functions, on both sides of the separatrix."""
     compare_trajectory(
         student.simulate, reference.tumble, cases.tumbles(rng), columns=[OMEGA], own_rates=by_rates(student), **FOLLOWED
     )
 
 
-@check("simulate", points=0.75, part="a", line="the rotations along a general motion, from any attitude at the start.")
+@check("simulate", points=0.75)
 def attitude_follows_the_motion(student, rng):
+    """the rotations along a general motion, from any attitude at the start."""
     compare_trajectory(
         student.simulate,
         reference.motion,
@@ -217,22 +204,16 @@ def attitude_follows_the_motion(student, rng):
 FOLLOWS = omega_follows_elliptic_functions, attitude_follows_the_motion
 
 
-@check(
-    "simulate", points=0.5, part="a", after=FOLLOWS, line="R^T R = I, H in space and the energy over many fast turns."
-)
+@check("simulate", points=0.5, after=FOLLOWS)
 def invariants_stay_over_many_turns(student, rng):
+    """R^T R = I, H in space and the energy over many fast turns."""
     conserved = ROTATES, KEEPS_MOMENTUM, KEEPS_ENERGY
     check_conserved(student.simulate, reference.motion, cases.many_turns(rng), *conserved, partial=SHARES, **TURNS)
 
 
-@check(
-    "simulate",
-    points=0.5,
-    part="a",
-    after=FOLLOWS,
-    line="equal inertias, rest, pure spin, two times, starts at half turns.",
-)
+@check("simulate", points=0.5, after=FOLLOWS)
 def special_bodies_move_too(student, rng):
+    """equal inertias, rest, pure spin, two times, starts at half turns."""
     compare_trajectory(
         student.simulate,
         reference.motion,
@@ -247,8 +228,9 @@ def special_bodies_move_too(student, rng):
 # (a) A = B
 
 
-@check("symmetric_solution", points=0.75, part="a", line="omega in body components at all times, from omega at t[0].")
+@check("symmetric_solution", points=0.75)
 def symmetric_bodies_precess(student, rng):
+    """omega in body components at all times, from omega at t[0]."""
     compare(
         student.symmetric_solution,
         reference,
@@ -258,13 +240,9 @@ def symmetric_bodies_precess(student, rng):
     )
 
 
-@check(
-    "wobble_rate",
-    points=0.5,
-    part="a",
-    line="the rate at which the symmetry axis goes round H, at any angle between them.",
-)
+@check("wobble_rate", points=0.5)
 def wobble_goes_round_the_angular_momentum(student, rng):
+    """the rate at which the symmetry axis goes round H, at any angle between them."""
     compare(
         student.wobble_rate,
         reference,
@@ -277,13 +255,9 @@ def wobble_goes_round_the_angular_momentum(student, rng):
 # (b) Stability and tumbling
 
 
-@check(
-    "growth_rate_squared",
-    points=0.75,
-    part="b",
-    line="positive where the spin is unstable, else minus the frequency squared.",
-)
+@check("growth_rate_squared", points=0.75, part="b")
 def small_deviations_grow_at_this_rate(student, rng):
+    """positive where the spin is unstable, else minus the frequency squared."""
     compare(
         student.growth_rate_squared,
         reference,
@@ -296,14 +270,16 @@ def small_deviations_grow_at_this_rate(student, rng):
 BACK = "After what time is omega back, sign and all?"
 
 
-@check("tumble_period", points=0.375, part="b", line="tumble_period for omega round the axis of the largest inertia.")
+@check("tumble_period", points=0.375, part="b")
 def period_round_the_last_axis(student, rng):
+    """tumble_period for omega round the axis of the largest inertia."""
     calls = cases.on_side(rng, label="omega round the axis of the largest inertia", sign=1)
     compare(student.tumble_period, reference, calls, tolerance=PERIOD, hint=BACK)
 
 
-@check("tumble_period", points=0.375, part="b", line="tumble_period for omega round the axis of the smallest inertia.")
+@check("tumble_period", points=0.375, part="b")
 def period_round_the_first_axis(student, rng):
+    """tumble_period for omega round the axis of the smallest inertia."""
     calls = cases.on_side(rng, label="omega round the axis of the smallest inertia", sign=-1)
     compare(student.tumble_period, reference, calls, tolerance=PERIOD, hint=BACK)
 
@@ -311,21 +287,15 @@ def period_round_the_first_axis(student, rng):
 PERIODS = period_round_the_last_axis, period_round_the_first_axis
 
 
-@check(
-    "tumble_period",
-    points=0.25,
-    part="b",
-    after=PERIODS,
-    line="tumble_period for pure spin about axis 0 or 2, by small oscillations.",
-)
+@check("tumble_period", points=0.25, part="b", after=PERIODS)
 def period_of_pure_spin_is_that_of_small_oscillations(student, rng):
+    """tumble_period for pure spin about axis 0 or 2, by small oscillations."""
     compare(student.tumble_period, reference, cases.pure_spins(rng), tolerance=PERIOD, hint="There the modulus k is 0.")
 
 
-@check(
-    "tumble_period", points=0.25, part="b", after=PERIODS, line="tumble_period near the separatrix, and math.inf on it."
-)
+@check("tumble_period", points=0.25, part="b", after=PERIODS)
 def period_grows_to_infinity_at_the_separatrix(student, rng):
+    """tumble_period near the separatrix, and math.inf on it."""
     compare(
         student.tumble_period,
         reference,
@@ -343,8 +313,9 @@ def period_grows_to_infinity_at_the_separatrix(student, rng):
 AXES = "y horizontal", "z height vertical"
 
 
-@check("wireframe", points=0.5, part="b", line="the edges of the turned box, in any order and direction.")
+@check("wireframe", points=0.5, part="b")
 def the_box_has_its_twelve_edges(student, rng):
+    """the edges of the turned box, in any order and direction."""
     judge_boxes(student.wireframe, cases.boxes(rng), tolerance=POINTWISE)
 
 
@@ -366,13 +337,9 @@ def mistaken(rotations):
     }
 
 
-@check(
-    "plot_rim_paths",
-    points=0.5,
-    part="a",
-    line="both paths as seen along x, from t[0] to t[-1], with labels and equal scales.",
-)
+@check("plot_rim_paths", points=0.5)
 def rim_paths_are_drawn(student, rng):
+    """both paths as seen along x, from t[0] to t[-1], with labels and equal scales."""
     for case in cases.pictures(rng):
         picture, (t, R, omega), radius = student.plot_rim_paths.drawn(case), case.args, case.kwargs["radius"]
         densely = Case(np.linspace(t[0], t[-1], 801), R, omega, inertia=case.kwargs["inertia"])

@@ -6,27 +6,7 @@ import numpy as np
 
 from tam570_grader.diagnosis.mistakes import mistake
 
-from .checks import (
-    angular_momentum_is_in_space_axes,
-    attitude_follows_omega,
-    attitude_follows_the_motion,
-    energy_is_half_omega_h,
-    euler_equations_keep_the_angular_momentum,
-    euler_rates_are_refused_where_undetermined,
-    euler_rates_make_omega,
-    invariants_stay_over_many_turns,
-    omega_follows_elliptic_functions,
-    period_grows_to_infinity_at_the_separatrix,
-    period_of_pure_spin_is_that_of_small_oscillations,
-    period_round_the_first_axis,
-    period_round_the_last_axis,
-    rim_paths_are_drawn,
-    small_deviations_grow_at_this_rate,
-    special_bodies_move_too,
-    symmetric_bodies_precess,
-    the_box_has_its_twelve_edges,
-    wobble_goes_round_the_angular_momentum,
-)
+from . import checks
 
 
 def rates_of(state, inertia, attitude=None):
@@ -74,71 +54,66 @@ def round_the_last_axis(omega, inertia):
 # Pointwise
 
 
-@mistake(
-    "You divide all three equations by A; divide by A, B, C.", first_fails=euler_equations_keep_the_angular_momentum
-)
+@mistake(first_fails=checks.euler_equations_keep_the_angular_momentum)
 def euler_equations(reference, omega, *, inertia):
+    """You divide all three equations by A; divide by A, B, C."""
     return np.multiply(reference(omega, inertia=inertia), inertia) / inertia[0]
 
 
-@mistake(
-    "You assume A = B; then omega_3 stays, but here A and B may differ.",
-    first_fails=euler_equations_keep_the_angular_momentum,
-)
+@mistake(first_fails=checks.euler_equations_keep_the_angular_momentum)
 def euler_equations(reference, omega, *, inertia):
+    """You assume A = B; then omega_3 stays, but here A and B may differ."""
     return np.multiply(reference(omega, inertia=inertia), [1, 1, 0])
 
 
-@mistake("You write the rate into the given R; return a new array.", first_fails=attitude_follows_omega, compared=False)
+@mistake(first_fails=checks.attitude_follows_omega, compared=False)
 def attitude_rate(reference, R, omega):
+    """You write the rate into the given R; return a new array."""
     R[:] = reference(R, omega)
     return R
 
 
-@mistake("You use half of H . H; the energy is half of omega . H.", first_fails=energy_is_half_omega_h)
+@mistake(first_fails=checks.energy_is_half_omega_h)
 def energy(reference, omega, *, inertia):
+    """You use half of H . H; the energy is half of omega . H."""
     return reference(np.multiply(inertia, omega), inertia=(1.0, 1.0, 1.0))
 
 
-@mistake(
-    "You return body components; H is asked for in space components.", first_fails=angular_momentum_is_in_space_axes
-)
+@mistake(first_fails=checks.angular_momentum_is_in_space_axes)
 def angular_momentum(reference, R, omega, *, inertia):
+    """You return body components; H is asked for in space components."""
     return np.multiply(inertia, omega)
 
 
-@mistake(
-    "You multiply R omega by A, B, C; they belong to the body's axes.", first_fails=angular_momentum_is_in_space_axes
-)
+@mistake(first_fails=checks.angular_momentum_is_in_space_axes)
 def angular_momentum(reference, R, omega, *, inertia):
+    """You multiply R omega by A, B, C; they belong to the body's axes."""
     return np.multiply(inertia, R @ omega)
 
 
-@mistake("You exchange psi and phi; phi is about the body's own axis.", first_fails=euler_rates_make_omega)
+@mistake(first_fails=checks.euler_rates_make_omega)
 def euler_rates_313(reference, angles, omega):
+    """You exchange psi and phi; phi is about the body's own axis."""
     return reference(angles[::-1], omega)[::-1]
 
 
-@mistake("You use omega in space components; it is given in body components.", first_fails=euler_rates_make_omega)
+@mistake(first_fails=checks.euler_rates_make_omega)
 def euler_rates_313(reference, angles, omega):
+    """You use omega in space components; it is given in body components."""
     psi, theta, phi = angles
     return reference((-phi, -theta, -psi), omega)[::-1]  # these angles turn back
 
 
-@mistake(
-    "You get sin(theta) from a square root; it is negative for a negative theta.", first_fails=euler_rates_make_omega
-)
+@mistake(first_fails=checks.euler_rates_make_omega)
 def euler_rates_313(reference, angles, omega):
+    """You get sin(theta) from a square root; it is negative for a negative theta."""
     psi, theta, phi = angles
     return reference((psi, math.acos(math.cos(theta)), phi), omega)
 
 
-@mistake(
-    "You refuse where sin theta is 1e-6; the limit is 1e-12.",
-    first_fails=euler_rates_are_refused_where_undetermined,
-    compared=False,
-)
+@mistake(first_fails=checks.euler_rates_are_refused_where_undetermined, compared=False)
 def euler_rates_313(reference, angles, omega):
+    """You refuse where sin theta is 1e-6; the limit is 1e-12."""
     if abs(math.sin(angles[1])) < 1e-6:
         raise ValueError
     return reference(angles, omega)
@@ -147,77 +122,66 @@ def euler_rates_313(reference, angles, omega):
 # Motions
 
 
-@mistake(
-    "You return the states at evenly spaced times; row i is the state at t[i].",
-    first_fails=omega_follows_elliptic_functions,
-    name="even_times",
-)
+@mistake(first_fails=checks.omega_follows_elliptic_functions, name="even_times")
 def simulate(reference, t, R, omega, *, inertia):
+    """You return the states at evenly spaced times; row i is the state at t[i]."""
     return reference(np.linspace(t[0], t[-1], len(t)), R, omega, inertia=inertia)
 
 
-@mistake("You start at t = 0; R and omega are those at t[0].", first_fails=omega_follows_elliptic_functions)
+@mistake(first_fails=checks.omega_follows_elliptic_functions)
 def simulate(reference, t, R, omega, *, inertia):
+    """You start at t = 0; R and omega are those at t[0]."""
     sense = math.copysign(1.0, t[0])  # with -omega the body turns back
     omegas, rotations = reference(np.array([0.0, abs(t[0])]), R, sense * omega, inertia=inertia)
     return reference(t, rotations[-1], sense * omegas[-1], inertia=inertia)
 
 
-@mistake("You return space components of omega; return body components.", first_fails=omega_follows_elliptic_functions)
+@mistake(first_fails=checks.omega_follows_elliptic_functions)
 def simulate(reference, t, R, omega, *, inertia):
+    """You return space components of omega; return body components."""
     omegas, rotations = reference(t, R, omega, inertia=inertia)
     return np.einsum("nij,nj->ni", rotations, omegas), rotations
 
 
-@mistake("You start from R = I; start from the given R.", first_fails=attitude_follows_the_motion)
+@mistake(first_fails=checks.attitude_follows_the_motion)
 def simulate(reference, t, R, omega, *, inertia):
+    """You start from R = I; start from the given R."""
     return reference(t, np.eye(3), omega, inertia=inertia)
 
 
-@mistake(
-    "You multiply in the wrong order; R(t) is R(t[0]) times the turn since then, as omega has body components.",
-    first_fails=attitude_follows_the_motion,
-)
+@mistake(first_fails=checks.attitude_follows_the_motion)
 def simulate(reference, t, R, omega, *, inertia):
+    """You multiply in the wrong order; R(t) is R(t[0]) times the turn since then, as omega has body components."""
     omegas, turns = reference(t, np.eye(3), omega, inertia=inertia)
     return omegas, turns @ R
 
 
-@mistake(
-    "You use dR/dt = omega-hat R; omega has body components, so it is R omega-hat.",
-    first_fails=attitude_follows_the_motion,
-    name="simulated_in_space",
-)
+@mistake(first_fails=checks.attitude_follows_the_motion, name="simulated_in_space")
 def simulate(reference, t, R, omega, *, inertia):
+    """You use dR/dt = omega-hat R; omega has body components, so it is R omega-hat."""
+
     def in_space(R, omega):
         return -attitude_rate(R.T, omega).T
 
     return by_solve_ivp(t, R, omega, inertia, in_space, method="DOP853", rtol=1e-10, atol=1e-10)
 
 
-@mistake(
-    "You return the matrices from space to body; R is from body to space.", first_fails=attitude_follows_the_motion
-)
+@mistake(first_fails=checks.attitude_follows_the_motion)
 def simulate(reference, t, R, omega, *, inertia):
+    """You return the matrices from space to body; R is from body to space."""
     omegas, rotations = reference(t, R, omega, inertia=inertia)
     return omegas, rotations.transpose(0, 2, 1)
 
 
-@mistake(
-    "You take 30 Runge-Kutta steps to each time, however far; limit the size of a step.",
-    first_fails=invariants_stay_over_many_turns,
-    compared=False,
-    numerics=True,
-)
+@mistake(first_fails=checks.invariants_stay_over_many_turns, compared=False, numerics=True)
 def simulate(reference, t, R, omega, *, inertia):
+    """You take 30 Runge-Kutta steps to each time, however far; limit the size of a step."""
     return runge_kutta(t, R, omega, inertia, 30)
 
 
-@mistake(
-    "You lose a start that is half a turn; the scalar part of its quaternion is 0, its axis is not.",
-    first_fails=special_bodies_move_too,
-)
+@mistake(first_fails=checks.special_bodies_move_too)
 def simulate(reference, t, R, omega, *, inertia):
+    """You lose a start that is half a turn; the scalar part of its quaternion is 0, its axis is not."""
     omegas, rotations = reference(t, R if np.trace(R) > 1e-9 - 1 else np.eye(3), omega, inertia=inertia)
     return omegas, np.concatenate([[R], rotations[1:]])
 
@@ -225,59 +189,52 @@ def simulate(reference, t, R, omega, *, inertia):
 # A = B
 
 
-@mistake(
-    "You get the angle at t[0] from arctan(q/p), the same for (p, q) and (-p, -q); use arctan2(q, p).",
-    first_fails=symmetric_bodies_precess,
-    label="a random body with A = B",
-)
+@mistake(first_fails=checks.symmetric_bodies_precess, label="a random body with A = B")
 def symmetric_solution(reference, t, omega, *, inertia):
+    """You get the angle at t[0] from arctan(q/p), the same for (p, q) and (-p, -q); use arctan2(q, p)."""
     p, q, r = omega
     sign = -1.0 if p < 0 else 1.0
     return reference(t, np.array([sign * p, sign * q, r]), inertia=inertia)
 
 
-@mistake(
-    "You use C/A omega_3; the rate is that only for omega very near the axis.",
-    first_fails=wobble_goes_round_the_angular_momentum,
-)
+@mistake(first_fails=checks.wobble_goes_round_the_angular_momentum)
 def wobble_rate(reference, omega, *, inertia):
+    """You use C/A omega_3; the rate is that only for omega very near the axis."""
     return inertia[2] / inertia[0] * abs(omega[2])
 
 
-@mistake(
-    "You return the rate (C - A)/A omega_3 of omega in the body; return the axis's rate in space.",
-    first_fails=wobble_goes_round_the_angular_momentum,
-)
+@mistake(first_fails=checks.wobble_goes_round_the_angular_momentum)
 def wobble_rate(reference, omega, *, inertia):
+    """You return the rate (C - A)/A omega_3 of omega in the body; return the axis's rate in space."""
     return abs((inertia[2] - inertia[0]) / inertia[0] * omega[2])
 
 
 # Stability and tumbling
 
 
-@mistake("You return the growth rate; return its square.", first_fails=small_deviations_grow_at_this_rate)
+@mistake(first_fails=checks.small_deviations_grow_at_this_rate)
 def growth_rate_squared(reference, axis, spin, *, inertia):
+    """You return the growth rate; return its square."""
     square = reference(axis, spin, inertia=inertia)
     return math.copysign(math.sqrt(abs(square)), square)
 
 
-@mistake("You sort the inertias; axis counts them as they are given.", first_fails=small_deviations_grow_at_this_rate)
+@mistake(first_fails=checks.small_deviations_grow_at_this_rate)
 def growth_rate_squared(reference, axis, spin, *, inertia):
+    """You sort the inertias; axis counts them as they are given."""
     return reference(axis, spin, inertia=sorted(inertia))
 
 
-@mistake(
-    "You return the period of small oscillations about axis 2; the period depends on how far omega swings.",
-    first_fails=period_round_the_last_axis,
-    label="the largest inertia",
-)
+@mistake(first_fails=checks.period_round_the_last_axis, label="the largest inertia")
 def tumble_period(reference, omega, *, inertia):
+    """You return the period of small oscillations about axis 2; the period depends on how far omega swings."""
     A, B, C = inertia
     return 2 * math.pi / abs(omega[2]) * math.sqrt(A * B / ((C - A) * (C - B))) if omega[2] else math.inf
 
 
-@mistake("You pass the modulus k to ellipk; it takes the parameter k^2.", first_fails=period_round_the_last_axis)
+@mistake(first_fails=checks.period_round_the_last_axis)
 def tumble_period(reference, omega, *, inertia):
+    """You pass the modulus k to ellipk; it takes the parameter k^2."""
     from scipy.special import ellipk
 
     square, scale = round_the_last_axis(omega, inertia)
@@ -286,43 +243,33 @@ def tumble_period(reference, omega, *, inertia):
     return scale * ellipk(np.sqrt(square))
 
 
-@mistake(
-    "You use the formula for omega round the axis of the smallest inertia; here it goes round that of the largest.",
-    first_fails=period_round_the_last_axis,
-)
+@mistake(first_fails=checks.period_round_the_last_axis)
 def tumble_period(reference, omega, *, inertia):
+    """You use the formula for omega round the axis of the smallest inertia; here it goes round that of the largest."""
     from scipy.special import ellipk
 
     square, scale = round_the_last_axis(omega[::-1], inertia[::-1])
     return scale * ellipk(square if square < 1 else 1 / square)
 
 
-@mistake(
-    "You use the formula for omega round the axis of the largest inertia; here it goes round that of the smallest.",
-    first_fails=period_round_the_first_axis,
-)
+@mistake(first_fails=checks.period_round_the_first_axis)
 def tumble_period(reference, omega, *, inertia):
+    """You use the formula for omega round the axis of the largest inertia; here it goes round that of the smallest."""
     from scipy.special import ellipk
 
     square, scale = round_the_last_axis(omega, inertia)
     return scale * ellipk(square if square < 1 else 1 / square)
 
 
-@mistake(
-    "You return math.inf for pure spin about a stable axis; return the period of small oscillations.",
-    first_fails=period_of_pure_spin_is_that_of_small_oscillations,
-    compared=False,
-)
+@mistake(first_fails=checks.period_of_pure_spin_is_that_of_small_oscillations, compared=False)
 def tumble_period(reference, omega, *, inertia):
+    """You return math.inf for pure spin about a stable axis; return the period of small oscillations."""
     return reference(omega, inertia=inertia) if np.count_nonzero(omega) > 1 else math.inf
 
 
-@mistake(
-    "You return math.inf near the separatrix, too; the period is infinite only on it.",
-    first_fails=period_grows_to_infinity_at_the_separatrix,
-    compared=False,
-)
+@mistake(first_fails=checks.period_grows_to_infinity_at_the_separatrix, compared=False)
 def tumble_period(reference, omega, *, inertia):
+    """You return math.inf near the separatrix, too; the period is infinite only on it."""
     H = np.multiply(inertia, omega)
     near = math.isclose(H @ H, inertia[1] * (H @ omega), rel_tol=1e-5)
     return math.inf if near else reference(omega, inertia=inertia)
@@ -331,31 +278,24 @@ def tumble_period(reference, omega, *, inertia):
 # Drawing
 
 
-@mistake(
-    "You turn the box by the transpose of R; turn it by R.", first_fails=the_box_has_its_twelve_edges, compared=False
-)
+@mistake(first_fails=checks.the_box_has_its_twelve_edges, compared=False)
 def wireframe(reference, R, *, size):
+    """You turn the box by the transpose of R; turn it by R."""
     return reference(R.T, size=size)
 
 
-@mistake(
-    "You draw the paths as seen along space z; there a small tilt shows in second order alone.",
-    first_fails=rim_paths_are_drawn,
-    compared=False,
-)
+@mistake(first_fails=checks.rim_paths_are_drawn, compared=False)
 def plot_rim_paths(reference, ax, t, R, omega, *, inertia, radius):
+    """You draw the paths as seen along space z; there a small tilt shows in second order alone."""
     _, rotations = simulate(t, R, omega, inertia=inertia)
     for axis in (0, 1):
         ax.plot(*radius * rotations[:, :2, axis].T)
     ax.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
 
 
-@mistake(
-    "You draw two opposite points of the rim; they run on one circle. Draw (radius, 0, 0) and (0, radius, 0).",
-    first_fails=rim_paths_are_drawn,
-    compared=False,
-)
+@mistake(first_fails=checks.rim_paths_are_drawn, compared=False)
 def plot_rim_paths(reference, ax, t, R, omega, *, inertia, radius):
+    """You draw two opposite points of the rim; they run on one circle. Draw (radius, 0, 0) and (0, radius, 0)."""
     _, rotations = simulate(t, R, omega, inertia=inertia)
     for end in (radius, -radius):
         ax.plot(*end * rotations[:, 1:, 0].T)

@@ -68,34 +68,21 @@ ABOUT_WHICH = "G is at rest: about which axis does the disk turn, and how high i
 # (a) Rolling
 
 
-@check(
-    "rolling_spin",
-    points=1.25,
-    part="a",
-    line="rolling_spin is the total spin that keeps lean and precession steady, in- or outwards.",
-)
+@check("rolling_spin", points=1.25)
 def rolling_spin_balances_the_moments(student, rng):
+    """rolling_spin is the total spin that keeps lean and precession steady, in- or outwards."""
     compare(student.rolling_spin, reference, cases.members(rng), tolerance=WITHIN, hint=MOMENTS)
 
 
-@check(
-    "rolling_spin",
-    points=0.25,
-    part="a",
-    after=rolling_spin_balances_the_moments,
-    line="rolling_spin holds for an upright disk and for no gravity.",
-)
+@check("rolling_spin", points=0.25, after=rolling_spin_balances_the_moments)
 def rolling_spin_holds_upright_and_without_gravity(student, rng):
+    """rolling_spin holds for an upright disk and for no gravity."""
     compare(student.rolling_spin, reference, cases.plain_members(rng), tolerance=WITHIN, hint=WHICH_ARE_ZERO)
 
 
-@check(
-    "rolling_track_radius",
-    points=1,
-    part="a",
-    line="rolling_track_radius is the radius, with its sign, of the contact point's track.",
-)
+@check("rolling_track_radius", points=1)
 def rolling_track_has_the_contact_at_rest(student, rng):
+    """rolling_track_radius is the radius, with its sign, of the contact point's track."""
     compare(
         student.rolling_track_radius,
         reference,
@@ -105,41 +92,27 @@ def rolling_track_has_the_contact_at_rest(student, rng):
     )
 
 
-@check("rolling_precession", points=1.25, part="a", line="rolling_precession keeps the lean steady on the given track.")
+@check("rolling_precession", points=1.25)
 def rolling_precession_balances_the_moments(student, rng):
+    """rolling_precession keeps the lean steady on the given track."""
     compare(student.rolling_precession, reference, cases.tracks(rng), tolerance=WITHIN, hint=BOTH_CONDITIONS)
 
 
-@check(
-    "rolling_precession",
-    points=0.5,
-    part="a",
-    after=rolling_precession_balances_the_moments,
-    line="the contact beyond the centre, a roller, a coin, an almost flat disk.",
-)
+@check("rolling_precession", points=0.5, after=rolling_precession_balances_the_moments)
 def rolling_precession_holds_on_tracks_of_any_sign(student, rng):
+    """the contact beyond the centre, a roller, a coin, an almost flat disk."""
     compare(student.rolling_precession, reference, cases.tracks_of_any_sign(rng), tolerance=WITHIN, hint=WHICH_SIGN)
 
 
-@check(
-    "rolling_precession",
-    points=0.5,
-    part="a",
-    after=rolling_precession_balances_the_moments,
-    line="rolling_precession is 0 without gravity, or upright on any track but a point; only then.",
-)
+@check("rolling_precession", points=0.5, after=rolling_precession_balances_the_moments)
 def rolling_precession_is_zero_where_nothing_turns_it(student, rng):
+    """rolling_precession is 0 without gravity, or upright on any track but a point; only then."""
     compare(student.rolling_precession, reference, cases.straight_tracks(rng), tolerance=WITHIN, scale=absolute)
 
 
-@check(
-    "rolling_precession",
-    points=0.75,
-    part="a",
-    after=rolling_precession_balances_the_moments,
-    line="rolling_precession raises ValueError where no steady rolling exists, or any Omega does.",
-)
+@check("rolling_precession", points=0.75, after=rolling_precession_balances_the_moments)
 def rolling_precession_refuses_what_does_not_exist(student, rng):
+    """rolling_precession raises ValueError where no steady rolling exists, or any Omega does."""
     check_domain(
         student.rolling_precession,
         reference,
@@ -153,13 +126,9 @@ def rolling_precession_refuses_what_does_not_exist(student, rng):
 # (b) Sliding
 
 
-@check(
-    "sliding_spin",
-    points=0.75,
-    part="b",
-    line="sliding_spin keeps lean and precession steady where only the normal force acts.",
-)
+@check("sliding_spin", points=0.75, part="b")
 def sliding_spin_balances_the_moments(student, rng):
+    """sliding_spin keeps lean and precession steady where only the normal force acts."""
     compare(
         student.sliding_spin,
         reference,
@@ -170,37 +139,24 @@ def sliding_spin_balances_the_moments(student, rng):
     compare(student.sliding_spin, reference, cases.plain_members(rng), tolerance=WITHIN, hint=WHICH_ARE_ZERO)
 
 
-@check(
-    "sliding_track_radius",
-    points=0.5,
-    part="b",
-    line="sliding_track_radius is the contact's distance from the vertical through G, signed as R is.",
-)
+@check("sliding_track_radius", points=0.5, part="b")
 def sliding_track_is_around_the_resting_centre(student, rng):
+    """sliding_track_radius is the contact's distance from the vertical through G, signed as R is."""
     compare(student.sliding_track_radius, reference, cases.sliding_tracks(rng), tolerance=WITHIN, hint="Where is G?")
 
 
 # (c) Both
 
 
-@check(
-    "common_precession",
-    points=0.75,
-    part="c",
-    line="common_precession belongs to the motions that roll and slide at once.",
-)
+@check("common_precession", points=0.75, part="c")
 def common_precession_is_in_both_families(student, rng):
+    """common_precession belongs to the motions that roll and slide at once."""
     compare(student.common_precession, reference, cases.settled(rng), tolerance=WITHIN, hint=SAME_CIRCLE)
 
 
-@check(
-    "common_precession",
-    points=0.25,
-    part="c",
-    after=common_precession_is_in_both_families,
-    line="common_precession at lean 0 is its limit, next to 0 near it; almost flat it holds.",
-)
+@check("common_precession", points=0.25, part="c", after=common_precession_is_in_both_families)
 def common_precession_has_a_limit_upright(student, rng):
+    """common_precession at lean 0 is its limit, next to 0 near it; almost flat it holds."""
     compare(
         student.common_precession,
         reference,
@@ -211,24 +167,15 @@ def common_precession_has_a_limit_upright(student, rng):
     compare(student.common_precession, reference, cases.steep(rng), tolerance=WITHIN)
 
 
-@check(
-    "contact_force",
-    points=0.5,
-    part="c",
-    line="contact_force gives the mass its centripetal acceleration and carries its weight.",
-)
+@check("contact_force", points=0.5, part="c")
 def contact_force_moves_the_centre(student, rng):
+    """contact_force gives the mass its centripetal acceleration and carries its weight."""
     compare(student.contact_force, reference, cases.whirls(rng), tolerance=WITHIN, hint=wrong_force)
 
 
-@check(
-    "contact_force",
-    points=0.25,
-    part="c",
-    after=contact_force_moves_the_centre,
-    line="an upright disk without precession rolls straight on, its weight carried.",
-)
+@check("contact_force", points=0.25, part="c", after=contact_force_moves_the_centre)
 def contact_force_of_straight_rolling(student, rng):
+    """an upright disk without precession rolls straight on, its weight carried."""
     compare(
         student.contact_force,
         reference,
@@ -238,13 +185,9 @@ def contact_force_of_straight_rolling(student, rng):
     )
 
 
-@check(
-    "moment_residual",
-    points=0.75,
-    part="c",
-    line="moment less rate of angular momentum about G, for any motion and force.",
-)
+@check("moment_residual", points=0.75, part="c")
 def moment_residual_is_moment_minus_rate(student, rng):
+    """moment less rate of angular momentum about G, for any motion and force."""
     compare(
         student.moment_residual,
         reference,
@@ -257,13 +200,9 @@ def moment_residual_is_moment_minus_rate(student, rng):
 # (d) The shuddering coin
 
 
-@check(
-    "settling_energy",
-    points=0.75,
-    part="d",
-    line="kinetic and potential energy of the motion that rolls and slides at once.",
-)
+@check("settling_energy", points=0.75, part="d")
 def settling_energy_adds_up(student, rng):
+    """kinetic and potential energy of the motion that rolls and slides at once."""
     compare(
         student.settling_energy,
         reference,

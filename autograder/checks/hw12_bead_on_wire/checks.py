@@ -54,13 +54,15 @@ KEPT = Invariant("the energy", "of its start", reference.energy_of_rows, None, E
 SYMBOLS = ("x", "v", "m", "c", "g")
 
 
-@check("free_body_diagram", points=0.5, part="a", line="every force on the bead, where it acts and along what.")
+@check("free_body_diagram", points=0.5)
 def forces_on_the_bead(student, rng):
+    """every force on the bead, where it acts and along what."""
     compare_diagrams(student.free_body_diagram, reference, cases.places(rng))
 
 
-@check("lagrangian", points=1, part="a", line="T - V in x, v, m, c, g, V up to a constant.")
+@check("lagrangian", points=1)
 def lagrangian_is_kinetic_less_potential(student, rng):
+    """T - V in x, v, m, c, g, V up to a constant."""
     calls = in_symbols(cases.usual(rng), *SYMBOLS)
     levels = student.lagrangian.at([{**case.kwargs, "x": 0.0, "v": 0.0} for case in calls])
     words = {"quantity": "the Lagrangian", "unit": "J", "hint": "How fast is the bead along the wire, and how high?"}
@@ -69,8 +71,9 @@ def lagrangian_is_kinetic_less_potential(student, rng):
         expect(value - level, reference.lagrangian(**case.kwargs), tolerance=tolerance, **words)
 
 
-@check("lagrange_equation", points=1.5, part="a", line="x'' in x, v, c, g alone.")
+@check("lagrange_equation", points=1.5)
 def lagrange_gives_the_acceleration(student, rng):
+    """x'' in x, v, c, g alone."""
     calls = in_symbols(cases.usual(rng), *SYMBOLS)
     hint = from_own_lagrangian(student, calls[:4], "dT/dv depends on x: its rate has a term with v. dT/dx is not zero.")
     compare(student.lagrange_equation, reference, calls, tolerance=FORMULA, hint=hint)
@@ -87,8 +90,9 @@ TWICE = at_rest_or_not(
 )
 
 
-@check("acceleration_newton", points=1.5, part="b", line="x'' by F = m a along the tangent, as Lagrange has it.")
+@check("acceleration_newton", points=1.5, part="b")
 def newton_gives_the_acceleration(student, rng):
+    """x'' by F = m a along the tangent, as Lagrange has it."""
     compare(student.acceleration_newton, reference, cases.beads(rng), tolerance=FORMULA, hint=TWICE)
     compare(student.acceleration_newton, reference, cases.next_to_bottom(rng), tolerance=FEW_DIGITS, hint=TWICE)
 
@@ -96,8 +100,9 @@ def newton_gives_the_acceleration(student, rng):
 BEND = at_rest_or_not("How much of the weight does a slope carry?", "How sharply does the wire bend at x?")
 
 
-@check("constraint_force", points=0.75, part="b", line="as large as carrying and turning the bead takes.")
+@check("constraint_force", points=0.75, part="b")
 def force_has_the_right_size(student, rng):
+    """as large as carrying and turning the bead takes."""
     for case, force in student.constraint_force.each(cases.beads(rng) + cases.next_to_bottom(rng)):
         size = math.hypot(*reference.constraint_force(*case.args, **case.kwargs))
         tolerance = FORMULA * (size or 1.0)
@@ -114,14 +119,9 @@ def of_direction(case, force, expected):
     return "Its dot product with the tangent (1, 2 c x) is not zero; without friction it is normal to the wire."
 
 
-@check(
-    "constraint_force",
-    points=0.5,
-    part="b",
-    after=force_has_the_right_size,
-    line="normal to the wire, and with the weight it is m a.",
-)
+@check("constraint_force", points=0.5, part="b", after=force_has_the_right_size)
 def force_and_weight_make_the_acceleration(student, rng):
+    """normal to the wire, and with the weight it is m a."""
     compare(
         student.constraint_force,
         reference,
@@ -134,8 +134,9 @@ def force_and_weight_make_the_acceleration(student, rng):
 SPEED = at_rest_or_not("At rest it is potential: how high is the bead?", "How fast is the bead along the wire?")
 
 
-@check("energy", points=1, part="b", line="of the speed along the wire and of the height above the bottom.")
+@check("energy", points=1, part="b")
 def energy_is_kinetic_and_potential(student, rng):
+    """of the speed along the wire and of the height above the bottom."""
     compare(
         student.energy,
         reference,
@@ -152,8 +153,9 @@ def by_rates(student):
 WIDE = cases.rides(0.4, 1.0, 25, 15.0, "an amplitude near 1/c")
 
 
-@check("simulate", points=0.75, part="b", line="large motions, row i at t[i], row 0 the given state.")
+@check("simulate", points=0.75, part="b")
 def simulate_slides(student, rng):
+    """large motions, row i at t[i], row 0 the given state."""
     compare_trajectory(
         student.simulate, reference, WIDE(rng), tolerance=TRAJECTORY, own_rates=by_rates(student), keeps=KEPT
     )
@@ -162,14 +164,9 @@ def simulate_slides(student, rng):
 SMALL = "Do you leave terms out at small amplitudes, or is atol too loose for them?"
 
 
-@check(
-    "simulate",
-    points=0.25,
-    part="b",
-    after=simulate_slides,
-    line="the same motion when only a few times are asked for.",
-)
+@check("simulate", points=0.25, part="b", after=simulate_slides)
 def simulate_needs_no_dense_times(student, rng):
+    """the same motion when only a few times are asked for."""
     compare_trajectory(
         student.simulate, reference, cases.few_times(rng), tolerance=TRAJECTORY, own_rates=by_rates(student)
     )
@@ -178,14 +175,9 @@ def simulate_needs_no_dense_times(student, rng):
     )
 
 
-@check(
-    "simulate",
-    points=0.25,
-    part="b",
-    after=simulate_slides,
-    line="without gravity the bead keeps its speed, whatever was asked before.",
-)
+@check("simulate", points=0.25, part="b", after=simulate_slides)
 def simulate_without_gravity(student, rng):
+    """without gravity the bead keeps its speed, whatever was asked before."""
     compare_trajectory(
         student.simulate, reference, cases.weightless(rng), tolerance=TRAJECTORY, hint="Is anything divided by gravity?"
     )
@@ -194,14 +186,9 @@ def simulate_without_gravity(student, rng):
 STEEP = cases.rides(5.0, 8.0, 10, 45.0, "an amplitude of several 1/c")
 
 
-@check(
-    "simulate",
-    points=0.25,
-    part="b",
-    after=simulate_slides,
-    line="an amplitude of many 1/c, where the bead turns sharply at the bottom.",
-)
+@check("simulate", points=0.25, part="b", after=simulate_slides)
 def simulate_slides_down_steep_wires(student, rng):
+    """an amplitude of many 1/c, where the bead turns sharply at the bottom."""
     compare_trajectory(
         student.simulate,
         reference,
@@ -215,8 +202,9 @@ MANY_PERIODS = cases.rides(0.4, 1.0, 15, 50.0, "many periods")
 LOSSES, DURATION = {1e-3: 0.6, 1e-2: 0.3}, "Do your steps grow with the duration, or is the tolerance loose?"
 
 
-@check("simulate", points=0.25, part="b", after=simulate_slides, line="the energy stays what it was over many periods.")
+@check("simulate", points=0.25, part="b", after=simulate_slides)
 def simulate_keeps_the_energy(student, rng):
+    """the energy stays what it was over many periods."""
     check_conserved(
         student.simulate,
         reference,
@@ -235,8 +223,9 @@ def of_period(case, period, expected):
     return "The energy gives v at every x, and dt is dx/v; the wire is longer than x."
 
 
-@check("period", points=1, part="b", line="exact for amplitudes near 1/c.")
+@check("period", points=1, part="b")
 def period_is_exact(student, rng):
+    """exact for amplitudes near 1/c."""
     compare(student.period, reference, cases.usual_periods(rng), tolerance=PERIOD, hint=of_period)
 
 
@@ -244,8 +233,9 @@ ROOT = "Do you add a small number under a root, or use an absolute tolerance? 1e
 REACH = "Does your series or quadrature reach amplitudes of a hundred times 1/c?"
 
 
-@check("period", points=0.5, part="b", after=period_is_exact, line="exact on almost flat and on almost upright wires.")
+@check("period", points=0.5, part="b", after=period_is_exact)
 def period_of_small_and_of_huge_amplitudes(student, rng):
+    """exact on almost flat and on almost upright wires."""
     compare(student.period, reference, cases.tiny_periods(rng), tolerance=TINY, hint=ROOT)
     compare(
         student.period,

@@ -62,8 +62,9 @@ KEPT = Invariant(
 )
 
 
-@check("free_body_diagram", points=0.5, part="a", line="every force on the cylinder, where it acts and along what.")
+@check("free_body_diagram", points=0.5)
 def forces_on_the_cylinder(student, rng):
+    """every force on the cylinder, where it acts and along what."""
     compare_diagrams(student.free_body_diagram, reference, cases.diagrams(rng))
 
 
@@ -114,21 +115,16 @@ ABSOLUTE = "Is the tolerance absolute, and too coarse for a small motion?"
 ANY_DURATION = "Are there too few steps for this duration, or is the tolerance loose?"
 
 
-@check(
-    "acceleration", points=0.5, part="a", line="with G at the centre it is right, and naive_contact_acceleration too."
-)
+@check("acceleration", points=0.5)
 def centred_cylinder_rolls_by_both_methods(student, rng):
+    """with G at the centre it is right, and naive_contact_acceleration too."""
     compare(student.acceleration, reference, cases.centred(rng, 2), tolerance=FORMULA, hint=BOTH)
     compare(student.naive_contact_acceleration, reference, cases.centred(rng, 2), tolerance=FORMULA)
 
 
-@check(
-    "acceleration",
-    points=1.5,
-    part="a",
-    line="the force that G's acceleration needs has, about G, the moment I^G phi''.",
-)
+@check("acceleration", points=1.5)
 def acceleration_balances_momentum_about_G(student, rng):
+    """the force that G's acceleration needs has, about G, the moment I^G phi''."""
     compare(
         student.acceleration,
         reference,
@@ -138,14 +134,9 @@ def acceleration_balances_momentum_about_G(student, rng):
     )
 
 
-@check(
-    "acceleration",
-    points=0.5,
-    part="a",
-    after=acceleration_balances_momentum_about_G,
-    line="on level ground, and without gravity.",
-)
+@check("acceleration", points=0.5, after=acceleration_balances_momentum_about_G)
 def acceleration_level_and_without_gravity(student, rng):
+    """on level ground, and without gravity."""
     compare(
         student.acceleration,
         reference,
@@ -155,8 +146,9 @@ def acceleration_level_and_without_gravity(student, rng):
     )
 
 
-@check("contact_inertia", points=1, part="a", line="I^G plus the mass times the distance from C to G squared.")
+@check("contact_inertia", points=1)
 def contact_inertia_by_the_parallel_axis_theorem(student, rng):
+    """I^G plus the mass times the distance from C to G squared."""
     compare(
         student.contact_inertia,
         reference,
@@ -166,10 +158,9 @@ def contact_inertia_by_the_parallel_axis_theorem(student, rng):
     )
 
 
-@check(
-    "naive_contact_acceleration", points=0.75, part="a", line="the moment of the weight about C over I^C, at any angle."
-)
+@check("naive_contact_acceleration", points=0.75)
 def naive_acceleration_is_the_moment_over_the_inertia(student, rng):
+    """the moment of the weight about C over I^C, at any angle."""
     compare(
         student.naive_contact_acceleration,
         reference,
@@ -179,13 +170,9 @@ def naive_acceleration_is_the_moment_over_the_inertia(student, rng):
     )
 
 
-@check(
-    "missing_moment",
-    points=1.25,
-    part="b",
-    line="with it, I^C phi'' + missing_moment = M_C has the phi'' of the balances.",
-)
+@check("missing_moment", points=1.25, part="b")
 def missing_moment_makes_it_right(student, rng):
+    """with it, I^C phi'' + missing_moment = M_C has the phi'' of the balances."""
     compare(
         student.missing_moment,
         reference,
@@ -195,24 +182,15 @@ def missing_moment_makes_it_right(student, rng):
     )
 
 
-@check(
-    "contact_force",
-    points=1.25,
-    part="b",
-    line="with the weight it is the mass times the acceleration of G; (along, normal).",
-)
+@check("contact_force", points=1.25, part="b")
 def contact_force_accelerates_G(student, rng):
+    """with the weight it is the mass times the acceleration of G; (along, normal)."""
     compare(student.contact_force, reference, cases.slow(rng), tolerance=FORMULA, hint=partial(part_of_force, student))
 
 
-@check(
-    "contact_force",
-    points=0.25,
-    part="b",
-    after=contact_force_accelerates_G,
-    line="contact is kept where the ramp must pull, and without gravity.",
-)
+@check("contact_force", points=0.25, part="b", after=contact_force_accelerates_G)
 def contact_force_may_pull(student, rng):
+    """contact is kept where the ramp must pull, and without gravity."""
     compare(
         student.contact_force,
         reference,
@@ -222,8 +200,9 @@ def contact_force_may_pull(student, rng):
     )
 
 
-@check("energy", points=1, part="b", line="of the motion of G, of the turning, and of the height of G.")
+@check("energy", points=1, part="b")
 def energy_of_G_and_of_turning(student, rng):
+    """of the motion of G, of the turning, and of the height of G."""
     compare(
         student.energy,
         reference,
@@ -233,21 +212,17 @@ def energy_of_G_and_of_turning(student, rng):
     )
 
 
-@check("simulate", points=0.75, part="b", line="rolling down and rocking, row i at t[i], row 0 the given state.")
+@check("simulate", points=0.75, part="b")
 def simulate_rolls_and_rocks(student, rng):
+    """rolling down and rocking, row i at t[i], row 0 the given state."""
     compare_trajectory(
         student.simulate, reference, cases.runs(rng), tolerance=TRAJECTORY, own_rates=by_rates(student), keeps=KEPT
     )
 
 
-@check(
-    "simulate",
-    points=0.25,
-    part="b",
-    after=simulate_rolls_and_rocks,
-    line="the same motion when few times are asked for.",
-)
+@check("simulate", points=0.25, part="b", after=simulate_rolls_and_rocks)
 def simulate_needs_no_dense_times(student, rng):
+    """the same motion when few times are asked for."""
     compare_trajectory(
         student.simulate, reference, cases.few_times(rng), tolerance=TRAJECTORY, own_rates=by_rates(student)
     )
@@ -261,14 +236,9 @@ def simulate_needs_no_dense_times(student, rng):
     )
 
 
-@check(
-    "simulate",
-    points=0.25,
-    part="b",
-    after=simulate_rolls_and_rocks,
-    line="small rocking on level ground has the frequency of the linear equation.",
-)
+@check("simulate", points=0.25, part="b", after=simulate_rolls_and_rocks)
 def simulate_rocks_at_the_linear_frequency(student, rng):
+    """small rocking on level ground has the frequency of the linear equation."""
     compare_trajectory(student.simulate, reference.small_rocking, cases.small_rocking(rng), hint=ABSOLUTE, **SMALL)
 
 
@@ -278,14 +248,9 @@ COARSELY = (
 SHARES = {1e-4: 0.6, 1e-2: 0.3}  # of the drift of the energy
 
 
-@check(
-    "simulate",
-    points=0.25,
-    part="b",
-    after=simulate_rolls_and_rocks,
-    line="the energy stays what it was over many turns.",
-)
+@check("simulate", points=0.25, part="b", after=simulate_rolls_and_rocks)
 def simulate_keeps_the_energy(student, rng):
+    """the energy stays what it was over many turns."""
     check_conserved(
         student.simulate,
         reference,

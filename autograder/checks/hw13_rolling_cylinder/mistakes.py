@@ -6,22 +6,7 @@ import numpy as np
 
 from tam570_grader.diagnosis.mistakes import mistake
 
-from .checks import (
-    acceleration_balances_momentum_about_G,
-    acceleration_level_and_without_gravity,
-    centred_cylinder_rolls_by_both_methods,
-    contact_force_accelerates_G,
-    contact_force_may_pull,
-    contact_inertia_by_the_parallel_axis_theorem,
-    energy_of_G_and_of_turning,
-    forces_on_the_cylinder,
-    missing_moment_makes_it_right,
-    naive_acceleration_is_the_moment_over_the_inertia,
-    simulate_keeps_the_energy,
-    simulate_needs_no_dense_times,
-    simulate_rocks_at_the_linear_frequency,
-    simulate_rolls_and_rocks,
-)
+from . import checks
 
 
 def runge_kutta(t, start, steps, cylinder):
@@ -50,18 +35,16 @@ def rocks(t, phi, rate):
 # The diagram
 
 
-@mistake(
-    "You drew the normal force along the vertical; it is normal to the ramp.",
-    first_fails=forces_on_the_cylinder,
-    compared=False,
-)
+@mistake(first_fails=checks.forces_on_the_cylinder, compared=False)
 def free_body_diagram(reference, phi, **cylinder):
+    """You drew the normal force along the vertical; it is normal to the ramp."""
     (G, (x, y)), (contact, _), friction = reference(phi, **cylinder)
     return [(G, (x, y)), (contact, (-x, -y)), friction]
 
 
-@mistake("You drew the weight at the centre; it acts at G.", first_fails=forces_on_the_cylinder, compared=False)
+@mistake(first_fails=checks.forces_on_the_cylinder, compared=False)
 def free_body_diagram(reference, phi, **cylinder):
+    """You drew the weight at the centre; it acts at G."""
     (_, down), *contact = reference(phi, **cylinder)
     return [((0.0, 0.0), down), *contact]
 
@@ -69,193 +52,161 @@ def free_body_diagram(reference, phi, **cylinder):
 # The acceleration
 
 
-@mistake(
-    "You divide by the offset; for a centred cylinder that is 0.",
-    first_fails=centred_cylinder_rolls_by_both_methods,
-    compared=False,
-)
+@mistake(first_fails=checks.centred_cylinder_rolls_by_both_methods, compared=False)
 def naive_contact_acceleration(reference, phi, *, offset, **rest):
+    """You divide by the offset; for a centred cylinder that is 0."""
     return offset * (reference(phi, offset=offset, **rest) / offset)
 
 
-@mistake(
-    "You used M_C = I^C phi''; it leaves out the acceleration of the cylinder's point at C.",
-    first_fails=acceleration_balances_momentum_about_G,
-)
+@mistake(first_fails=checks.acceleration_balances_momentum_about_G)
 def acceleration(reference, phi, phi_dot, **cylinder):
+    """You used M_C = I^C phi''; it leaves out the acceleration of the cylinder's point at C."""
     return naive_contact_acceleration(phi, **cylinder)
 
 
-@mistake(
-    "You use half of the missing moment; it is m r e sin(phi) phi_dot^2.",
-    first_fails=acceleration_balances_momentum_about_G,
-)
+@mistake(first_fails=checks.acceleration_balances_momentum_about_G)
 def acceleration(reference, phi, phi_dot, **cylinder):
+    """You use half of the missing moment; it is m r e sin(phi) phi_dot^2."""
     return reference(phi, phi_dot / math.sqrt(2), **cylinder)
 
 
-@mistake(
-    "You give the friction the lever r about G; its lever is r - e cos(phi).",
-    first_fails=acceleration_balances_momentum_about_G,
-)
+@mistake(first_fails=checks.acceleration_balances_momentum_about_G)
 def acceleration(reference, phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
+    """You give the friction the lever r about G; its lever is r - e cos(phi)."""
     s, c = math.sin(phi), math.cos(phi)
     total = inertia + mass * (offset * s) ** 2 + mass * radius * (radius - offset * c)
     moment = -mass * offset * s * (offset * c * phi_dot**2 + gravity * math.cos(slope))
     return (moment - mass * radius * (offset * s * phi_dot**2 - gravity * math.sin(slope))) / total
 
 
-@mistake(
-    "You use the size of the slope; a ramp upwards has a negative slope.",
-    first_fails=acceleration_balances_momentum_about_G,
-)
+@mistake(first_fails=checks.acceleration_balances_momentum_about_G)
 def acceleration(reference, phi, phi_dot, *, slope, **cylinder):
+    """You use the size of the slope; a ramp upwards has a negative slope."""
     return reference(phi, phi_dot, slope=abs(slope), **cylinder)
 
 
-@mistake(
-    "You return 0 without gravity; phi_dot still changes unless G is at the centre.",
-    first_fails=acceleration_level_and_without_gravity,
-)
+@mistake(first_fails=checks.acceleration_level_and_without_gravity)
 def acceleration(reference, phi, phi_dot, **cylinder):
+    """You return 0 without gravity; phi_dot still changes unless G is at the centre."""
     return reference(phi, phi_dot, **cylinder) if cylinder["gravity"] else 0.0
 
 
-@mistake(
-    "You divide by sin(slope); on level ground that is 0.",
-    first_fails=acceleration_level_and_without_gravity,
-    compared=False,
-)
+@mistake(first_fails=checks.acceleration_level_and_without_gravity, compared=False)
 def acceleration(reference, phi, phi_dot, **cylinder):
+    """You divide by sin(slope); on level ground that is 0."""
     return math.sin(cylinder["slope"]) * (reference(phi, phi_dot, **cylinder) / math.sin(cylinder["slope"]))
 
 
 # The equation about C
 
 
-@mistake(
-    "You use r^2 + e^2 as the distance from C to G squared; it depends on phi.",
-    first_fails=contact_inertia_by_the_parallel_axis_theorem,
-)
+@mistake(first_fails=checks.contact_inertia_by_the_parallel_axis_theorem)
 def contact_inertia(reference, phi, *, mass, radius, offset, inertia):
+    """You use r^2 + e^2 as the distance from C to G squared; it depends on phi."""
     return inertia + mass * (radius**2 + offset**2)
 
 
-@mistake(
-    "You use the height of G above the ramp; use its distance from C.",
-    first_fails=contact_inertia_by_the_parallel_axis_theorem,
-)
+@mistake(first_fails=checks.contact_inertia_by_the_parallel_axis_theorem)
 def contact_inertia(reference, phi, *, mass, radius, offset, inertia):
+    """You use the height of G above the ramp; use its distance from C."""
     return inertia + mass * (radius - offset * math.cos(phi)) ** 2
 
 
-@mistake(
-    "You use I^G + m r^2; I^C is that only with G at the centre.",
-    first_fails=naive_acceleration_is_the_moment_over_the_inertia,
-)
+@mistake(first_fails=checks.naive_acceleration_is_the_moment_over_the_inertia)
 def naive_contact_acceleration(reference, phi, *, mass, radius, offset, inertia, **ramp):
+    """You use I^G + m r^2; I^C is that only with G at the centre."""
     body = {"mass": mass, "radius": radius, "offset": offset, "inertia": inertia}
     return reference(phi, **body, **ramp) * contact_inertia(phi, **body) / (inertia + mass * radius**2)
 
 
-@mistake(
-    "You use the dot product of r_{G/C} and m a_C; use their cross product.", first_fails=missing_moment_makes_it_right
-)
+@mistake(first_fails=checks.missing_moment_makes_it_right)
 def missing_moment(reference, phi, phi_dot, *, mass, radius, offset):
+    """You use the dot product of r_{G/C} and m a_C; use their cross product."""
     return mass * (radius - offset * math.cos(phi)) * radius * phi_dot**2
 
 
-@mistake("You use phi_dot |phi_dot|; phi_dot^2 has no sign.", first_fails=missing_moment_makes_it_right)
+@mistake(first_fails=checks.missing_moment_makes_it_right)
 def missing_moment(reference, phi, phi_dot, **body):
+    """You use phi_dot |phi_dot|; phi_dot^2 has no sign."""
     return math.copysign(1.0, phi_dot) * reference(phi, phi_dot, **body)
 
 
 # Forces and the energy
 
 
-@mistake("You balance only the weight along the ramp; G accelerates.", first_fails=contact_force_accelerates_G)
+@mistake(first_fails=checks.contact_force_accelerates_G)
 def contact_force(reference, phi, phi_dot, **c):
+    """You balance only the weight along the ramp; G accelerates."""
     return -c["mass"] * c["gravity"] * math.sin(c["slope"]), reference(phi, phi_dot, **c)[1]
 
 
-@mistake(
-    "You use r phi'', the acceleration of the centre along the ramp; use that of G.",
-    first_fails=contact_force_accelerates_G,
-)
+@mistake(first_fails=checks.contact_force_accelerates_G)
 def contact_force(reference, phi, phi_dot, **c):
+    """You use r phi'', the acceleration of the centre along the ramp; use that of G."""
     x_ddot = c["radius"] * acceleration(phi, phi_dot, **c)
     return c["mass"] * (x_ddot - c["gravity"] * math.sin(c["slope"])), reference(phi, phi_dot, **c)[1]
 
 
-@mistake(
-    "You forget alpha x r in the acceleration of G; G turns about the centre.", first_fails=contact_force_accelerates_G
-)
+@mistake(first_fails=checks.contact_force_accelerates_G)
 def contact_force(reference, phi, phi_dot, **c):
+    """You forget alpha x r in the acceleration of G; G turns about the centre."""
     along, normal = reference(phi, phi_dot, **c)
     turning = c["mass"] * c["offset"] * acceleration(phi, phi_dot, **c)
     return along + turning * math.cos(phi), normal - turning * math.sin(phi)
 
 
-@mistake("You forget the terms in phi_dot^2 of the acceleration of G.", first_fails=contact_force_accelerates_G)
+@mistake(first_fails=checks.contact_force_accelerates_G)
 def contact_force(reference, phi, phi_dot, **c):
+    """You forget the terms in phi_dot^2 of the acceleration of G."""
     along, normal = reference(phi, phi_dot, **c)
     turning = c["mass"] * c["offset"] * phi_dot**2
     return along - turning * math.sin(phi), normal - turning * math.cos(phi)
 
 
-@mistake(
-    "You cut a negative normal force to 0; assume that the cylinder never lifts off.",
-    first_fails=contact_force_may_pull,
-)
+@mistake(first_fails=checks.contact_force_may_pull)
 def contact_force(reference, phi, phi_dot, **cylinder):
+    """You cut a negative normal force to 0; assume that the cylinder never lifts off."""
     along, normal = reference(phi, phi_dot, **cylinder)
     return along, max(normal, 0.0)
 
 
-@mistake("You use the speed of the centre; use that of G.", first_fails=energy_of_G_and_of_turning)
+@mistake(first_fails=checks.energy_of_G_and_of_turning)
 def energy(reference, phi, phi_dot, **c):
+    """You use the speed of the centre; use that of G."""
     return reference(phi, 0.0, **c) + (c["inertia"] + c["mass"] * c["radius"] ** 2) * phi_dot**2 / 2
 
 
-@mistake(
-    "You use e cos(phi) cos(slope) in the height of G; it is e cos(phi + slope).",
-    first_fails=energy_of_G_and_of_turning,
-)
+@mistake(first_fails=checks.energy_of_G_and_of_turning)
 def energy(reference, phi, phi_dot, **c):
+    """You use e cos(phi) cos(slope) in the height of G; it is e cos(phi + slope)."""
     more = math.cos(phi + c["slope"]) - math.cos(phi) * math.cos(c["slope"])
     return reference(phi, phi_dot, **c) + c["mass"] * c["gravity"] * c["offset"] * more
 
 
-@mistake(
-    "You set the potential to zero with G where it is at phi = 0; it is zero with G where the centre is at phi = 0.",
-    first_fails=energy_of_G_and_of_turning,
-)
+@mistake(first_fails=checks.energy_of_G_and_of_turning)
 def energy(reference, phi, phi_dot, **c):
+    """You set the potential to zero with G where it is at phi = 0; it is zero with G where the centre is at phi = 0."""
     return reference(phi, phi_dot, **c) - reference(0.0, 0.0, **c)
 
 
-@mistake(
-    "You measure the height of G from the contact at phi = 0; measure it from the centre there.",
-    first_fails=energy_of_G_and_of_turning,
-)
+@mistake(first_fails=checks.energy_of_G_and_of_turning)
 def energy(reference, phi, phi_dot, **c):
+    """You measure the height of G from the contact at phi = 0; measure it from the centre there."""
     return reference(phi, phi_dot, **c) + c["mass"] * c["gravity"] * c["radius"] * math.cos(c["slope"])
 
 
 # The motion
 
 
-@mistake(
-    "You return the states at evenly spaced times; row i is the state at t[i].",
-    first_fails=simulate_rolls_and_rocks,
-    name="even_times",
-)
+@mistake(first_fails=checks.simulate_rolls_and_rocks, name="even_times")
 def simulate(reference, t, phi, phi_dot, **cylinder):
+    """You return the states at evenly spaced times; row i is the state at t[i]."""
     return reference(np.linspace(t[0], t[-1], len(t)), phi, phi_dot, **cylinder)
 
 
-@mistake("You stop where the normal force is zero; contact is kept.", first_fails=simulate_rolls_and_rocks)
+@mistake(first_fails=checks.simulate_rolls_and_rocks)
 def simulate(reference, t, phi, phi_dot, **cylinder):
+    """You stop where the normal force is zero; contact is kept."""
     states = reference(t, phi, phi_dot, **cylinder)
     lifted = [i for i, state in enumerate(states) if contact_force(*state, **cylinder)[1] < 0]
     if lifted:
@@ -263,22 +214,15 @@ def simulate(reference, t, phi, phi_dot, **cylinder):
     return states
 
 
-@mistake(
-    "You take a hundred Runge-Kutta steps to each time, however far; limit the size of a step.",
-    first_fails=simulate_needs_no_dense_times,
-    compared=False,
-    numerics=True,
-)
+@mistake(first_fails=checks.simulate_needs_no_dense_times, compared=False, numerics=True)
 def simulate(reference, t, phi, phi_dot, **cylinder):
+    """You take a hundred Runge-Kutta steps to each time, however far; limit the size of a step."""
     return runge_kutta(t, (phi, phi_dot), [100] * (len(t) - 1), cylinder)
 
 
-@mistake(
-    "You use the linear equation near the lowest place; the other terms are small there, not 0.",
-    first_fails=simulate_needs_no_dense_times,
-    compared=False,
-)
+@mistake(first_fails=checks.simulate_needs_no_dense_times, compared=False)
 def simulate(reference, t, phi, phi_dot, **c):
+    """You use the linear equation near the lowest place; the other terms are small there, not 0."""
     if c["slope"] or phi_dot or abs(phi) >= 0.5 or not c["gravity"]:
         return reference(t, phi, phi_dot, **c)
     body = {name: c[name] for name in ("mass", "radius", "offset", "inertia")}
@@ -286,23 +230,17 @@ def simulate(reference, t, phi, phi_dot, **c):
     return rocks(t, phi, math.sqrt(stiffness / contact_inertia(0.0, **body)))
 
 
-@mistake(
-    "You use I^G in the frequency of small rocking; use I^C at phi = 0.",
-    first_fails=simulate_rocks_at_the_linear_frequency,
-)
+@mistake(first_fails=checks.simulate_rocks_at_the_linear_frequency)
 def simulate(reference, t, phi, phi_dot, **c):
+    """You use I^G in the frequency of small rocking; use I^C at phi = 0."""
     if c["slope"] or phi_dot or abs(phi) >= 0.01 or not c["gravity"]:
         return reference(t, phi, phi_dot, **c)
     return rocks(t, phi, math.sqrt(c["mass"] * c["gravity"] * c["offset"] / c["inertia"]))
 
 
-@mistake(
-    "You take longer steps in a long motion; its error grows.",
-    first_fails=simulate_keeps_the_energy,
-    compared=False,
-    numerics=True,
-)
+@mistake(first_fails=checks.simulate_keeps_the_energy, compared=False, numerics=True)
 def simulate(reference, t, phi, phi_dot, **cylinder):
+    """You take longer steps in a long motion; its error grows."""
     rate = math.sqrt((cylinder["gravity"] or 5.0) / cylinder["radius"])
     step = (0.005 if (t[-1] - t[0]) * rate < 15 else 0.1) / rate
     return runge_kutta(t, (phi, phi_dot), [math.ceil(span / step) for span in np.diff(t)], cylinder)

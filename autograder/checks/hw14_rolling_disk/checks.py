@@ -105,8 +105,9 @@ EULER = (
 )
 
 
-@check("free_body_diagram", points=0.5, part="a", line="every force on the disk, where it acts and along what.")
+@check("free_body_diagram", points=0.5)
 def forces_on_the_disk(student, rng):
+    """every force on the disk, where it acts and along what."""
     compare_diagrams(student.free_body_diagram, reference, [*cases.instants(rng), *cases.flat_and_upright(rng)])
 
 
@@ -122,13 +123,9 @@ INTEGRALS = Invariant(CARRIED, "rad/s", reference.two_integrals, rate, KEPT)
 PLACED = "The centre is contact + a e2, R is Rz(yaw) Rx(tilt) Rz(roll), omega is yaw' z + tilt' e1 + roll' e3."
 
 
-@check(
-    "matrix_state",
-    points=0.5,
-    part="a",
-    line="matrix_state has the centre, R row by row, and the total omega in space axes.",
-)
+@check("matrix_state", points=0.5)
 def matrix_state_places_the_disk(student, rng):
+    """matrix_state has the centre, R row by row, and the total omega in space axes."""
     compare_columns(student.matrix_state, reference, cases.instants(rng), tolerance=POINTWISE, hint=PLACED)
 
 
@@ -155,37 +152,28 @@ INSTANTS, FLAT_AND_UPRIGHT = cases.timed(cases.instants), cases.timed(cases.flat
 BY_MATRIX, FLAT_BY_MATRIX = cases.by_matrix(INSTANTS), cases.by_matrix(FLAT_AND_UPRIGHT)
 
 
-@check(
-    "euler_state_derivative",
-    points=1.25,
-    part="a",
-    line="euler_state_derivative balances momentum and angular momentum of disk, hoop and wheel.",
-)
+@check("euler_state_derivative", points=1.25)
 def euler_equations_hold(student, rng):
+    """euler_state_derivative balances momentum and angular momentum of disk, hoop and wheel."""
     compare_columns(student.euler_state_derivative, reference, INSTANTS(rng), tolerance=POINTWISE, hint=TEST_IT)
 
 
-@check(
-    "euler_state_derivative",
-    points=0.25,
-    part="a",
-    after=euler_equations_hold,
-    line="euler_state_derivative holds at a tilt of 1e-3, and for a disk spinning upright on a point.",
-)
+@check("euler_state_derivative", points=0.25, after=euler_equations_hold)
 def euler_equations_hold_next_to_flat_and_upright(student, rng):
+    """euler_state_derivative holds at a tilt of 1e-3, and for a disk spinning upright on a point."""
     compare_columns(student.euler_state_derivative, reference, FLAT_AND_UPRIGHT(rng), **NEXT_TO_FLAT)
 
 
-@check("matrix_state_derivative", points=0.75, part="a", line="the balances hold, and omega in space axes turns R.")
+@check("matrix_state_derivative", points=0.75)
 def matrix_equations_hold(student, rng):
+    """the balances hold, and omega in space axes turns R."""
     compare_columns(student.matrix_state_derivative, reference, BY_MATRIX(rng), tolerance=POINTWISE, hint=IN_SPACE)
     compare_columns(student.matrix_state_derivative, reference, FLAT_BY_MATRIX(rng), **NEXT_TO_FLAT)
 
 
-@check(
-    "multiplier_state_derivative", points=0.75, part="a", line="the balances hold, with multipliers for the contact."
-)
+@check("multiplier_state_derivative", points=0.75)
 def multiplier_equations_hold(student, rng):
+    """the balances hold, with multipliers for the contact."""
     compare_columns(student.multiplier_state_derivative, reference, BY_MATRIX(rng), tolerance=POINTWISE, hint=ARM)
     compare_columns(student.multiplier_state_derivative, reference, FLAT_BY_MATRIX(rng), **NEXT_TO_FLAT)
 
@@ -197,13 +185,9 @@ def by_rates(rates):
     return OwnRates(rates, reference, lambda t, row: (t, row))
 
 
-@check(
-    "simulate_euler",
-    points=0.5,
-    part="b",
-    line="simulate_euler follows the motion from any start, row i at t[i], row 0 the given state.",
-)
+@check("simulate_euler", points=0.5, part="b")
 def euler_simulation_follows_the_motion(student, rng):
+    """simulate_euler follows the motion from any start, row i at t[i], row 0 the given state."""
     compare_trajectory(
         student.simulate_euler,
         reference,
@@ -214,25 +198,16 @@ def euler_simulation_follows_the_motion(student, rng):
     )
 
 
-@check(
-    "simulate_euler",
-    points=0.5,
-    part="b",
-    after=euler_simulation_follows_the_motion,
-    line="over a long time the energy stays, and omega along e2 and e3 depends only on the tilt.",
-)
+@check("simulate_euler", points=0.5, part="b", after=euler_simulation_follows_the_motion)
 def euler_simulation_keeps_energy_and_two_integrals(student, rng):
+    """over a long time the energy stays, and omega along e2 and e3 depends only on the tilt."""
     kept, shares = (INTEGRALS, ENERGY_KEPT), {1e-4: 0.5}
     check_conserved(student.simulate_euler, reference, cases.long_motion(rng), *kept, coarsely=COARSELY, partial=shares)
 
 
-@check(
-    "simulate_matrix",
-    points=0.5,
-    part="b",
-    line="simulate_matrix follows the motion from any start, row i at t[i], row 0 the given state.",
-)
+@check("simulate_matrix", points=0.5, part="b")
 def matrix_simulation_follows_the_motion(student, rng):
+    """simulate_matrix follows the motion from any start, row i at t[i], row 0 the given state."""
     compare_trajectory(
         student.simulate_matrix,
         reference,
@@ -245,14 +220,9 @@ def matrix_simulation_follows_the_motion(student, rng):
 BOTH = euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion
 
 
-@check(
-    "simulate_matrix",
-    points=0.5,
-    part="c",
-    after=BOTH,
-    line="simulate_matrix agrees with it over a long time; the disk stays on the ground, R a rotation.",
-)
+@check("simulate_matrix", points=0.5, part="c", after=BOTH)
 def both_simulations_agree(student, rng):
+    """simulate_matrix agrees with it over a long time; the disk stays on the ground, R a rotation."""
     motions = compare_trajectory(
         student.simulate_matrix, reference, cases.by_matrix(cases.long_motion)(rng), tolerance=AGREED
     )
@@ -262,13 +232,9 @@ def both_simulations_agree(student, rng):
 # (d) Steady circles
 
 
-@check(
-    "steady_residual",
-    points=0.75,
-    part="d",
-    line="steady_residual is tilt'' at this lean, precession and total spin, steady or not.",
-)
+@check("steady_residual", points=0.75, part="d")
 def steady_residual_is_the_tilt_acceleration(student, rng):
+    """steady_residual is tilt'' at this lean, precession and total spin, steady or not."""
     compare(
         student.steady_residual,
         reference,
@@ -281,13 +247,9 @@ def steady_residual_is_the_tilt_acceleration(student, rng):
 # (e) The picture
 
 
-@check(
-    "wireframe",
-    points=0.5,
-    part="e",
-    line="wireframe is a closed regular polygon on the rim, and two perpendicular diameters that roll with the disk.",
-)
+@check("wireframe", points=0.5, part="e")
 def wireframe_is_a_rolling_disk(student, rng):
+    """wireframe is a closed regular polygon on the rim, and two perpendicular diameters that roll with the disk."""
     for calls in cases.pictures(rng):
         places = [judge_wireframe(case, lines) for case, lines in student.wireframe.each(calls)]
         apart, hint = reference.turned(np.diff(places, axis=0), np.pi), "Do they roll with the disk?"
@@ -329,8 +291,9 @@ def rest_or_rates(case, result, expected):
     return "At rest it is right: look at the speed of the centre and the turning about it."
 
 
-@check("energy", points=0.75, part="f", line="energy adds what moves, what turns and what is high.")
+@check("energy", points=0.75, part="f")
 def energy_is_kinetic_and_potential(student, rng):
+    """energy adds what moves, what turns and what is high."""
     compare(student.energy, reference, cases.resting_first(rng), tolerance=POINTWISE, hint=rest_or_rates)
 
 
@@ -344,26 +307,18 @@ def wrong_force(case, result, expected):
     return along("The force", result - expected, case.args[0], limit) or otherwise
 
 
-@check(
-    "contact_force",
-    points=0.75,
-    part="f",
-    line="contact_force is what the centre's acceleration and the weight ask for, in space axes.",
-)
+@check("contact_force", points=0.75, part="f")
 def contact_force_moves_the_centre(student, rng):
+    """contact_force is what the centre's acceleration and the weight ask for, in space axes."""
     compare(student.contact_force, reference, cases.instants(rng), tolerance=POINTWISE, hint=wrong_force)
 
 
 # (g) and (h) Stability
 
 
-@check(
-    "critical_speed",
-    points=0.5,
-    part="g",
-    line="critical_speed is the centre's speed at which a small lean neither grows nor swings.",
-)
+@check("critical_speed", points=0.5, part="g")
 def critical_speed_parts_stable_from_unstable(student, rng):
+    """critical_speed is the centre's speed at which a small lean neither grows nor swings."""
     compare(
         student.critical_speed,
         reference,
@@ -373,13 +328,9 @@ def critical_speed_parts_stable_from_unstable(student, rng):
     )
 
 
-@check(
-    "growth_rate_squared",
-    points=0.75,
-    part="h",
-    line="growth_rate_squared is the lean's, below and above the critical speed, and at rest.",
-)
+@check("growth_rate_squared", points=0.75, part="h")
 def growth_rate_is_that_of_a_small_lean(student, rng):
+    """growth_rate_squared is the lean's, below and above the critical speed, and at rest."""
     compare(
         student.growth_rate_squared, reference, cases.speeds(rng), tolerance=LINEAR, hint="Linearise about upright."
     )

@@ -1,7 +1,8 @@
 """A check: a plain function `name(student, rng)` about one function of the student.
 
-    @check("rotation_matrix", points=2, part="a", after=other_check, line="R^T R = I, for any axis and angle.")
+    @check("rotation_matrix", points=2, part="a", after=other_check)
     def keeps_lengths(student, rng):
+        '''R^T R = I, for any axis and angle.'''
         for case, R in student.rotation_matrix.each(cases.axes_and_angles(rng)):
             expect(R.T @ R, np.eye(3), tolerance=1e-12, quantity="R^T R")
 
@@ -75,7 +76,7 @@ class Check:
 
 
 def check(
-    function: str, *, points: float, part: str, line: str, after: Check | Sequence[Check] = ()
+    function: str, *, points: float, part: str = "a", line: str = "", after: Check | Sequence[Check] = ()
 ) -> Callable[[Run], Check]:
     """Make a function of a student and a generator a check.
 
@@ -83,12 +84,12 @@ def check(
     ----------
     function : the student's function that the check is about
     points, part : what it is worth, and in which lettered part
-    line : what it tests, for the student
+    line : what it tests, for the student; left out, it is the docstring of the function
     after : the check, or the checks, that must (nearly) pass before this one runs
     """
 
     def decorated(run: Run) -> Check:
-        return Check(run, function, float(points), part, line, needed(after))
+        return Check(run, function, float(points), part, line or " ".join((run.__doc__ or "").split()), needed(after))
 
     return decorated
 

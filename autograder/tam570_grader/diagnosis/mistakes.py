@@ -2,8 +2,9 @@
 
 They are decorated functions in the file `mistakes.py` beside the checks:
 
-    @mistake("You let gravity pull up; it pulls down.", first_fails=solution_is_the_motion)
+    @mistake(first_fails=checks.solution_is_the_motion)
     def solution(reference, *args, gravity, **parameters):
+        '''You let gravity pull up; it pulls down.'''
         return reference(*args, gravity=-gravity, **parameters)
 
 `reference` is the solution's own function of that name, which may be one of its helpers. The body sees the solution's
@@ -74,7 +75,7 @@ Body = TypeVar("Body", bound=Function)
 
 
 def mistake(  # noqa: PLR0913  the fields of a `Mistake`
-    message: str,
+    message: str = "",
     *,
     first_fails: Check,
     name: str = "",
@@ -87,7 +88,7 @@ def mistake(  # noqa: PLR0913  the fields of a `Mistake`
 
     Parameters
     ----------
-    message : what a student reads: "You ...; ..."
+    message : what a student reads: "You ...; ..."; left out, it is the docstring of the function
     first_fails : the first check that fails
     name, tolerance, label, compared, numerics : see `Mistake`
     """
@@ -127,11 +128,14 @@ def _decorated(text: str) -> Iterator[Mistake]:
         if decorator := _decorator(node):
             assert isinstance(node, ast.FunctionDef)
             count[function := node.name] += 1
-            wrong = ast.unparse(ast.FunctionDef(**{**vars(node), "name": "_mistaken", "decorator_list": []}))
+            docstring, body = ast.get_docstring(node), node.body[1:] if ast.get_docstring(node) else node.body
+            changed = {"name": "_mistaken", "decorator_list": [], "body": body}
+            wrong = ast.unparse(ast.FunctionDef(**{**vars(node), **changed}))
             fields: Json = {str(field.arg): _value(field.value) for field in decorator.keywords}
             fields["name"] = fields.get("name") or function + (f"_{count[function]}" if count[function] > 1 else "")
             overlay = OVERLAY.format(besides=besides, function=function, wrong=wrong)
-            yield Mistake(message=ast.literal_eval(decorator.args[0]), text=overlay, **fields)
+            message = ast.literal_eval(decorator.args[0]) if decorator.args else " ".join((docstring or "").split())
+            yield Mistake(message=message, text=overlay, **fields)
 
 
 def _decorator(node: ast.stmt) -> ast.Call | None:
@@ -152,7 +156,8 @@ def _is_of_the_grader(node: ast.stmt) -> bool:
 
 def _value(node: ast.expr) -> object:
     """Return a literal; a check by its name."""
-    return node.id if isinstance(node, ast.Name) else ast.literal_eval(node)
+    is_check = isinstance(node, ast.Name | ast.Attribute)
+    return ast.unparse(node).rpartition(".")[2] if is_check else ast.literal_eval(node)
 
 
 def candidates(solution: str, folder: Path, functions: Container[str]) -> list[Mistake]:

@@ -41,8 +41,9 @@ def drawn(rng):
     return [Case(rng.uniform(1, 2)).labelled("a random x")]
 
 
-@check("root", points=2, part="b", line="the positive root.")
+@check("root", points=2)
 def root_is_positive(student, rng):
+    """the positive root."""
     compare(student.root, root, drawn(rng), tolerance=1e-9)
 
 
