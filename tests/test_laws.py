@@ -68,17 +68,14 @@ def test_no_released_file_holds_a_solution_or_a_hidden_check(slug, course, solut
         assert not leaked, f"{path.name} shows {leaked}"
 
 
-def test_the_readme_names_every_function_and_its_points(slug, course, solution_text):
-    text = (course / "assignments" / slug / "README.md").read_text()
-    rows = re.findall(r"^\| `(\w+)\(.*?\| *([\d.]+) *\|", text, re.MULTILINE)
-    assert {name for name, _ in rows} == set(exported(solution_text(slug)))
-    assert sum(float(points) for _, points in rows) == pytest.approx(assignments.assignment(course, slug).max_score)
-
-
-def test_there_are_hints_for_every_function(slug, course, solution_text):
-    hints = tomllib.loads((course / "assignments" / slug / "hints.toml").read_text())
-    assert set(hints) == set(exported(solution_text(slug)))
+def test_readme_hints_and_checks_name_every_function_and_ten_points(slug, course, solution_text):
+    assignment, folder = assignments.assignment(course, slug), course / "assignments" / slug
+    rows = re.findall(r"^\| `(\w+)\(.*?\| *([\d.]+) *\|", (folder / "README.md").read_text(), re.MULTILINE)
+    hints = tomllib.loads((folder / "hints.toml").read_text())
+    assert set(dict(rows)) == set(hints) == set(assignment.results) == set(exported(solution_text(slug)))
+    assert sum(float(points) for _, points in rows) == pytest.approx(10.0) and assignment.max_score == 10.0
     assert all(steps and all(step.strip() for step in steps) for steps in hints.values())
+    assert all(check.line and check.points > 0 for check in assignment.checks)
 
 
 def test_notation_explains_every_parameter_in_its_meaning(slug, course, solution_text):
@@ -88,13 +85,6 @@ def test_notation_explains_every_parameter_in_its_meaning(slug, course, solution
             explained |= set(re.findall(r"`(\w+)`", row[0]))
     arguments = [written[name].args for name in exported(solution_text(slug))]
     assert {item.arg for of in arguments for item in (*of.args, *of.kwonlyargs)} <= explained
-
-
-def test_the_checks_promise_every_function_and_ten_points(slug, course, solution_text):
-    assignment = assignments.assignment(course, slug)
-    assert set(assignment.results) == set(exported(solution_text(slug)))
-    assert assignment.max_score == 10.0
-    assert all(check.line and check.points > 0 for check in assignment.checks)
 
 
 # Right answers pass

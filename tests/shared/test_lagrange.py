@@ -93,15 +93,6 @@ def test_the_text_runs_where_sympy_and_numpy_are_not(tmp_path):
     assert printed == ["True", repr(here), "False"]
 
 
-def test_nothing_is_computed_twice_and_no_zero_is_carried():
-    source = lagrange.source(BARS, [theta, phi], [p, q])
-    rhs = source[source.index("def rhs") : source.index("def mass_matrix")]
-    assert rhs.count("sin(") == 3 and rhs.count("cos(") == 1  # of the difference, and each weight
-    assert "**" not in rhs
-    free = lagrange.source(m * (u**2 + v**2 + w**2) / 2, [x, y, z], [u, v, w])
-    assert "return (u, v, w, 0.0, 0.0, 0.0)" in free
-
-
 def test_powers_roots_and_constants_are_printed_as_they_are():
     """A potential of everything the printer writes in its own way; its slope by SymPy's own 30 digits."""
     V = sympy.pi / (x + c) ** 2 + sympy.sqrt(x) / x**3 + sympy.exp(1) * (x - c) ** 4 + sympy.atan2(x, c) + 1 / x

@@ -10,8 +10,6 @@ pytestmark = pytest.mark.slow
 
 LECTURE, SCENES = "generated/lectures/top.html", "generated/assignments.html"
 PHONE, DESK = (390, 844), (1280, 800)
-FIRST_PAGE = 300_000  # bytes before scenes
-WHOLE_SITE = 15_000_000  # bytes
 # The largest width that does not fit, of the page and of the theme's boxes around a text, which scroll by themselves.
 OVER = """() => {
   const boxes = document.querySelectorAll(".bd-main, .bd-content, .bd-article-container, .bd-article section");
@@ -55,16 +53,6 @@ def test_axe_finds_no_fault_on_any_page(opened, site, address, size, scheme):
     assert not faults
 
 
-def test_the_first_page_is_small_and_so_is_the_site(opened, site, address):
-    sizes = {}
-    tab = opened("about:blank", DESK, start="")
-    tab.on("response", lambda response: sizes.update({response.url: len(response.body())}))
-    tab.goto(f"{address}index.html", wait_until="networkidle")
-    before = {url: size for url, size in sizes.items() if "/scenes/" not in url}
-    assert len(before) > 5 and sum(before.values()) < FIRST_PAGE
-    assert sum(file.stat().st_size for file in site.rglob("*") if file.is_file()) < WHOLE_SITE
-
-
 def test_scenes_come_as_they_are_seen_and_go(opened):
     tab = opened(SCENES, DESK)
     figures = tab.locator("figure.scene")
@@ -95,16 +83,6 @@ def test_a_scene_is_reached_and_played_by_keys(opened):
     scene.locator("#play", has_text="Pause").wait_for()
     tab.keyboard.press("Tab")
     scene.locator("#play:focus").wait_for()
-
-
-def test_a_scene_follows_the_colours_of_the_page(opened):
-    tab = opened(LECTURE, DESK, color_scheme="null")  # an emulated scheme would hold for frames too
-    tab.wait_for_selector("figure.scene iframe")
-    dark = "matchMedia('(prefers-color-scheme: dark)').matches"
-    assert not tab.frames[1].evaluate(dark)
-    tab.locator(".theme-switch-button").first.click()
-    tab.locator(".theme-change-button[data-mode=dark]").first.click()
-    assert tab.evaluate("document.documentElement.dataset.theme") == "dark" and tab.frames[1].evaluate(dark)
 
 
 def test_paper_and_readers_without_scripts_have_a_still(opened):

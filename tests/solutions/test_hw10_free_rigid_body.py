@@ -1,4 +1,4 @@
-"""hw10's solution against fifty digits and more: Euler rates, elliptic functions, the tumble period."""
+"""hw10's solution against fifty digits and more: Euler rates, the tumble period."""
 
 import math
 
@@ -67,25 +67,6 @@ def elliptic(times, omega, body):
         row = [a * cn, b * sn, c * dn]
         rows.append([float(x) for x in (row if last else row[::-1])])
     return np.array(rows)
-
-
-@pytest.mark.parametrize("omega", [(0.7, 1.1, 0.9), (-0.2, 1.0, 0.5), (1.2, 0.4, 0.1), (0.8, 1.5, 0.2)])
-def test_omega_follows_elliptic_functions_on_both_sides(omega):
-    times = np.array([0.3, 1.0, 2.7, 9.1, 20.0, 50.0])
-    expected = elliptic(times, omega, BODY)
-    omegas, _ = hw.simulate(times, np.eye(3), omega, inertia=BODY)
-    np.testing.assert_allclose(omegas, expected, rtol=0, atol=1e-11)
-
-
-def test_omega_follows_elliptic_functions_next_to_the_separatrix():
-    # After the first flip at 59 s omega comes to 1e-24 of the middle axis, and roundings of 1e-16 decide on the second.
-    times = np.array([0.0, 1.0, 10.0, 30.0, 50.0, 55.0, 58.0, 60.0, 62.0])
-    with mpmath.workdps(60):
-        expected = elliptic(times, NEXT_TO_THE_SEPARATRIX, BODY)
-    omegas, _ = hw.simulate(times, np.eye(3), NEXT_TO_THE_SEPARATRIX, inertia=BODY)
-    assert expected[0, 1] * expected[-1, 1] < 0  # it did flip
-    # the two small components are known to 13 digits as they grow, and a shift in time of 1e-13 follows
-    np.testing.assert_allclose(omegas, expected, rtol=1e-11, atol=1e-23)
 
 
 def precise_period(omega, body):

@@ -9,7 +9,7 @@ from classes import HW08, hand_in, results
 
 from tam570_grader import cli
 from tam570_grader.checks import assignments
-from tam570_grader.grading import batch, regrade
+from tam570_grader.grading import batch
 
 OTHER = "hw03_angular_momentum_rate"
 WRONG = "def skew(v): return [[0.0] * 3] * 3\n"
@@ -72,25 +72,6 @@ def test_all_is_run_again_where_something_else_runs_it(what, tree, tmp_path, gra
     monkeypatch.setattr(batch, what, lambda: "another")
     assert grade(tree, "--out", tmp_path / "old") == 0
     assert len(graded_works) == 4
-
-
-GONE = {"checks": [{"name": "gone", "points": 1.0, "max_points": 1.0, "outcome": "passed"}]}
-
-
-@pytest.mark.parametrize(
-    ("old", "new", "words"),
-    [
-        (None, {}, "not in the old results"),
-        (GONE, {}, "gone: passed 1/1 -> no such check"),
-        ({"status": "missing"}, {}, "missing -> graded"),
-        ({}, {"score": None}, "none"),
-    ],
-)
-def test_every_kind_of_change_is_told(old, new, words):
-    record = {"student": "ada", "assignment": HW08, "status": "graded", "score": 5.0, "checks": []}
-    before = None if old is None else {**record, "score": 6.0, **old}
-    reported = regrade.table([regrade.change(before, {**record, **new})], 1)
-    assert words in reported and "1 of 1 scores change" in reported
 
 
 def test_what_is_no_longer_handed_in_is_told(tree, tmp_path, capsys):

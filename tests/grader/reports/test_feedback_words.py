@@ -30,15 +30,3 @@ def test_where_nothing_failed_the_first_thing_to_look_at_is_what_is_not_written(
     assert "Look at this first: three" in shown(passed, blocked, missing)
     assert "Look at this first: four" in shown(passed, blocked, missing, failed)
     assert "Look at this first" not in shown(passed, blocked)
-
-
-def test_a_mistake_that_was_found_by_trying_is_not_called_a_known_one():
-    guess = check("one", suspect="In energy, a term is missing", failure=Failure(message="energy is wrong"))
-    assert "Your numbers match this mistake: In energy, a term is missing.\n" in shown(guess)
-    assert feedback.row(result("ada", guess).record())[5] == "numbers match: In energy, a term is missing."
-
-
-def test_scores_have_two_decimals(grade):
-    assert "9.77 of 10 points" in shown(check("one", points=0.9675))
-    rows = [feedback.row(result("ada", score=score).record()) for score in (9.9975, 10.0)]
-    assert [row[2] for row in rows] == [" 9.99 / 10", "   10 / 10"]

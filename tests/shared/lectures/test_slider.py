@@ -36,10 +36,6 @@ def test_all_films_of_a_slider_share_one_scale():
     assert small["panels"][0]["size"] == large["panels"][0]["size"]
 
 
-def test_a_film_without_a_slider_has_none():
-    assert "slider" not in packed(grown(1.0))
-
-
 def test_the_slider_begins_at_the_value_that_was_set(tab):
     assert tab.get_by_label("size").is_visible()
     assert tab.locator("#chosen").inner_text() == "2 m"

@@ -8,7 +8,7 @@ from tam570.course import assignments
 from tam570.integrate import solve
 from tam570.lectures import load, names
 from tam570.show import load_student, scene_of, show
-from tam570.show.live import _sliders, program
+from tam570.show.live import program
 from tam570.show.page import page
 
 HOMEWORK = [slug for slug in assignments() if slug[:4] in {f"hw{n:02}" for n in (1, 4, 5, 6, 7, 10, 12, 13, 14)}]
@@ -122,10 +122,3 @@ def angular_momentum_balance(theta, omega, *, mass, length, gravity):
         assert (written is None) == (sliders is None)
         assert written is None or len(written.data["parameters"]) == sliders
     assert tab(scene).evaluate("grasped === null && program === null && !live.on")
-
-
-def test_every_number_of_a_lecture_has_a_slider(scene_named):
-    """Whatever its functions ask of their parameters."""
-    for name in LECTURES:
-        live = scene_named(name).live
-        assert len(program(live).data["parameters"]) == len(_sliders(live.parameters)) > 0, name
