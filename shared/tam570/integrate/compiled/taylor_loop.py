@@ -52,7 +52,8 @@ from tam570.values import Numbers
 __all__ = ["DONE", "FRESH", "IDLE", "RUNNING", "advance", "advance_all"]
 
 RUNNING, DONE, VANISHED, SINGULAR, LACKING, IDLE, FRESH = 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0
-TOLERATED = 1.6  # the derivative may be off by so many times (ORDER + 1) of the tolerance in a step
+LEFT_OUT = 0.4  # of the tolerance, by the terms that a step leaves out
+TOLERATED = 1.0  # the derivative may be off by so many times (ORDER + 1) of the tolerance in a step
 ROUNDINGS = 8.0  # and by so many times the bound of its rounding: the polynomial adds up as many terms
 GROWTH = 6.0  # of the step where all coefficients in the window are zero
 
@@ -74,7 +75,7 @@ def advance(
     budget: Numbers,
 ) -> Numbers:
     """Step until the last sample, `budget` steps are tried, or no step is possible: z[STATUS] tells."""
-    pace = log2(rtol) / ORDER, 1.0 / ORDER, 1.0 / (ORDER - 1), 1.0 / (ORDER - 2), 1.0 / (ORDER - 3)
+    pace = pace_of(rtol)
     if z[STATUS] == FRESH:
         start_motion(z, out)
     for i in components():
@@ -87,6 +88,17 @@ def advance(
         else:
             coefficients(work, c, time, ORDER)
         settle(z, work, time, c, times, out, 0, rtol, pace)
+
+
+def pace_of(rtol: Numbers) -> Numbers:
+    """Return log2 of the step over the distance to the singularity, and 1 over each of the last orders.
+
+    The terms of a series fall by q = step / distance each: those left out sum to q / (1 - q) of the last, and are to be
+    LEFT_OUT times the tolerance. q follows from the last term alone, to a hundredth.
+    """
+    q = power_of_2(log2(rtol) / ORDER)
+    last = log2(rtol * LEFT_OUT * (1.0 - q) / q) / ORDER
+    return last, 1.0 / ORDER, 1.0 / (ORDER - 1), 1.0 / (ORDER - 2), 1.0 / (ORDER - 3)
 
 
 def start_motion(z: Numbers, out: Numbers) -> Numbers:
@@ -118,7 +130,7 @@ def advance_all(
     members : what a motion starts with, a row each: its first step at most, y, m; and as it ends, its status
     Memory behind all z: how many motions were begun, and how many are under way.
     """
-    pace = log2(rtol) / ORDER, 1.0 / ORDER, 1.0 / (ORDER - 1), 1.0 / (ORDER - 2), 1.0 / (ORDER - 3)
+    pace = pace_of(rtol)
     start_motion, going = LANES * MEMORY, LANES * MEMORY + 1
     while z[going] > 0.0 and budget > 0:
         budget -= 1
@@ -271,7 +283,7 @@ def longest(z: Numbers, work: Numbers, lane: Numbers, pace: Numbers) -> Numbers:
 
     Infinite where all are zero, 0 if none will do.
 
-    pace : the logarithm, to base 2, of the step over the distance to the singularity; 1 over each of the last orders
+    pace : as by `pace_of`
     """
     nearest = wide(-inf)
     total = wide(0.0)
