@@ -22,6 +22,7 @@ from tam570_grader.checks.compare import (
     check_raises,
     compare,
     compare_columns,
+    compare_with,
     first_wrong,
     largest,
 )
@@ -41,6 +42,7 @@ __all__ = [
     "Assignment",
     "absolute",
     "compare_columns",
+    "compare_with",
     "compare_invariants",
     "get_context",
     "grade",

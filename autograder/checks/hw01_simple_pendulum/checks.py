@@ -12,9 +12,9 @@ from tam570_grader import (
     absolute,
     check,
     check_conserved,
-    compare,
     compare_columns,
     compare_trajectory,
+    compare_with,
     expect,
     from_own_lagrangian,
 )
@@ -34,6 +34,8 @@ AT_THE_ENDS = 1e-3
 SMALL = 1e-3  # of a variation; its square is below VARIATION
 VARIATION = 1e-4  # (2 pi 1.5/2000)^2/3 = 7e-6 by any quadrature of second order
 ACTION = 1e-5  # (4/4000)^2/3 = 3e-7 by any quadrature of second order; one of first order is off by 2e-4
+
+compare = compare_with(reference, tolerance=FORMULA)
 
 
 def power_of_rate(n, mass, length):
@@ -80,40 +82,19 @@ def states(rng):
 @check("linear_momentum_balance", points=0.5)
 def newton_gives_the_acceleration(student, rng):
     """alpha, along the circle."""
-    compare(
-        student.linear_momentum_balance,
-        reference,
-        states(rng),
-        tolerance=FORMULA,
-        only=0,
-        hint="What of each force is along the circle?",
-    )
+    compare(student.linear_momentum_balance, states(rng), only=0, hint="What of each force is along the circle?")
 
 
 @check("linear_momentum_balance", points=0.5)
 def newton_gives_the_tension(student, rng):
     """the tension, along the rod."""
-    compare(
-        student.linear_momentum_balance,
-        reference,
-        states(rng),
-        tolerance=FORMULA,
-        only=1,
-        hint="Which way along the rod does m a point?",
-    )
+    compare(student.linear_momentum_balance, states(rng), only=1, hint="Which way along the rod does m a point?")
 
 
 @check("angular_momentum_balance", points=0.5)
 def moments_give_the_acceleration(student, rng):
     """alpha, by M = dH/dt."""
-    compare(
-        student.angular_momentum_balance,
-        reference,
-        states(rng),
-        tolerance=FORMULA,
-        only=0,
-        hint="Which way does the weight turn it?",
-    )
+    compare(student.angular_momentum_balance, states(rng), only=0, hint="Which way does the weight turn it?")
 
 
 ARM = "How far from the hinge do momentum and weight act?"
@@ -122,33 +103,19 @@ ARM = "How far from the hinge do momentum and weight act?"
 @check("angular_momentum_balance", points=0.5)
 def momentum_and_moment_are_about_the_hinge(student, rng):
     """r x m v and the moment of the weight, about the hinge."""
-    compare(student.angular_momentum_balance, reference, states(rng), tolerance=FORMULA, only=(1, 2), hint=ARM)
+    compare(student.angular_momentum_balance, states(rng), only=(1, 2), hint=ARM)
 
 
 @check("energy_balance", points=0.5)
 def energies_are_right(student, rng):
     """T, and V, which is zero at the lowest point."""
-    compare(
-        student.energy_balance,
-        reference,
-        cases.states(rng),
-        tolerance=FORMULA,
-        only=(1, 2),
-        hint="How fast is the mass, and how high?",
-    )
+    compare(student.energy_balance, cases.states(rng), only=(1, 2), hint="How fast is the mass, and how high?")
 
 
 @check("energy_balance", points=0.25)
 def energy_gives_the_acceleration(student, rng):
     """alpha, from the constancy of the energy."""
-    compare(
-        student.energy_balance,
-        reference,
-        cases.states(rng),
-        tolerance=FORMULA,
-        only=0,
-        hint="The terms of dE/dt have a factor in common.",
-    )
+    compare(student.energy_balance, cases.states(rng), only=0, hint="The terms of dE/dt have a factor in common.")
 
 
 CANCELLED = "Do you divide by omega? Cancel it on paper."
@@ -157,31 +124,25 @@ CANCELLED = "Do you divide by omega? Cancel it on paper."
 @check("energy_balance", points=0.25, after=energy_gives_the_acceleration)
 def energy_gives_the_acceleration_at_rest(student, rng):
     """alpha where omega is zero, too."""
-    compare(student.energy_balance, reference, cases.at_rest(rng), tolerance=FORMULA, only=(0, 1), hint=CANCELLED)
+    compare(student.energy_balance, cases.at_rest(rng), only=(0, 1), hint=CANCELLED)
 
 
 @check("power_balance", points=0.25)
 def power_gives_the_acceleration(student, rng):
     """the power of gravity, and alpha from it."""
-    compare(
-        student.power_balance,
-        reference,
-        cases.states(rng),
-        tolerance=FORMULA,
-        hint="Power is F . v: when does gravity speed the mass up?",
-    )
+    compare(student.power_balance, cases.states(rng), hint="Power is F . v: when does gravity speed the mass up?")
 
 
 @check("power_balance", points=0.25, after=power_gives_the_acceleration)
 def power_gives_the_acceleration_at_rest(student, rng):
     """alpha where omega is zero, too."""
-    compare(student.power_balance, reference, cases.at_rest(rng), tolerance=FORMULA, hint=CANCELLED)
+    compare(student.power_balance, cases.at_rest(rng), hint=CANCELLED)
 
 
 @check("virtual_work", points=0.5)
 def virtual_work_gives_the_acceleration(student, rng):
     """the generalized force of gravity, and alpha from it."""
-    compare(student.virtual_work, reference, states(rng), tolerance=FORMULA, hint="dr is l dtheta, across the rod.")
+    compare(student.virtual_work, states(rng), hint="dr is l dtheta, across the rod.")
 
 
 AT_REST = "Put numbers in: at rest at the lowest point it is zero, at rest elsewhere negative."
@@ -190,7 +151,7 @@ AT_REST = "Put numbers in: at rest at the lowest point it is zero, at rest elsew
 @check("lagrangian", points=0.75)
 def lagrangian_is_kinetic_less_potential(student, rng):
     """T - V in theta, omega, m, l, g, with V zero at the lowest point."""
-    compare(student.lagrangian, reference, cases.symbols(rng), tolerance=FORMULA, hint=AT_REST)
+    compare(student.lagrangian, cases.symbols(rng), hint=AT_REST)
 
 
 @check("lagrange_equation", points=0.75)
@@ -198,7 +159,7 @@ def lagrange_gives_the_acceleration(student, rng):
     """alpha in theta, l, g alone."""
     calls = cases.symbols(rng)
     hint = from_own_lagrangian(student, calls[:5], "It is the alpha of the other balances.")
-    compare(student.lagrange_equation, reference, calls, tolerance=FORMULA, hint=hint)
+    compare(student.lagrange_equation, calls, hint=hint)
 
 
 @check("action", points=0.5)
@@ -219,7 +180,6 @@ def action_is_the_integral(student, rng):
     """the integral of T - V itself, to second order in the step."""
     compare(
         student.action,
-        reference,
         [*cases.paths(rng), *cases.plain_paths(rng)],
         tolerance=ACTION,
         hint="Half the step must quarter the error.",
@@ -263,7 +223,6 @@ def period_is_exact(student, rng):
     """exact at large amplitudes."""
     compare(
         student.period,
-        reference,
         cases.usual_periods(rng),
         tolerance=PERIOD,
         hint="The energy gives omega at theta, and dt = dtheta/omega.",
@@ -278,24 +237,12 @@ LONGER = "A series in the amplitude, or a quadrature of fixed order, does not re
 @check("period", points=0.25, after=period_is_exact)
 def period_grows_towards_the_top(student, rng):
     """exact from tiny amplitudes to pi, where it has no bound."""
-    compare(student.period, reference, cases.least_periods(rng), tolerance=PERIOD, hint=TOO_SMALL)
-    compare(student.period, reference, cases.small_periods(rng), tolerance=PERIOD, hint=COSINES)
-    compare(student.period, reference, cases.next_to_top(rng), tolerance=NEXT_TO_TOP, hint=LONGER)
-    compare(
-        student.period,
-        reference,
-        [*cases.smaller_periods(rng), *cases.larger_periods(rng)],
-        tolerance=PERIOD,
-        hint=LONGER,
-    )
-    compare(student.period, reference, cases.tiny_periods(rng), tolerance=AT_THE_ENDS, hint=COSINES)
-    compare(
-        student.period,
-        reference,
-        cases.at_the_top(rng),
-        tolerance=AT_THE_ENDS,
-        hint="Do you subtract nearly equal numbers?",
-    )
+    compare(student.period, cases.least_periods(rng), tolerance=PERIOD, hint=TOO_SMALL)
+    compare(student.period, cases.small_periods(rng), tolerance=PERIOD, hint=COSINES)
+    compare(student.period, cases.next_to_top(rng), tolerance=NEXT_TO_TOP, hint=LONGER)
+    compare(student.period, [*cases.smaller_periods(rng), *cases.larger_periods(rng)], tolerance=PERIOD, hint=LONGER)
+    compare(student.period, cases.tiny_periods(rng), tolerance=AT_THE_ENDS, hint=COSINES)
+    compare(student.period, cases.at_the_top(rng), tolerance=AT_THE_ENDS, hint="Do you subtract nearly equal numbers?")
 
 
 SWING = cases.motions(cases.swing, 10, 60, "a large swing, t[0] not 0")

@@ -12,9 +12,9 @@ from tam570_grader import (
     OwnRates,
     absolute,
     check,
-    compare,
     compare_columns,
     compare_trajectory,
+    compare_with,
     expect_that,
     first_wrong,
 )
@@ -36,6 +36,8 @@ CORNER = 1e-9  # the right path, at a speed of 1e12 terminal speeds, is 5e-11 fr
 # a hundred times the terminal speed, where T = 1.2 v/g is longest for it; the points of a simulation leave it by 1e-7.
 DRAWN, FINE = 1e-4, 1001
 FEWER = 200  # times that; chords of a line of ten points leave a parabola by (2.4/9)^2/4 = 1.8e-2
+
+compare = compare_with(reference, tolerance=ROOT)
 
 
 def of_rates(case, _):
@@ -74,7 +76,7 @@ FORCES = "Draw the two forces on the particle: which way does each point when it
 @check("state_derivative", points=0.75)
 def rates_are_newtons(student, rng):
     """state_derivative is the velocity and (weight + drag)/mass, for velocities in any direction."""
-    compare(student.state_derivative, reference, cases.states(rng), tolerance=FORMULA, hint=FORCES)
+    compare(student.state_derivative, cases.states(rng), tolerance=FORMULA, hint=FORCES)
 
 
 NO_DIVISION = "Do you divide by drag or gravity?"
@@ -83,7 +85,7 @@ NO_DIVISION = "Do you divide by drag or gravity?"
 @check("state_derivative", points=0.25, after=rates_are_newtons)
 def rates_without_drag_or_gravity(student, rng):
     """state_derivative holds where drag or gravity, or both, are zero."""
-    compare(student.state_derivative, reference, cases.states_without(rng), tolerance=FORMULA, hint=NO_DIVISION)
+    compare(student.state_derivative, cases.states_without(rng), tolerance=FORMULA, hint=NO_DIVISION)
 
 
 def of_ground(motion):
@@ -160,7 +162,7 @@ def of_landing(case, time, expected):
 @check("flight_time", points=0.75, part="c")
 def flight_ends_at_launch_height(student, rng):
     """flight_time is when y is zero again."""
-    compare(student.flight_time, reference, cases.landings(rng), tolerance=ROOT, hint=of_landing)
+    compare(student.flight_time, cases.landings(rng), hint=of_landing)
 
 
 def of_little_drag(name, case, result, expected):
@@ -176,13 +178,7 @@ def of_little_drag(name, case, result, expected):
 @check("flight_time", points=0.5, part="c", after=flight_ends_at_launch_height)
 def flight_time_with_hardly_any_drag(student, rng):
     """flight_time goes over into 2 v sin(angle)/g without losing its digits."""
-    compare(
-        student.flight_time,
-        reference,
-        cases.landings_of_little_drag(rng),
-        tolerance=ROOT,
-        hint=partial(of_little_drag, "flight_time"),
-    )
+    compare(student.flight_time, cases.landings_of_little_drag(rng), hint=partial(of_little_drag, "flight_time"))
 
 
 SHORT = "Does a search for the root step over a flight that is short, or end at t = 0?"
@@ -191,25 +187,13 @@ SHORT = "Does a search for the root step over a flight that is short, or end at 
 @check("flight_time", points=0.25, part="c", after=flight_ends_at_launch_height)
 def flight_time_with_great_drag_and_straight_up(student, rng):
     """flight_time holds straight up, nearly flat, at drag a thousand times the weight."""
-    compare(
-        student.flight_time,
-        reference,
-        [*cases.flat_landings(rng), *cases.landings_of_great_drag(rng)],
-        tolerance=ROOT,
-        hint=SHORT,
-    )
+    compare(student.flight_time, [*cases.flat_landings(rng), *cases.landings_of_great_drag(rng)], hint=SHORT)
 
 
 @check("horizontal_range", points=0.5, part="c")
 def range_is_where_it_lands(student, rng):
     """horizontal_range is x at the flight time."""
-    compare(
-        student.horizontal_range,
-        reference,
-        cases.landings(rng),
-        tolerance=ROOT,
-        hint="Put the flight time into the x of your closed form.",
-    )
+    compare(student.horizontal_range, cases.landings(rng), hint="Put the flight time into the x of your closed form.")
 
 
 @check("horizontal_range", points=0.5, part="c", after=range_is_where_it_lands)
@@ -217,9 +201,7 @@ def range_with_hardly_any_drag(student, rng):
     """horizontal_range becomes v^2 sin(2 angle)/g, no digits lost; it holds with great drag, too."""
     compare(
         student.horizontal_range,
-        reference,
         [*cases.landings_of_little_drag(rng), *cases.landings_of_great_drag(rng)],
-        tolerance=ROOT,
         hint=partial(of_little_drag, "horizontal_range"),
     )
 
@@ -234,13 +216,13 @@ def of_maximum(case, angle, expected):
 @check("best_angle", points=0.75)
 def best_angle_has_the_largest_range(student, rng):
     """best_angle maximises the range, for speeds below and above the terminal speed."""
-    compare(student.best_angle, reference, cases.usual_speeds(rng), tolerance=ANGLE, partial=SEARCHED, hint=of_maximum)
+    compare(student.best_angle, cases.usual_speeds(rng), tolerance=ANGLE, partial=SEARCHED, hint=of_maximum)
 
 
 @check("best_angle", points=0.25, after=best_angle_has_the_largest_range)
 def best_angle_is_45_degrees_without_drag(student, rng):
     """best_angle is 45 degrees at no drag, and leaves them as the drag grows beside the weight."""
-    compare(student.best_angle, reference, cases.slow_speeds(rng), tolerance=ANGLE, partial=SEARCHED, hint=of_maximum)
+    compare(student.best_angle, cases.slow_speeds(rng), tolerance=ANGLE, partial=SEARCHED, hint=of_maximum)
 
 
 VERY_FLAT = "The largest range is very flat there: solve for where its derivative vanishes, on a logarithmic scale."
@@ -249,14 +231,7 @@ VERY_FLAT = "The largest range is very flat there: solve for where its derivativ
 @check("best_angle", points=0.5, after=best_angle_has_the_largest_range)
 def best_angle_at_a_huge_speed(student, rng):
     """best_angle goes to zero as the speed grows, and stays good to 1 % of itself."""
-    compare(
-        student.best_angle,
-        reference,
-        cases.huge_speeds(rng),
-        tolerance=SWIFT,
-        scale=lambda _, angle: angle,
-        hint=VERY_FLAT,
-    )
+    compare(student.best_angle, cases.huge_speeds(rng), tolerance=SWIFT, scale=lambda _, angle: angle, hint=VERY_FLAT)
 
 
 CORNERS = "Plot your closed form at 10, 100 and 1000 times the terminal speed; launch and landing are corners, too."
@@ -265,7 +240,7 @@ CORNERS = "Plot your closed form at 10, 100 and 1000 times the terminal speed; l
 @check("limit_shape", points=1, part="b")
 def path_at_a_huge_speed_has_the_limit_shape(student, rng):
     """limit_shape has the corners that a path has at a speed of 1e12 terminal speeds."""
-    compare(student.limit_shape, reference, cases.angles(rng), tolerance=CORNER, hint=CORNERS)
+    compare(student.limit_shape, cases.angles(rng), tolerance=CORNER, hint=CORNERS)
 
 
 @check("plot_comparison", points=0.5, part="e")

@@ -2,12 +2,14 @@
 
 import numpy as np
 
-from tam570_grader import Assignment, Case, array, check, check_domain, check_raises, compare, fail, group
+from tam570_grader import Assignment, Case, array, check, check_domain, check_raises, compare_with, fail, group
 
 from . import cases, reference, special
 
 POINTWISE = 1e-8  # of its size; a few roundings make 1e-15, a rate by differences of a Taylor series 1e-11
 NEAR_MISS = 1e-4  # off by less, a rate is right in principle, to choose the words
+
+compare = compare_with(reference, tolerance=POINTWISE)
 
 
 def sizes(state):
@@ -54,25 +56,19 @@ def left_over(case, result, expected):
 @check("moment", points=1)
 def moment_is_about_C(student, rng):
     """of the total force on P, about C."""
-    compare(student.moment, reference, cases.moments(rng), tolerance=POINTWISE, hint=ARM)
+    compare(student.moment, cases.moments(rng), hint=ARM)
 
 
 @check("angular_momentum", points=1)
 def momentum_with_the_velocity_in_F(student, rng):
     """angular_momentum by definitions a and b: the lever arm from C, the velocity as F sees it."""
-    compare(student.angular_momentum, reference, cases.momenta("ab")(rng), tolerance=POINTWISE, hint=SAME)
+    compare(student.angular_momentum, cases.momenta("ab")(rng), hint=SAME)
 
 
 @check("angular_momentum", points=0.75)
 def momentum_with_the_velocity_relative_to_C(student, rng):
     """angular_momentum by definition c: the velocity as one sees it who moves along with C."""
-    compare(
-        student.angular_momentum,
-        reference,
-        cases.momenta("c")(rng),
-        tolerance=POINTWISE,
-        hint="Whose velocity, seen from where?",
-    )
+    compare(student.angular_momentum, cases.momenta("c")(rng), hint="Whose velocity, seen from where?")
 
 
 BOTH_MOMENTA = momentum_with_the_velocity_in_F, momentum_with_the_velocity_relative_to_C
@@ -89,19 +85,19 @@ def momentum_refuses_other_definitions(student, rng):
 @check("rate", points=0.5)
 def rate_about_a_fixed_point(student, rng):
     """rate by definition a: the derivative while C' stays where it is."""
-    compare(student.rate, reference, cases.rates("a")(rng), tolerance=POINTWISE, hint=by_difference(FIXED))
+    compare(student.rate, cases.rates("a")(rng), hint=by_difference(FIXED))
 
 
 @check("rate", points=1)
 def rate_with_the_velocity_in_F(student, rng):
     """rate by definition b: the derivative of its angular momentum along any motion of P and C."""
-    compare(student.rate, reference, cases.rates("b")(rng), tolerance=POINTWISE, hint=PRODUCT)
+    compare(student.rate, cases.rates("b")(rng), hint=PRODUCT)
 
 
 @check("rate", points=0.75)
 def rate_with_the_velocity_relative_to_C(student, rng):
     """rate by definition c: the derivative of its angular momentum along any motion of P and C."""
-    compare(student.rate, reference, cases.rates("c")(rng), tolerance=POINTWISE, hint=PRODUCT)
+    compare(student.rate, cases.rates("c")(rng), hint=PRODUCT)
 
 
 BOTH_RATES = rate_about_a_fixed_point, rate_with_the_velocity_in_F
@@ -116,19 +112,19 @@ def rate_refuses_other_definitions(student, rng):
 @check("discrepancy", points=0.5)
 def discrepancy_with_the_velocity_in_F(student, rng):
     """discrepancy by definition b: its rate less the moment."""
-    compare(student.discrepancy, reference, cases.rates("b")(rng), tolerance=POINTWISE, hint=left_over)
+    compare(student.discrepancy, cases.rates("b")(rng), hint=left_over)
 
 
 @check("discrepancy", points=0.5)
 def discrepancy_with_the_velocity_relative_to_C(student, rng):
     """discrepancy by definition c: its rate less the moment."""
-    compare(student.discrepancy, reference, cases.rates("c")(rng), tolerance=POINTWISE, hint=left_over)
+    compare(student.discrepancy, cases.rates("c")(rng), hint=left_over)
 
 
 @check("discrepancy", points=0.25, after=discrepancy_with_the_velocity_in_F)
 def no_discrepancy_about_a_fixed_point(student, rng):
     """discrepancy by definition a."""
-    compare(student.discrepancy, reference, cases.rates("a")(rng), tolerance=POINTWISE, hint=FIXED)
+    compare(student.discrepancy, cases.rates("a")(rng), hint=FIXED)
 
 
 @check("discrepancy", points=0.25, after=discrepancy_with_the_velocity_in_F)

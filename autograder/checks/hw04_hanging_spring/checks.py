@@ -10,9 +10,9 @@ from tam570_grader import (
     absolute,
     check,
     check_conserved,
-    compare,
     compare_columns,
     compare_trajectory,
+    compare_with,
     expect,
     expect_that,
     first_wrong,
@@ -35,6 +35,8 @@ TENSOR = 1e-7
 NOUGHT = 1e-3
 RIGHT_ANGLE = 1e-7  # of the larger axis, along the smaller; eigenvectors are good to rounding over the gap
 DRAWN = 1e-3  # of the picture; chords of the 201 points that it is compared with leave the path by 4e-5
+
+compare = compare_with(reference, tolerance=POINTWISE)
 
 
 def length(case, _=None):
@@ -68,15 +70,13 @@ BELOW = "Which two forces act on the mass, and which way, when it is below the o
 @check("state_derivative", points=1.5)
 def derivative_is_velocity_and_force_over_mass(student, rng):
     """the velocity, and the acceleration by the spring and the weight."""
-    compare(student.state_derivative, reference, cases.states_at_times(rng), tolerance=POINTWISE, hint=BELOW)
+    compare(student.state_derivative, cases.states_at_times(rng), hint=BELOW)
 
 
 @check("energy", points=1)
 def energy_is_that_of_motion_spring_and_weight(student, rng):
     """kinetic, of the spring, of the weight; zero at rest at the origin."""
-    compare(
-        student.energy, reference, cases.states(rng), tolerance=POINTWISE, hint="Three terms: speed, stretch, height."
-    )
+    compare(student.energy, cases.states(rng), hint="Three terms: speed, stretch, height.")
 
 
 def of_closed_form(case, result, expected):
@@ -151,7 +151,7 @@ def where_it_rests(case, result, expected):
 @check("orbit", points=0.5, part="c")
 def orbit_has_its_centre_at_the_equilibrium(student, rng):
     """the centre is where the mass can rest."""
-    compare(student.orbit, reference, cases.orbits(rng), tolerance=POINTWISE, only=0, hint=where_it_rests)
+    compare(student.orbit, cases.orbits(rng), only=0, hint=where_it_rests)
 
 
 def judge_axes(orbit, calls):
@@ -195,13 +195,7 @@ def orbit_may_be_a_line_or_a_point(student, rng):
 @check("project", points=1)
 def projection_is_orthographic(student, rng):
     """what an eye far away sees, right and up."""
-    compare(
-        student.project,
-        reference,
-        cases.views(rng),
-        tolerance=POINTWISE,
-        hint="Try one axis at a time: where does (0, 0, 1) go?",
-    )
+    compare(student.project, cases.views(rng), hint="Try one axis at a time: where does (0, 0, 1) go?")
 
 
 @check("plot_projection", points=0.5, after=projection_is_orthographic)

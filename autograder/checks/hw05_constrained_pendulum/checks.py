@@ -11,9 +11,9 @@ from tam570_grader import (
     array,
     check,
     check_domain,
-    compare,
     compare_invariants,
     compare_trajectory,
+    compare_with,
     expect,
     number,
     rows,
@@ -32,6 +32,8 @@ CONSTRAINT = 1e-9  # of the contract: any step back onto the circle makes 1e-15,
 TOP = 1e-6  # an angle of pi, which is rounded, falls by 1e-16 exp(20) = 6e-8
 COARSELY = 0.05  # of the scale: in 100 s a loose tolerance shifts the phase, wrong equations make 0.9 and more
 ROUNDED = 1e-12  # what a step back onto the circle leaves
+
+compare = compare_with(reference, tolerance=FORMULA)
 
 
 def pull(case, _=None):
@@ -79,25 +81,19 @@ TWICE = "Differentiate x^2 + y^2 = l^2 twice: which unknown does F = m a leave?"
 @check("constraint_force", points=2)
 def force_keeps_the_particle_on_the_circle(student, rng):
     """radial, and such that F = m a keeps x^2 + y^2 as it is."""
-    compare(student.constraint_force, reference, cases.states(rng), tolerance=FORMULA, hint=TWICE)
+    compare(student.constraint_force, cases.states(rng), hint=TWICE)
 
 
 @check("acceleration", points=1.5)
 def acceleration_is_that_of_both_forces(student, rng):
     """by the weight and the constraint force."""
-    compare(
-        student.acceleration,
-        reference,
-        cases.states(rng),
-        tolerance=FORMULA,
-        hint="Do both forces act, and what is r . a?",
-    )
+    compare(student.acceleration, cases.states(rng), hint="Do both forces act, and what is r . a?")
 
 
 @check("consistent_state", points=1.25)
 def consistent_state_is_the_nearest(student, rng):
     """the place goes along its radius onto the circle, v loses its radial part."""
-    compare(student.consistent_state, reference, cases.off_circle(rng), tolerance=FORMULA, hint=of_mending)
+    compare(student.consistent_state, cases.off_circle(rng), hint=of_mending)
 
 
 NEAREST = "Which point of the circle is nearest to its centre?"
@@ -112,13 +108,7 @@ def consistent_state_refuses_the_origin(student, rng):
 @check("energy", points=1)
 def energy_is_kinetic_and_potential(student, rng):
     """m v^2/2 and the potential energy of the weight, zero at y = 0."""
-    compare(
-        student.energy,
-        reference,
-        cases.states(rng),
-        tolerance=FORMULA,
-        hint="How high is it above y = 0, and how fast?",
-    )
+    compare(student.energy, cases.states(rng), hint="How high is it above y = 0, and how fast?")
 
 
 def by_rates(student):
@@ -199,13 +189,7 @@ def at_the_very_top_it_stays(student, rng):
 @check("wireframe", points=0.5)
 def wireframe_is_the_rod(student, rng):
     """one segment, from the hinge to the particle."""
-    compare(
-        student.wireframe,
-        reference,
-        cases.states(rng),
-        tolerance=FORMULA,
-        hint="Its first end is the hinge, its second the particle.",
-    )
+    compare(student.wireframe, cases.states(rng), hint="Its first end is the hinge, its second the particle.")
 
 
 ASSIGNMENT = Assignment(

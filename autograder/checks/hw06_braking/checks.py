@@ -11,9 +11,9 @@ from tam570_grader import (
     array,
     check,
     check_raises,
-    compare,
     compare_columns,
     compare_trajectory,
+    compare_with,
     expect_that,
     largest,
     number,
@@ -33,6 +33,8 @@ SLOW = 1e-3  # at 1e-6 m/s and more a guard against 0/0 (v + 1e-9) is still righ
 STOPPED = 5e-5  # of the way that friction needs: from AT_REST to the stop it is the square, up to 1e-5
 SOME = 0.999  # a guard against 0/0 may take any part of a friction at 1e-8 m/s, but not all of it
 AT_REST = 100 * STOPPED  # of the first speed: a student may call it rest below 1e-3 m/s, and cars start from 0.4 m/s
+
+compare = compare_with(reference, tolerance=FORMULA)
 
 
 def pace(case, _=None):
@@ -175,21 +177,13 @@ HARDLY_RATES = {"columns": EACH_BY_ITSELF, "tolerance": SOME, "hint": of_rates, 
 @check("axle_load", points=0.75)
 def axle_load_balances_the_weight(student, rng):
     """what the locked axle carries at rest."""
-    compare(
-        student.axle_load,
-        reference,
-        cases.parked(rng),
-        tolerance=FORMULA,
-        hint="Which axle carries more, the one near G or the other?",
-    )
+    compare(student.axle_load, cases.parked(rng), hint="Which axle carries more, the one near G or the other?")
 
 
 @check("friction_force", points=1)
 def friction_opposes_the_sliding(student, rng):
     """against the velocity of the axle that drags, in proportion to its load."""
-    compare(
-        student.friction_force, reference, cases.ways(cases.TURN, count=2)(rng), tolerance=FORMULA, hint=of_friction
-    )
+    compare(student.friction_force, cases.ways(cases.TURN, count=2)(rng), hint=of_friction)
 
 
 @check("friction_force", points=0.5, after=friction_opposes_the_sliding)
@@ -197,13 +191,11 @@ def friction_in_any_motion_and_at_rest(student, rng):
     """any motion, however slow; zero at rest."""
     compare(
         student.friction_force,
-        reference,
         [*cases.ways(*cases.WAYS)(rng), *cases.odd_cars(rng), *cases.headings(rng)],
-        tolerance=FORMULA,
         hint=of_friction,
     )
-    compare(student.friction_force, reference, cases.slow(rng), tolerance=SLOW, hint=of_friction)
-    compare(student.friction_force, reference, cases.hardly_moving(rng), **HARDLY)
+    compare(student.friction_force, cases.slow(rng), tolerance=SLOW, hint=of_friction)
+    compare(student.friction_force, cases.hardly_moving(rng), **HARDLY)
 
 
 @check("state_derivative", points=1.25)
@@ -236,11 +228,7 @@ def equations_without_friction_and_at_rest(student, rng):
 def kinetic_energy_of_G_and_of_turning(student, rng):
     """of G, and of turning about it."""
     compare(
-        student.kinetic_energy,
-        reference,
-        [*cases.ways(*cases.WAYS)(rng), *cases.odd_cars(rng)],
-        tolerance=FORMULA,
-        hint="What is the velocity of G?",
+        student.kinetic_energy, [*cases.ways(*cases.WAYS)(rng), *cases.odd_cars(rng)], hint="What is the velocity of G?"
     )
 
 
@@ -270,13 +258,13 @@ def simulate_glides_without_friction(student, rng):
 @check("yaw_growth_rate", points=0.75)
 def growth_rate_is_the_slope(student, rng):
     """d(yaw acceleration)/d(yaw rate)."""
-    compare(student.yaw_growth_rate, reference, cases.at_speeds(rng), tolerance=GROWTH, hint=of_rate)
+    compare(student.yaw_growth_rate, cases.at_speeds(rng), tolerance=GROWTH, hint=of_rate)
 
 
 @check("critical_speed", points=0.5)
 def critical_speed_is_where_growth_begins(student, rng):
     """that at which the growth rate is zero; math.inf where it never is."""
-    compare(student.critical_speed, reference, cases.parked(rng), tolerance=FORMULA, hint=where_zero)
+    compare(student.critical_speed, cases.parked(rng), hint=where_zero)
 
 
 @check("small_yaw_rate", points=0.75, part="d")
@@ -284,7 +272,6 @@ def small_yaw_rate_is_the_linear_solution(student, rng):
     """exact by linear theory."""
     compare(
         student.small_yaw_rate,
-        reference,
         cases.slowing(rng),
         tolerance=GROWTH,
         hint="What is d(yaw rate)/d(speed)? Integrate over the speed.",
@@ -310,14 +297,14 @@ def with_other_axles(case):
 @check("axle_load", points=0.25)
 def mechanics_refuses_other_axles(student, rng):
     """axle_load, friction_force, state_derivative, kinetic_energy, simulate: ValueError for another `locked`."""
-    compare(student.axle_load, reference, cases.parked(rng)[:2], tolerance=FORMULA)
+    compare(student.axle_load, cases.parked(rng)[:2])
     judge_refusals(student, cases.of_mechanics(rng))
 
 
 @check("critical_speed", points=0.25)
 def stability_refuses_other_axles(student, rng):
     """critical_speed, yaw_growth_rate, small_yaw_rate: ValueError for another `locked`."""
-    compare(student.critical_speed, reference, cases.parked(rng)[1:2], tolerance=FORMULA)
+    compare(student.critical_speed, cases.parked(rng)[1:2])
     judge_refusals(student, cases.of_stability(rng))
 
 

@@ -10,8 +10,8 @@ from tam570_grader import (
     check,
     check_conserved,
     check_raises,
-    compare,
     compare_trajectory,
+    compare_with,
     curves_seen,
     first_wrong,
     judge_axes_of_lengths,
@@ -33,6 +33,8 @@ FREQUENCY = 1e-6  # an eigenvalue of a matrix that is not symmetric, next to ano
 FOLLOWED = 1e-4  # RK45, DOP853 and LSODA at rtol 1e-9, atol 1e-9 are off by 1e-5 at most, sensitive starts included
 ENERGY = 1e-5  # of m g l; the same solvers lose 5e-8 of it in ten seconds, a symplectic method of fixed steps 1e-6
 DRAWN = 1e-3  # of the length; the path between 400 points bends by 2e-4 of it
+
+compare = compare_with(reference, tolerance=FORMULA)
 
 
 def power_of_rate(n, mass=1, length=2):
@@ -125,44 +127,44 @@ def gravity_terms_are_moments_of_the_weights(student, rng):
 @check("angular_acceleration", points=0.75)
 def accelerations_obey_the_equations(student, rng):
     """[M]{alpha} + {f} + {g} = 0, without gravity too."""
-    compare(student.angular_acceleration, reference, cases.states(rng), tolerance=FORMULA, hint=in_equations)
+    compare(student.angular_acceleration, cases.states(rng), hint=in_equations)
 
 
 @check("angular_acceleration", points=0.25, after=accelerations_obey_the_equations)
 def accelerations_with_a_nearly_massless_bar(student, rng):
     """angular_acceleration keeps its digits when one bar has 1e-9 of the other's mass."""
-    compare(student.angular_acceleration, reference, cases.nearly_massless(rng), tolerance=MASSLESS, hint=SCALED)
+    compare(student.angular_acceleration, cases.nearly_massless(rng), tolerance=MASSLESS, hint=SCALED)
 
 
 @check("on_the_fly", points=0.5)
 def free_bars_accelerate_as_lagranges(student, rng):
     """alpha from two free bars and two hinge constraints."""
-    compare(student.on_the_fly, reference, cases.states(rng), tolerance=FORMULA, only=0, hint=TEN)
+    compare(student.on_the_fly, cases.states(rng), only=0, hint=TEN)
 
 
 @check("on_the_fly", points=0.75, after=free_bars_accelerate_as_lagranges)
 def hinge_forces_balance(student, rng):
     """with the hinge forces and the weights each bar obeys Newton's law."""
-    compare(student.on_the_fly, reference, cases.states(rng), tolerance=FORMULA, only=1, hint=HANGING)
+    compare(student.on_the_fly, cases.states(rng), only=1, hint=HANGING)
 
 
 @check("on_the_fly", points=0.25, after=free_bars_accelerate_as_lagranges)
 def free_bars_with_a_nearly_massless_one(student, rng):
     """on_the_fly keeps its digits with a bar of 1e-9 of the other's mass, and straight down."""
-    compare(student.on_the_fly, reference, cases.nearly_massless(rng), tolerance=MASSLESS, only=0, hint=SCALED)
-    compare(student.on_the_fly, reference, cases.straight_down(rng), tolerance=FORMULA, only=0)
+    compare(student.on_the_fly, cases.nearly_massless(rng), tolerance=MASSLESS, only=0, hint=SCALED)
+    compare(student.on_the_fly, cases.straight_down(rng), only=0)
 
 
 @check("energy", points=0.75)
 def energy_is_kinetic_and_potential(student, rng):
     """kinetic of turning bars, potential of their mass centres, zero at the ceiling."""
-    compare(student.energy, reference, cases.states(rng), tolerance=FORMULA, hint=of_energy)
+    compare(student.energy, cases.states(rng), hint=of_energy)
 
 
 @check("angular_momentum", points=0.75)
 def angular_momentum_is_about_the_ceiling(student, rng):
     """r x m v and I omega of both bars, about the ceiling hinge."""
-    compare(student.angular_momentum, reference, cases.states(rng), tolerance=FORMULA, hint=BOTH_PARTS)
+    compare(student.angular_momentum, cases.states(rng), hint=BOTH_PARTS)
 
 
 def by_rates(student):
@@ -218,21 +220,19 @@ def momentum_is_conserved_without_gravity(student, rng):
 @check("small_oscillation_frequencies", points=0.5)
 def small_oscillations_have_two_frequencies(student, rng):
     """of [M]{th}'' + [K]{th} = 0 about hanging straight down."""
-    compare(student.small_oscillation_frequencies, reference, cases.thrown(rng, 3), tolerance=FREQUENCY, hint=in_order)
+    compare(student.small_oscillation_frequencies, cases.thrown(rng, 3), tolerance=FREQUENCY, hint=in_order)
 
 
 @check("small_oscillation_frequencies", points=0.25, after=small_oscillations_have_two_frequencies)
 def frequencies_in_special_cases(student, rng):
     """equal bars, a nearly massless bar, no gravity."""
-    compare(
-        student.small_oscillation_frequencies, reference, cases.special(rng), tolerance=FREQUENCY, hint=out_of_order
-    )
+    compare(student.small_oscillation_frequencies, cases.special(rng), tolerance=FREQUENCY, hint=out_of_order)
 
 
 @check("wireframe", points=0.5)
 def wireframe_shows_the_bars(student, rng):
     """ceiling hinge to elbow, elbow to tip."""
-    compare(student.wireframe, reference, cases.states(rng), tolerance=FORMULA, hint=DOWN)
+    compare(student.wireframe, cases.states(rng), hint=DOWN)
 
 
 @once

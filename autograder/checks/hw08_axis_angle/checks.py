@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tam570_grader import Assignment, absolute, array, check, check_domain, compare, expect
+from tam570_grader import Assignment, absolute, array, check, check_domain, compare_with, expect
 
 from . import cases, reference
 
@@ -13,6 +13,8 @@ TINY = 1e-14  # the rounding of the cosine; an angle of 1e-12 for which 0 is put
 HUGE_ANGLE = 5e-8
 BY_SIZE = TINY, POINTWISE, POINTWISE, HUGE_ANGLE  # of cases.angles_by_size
 NEAR_MISS = 1e-5  # of the result; a pi of few digits loses less, wrong physics more
+
+compare = compare_with(reference, tolerance=POINTWISE)
 
 
 def length(case, _):
@@ -37,31 +39,19 @@ def of_which_term(case, result, expected):
 @check("skew", points=1)
 def skew_is_the_cross_product(student, rng):
     """skew(v) r = v x r, for any v and r."""
-    compare(
-        student.skew,
-        reference,
-        cases.vectors(rng),
-        tolerance=POINTWISE,
-        hint="Which columns are v x e, for the three unit vectors e?",
-    )
+    compare(student.skew, cases.vectors(rng), hint="Which columns are v x e, for the three unit vectors e?")
 
 
 @check("rotation_matrix", points=2)
 def matrix_turns_by_the_right_hand_rule(student, rng):
     """rotation_matrix turns by the angle about the axis, right-handed, whatever the axis's length."""
-    compare(
-        student.rotation_matrix,
-        reference,
-        [*cases.turns(rng), *cases.plain_turns(rng)],
-        tolerance=POINTWISE,
-        hint=of_few_digits,
-    )
+    compare(student.rotation_matrix, [*cases.turns(rng), *cases.plain_turns(rng)], hint=of_few_digits)
 
 
 def rotations_by_size(function, sizes):
     for tolerance, calls in zip(BY_SIZE, sizes, strict=True):
         # an exponential of the matrix by scaling and squaring is off in its lengths, too, at 1e6 rad
-        R = np.array(compare(function, reference, calls, tolerance=tolerance, hint=of_which_term))
+        R = np.array(compare(function, calls, tolerance=tolerance, hint=of_which_term))
         squares, volumes = np.swapaxes(R, 1, 2) @ R, np.linalg.det(R)
         worst = np.argmax(np.abs(squares - np.eye(3)).max(axis=(1, 2)))
         said = {"tolerance": max(tolerance, POINTWISE), "label": calls[worst].label, "at": calls[worst]}
@@ -71,7 +61,7 @@ def rotations_by_size(function, sizes):
 
 def vectors_by_size(function, sizes):
     for tolerance, calls in zip(BY_SIZE, sizes, strict=True):
-        compare(function, reference, calls, tolerance=tolerance)
+        compare(function, calls, tolerance=tolerance)
 
 
 @check("rotation_matrix", points=1, after=matrix_turns_by_the_right_hand_rule)
@@ -83,13 +73,7 @@ def matrix_holds_for_every_angle(student, rng):
 @check("rotation_matrix", points=1, after=matrix_turns_by_the_right_hand_rule)
 def matrix_depends_on_the_direction_alone(student, rng):
     """axes of length 1e-100 or 1e100 give the same matrix as the unit axis."""
-    compare(
-        student.rotation_matrix,
-        reference,
-        cases.of_any_length(rng),
-        tolerance=POINTWISE,
-        hint="What becomes of the square of its length?",
-    )
+    compare(student.rotation_matrix, cases.of_any_length(rng), hint="What becomes of the square of its length?")
 
 
 @check("rotation_matrix", points=1, after=matrix_turns_by_the_right_hand_rule)
@@ -101,7 +85,7 @@ def matrix_refuses_what_is_no_axis(student, rng):
 @check("rotate", points=2)
 def vector_turns_by_the_right_hand_rule(student, rng):
     """rotate turns r as the matrix would, whatever the axis's length."""
-    compare(student.rotate, reference, cases.turned_vectors(rng), tolerance=POINTWISE, hint=of_few_digits)
+    compare(student.rotate, cases.turned_vectors(rng), hint=of_few_digits)
 
 
 @check("rotate", points=1, after=vector_turns_by_the_right_hand_rule)

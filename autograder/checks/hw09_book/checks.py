@@ -12,7 +12,7 @@ from tam570_grader import (
     check,
     check_domain,
     check_raises,
-    compare,
+    compare_with,
     expect,
     expect_that,
     judge_boxes,
@@ -31,6 +31,8 @@ SHEARED = 2e-5
 STRETCHED = 2e-3  # rad: the identity times 1 + 4.5e-7 has a cosine of 1 + 6.8e-7: no angle, or 1.2e-3 rad by its size
 NEAR_MISS = 1e-5  # of a result, or rad; a pi of few digits loses less
 SAME = 1e-6
+
+compare = compare_with(reference, tolerance=WITHIN)
 
 
 def in_limits(case, _):
@@ -54,7 +56,7 @@ THE_EDGES = partial(of_few_digits, otherwise="Turn a real book: where do its thr
 @check("axis_rotation", points=1)
 def turns_about_the_coordinate_axes(student, rng):
     """axis_rotation turns by the angle about x, y or z, by the right-hand rule."""
-    compare(student.axis_rotation, reference, cases.turns(rng), tolerance=WITHIN, hint=QUARTER_TURN)
+    compare(student.axis_rotation, cases.turns(rng), hint=QUARTER_TURN)
 
 
 @check("axis_rotation", points=0.5, after=turns_about_the_coordinate_axes)
@@ -66,31 +68,31 @@ def other_axes_are_refused(student, rng):
 @check("space_sequence", points=1)
 def space_sequence_takes_the_first_step_first(student, rng):
     """space_sequence turns about axes fixed in space, first step first."""
-    compare(student.space_sequence, reference, cases.sequences(rng), tolerance=WITHIN, hint=WHICH_FIRST)
+    compare(student.space_sequence, cases.sequences(rng), hint=WHICH_FIRST)
 
 
 @check("space_sequence", points=0.25, after=space_sequence_takes_the_first_step_first)
 def space_sequence_takes_few_steps(student, rng):
     """space_sequence of one step, and of none: the identity."""
-    compare(student.space_sequence, reference, cases.few_steps(rng), tolerance=WITHIN)
+    compare(student.space_sequence, cases.few_steps(rng))
 
 
 @check("body_sequence", points=1)
 def body_sequence_takes_the_axes_along(student, rng):
     """body_sequence turns about the axes that the steps before have turned."""
-    compare(student.body_sequence, reference, cases.sequences(rng), tolerance=WITHIN, hint=WHICH_FIRST)
+    compare(student.body_sequence, cases.sequences(rng), hint=WHICH_FIRST)
 
 
 @check("body_sequence", points=0.25, after=body_sequence_takes_the_axes_along)
 def body_sequence_takes_few_steps(student, rng):
     """body_sequence of one step, and of none: the identity."""
-    compare(student.body_sequence, reference, cases.few_steps(rng), tolerance=WITHIN)
+    compare(student.body_sequence, cases.few_steps(rng))
 
 
 @check("book_rotations", points=1)
 def the_book_is_turned_in_both_orders(student, rng):
     """90 degrees about z then x, and about x then z, axes fixed in space."""
-    compare(student.book_rotations, reference, [Case()], tolerance=WITHIN, hint=THE_EDGES)
+    compare(student.book_rotations, [Case()], hint=THE_EDGES)
 
 
 # (d, e) Axis and angle
@@ -147,26 +149,26 @@ def of_angle(angle, expected):
 @check("axis_angle", points=1)
 def axis_and_angle_are_those_of_the_matrix(student, rng):
     """axis_angle gives the unit axis and the angle of a rotation, of the book's two and of a quarter turn too."""
-    compare(student.axis_angle, reference, cases.generic(rng), tolerance=WITHIN, hint=WHAT_STAYS)
+    compare(student.axis_angle, cases.generic(rng), hint=WHAT_STAYS)
 
 
 @check("axis_angle", points=0.75, after=axis_and_angle_are_those_of_the_matrix)
 def small_angles_keep_their_digits(student, rng):
     """axis_angle keeps all digits of axis and angle for angles from 1e-12 to 1e-2."""
-    compare(student.axis_angle, reference, cases.small(rng), tolerance=RELATIVE, scale=largest, hint=where_flat)
+    compare(student.axis_angle, cases.small(rng), tolerance=RELATIVE, scale=largest, hint=where_flat)
 
 
 @check("axis_angle", points=0.75, after=axis_and_angle_are_those_of_the_matrix)
 def angles_near_pi_keep_their_digits(student, rng):
     """axis_angle keeps all digits 1e-12 to 1e-2 from a half turn, and at a quarter turn."""
-    compare(student.axis_angle, reference, cases.near_pi(rng), tolerance=WITHIN, hint=where_flat)
-    compare(student.axis_angle, reference, cases.near_quarters(rng), tolerance=WITHIN, hint=where_flat)
+    compare(student.axis_angle, cases.near_pi(rng), hint=where_flat)
+    compare(student.axis_angle, cases.near_quarters(rng), hint=where_flat)
 
 
 @check("axis_angle", points=0.25, after=angles_near_pi_keep_their_digits)
 def axes_with_small_components_keep_their_digits(student, rng):
     """axis_angle keeps all digits near pi where a component of the axis is very small."""
-    compare(student.axis_angle, reference, cases.small_components(rng), tolerance=WITHIN, hint=where_flat)
+    compare(student.axis_angle, cases.small_components(rng), hint=where_flat)
 
 
 @check("axis_angle", points=0.25, after=axis_and_angle_are_those_of_the_matrix)
@@ -191,7 +193,7 @@ def no_turn_has_a_unit_axis(student, rng):
 @check("axis_angle", points=0.25, after=axis_and_angle_are_those_of_the_matrix)
 def what_is_no_rotation_is_refused(student, rng):
     """axis_angle refuses matrices that are not rotations, and accepts one with R^T R wrong by 9e-7."""
-    compare(student.axis_angle, reference, cases.nearly_rotations(rng), tolerance=SHEARED)
+    compare(student.axis_angle, cases.nearly_rotations(rng), tolerance=SHEARED)
     stretched = Case((1 + 4.5e-7) * np.eye(3)).labelled("the identity times 1 + 4.5e-7")
     for _, (axis, angle) in student.axis_angle.each([stretched]):
         expect(np.linalg.norm(axis), 1.0, tolerance=SHEARED, quantity="the length of the axis")

@@ -14,8 +14,8 @@ from tam570_grader import (
     check,
     check_conserved,
     check_domain,
-    compare,
     compare_trajectory,
+    compare_with,
     first_wrong,
 )
 from tam570_grader.checks.expected import expected_result
@@ -38,6 +38,8 @@ NEAR_PERIOD = 1e-4
 # every sixteenth, by (6/25)^2/8 = 7e-3.
 DRAWN, COARSELY = 1e-3, 1e-2
 
+compare = compare_with(reference, tolerance=POINTWISE)
+
 
 def last_length(case, _):
     """|omega|, the last of the arguments."""
@@ -50,37 +52,25 @@ def last_length(case, _):
 @check("euler_equations", points=0.75)
 def euler_equations_keep_the_angular_momentum(student, rng):
     """omega' of a body without moments, for any three inertias, equal ones too."""
-    compare(
-        student.euler_equations,
-        reference,
-        cases.turning(rng),
-        tolerance=POINTWISE,
-        hint="In body components H changes by -omega x H.",
-    )
+    compare(student.euler_equations, cases.turning(rng), hint="In body components H changes by -omega x H.")
 
 
 @check("attitude_rate", points=0.5)
 def attitude_follows_omega(student, rng):
     """dR/dt for omega in body components."""
-    compare(
-        student.attitude_rate,
-        reference,
-        cases.turning_in_space(rng),
-        tolerance=POINTWISE,
-        hint="The columns of R move at omega x themselves.",
-    )
+    compare(student.attitude_rate, cases.turning_in_space(rng), hint="The columns of R move at omega x themselves.")
 
 
 @check("energy", points=0.5)
 def energy_is_half_omega_h(student, rng):
     """half of omega . H."""
-    compare(student.energy, reference, cases.turning(rng), tolerance=POINTWISE)
+    compare(student.energy, cases.turning(rng))
 
 
 @check("angular_momentum", points=0.5)
 def angular_momentum_is_in_space_axes(student, rng):
     """the vector H in space components."""
-    compare(student.angular_momentum, reference, cases.turning_in_space(rng), tolerance=POINTWISE)
+    compare(student.angular_momentum, cases.turning_in_space(rng))
 
 
 THREE_TURNS = "omega is psi' along space z, theta' along the line of nodes, and phi' along body z."
@@ -94,7 +84,7 @@ def wrong_rates(case, result, expected):
 @check("euler_rates_313", points=0.75)
 def euler_rates_make_omega(student, rng):
     """the rates of psi, theta, phi that make this omega, for theta of any sign."""
-    compare(student.euler_rates_313, reference, cases.euler_angles(rng), tolerance=POINTWISE, hint=wrong_rates)
+    compare(student.euler_rates_313, cases.euler_angles(rng), hint=wrong_rates)
 
 
 @check("euler_rates_313", points=0.25, after=euler_rates_make_omega)
@@ -233,9 +223,7 @@ def symmetric_bodies_precess(student, rng):
     """omega in body components at all times, from omega at t[0]."""
     compare(
         student.symmetric_solution,
-        reference,
         cases.precessing(rng),
-        tolerance=POINTWISE,
         hint="Put it into euler_equations: which of the three is not obeyed?",
     )
 
@@ -243,13 +231,7 @@ def symmetric_bodies_precess(student, rng):
 @check("wobble_rate", points=0.5)
 def wobble_goes_round_the_angular_momentum(student, rng):
     """the rate at which the symmetry axis goes round H, at any angle between them."""
-    compare(
-        student.wobble_rate,
-        reference,
-        cases.wobbling(rng),
-        tolerance=POINTWISE,
-        hint="Split omega along H and along the symmetry axis.",
-    )
+    compare(student.wobble_rate, cases.wobbling(rng), hint="Split omega along H and along the symmetry axis.")
 
 
 # (b) Stability and tumbling
@@ -260,9 +242,7 @@ def small_deviations_grow_at_this_rate(student, rng):
     """positive where the spin is unstable, else minus the frequency squared."""
     compare(
         student.growth_rate_squared,
-        reference,
         cases.spins(rng),
-        tolerance=POINTWISE,
         hint="Write Euler's equations for a small deviation: which products are of first order?",
     )
 
@@ -274,14 +254,14 @@ BACK = "After what time is omega back, sign and all?"
 def period_round_the_last_axis(student, rng):
     """tumble_period for omega round the axis of the largest inertia."""
     calls = cases.on_side(rng, label="omega round the axis of the largest inertia", sign=1)
-    compare(student.tumble_period, reference, calls, tolerance=PERIOD, hint=BACK)
+    compare(student.tumble_period, calls, tolerance=PERIOD, hint=BACK)
 
 
 @check("tumble_period", points=0.375, part="b")
 def period_round_the_first_axis(student, rng):
     """tumble_period for omega round the axis of the smallest inertia."""
     calls = cases.on_side(rng, label="omega round the axis of the smallest inertia", sign=-1)
-    compare(student.tumble_period, reference, calls, tolerance=PERIOD, hint=BACK)
+    compare(student.tumble_period, calls, tolerance=PERIOD, hint=BACK)
 
 
 PERIODS = period_round_the_last_axis, period_round_the_first_axis
@@ -290,7 +270,7 @@ PERIODS = period_round_the_last_axis, period_round_the_first_axis
 @check("tumble_period", points=0.25, part="b", after=PERIODS)
 def period_of_pure_spin_is_that_of_small_oscillations(student, rng):
     """tumble_period for pure spin about axis 0 or 2, by small oscillations."""
-    compare(student.tumble_period, reference, cases.pure_spins(rng), tolerance=PERIOD, hint="There the modulus k is 0.")
+    compare(student.tumble_period, cases.pure_spins(rng), tolerance=PERIOD, hint="There the modulus k is 0.")
 
 
 @check("tumble_period", points=0.25, part="b", after=PERIODS)
@@ -298,14 +278,11 @@ def period_grows_to_infinity_at_the_separatrix(student, rng):
     """tumble_period near the separatrix, and math.inf on it."""
     compare(
         student.tumble_period,
-        reference,
         cases.near_separatrix(rng),
         tolerance=NEAR_PERIOD,
         hint="How near 1 is a modulus k that is not 1?",
     )
-    compare(
-        student.tumble_period, reference, cases.on_separatrix(rng), tolerance=PERIOD, hint="What is K(k) for k = 1?"
-    )
+    compare(student.tumble_period, cases.on_separatrix(rng), tolerance=PERIOD, hint="What is K(k) for k = 1?")
 
 
 # Drawing

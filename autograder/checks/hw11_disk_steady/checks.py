@@ -4,7 +4,7 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import Assignment, absolute, check, check_domain, compare, group, number
+from tam570_grader import Assignment, absolute, check, check_domain, compare_with, group, number
 
 from . import cases, reference
 
@@ -12,6 +12,8 @@ from . import cases, reference
 # where the root is flat. Wrong physics is off by a tenth.
 WITHIN = 1e-9
 UPRIGHT = 1e-7  # the limit is taken at a lean of 1e-5, which enters by its square
+
+compare = compare_with(reference, tolerance=WITHIN)
 
 
 def spin_size(force, case, _=None):
@@ -71,43 +73,37 @@ ABOUT_WHICH = "G is at rest: about which axis does the disk turn, and how high i
 @check("rolling_spin", points=1.25)
 def rolling_spin_balances_the_moments(student, rng):
     """rolling_spin is the total spin that keeps lean and precession steady, in- or outwards."""
-    compare(student.rolling_spin, reference, cases.members(rng), tolerance=WITHIN, hint=MOMENTS)
+    compare(student.rolling_spin, cases.members(rng), hint=MOMENTS)
 
 
 @check("rolling_spin", points=0.25, after=rolling_spin_balances_the_moments)
 def rolling_spin_holds_upright_and_without_gravity(student, rng):
     """rolling_spin holds for an upright disk and for no gravity."""
-    compare(student.rolling_spin, reference, cases.plain_members(rng), tolerance=WITHIN, hint=WHICH_ARE_ZERO)
+    compare(student.rolling_spin, cases.plain_members(rng), hint=WHICH_ARE_ZERO)
 
 
 @check("rolling_track_radius", points=1)
 def rolling_track_has_the_contact_at_rest(student, rng):
     """rolling_track_radius is the radius, with its sign, of the contact point's track."""
-    compare(
-        student.rolling_track_radius,
-        reference,
-        [*cases.members(rng), *cases.plain_members(rng)],
-        tolerance=WITHIN,
-        hint=AT_REST,
-    )
+    compare(student.rolling_track_radius, [*cases.members(rng), *cases.plain_members(rng)], hint=AT_REST)
 
 
 @check("rolling_precession", points=1.25)
 def rolling_precession_balances_the_moments(student, rng):
     """rolling_precession keeps the lean steady on the given track."""
-    compare(student.rolling_precession, reference, cases.tracks(rng), tolerance=WITHIN, hint=BOTH_CONDITIONS)
+    compare(student.rolling_precession, cases.tracks(rng), hint=BOTH_CONDITIONS)
 
 
 @check("rolling_precession", points=0.5, after=rolling_precession_balances_the_moments)
 def rolling_precession_holds_on_tracks_of_any_sign(student, rng):
     """the contact beyond the centre, a roller, a coin, an almost flat disk."""
-    compare(student.rolling_precession, reference, cases.tracks_of_any_sign(rng), tolerance=WITHIN, hint=WHICH_SIGN)
+    compare(student.rolling_precession, cases.tracks_of_any_sign(rng), hint=WHICH_SIGN)
 
 
 @check("rolling_precession", points=0.5, after=rolling_precession_balances_the_moments)
 def rolling_precession_is_zero_where_nothing_turns_it(student, rng):
     """rolling_precession is 0 without gravity, or upright on any track but a point; only then."""
-    compare(student.rolling_precession, reference, cases.straight_tracks(rng), tolerance=WITHIN, scale=absolute)
+    compare(student.rolling_precession, cases.straight_tracks(rng), scale=absolute)
 
 
 @check("rolling_precession", points=0.75, after=rolling_precession_balances_the_moments)
@@ -129,20 +125,14 @@ def rolling_precession_refuses_what_does_not_exist(student, rng):
 @check("sliding_spin", points=0.75, part="b")
 def sliding_spin_balances_the_moments(student, rng):
     """sliding_spin keeps lean and precession steady where only the normal force acts."""
-    compare(
-        student.sliding_spin,
-        reference,
-        cases.members(rng),
-        tolerance=WITHIN,
-        hint="Which part of the contact force is gone?",
-    )
-    compare(student.sliding_spin, reference, cases.plain_members(rng), tolerance=WITHIN, hint=WHICH_ARE_ZERO)
+    compare(student.sliding_spin, cases.members(rng), hint="Which part of the contact force is gone?")
+    compare(student.sliding_spin, cases.plain_members(rng), hint=WHICH_ARE_ZERO)
 
 
 @check("sliding_track_radius", points=0.5, part="b")
 def sliding_track_is_around_the_resting_centre(student, rng):
     """sliding_track_radius is the contact's distance from the vertical through G, signed as R is."""
-    compare(student.sliding_track_radius, reference, cases.sliding_tracks(rng), tolerance=WITHIN, hint="Where is G?")
+    compare(student.sliding_track_radius, cases.sliding_tracks(rng), hint="Where is G?")
 
 
 # (c) Both
@@ -151,50 +141,32 @@ def sliding_track_is_around_the_resting_centre(student, rng):
 @check("common_precession", points=0.75, part="c")
 def common_precession_is_in_both_families(student, rng):
     """common_precession belongs to the motions that roll and slide at once."""
-    compare(student.common_precession, reference, cases.settled(rng), tolerance=WITHIN, hint=SAME_CIRCLE)
+    compare(student.common_precession, cases.settled(rng), hint=SAME_CIRCLE)
 
 
 @check("common_precession", points=0.25, part="c", after=common_precession_is_in_both_families)
 def common_precession_has_a_limit_upright(student, rng):
     """common_precession at lean 0 is its limit, next to 0 near it; almost flat it holds."""
-    compare(
-        student.common_precession,
-        reference,
-        cases.next_to_upright(rng),
-        tolerance=UPRIGHT,
-        hint="Cancel the sine first.",
-    )
-    compare(student.common_precession, reference, cases.steep(rng), tolerance=WITHIN)
+    compare(student.common_precession, cases.next_to_upright(rng), tolerance=UPRIGHT, hint="Cancel the sine first.")
+    compare(student.common_precession, cases.steep(rng))
 
 
 @check("contact_force", points=0.5, part="c")
 def contact_force_moves_the_centre(student, rng):
     """contact_force gives the mass its centripetal acceleration and carries its weight."""
-    compare(student.contact_force, reference, cases.whirls(rng), tolerance=WITHIN, hint=wrong_force)
+    compare(student.contact_force, cases.whirls(rng), hint=wrong_force)
 
 
 @check("contact_force", points=0.25, part="c", after=contact_force_moves_the_centre)
 def contact_force_of_straight_rolling(student, rng):
     """an upright disk without precession rolls straight on, its weight carried."""
-    compare(
-        student.contact_force,
-        reference,
-        cases.straight_rolling(rng),
-        tolerance=WITHIN,
-        hint="Nothing there goes round.",
-    )
+    compare(student.contact_force, cases.straight_rolling(rng), hint="Nothing there goes round.")
 
 
 @check("moment_residual", points=0.75, part="c")
 def moment_residual_is_moment_minus_rate(student, rng):
     """moment less rate of angular momentum about G, for any motion and force."""
-    compare(
-        student.moment_residual,
-        reference,
-        cases.under_forces(rng),
-        tolerance=WITHIN,
-        hint="What is the force's arm, and what of H turns?",
-    )
+    compare(student.moment_residual, cases.under_forces(rng), hint="What is the force's arm, and what of H turns?")
 
 
 # (d) The shuddering coin
@@ -204,11 +176,7 @@ def moment_residual_is_moment_minus_rate(student, rng):
 def settling_energy_adds_up(student, rng):
     """kinetic and potential energy of the motion that rolls and slides at once."""
     compare(
-        student.settling_energy,
-        reference,
-        [*cases.settled(rng), *cases.next_to_upright(rng), *cases.steep(rng)],
-        tolerance=WITHIN,
-        hint=ABOUT_WHICH,
+        student.settling_energy, [*cases.settled(rng), *cases.next_to_upright(rng), *cases.steep(rng)], hint=ABOUT_WHICH
     )
 
 

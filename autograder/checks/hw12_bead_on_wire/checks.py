@@ -11,8 +11,8 @@ from tam570_grader import (
     OwnRates,
     check,
     check_conserved,
-    compare,
     compare_trajectory,
+    compare_with,
     expect,
     from_own_lagrangian,
     in_symbols,
@@ -30,6 +30,8 @@ ENERGY = 7e-5  # BDF at the same tolerances loses 7e-6 of it in thirty periods, 
 COARSELY = 0.03  # of the amplitude after many periods; rows from anywhere on the motion are off by one or two
 PERIOD = 1e-6  # a quadrature with a singular end, or an event of a simulation, is good to 1e-8
 TINY = 5e-4  # at micrometres an event of a simulation with an absolute tolerance of 1e-9 m is good to 5e-5
+
+compare = compare_with(reference, tolerance=FORMULA)
 
 
 def largest_term(case, acceleration):
@@ -76,7 +78,7 @@ def lagrange_gives_the_acceleration(student, rng):
     """x'' in x, v, c, g alone."""
     calls = in_symbols(cases.usual(rng), *SYMBOLS)
     hint = from_own_lagrangian(student, calls[:4], "dT/dv depends on x: its rate has a term with v. dT/dx is not zero.")
-    compare(student.lagrange_equation, reference, calls, tolerance=FORMULA, hint=hint)
+    compare(student.lagrange_equation, calls, hint=hint)
 
 
 def at_rest_or_not(at_rest, moving):
@@ -93,8 +95,8 @@ TWICE = at_rest_or_not(
 @check("acceleration_newton", points=1.5, part="b")
 def newton_gives_the_acceleration(student, rng):
     """x'' by F = m a along the tangent, as Lagrange has it."""
-    compare(student.acceleration_newton, reference, cases.beads(rng), tolerance=FORMULA, hint=TWICE)
-    compare(student.acceleration_newton, reference, cases.next_to_bottom(rng), tolerance=FEW_DIGITS, hint=TWICE)
+    compare(student.acceleration_newton, cases.beads(rng), hint=TWICE)
+    compare(student.acceleration_newton, cases.next_to_bottom(rng), tolerance=FEW_DIGITS, hint=TWICE)
 
 
 BEND = at_rest_or_not("How much of the weight does a slope carry?", "How sharply does the wire bend at x?")
@@ -122,13 +124,7 @@ def of_direction(case, force, expected):
 @check("constraint_force", points=0.5, part="b", after=force_has_the_right_size)
 def force_and_weight_make_the_acceleration(student, rng):
     """normal to the wire, and with the weight it is m a."""
-    compare(
-        student.constraint_force,
-        reference,
-        [*cases.beads(rng), *cases.next_to_bottom(rng)],
-        tolerance=FORMULA,
-        hint=of_direction,
-    )
+    compare(student.constraint_force, [*cases.beads(rng), *cases.next_to_bottom(rng)], hint=of_direction)
 
 
 SPEED = at_rest_or_not("At rest it is potential: how high is the bead?", "How fast is the bead along the wire?")
@@ -137,13 +133,7 @@ SPEED = at_rest_or_not("At rest it is potential: how high is the bead?", "How fa
 @check("energy", points=1, part="b")
 def energy_is_kinetic_and_potential(student, rng):
     """of the speed along the wire and of the height above the bottom."""
-    compare(
-        student.energy,
-        reference,
-        [*cases.beads(rng), *cases.next_to_bottom(rng), *cases.nearly_at_rest(rng)],
-        tolerance=FORMULA,
-        hint=SPEED,
-    )
+    compare(student.energy, [*cases.beads(rng), *cases.next_to_bottom(rng), *cases.nearly_at_rest(rng)], hint=SPEED)
 
 
 def by_rates(student):
@@ -226,7 +216,7 @@ def of_period(case, period, expected):
 @check("period", points=1, part="b")
 def period_is_exact(student, rng):
     """exact for amplitudes near 1/c."""
-    compare(student.period, reference, cases.usual_periods(rng), tolerance=PERIOD, hint=of_period)
+    compare(student.period, cases.usual_periods(rng), tolerance=PERIOD, hint=of_period)
 
 
 ROOT = "Do you add a small number under a root, or use an absolute tolerance? 1e-15 m^2 is not small here."
@@ -236,17 +226,9 @@ REACH = "Does your series or quadrature reach amplitudes of a hundred times 1/c?
 @check("period", points=0.5, part="b", after=period_is_exact)
 def period_of_small_and_of_huge_amplitudes(student, rng):
     """exact on almost flat and on almost upright wires."""
-    compare(student.period, reference, cases.tiny_periods(rng), tolerance=TINY, hint=ROOT)
-    compare(
-        student.period,
-        reference,
-        cases.small_periods(rng),
-        tolerance=PERIOD,
-        hint="Do you subtract nearly equal heights?",
-    )
-    compare(
-        student.period, reference, [*cases.large_periods(rng), *cases.largest_period(rng)], tolerance=PERIOD, hint=REACH
-    )
+    compare(student.period, cases.tiny_periods(rng), tolerance=TINY, hint=ROOT)
+    compare(student.period, cases.small_periods(rng), tolerance=PERIOD, hint="Do you subtract nearly equal heights?")
+    compare(student.period, [*cases.large_periods(rng), *cases.largest_period(rng)], tolerance=PERIOD, hint=REACH)
 
 
 ASSIGNMENT = Assignment(

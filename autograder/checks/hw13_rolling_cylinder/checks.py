@@ -11,8 +11,8 @@ from tam570_grader import (
     OwnRates,
     check,
     check_conserved,
-    compare,
     compare_trajectory,
+    compare_with,
     group,
     number,
     rows,
@@ -28,6 +28,8 @@ FORMULA = 1e-9  # of the largest term: solving for the forces costs a few digits
 TRAJECTORY = 1e-6
 ENERGY = 5e-6  # the same integrators drift by up to 4e-7 on the longer run
 ROCKING = 5e-4  # of the amplitude: solve_ivp at 1e-9 is off by 4e-5, the square of the amplitude by 3e-5
+
+compare = compare_with(reference, tolerance=FORMULA)
 
 
 def rate2(case, _=None):
@@ -118,31 +120,21 @@ ANY_DURATION = "Are there too few steps for this duration, or is the tolerance l
 @check("acceleration", points=0.5)
 def centred_cylinder_rolls_by_both_methods(student, rng):
     """with G at the centre it is right, and naive_contact_acceleration too."""
-    compare(student.acceleration, reference, cases.centred(rng, 2), tolerance=FORMULA, hint=BOTH)
-    compare(student.naive_contact_acceleration, reference, cases.centred(rng, 2), tolerance=FORMULA)
+    compare(student.acceleration, cases.centred(rng, 2), hint=BOTH)
+    compare(student.naive_contact_acceleration, cases.centred(rng, 2))
 
 
 @check("acceleration", points=1.5)
 def acceleration_balances_momentum_about_G(student, rng):
     """the force that G's acceleration needs has, about G, the moment I^G phi''."""
-    compare(
-        student.acceleration,
-        reference,
-        [*cases.plain(rng), *cases.rolling(rng, 3)],
-        tolerance=FORMULA,
-        hint=rest_or_rates,
-    )
+    compare(student.acceleration, [*cases.plain(rng), *cases.rolling(rng, 3)], hint=rest_or_rates)
 
 
 @check("acceleration", points=0.5, after=acceleration_balances_momentum_about_G)
 def acceleration_level_and_without_gravity(student, rng):
     """on level ground, and without gravity."""
     compare(
-        student.acceleration,
-        reference,
-        [*cases.flat(rng, 2), *cases.weightless(rng, 2), *cases.level(rng)],
-        tolerance=FORMULA,
-        hint=without_weight,
+        student.acceleration, [*cases.flat(rng, 2), *cases.weightless(rng, 2), *cases.level(rng)], hint=without_weight
     )
 
 
@@ -151,9 +143,7 @@ def contact_inertia_by_the_parallel_axis_theorem(student, rng):
     """I^G plus the mass times the distance from C to G squared."""
     compare(
         student.contact_inertia,
-        reference,
         [*cases.rolling(rng, 3), *cases.centred(rng, 1), *cases.plain(rng), *cases.level(rng)],
-        tolerance=FORMULA,
         hint=DISTANCE,
     )
 
@@ -163,9 +153,7 @@ def naive_acceleration_is_the_moment_over_the_inertia(student, rng):
     """the moment of the weight about C over I^C, at any angle."""
     compare(
         student.naive_contact_acceleration,
-        reference,
         [*cases.rolling(rng, 3), *cases.plain(rng), *cases.level(rng)],
-        tolerance=FORMULA,
         hint=WEIGHT_ACTS_AT_G,
     )
 
@@ -173,19 +161,13 @@ def naive_acceleration_is_the_moment_over_the_inertia(student, rng):
 @check("missing_moment", points=1.25, part="b")
 def missing_moment_makes_it_right(student, rng):
     """with it, I^C phi'' + missing_moment = M_C has the phi'' of the balances."""
-    compare(
-        student.missing_moment,
-        reference,
-        [*cases.rolling(rng, 3), *cases.plain(rng)],
-        tolerance=FORMULA,
-        hint=CONTACT_POINT,
-    )
+    compare(student.missing_moment, [*cases.rolling(rng, 3), *cases.plain(rng)], hint=CONTACT_POINT)
 
 
 @check("contact_force", points=1.25, part="b")
 def contact_force_accelerates_G(student, rng):
     """with the weight it is the mass times the acceleration of G; (along, normal)."""
-    compare(student.contact_force, reference, cases.slow(rng), tolerance=FORMULA, hint=partial(part_of_force, student))
+    compare(student.contact_force, cases.slow(rng), hint=partial(part_of_force, student))
 
 
 @check("contact_force", points=0.25, part="b", after=contact_force_accelerates_G)
@@ -193,9 +175,7 @@ def contact_force_may_pull(student, rng):
     """contact is kept where the ramp must pull, and without gravity."""
     compare(
         student.contact_force,
-        reference,
         [*cases.pulled(rng), *cases.weightless(rng, 2), *cases.level(rng)],
-        tolerance=FORMULA,
         hint=partial(of_pull, student),
     )
 
@@ -205,9 +185,7 @@ def energy_of_G_and_of_turning(student, rng):
     """of the motion of G, of the turning, and of the height of G."""
     compare(
         student.energy,
-        reference,
         [*cases.rolling(rng, 3), *cases.weightless(rng, 1), *cases.plain(rng), *cases.level(rng)],
-        tolerance=FORMULA,
         hint=HEIGHT,
     )
 

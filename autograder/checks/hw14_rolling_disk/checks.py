@@ -13,10 +13,10 @@ from tam570_grader import (
     array,
     check,
     check_conserved,
-    compare,
     compare_columns,
     compare_invariants,
     compare_trajectory,
+    compare_with,
     expect,
     expect_that,
     number,
@@ -39,6 +39,8 @@ AGREED = 2e-5  # 2e-6, of two simulations over a longer time
 ROTATION = 2e-5  # 1.2e-6, of R^T R over that time
 ENERGY = 5e-6  # 4.3e-7, over a longer time
 COARSELY = 1e-3  # 1e-6 over that time; the centre in the place of the contact is off by 3e-2 or more
+
+compare = compare_with(reference, tolerance=POINTWISE)
 
 
 def euler_of(case):
@@ -235,13 +237,7 @@ def both_simulations_agree(student, rng):
 @check("steady_residual", points=0.75, part="d")
 def steady_residual_is_the_tilt_acceleration(student, rng):
     """steady_residual is tilt'' at this lean, precession and total spin, steady or not."""
-    compare(
-        student.steady_residual,
-        reference,
-        cases.steady(rng),
-        tolerance=POINTWISE,
-        hint="Use tilt = lean + pi/2 and tilt' = 0.",
-    )
+    compare(student.steady_residual, cases.steady(rng), hint="Use tilt = lean + pi/2 and tilt' = 0.")
 
 
 # (e) The picture
@@ -294,7 +290,7 @@ def rest_or_rates(case, result, expected):
 @check("energy", points=0.75, part="f")
 def energy_is_kinetic_and_potential(student, rng):
     """energy adds what moves, what turns and what is high."""
-    compare(student.energy, reference, cases.resting_first(rng), tolerance=POINTWISE, hint=rest_or_rates)
+    compare(student.energy, cases.resting_first(rng), hint=rest_or_rates)
 
 
 def wrong_force(case, result, expected):
@@ -310,7 +306,7 @@ def wrong_force(case, result, expected):
 @check("contact_force", points=0.75, part="f")
 def contact_force_moves_the_centre(student, rng):
     """contact_force is what the centre's acceleration and the weight ask for, in space axes."""
-    compare(student.contact_force, reference, cases.instants(rng), tolerance=POINTWISE, hint=wrong_force)
+    compare(student.contact_force, cases.instants(rng), hint=wrong_force)
 
 
 # (g) and (h) Stability
@@ -319,21 +315,13 @@ def contact_force_moves_the_centre(student, rng):
 @check("critical_speed", points=0.5, part="g")
 def critical_speed_parts_stable_from_unstable(student, rng):
     """critical_speed is the centre's speed at which a small lean neither grows nor swings."""
-    compare(
-        student.critical_speed,
-        reference,
-        cases.wheels(rng),
-        tolerance=LINEAR,
-        hint="Linearise: what is yaw' to first order?",
-    )
+    compare(student.critical_speed, cases.wheels(rng), tolerance=LINEAR, hint="Linearise: what is yaw' to first order?")
 
 
 @check("growth_rate_squared", points=0.75, part="h")
 def growth_rate_is_that_of_a_small_lean(student, rng):
     """growth_rate_squared is the lean's, below and above the critical speed, and at rest."""
-    compare(
-        student.growth_rate_squared, reference, cases.speeds(rng), tolerance=LINEAR, hint="Linearise about upright."
-    )
+    compare(student.growth_rate_squared, cases.speeds(rng), tolerance=LINEAR, hint="Linearise about upright.")
 
 
 ASSIGNMENT = Assignment(

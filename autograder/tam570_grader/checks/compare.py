@@ -5,6 +5,7 @@ import inspect
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from types import ModuleType
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -96,6 +97,19 @@ def compare(  # noqa: PLR0913  what a check says of a comparison, each by its na
             _infinite_alike(part, right_part, what, ask)
             expect(part, right_part, quantity=what, unit=its_unit, hint=ask, **limits)
     return results
+
+
+def compare_with(reference: Reference, *, tolerance: float) -> Callable[..., list[Numbers]]:
+    """Return `compare` with this reference, and with this tolerance where a check names no other.
+
+    compare = compare_with(reference, tolerance=FORMULA)
+    compare(student.energy, cases.states(rng), hint="Which three terms?")
+    """
+
+    def compare_cases(function: StudentFunction, cases: Iterable[Case], **words: Any) -> list[Numbers]:
+        return compare(function, reference, cases, **{"tolerance": tolerance, **words})
+
+    return compare_cases
 
 
 def _limits(size: Numbers, tolerance: float, partial: Mapping[float, float]) -> dict[str, Numbers]:
