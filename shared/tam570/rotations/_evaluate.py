@@ -20,7 +20,7 @@ Formula = Callable[..., tuple[Component, ...]]
 Stacked = Callable[[list[Array], Array, Array], Array]  # of arguments (k, n), workspace, results (n, m): measure (n,)
 
 BLOCK = 4096  # rotations evaluated together: their components fit in the second-level cache
-STACK = 6000  # where they are stacked: below 4097 numbers, NumPy takes products with one row row by row
+STACK = 8400  # where they are stacked: below 4097 numbers, NumPy takes products with one row row by row
 ROWS = 16  # of the workspace
 
 
