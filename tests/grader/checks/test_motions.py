@@ -131,12 +131,14 @@ def test_a_hint_tells_whether_the_students_own_rates_are_right(factor, are_right
 
 
 def test_where_the_function_cannot_be_asked_nobody_is_told_that_the_physics_is_right():
+    times = T[::20]
+
     def once(t, start):
-        if len(t) != len(T):
+        if len(t) != len(times):
             raise Failed("it raised")
         return swings(t, start, 1e-5)
 
-    assert reported(once) == NEARLY_FOLLOWS
+    assert reported(once, times) == NEARLY_FOLLOWS
 
 
 @pytest.mark.parametrize(

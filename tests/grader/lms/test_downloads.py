@@ -16,8 +16,6 @@ from tam570_grader.checks.failure import WHOLE
 from tam570_grader.diagnosis.mistakes import overlays
 from tam570_grader.gradescope import autograder
 from tam570_grader.grading.run_checks import failed_by_us
-from tam570_grader.lms import score_export
-from tam570_grader.lms.systems import SYSTEMS
 from tam570_grader.release.stubs import stub
 from tam570_grader.results import store, tables
 
@@ -97,8 +95,15 @@ def test_a_failure_of_ours_leaves_no_results(course, desk, submission, monkeypat
     assert for_gradescope(desk, submission) == (1, "")
 
 
-@pytest.mark.parametrize("more", ["", "hw08_axis_angle/notes.txt", "docs/plan.md", "hw07_double_pendulum/hw07.py"])
-@pytest.mark.parametrize("folder", ["", "homework", "a/b"])
+@pytest.mark.parametrize(
+    ("folder", "more"),
+    [
+        ("", "docs/plan.md"),
+        ("a/b", ""),
+        ("homework", "hw08_axis_angle/notes.txt"),
+        ("", "hw07_double_pendulum/hw07.py"),
+    ],
+)
 def test_a_folder_beside_the_work_costs_no_result(desk, submission, folder, more):
     (submission / folder).mkdir(parents=True, exist_ok=True)
     (submission / f"{HW08}.py").rename(submission / folder / f"{HW08}.py")
@@ -130,34 +135,12 @@ def test_the_archive_grades_by_itself(desk, submission):
     assert as_gradescope_reads_it((desk.folder / "results" / "results.json").read_text())["score"] == 10
 
 
-SCORES = {("ann", "hw07_x"): ("9.5", "10.0"), ("ben", "hw07_x"): ("", "10.0"), ("ann", "hw08_y"): ("10.0", "10.0")}
 ROSTER = [
     ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", "hw07_x (4711)", "Final Score"],
     ["    Points Possible", "", "", "", "", "10", "(read only)"],
     ["Lee, Ann", "17", "A1", "ann", "570", "", ""],
     ["Ray, Cho", "18", "A3", "cho", "570", "", ""],
 ]
-
-
-def export(tmp_path, system, scores=SCORES, roster=None, **options):
-    """The table for a system, with a roster of these rows or without one."""
-    path = tmp_path / "roster.csv" if roster else None
-    if path:
-        tables.write_table(path, roster, exact=True)
-    return score_export.export(scores, SYSTEMS[system].table, score_export.ExportOptions(path, **options)).rows
-
-
-def test_tables_have_the_columns_of_the_system_and_the_names_of_the_roster(tmp_path):
-    table = export(tmp_path, "canvas")
-    assert table[0] == ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", "hw07_x", "hw08_y"]
-    assert table[1] == ["    Points Possible", "", "", "", "", "10.0", "10.0"]
-    assert table[2:] == [["ann", "", "", "ann", "", "9.5", "10.0"], ["ben", "", "", "ben", "", "", ""]]
-    table = export(tmp_path, "canvas", roster=ROSTER, new=True)
-    assert table[0][5:] == ["hw07_x (4711)", "hw08_y"]
-    assert table[2:] == [["Lee, Ann", "17", "A1", "ann", "570", "9.5", "10.0"], [*ROSTER[3][:5], "", ""]]
-    assert export(tmp_path, "canvas", {("A1", "hw07_x"): ("9.5", "10.0")}, ROSTER)[2][5:] == ["9.5"]
-    assert export(tmp_path, "moodle", identity="email")[0] == ["Email address", "hw07_x", "hw08_y"]
-    assert export(tmp_path, "moodle")[1:] == [["ann", "9.5", "10.0"], ["ben", "", ""]]
 
 
 NAMES = ["ann", "'ann", "+1", "'+1", "''=1", "-rf", "@x", "\tx", "\rx", "\uff1d1", "\uff0b1", "\uff0d1", "\uff20x"]

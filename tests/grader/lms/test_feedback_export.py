@@ -81,7 +81,7 @@ cy,hw01_x,missing,8.0,12.0
         (NBGRADER, ["--only", "hw1"], ["Username,hw01_x", "ann,9.0", "bo,0.0"]),
         (NBGRADER, ["--only", "hw1", "--absent", "blank"], ["Username,hw01_x", "ann,9.0", "bo,"]),
         (OURS, [], ["Username,hw01_x", "ann,0.0", "bo,0.0", "cy,8.0"]),
-        (OURS, ["--absent", "blank"], ["Username,hw01_x", "ann,0.0", "bo,", "cy,8.0"]),
+        (OURS, ["--absent", "blank", "--identity", "email"], ["Email address,hw01_x", "ann,0.0", "bo,", "cy,8.0"]),
     ],
 )
 def test_who_is_absent_has_zero_or_a_blank(desk, table, more, lines):

@@ -94,6 +94,7 @@ def test_a_class_from_canvas_to_canvas(desk, download, upload, layout):
     desk.write_grades({login: n + 0.5 for n, login in enumerate(LOGINS)})
     code, printed, rows = upload("canvas")
     assert code == 2 and "HW 8: Rotations (810001)" in printed and not rows
+    assert upload("canvas", "--new")[2][0][-1] == HW08
     for text in ('canvas = "HW 8: Rotations (810001)"', "canvas = 810001", 'canvas = "HW 8: Rotations"'):
         desk.trust(f"[hw08]\n{text}\n")
         code, _, (heading, possible, *rows) = upload("canvas")

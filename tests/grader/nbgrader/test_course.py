@@ -7,6 +7,7 @@ import subprocess
 import sys
 
 import pytest
+from parameters import SLUGS, first
 
 from tam570_grader import cli
 from tam570_grader.checks import assignments
@@ -44,6 +45,7 @@ def test_every_visible_test_belongs_to_one_part_and_every_function_to_its_check(
     assert set(functions_by_part(assignment).values()) <= set(part_points(assignment))
 
 
+@pytest.mark.parametrize("slug", first(1, SLUGS))
 def test_everything_that_a_student_gets_is_no_secret(course, tmp_path, made_course, slug):
     built, _ = made_course(tmp_path, [slug])
     names = {f"{slug}.py", f"{slug}.ipynb", f"test_{slug}.py", "README.md", "figure.svg", "lab.py"}
