@@ -1,9 +1,12 @@
 """Hidden checks of hw04."""
 
+from functools import partial
+
 import numpy as np
 
 from tam570_grader import (
     Assignment,
+    Case,
     Column,
     Invariant,
     OwnRates,
@@ -18,6 +21,7 @@ from tam570_grader import (
     first_wrong,
 )
 from tam570_grader.checks.diagrams import compare_diagrams
+from tam570_grader.checks.expected import expected_result
 from tam570_grader.checks.plots import curves_seen, judge_axes_of_lengths, path_drawn
 from tam570_grader.checks.returns import array, drawing, free_body_diagram, group, number, rows
 
@@ -160,21 +164,22 @@ def judge_axes(orbit, calls):
         (_, tensor), product = reference.orbit(*case.args, **case.kwargs), np.outer(a, a) + np.outer(b, b)
         square = np.trace(tensor) + (NOUGHT * length(case)) ** 2
         words = {"scale": square, "unit": "of the square of its size"}
-        candidates = {
-            "The smaller axis is not zero.": tensor if b.any() or np.linalg.matrix_rank(tensor) < 2 else product,
-            "It is twice as large: these are its axes, not semi-axes.": 4 * tensor,
-            "The semi-axes have the squares of their lengths.": tensor @ tensor,
-            "The semi-axes are unit vectors: give them their lengths.": product @ product if product.any() else tensor,
-        }
-        near = [
-            message
-            for message, candidate in candidates.items()
-            if np.allclose(product, candidate, rtol=1e-6, atol=TENSOR * square)
-        ]
-        expect(product, tensor, tolerance=TENSOR, quantity="the ellipse", hint=[*near, case.hint or ON_IT][0], **words)
+        which = partial(likeliest_ellipse, case, product, tensor, b, square)
+        expect(product, tensor, tolerance=TENSOR, quantity="the ellipse", hint=which, **words)
         hint = "Two radii that give the ellipse need not be its axes."
         expect(a @ b, 0.0, tolerance=RIGHT_ANGLE, quantity="the product of the axes", hint=hint, **words)
         expect_that(a @ a >= b @ b - RIGHT_ANGLE * square, "the larger axis is not the first")
+
+
+def likeliest_ellipse(case, product, tensor, smaller, square):
+    candidates = {
+        "The smaller axis is not zero.": tensor if smaller.any() or np.linalg.matrix_rank(tensor) < 2 else product,
+        "It is twice as large: these are its axes, not semi-axes.": 4 * tensor,
+        "The semi-axes have the squares of their lengths.": tensor @ tensor,
+        "The semi-axes are unit vectors: give them their lengths.": product @ product if product.any() else tensor,
+    }
+    near = (message for message, it in candidates.items() if np.allclose(product, it, rtol=1e-6, atol=TENSOR * square))
+    return next(near, case.hint or ON_IT)
 
 
 @check("orbit", points=1, part="c")
@@ -203,7 +208,7 @@ def the_path_is_drawn(student, rng):
     """plot_projection draws the projected path from t[0] to t[-1], with labels and equal scales."""
     case = cases.drawn(rng)
     t, r, v, *view = case.args
-    places = reference.simulate(t, r, v, **case.kwargs)[:, :3]
+    places = expected_result(reference.simulate, Case(t, r, v, **case.kwargs))[:, :3]
     picture = student.plot_projection.drawn(case)
     (line,) = curves_seen(picture, 1)
     others = {"These are x and y, not right and up.": places[:, :2]}
