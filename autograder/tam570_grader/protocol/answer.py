@@ -126,6 +126,15 @@ def _formula(function: Function, args: list[Numbers], kwargs: Json, request: Jso
     return [portable(value) for value in values] if cancels else {"strangers": unexpected}
 
 
+def evaluate_a_formula() -> None:
+    """Have SymPy import what it needs to differentiate, cancel and evaluate."""
+    import sympy
+
+    x, y = sympy.symbols("x y")
+    expression = sympy.cancel(sympy.diff(y**2 * sympy.cos(x), x) / y)
+    _values(expression, {"points": [{"x": 0.5, "y": 2.0}]}, [], STAND_INS[0])
+
+
 def _values(expression: Numbers, request: Json, unexpected: list[str], stand_in: float) -> list[complex]:
     """At each point, the strange symbols being numbers from the stand-in on."""
     others = {name: stand_in + number for number, name in enumerate(unexpected)}

@@ -28,6 +28,7 @@ LOOKED_AT = 400  # points of a curve
 PRINTED = 480  # pixels of the figure's longer side
 CONTRAST = 12  # of 255, black on white; a line of half a point in light grey has 15
 SMALLEST = 2  # points, of a letter's lower side
+PREPARED = 2  # axes, for as many calls of a plot function
 BLOCK = 12  # pixels; dots and dashes leave smaller gaps
 
 
@@ -40,9 +41,7 @@ def picture(function: Function, args: list[Numbers], kwargs: Json, *, looked_at:
     scales         : lengths on paper of a unit of x to the right and of y up
     bent           : how far these are from even, as a share of the axes
     """
-    from matplotlib.figure import Figure
-
-    axes = Figure().subplots()
+    axes = blank_axes.take()
     function(axes, *args, **kwargs)
     drawn = list(_drawn(axes))
     if sum(np.size(points) for _, pieces, _ in drawn for points in pieces) * 8 > LARGEST_ARRAY:
@@ -58,6 +57,37 @@ def picture(function: Function, args: list[Numbers], kwargs: Json, *, looked_at:
         for points in pieces
     ]
     return {"lines": lines, **labels, "labels_show": _labels_show(axes, prints), **_scales(axes)}
+
+
+class BlankAxes:
+    """Axes that are made before a submission runs: to make them takes as long as to draw a picture."""
+
+    def __init__(self) -> None:
+        self._axes: list[Artist] = []
+        self._settings: Artist = None
+
+    def prepare(self) -> None:
+        """Make them, after a first picture, for which Matplotlib reads its fonts."""
+        from matplotlib import rcParams
+
+        picture(lambda axes: axes.plot(range(FEWEST)), [], {})
+        self._settings = rcParams.copy()
+        self._axes = [self._new() for _ in range(PREPARED)]
+
+    def take(self) -> Artist:
+        """Return blank axes of their own figure, as the settings that a submission may have changed make them."""
+        from matplotlib import rcParams
+
+        return self._axes.pop() if self._axes and self._settings == rcParams else self._new()
+
+    @staticmethod
+    def _new() -> Artist:
+        from matplotlib.figure import Figure
+
+        return Figure().subplots()
+
+
+blank_axes = BlankAxes()
 
 
 def _drawn(axes: Artist) -> Iterator[tuple[Artist, list[Numbers], bool]]:

@@ -24,9 +24,10 @@ from typing import Any
 from tam570.values import Json, Numbers
 
 from . import jail
-from .answer import answer, error_report, seed_generators
+from .answer import answer, error_report, evaluate_a_formula, seed_generators
 from .cells import plain_cells, python, statements
 from .load import compiled, load
+from .picture import blank_axes
 from .refusals import program
 from .wire import packed, stacked, unpacked
 
@@ -45,8 +46,7 @@ def main() -> None:
     gc.disable()  # nothing is garbage yet, and looking for it takes a fifth of the time of the imports
     for name in settings["preload"]:
         importlib.import_module(name)
-    if "tam570.integrate" in settings["preload"]:
-        _warm_up()
+    _warm_up(settings["preload"])
     program(**jail.Limits(cpu=0, **settings["limits"]).refusals)
     jail.hidden_from_debuggers()
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # guards are reaped by the kernel
@@ -67,11 +67,16 @@ def main() -> None:
             os.close(file)
 
 
-def _warm_up() -> None:
-    """Have the integrator compute what it keeps for its later runs, for all submissions."""
-    from tam570.integrate import solve
+def _warm_up(preload: list[str]) -> None:
+    """Have the libraries import and compute what they do at their first use, once for all submissions."""
+    if "tam570.integrate" in preload:
+        from tam570.integrate import solve
 
-    solve(lambda t, y: (y[1], -y[0]), [0.0, 0.1, 0.2], [1.0, 0.0])
+        solve(lambda t, y: (y[1], -y[0]), [0.0, 0.1, 0.2], [1.0, 0.0])
+    if "matplotlib.figure" in preload:
+        blank_axes.prepare()
+    if "sympy" in preload:
+        evaluate_a_formula()
 
 
 def _monitor(files: list[int], lifeline: int, limits: jail.Limits) -> None:
