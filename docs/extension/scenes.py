@@ -14,7 +14,7 @@ from sphinx.util.logging import getLogger
 from tam570.course import assignments
 from tam570.lectures import load, names
 from tam570.show import load_student, save, scene_of
-from tam570.show.lecture import scene_of_lecture
+from tam570.show.lecture import filmed
 from tam570.show.page import page
 
 __all__ = ["film", "setup"]
@@ -33,7 +33,7 @@ def setup(app):
 def film(name):
     """The film of an assignment, by its reference solution, or of a lecture."""
     if name in names():
-        return scene_of_lecture(load(name))
+        return filmed(load(name))
     return scene_of(load_student(COURSE / "solutions" / f"{name}.py", name), name)
 
 

@@ -221,7 +221,8 @@ def _handin(arguments: argparse.Namespace) -> int:
 def _show(arguments: argparse.Namespace) -> int:
     if arguments.what and arguments.file is None and lectures.is_lecture(arguments.what):
         return lectures.show(arguments.what, arguments.set, arguments.save)
-    from tam570.show import command
+    from tam570.show import load_student, present, scene_of
+    from tam570.show.lecture import settings
 
     if arguments.file:
         file, slug = arguments.file, folder(arguments.assignment or arguments.what, or_lecture=True).name
@@ -229,7 +230,10 @@ def _show(arguments: argparse.Namespace) -> int:
             raise Unknown(f"there is no file {file}")
     else:
         file, slug = work.single(arguments.what, arguments.assignment)
-    return command(file, slug, arguments.set, arguments.save, ask_for_predictions(file.parent, slug))
+    notes = ask_for_predictions(file.parent, slug)
+    return present(
+        lambda: scene_of(load_student(file, slug), slug, settings(arguments.set)), arguments.save, slug, notes
+    )
 
 
 def _hint(arguments: argparse.Namespace) -> int:

@@ -56,7 +56,6 @@ def film(parameters: Parameters) -> Scene:
     if spin_rate:
         # Across the axis M has the size of sqrt(Ixz^2 + Iyz^2) sqrt(spin_rate^2 + spin^4), whatever the angle.
         across = across / np.hypot(spin_rate, speeds**2)
-    drift, alarm = drift_note({"": across}, float(across[0]) or 1.0, "itself")
     curves = dict(zip(("x", "y", "z"), in_space.T, strict=True))
     arrow = Shape(
         "arrow", moving(np.zeros(3), 1.2 * in_space * [1, 1, 0] / longest), 1, "moment across the axis", width=3
@@ -72,7 +71,7 @@ def film(parameters: Parameters) -> Scene:
         ],
         [
             value_plot("moment on the unbalanced body, in space", times, curves, "N m"),
-            value_plot("spin", times, {"": speeds}, "rad/s", f"size of the moment for it: {drift}", alarm),
+            value_plot("spin", times, {"": speeds}, "rad/s", *drift_note(across, about="size of the moment for it: ")),
         ],
         view=(0.6, 0.35),
         still_time=0.3,

@@ -38,11 +38,7 @@ def start(name: str, where: Path) -> int:
 
 def show(what: str, numbers: Sequence[str], where: Path | None) -> int:
     """Show a lecture, or a copy of one, with other numbers; 0, or 1 if it cannot be shown."""
-    from tam570.show import Trouble, present, report_trouble
-    from tam570.show.lecture import lecture_module, scene_of_lecture, settings
+    from tam570.show import present
+    from tam570.show.lecture import filmed, lecture_module, settings
 
-    try:
-        scene = scene_of_lecture(lecture_module(what), settings(numbers))
-    except Trouble as trouble:
-        return report_trouble(trouble)
-    return present(scene, where, Path(what).stem)
+    return present(lambda: filmed(lecture_module(what), settings(numbers)), where, Path(what).stem)

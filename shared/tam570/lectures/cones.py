@@ -102,7 +102,7 @@ def _film(parameters: Mapping[str, float]) -> Scene:
     space_rim = circle([0.0, 0.0, tip[0, 2]], [tip[0, 0], 0.0, 0.0], [0.0, tip[0, 0], 0.0], 37)
     H = transverse * turning + (axial - transverse) * np.einsum("ni,ni->n", turning, along)[:, None] * along
     omegas = dict(zip("xyz", turning.T, strict=True))
-    drift = drift_note({"": H}, float(H[0, 2]) or 1.0, "the angular momentum")
+    drift = drift_note(H, float(H[0, 2]), "the angular momentum")
     return Scene(
         "Free symmetric body",
         "A cone fixed in the body rolls without slip on a cone fixed in space. They touch along the angular velocity. "

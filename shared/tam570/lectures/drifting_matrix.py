@@ -104,7 +104,7 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
     defects = {"rotations": rotation_defect(rotations), "nine numbers": np.abs(strain).max(axis=(1, 2))}
     H = np.einsum("nij,nj->ni", rotations, moments * turning)
     beside = {"nine": values(angular_momentum, states, **parameters)}
-    scale = float(np.linalg.norm(H[0])) or 1.0
+    scale = float(np.linalg.norm(H[0]))
     text = f"at the end {defects['nine numbers'][-1]:.1e}, and {defects['rotations'][-1]:.0e} by rotations"
     return Scene(
         "Drifting matrix",

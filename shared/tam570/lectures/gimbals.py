@@ -73,7 +73,6 @@ def film(parameters: Parameters) -> Scene:
     curves = dict(zip(("psi", "theta", "phi"), rates.T, strict=True))
     largest = f"up to {np.abs(rates).max():.3g} rad/s, while the body turns at {SPEED:g} rad/s"
     sums = dict(zip("xyz", rebuilt.T, strict=True))
-    drift = drift_note({"": rebuilt}, SPEED, "itself")
     return Scene(
         f"Gimbal {sequence}",
         "A disk in two rings turns steadily about a level axis. Its own axis passes close by the axis of the outer "
@@ -82,7 +81,9 @@ def film(parameters: Parameters) -> Scene:
         [Panel(_gimbal(np.array([rings(row, sequence) for row in angles]), sequence), ruler=False)],
         [
             value_plot("rates of the angles", times[shown], curves, "rad/s", largest),
-            value_plot("their sum along the axes of the rings", times[shown], sums, "rad/s", *drift),
+            value_plot(
+                "their sum along the axes of the rings", times[shown], sums, "rad/s", *drift_note(rebuilt, SPEED)
+            ),
         ],
         view=(0.9, 0.35),
         still_time=0.44,

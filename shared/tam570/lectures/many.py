@@ -99,8 +99,8 @@ def film(parameters: Parameters) -> Scene:
     of_G, about_G = np.array([kinetic(state, masses=masses) for state in states[shown]]).T
     origin = np.array([angular_momentum(state, np.zeros(3), masses=masses) for state in states[shown]])[..., 2]
     momenta = {"of G": origin[:, 0], "about G": origin[:, 1], "about the origin": origin.sum(axis=1)}
-    scale = float(np.abs(momenta["about the origin"]).max()) or 1.0
-    drift = drift_note({"": momenta["about the origin"]}, scale, "itself")
+    scale = float(np.abs(momenta["about the origin"]).max())
+    drift = drift_note(momenta["about the origin"], scale)
     return Scene(
         "Particles and their centre of mass",
         f"{n} particles joined by springs are thrown across a table. They turn and swing about their centre of mass, "

@@ -80,7 +80,6 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
     shapes = _draw(states, parameters)
     cross = axes(0.5 * float(np.abs(shapes[0].points).max()))
     tensors = values(orbit_tensor, states, **parameters)
-    drift = drift_note({"": tensors}, float(np.linalg.norm(tensors[0])) or 1.0, "itself")
     parts = dict(zip(("xx", "yy", "zz", "yz", "zx", "xy"), tensors.T, strict=True))
     return Scene(
         "Oscillator in space",
@@ -90,7 +89,7 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
         [Panel([*cross, *shapes])],
         [
             state_energy_plot(times, states, 3, lambda rows: values(energy, rows, **parameters)),
-            value_plot("m v v + k r r, a tensor", times, parts, "J", *drift),
+            value_plot("m v v + k r r, a tensor", times, parts, "J", *drift_note(tensors)),
         ],
         still_time=0.25,
         live=Live(rates, parameters, STATE, start, _draw, [drag(0, 3)], energies(energy, 3), backdrop=cross),

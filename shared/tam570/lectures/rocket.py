@@ -101,7 +101,6 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
         *_rocket(wrong, apart, burning, 1, "d(mv)/dt = F of the rocket alone"),
     ]
     energies = values(coasting_energy, correct, **parameters)
-    drift, alarm = drift_note({"": energies}, abs(energies[0]) or 1.0, "itself")
     return Scene(
         "Rocket",
         "Two rockets start alike. The right one is pushed by its exhaust until its tank is empty. The other follows "
@@ -110,7 +109,7 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
         [Panel(shapes)],
         [
             value_plot("speed", times, {"right": correct[:, 1], "wrong": wrong[:, 1]}, "m/s"),
-            value_plot("mass", times, {"": correct[:, 2]}, "kg", f"energy at its end: {drift}", alarm),
+            value_plot("mass", times, {"": correct[:, 2]}, "kg", *drift_note(energies, about="energy at its end: ")),
         ],
         still_time=0.7,
     )

@@ -108,7 +108,7 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
         ]
 
     turning = values(angular_momentum, states, **parameters)
-    drift, alarm = drift_note({"": turning}, abs(float(turning[0])) or 1.0, "itself")
+    drift = drift_note(turning, about="angular momentum: ")
     return Scene(
         "Two particles on a string",
         "A mass circles on a table. The string through the hole holds a second mass below the table. The circle's "
@@ -117,7 +117,7 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
         [Panel([*table, *drawing(states, parameters)])],
         [
             state_energy_plot(times, states, 2, lambda rows: values(energy, rows, **parameters)),
-            value_plot("distance from the hole", times, {"": states[:, 0]}, "m", f"angular momentum: {drift}", alarm),
+            value_plot("distance from the hole", times, {"": states[:, 0]}, "m", *drift),
         ],
         view=(0.6, 0.25),
         still_time=0.35,

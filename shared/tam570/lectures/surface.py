@@ -90,7 +90,7 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
         totals[name] = values(energy, states, **arguments)
         kinetic[name] = totals[name] - values(energy, states * [1, 1, 0, 0], **arguments)
     largest = max(float(curve.max()) for curve in kinetic.values())
-    drift = drift_note(totals, largest or 1.0, "the largest kinetic energy")
+    drift = drift_note(totals, largest, "the largest kinetic energy")
     net = [shape for shape in panels[0].shapes if shape.points.ndim == 2]
     return Scene(
         "Particle on a surface",

@@ -85,7 +85,6 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
         panels.append(Panel([*body, Shape("arrow", arrow, 2, "angular momentum", width=3)], name, ruler=False))
     across = {name: np.degrees(np.arccos(np.clip(H @ first / scale**2, -1.0, 1.0))) for name, H in momenta.items()}
     energies = {name: values(energy, states, **parameters) for name, states in both.items()}
-    drift, alarm = drift_note(energies, energies["Euler"][0] or 1.0, "itself")
     spins = {name: states[:, 11] for name, states in both.items()}
     return Scene(
         "Wrong coordinates",
@@ -95,7 +94,9 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
         panels,
         [
             value_plot("angular momentum from where it was", times, across, "°"),
-            value_plot("spin about the body's third axis", times, spins, "rad/s", f"energy: {drift}", alarm),
+            value_plot(
+                "spin about the body's third axis", times, spins, "rad/s", *drift_note(energies, about="energy: ")
+            ),
         ],
         still_time=0.35,
         live=live_body(rates, energy, parameters, STATE, start, in_space=False, title="Euler"),

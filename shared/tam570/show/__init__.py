@@ -1,20 +1,23 @@
 """Scenes that move: `show` runs the student's own functions and shows what they do."""
 
-from collections.abc import Sequence
+import os
+import sys
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
+from html import escape
 from importlib import import_module
 from pathlib import Path
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 
 from tam570.course import folder, slug_of
-from tam570.show.lecture import filmed, lecture_module, scene_of_lecture, settings
+from tam570.lectures.commands import is_lecture
+from tam570.show.lecture import filmed, lecture_module
 from tam570.show.patience import patience
 from tam570.show.scene import Scene
 from tam570.show.student import Student, Trouble, load_student
 from tam570.values import Numbers, Parameters
 
-__all__ = ["Shown", "Trouble", "command", "scene_of", "present", "save", "show", "report_trouble"]
+__all__ = ["Shown", "Trouble", "load_student", "present", "save", "scene_of", "show"]
 
 SAVED_AS = (".html", ".png", ".gif", ".webp", ".mp4")
 
@@ -37,12 +40,10 @@ class Shown:
     height: int = 620  # pixels, in a notebook
 
     def _repr_html_(self) -> str:
-        import html
-
         from tam570.show.page import framed, page
 
         if self.scene is None:
-            return f"<pre>{html.escape(self.trouble)}</pre>"
+            return f"<pre>{escape(self.trouble)}</pre>"
         return framed(page(self.scene), self.scene.title, self.height)
 
     def __repr__(self) -> str:
@@ -88,22 +89,16 @@ def show(what: object, *, assignment: str | None = None, numbers: Parameters | N
 
 
 def _scene(what: Numbers, assignment: str | None, numbers: Parameters | None) -> Scene:
-    if assignment is None and (hasattr(what, "EXAMPLE") or _is_lecture(what)):
-        return scene_of_lecture(lecture_module(str(what)) if isinstance(what, str | Path) else what, numbers)
     if isinstance(what, str | Path):
+        if assignment is None and is_lecture(str(what)):
+            return filmed(lecture_module(str(what)), numbers)
         slug = folder(assignment).name if assignment else slug_of(Path(what))
         return scene_of(load_student(Path(what), slug), slug, numbers)
+    if assignment is None and hasattr(what, "EXAMPLE"):
+        return filmed(what, numbers)
     if isinstance(what, dict):
-        from types import SimpleNamespace
-
         what = SimpleNamespace(**what)
     return scene_of(what, folder(assignment or what.__name__).name, numbers)
-
-
-def _is_lecture(what: object) -> bool:
-    from tam570.lectures import commands
-
-    return isinstance(what, str | Path) and commands.is_lecture(str(what))
 
 
 def scene_of(module: ModuleType, slug: str, numbers: Parameters | None = None) -> Scene:
@@ -115,35 +110,25 @@ def scene_of(module: ModuleType, slug: str, numbers: Parameters | None = None) -
         if error.name != name:
             raise
         raise Trouble(f"{slug} has no scene; write shared/tam570/show/scenes/{slug[:4]}.py") from None
-    return filmed(scene, partial(scene.film, Student(module)), numbers)
+    student = Student(module)
+    return replace(filmed(scene, numbers, student), notes=student.notes)
 
 
-def command(file: Path, slug: str, texts: Sequence[str], where: Path | None, notes: Sequence[str] = ()) -> int:
-    """Save the scene of a file, or open it in a browser; 0, or 1 if it cannot be.
+def present(film: Callable[[], Scene], where: Path | None, name: str, notes: Sequence[str] = ()) -> int:
+    """Film, and save the scene, or write its page into this folder and open it in a browser; 1 if that cannot be.
 
-    texts : numbers to set, "mass=2"
+    name  : of the page, without .html
     notes : shown with the scene
     """
-    try:
-        scene = scene_of(load_student(file, slug), slug, settings(texts))
-    except Trouble as trouble:
-        return report_trouble(trouble)
-    return present(replace(scene, notes=[*notes, *scene.notes]), where, slug)
-
-
-def present(scene: Scene, where: Path | None, name: str) -> int:
-    """Save a scene, or write its page into this folder and open it in a browser; 0, or 1 if it cannot be.
-
-    name : of the page, without .html
-    """
-    import sys
-
     file = where or Path(f"{name}.html")
     try:
-        with patience(f"{file.name}"):
+        scene = film()
+        scene = replace(scene, notes=[*notes, *scene.notes])
+        with patience(file.name):
             save(scene, file)
     except Trouble as trouble:
-        return report_trouble(trouble)
+        print(f"tam570: {trouble}", file=sys.stderr)
+        return 1
     for caption in scene.notes:
         print(caption, file=sys.stderr)
     print(file)
@@ -154,20 +139,10 @@ def present(scene: Scene, where: Path | None, name: str) -> int:
 
 def _opened(page: Path) -> bool:
     """Return whether a browser opens the page; none of those is asked that would take over a terminal."""
-    import os
-    import sys
     import webbrowser
 
     screen = sys.platform in ("win32", "darwin") or {"DISPLAY", "WAYLAND_DISPLAY", "BROWSER"} & set(os.environ)
     return bool(screen) and webbrowser.open(page.resolve().as_uri())
-
-
-def report_trouble(trouble: Trouble) -> int:
-    """Say why there is no scene; 1, the exit code."""
-    import sys
-
-    print(f"tam570: {trouble}", file=sys.stderr)
-    return 1
 
 
 def save(scene: Scene, file: Path) -> None:

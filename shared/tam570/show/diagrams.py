@@ -17,7 +17,6 @@ Forces = list[tuple[Array, Array | None]]
 
 
 def force_shapes(
-    notes: list[str],
     student: Student,
     *rows: Numbers,
     size: float,
@@ -29,7 +28,6 @@ def force_shapes(
 ) -> list[Shape]:
     """Make arrows of the forces that the student draws at each row, and dots of those of unknown direction.
 
-    notes  : gets the reason why there is none
     size   : of every arrow, m: a diagram says where a force acts and along what, not how large it is
     origin : of the diagram's axes in the scene, (dim,), or (n, dim) where it moves
     axes   : (dim, dim), a row for each of the diagram's axes; those of the scene by default
@@ -39,7 +37,7 @@ def force_shapes(
     try:
         diagrams = [_read(diagram, dim) for diagram in student.returned(NAME, *rows, **parameters)]
     except Trouble as trouble:
-        notes.append(str(trouble))
+        student.notes.append(str(trouble))
         return []
     arrows, unknown = list[list[Array]](), list[list[Array]]()
     for forces, start in zip(diagrams, np.broadcast_to(origin, (len(diagrams), dim)), strict=True):

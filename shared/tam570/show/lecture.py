@@ -5,7 +5,7 @@ and `film(parameters, start, seconds)`. The scene of an assignment has the same,
 """
 
 import ast
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
@@ -15,10 +15,10 @@ from tam570.course import Unknown
 from tam570.lectures import catalogue, load
 from tam570.show.patience import patience
 from tam570.show.scene import Scene, drawable_rate
-from tam570.show.student import Trouble, load_student
+from tam570.show.student import Student, Trouble, load_student
 from tam570.values import Json, Numbers, Parameters
 
-__all__ = ["filmed", "lecture_module", "scene_of_lecture", "settings"]
+__all__ = ["filmed", "lecture_module", "settings"]
 
 LONGEST = 600.0  # s, of a scene
 MOST_WORK = 20.0  # s of processor time, until its motion is known
@@ -53,15 +53,12 @@ def _value(text: str) -> Numbers:
         return text  # a choice, such as saddle
 
 
-def scene_of_lecture(module: ModuleType, numbers: Parameters | None = None) -> Scene:
-    """Film a lecture, with other numbers. Trouble says what cannot be shown."""
-    return filmed(module, module.film, numbers)
-
-
-def filmed(source: ModuleType, film: Callable[..., Scene], numbers: Parameters | None) -> Scene:
+def filmed(source: ModuleType, numbers: Parameters | None = None, *before: Student) -> Scene:
     """Film with the source's EXAMPLE, START and SECONDS, some of their numbers changed.
 
+    source  : a lecture, or the scene of an assignment
     numbers : by parameter, by "start.speed" for a number of the start, or "seconds"
+    before  : the first arguments of the source's `film`
     Unknown tells a wrong name with the right ones; Trouble says what cannot be shown.
     """
     values: Json = dict(source.EXAMPLE)
@@ -78,7 +75,7 @@ def filmed(source: ModuleType, film: Callable[..., Scene], numbers: Parameters |
         if moves:
             _must_be_slow(source.STATE, values)
         with patience("the motion", MOST_WORK):
-            scene = film(*arguments)
+            scene: Scene = source.film(*before, *arguments)
     except (TypeError, ValueError, ArithmeticError) as error:
         raise Trouble(str(error)) from error
     return replace(scene, settings=values)

@@ -5,6 +5,7 @@ down, as `tam570.integrate` does it for a compiler. A function that cannot be tr
 """
 
 import math
+import operator
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
@@ -23,6 +24,13 @@ SAME_NAME = (
 )
 IN_JAVASCRIPT = {name: f"Math.{name}" for name in SAME_NAME.split()} | {"fabs": "Math.abs", "pow": "Math.pow"}
 NAMED = {"inf": "Infinity", "-inf": "-Infinity", "nan": "NaN"}
+OPERATORS: dict[str, Function] = {
+    "+": operator.add,
+    "-": operator.sub,
+    "*": operator.mul,
+    "/": operator.truediv,
+    "neg": operator.neg,
+}
 LEAST, MOST = 0.25, 3.0  # of a parameter's value, of its slider
 CLOSE = 1e-9  # between the traced equations and the function: roundings
 
@@ -147,10 +155,10 @@ class _Writer:
 
         def drawn(t: Numbers, state: Numbers, parameters: Parameters, target: Numbers) -> list[Numbers]:
             _, points = _packed([*still, *drawing(np.reshape(state, (1, -1)), parameters)])
-            return points + more([], (state,), parameters)
+            return points + more((state,), parameters)
 
         def grabbed(t: Numbers, state: Numbers, parameters: Parameters, target: Numbers) -> list[Numbers]:
-            return grabs([], (target, state), parameters)
+            return grabs((target, state), parameters)
 
         graphs = {"rates": of_rates, "drawn": self._traced(drawn), "grab": self._traced(grabbed)}
         code = "".join(f"{name}(t,s,p,q){{{_body(graph, self.k, self.m)}}}," for name, graph in graphs.items())
@@ -214,24 +222,14 @@ class _Writer:
 
 
 def _composed(functions: Sequence[Function]) -> Callable[..., list[Numbers]]:
-    """One function that appends the numbers of each, called with the same arguments; a closure of closures."""
+    """Return one function that gives the numbers of each, called with the same arguments."""
+    each = [*functions]  # a trace goes into a list of functions
 
-    def nothing(result: list[Numbers], arguments: tuple[Numbers, ...], parameters: Parameters) -> list[Numbers]:
-        return result
+    def composed(arguments: tuple[Numbers, ...], parameters: Parameters) -> list[Numbers]:
+        results = [np.ravel(np.array(function(*arguments, **parameters))) for function in each]
+        return [number for result in results for number in result.tolist()]
 
-    def followed_by(before: Callable[..., list[Numbers]], function: Function) -> Callable[..., list[Numbers]]:
-        def both(result: list[Numbers], arguments: tuple[Numbers, ...], parameters: Parameters) -> list[Numbers]:
-            return [
-                *before(result, arguments, parameters),
-                *np.ravel(np.array(function(*arguments, **parameters))).tolist(),
-            ]
-
-        return both
-
-    combined: Callable[..., list[Numbers]] = nothing
-    for function in functions:
-        combined = followed_by(combined, function)
-    return combined
+    return composed
 
 
 class _OfFloats(type):
@@ -321,23 +319,11 @@ def _evaluated(graph: Graph, inputs: Sequence[float]) -> list[float]:
     def number(value: Value) -> float:
         return values[value.number] if isinstance(value, Symbol) else float(value)
 
+    needed = _needed(graph)
     for symbol in graph.operations:
-        if symbol.number not in _needed(graph):
-            continue
-        arguments = [number(a) for a in symbol.arguments]
-        if not arguments:
+        if symbol.number in needed and symbol.arguments:
+            function = OPERATORS.get(symbol.name) or getattr(math, symbol.name)
+            values[symbol.number] = function(*map(number, symbol.arguments))
+        elif symbol.number in needed:
             values[symbol.number] = 0.0 if symbol.name == "t" else inputs[int(symbol.name[1:])]
-        elif symbol.name in OPERATORS:
-            values[symbol.number] = OPERATORS[symbol.name](*arguments)
-        else:
-            values[symbol.number] = getattr(math, symbol.name)(*arguments)
     return [number(value) for value in graph.rates]
-
-
-OPERATORS: dict[str, Callable[..., float]] = {
-    "+": lambda a, b: a + b,
-    "-": lambda a, b: a - b,
-    "*": lambda a, b: a * b,
-    "/": lambda a, b: a / b,
-    "neg": lambda a: -a,
-}

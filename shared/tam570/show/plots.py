@@ -9,7 +9,16 @@ from tam570.show.scene import Array, TimePlot
 from tam570.show.student import Trouble
 from tam570.values import Function, Numbers
 
-__all__ = ["drift_note", "drift_plot", "energy_plot", "plot_samples", "state_energy_plot", "value_plot", "values"]
+__all__ = [
+    "drift_note",
+    "drift_plot",
+    "energy_plot",
+    "gap_note",
+    "plot_samples",
+    "state_energy_plot",
+    "value_plot",
+    "values",
+]
 
 PLOT_SAMPLES = 400  # of a time plot, which is about as many pixels wide
 LEAST_SPAN = 0.01  # of a time plot of deviations: what is conserved to a pixel in it looks flat, whatever the rounding
@@ -47,9 +56,9 @@ def energy_plot(times: Array, total: Array, potential: Array, title: str = "ener
     total, potential : (m,) J
     """
     kinetic = total - potential
-    scale = float(np.abs(kinetic).max()) or float(np.abs(total).max()) or 1.0
+    scale = float(np.abs(kinetic).max()) or float(np.abs(total).max())
     curves = {"kinetic T": kinetic, "potential V": potential, "total E": total}
-    return value_plot(title, times, curves, "J", *drift_note({"": total}, scale, "the largest kinetic energy"))
+    return value_plot(title, times, curves, "J", *drift_note(total, scale, "the largest kinetic energy"))
 
 
 def state_energy_plot(times: Array, states: Array, positions: int, energy: Callable[[Array], ArrayLike]) -> TimePlot:
@@ -81,28 +90,37 @@ def drift_plot(
     """Plot how far each of the quantities that must not change is from its first value, in percent of a scale.
 
     curves : by name, (m,) numbers or (m, k) vectors
-    scale  : what the deviations are measured by, > 0
+    scale  : what the deviations are measured by; 1 where it is 0
     of     : its name, as in "the largest kinetic energy"
     beside : curves that are shown, and need not be constant
     """
-    moved, others = (
-        {name: 100.0 * _deviation(v, scale) for name, v in some.items()} for some in (curves, beside or {})
-    )
-    shown = {**moved, **others}
+    shown = {name: 100.0 * _deviation(values, scale) for name, values in {**curves, **(beside or {})}.items()}
     half = 1.1 * max(100.0 * LEAST_SPAN / 1.1, *(float(np.abs(curve).max()) for curve in shown.values()))
     caption, alarm = drift_note(curves, scale, of)
     return _drawable(TimePlot(title, _sampled(times), shown, (-half, half), "%", caption, alarm))
 
 
-def drift_note(constants: Mapping[str, ArrayLike], scale: float, of: str) -> tuple[str, bool]:
+def drift_note(
+    constants: Mapping[str, ArrayLike] | ArrayLike, scale: float | None = None, of: str = "itself", about: str = ""
+) -> tuple[str, bool]:
     """Tell the drift of what must not change as one number, and whether it is an alarm.
 
-    constants : by name, (m,) numbers or (m, k) vectors
-    scale, of : what the drift is measured by, > 0, and its name
+    constants : (m,) numbers or (m, k) vectors, or several of them by name
+    scale, of : what the drift is measured by, 1 where it is 0, and its name; the size at the start by default
+    about     : begins the caption
     """
-    largest = max(float(np.abs(_deviation(values, scale)).max()) for values in constants.values())
+    each = [*constants.values()] if isinstance(constants, Mapping) else [constants]
+    scale = float(np.linalg.norm(np.asarray(each[0])[0])) if scale is None else scale
+    largest = max(float(np.abs(_deviation(values, scale)).max()) for values in each)
     alarm = largest > LARGE
-    return f"{'not conserved: ' if alarm else ''}relative drift {largest:.2g} of {of}", alarm
+    return f"{about}{'not conserved: ' if alarm else ''}relative drift {largest:.2g} of {of}", alarm
+
+
+def gap_note(
+    largest: float, limit: float, of: str = "", about: str = "", warning: str = "they differ: "
+) -> tuple[str, bool]:
+    """Tell the largest gap between what should agree, and whether it is an alarm: beyond the limit."""
+    return f"{about}{warning if largest > limit else ''}at most {largest:.2g}{of}", largest > limit
 
 
 def _sampled(curve: ArrayLike) -> Array:
@@ -114,7 +132,7 @@ def _deviation(values: ArrayLike, scale: float) -> Array:
     """(m,) difference from the first value, of a vector its size, as a share of the scale."""
     array = _sampled(values)
     with np.errstate(over="ignore"):
-        moved: Array = (array - array[0]) / scale
+        moved: Array = (array - array[0]) / (scale or 1.0)
     return moved if moved.ndim == 1 else np.linalg.norm(moved, axis=1)
 
 

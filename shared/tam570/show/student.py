@@ -14,7 +14,7 @@ from tam570.loading import Trouble, said
 from tam570.loading import loaded as load_file
 from tam570.values import Function, Numbers
 
-__all__ = ["Student", "Trouble", "load_student", "make_each", "numbers", "rows_missing"]
+__all__ = ["Student", "Trouble", "load_student", "numbers", "rows_missing"]
 
 Array = NDArray[np.float64]
 Made = TypeVar("Made")
@@ -28,23 +28,26 @@ def load_student(file: Path, slug: str) -> ModuleType:
     return module
 
 
-def make_each(notes: list[str], *makers: Callable[[], Made]) -> list[Made]:
-    """Return what can be made of what a scene shows beside the motion; why the rest cannot is added to the notes."""
-    shapes = []
-    for maker in makers:
-        try:
-            shapes.append(maker())
-        except Trouble as trouble:
-            notes.append(str(trouble))
-    return shapes
-
-
 class Student:
-    """`student(name, ...)` calls the function of that name and gives its numbers."""
+    """`student(name, ...)` calls the function of that name and gives its numbers.
+
+    notes : what could not be shown, and why
+    """
 
     def __init__(self, module: ModuleType) -> None:
         self._module = module
         self._file = str(getattr(module, "__file__", None) or "")
+        self.notes: list[str] = []
+
+    def make_each(self, *makers: Callable[[], Made]) -> list[Made]:
+        """Return what can be made of what a scene shows beside the motion; the notes tell why the rest cannot."""
+        shapes = []
+        for maker in makers:
+            try:
+                shapes.append(maker())
+            except Trouble as trouble:
+                self.notes.append(str(trouble))
+        return shapes
 
     def function(self, name: str) -> Function:
         """Return the student's function itself. Trouble if there is none."""

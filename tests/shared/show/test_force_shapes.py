@@ -13,9 +13,8 @@ from tam570.show.student import Student
 DRAWN = [slug for slug in assignments() if NAME in contract(slug)["results"]]
 
 
-def shapes(diagram, notes=None, **how):
-    student = Student(SimpleNamespace(free_body_diagram=diagram))
-    return force_shapes([] if notes is None else notes, student, [0.0, 1.0, 2.0], size=0.5, **how)
+def shapes(diagram, **how):
+    return force_shapes(Student(SimpleNamespace(free_body_diagram=diagram)), [0.0, 1.0, 2.0], size=0.5, **how)
 
 
 def test_arrows_are_where_they_act_and_along_their_direction():
@@ -50,5 +49,5 @@ def test_every_scene_draws_the_diagram(scenes, slug):
 
 @pytest.mark.parametrize("drawn", [None, 3, [1, 2], [((0, 0), "up")], [((0, 0, 0), None)], [((0, np.nan), None)]])
 def test_what_is_no_diagram_is_said(drawn):
-    notes = []
-    assert shapes(lambda x: drawn, notes) == [] and notes[0].startswith("free_body_diagram gives")
+    student = Student(SimpleNamespace(free_body_diagram=lambda x: drawn))
+    assert force_shapes(student, [0.0], size=0.5) == [] and student.notes[0].startswith("free_body_diagram gives")

@@ -287,7 +287,6 @@ function begin() {
   readColors();
   show(shownFirst);
   beginLive();
-  beginLive();
   if (camera) camera.begin();
   byId("keys").textContent = `Keys: space plays and pauses, ← → step, Home, End${camera ? camera.keys : ""}${slider ? `; [ and ] change ${slider.name}` : ""}.${grasped && grasped.handles.length ? " Drag what has a ring to another start." : ""}`;
   byId("scrub").step = "any";

@@ -49,7 +49,8 @@ function drawTimes(context, plot) {
     const x = plotX(plot, time), text = `${Number((scene.start + time).toPrecision(6))}${time + step > duration * 1.0001 ? " s" : ""}`;
     line(context, [[x, height - AXIS], [x, height - AXIS + 4]]);
     context.stroke();
-    context.fillText(text, Math.min(Math.max(x, 8), width - 12), height - 2);
+    const half = context.measureText(text).width / 2;
+    context.fillText(text, Math.min(Math.max(x, half), width - half), height - 2);
   }
   context.textAlign = "start";
 }

@@ -27,7 +27,7 @@ def cradle_and_rod(cradle: Callable[[Array], Array], collide: Function, restitut
     places, about_peg, energies = _rod(times, collide)
     total = about_peg.sum(axis=1)
     momenta = {"of G": about_peg[:, 0], "about G": about_peg[:, 1], "sum": total}
-    caption = drift_note({"": total}, float(np.abs(about_peg).max()), "its largest part")
+    caption = drift_note(total, float(np.abs(about_peg).max()), "its largest part")
     of_cradle = (speeds**2 + GRAVITY * LENGTH * angles**2).sum(axis=1) / 2
     loss = {"cradle": 100 * of_cradle / of_cradle[0], "rod": 100 * energies / energies[0]}
     return Scene(

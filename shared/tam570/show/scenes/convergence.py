@@ -31,8 +31,8 @@ def film(lecture: SimpleNamespace, parameters: Parameters, start: Sequence[float
         f"{name} equations": values(lecture.energy, states, **parameters)
         for name, states in (("right", correct), ("wrong", wrong))
     }
-    scale = float(np.abs(totals["right equations"]).max()) or 1.0
-    drift = drift_note({"": totals["right equations"]}, scale, "itself, by the right")
+    scale = float(np.abs(totals["right equations"]).max())
+    drift = drift_note(totals["right equations"], scale, "itself, by the right")
     handles = rod_handles(2, lambda parameters: parameters["lengths"])
     return Scene(
         "Convergence is not rightness",

@@ -108,6 +108,5 @@ def _energies(frames: SimpleNamespace, times: Array, seen: Array, parameters: Ma
         "centrifugal": -mass * spin**2 * squares,
         "Jacobi's integral": values(frames.jacobi_integral, seen, **parameters),
     }
-    conserved = {"": curves["Jacobi's integral"]}
-    caption = drift_note(conserved, float(curves["kinetic"].max()) or 1.0, "the largest kinetic energy")
-    return value_plot("energies on the turntable", times, curves, "J", *caption)
+    note = drift_note(curves["Jacobi's integral"], float(curves["kinetic"].max()), "the largest kinetic energy")
+    return value_plot("energies on the turntable", times, curves, "J", *note)

@@ -10,7 +10,7 @@ from tam570.show.live import Live, live_if_written
 from tam570.show.plots import energy_plot, plot_samples, value_plot
 from tam570.show.rods import rod_handles
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
-from tam570.show.student import Student, make_each
+from tam570.show.student import Student
 from tam570.values import Function, Numbers, Parameters
 
 __all__ = ["film"]
@@ -24,7 +24,7 @@ MASS = 1.0  # kg
 
 def film(student: Student, rod: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Both let go from the same angle."""
-    times, notes = frame_times(seconds), list[str]()
+    times = frame_times(seconds)
     shape = (len(times), 2)
     full = student("simulate", times, *start, **rod, shape=shape)
     small = student("small_angle_solution", times, *start, **rod, shape=shape)
@@ -35,7 +35,7 @@ def film(student: Student, rod: Parameters, start: Sequence[float], seconds: flo
         Shape("lines", np.array([[0.0, 0.0], [0.0, -1.1 * length]]), GREY, width=1),
         *_pendulum(length, small[:, 0], 1, "small-angle solution"),
         *_draw(full, rod),
-        *force_shapes(notes, student, *full.T, mass=MASS, **rod, size=0.3 * length),
+        *force_shapes(student, *full.T, mass=MASS, **rod, size=0.3 * length),
     ]
     return Scene(
         "Simple pendulum",
@@ -45,9 +45,8 @@ def film(student: Student, rod: Parameters, start: Sequence[float], seconds: flo
         [Panel(shapes), Panel(_phase_plane(full, small), "phase plane", ruler=False)],
         [
             value_plot("angle θ", times, {"full": full[:, 0], "small-angle": small[:, 0]}, "rad"),
-            *make_each(notes, lambda: _energy(student, times, full, rod)),
+            *student.make_each(lambda: _energy(student, times, full, rod)),
         ],
-        notes=notes,
         still_time=0.22,
         live=live_if_written(lambda: _live(student, rod, start)),
     )

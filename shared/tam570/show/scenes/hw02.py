@@ -6,7 +6,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from tam570.show.diagrams import force_shapes
-from tam570.show.plots import value_plot
+from tam570.show.plots import gap_note, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times
 from tam570.show.student import Student, Trouble
 from tam570.values import Parameters
@@ -25,13 +25,13 @@ def film(student: Student, parameters: Parameters) -> Scene:
     best = float(student("best_angle", speed, **ball, shape=()))
     angles = sorted([*map(math.radians, ANGLES), best])
     flights = [float(student("flight_time", speed, angle, **ball, shape=())) for angle in angles]
-    times, notes = frame_times(1.1 * max(flights)), list[str]()
+    times = frame_times(1.1 * max(flights))
     motions = [_both(student, times, angle, flight, speed, ball) for angle, flight in zip(angles, flights, strict=True)]
     pairs = [(numerical[:, :2], closed[:, :2]) for numerical, closed in motions]
     shapes = [part for angle, pair in zip(angles, pairs, strict=True) for part in _throw(*pair, angle == best)]
     farthest = max(closed[:, 0].max() for _, closed in pairs)
     ground = Shape("lines", np.array([[0.0, 0.0], [1.02 * farthest, 0.0]]), GREY, width=2)
-    forces = force_shapes(notes, student, motions[angles.index(best)][0], size=0.08 * farthest, **ball)
+    forces = force_shapes(student, motions[angles.index(best)][0], size=0.08 * farthest, **ball)
     return Scene(
         "Ballistics with drag",
         f"Balls leave one point together at {len(angles)} angles and land one after the other; the farthest is the one "
@@ -39,7 +39,6 @@ def film(student: Student, parameters: Parameters) -> Scene:
         times,
         [Panel([ground, *shapes, *forces])],
         [_heights(times, angles, pairs, farthest)],
-        notes=notes,
         still_time=0.45,
     )
 
@@ -71,7 +70,6 @@ def _throw(numerical: Array, closed: Array, best: bool) -> list[Shape]:
 
 def _heights(times: Array, angles: list[float], pairs: list[tuple[Array, Array]], farthest: float) -> TimePlot:
     gaps = np.max([np.linalg.norm(path - other, axis=1) for path, other in pairs], axis=0)
-    largest = float(gaps.max()) / farthest
-    caption = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.2g} of the range"
+    note = gap_note(float(gaps.max()) / farthest, LARGE, " of the range", "from the closed form: ")
     heights = {f"{math.degrees(a):.0f}°": numerical[:, 1] for a, (numerical, _) in zip(angles, pairs, strict=True)}
-    return value_plot("height", times, heights, "m", f"from the closed form: {caption}", largest > LARGE)
+    return value_plot("height", times, heights, "m", *note)

@@ -3,9 +3,9 @@
 import numpy as np
 
 from tam570.show.drawing import axes
-from tam570.show.plots import plot_samples, value_plot
+from tam570.show.plots import gap_note, plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
-from tam570.show.student import Student, make_each
+from tam570.show.student import Student
 from tam570.values import Numbers, Parameters
 
 __all__ = ["film"]
@@ -23,7 +23,7 @@ STEP = 1e-4  # s, of the differences
 
 def film(student: Student, parameters: Parameters) -> Scene:
     """Two points go round, each its own way."""
-    times, notes, mass = frame_times(SECONDS), list[str](), parameters["mass"]
+    times, mass = frame_times(SECONDS), parameters["mass"]
     motion = [*_moves(P, times), *_moves(C, times)]
     r_p, v_p, a_p, r_c, v_c, _ = motion
     momenta = {
@@ -45,11 +45,10 @@ def film(student: Student, parameters: Parameters) -> Scene:
             Panel([*_points(r_p, r_c), *momentum_arrows], "angular momentum"),
             Panel([*_points(r_p, r_c), *moment_arrows], "its rate, and the moment"),
         ],
-        make_each(
-            notes, lambda: _discrepancies(student, times, motion, mass), lambda: _checked(student, times, rates, mass)
+        student.make_each(
+            lambda: _discrepancies(student, times, motion, mass), lambda: _checked(student, times, rates, mass)
         ),
         view=(0.9, 0.5),
-        notes=notes,
         still_time=0.3,
     )
 
@@ -104,10 +103,9 @@ def _checked(student: Student, times: Array, rates: dict[str, Array], mass: floa
         for d in DEFINITIONS
     }
     largest = max(float(rate.max()) for rate in off.values()) / 100
-    caption = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.2g} of the largest rate"
+    note = gap_note(largest, LARGE, " of the largest rate", "dH/dt by differences: ")
     sizes = {f"({d})": np.linalg.norm(rates[d][shown], axis=1) for d in DEFINITIONS}
-    caption = f"dH/dt by differences: {caption}"
-    return value_plot("rate(), size", times[shown], sizes, "N m", caption, alarm=largest > LARGE)
+    return value_plot("rate(), size", times[shown], sizes, "N m", *note)
 
 
 def _differences(student: Student, definition: str, times: Array, mass: float) -> Array:

@@ -11,7 +11,7 @@ from tam570.show.drawing import axes, circle
 from tam570.show.live import Live, drag, energies, live_if_written
 from tam570.show.plots import state_energy_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
-from tam570.show.student import Student, make_each
+from tam570.show.student import Student
 from tam570.values import Numbers, Parameters
 
 __all__ = ["film"]
@@ -25,24 +25,23 @@ VIEWS = {"by project(), along x": (0.0, 0.0), "by project(), from above": (-pi /
 
 def film(student: Student, spring: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return the mass in space, and two projections of it at right angles."""
-    times, notes = frame_times(seconds), list[str]()
+    times = frame_times(seconds)
     r, v = np.array(start[:3]), np.array(start[3:])
     states = student("simulate", times, r, v, **spring, shape=(len(times), 6))
     shapes = [
-        *make_each(notes, lambda: _ellipse(student, r, v, spring)),
+        *student.make_each(lambda: _ellipse(student, r, v, spring)),
         *_draw(states, spring),
-        *force_shapes(notes, student, states, **spring, size=0.5, origin=(0.0, 0.0, 0.0)),
+        *force_shapes(student, states, **spring, size=0.5, origin=(0.0, 0.0, 0.0)),
     ]
-    flat = make_each(notes, *(lambda title=title: _projected(student, states[:, :3], title) for title in VIEWS))
+    flat = student.make_each(*(lambda title=title: _projected(student, states[:, :3], title) for title in VIEWS))
     return Scene(
         "Mass on a zero-rest-length spring",
         "A mass on a spring from the origin goes round an ellipse in space, again and again. Beside it the same path, "
         "projected on two planes at right angles.",
         times,
         [Panel(shapes), *flat],
-        make_each(notes, lambda: state_energy_plot(times, states, 3, partial(student.each, "energy", **spring))),
+        student.make_each(lambda: state_energy_plot(times, states, 3, partial(student.each, "energy", **spring))),
         view=(0.6, 0.4),
-        notes=notes,
         still_time=0.2,
         live=live_if_written(lambda: _live(student, spring, start)),
     )

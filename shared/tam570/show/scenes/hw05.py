@@ -11,7 +11,7 @@ from tam570.show.drawing import unit_circle
 from tam570.show.live import Handle, Live, energies, live_if_written
 from tam570.show.plots import drift_note, plot_samples, state_energy_plot, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
-from tam570.show.student import Student, make_each
+from tam570.show.student import Student
 from tam570.values import Numbers, Parameters
 
 __all__ = ["film"]
@@ -25,15 +25,15 @@ ARROW = 0.15  # of the length, for the weight
 
 def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Let go at rest next to the top."""
-    times, notes, length = frame_times(seconds), list[str](), parameters["length"]
+    times, length = frame_times(seconds), parameters["length"]
     states = student("simulate", times, np.array(start), **parameters, shape=(len(times), 4))
     energy = {name: parameters[name] for name in ("mass", "gravity")}
     rod = student.each("wireframe", states, length=length, shape=(1, 2, 2))[:, 0]
     shapes = [
         Shape("path", length * unit_circle(121), GREY, "the circle", width=1.5),
         Shape("lines", rod, GREY, "rod", width=2),
-        *force_shapes(notes, student, states, **parameters, size=0.3 * length),
-        *(shape for pair in make_each(notes, lambda: _forces(student, states, parameters)) for shape in pair),
+        *force_shapes(student, states, **parameters, size=0.3 * length),
+        *(shape for pair in student.make_each(lambda: _forces(student, states, parameters)) for shape in pair),
         Shape("dot", np.zeros((1, 2)), INK, width=5),
         Shape("dot", rod[:, 1:], 1, "particle", width=10),
     ]
@@ -43,12 +43,10 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
         "the top and returns. An arrow shows the force of the rod.",
         times,
         [Panel(shapes)],
-        make_each(
-            notes,
+        student.make_each(
             lambda: state_energy_plot(times, states, 2, partial(student.each, "energy", **energy)),
             lambda: _rod(student, times, states, parameters),
         ),
-        notes=notes,
         still_time=0.13,
         live=live_if_written(lambda: _live(student, parameters, start)),
     )
@@ -97,5 +95,5 @@ def _rod(student: Student, times: Array, states: Array, parameters: Parameters) 
     force = student.each("constraint_force", states[shown], **parameters, shape=(2,))
     distance = np.hypot(*states[shown, :2].T)
     pull = -np.einsum("ni,ni->n", force, states[shown, :2]) / distance
-    caption, alarm = drift_note({"": distance}, parameters["length"], "the length")
-    return value_plot("pull of the rod", times[shown], {"": pull}, "N", f"distance from the hinge: {caption}", alarm)
+    note = drift_note(distance, parameters["length"], "the length", "distance from the hinge: ")
+    return value_plot("pull of the rod", times[shown], {"": pull}, "N", *note)

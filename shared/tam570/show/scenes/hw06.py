@@ -8,7 +8,7 @@ from tam570.show.diagrams import force_shapes
 from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times
-from tam570.show.student import Student, Trouble, make_each
+from tam570.show.student import Student, Trouble
 from tam570.values import Numbers, Parameters
 
 __all__ = ["film"]
@@ -31,7 +31,7 @@ HALF_WIDTH, OVERHANG, WHEEL, ARROW = 0.8, 0.7, 0.32, 2.0  # m
 
 def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Both go straight ahead at the same speed, but for the same small yaw rate."""
-    times, notes = frame_times(seconds), list[str]()
+    times = frame_times(seconds)
     shape = (len(times), 5)
     motions = {
         locked: student("simulate", times, np.array(start), locked, **parameters, shape=shape) for locked in LANES
@@ -40,7 +40,7 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
     shapes = [Shape("lines", np.array([[-4.0, y], [ends, y]]), GREY, width=1, faint=True) for y in LANES.values()]
     for locked, states in motions.items():
         shapes += _car(states, locked, LANES[locked], parameters)
-        shapes += _forces(notes, student, states, locked, parameters)
+        shapes += _forces(student, states, locked, parameters)
     headings = {f"{locked} locked": np.degrees(states[:, 2]) for locked, states in motions.items()}
     return Scene(
         "Braking with one axle locked",
@@ -49,10 +49,9 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
         times,
         [Panel(shapes)],
         [
-            *make_each(notes, lambda: _energy(student, times, motions, parameters)),
+            *student.make_each(lambda: _energy(student, times, motions, parameters)),
             value_plot("heading", times, headings, "°", least=10.0),
         ],
-        notes=notes,
         still_time=0.45,
         live=live_if_written(lambda: _live(student, parameters, start, shapes[:2])),
     )
@@ -123,10 +122,10 @@ def _car(states: Array, locked: str, y: float, parameters: Parameters) -> list[S
     ]
 
 
-def _forces(notes: list[str], student: Student, states: Array, locked: str, parameters: Parameters) -> list[Shape]:
+def _forces(student: Student, states: Array, locked: str, parameters: Parameters) -> list[Shape]:
     arguments = {name: value for name, value in parameters.items() if name != "yaw_inertia"}
     lane = [0.0, LANES[locked]]
-    return force_shapes(notes, student, states, [locked] * len(states), size=ARROW, origin=lane, **arguments)
+    return force_shapes(student, states, [locked] * len(states), size=ARROW, origin=lane, **arguments)
 
 
 def _wheels(at: float) -> Array:
@@ -146,8 +145,8 @@ def _energy(student: Student, times: Array, motions: dict[str, Array], parameter
     scale = max(abs(float(values[0])) for values in sums.values())
     if not scale:
         raise Trouble("kinetic_energy gives 0 for a car that moves")
-    caption, alarm = drift_note(sums, scale, "the energy at the start")
-    return value_plot("kinetic energy", times[shown], energies, "kJ", f"less work of friction: {caption}", alarm)
+    note = drift_note(sums, scale, "the energy at the start", "less work of friction: ")
+    return value_plot("kinetic energy", times[shown], energies, "kJ", *note)
 
 
 def _work(student: Student, states: Array, locked: str, parameters: Parameters) -> Array:

@@ -10,7 +10,7 @@ from tam570.show.live import Live, energies, live_if_written
 from tam570.show.plots import state_energy_plot, value_plot
 from tam570.show.rods import joints, rod_handles
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
-from tam570.show.student import Student, make_each
+from tam570.show.student import Student
 from tam570.values import Json, Numbers, Parameters
 
 __all__ = ["film"]
@@ -23,7 +23,7 @@ SECONDS = 20.0
 
 def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return the motion of part (d)."""
-    times, notes = frame_times(seconds), list[str]()
+    times = frame_times(seconds)
     arguments: Json = {name: np.array(parameters[name]) for name in ("masses", "lengths")}
     arguments["gravity"] = parameters["gravity"]
     theta, omega = np.array(start[:2]), np.array(start[2:])
@@ -38,22 +38,20 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
         "Two bars hang one below the other from a hinge. They start level and at rest, fall, and tumble; a trail "
         "shows the path of the tip.",
         times,
-        [Panel([*_bars(bars[:, 0], bars[:, 1]), *_forces(notes, student, states, arguments)])],
+        [Panel([*_bars(bars[:, 0], bars[:, 1]), *_forces(student, states, arguments)])],
         [
-            *make_each(notes, lambda: state_energy_plot(times, states, 2, energy)),
+            *student.make_each(lambda: state_energy_plot(times, states, 2, energy)),
             value_plot("angles", times, {"θ1": states[:, 0], "θ2": states[:, 1]}, "rad"),
         ],
-        notes=notes,
         live=live_if_written(lambda: _live(student, parameters, start)),
     )
 
 
-def _forces(notes: list[str], student: Student, states: Array, parameters: Parameters) -> list[Shape]:
+def _forces(student: Student, states: Array, parameters: Parameters) -> list[Shape]:
     """Return the forces that the student draws on either bar."""
     size, shapes = 0.3 * float(np.mean(parameters["lengths"])), list[Shape]()
     for bar in (1, 2):
         shapes += force_shapes(
-            notes,
             student,
             *([bar] * len(states), states[:, :2]),
             size=size,

@@ -3,10 +3,11 @@
 import numpy as np
 
 from tam570.arguments import array
+from tam570.invariants import rotation_defect
 from tam570.show.drawing import axes
-from tam570.show.plots import plot_samples, value_plot
+from tam570.show.plots import gap_note, plot_samples, value_plot
 from tam570.show.scene import Array, Panel, Scene, Shape, TimePlot, frame_times
-from tam570.show.student import Student, make_each
+from tam570.show.student import Student
 from tam570.values import Parameters
 
 __all__ = ["film"]
@@ -20,7 +21,7 @@ LARGE = 1e-9  # of the length; a few roundings make 1e-15
 
 def film(student: Student, parameters: Parameters) -> Scene:
     """One full turn."""
-    times, notes, axis = frame_times(SECONDS), list[str](), array((3,), axis=parameters["axis"])
+    times, axis = frame_times(SECONDS), array((3,), axis=parameters["axis"])
     angles = RATE * times
     rotations = student.each("rotation_matrix", [axis] * len(times), angles, shape=(3, 3))
     corners = SIZE / 2 * np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
@@ -32,7 +33,7 @@ def film(student: Student, parameters: Parameters) -> Scene:
         Shape("lines", 1.3 * np.array([-n, n]), 3, "axis", width=2.5),
         Shape("fill", turned[:, [1, 3, 7, 5]], 0, faint=True),
         Shape("lines", turned[:, np.ravel(ends)], 0, "box by rotation_matrix()", width=2.5),
-        *make_each(notes, lambda: _corner(student, corners[-1], axis, angles)),
+        *student.make_each(lambda: _corner(student, corners[-1], axis, angles)),
     ]
     return Scene(
         "Axis and angle",
@@ -41,9 +42,8 @@ def film(student: Student, parameters: Parameters) -> Scene:
         [Panel(shapes, ruler=False)],
         [
             _defect(times, rotations),
-            *make_each(notes, lambda: _apart(student, times, axis, turned[:, -1], corners[-1])),
+            *student.make_each(lambda: _apart(student, times, axis, turned[:, -1], corners[-1])),
         ],
-        notes=notes,
     )
 
 
@@ -54,12 +54,9 @@ def _corner(student: Student, corner: Array, axis: Array, angles: Array) -> Shap
 
 
 def _defect(times: Array, rotations: Array) -> TimePlot:
-    R = rotations
-    off = np.abs(np.swapaxes(R, 1, 2) @ R - np.eye(3)).max(axis=(1, 2))
-    largest = float(off.max())
-    caption = f"RᵀR - I is {'not zero: ' if largest > LARGE else ''}at most {largest:.2g}"
-    entries = {f"R{i + 1}{i + 1}": R[:, i, i] for i in range(3)}
-    return value_plot("on the diagonal of R", times, entries, "", caption, largest > LARGE)
+    note = gap_note(float(rotation_defect(rotations).max()), LARGE, about="RᵀR - I is ", warning="not zero: ")
+    entries = {f"R{i + 1}{i + 1}": rotations[:, i, i] for i in range(3)}
+    return value_plot("on the diagonal of R", times, entries, "", *note)
 
 
 def _apart(student: Student, times: Array, axis: Array, by_matrix: Array, corner: Array) -> TimePlot:

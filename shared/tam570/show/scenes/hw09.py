@@ -6,10 +6,11 @@ from functools import partial
 import numpy as np
 
 from tam570.arguments import positives
+from tam570.invariants import rotation_defect
 from tam570.show.drawing import axes, box_face
-from tam570.show.plots import value_plot
+from tam570.show.plots import gap_note, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times
-from tam570.show.student import Student, make_each
+from tam570.show.student import Student
 from tam570.values import Parameters
 
 __all__ = ["film"]
@@ -23,7 +24,7 @@ LARGE = 1e-9
 
 def film(student: Student, parameters: Parameters) -> Scene:
     """Both orders side by side; the axes are fixed in space."""
-    times, notes, size = frame_times(SECONDS), list[str](), np.array(positives(3, size=parameters["size"]))
+    times, size = frame_times(SECONDS), np.array(positives(3, size=parameters["size"]))
     turned = {title: _turns(student, times, order) for title, order in ORDERS.items()}
     before = student("book_edges", np.eye(3), size=size, shape=(12, 2, 3)).reshape(24, 3)
     panels = []
@@ -34,7 +35,7 @@ def film(student: Student, parameters: Parameters) -> Scene:
             Shape("lines", before, GREY, "before", width=1.5),
             Shape("fill", box_face(rotations, size), i, faint=True),
             Shape("lines", edges, i, f"book ({'ab'[i]})", width=2.5),
-            *make_each(notes, partial(_axis, student, rotations[-1])),
+            *student.make_each(partial(_axis, student, rotations[-1])),
         ]
         panels.append(Panel(shapes, title, ruler=False))
     return Scene(
@@ -44,7 +45,6 @@ def film(student: Student, parameters: Parameters) -> Scene:
         times,
         panels,
         [_angles(times, turned)],
-        notes=notes,
         still_time=1.0,
     )
 
@@ -69,11 +69,10 @@ def _axis(student: Student, R: Array) -> Shape:
 
 
 def _angles(times: Array, turned: dict[str, Array]) -> TimePlot:
-    off, angles = {}, {}
-    for title, rotations in turned.items():
-        R = rotations
-        off[title[:3]] = np.abs(np.swapaxes(R, 1, 2) @ R - np.eye(3)).max(axis=(1, 2))
-        angles[title[:3]] = np.degrees(np.arccos(np.clip((np.trace(R, axis1=1, axis2=2) - 1) / 2, -1.0, 1.0)))
-    largest = max(float(defect.max()) for defect in off.values())
-    caption = f"{'no rotation: ' if largest > LARGE else ''}RᵀR - I is at most {largest:.2g}"
-    return value_plot("angle of the one turn that does the same", times, angles, "°", caption, largest > LARGE)
+    largest = float(rotation_defect([*turned.values()]).max())
+    note = gap_note(largest, LARGE, about="RᵀR - I is ", warning="not zero: ")
+    angles = {
+        title[:3]: np.degrees(np.arccos(np.clip((np.trace(R, axis1=1, axis2=2) - 1) / 2, -1.0, 1.0)))
+        for title, R in turned.items()
+    }
+    return value_plot("angle of the one turn that does the same", times, angles, "°", *note)

@@ -9,7 +9,7 @@ from tam570.show.drawing import box_face, brick, circle, cone
 from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
-from tam570.show.student import Student, Trouble, make_each
+from tam570.show.student import Student, Trouble
 from tam570.values import Numbers, Parameters
 
 __all__ = ["film"]
@@ -25,14 +25,14 @@ UP = np.eye(3)[2]
 
 def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Both bodies are thrown at once."""
-    times, notes, spin = frame_times(seconds), list[str](), np.array(start)
+    times, spin = frame_times(seconds), np.array(start)
     inertia = _inertia(parameters["mass"], parameters["size"])
     if not spin.any():
         raise Trouble("start: a body at rest shows nothing; set start.omega_b, say")
     omegas, rotations = _motion(student, times, _attitude(spin, inertia), spin, inertia)
-    box = _box(student, notes, rotations, omegas, inertia, np.array(parameters["size"]))
+    box = _box(student, rotations, omegas, inertia, np.array(parameters["size"]))
     panels = [Panel(box, "box in space", ruler=False)]
-    panels += make_each(notes, lambda: _ellipsoids(student, omegas, inertia), lambda: _disk(student, times))
+    panels += student.make_each(lambda: _ellipsoids(student, omegas, inertia), lambda: _disk(student, times))
     return Scene(
         "Free rigid body",
         "A box that spins about its middle axis flips over, and back, again and again, while its angular "
@@ -41,13 +41,11 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
         "two points of its rim run on tilted circles.",
         times,
         panels,
-        make_each(
-            notes,
+        student.make_each(
             lambda: _energy(student, times, omegas, inertia),
             lambda: _momentum(student, times, omegas, rotations, inertia),
         ),
         view=(0.6, 0.3),
-        notes=notes,
         still_time=0.34,
         live=live_if_written(lambda: _live(student, inertia, np.array(parameters["size"]), spin)),
     )
@@ -112,16 +110,14 @@ def _motion(student: Student, times: Array, R: Array, omega: Array, inertia: Arr
     return omegas, rotations
 
 
-def _box(
-    student: Student, notes: list[str], rotations: Array, omegas: Array, inertia: Array, size: Array
-) -> list[Shape]:
+def _box(student: Student, rotations: Array, omegas: Array, inertia: Array, size: Array) -> list[Shape]:
     edges = student.each("wireframe", rotations, size=size, shape=(12, 2, 3)).reshape(-1, 24, 3)
     omega = _in_space(rotations, omegas)
     reach = 1.5 / np.linalg.norm(omegas[0])  # m per rad/s
     return [
         Shape("fill", box_face(rotations, size), 0, faint=True),
         Shape("lines", edges, 0, "box", width=2.5),
-        *make_each(notes, lambda: _momentum_arrow(student, rotations, omegas, inertia)),
+        *student.make_each(lambda: _momentum_arrow(student, rotations, omegas, inertia)),
         Shape("arrow", moving(np.zeros(3), reach * omega), 1, "angular velocity", width=2.5),
         Shape("trail", moving(rotations[:, :, 1] * size[1] / 2), 4, "end of the middle axis", width=1.2),
     ]
@@ -229,13 +225,12 @@ def _once_round(vectors: Array) -> Array:
 def _energy(student: Student, times: Array, omegas: Array, inertia: Array) -> TimePlot:
     energy = student.each("energy", omegas[plot_samples(times)], inertia=inertia)
     curves = {f"omega {name}": part for name, part in zip("ABC", omegas.T, strict=True)}
-    caption, alarm = drift_note({"": energy}, abs(energy[0]) or 1.0, "itself")
-    return value_plot("angular velocity in the body", times, curves, "rad/s", f"energy: {caption}", alarm)
+    return value_plot("angular velocity in the body", times, curves, "rad/s", *drift_note(energy, about="energy: "))
 
 
 def _momentum(student: Student, times: Array, omegas: Array, rotations: Array, inertia: Array) -> TimePlot:
     shown = plot_samples(times)
     H = student.each("angular_momentum", rotations[shown], omegas[shown], inertia=inertia, shape=(3,))
     curves = {f"H {name}": part for name, part in zip("ABC", (inertia * omegas[shown]).T, strict=True)}
-    caption, alarm = drift_note({"": H}, float(np.linalg.norm(H[0])) or 1.0, "itself")
-    return value_plot("angular momentum in the body", times[shown], curves, "kg m²/s", f"in space: {caption}", alarm)
+    note = drift_note(H, about="in space: ")
+    return value_plot("angular momentum in the body", times[shown], curves, "kg m²/s", *note)

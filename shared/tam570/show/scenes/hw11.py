@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from tam570.show.drawing import circle, floor
-from tam570.show.plots import plot_samples, value_plot
+from tam570.show.plots import gap_note, plot_samples, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
-from tam570.show.student import Student, make_each
+from tam570.show.student import Student
 from tam570.values import Parameters
 
 __all__ = ["film"]
@@ -40,11 +40,11 @@ class Circling:
 
 def film(student: Student, parameters: Parameters) -> Scene:
     """Three coins on one floor about one centre."""
-    times, notes = frame_times(SECONDS), list[str]()
+    times = frame_times(SECONDS)
     arguments, radius = {name: parameters[name] for name in ALL}, parameters["radius"]
     tracks = zip(parameters["leans"], parameters["track_radii"], strict=True)
     coins = [_rolling(student, lean, track_radius, arguments) for lean, track_radius in tracks]
-    coins += make_each(notes, lambda: _settling(student, parameters["settling_lean"], arguments))
+    coins += student.make_each(lambda: _settling(student, parameters["settling_lean"], arguments))
     reach = max(abs(coin.track_radius) for coin in coins) + radius
     shapes = [floor((-reach, -reach), (reach, reach), 0.1)]
     for color, coin in enumerate(coins):
@@ -55,9 +55,8 @@ def film(student: Student, parameters: Parameters) -> Scene:
         "the middle turns about a diameter, its centre at rest, like a coin that settles.",
         times,
         [Panel(shapes)],
-        make_each(notes, lambda: _residuals(student, times, coins, arguments)),
+        student.make_each(lambda: _residuals(student, times, coins, arguments)),
         view=(0.5, 0.6),
-        notes=notes,
         still_time=0.1,
     )
 
@@ -102,8 +101,8 @@ def _residuals(student: Student, times: Array, coins: list[Circling], parameters
     weight = parameters["mass"] * parameters["gravity"] * parameters["radius"]
     off = {f"lean {c.lean:g}": np.full(2, 100.0 * _residual(student, c, parameters) / weight) for c in coins}
     largest = max(float(np.abs(residual).max()) for residual in off.values()) / 100.0
-    caption = f"{'not steady: ' if largest > LARGE else ''}at most {largest:.2g} of m g a"
-    return value_plot("moment_residual()", times[shown], off, "%", caption, alarm=largest > LARGE, least=1.0)
+    note = gap_note(largest, LARGE, " of m g a", warning="not steady: ")
+    return value_plot("moment_residual()", times[shown], off, "%", *note, least=1.0)
 
 
 def _residual(student: Student, coin: Circling, parameters: Parameters) -> float:

@@ -8,7 +8,7 @@ from tam570.show.diagrams import force_shapes
 from tam570.show.live import Handle, Live, energies, live_if_written
 from tam570.show.plots import state_energy_plot, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
-from tam570.show.student import Student, make_each
+from tam570.show.student import Student
 from tam570.values import Numbers, Parameters
 
 __all__ = ["film"]
@@ -22,15 +22,15 @@ ARROW = 0.4  # m, of the weight
 
 def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return the bead, and the forces on it as a polygon that closes with m a."""
-    times, notes = frame_times(seconds), list[str]()
+    times = frame_times(seconds)
     wire = {name: parameters[name] for name in ("curvature", "gravity")}
     states = student("simulate", times, *start, **wire, shape=(len(times), 2))
     bead = _on_wire(states[:, 0], parameters["curvature"])
     reach = max(1.15 * abs(start[0]), 1.02 * float(np.abs(states[:, 0]).max()))
     shapes = [
         Shape("path", _on_wire(np.linspace(-reach, reach, 161), parameters["curvature"]), GREY, "wire", width=3),
-        *(shape for three in make_each(notes, lambda: _forces(student, states, parameters)) for shape in three),
-        *force_shapes(notes, student, states[:, 0], size=ARROW, **parameters),
+        *(shape for three in student.make_each(lambda: _forces(student, states, parameters)) for shape in three),
+        *force_shapes(student, states[:, 0], size=ARROW, **parameters),
         Shape("dot", bead[:, None], 0, "bead", width=8),
     ]
 
@@ -44,10 +44,9 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
         times,
         [Panel(shapes)],
         [
-            *make_each(notes, lambda: state_energy_plot(times, states, 1, energy)),
+            *student.make_each(lambda: state_energy_plot(times, states, 1, energy)),
             value_plot("x and v", times, {"x (m)": states[:, 0], "v (m/s)": states[:, 1]}, ""),
         ],
-        notes=notes,
         still_time=0.03,
         live=live_if_written(lambda: _live(student, parameters, start)),
     )

@@ -11,7 +11,7 @@ from tam570.show.drawing import circle
 from tam570.show.live import Handle, Live, energies, live_if_written
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
-from tam570.show.student import Student, Trouble, make_each
+from tam570.show.student import Student, Trouble
 from tam570.values import Numbers, Parameters
 
 __all__ = ["film"]
@@ -32,11 +32,11 @@ BALANCED = "by the balance about G"  # title of a panel
 
 def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Pushed off with the centre of mass lowest."""
-    times, notes = frame_times(seconds), list[str]()
+    times = frame_times(seconds)
     correct = student("simulate", times, *start, **parameters, shape=(len(times), 2))
-    wrong = make_each(notes, lambda: _naive(student, times, start, parameters))
+    wrong = student.make_each(lambda: _naive(student, times, start, parameters))
     farthest = max(float(np.abs(states[:, 0]).max()) for states in (correct, *wrong))
-    shapes = _rolling(correct[:, 0], 0, farthest, parameters) + _forces(notes, student, correct[:, 0], parameters)
+    shapes = _rolling(correct[:, 0], 0, farthest, parameters) + _forces(student, correct[:, 0], parameters)
     panels = [Panel(shapes, BALANCED)]
     panels += [
         Panel(_rolling(states[:, 0], 1, farthest, parameters), "as M_C = I^C φ'' would have it") for states in wrong
@@ -47,8 +47,7 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
         "cylinder as the naive equation has it rolls otherwise.",
         times,
         panels,
-        make_each(notes, lambda: _energy(student, times, correct, wrong, parameters)),
-        notes=notes,
+        student.make_each(lambda: _energy(student, times, correct, wrong, parameters)),
         still_time=0.7,
         live=live_if_written(lambda: _live(student, parameters, start, farthest)),
     )
@@ -88,13 +87,13 @@ def _naive(student: Student, times: Array, start: Sequence[float], parameters: P
         raise Trouble(f"naive_contact_acceleration cannot be integrated: {error}") from error
 
 
-def _forces(notes: list[str], student: Student, phi: Array, parameters: Parameters) -> list[Shape]:
+def _forces(student: Student, phi: Array, parameters: Parameters) -> list[Shape]:
     """Return the forces that the student draws, in axes down the ramp and off it from the centre of the cylinder."""
     slope, radius = parameters["slope"], parameters["radius"]
     axes = np.array([[np.cos(slope), -np.sin(slope)], [np.sin(slope), np.cos(slope)]])
     arguments = {name: parameters[name] for name in ("mass", "radius", "offset", "slope", "gravity")}
     origin = np.column_stack([radius * phi, np.full_like(phi, radius)]) @ axes
-    return force_shapes(notes, student, phi, size=1.2 * radius, origin=origin, axes=axes, **arguments)
+    return force_shapes(student, phi, size=1.2 * radius, origin=origin, axes=axes, **arguments)
 
 
 def _rolling(phi: Array, color: int, farthest: float, parameters: Parameters) -> list[Shape]:
@@ -128,6 +127,6 @@ def _energy(student: Student, times: Array, correct: Array, wrong: list[Array], 
     motions = dict(zip(("by G", "naive"), [correct, *wrong], strict=False))
     total = {name: student.each("energy", *states[shown].T, **parameters) for name, states in motions.items()}
     at_rest = student.each("energy", correct[shown, 0], 0 * shown, **parameters)
-    scale = float(np.abs(total["by G"] - at_rest).max()) or 1.0
-    caption, alarm = drift_note({"": total["by G"]}, scale, "the largest kinetic energy")
-    return value_plot("energy", times[shown], total, "J", f"by G: {caption}", alarm)
+    largest = float(np.abs(total["by G"] - at_rest).max())
+    note = drift_note(total["by G"], largest, "the largest kinetic energy", "by G: ")
+    return value_plot("energy", times[shown], total, "J", *note)

@@ -9,9 +9,9 @@ import numpy as np
 from tam570.show.diagrams import force_shapes
 from tam570.show.drawing import circle, floor
 from tam570.show.live import Handle, Live, energies, live_if_written
-from tam570.show.plots import state_energy_plot, value_plot
+from tam570.show.plots import gap_note, state_energy_plot, value_plot
 from tam570.show.scene import Array, Panel, Scene, Shape, TimePlot, frame_times, moving
-from tam570.show.student import Student, make_each
+from tam570.show.student import Student
 from tam570.values import Numbers, Parameters
 
 __all__ = ["film"]
@@ -35,7 +35,7 @@ LARGE = 1e-3  # of the radius, between the two simulations
 
 def film(student: Student, disk: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return a disk that is rolled off with a lean."""
-    times, notes = frame_times(seconds), list[str]()
+    times = frame_times(seconds)
     states = student("simulate_euler", times, np.array(start), **disk, shape=(len(times), 8))
     frame = student.each("wireframe", states, radius=disk["radius"], sides=SIDES, shape=(SIDES + 2, 2, 3))
     rim, diameters = frame[:, :SIDES, 0], frame[:, SIDES:].reshape(-1, 4, 3)
@@ -48,7 +48,7 @@ def film(student: Student, disk: Parameters, start: Sequence[float], seconds: fl
         Shape("path", np.concatenate([rim, rim[:, :1]], axis=1), 0, "disk", width=3),
         Shape("lines", diameters, 0, width=1.5),
         Shape("dot", contact[:, None], 1, width=4),
-        *force_shapes(notes, student, states, size=disk["radius"], origin=(0.0, 0.0, 0.0), **parameters),
+        *force_shapes(student, states, size=disk["radius"], origin=(0.0, 0.0, 0.0), **parameters),
     ]
     return Scene(
         "Rolling disk",
@@ -56,13 +56,11 @@ def film(student: Student, disk: Parameters, start: Sequence[float], seconds: fl
         "loops or waves.",
         times,
         [Panel(shapes)],
-        make_each(
-            notes,
+        student.make_each(
             lambda: state_energy_plot(times, states, 5, partial(student.each, "energy", **disk)),
             lambda: _tilt(student, times, states, frame, disk),
         ),
         view=(0.4, 0.5),
-        notes=notes,
         live=live_if_written(lambda: _live(student, disk, start, [shapes[0]])),
     )
 
@@ -106,7 +104,5 @@ def _tilt(student: Student, times: Array, states_by_angles: Array, frame: Array,
     first = student("matrix_state", states_by_angles[0], radius=disk["radius"], shape=(15,))
     states = student("simulate_matrix", times, first, **disk, shape=(len(times), 15))
     off = np.linalg.norm(states[:, :3] - frame[:, -1].mean(axis=1), axis=1)
-    largest = float(off.max()) / disk["radius"]
-    caption = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.2g} of the radius"
-    tilt = {"": np.degrees(states_by_angles[:, 3])}
-    return value_plot("tilt", times, tilt, "°", f"by matrices and by Euler angles: {caption}", largest > LARGE)
+    note = gap_note(off.max() / disk["radius"], LARGE, " of the radius", "by matrices and by Euler angles: ")
+    return value_plot("tilt", times, {"": np.degrees(states_by_angles[:, 3])}, "°", *note)

@@ -42,7 +42,6 @@ def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Seque
 
 
 def _one(times: Array, states: Array, energy: Numbers, parameters: Mapping[str, float]) -> Scene:
-    energies = values(energy, states, **parameters)
     return Scene(
         "Chaplygin's sleigh",
         "A sleigh on ice glides on one blade that cannot slip sideways. It starts with its centre of mass behind the "
@@ -60,7 +59,7 @@ def _one(times: Array, states: Array, energy: Numbers, parameters: Mapping[str, 
                 times,
                 {"speed": states[:, 3], "k yaw rate": _gyration(parameters) * states[:, 4]},
                 "m/s",
-                *drift_note({"energy": energies}, energies[0] or 1.0, "the energy"),
+                *drift_note(values(energy, states, **parameters), of="the energy"),
             ),
         ],
         still_time=0.5,

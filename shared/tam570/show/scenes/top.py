@@ -44,7 +44,7 @@ def tops(
         part for color, states in enumerate(steadily) for part in _top(states, color, ("slow", "fast")[color])
     ]
     changes = {name.replace("_", " "): _shares(law, free) for name, law in laws.items()}
-    caption, alarm = drift_note(changes, 1.0, "energy and both momenta")
+    drift = drift_note(changes, 1.0, "energy and both momenta")
     return Scene(
         "Heavy top",
         "One top three times. Let go at rest it nods, and the end of its axis draws cusps. Started as it should be it "
@@ -57,7 +57,7 @@ def tops(
         ],
         [
             value_plot("let go: tilt", times, {"": np.degrees(free[:, 1])}, "°", least=90.0),
-            value_plot("let go: precession", times, {"": free[:, 3]}, "rad/s", caption, alarm),
+            value_plot("let go: precession", times, {"": free[:, 3]}, "rad/s", *drift),
         ],
         view=(0.5, 0.3),
         still_time=0.5,
