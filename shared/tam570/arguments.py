@@ -6,6 +6,8 @@ from collections.abc import Collection, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+SYMMETRIC = 1e-9  # of the largest element: rounding of a matrix that was computed, by a rotation say
+
 __all__ = [
     "array",
     "divisors",
@@ -16,6 +18,7 @@ __all__ = [
     "positive",
     "positives",
     "sequence",
+    "symmetric",
     "whole_number",
 ]
 
@@ -73,6 +76,16 @@ def array(shape: tuple[int | None, ...], **arguments: ArrayLike) -> NDArray[np.f
     if values.dtype != object and not np.isfinite(values).all():
         raise ValueError(f"{name}: must be finite, got {values}")
     return values
+
+
+def symmetric(shape: tuple[int | None, int | None], **arguments: ArrayLike) -> NDArray[np.float64]:
+    """Return the one square matrix that is named, of this shape, and symmetric but for rounding."""
+    ((name, value),) = arguments.items()
+    matrix = array(shape, **arguments)
+    n, m = matrix.shape
+    if n != m or n == 0 or np.abs(matrix - matrix.T).max() > SYMMETRIC * np.abs(matrix).max():
+        raise ValueError(f"{name}: must be square and symmetric, got {value!r}")
+    return (matrix + matrix.T) / 2
 
 
 def positives(count: int | None = None, **arguments: Sequence[float]) -> tuple[float, ...]:

@@ -9,7 +9,7 @@ round with the body (Greenwood, Principles of Dynamics, section 8-2).
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.arguments import array, finite
+from tam570.arguments import finite, symmetric
 from tam570.rotations import matrix_from_axis_angle
 from tam570.show.plots import drift_note, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
@@ -22,37 +22,30 @@ EXAMPLE = {
     "spin": 3.0,  # rad/s
     "spin_rate": 0.0,  # rad/s^2
 }
-SYMMETRIC = 1e-9  # of the largest: rounding of a matrix that was turned
 UP = np.array([0.0, 0.0, 1.0])
 SHAFT = 1.5  # m, half of it
 
 
 def moment(inertia: ArrayLike, spin: float, spin_rate: float) -> Array:
     """(3,) N m in the body's axes, of inertia (3, 3), kg m^2, spin, rad/s, and spin_rate, rad/s^2."""
-    matrix = _checked(inertia)
+    matrix = symmetric((3, 3), inertia=inertia)
     finite(spin=spin, spin_rate=spin_rate)
     omega, alpha = spin * UP, spin_rate * UP
     return matrix @ alpha + np.cross(omega, matrix @ omega)
 
 
-def _checked(inertia: ArrayLike) -> Array:
-    matrix = array((3, 3), inertia=inertia)
-    if np.abs(matrix - matrix.T).max() > SYMMETRIC * np.abs(matrix).max():
-        raise ValueError(f"inertia: must be symmetric, got {matrix.tolist()}")
-    return matrix
-
-
 def film(parameters: Parameters) -> Scene:
     """Return the body, and one that is balanced: the same without the off-diagonal terms."""
-    matrix, spin, spin_rate = _checked(parameters["inertia"]), parameters["spin"], parameters["spin_rate"]
+    spin, spin_rate = parameters["spin"], parameters["spin_rate"]
+    matrix = symmetric((3, 3), inertia=parameters["inertia"])
     finite(spin=spin, spin_rate=spin_rate)
     times = frame_times(8.0)
     speeds = spin + spin_rate * times
     R = matrix_from_axis_angle(UP, times * (spin + speeds) / 2)
     felt = np.array([moment(matrix, speed, spin_rate) for speed in speeds])
     in_space = np.einsum("nij,nj->ni", R, felt)
-    longest = float(np.linalg.norm(felt[:, :2], axis=1).max()) or 1.0
     across = np.linalg.norm(felt[:, :2], axis=1)
+    longest = float(across.max()) or 1.0
     if spin_rate:
         # Across the axis M has the size of sqrt(Ixz^2 + Iyz^2) sqrt(spin_rate^2 + spin^4), whatever the angle.
         across = across / np.hypot(spin_rate, speeds**2)
@@ -83,8 +76,7 @@ def _body(inertia: Array, R: Array) -> list[Shape]:
     moments, principal = np.linalg.eigh(inertia)
     squares = np.maximum(moments.sum() / 2 - moments, 0.0)
     reach = 1.1 * np.sqrt(squares / (squares.max() or 1.0))
-    arms = R[:, None] @ (principal * reach).T[None, :, :, None]
-    arms = arms[..., 0]
+    arms = (R @ (principal * reach)).swapaxes(1, 2)
     ends = np.concatenate([arms, -arms], axis=1)
     pairs = np.stack([arms, -arms], axis=2).reshape(len(R), 6, 3)
     return [

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.arguments import array, numbers, positive, positives
+from tam570.arguments import SYMMETRIC, array, numbers, positive, positives, symmetric
 from tam570.rotations import matrix_from_axis_angle
 from tam570.show.plots import value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
@@ -23,7 +23,6 @@ EXAMPLE: Parameters = {  # m, kg
     "points": ((1.0, 0.3, 0.2), (-0.9, 0.4, 0.0), (0.2, -1.0, 0.3), (0.1, 0.5, -0.7), (-0.3, -0.3, 0.5)),
     "masses": (1.0, 1.5, 1.0, 2.0, 1.0),
 }
-SYMMETRIC = 1e-9  # of the largest: rounding of a matrix that was turned
 SECONDS = 12.0
 
 
@@ -34,13 +33,10 @@ def inertia(points: ArrayLike, masses: Sequence[float]) -> Array:
     return _moments(m, r - m @ r / m.sum())
 
 
-def of_box(mass: float, size: ArrayLike) -> Array:
+def of_box(mass: float, size: Sequence[float]) -> Array:
     """(3, 3) kg m^2 of a uniform box about its centre; its sides (3,), m, are along the axes."""
     positive(mass=mass)
-    sides = numbers(3, size=size)
-    if not (sides > 0).all():
-        raise ValueError(f"size: must be positive numbers, got {size!r}")
-    squares = sides**2
+    squares = np.array(positives(3, size=size)) ** 2
     return np.diag(mass * (squares.sum() - squares) / 12)
 
 
@@ -53,7 +49,7 @@ def of_disk(mass: float, radius: float) -> Array:
 def parallel_axis(I: ArrayLike, mass: float, arm: ArrayLike) -> Array:  # noqa: E741
     """(3, 3) kg m^2 about a point at `arm` (3,), m, from the centre of mass, about which the body has I (3, 3)."""
     positive(mass=mass)
-    return _symmetric(I) + _moments(np.array([mass]), numbers(3, arm=arm)[None])
+    return symmetric((3, 3), I=I) + _moments(np.array([mass]), numbers(3, arm=arm)[None])
 
 
 def principal(I: ArrayLike) -> tuple[Array, Array]:  # noqa: E741
@@ -61,7 +57,7 @@ def principal(I: ArrayLike) -> tuple[Array, Array]:  # noqa: E741
 
     ValueError if I is not that of a body: not symmetric, a moment negative or above the sum of the other two.
     """
-    moments, axes = np.linalg.eigh(_symmetric(I))
+    moments, axes = np.linalg.eigh(symmetric((3, 3), I=I))
     rounding = SYMMETRIC * abs(moments[2])
     if moments[0] < -rounding or moments[2] > moments[0] + moments[1] + rounding:
         raise ValueError(f"I: no body has the principal moments of inertia {moments.tolist()}")
@@ -72,13 +68,6 @@ def principal(I: ArrayLike) -> tuple[Array, Array]:  # noqa: E741
 def _moments(m: Array, r: Array) -> Array:
     matrix: Array = (m @ (r**2).sum(axis=1)) * np.eye(3) - (m * r.T) @ r
     return matrix
-
-
-def _symmetric(I: ArrayLike) -> Array:  # noqa: E741
-    matrix = array((3, 3), I=I)
-    if np.abs(matrix - matrix.T).max() > SYMMETRIC * np.abs(matrix).max():
-        raise ValueError(f"I: must be symmetric, got {matrix.tolist()}")
-    return (matrix + matrix.T) / 2
 
 
 def film(parameters: Parameters) -> Scene:

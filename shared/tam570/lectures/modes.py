@@ -8,7 +8,7 @@ frequencies, negative where the equilibrium is unstable (Greenwood, Principles o
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.arguments import array, finite, positive, whole_number
+from tam570.arguments import finite, positive, symmetric, whole_number
 from tam570.show.drawing import coil
 from tam570.show.plots import drift_note, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times
@@ -17,7 +17,6 @@ from tam570.values import Parameters
 __all__ = ["chain", "film", "inverted_pendulum", "modes", "pendulum", "saddle"]
 
 EXAMPLE = {"n": 4, "mass": 1.0, "stiffness": 40.0}  # kg, N/m
-SYMMETRIC = 1e-9  # of the largest element: rounding of a matrix that was computed
 SECONDS, SWING = 10.0, 0.22  # s, m
 
 
@@ -26,7 +25,7 @@ def modes(mass: ArrayLike, stiffness: ArrayLike) -> tuple[Array, Array]:
 
     mass, stiffness : (n, n), symmetric, mass positive definite
     """
-    M, K = _symmetric(mass=mass), _symmetric(stiffness=stiffness)
+    M, K = symmetric((None, None), mass=mass), symmetric((None, None), stiffness=stiffness)
     if len(M) != len(K):
         raise ValueError(f"stiffness: must be of the shape {M.shape} of the mass, got {K.shape}")
     try:
@@ -64,15 +63,6 @@ def saddle(*, mass: float, curvature: float, gravity: float) -> tuple[Array, Arr
     positive(mass=mass)
     finite(curvature=curvature, gravity=gravity)
     return mass * np.eye(2), mass * gravity * curvature * np.diag([1.0, -1.0])
-
-
-def _symmetric(**matrices: ArrayLike) -> Array:
-    ((name, value),) = matrices.items()
-    matrix = array((None, None), **matrices)
-    n, m = matrix.shape
-    if n != m or n == 0 or np.abs(matrix - matrix.T).max() > SYMMETRIC * np.abs(matrix).max():
-        raise ValueError(f"{name}: must be square and symmetric, got {value!r}")
-    return (matrix + matrix.T) / 2
 
 
 def film(parameters: Parameters) -> Scene:

@@ -28,7 +28,7 @@ SECONDS = 10.0
 
 def rates(t: float, state: Sequence[float], *, mass: float, stiffness: float) -> tuple[float, ...]:
     """(6,) velocity, m/s, and acceleration -(k/m) r, m/s^2."""
-    _check(mass, stiffness)
+    positive(mass=mass, stiffness=stiffness)
     sequence(6, state=state)
     x, y, z, vx, vy, vz = state
     pull = -stiffness / mass
@@ -37,7 +37,7 @@ def rates(t: float, state: Sequence[float], *, mass: float, stiffness: float) ->
 
 def exact(t: ArrayLike, state: ArrayLike, *, mass: float, stiffness: float) -> Array:
     """(n, 6) states at the times t (n,), s, of the motion that has `state` at t[0]."""
-    _check(mass, stiffness)
+    positive(mass=mass, stiffness=stiffness)
     times, start = numbers(t=t), numbers(6, state=state)
     w = sqrt(stiffness / mass)  # rad/s
     c, s = (wave(w * (times - times[:1]))[:, None] for wave in (np.cos, np.sin))
@@ -53,24 +53,20 @@ def energy(state: ArrayLike, *, mass: float, stiffness: float) -> float:
 
 def angular_momentum(state: ArrayLike, *, mass: float, stiffness: float) -> Array:
     """(3,) about the origin, kg m^2/s."""
-    _check(mass, stiffness)
+    positive(mass=mass, stiffness=stiffness)
     r, v = numbers(6, state=state).reshape(2, 3)
     return mass * np.cross(r, v)
 
 
 def orbit_tensor(state: ArrayLike, *, mass: float, stiffness: float) -> Array:
     """(6,) m v v + k r r, J: the parts xx, yy, zz, yz, zx, xy. It fixes the ellipse; its trace is twice the energy."""
-    _check(mass, stiffness)
+    positive(mass=mass, stiffness=stiffness)
     r, v = numbers(6, state=state).reshape(2, 3)
     tensor = mass * np.outer(v, v) + stiffness * np.outer(r, r)
     return tensor[[0, 1, 2, 1, 2, 0], [0, 1, 2, 2, 0, 1]]
 
 
 INVARIANTS = {"energy": energy, "angular_momentum": angular_momentum, "orbit_tensor": orbit_tensor}
-
-
-def _check(mass: float, stiffness: float) -> None:
-    positive(mass=mass, stiffness=stiffness)
 
 
 def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:

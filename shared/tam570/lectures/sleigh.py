@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 from tam570.arguments import finite, numbers, positive, sequence
 from tam570.show.scene import Array, Scene
 
-__all__ = ["energy", "exact", "film", "rates", "straight_growth_rate"]
+__all__ = ["energy", "exact", "film", "gyration", "rates", "straight_growth_rate"]
 
 STATE = {"x": "m", "y": "m", "heading": "rad", "speed": "m/s", "yaw_rate": "rad/s"}
 EXAMPLE = {"mass": 1.0, "inertia": 0.1, "offset": 0.4}  # kg, kg m^2, m
@@ -29,7 +29,7 @@ NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)
 
 def rates(t: float, state: Sequence[float], *, mass: float, inertia: float, offset: float) -> tuple[float, ...]:
     """(5,) velocity of the blade, m/s, yaw rate, rad/s, and how speed and yaw rate change."""
-    square = _gyration(mass, inertia, offset) ** 2
+    square = gyration(mass, inertia, offset) ** 2
     sequence(5, state=state)
     _, _, heading, speed, yaw_rate = state
     across = offset * yaw_rate
@@ -38,7 +38,7 @@ def rates(t: float, state: Sequence[float], *, mass: float, inertia: float, offs
 
 def energy(state: Sequence[float], *, mass: float, inertia: float, offset: float) -> float:
     """Kinetic energy, J."""
-    k = _gyration(mass, inertia, offset)
+    k = gyration(mass, inertia, offset)
     _, _, _, speed, yaw_rate = map(float, numbers(5, state=state))
     return mass * (speed * speed + (k * yaw_rate) ** 2) / 2
 
@@ -49,7 +49,7 @@ INVARIANTS = {"energy": energy}
 def straight_growth_rate(speed: float, *, mass: float, inertia: float, offset: float) -> float:
     """1/s, of exp(rate t), by which a small yaw rate grows while the sleigh goes straight at `speed`."""
     finite(speed=speed)
-    return -offset * speed / _gyration(mass, inertia, offset) ** 2
+    return -offset * speed / gyration(mass, inertia, offset) ** 2
 
 
 def exact(t: ArrayLike, state: ArrayLike, *, mass: float, inertia: float, offset: float) -> Array:
@@ -57,7 +57,7 @@ def exact(t: ArrayLike, state: ArrayLike, *, mass: float, inertia: float, offset
 
     Heading, speed and yaw rate are closed forms; the place is their integral, by Gauss's rule to rounding.
     """
-    k = _gyration(mass, inertia, offset)
+    k = gyration(mass, inertia, offset)
     times, start = numbers(t=t), numbers(5, state=state)
     since = times - times[:1]
     if offset == 0.0 or start[4] == 0.0:
@@ -103,7 +103,7 @@ def _shape(start: Array, k: float) -> tuple[float, float]:
     return hypot(start[3], k * start[4]), asinh(start[3] / (k * abs(start[4])))
 
 
-def _gyration(mass: float, inertia: float, offset: float) -> float:
+def gyration(mass: float, inertia: float, offset: float) -> float:
     """k, m: the radius of gyration about the blade."""
     positive(mass=mass, inertia=inertia)
     finite(offset=offset)

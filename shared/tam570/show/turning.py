@@ -9,7 +9,7 @@ from tam570.show.live import Handle, Live
 from tam570.show.scene import Array, Shape, moving
 from tam570.values import Function, Numbers, Parameters
 
-__all__ = ["box_size", "live_body"]
+__all__ = ["box_size", "live_body", "spin_handle"]
 
 
 def box_size(moments: Array) -> Array:
@@ -34,11 +34,8 @@ def live_body(
     in_space : whether omega has components in space, or in the body
     """
     size = box_size(np.array(parameters["inertia"]))
-    reach = 1.8 * float(size.max()) / (float(np.linalg.norm(start[9:])) or 1.0)  # m per rad/s
-
-    def tip(state: Numbers, **parameters: Numbers) -> Numbers:
-        omega = np.array(state[9:])
-        return reach * (omega if in_space else np.reshape(state[:9], (3, 3)) @ omega)
+    hand = spin_handle(1.8 * float(size.max()) / (float(np.linalg.norm(start[9:])) or 1.0), in_space)
+    tip = hand.point
 
     def drawing(states: Array, parameters: Parameters) -> list[Shape]:
         return [
@@ -47,9 +44,19 @@ def live_body(
             Shape("arrow", moving(np.zeros(3), tip(states[0])[None]), 1, "angular velocity", width=2.5),
         ]
 
+    measures = {"total E": lambda state, **parameters: energy([*state], **parameters)}
+    return Live(rates, parameters, names, start, drawing, [hand], measures, title=title)
+
+
+def spin_handle(reach: float, in_space: bool) -> Handle:
+    """Return the hand that takes the tip of the angular velocity, drawn `reach` long, m per rad/s."""
+
+    def tip(state: Numbers, **parameters: Numbers) -> Numbers:
+        omega = np.array(state[9:])
+        return reach * (omega if in_space else np.reshape(state[:9], (3, 3)) @ omega)
+
     def grab(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numbers]:
         omega = np.array(point) / reach
         return [*state[:9], *(omega if in_space else np.reshape(state[:9], (3, 3)).T @ omega)]
 
-    measures = {"total E": lambda state, **parameters: energy([*state], **parameters)}
-    return Live(rates, parameters, names, start, drawing, [Handle(tip, grab)], measures, title=title)
+    return Handle(tip, grab)

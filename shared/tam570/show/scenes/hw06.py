@@ -21,7 +21,7 @@ EXAMPLE = {
     "friction": 0.7,
     "gravity": 9.81,  # m/s^2
 }
-CAR = ("mass", "front", "rear")
+CAR = ("mass", "front", "rear", "friction", "gravity")  # what its forces depend on
 STATE = {"x": "m", "y": "m", "heading": "rad", "speed": "m/s", "yaw_rate": "rad/s"}
 START = (0.0, 0.0, 0.0, 14.0, 0.05)  # almost straight
 LANES = {"front": -3.5, "rear": 3.5}  # m
@@ -32,7 +32,7 @@ HALF_WIDTH, OVERHANG, WHEEL, ARROW = 0.8, 0.7, 0.32, 2.0  # m
 def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Both go straight ahead at the same speed, but for the same small yaw rate."""
     times = frame_times(seconds)
-    shape = (len(times), 5)
+    shape, car = (len(times), 5), {name: parameters[name] for name in CAR}
     motions = {
         locked: student("simulate", times, np.array(start), locked, **parameters, shape=shape) for locked in LANES
     }
@@ -40,7 +40,7 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
     shapes = [Shape("lines", np.array([[-4.0, y], [ends, y]]), GREY, width=1, faint=True) for y in LANES.values()]
     for locked, states in motions.items():
         shapes += _car(states, locked, LANES[locked], parameters)
-        shapes += _forces(student, states, locked, parameters)
+        shapes += force_shapes(student, states, [locked] * len(times), size=ARROW, origin=[0.0, LANES[locked]], **car)
     headings = {f"{locked} locked": np.degrees(states[:, 2]) for locked, states in motions.items()}
     return Scene(
         "Braking with one axle locked",
@@ -122,12 +122,6 @@ def _car(states: Array, locked: str, y: float, parameters: Parameters) -> list[S
     ]
 
 
-def _forces(student: Student, states: Array, locked: str, parameters: Parameters) -> list[Shape]:
-    arguments = {name: value for name, value in parameters.items() if name != "yaw_inertia"}
-    lane = [0.0, LANES[locked]]
-    return force_shapes(student, states, [locked] * len(states), size=ARROW, origin=lane, **arguments)
-
-
 def _wheels(at: float) -> Array:
     """(4, 2) ends of the two wheels of an axle."""
     return np.array([(at + end, side) for side in (HALF_WIDTH - 0.1, 0.1 - HALF_WIDTH) for end in (-WHEEL, WHEEL)])
@@ -135,7 +129,7 @@ def _wheels(at: float) -> Array:
 
 def _energy(student: Student, times: Array, motions: dict[str, Array], parameters: Parameters) -> TimePlot:
     """Kinetic energy, and whether with what friction has taken along the way of the locked axle it stays."""
-    arguments = {name: value for name, value in parameters.items() if name in (*CAR, "yaw_inertia")}
+    arguments = {name: parameters[name] for name in ("mass", "yaw_inertia", "front", "rear")}
     shown = plot_samples(times)
     energies, sums = {}, {}
     for locked, states in motions.items():
@@ -151,8 +145,8 @@ def _energy(student: Student, times: Array, motions: dict[str, Array], parameter
 
 def _work(student: Student, states: Array, locked: str, parameters: Parameters) -> Array:
     """(n,) J, of friction up to each time, by the trapezoidal rule along the path of the axle."""
-    arguments = {name: value for name, value in parameters.items() if name != "yaw_inertia"}
-    force = student.each("friction_force", states, [locked] * len(states), **arguments, shape=(2,))
+    car = {name: parameters[name] for name in CAR}
+    force = student.each("friction_force", states, [locked] * len(states), **car, shape=(2,))
     c, s = np.cos(states[:, 2]), np.sin(states[:, 2])
     in_space = np.column_stack([c * force[:, 0] - s * force[:, 1], s * force[:, 0] + c * force[:, 1]])
     at = parameters["front"] if locked == "front" else -parameters["rear"]

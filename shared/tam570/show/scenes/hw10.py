@@ -4,12 +4,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from tam570.arguments import positive, positives
+from tam570.lectures.inertia import of_box
 from tam570.show.drawing import box_face, brick, circle, cone
-from tam570.show.live import Handle, Live, live_if_written
+from tam570.show.live import Live, live_if_written
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student, Trouble
+from tam570.show.turning import spin_handle
 from tam570.values import Numbers, Parameters
 
 __all__ = ["film"]
@@ -26,10 +27,10 @@ UP = np.eye(3)[2]
 def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Both bodies are thrown at once."""
     times, spin = frame_times(seconds), np.array(start)
-    inertia = _inertia(parameters["mass"], parameters["size"])
+    inertia = np.diag(of_box(parameters["mass"], parameters["size"]))
     if not spin.any():
         raise Trouble("start: a body at rest shows nothing; set start.omega_b, say")
-    omegas, rotations = _motion(student, times, _attitude(spin, inertia), spin, inertia)
+    omegas, rotations = _motion(student, times, spin, inertia)
     box = _box(student, rotations, omegas, inertia, np.array(parameters["size"]))
     panels = [Panel(box, "box in space", ruler=False)]
     panels += student.make_each(lambda: _ellipsoids(student, omegas, inertia), lambda: _disk(student, times))
@@ -55,15 +56,14 @@ def _live(student: Student, inertia: Array, size: Array, spin: Array) -> Live:
     """Return the state is R, row by row, and omega in the body; a hand takes the tip of omega."""
     euler, attitude, energy = (student.function(name) for name in ("euler_equations", "attitude_rate", "energy"))
     reach = 1.5 / float(np.linalg.norm(spin))  # m per rad/s
+    hand = spin_handle(reach, in_space=False)
+    tip = hand.point
     names = [f"R{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
     start = (*_attitude(spin, inertia).ravel().tolist(), *spin.tolist())
 
     def rates(t: float, state: Numbers, *, inertia: Numbers) -> list[Numbers]:
         R, omega = np.reshape(state[:9], (3, 3)), np.array(state[9:])
         return [*np.ravel(attitude(R, omega)), *euler(omega, inertia=np.array(inertia))]
-
-    def tip(state: Numbers, **parameters: Numbers) -> Numbers:
-        return reach * (np.reshape(state[:9], (3, 3)) @ np.array(state[9:]))
 
     def drawing(states: Numbers, parameters: Parameters) -> list[Shape]:
         R, omega = np.reshape(states[:, :9], (1, 3, 3)), states[0, 9:]
@@ -75,24 +75,12 @@ def _live(student: Student, inertia: Array, size: Array, spin: Array) -> Live:
             Shape("trail", tip(states[0])[None, None], 1, width=1.2),
         ]
 
-    def grab(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numbers]:
-        R = np.reshape(state[:9], (3, 3))
-        return [*state[:9], *(R.T @ np.array(point) / reach)]
-
     def kinetic(state: Numbers, *, inertia: Numbers) -> Numbers:
         return energy(np.array(state[9:]), inertia=np.array(inertia))
 
     arguments = {"inertia": tuple(inertia.tolist())}
     state = {**dict.fromkeys(names, "1"), **STATE}
-    return Live(rates, arguments, state, start, drawing, [Handle(tip, grab)], {"energy": kinetic}, title="box in space")
-
-
-def _inertia(mass: float, size: Sequence[float]) -> Array:
-    """(3,) kg m^2 of a uniform box."""
-    positive(mass=mass)
-    squares = np.array(positives(3, size=size)) ** 2
-    moments: Array = mass * (squares.sum() - squares) / 12.0
-    return moments
+    return Live(rates, arguments, state, start, drawing, [hand], {"energy": kinetic}, title="box in space")
 
 
 def _attitude(omega: Array, inertia: Array) -> Array:
@@ -104,10 +92,9 @@ def _attitude(omega: Array, inertia: Array) -> Array:
     return np.array([first, np.cross(third, first), third])
 
 
-def _motion(student: Student, times: Array, R: Array, omega: Array, inertia: Array) -> tuple[Array, Array]:
+def _motion(student: Student, times: Array, omega: Array, inertia: Array) -> list[Array]:
     shapes = ((len(times), 3), (len(times), 3, 3))
-    omegas, rotations = student.group("simulate", times, R, omega, inertia=inertia, shapes=shapes)
-    return omegas, rotations
+    return student.group("simulate", times, _attitude(omega, inertia), omega, inertia=inertia, shapes=shapes)
 
 
 def _box(student: Student, rotations: Array, omegas: Array, inertia: Array, size: Array) -> list[Shape]:
@@ -182,18 +169,19 @@ def _meeting(energy: float, momentum: float, inertia: Array) -> list[Array]:
 def _sphere() -> list[Array]:
     """Circles of latitude and longitude."""
     u = np.linspace(0.0, 2.0 * np.pi, 49)
-    meridians = [
-        np.column_stack([np.sin(u) * np.cos(a), np.sin(u) * np.sin(a), np.cos(u)]) for a in np.arange(6) * np.pi / 6
-    ]
-    heights = np.sin(np.arange(-2, 3) * np.pi / 6)
-    return meridians + [
-        np.column_stack([np.sqrt(1 - z * z) * np.cos(u), np.sqrt(1 - z * z) * np.sin(u), 0 * u + z]) for z in heights
+    meridians = [(u, a) for a in np.arange(6) * np.pi / 6]
+    parallels = [(a, u) for a in np.arange(5, 0, -1) * np.pi / 6]
+    return [
+        np.column_stack(
+            np.broadcast_arrays(np.sin(down) * np.cos(round_z), np.sin(down) * np.sin(round_z), np.cos(down))
+        )
+        for down, round_z in meridians + parallels
     ]
 
 
 def _disk(student: Student, times: Array) -> Panel:
     """Two points of the rim, a quarter of a turn apart; the cones of omega in the body and in space."""
-    omegas, rotations = _motion(student, times, _attitude(WOBBLE, DISK), WOBBLE, DISK)
+    omegas, rotations = _motion(student, times, WOBBLE, DISK)
     length = 1.6 / np.linalg.norm(WOBBLE)
     in_body, in_space = length * omegas, length * _in_space(rotations, omegas)
     first, other = RADIUS * rotations[:, :, 0], RADIUS * rotations[:, :, 1]

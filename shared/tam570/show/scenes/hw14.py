@@ -104,5 +104,5 @@ def _tilt(student: Student, times: Array, states_by_angles: Array, frame: Array,
     first = student("matrix_state", states_by_angles[0], radius=disk["radius"], shape=(15,))
     states = student("simulate_matrix", times, first, **disk, shape=(len(times), 15))
     off = np.linalg.norm(states[:, :3] - frame[:, -1].mean(axis=1), axis=1)
-    note = gap_note(off.max() / disk["radius"], LARGE, " of the radius", "by matrices and by Euler angles: ")
+    note = gap_note(float(off.max()) / disk["radius"], LARGE, " of the radius", "by matrices and by Euler angles: ")
     return value_plot("tilt", times, {"": np.degrees(states_by_angles[:, 3])}, "°", *note)

@@ -8,6 +8,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from tam570.integrate import solve
+from tam570.lectures.sleigh import gyration
 from tam570.show.drawing import graph, unit_circle
 from tam570.show.live import Handle, Live, drag
 from tam570.show.plots import drift_note, value_plot, values
@@ -57,7 +58,7 @@ def _one(times: Array, states: Array, energy: Numbers, parameters: Mapping[str, 
             value_plot(
                 "speed, and k times yaw rate",
                 times,
-                {"speed": states[:, 3], "k yaw rate": _gyration(parameters) * states[:, 4]},
+                {"speed": states[:, 3], "k yaw rate": gyration(**parameters) * states[:, 4]},
                 "m/s",
                 *drift_note(values(energy, states, **parameters), of="the energy"),
             ),
@@ -93,13 +94,9 @@ def _size(parameters: Mapping[str, float]) -> float:
     return parameters["offset"] or sqrt(parameters["inertia"] / parameters["mass"])
 
 
-def _gyration(parameters: Mapping[str, float]) -> float:
-    return sqrt(parameters["inertia"] / parameters["mass"] + parameters["offset"] ** 2)
-
-
 def _phase_plane(states: Array, parameters: Mapping[str, float]) -> list[Shape]:
     """Speed and yaw rate: each motion runs on an ellipse of its energy, from going straight backwards to forwards."""
-    k = _gyration(parameters)
+    k = gyration(**parameters)
     V = float(np.hypot(states[0, 3], k * states[0, 4])) or 1.0
     levels = V * np.array([0.4, 0.7, 1.0, 1.3])[:, None, None] * unit_circle(61) / [1.0, k]
     axes, to_points = graph(levels[..., 0], levels[..., 1], ("speed", "yaw rate"))
@@ -119,6 +116,6 @@ def _phase_plane(states: Array, parameters: Mapping[str, float]) -> list[Shape]:
 def _turn(times: Array, states: Array, parameters: Mapping[str, float]) -> TimePlot:
     offset = parameters["offset"]
     turned = np.degrees(states[:, 2] - states[0, 2])
-    total = 180.0 * _gyration(parameters) / abs(offset) if offset else float("inf")
+    total = 180.0 * gyration(**parameters) / abs(offset) if offset else float("inf")
     caption = f"at most pi k/offset = {total:.4g} degrees" if offset else "G at the blade: it turns for ever"
     return value_plot("turned", times, {"": turned}, "degrees", caption)
