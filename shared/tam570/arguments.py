@@ -80,11 +80,10 @@ def array(shape: tuple[int | None, ...], **arguments: ArrayLike) -> NDArray[np.f
 
 def symmetric(shape: tuple[int | None, int | None], **arguments: ArrayLike) -> NDArray[np.float64]:
     """Return the one square matrix that is named, of this shape, and symmetric but for rounding."""
-    ((name, value),) = arguments.items()
     matrix = array(shape, **arguments)
     n, m = matrix.shape
     if n != m or n == 0 or np.abs(matrix - matrix.T).max() > SYMMETRIC * np.abs(matrix).max():
-        raise ValueError(f"{name}: must be square and symmetric, got {value!r}")
+        raise ValueError(f"{next(iter(arguments))}: must be square and symmetric, got {matrix.tolist()}")
     return (matrix + matrix.T) / 2
 
 

@@ -17,7 +17,7 @@ from tam570.invariants import rotation_defect
 from tam570.show.drawing import brick
 from tam570.show.plots import drift_plot, value_plot, values
 from tam570.show.scene import Array, Panel, Scene, frame_times
-from tam570.show.turning import box_size, live_body
+from tam570.show.turning import box_size, live_body, spin_arrow
 from tam570.values import Numbers, Parameters
 
 __all__ = ["angular_momentum", "energy", "film", "rates"]
@@ -102,7 +102,7 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
     drawn = drifting @ (np.eye(3) + enlarged * strain / 2)
     size, title = box_size(moments), f"drift drawn {enlarged:.0e} times"
     defects = {"rotations": rotation_defect(rotations), "nine numbers": np.abs(strain).max(axis=(1, 2))}
-    H = np.einsum("nij,nj->ni", rotations, moments * turning)
+    H, omega = (np.einsum("nij,nj->ni", rotations, vectors) for vectors in (moments * turning, turning))
     beside = {"nine": values(angular_momentum, states, **parameters)}
     scale = float(np.linalg.norm(H[0]))
     text = f"at the end {defects['nine numbers'][-1]:.1e}, and {defects['rotations'][-1]:.0e} by rotations"
@@ -112,8 +112,8 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
         "the box, its drift enlarged, changes its shape. Turned by rotations alone it stays a box.",
         times,
         [
-            Panel(brick(drawn, size, 1, "nine numbers"), title, ruler=False),
-            Panel(brick(rotations, size, 0, "rotations"), "by rotations", ruler=False),
+            Panel([*brick(drawn, size, 1, "nine numbers"), spin_arrow(states[:, 9:], size, 2)], title, ruler=False),
+            Panel([*brick(rotations, size, 0, "rotations"), spin_arrow(omega, size, 2)], "by rotations", ruler=False),
         ],
         [
             value_plot("RᵀR - I, largest element", times, defects, "", text),

@@ -17,7 +17,7 @@ from tam570.integrate import solve
 from tam570.show.drawing import brick
 from tam570.show.plots import drift_note, value_plot, values
 from tam570.show.scene import Array, Panel, Scene, Shape, frame_times, moving
-from tam570.show.turning import box_size, live_body
+from tam570.show.turning import box_size, live_body, spin_arrow
 from tam570.values import Parameters
 
 __all__ = ["angular_momentum", "energy", "film", "rates", "wrong_rates"]
@@ -81,7 +81,9 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
     panels = []
     for color, (name, states) in enumerate(both.items()):
         arrow = moving(np.zeros(3), 1.8 * float(size.max()) * momenta[name] / scale)
-        body = brick(states[:, :9].reshape(-1, 3, 3), size, color, "body")
+        rotations = states[:, :9].reshape(-1, 3, 3)
+        omega = spin_arrow(np.einsum("nij,nj->ni", rotations, states[:, 9:]), size, 3)
+        body = [*brick(rotations, size, color, "body"), omega]
         panels.append(Panel([*body, Shape("arrow", arrow, 2, "angular momentum", width=3)], name, ruler=False))
     across = {name: np.degrees(np.arccos(np.clip(H @ first / scale**2, -1.0, 1.0))) for name, H in momenta.items()}
     energies = {name: values(energy, states, **parameters) for name, states in both.items()}

@@ -9,13 +9,23 @@ from tam570.show.live import Handle, Live
 from tam570.show.scene import Array, Shape, moving
 from tam570.values import Function, Numbers, Parameters
 
-__all__ = ["box_size", "live_body", "spin_handle"]
+__all__ = ["box_size", "live_body", "spin_arrow", "spin_handle"]
 
 
 def box_size(moments: Array) -> Array:
     """(3,) m, the sides of a box of 12 kg with these moments of inertia, (3,) kg m^2; none is too thin to be seen."""
     sides: Array = np.sqrt(np.maximum(moments.sum() / 2 - moments, 0.05 * moments.max()))
     return sides
+
+
+def spin_arrow(omega: Array, size: Array, color: int) -> Shape:
+    """Return the arrow of the angular velocity, (n, 3) in space, of a body of this size."""
+    return Shape("arrow", moving(np.zeros(3), _reach(size, omega[0]) * omega), color, "angular velocity", width=2.5)
+
+
+def _reach(size: Array, omega: Sequence[float]) -> float:
+    """m per rad/s, with which the arrow at the start is longer than the body."""
+    return 1.8 * float(size.max()) / (float(np.linalg.norm(omega)) or 1.0)
 
 
 def live_body(
@@ -34,7 +44,7 @@ def live_body(
     in_space : whether omega has components in space, or in the body
     """
     size = box_size(np.array(parameters["inertia"]))
-    hand = spin_handle(1.8 * float(size.max()) / (float(np.linalg.norm(start[9:])) or 1.0), in_space)
+    hand = spin_handle(_reach(size, start[9:]), in_space)
     tip = hand.point
 
     def drawing(states: Array, parameters: Parameters) -> list[Shape]:

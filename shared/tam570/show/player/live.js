@@ -1,7 +1,7 @@
 // The scene as equations: a hand takes hold of it, sliders change its numbers, the motion goes on from there.
 // `program` holds rates(t, s, p), drawn(t, s, p) and grab(t, s, p, q): state s, parameters p, place of the hand q.
 
-const grasped = JSON.parse(byId("data").textContent).live, TRAIL = 1500, WINDOW = 10, STEPS = 500; // s; steps at most between two frames
+const grasped = JSON.parse(byId("data").textContent).live, TRAIL = 1500, WINDOW = 10, PIECE = 0.2, STEPS = 500; // s, s; steps at most between two frames
 // alone: its panels have the stage for themselves; not while a hand holds what would move away under it.
 const live = {on: false, alone: false, held: null, s: [], p: [], t: Infinity, trails: [], past: [], zoom: [], most: 0};
 
@@ -33,8 +33,11 @@ function integrate(s, p, from, to, tolerance = 1e-10) {
 // The state that the film shows, and begin there.
 function followFilm() {
   if (!(live.t <= state.time)) Object.assign(live, {t: 0, s: grasped.start});
-  live.s = integrate(live.s, live.p, live.t, state.time, 1e-8);
-  live.t = state.time;
+  while (live.t < state.time) { // in pieces, as each has so many steps at most; a chaotic motion needs all the digits
+    const next = Math.min(live.t + PIECE, state.time);
+    live.s = integrate(live.s, live.p, live.t, next, 1e-12);
+    live.t = next;
+  }
   live.values = program.drawn(live.t, live.s, live.p);
 }
 function drawHandles() {

@@ -127,7 +127,8 @@ const draw = {
   },
   text(context, points, shape) {
     context.font = "600 14px system-ui, sans-serif";
-    context.fillText(shape.words, points[0][0] + 8, points[0][1] - 8);
+    const right = stage.live.width - context.measureText(shape.words).width - 2; // where it would be cut off
+    context.fillText(shape.words, Math.min(points[0][0] + 8, right), points[0][1] - 8);
   },
 };
 function arrow(context, [x, y], [ex, ey], width) {

@@ -54,11 +54,11 @@ function drawTimes(context, plot) {
   }
   context.textAlign = "start";
 }
-function strokeCurve(context, plot, curve, i, last, alpha) {
+function strokeCurve(context, plot, curve, i, last, alpha, now = []) {
   context.globalAlpha = alpha;
   context.strokeStyle = curveColor(plot, i);
   context.lineWidth = 1.8;
-  line(context, plot.times.slice(0, last + 1).map((time, k) => [plotX(plot, time), plotY(plot, curve[k] * plot.scale)]));
+  line(context, plot.times.slice(0, last + 1).map((time, k) => [plotX(plot, time), plotY(plot, curve[k] * plot.scale)]).concat(now));
   context.stroke();
   context.globalAlpha = 1;
 }
@@ -73,10 +73,11 @@ function drawPlotNow(plot) {
   line(context, [[plotX(plot, state.time), 0], [plotX(plot, state.time), height - AXIS]]);
   context.stroke();
   const now = plot.curves.map((curve, i) => {
-    strokeCurve(context, plot, curve, i, k, 1);
     const value = plot.scale * (curve[k] + share * (curve[k + 1] - curve[k]));
+    const place = [[plotX(plot, state.time), plotY(plot, value)]];
+    strokeCurve(context, plot, curve, i, k, 1, place);
     context.fillStyle = curveColor(plot, i);
-    draw.dot(context, [[plotX(plot, state.time), plotY(plot, value)]], {width: 4});
+    draw.dot(context, place, {width: 4});
     const said = `${figures(value)} ${plot.unit}`.trim();
     return plot.names[i] ? `${plot.names[i]}: ${said}` : said;
   });
