@@ -17,7 +17,7 @@ from tam570.invariants import rotation_defect
 from tam570.show.drawing import brick
 from tam570.show.plots import drift_plot, value_plot, values
 from tam570.show.scene import Array, Panel, Scene, frame_times
-from tam570.show.turning import box_size, live_body, spin_arrow
+from tam570.show.turning import box_size, in_space, live_body, spin_arrow
 from tam570.values import Numbers, Parameters
 
 __all__ = ["angular_momentum", "energy", "film", "rates"]
@@ -102,7 +102,7 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
     drawn = drifting @ (np.eye(3) + enlarged * strain / 2)
     size, title = box_size(moments), f"drift drawn {enlarged:.0e} times"
     defects = {"rotations": rotation_defect(rotations), "nine numbers": np.abs(strain).max(axis=(1, 2))}
-    H, omega = (np.einsum("nij,nj->ni", rotations, vectors) for vectors in (moments * turning, turning))
+    H, omega = (in_space(rotations, vectors) for vectors in (moments * turning, turning))
     beside = {"nine": values(angular_momentum, states, **parameters)}
     scale = float(np.linalg.norm(H[0]))
     text = f"at the end {defects['nine numbers'][-1]:.1e}, and {defects['rotations'][-1]:.0e} by rotations"
@@ -120,5 +120,5 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
             drift_plot("angular momentum, change", times, {"rotations": H}, scale, "itself", beside=beside),
         ],
         still_time=1.0,
-        live=live_body(rates, energy, parameters, STATE, start, in_space=True, title=title),
+        live=live_body(rates, energy, parameters, STATE, start, in_body=False, title=title),
     )

@@ -17,7 +17,7 @@ from tam570.integrate import solve
 from tam570.show.drawing import brick
 from tam570.show.plots import drift_note, value_plot, values
 from tam570.show.scene import Array, Panel, Scene, Shape, frame_times, moving
-from tam570.show.turning import box_size, live_body, spin_arrow
+from tam570.show.turning import box_size, in_space, live_body, spin_arrow
 from tam570.values import Parameters
 
 __all__ = ["angular_momentum", "energy", "film", "rates", "wrong_rates"]
@@ -74,15 +74,14 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
     }
     size, first = box_size(moments), angular_momentum(start, **parameters)
     momenta = {
-        name: np.einsum("nij,nj->ni", states[:, :9].reshape(-1, 3, 3), moments * states[:, 9:])
-        for name, states in both.items()
+        name: in_space(states[:, :9].reshape(-1, 3, 3), moments * states[:, 9:]) for name, states in both.items()
     }
     scale = float(np.linalg.norm(first)) or 1.0
     panels = []
     for color, (name, states) in enumerate(both.items()):
         arrow = moving(np.zeros(3), 1.8 * float(size.max()) * momenta[name] / scale)
         rotations = states[:, :9].reshape(-1, 3, 3)
-        omega = spin_arrow(np.einsum("nij,nj->ni", rotations, states[:, 9:]), size, 3)
+        omega = spin_arrow(in_space(rotations, states[:, 9:]), size, 3)
         body = [*brick(rotations, size, color, "body"), omega]
         panels.append(Panel([*body, Shape("arrow", arrow, 2, "angular momentum", width=3)], name, ruler=False))
     across = {name: np.degrees(np.arccos(np.clip(H @ first / scale**2, -1.0, 1.0))) for name, H in momenta.items()}
@@ -101,5 +100,5 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
             ),
         ],
         still_time=0.35,
-        live=live_body(rates, energy, parameters, STATE, start, in_space=False, title="Euler"),
+        live=live_body(rates, energy, parameters, STATE, start, in_body=True, title="Euler"),
     )

@@ -84,17 +84,20 @@ def drag(first: int, count: int) -> Handle:
     )
 
 
-def energies(energy: Function, positions: int) -> dict[str, Function]:
+def energies(energy: Function, positions: int | None = None) -> dict[str, Function]:
     """Return what to measure of a state: its energy, and the energy with all but its first `positions` numbers 0.
 
-    energy : energy(state, **parameters) -> J
+    energy    : energy(state, **parameters) -> J
+    positions : None where all energy is kinetic
     """
-    return {
-        "total E": lambda state, **parameters: energy(np.array(state), **parameters),
-        "potential V": lambda state, **parameters: energy(
-            np.array([*state[:positions], *[0.0] * (len(state) - positions)]), **parameters
-        ),
-    }
+
+    def total(state: Numbers, **parameters: Numbers) -> Numbers:
+        return energy(np.array(state), **parameters)
+
+    def potential(state: Numbers, **parameters: Numbers) -> Numbers:
+        return energy(np.array([*state[:positions], *[0.0] * len(state[positions:])]), **parameters)
+
+    return {"total E": total} | ({"potential V": potential} if positions else {})
 
 
 def live_if_written(make: Callable[[], Live]) -> Live | None:

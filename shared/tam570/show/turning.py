@@ -5,17 +5,23 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from tam570.show.drawing import brick
-from tam570.show.live import Handle, Live
+from tam570.show.live import Handle, Live, energies
 from tam570.show.scene import Array, Shape, moving
 from tam570.values import Function, Numbers, Parameters
 
-__all__ = ["box_size", "live_body", "spin_arrow", "spin_handle"]
+__all__ = ["box_size", "in_space", "live_body", "spin_arrow", "spin_handle"]
 
 
 def box_size(moments: Array) -> Array:
     """(3,) m, the sides of a box of 12 kg with these moments of inertia, (3,) kg m^2; none is too thin to be seen."""
     sides: Array = np.sqrt(np.maximum(moments.sum() / 2 - moments, 0.05 * moments.max()))
     return sides
+
+
+def in_space(rotations: Array, vectors: Array) -> Array:
+    """(n, 3) of vectors (n, 3) with components along the axes of a body; rotations (n, 3, 3)."""
+    turned: Array = np.einsum("nij,nj->ni", rotations, vectors)
+    return turned
 
 
 def spin_arrow(omega: Array, size: Array, color: int) -> Shape:
@@ -35,16 +41,16 @@ def live_body(
     names: Mapping[str, str],
     start: Sequence[float],
     *,
-    in_space: bool,
+    in_body: bool,
     title: str,
 ) -> Live:
     """Return a free body as equations; its state is R (9, row by row) and omega (3).
 
     names    : and units, of the state's numbers
-    in_space : whether omega has components in space, or in the body
+    in_body  : whether omega has components in the body, or in space
     """
     size = box_size(np.array(parameters["inertia"]))
-    hand = spin_handle(_reach(size, start[9:]), in_space)
+    hand = spin_handle(_reach(size, start[9:]), in_body)
     tip = hand.point
 
     def drawing(states: Array, parameters: Parameters) -> list[Shape]:
@@ -54,19 +60,18 @@ def live_body(
             Shape("arrow", moving(np.zeros(3), tip(states[0])[None]), 1, "angular velocity", width=2.5),
         ]
 
-    measures = {"total E": lambda state, **parameters: energy([*state], **parameters)}
-    return Live(rates, parameters, names, start, drawing, [hand], measures, title=title)
+    return Live(rates, parameters, names, start, drawing, [hand], energies(energy), title=title)
 
 
-def spin_handle(reach: float, in_space: bool) -> Handle:
+def spin_handle(reach: float, in_body: bool) -> Handle:
     """Return the hand that takes the tip of the angular velocity, drawn `reach` long, m per rad/s."""
 
     def tip(state: Numbers, **parameters: Numbers) -> Numbers:
         omega = np.array(state[9:])
-        return reach * (omega if in_space else np.reshape(state[:9], (3, 3)) @ omega)
+        return reach * (np.reshape(state[:9], (3, 3)) @ omega if in_body else omega)
 
     def grab(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numbers]:
         omega = np.array(point) / reach
-        return [*state[:9], *(omega if in_space else np.reshape(state[:9], (3, 3)).T @ omega)]
+        return [*state[:9], *(np.reshape(state[:9], (3, 3)).T @ omega if in_body else omega)]
 
     return Handle(tip, grab)

@@ -10,7 +10,7 @@ from tam570.show.live import Live, live_if_written
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student, Trouble
-from tam570.show.turning import spin_handle
+from tam570.show.turning import in_space, spin_handle
 from tam570.values import Numbers, Parameters
 
 __all__ = ["film"]
@@ -56,7 +56,7 @@ def _live(student: Student, inertia: Array, size: Array, spin: Array) -> Live:
     """Return the state is R, row by row, and omega in the body; a hand takes the tip of omega."""
     euler, attitude, energy = (student.function(name) for name in ("euler_equations", "attitude_rate", "energy"))
     reach = 1.5 / float(np.linalg.norm(spin))  # m per rad/s
-    hand = spin_handle(reach, in_space=False)
+    hand = spin_handle(reach, in_body=True)
     tip = hand.point
     names = [f"R{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
     start = (*_attitude(spin, inertia).ravel().tolist(), *spin.tolist())
@@ -99,13 +99,12 @@ def _motion(student: Student, times: Array, omega: Array, inertia: Array) -> lis
 
 def _box(student: Student, rotations: Array, omegas: Array, inertia: Array, size: Array) -> list[Shape]:
     edges = student.each("wireframe", rotations, size=size, shape=(12, 2, 3)).reshape(-1, 24, 3)
-    omega = _in_space(rotations, omegas)
     reach = 1.5 / np.linalg.norm(omegas[0])  # m per rad/s
     return [
         Shape("fill", box_face(rotations, size), 0, faint=True),
         Shape("lines", edges, 0, "box", width=2.5),
         *student.make_each(lambda: _momentum_arrow(student, rotations, omegas, inertia)),
-        Shape("arrow", moving(np.zeros(3), reach * omega), 1, "angular velocity", width=2.5),
+        Shape("arrow", moving(np.zeros(3), reach * in_space(rotations, omegas)), 1, "angular velocity", width=2.5),
         Shape("trail", moving(rotations[:, :, 1] * size[1] / 2), 4, "end of the middle axis", width=1.2),
     ]
 
@@ -113,12 +112,6 @@ def _box(student: Student, rotations: Array, omegas: Array, inertia: Array, size
 def _momentum_arrow(student: Student, rotations: Array, omegas: Array, inertia: Array) -> Shape:
     H = student.each("angular_momentum", rotations, omegas, inertia=inertia, shape=(3,))
     return Shape("arrow", moving(np.zeros(3), 1.7 * H / np.linalg.norm(H[0])), 2, "angular momentum", width=3)
-
-
-def _in_space(rotations: Array, vectors: Array) -> Array:
-    """(n, 3) vectors given in axes of the body."""
-    turned: Array = np.einsum("nij,nj->ni", rotations, vectors)
-    return turned
 
 
 def _ellipsoids(student: Student, omegas: Array, inertia: Array) -> Panel:
@@ -183,15 +176,15 @@ def _disk(student: Student, times: Array) -> Panel:
     """Two points of the rim, a quarter of a turn apart; the cones of omega in the body and in space."""
     omegas, rotations = _motion(student, times, WOBBLE, DISK)
     length = 1.6 / np.linalg.norm(WOBBLE)
-    in_body, in_space = length * omegas, length * _in_space(rotations, omegas)
+    omega = length * in_space(rotations, omegas)
     first, other = RADIUS * rotations[:, :, 0], RADIUS * rotations[:, :, 1]
     rim = circle(np.zeros(3), first, other, 37)
     shapes = [
         Shape("fill", rim, GREY, faint=True),
         Shape("path", rim, GREY, "disk", width=2),
-        *cone(_once_round(in_space), 2, "space cone"),
-        *cone(_once_round(in_body) @ np.swapaxes(rotations, 1, 2), 3, "body cone"),
-        Shape("arrow", moving(np.zeros(3), in_space), 1, width=2.5),
+        *cone(_once_round(omega), 2, "space cone"),
+        *cone(_once_round(length * omegas) @ np.swapaxes(rotations, 1, 2), 3, "body cone"),
+        Shape("arrow", moving(np.zeros(3), omega), 1, width=2.5),
     ]
     for point, color in ((first, 4), (other, 5)):
         shapes += [

@@ -10,7 +10,7 @@ import numpy as np
 from tam570.integrate import solve
 from tam570.lectures.sleigh import gyration
 from tam570.show.drawing import graph, unit_circle
-from tam570.show.live import Handle, Live, drag
+from tam570.show.live import Handle, Live, drag, energies
 from tam570.show.plots import drift_note, value_plot, values
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, moving, with_slider
 from tam570.values import Numbers
@@ -24,9 +24,7 @@ OUTLINE = np.array([[-0.4, -0.35], [1.3, -0.35], [1.7, 0.0], [1.3, 0.35], [-0.4,
 def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
     """Speed and yaw rate grow together: the same motion faster."""
     times, size = frame_times(seconds), _size(parameters)
-    energy = lecture.energy
-    measures = {"total E": lambda state, **parameters: energy([*state], **parameters)}
-    handles = [drag(0, 2), Handle(_nose, _turn_to)]
+    measures, handles = energies(lecture.energy), [drag(0, 2), Handle(_nose, _turn_to)]
 
     def drawing(states: Array, parameters: Mapping[str, float]) -> list[Shape]:
         return _sleigh(states, parameters["offset"], size)
@@ -36,7 +34,7 @@ def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Seque
         begin = (*start[:3], speed, share * start[4])
         states = solve(lecture.rates, times, begin, parameters=parameters, rtol=1e-8)
         live = Live(lecture.rates, parameters, lecture.STATE, begin, drawing, handles, measures)
-        return replace(_one(times, states, energy, parameters), live=live)
+        return replace(_one(times, states, lecture.energy, parameters), live=live)
 
     speeds = [share * start[3] for share in SHARES] if start[3] else []
     return with_slider(scene_at, "push", "m/s", speeds, start[3])
