@@ -63,6 +63,16 @@ def test_what_a_hand_holds_is_where_the_hand_is(scene_named, name):
         assert np.ravel(handle.point(grabbed, **live.parameters)) == pytest.approx(position, abs=1e-9)
 
 
+def test_after_a_jump_in_time_a_hand_takes_hold_of_what_the_film_shows(tab, scenes):
+    """Of a motion that takes more steps than one call of the page's integrator."""
+    scene = scenes("hw14_rolling_disk")
+    opened, live = tab(scene), scene.live
+    opened.evaluate("goTo(duration)")
+    times = [0.0, opened.evaluate("live.t")]
+    expected = solve(live.rates, times, live.start, parameters=live.parameters, rtol=1e-12)[-1]
+    assert times[1] == pytest.approx(scene.times[-1]) and opened.evaluate("live.s") == pytest.approx(expected, abs=1e-8)
+
+
 def dragged(opened, by):
     """Move the first handle by some pixels."""
     box = opened.locator("#live").bounding_box()
