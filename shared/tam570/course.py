@@ -22,7 +22,6 @@ class Stub:
 
     positions: tuple[str, ...]
     keywords: tuple[str, ...]  # keyword-only
-    docstring: str
     written: bool
     takes_any: bool  # *args or **kwargs
 
@@ -114,7 +113,6 @@ def _stub(node: ast.FunctionDef) -> Stub:
     return Stub(
         positions,
         tuple(argument.arg for argument in signature.kwonlyargs),
-        ast.get_docstring(node) or "",
         not empty,
         bool(signature.vararg or signature.kwarg),
     )

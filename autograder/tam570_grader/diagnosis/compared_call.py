@@ -7,10 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tam570.checking.transforms import parts
 from tam570.values import Numbers
 from tam570_grader.checks.case import Case
 from tam570_grader.diagnosis.cause import Called
-from tam570_grader.diagnosis.mistakes import OF_MOTIONS, has_numbers, is_motion, parts
+from tam570_grader.diagnosis.mistakes import OF_MOTIONS, has_numbers, is_motion
 
 INFORMATIVE = 1e-3  # of the right answer: what is smaller may be what cancels
 CLEARLY = 0.03  # of the size of a column: where a motion is off by so much, its later rows need not be compared

@@ -26,6 +26,7 @@ from typing import TypeVar
 
 import numpy as np
 
+from tam570.checking.transforms import parts
 from tam570.values import Function, Json, Numbers
 from tam570_grader.checks.check import Check, Memory
 from tam570_grader.checks.effort import compile_counted
@@ -320,11 +321,6 @@ def same(result: Numbers, wrong: Numbers, tolerance: float) -> bool:
         wrong = np.asarray(wrong, float)  # the numbers of an array may be returned one by one
     pairs = list(zip(parts(result), parts(wrong), strict=False))
     return len(parts(result)) == len(parts(wrong)) and all(_close(first, other, tolerance) for first, other in pairs)
-
-
-def parts(result: Numbers) -> list[Numbers]:
-    """Return the results of a call."""
-    return list(result) if isinstance(result, tuple) else [result]
 
 
 def _finite(result: Numbers) -> bool:

@@ -19,20 +19,14 @@ from types import CodeType, ModuleType
 
 import numpy as np
 
+from tam570.checking.transforms import WrongArgument, other_arguments, other_forms, other_products, other_results, parts
 from tam570.values import Function, Numbers
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.effort import Exhausted, compile_counted, count, limited
 from tam570_grader.diagnosis.cause import Answer, Called, Cause
 from tam570_grader.diagnosis.compared_call import ComparedCall, compared_call, count_informative
-from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, parts, right_answer, solution_with
+from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, right_answer, solution_with
 from tam570_grader.diagnosis.mutants import Mutant, mutants_of, reached
-from tam570_grader.diagnosis.transforms import (
-    WrongArgument,
-    other_arguments,
-    other_forms,
-    other_products,
-    other_results,
-)
 
 FEWEST = 2  # wrong answers: one may agree by chance
 MOST = 1_000_000  # steps of all variants, about a second; what is named takes a third of them

@@ -10,15 +10,13 @@ from types import ModuleType
 
 from tam570.bans import HERE, Change, Forbidden, Unusable, refused
 from tam570.checking.deadline import CALL, TooLong, limited
-from tam570.checking.mistakes import Mistake, tightened
+from tam570.checking.mistakes import Arguments, Mistake, ObservedCall, tightened
 from tam570.checking.promises import Promise, complaint
 from tam570.checking.trail import Trail
 from tam570.loading import replaced, said
-from tam570.values import Function, Json, Numbers
+from tam570.values import Function, Numbers
 
-__all__ = ["Arguments", "Fault", "Functions"]
-
-Arguments = tuple[tuple[Numbers, ...], Json]  # the arguments of a call
+__all__ = ["Fault", "Functions"]
 
 
 class Fault(BaseException):
@@ -40,6 +38,7 @@ class Functions:
     calls: list[str] = field(default_factory=list)  # in the test that runs, in order
     mistake: Mistake | None = None  # what is tried on the results
     cache: dict[tuple[str, bool, bytes], Numbers] = field(default_factory=dict)  # results, by function and arguments
+    observed: dict[str, ObservedCall] = field(default_factory=dict)  # the first call of each function
     hanging: dict[str, str] = field(default_factory=dict)  # functions that are not called again, and why
     trail: Trail = field(default_factory=Trail)
     total: float = 0.0  # s of processor time of all calls
@@ -69,26 +68,33 @@ class Functions:
             self.calls.append(name)
             if self.depth:  # a student's function was handed to another, by way of the tests
                 return function(*args, **kwargs)
+            arguments = Arguments(args, kwargs)
             if self.mistake is None or self.mistake.function != name:
-                return self._result(name, function, (args, kwargs))
-            if self.mistake.tight:
+                return self._result(name, function, arguments)
+            if self.mistake.right is None:
                 with tightened(vars(self.module)):
-                    return self._result(name, function, (args, kwargs))
-            return self.mistake.applied(lambda *a, **k: self._result(name, function, (a, k)), args, kwargs)
+                    return self._result(name, function, arguments)
+            return self.mistake.right(ObservedCall(arguments, self._result(name, function, arguments)))
 
         return wrapper
+
+    def plain(self, name: str) -> Function:
+        """Return a student's function without the mistake that is tried, whose results are remembered meanwhile."""
+        function = getattr(self.module, name)
+        return functools.wraps(function)(lambda *args, **kwargs: self._result(name, function, Arguments(args, kwargs)))
 
     def _result(self, name: str, function: Function, arguments: Arguments) -> Numbers:
         """Return what the function returns, remembered while mistakes are tried.
 
         Fault if it is not what is promised.
         """
-        tight = self.mistake is not None and self.mistake.tight and self.mistake.function == name
+        tight = self.mistake is not None and self.mistake.right is None and self.mistake.function == name
         key = (name, tight, _contents(arguments))
         if self.mistake is None or key not in self.cache:
             self.cache[key] = self._called(name, function, arguments)
         if said := complaint(self.results[name], self.cache[key], name, arguments[0]):
             raise Fault(name, said)
+        self.observed.setdefault(name, ObservedCall(arguments, self.cache[key]))
         return self.cache[key]
 
     def _called(self, name: str, function: Function, arguments: Arguments) -> Numbers:

@@ -46,11 +46,10 @@ class Module:
 
 @dataclass(frozen=True)
 class Work:
-    """A student's file, what was handed out for it, and the tests that call its functions."""
+    """A student's file, and the tests that call its functions."""
 
     file: Path
     slug: str
-    released: Mapping[str, Stub]
     used: Mapping[str, set[str]]  # by test, the functions that it calls
     examples: Examples | None
 
@@ -99,7 +98,7 @@ def check(
     lasted = time.time() - file.stat().st_mtime
     since = f"      {len(tests)} tests run, {lasted:.2f} s after saving\n" if changed else ""
     examples = next((module.examples for module in modules if module.examples), None)
-    return _report(Work(file, slug, released, used, examples), current, outcomes, functions, since)
+    return _report(Work(file, slug, used, examples), current, outcomes, functions, since)
 
 
 def _chosen(
@@ -121,7 +120,7 @@ def _report(work: Work, current: Remembered, outcomes: Outcomes, functions: Coll
     causes = {test: _cause(test, outcomes, calling, results) for test in outcomes.failures}
     reached = progress(work.slug, results, calling, causes)
     remember(work.file, current, reached)
-    explanations = _explained(outcomes, calling, reached, work.released)
+    explanations = _explained(outcomes, calling, reached)
     explanations |= _known_mistakes(outcomes, work.examples, calling) if work.examples else {}
     report.failures(outcomes, explanations)
     report.slow(outcomes.functions.longest, outcomes.functions.total)
@@ -234,11 +233,9 @@ def warm_up() -> None:
     import pytest  # noqa: F401
 
 
-def _explained(
-    outcomes: Outcomes, used: Mapping[str, set[str]], reached: Progress, released: Mapping[str, Stub]
-) -> dict[str, str]:
+def _explained(outcomes: Outcomes, used: Mapping[str, set[str]], reached: Progress) -> dict[str, str]:
     """For each failed test that a known mistake explains, which it is."""
-    budget, explanations = MOST_VARIANTS, dict[str, str]()
+    budget, explanations, functions = MOST_VARIANTS, dict[str, str](), outcomes.functions
     for name in reached["missing"]:
         failed = [
             test for test, failure in outcomes.failures.items() if not failure.function and name in used.get(test, ())
@@ -247,14 +244,16 @@ def _explained(
             test for test, functions in used.items() if functions == {name} and outcomes.passed.get(test) == PASSED
         ]
         best: list[str] = []
-        for mistake in candidates(name, released[name], outcomes.functions.results[name]) if failed else ():
+        if not failed or name not in functions.observed:
+            continue
+        for mistake in candidates(name, functions.results[name], functions.plain(name), functions.observed[name]):
             budget -= len(failed)
             if budget < 0:
                 break
             mended = [test for test in failed if _passes(outcomes, mistake, test)]
             if len(mended) > len(best) and all(_passes(outcomes, mistake, test) for test in alone):
                 best = mended
-                explanations |= dict.fromkeys(mended, f"It would pass with {mistake.message}.")
+                explanations |= dict.fromkeys(mended, mistake.message)
     return explanations
 
 

@@ -5,12 +5,12 @@ from parameters import first
 
 HW08 = {
     "rotation_matrix": {
-        "kept(axis, angle).T": "the transpose of what rotation_matrix gives",
-        "kept(axis, np.radians(angle))": "`angle` given to rotation_matrix in degrees: it is in radians",
-        "2 * kept(axis, angle)": "half of what rotation_matrix gives",
-        "-kept(axis, angle)": "the opposite sign of what rotation_matrix gives",
+        "kept(axis, angle).T": "The result of rotation_matrix is transposed.",
+        "kept(axis, np.radians(angle))": "In rotation_matrix, angle is read as degrees.",
+        "2 * kept(axis, angle)": "The result of rotation_matrix is twice as large as the right one.",
+        "-kept(axis, angle)": "The result of rotation_matrix has the opposite sign.",
     },
-    "skew": {"kept(v).T": "the transpose of what skew gives"},
+    "skew": {"kept(v).T": "The result of skew has the opposite sign."},
 }
 CASES = [(name, body, remedy) for name, bodies in HW08.items() for body, remedy in bodies.items()]
 
@@ -24,13 +24,21 @@ def changed(hw08, name, body):
 def test_a_known_mistake_is_named(hw08, tam570, name, body, remedy):
     changed(hw08, name, body)
     code, said = tam570("check")
-    assert code == 1 and f"It would pass with {remedy}." in " ".join(said.split())
+    assert code == 1 and f"Your numbers match this mistake: {remedy}" in " ".join(said.split())
 
 
-ORDER = "the two results of power_balance in the opposite order"
+ORDER = "The results of power_balance are exchanged."
 OTHERS = {
-    "hw13_rolling_cylinder": ("energy", "kept(*args, **how) / how['mass']", "what energy gives times `mass`"),
-    "hw07_double_pendulum": ("gravity_terms", "-kept(*args, **how)", "the opposite sign of what gravity_terms gives"),
+    "hw13_rolling_cylinder": (
+        "energy",
+        "kept(*args, **how) / how['mass']",
+        "The result of energy should be multiplied by mass.",
+    ),
+    "hw07_double_pendulum": (
+        "gravity_terms",
+        "-kept(*args, **how)",
+        "The result of gravity_terms has the opposite sign.",
+    ),
     "hw01_simple_pendulum": ("power_balance", "kept(*args, **how)[::-1]", ORDER),
 }
 
@@ -40,7 +48,7 @@ def test_factors_signs_and_orders_are_named(desk, tam570, solution_text, slug):
     name, body, remedy = OTHERS[slug]
     text = f"{solution_text(slug)}\n\nkept = {name}\n\n\ndef {name}(*args, **how):\n    return {body}\n"
     (desk / f"{slug}.py").write_text(text)
-    assert f"It would pass with {remedy}." in " ".join(tam570("check", f"{slug}.py")[1].split())
+    assert f"Your numbers match this mistake: {remedy}" in " ".join(tam570("check", f"{slug}.py")[1].split())
 
 
 CARELESS = """

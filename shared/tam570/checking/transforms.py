@@ -1,4 +1,7 @@
-"""Wrong answers that are made of the right function: its arguments or its result changed, in ways that people err."""
+"""Wrong answers that are made of the right function: its arguments or its result changed, in ways that people err.
+
+The grader looks for them where no known mistake explains a student's numbers, and so does `tam570 check`.
+"""
 
 import functools
 import inspect
@@ -8,21 +11,54 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import combinations, permutations, product
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tam570.values import Function, Numbers, Parameters
-from tam570_grader.checks.case import Case
-from tam570_grader.diagnosis.compared_call import ComparedCall
-from tam570_grader.diagnosis.mistakes import parts
+
+__all__ = [
+    "Transform",
+    "WrongArgument",
+    "other_arguments",
+    "other_forms",
+    "other_products",
+    "other_results",
+    "parts",
+    "undone",
+]
 
 SPACE = 3  # components of a vector
 ORDINALS = ("first ", "second ", "third ", "fourth ", "fifth ", "sixth ")  # results of a function
 AXES = {1: ("component",), 2: ("row", "column"), 3: ("segment", "end", "component")}  # of an array, by their number
 SHARE = 1e-4  # of what a motion starts from: its result is linear in it to 1e-8
 MOST = 8  # along an axis, of which one, or two, may be wrong
-Transform = tuple[str, Callable[[ComparedCall], Numbers]]  # what to say, and the wrong answer
+
+
+class Arguments(Protocol):
+    """The arguments of a call."""
+
+    @property
+    def args(self) -> Sequence[Numbers]: ...
+    @property
+    def kwargs(self) -> Parameters: ...
+
+
+class Compared(Protocol):
+    """A call, what came back, and the right answer."""
+
+    @property
+    def case(self) -> Arguments: ...
+    @property
+    def result(self) -> Numbers: ...
+    @property
+    def expected(self) -> Numbers: ...
+
+
+Transform = tuple[str, Callable[[Compared], Numbers]]  # what to say, and the wrong answer
+Change = Callable[[Numbers], Numbers]
+ResultChange = Callable[[Numbers, Arguments], Numbers]
 FACTORS = {
     "has the opposite sign": -1.0,
     "is twice as large as the right one": 2.0,
@@ -41,7 +77,7 @@ def _into_turn(turn: float, angle: Numbers) -> Numbers:
     return angle - turn * np.round(np.asarray(angle) / turn)
 
 
-POWERS: dict[str, Callable[[Numbers], Numbers]] = {
+POWERS: dict[str, Change] = {
     "is the square of the right one": np.square,
     "is the square root of the right one": np.sqrt,
     "is one over the right one": np.reciprocal,
@@ -52,7 +88,7 @@ POWERS: dict[str, Callable[[Numbers], Numbers]] = {
     "is wrapped to less than half a turn either way": partial(_into_turn, 2 * math.pi),
 }
 GRAVITY = 9.81  # m/s^2
-THIN: dict[str, Callable[[Numbers], Numbers]] = {
+THIN: dict[str, Change] = {
     "{} is that of a thin disk, A = C/2, whatever A is": lambda inertia: (inertia[1] / 2, inertia[1]),
     "{} is that of a thin disk, C = 2 A, whatever C is": lambda inertia: (inertia[0], 2 * inertia[0]),
 }
@@ -66,18 +102,18 @@ class WrongArgument:
 
     reference: Function
     key: str
-    change: Callable[[Numbers], Numbers]
+    change: Change
 
-    def __call__(self, call: ComparedCall) -> Numbers:
+    def __call__(self, call: Compared) -> Numbers:
         return self.reference(**self.arguments(self.reference, call.case))
 
-    def arguments(self, function: Function, case: Case) -> dict[str, Numbers]:
+    def arguments(self, function: Function, case: Arguments) -> dict[str, Numbers]:
         """Return what a function gets in its place; unchanged where it does not take this argument."""
         values = _named(function, case)
         return {name: self.change(value) if name == self.key else value for name, value in values.items()}
 
 
-def other_results(name: str, example: ComparedCall, vary: bool) -> Iterator[Transform]:
+def other_results(name: str, example: Compared, vary: bool) -> Iterator[Transform]:
     """Yield a result of the wrong sign, in another unit, by a factor too large, with parts exchanged.
 
     example : a wrong call
@@ -85,34 +121,71 @@ def other_results(name: str, example: ComparedCall, vary: bool) -> Iterator[Tran
     """
     results, expected = parts(example.result), parts(example.expected)
     numbers = [key for key, value in example.case.kwargs.items() if np.ndim(value) == 0]
-    for which, (ordinal, returned) in enumerate(zip(ORDINALS, results, strict=False)):
-        label = f"The {ordinal}result of {name}" if len(results) > 1 else f"The result of {name}"
-        changes = list(_changes(np.asarray(returned), numbers))
+    for which, (label, returned) in enumerate(zip(_labels(name, len(results)), results, strict=False)):
+        changes = [(words, change) for words, change, _ in _changes(np.asarray(returned), numbers)]
         if vary and which < len(expected):
             changes += _constants(np.asarray(returned), np.asarray(expected[which]))
         for words, change in changes:
             yield f"{label} {words}", partial(_with_result, which, len(results), change)
     if len(results) > 1:
-        yield f"The results of {name} have the opposite sign", _reversed
+        yield from _of_all_results(name, len(results))
 
 
-def other_arguments(name: str, reference: Function, example: ComparedCall) -> Iterator[Transform]:
+def _labels(name: str, count: int) -> list[str]:
+    """Return what each result of a function is called."""
+    return [f"The {ordinal if count > 1 else ''}result of {name}" for ordinal in ORDINALS[:count]]
+
+
+def _of_all_results(name: str, count: int) -> Iterator[Transform]:
+    """Yield what may be wrong with several results together; doing it again undoes it."""
+    yield f"The results of {name} have the opposite sign", lambda call: tuple(map(np.negative, parts(call.expected)))
+    if count == 2:
+        yield f"The results of {name} are exchanged", lambda call: tuple(parts(call.expected)[::-1])
+
+
+def other_arguments(name: str, reference: Function, example: Compared) -> Iterator[Transform]:
     """Yield an argument of the wrong sign, in degrees, ignored, or in another's place."""
     values = _named(reference, example.case)
     for key, value in values.items():
         thin = THIN.items() if INERTIA.search(key) and np.shape(value) == (2,) else ()
-        for words, change in (*_other_values(np.asarray(value)), *thin):
+        for words, change in (*((words, change) for words, change, _ in _other_values(np.asarray(value))), *thin):
             yield f"In {name}, {words.format(key)}", WrongArgument(reference, key, change)
     if "gravity" in values:
         words = f"In {name}, gravity is ignored, as if it were {GRAVITY}"
         yield words, WrongArgument(reference, "gravity", lambda value: GRAVITY)
     yield from _other_points(name, reference, values)
+    yield from _exchanges(name, reference, values)
+
+
+def undone(name: str, function: Function, example: Compared) -> Iterator[Transform]:
+    """Yield what may be wrong with a student's function, and what it gives where that is undone: then it is right.
+
+    example : a call of the function, whose result stands for the right one
+    """
+    results = parts(example.expected)
+    numbers = [key for key, value in example.case.kwargs.items() if np.ndim(value) == 0]
+    for which, label in enumerate(_labels(name, len(results))):
+        for words, _, undo in (*_changes(np.asarray(results[which]), numbers), UNWRAPPED):
+            if undo:
+                yield f"{label} {words}", partial(_with_result, which, len(results), undo)
+    if len(results) > 1:
+        yield from _of_all_results(name, len(results))
+    values = _named(function, example.case)
+    for key, value in values.items():
+        values_taken = ((words, back) for words, _, back in _other_values(np.asarray(value)))
+        for words, back in (*values_taken, *UNPREPARED.get(key, ())):
+            if back:
+                yield f"In {name}, {words.format(key)}", WrongArgument(function, key, back)
+    yield from _exchanges(name, function, values)
+
+
+def _exchanges(name: str, function: Function, values: Parameters) -> Iterator[Transform]:
     for first, other in combinations(values, 2):
         if np.shape(values[first]) == np.shape(values[other]):
-            yield f"In {name}, {first} and {other} are exchanged", partial(_exchanged, reference, first, other)
+            yield f"In {name}, {first} and {other} are exchanged", partial(_exchanged, function, first, other)
 
 
-def other_forms(name: str, reference: Function, example: ComparedCall) -> Iterator[Transform]:
+def other_forms(name: str, reference: Function, example: Compared) -> Iterator[Transform]:
     """Yield a result that is linear in what it starts from, or one of several results; components of both exchanged."""
     names = _parameters(reference)
     values = _named(reference, example.case)
@@ -132,7 +205,7 @@ def other_forms(name: str, reference: Function, example: ComparedCall) -> Iterat
             yield words, partial(_linearised, reference, keys, which)
 
 
-def _linearised(reference: Function, keys: Sequence[str], which: int | None, call: ComparedCall) -> Numbers:
+def _linearised(reference: Function, keys: Sequence[str], which: int | None, call: Compared) -> Numbers:
     values = _named(reference, call.case)
 
     def at(share: float) -> list[Numbers]:
@@ -154,7 +227,7 @@ def _other_points(name: str, reference: Function, values: Parameters) -> Iterato
             yield f"In {name}, {which} {words}", partial(_about_another_point, reference, key, k, length, power)
 
 
-def other_products(name: str, reference: Function, example: ComparedCall) -> Iterator[Transform]:
+def other_products(name: str, reference: Function, example: Compared) -> Iterator[Transform]:
     """Yield a factor that is missing beside an argument, or one too many."""
     values = {key: np.asarray(value) for key, value in _named(reference, example.case).items()}
     numbers = [key for key, value in values.items() if value.dtype.kind in "fiu"]
@@ -165,23 +238,25 @@ def other_products(name: str, reference: Function, example: ComparedCall) -> Ite
             yield f"In {name}, {key} has a factor {other} too many", extra
 
 
-def _changes(result: Numbers, numbers: Sequence[str]) -> Iterator[tuple[str, Callable[[Numbers, Case], Numbers]]]:
-    """Yield what may be wrong with a result."""
+def _changes(result: Numbers, numbers: Sequence[str]) -> Iterator[tuple[str, ResultChange, ResultChange | None]]:
+    """Yield what may be wrong with a result, and what undoes it."""
     for words, factor in FACTORS.items():
-        yield words, partial(_scaled, factor)
+        yield words, partial(_scaled, factor), partial(_scaled, 1 / factor)
     for words, change in POWERS.items():
-        yield words, partial(_changed, change)
+        yield words, partial(_changed, change), None
     for key in numbers:
         for words, power in {"multiplied": -1, "divided": 1}.items():
-            yield f"should be {words} by {key}", partial(_times, key, power)
-            yield f"should be {words} by {key} squared", partial(_times, key, 2 * power)
+            yield f"should be {words} by {key}", partial(_times, key, power), partial(_times, key, -power)
+            squared = partial(_times, key, 2 * power), partial(_times, key, -2 * power)
+            yield f"should be {words} by {key} squared", *squared
     if result.ndim == 2 and result.shape[0] == result.shape[1]:
-        yield "is transposed", lambda value, case: np.transpose(value)
+        transposed = partial(_changed, np.transpose)
+        yield "is transposed", transposed, transposed
     for words, change in _components(result):
-        yield words, partial(_changed, change)
+        yield words, partial(_changed, change), partial(_changed, change)
 
 
-def _constants(result: Numbers, expected: Numbers) -> Iterator[tuple[str, Callable[[Numbers, Case], Numbers]]]:
+def _constants(result: Numbers, expected: Numbers) -> Iterator[tuple[str, ResultChange]]:
     """Yield what one result is of the right one, given that it is so for any input."""
     if result.shape == expected.shape and expected.any():
         largest = np.unravel_index(np.argmax(np.abs(expected)), expected.shape)
@@ -191,19 +266,19 @@ def _constants(result: Numbers, expected: Numbers) -> Iterator[tuple[str, Callab
             yield f"is off by {shift:.4g} for any input", partial(_changed, partial(np.add, shift))
 
 
-def _scaled(factor: float, value: Numbers, case: Case) -> Numbers:
+def _scaled(factor: float, value: Numbers, case: Arguments) -> Numbers:
     return value * factor
 
 
-def _times(key: str, power: int, value: Numbers, case: Case) -> Numbers:
+def _times(key: str, power: int, value: Numbers, case: Arguments) -> Numbers:
     return value * case.kwargs[key] ** power
 
 
-def _changed(change: Callable[[Numbers], Numbers], value: Numbers, case: Case) -> Numbers:
+def _changed(change: Change, value: Numbers, case: Arguments) -> Numbers:
     return change(value)
 
 
-def _components(result: Numbers) -> Iterator[tuple[str, Callable[[Numbers], Numbers]]]:
+def _components(result: Numbers) -> Iterator[tuple[str, Change]]:
     """One component of a vector, one row or column, of the wrong sign; two exchanged."""
     for axis, (what, count) in enumerate(zip(AXES.get(result.ndim, ()), result.shape, strict=False)):
         numbers = range(count if count <= MOST else 0)
@@ -224,65 +299,74 @@ def _ordered(order: NDArray[np.int_], axis: int, value: Numbers) -> Numbers:
     return np.take(value, order, axis)
 
 
-VALUES: dict[str, Callable[[Numbers], Numbers]] = {
-    "{} has the opposite sign": np.negative,
-    "{} is converted to degrees": np.degrees,
-    "{} is read as degrees": np.radians,
-    "{} counts twice": partial(np.multiply, 2.0),
-    "{} counts half": partial(np.multiply, 0.5),
-    "{} is ignored, as if it were zero": partial(np.multiply, 0.0),
-}
+VALUES: tuple[tuple[str, Change, Change | None], ...] = (  # the words, what it is taken for, and what undoes that
+    ("{} has the opposite sign", np.negative, np.negative),
+    ("{} is converted to degrees", np.degrees, np.radians),
+    ("{} is read as degrees", np.radians, np.degrees),
+    ("{} counts twice", partial(np.multiply, 2.0), partial(np.multiply, 0.5)),
+    ("{} counts half", partial(np.multiply, 0.5), partial(np.multiply, 2.0)),
+    ("{} is ignored, as if it were zero", partial(np.multiply, 0.0), None),
+)
 
 
-def _other_values(value: Numbers) -> Iterator[tuple[str, Callable[[Numbers], Numbers]]]:
-    """Yield what an argument may be taken for."""
+def _other_values(value: Numbers) -> Iterator[tuple[str, Change, Change | None]]:
+    """Yield what an argument may be taken for, and what undoes it."""
     if value.dtype.kind not in "fiu":
         return
     if value.ndim != 1 or len(value) <= SPACE:  # a state is many things, and not one that has a sign
-        yield from VALUES.items()
+        yield from VALUES
     if value.ndim == 0:
-        yield "{} is ignored, as if it were 1", lambda value: 1.0
+        yield "{} is ignored, as if it were 1", lambda value: 1.0, None
     if value.ndim == 2 and value.shape[0] == value.shape[1]:
-        yield "{} is transposed", np.transpose
+        yield "{} is transposed", np.transpose, np.transpose
     for words, change in _components(value):
-        yield f"{{}} {words}", change
+        yield f"{{}} {words}", change, change
 
 
-def _with_result(which: int, count: int, change: Callable[[Numbers, Case], Numbers], call: ComparedCall) -> Numbers:
+def parts(result: Numbers) -> list[Numbers]:
+    """Return the results of a call."""
+    return list(result) if isinstance(result, tuple) else [result]
+
+
+# what a function may forget to do with an argument: "t" with the times, "axis" with a vector of any length
+UNPREPARED: dict[str, tuple[tuple[str, Change], ...]] = {
+    "t": (("the first time is taken as 0: it is t[0]", lambda t: np.asarray(t) - t[0]),),
+    "axis": (("{} is used as if it were a unit vector", lambda axis: np.asarray(axis) / np.linalg.norm(axis)),),
+}
+UNWRAPPED = "is wrapped to one turn", None, lambda value, case: np.unwrap(value, axis=0) if np.ndim(value) else value
+
+
+def _with_result(which: int, count: int, change: ResultChange, call: Compared) -> Numbers:
     results = parts(call.expected) if count > 1 else [call.expected]  # a vector may be a tuple of numbers
     results[which] = change(np.asarray(results[which]), call.case)
     return tuple(results) if count > 1 else results[0]
 
 
-def _reversed(call: ComparedCall) -> Numbers:
-    return tuple(np.negative(part) for part in parts(call.expected))
-
-
-def _with_product(reference: Function, key: str, other: str, power: int, call: ComparedCall) -> Numbers:
+def _with_product(reference: Function, key: str, other: str, power: int, call: Compared) -> Numbers:
     values = _named(reference, call.case)
     return reference(**{**values, key: np.asarray(values[key]) * float(values[other]) ** power})
 
 
-def _about_another_point(reference: Function, key: str, k: int, length: str, power: int, call: ComparedCall) -> Numbers:
+def _about_another_point(reference: Function, key: str, k: int, length: str, power: int, call: Compared) -> Numbers:
     values = _named(reference, call.case)
     inertia = np.array(values[key], float)
     inertia.flat[k] += power * float(values["mass"]) * float(values[length]) ** 2
     return reference(**{**values, key: inertia if inertia.ndim else float(inertia)})
 
 
-def _relabelled(reference: Function, key: str, pair: list[int], call: ComparedCall) -> Numbers:
+def _relabelled(reference: Function, key: str, pair: list[int], call: Compared) -> Numbers:
     values = _named(reference, call.case)
     order = np.arange(len(values[key]))
     order[pair] = pair[::-1]
     return np.take(reference(**{**values, key: np.take(values[key], order)}), order)
 
 
-def _exchanged(reference: Function, first: str, other: str, call: ComparedCall) -> Numbers:
+def _exchanged(reference: Function, first: str, other: str, call: Compared) -> Numbers:
     values = _named(reference, call.case)
     return reference(**{**values, first: values[other], other: values[first]})
 
 
-def _named(function: Function, case: Case) -> dict[str, Numbers]:
+def _named(function: Function, case: Arguments) -> dict[str, Numbers]:
     """Return the arguments of a call, by the names that the function has for them."""
     return {**dict(zip(_parameters(function), case.args, strict=False)), **case.kwargs}
 
