@@ -13,6 +13,7 @@ from tam570_grader.cli.certificates import add_certificates
 from tam570_grader.cli.exchange import add_alike, add_collect, add_export, add_lms, add_report
 from tam570_grader.cli.grade import add_grade
 from tam570_grader.cli.manual_grading import add_mark
+from tam570_grader.cli.options import add_root
 from tam570_grader.cli.points import add_points
 from tam570_grader.cli.release import add_course, add_gradescope, add_kit, add_stubs, add_trust
 from tam570_grader.cli.replay import add_replay
@@ -71,10 +72,10 @@ def main(argv: list[str] | None = None) -> int:
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="tam570-grader", description="Grade the assignments of the course.")
     parser.add_argument("--version", action="version", version=f"tam570-grader {__version__}")
-    _add_root(parser, None)
+    add_root(parser, None)
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     for add in COMMANDS:
-        _add_root(add(commands), argparse.SUPPRESS)
+        add(commands)
     completion = commands.add_parser("completion", help="print a script that completes commands in your shell")
     completion.add_argument("shell", choices=["bash", "zsh", "tcsh"])
     completion.set_defaults(command=lambda arguments: _complete(parser, arguments.shell))
@@ -86,12 +87,6 @@ def _complete(parser: argparse.ArgumentParser, shell: str) -> int:
 
     sys.stdout.write(f"{shtab.complete(parser, shell)}\n")  # its tabs stay
     return 0
-
-
-def _add_root(parser: argparse.ArgumentParser, default: str | None) -> None:
-    """--root, before the command and after it."""
-    where = "the course (default: $TAM570_COURSE, the trusted course you are in, the one that is installed)"
-    parser.add_argument("--root", metavar="DIR", default=default, help=where)
 
 
 if __name__ == "__main__":

@@ -5,8 +5,7 @@ import json
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from tam570.values import Function
-from tam570_grader.cli.options import Commands, add_cluster, positive
+from tam570_grader.cli.options import Commands, add_cluster, add_command, positive
 from tam570_grader.errors import UsageError, say
 from tam570_grader.grading.executor import TaskExecutor, cores
 
@@ -15,48 +14,35 @@ Answer = tuple[object, list[str], int]  # plain data, lines to print, faults
 Question = Callable[[Path, str, TaskExecutor, argparse.Namespace], Answer]
 
 
-def add_audit(commands: Commands) -> argparse.ArgumentParser:
+def add_audit(commands: Commands) -> None:
     """Add the command `audit`."""
-    audit: argparse.ArgumentParser = commands.add_parser(
+    parser = add_command(
+        commands,
         "audit",
+        _audit,
         help="grade the grader: does it catch what it must?",
         description="Run mutants of the reference solutions, one slip each, through the grader.",
         epilog="The exit code is 0 if all is well, and 2 on bad usage. It is 1 if a mutant survives that is not listed "
         "as equivalent, or one is listed in vain. It is also 1 if a right submission loses points, a mistake gets a "
         "wrong name, too few get one, or a margin is too small.",
     )
-    audit.set_defaults(command=_audit)
-    add = audit.add_argument
+    add, asks = parser.add_argument, parser.add_mutually_exclusive_group().add_argument
     add("assignments", nargs="*", metavar="SLUG", help="default: all")
     add("--quick", action="store_true", help="a small fixed sample")
     add("--json", action="store_true", help="print a JSON object for each assignment, one a line")
-    _add_questions(audit.add_mutually_exclusive_group().add_argument)
+    fairness = "do right submissions ever lose points? with N seeds (default: %(const)s)"
+    asks("--fairness", nargs="?", type=positive, const=100, metavar="N", help=fairness)
+    for name, question in (
+        ("--diagnosis", "does feedback name the mistakes of wrong ones?"),
+        ("--cases", "which hidden cases catch what, and how few are needed?"),
+        ("--margins", "how far do limits lie from a careful student's errors, and from wrong physics?"),
+    ):
+        asks(name, action="store_true", default=None, help=question)
     add("--keep", type=Path, metavar="FILE", help="add the lines of --fairness there; what is there is not run again")
     add("--seeds", type=positive, metavar="N", help="of mutants and --diagnosis (default: 1) or --cases (default: 20)")
     add("--function", nargs="+", metavar="NAME", default=[], help="mutants of these functions alone")
     add("--jobs", type=positive, metavar="N", default=cores(), help="processes (default: %(default)s)")
     add_cluster(add)
-    return audit
-
-
-def _add_questions(add: Function) -> None:
-    """Choose what is asked instead of what becomes of mutants."""
-    add(
-        "--fairness",
-        nargs="?",
-        type=positive,
-        const=100,
-        metavar="N",
-        help="do right submissions ever lose points? with N seeds (default: %(const)s)",
-    )
-    add("--diagnosis", action="store_true", default=None, help="does feedback name the mistakes of wrong ones?")
-    add("--cases", action="store_true", default=None, help="which hidden cases catch what, and how few are needed?")
-    add(
-        "--margins",
-        action="store_true",
-        default=None,
-        help="how far do limits lie from a careful student's errors, and from wrong physics?",
-    )
 
 
 def _audit(arguments: argparse.Namespace) -> int:

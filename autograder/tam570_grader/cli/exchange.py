@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from functools import partial
 from pathlib import Path
 
-from tam570_grader.cli.options import Commands
+from tam570_grader.cli.options import Commands, add_command
 from tam570_grader.errors import UsageError, warn
 from tam570_grader.lms.systems import SYSTEMS
 
@@ -17,19 +17,19 @@ def _titles(names: Iterable[str]) -> str:
     return f"{', '.join(first)} or {last}"
 
 
-def add_collect(commands: Commands) -> argparse.ArgumentParser:
+def add_collect(commands: Commands) -> None:
     """Add the command `collect`."""
-    parser: argparse.ArgumentParser = commands.add_parser(
+    add = add_command(
+        commands,
         "collect",
+        _collect,
         help="collect what was downloaded from a learning management system",
         description=f"Put a download of {_titles(SYSTEMS)} into folders <student>/<assignment>/ that `grade` reads. A "
         "download is of one assignment. Of modules, and of notebooks, the one that is named after the assignment goes "
         "before others, then the newest. A module goes before a notebook.",
         epilog="collected.csv, beside that folder, lists who handed in what and when, in all downloads. The exit code "
         "is 1 if a file, or its student, could not be placed, or one that is newer does not count: each is named.",
-    )
-    parser.set_defaults(command=_collect)
-    add = parser.add_argument
+    ).add_argument
     add("source", type=Path, metavar="ZIP", help="the zip file that you downloaded, or its folder")
     add("--from", dest="system", choices=[*SYSTEMS], required=True, help="the system")
     add("--roster", type=Path, metavar="CSV", help="the gradebook or participants: folders are named by login")
@@ -37,58 +37,55 @@ def add_collect(commands: Commands) -> argparse.ArgumentParser:
     add("--times", type=Path, metavar="CSV", help="when work came: Moodle's grading worksheet or log")
     add("--assignment", metavar="SLUG", help="which one it is, where the names of files do not tell")
     add("--to", type=Path, metavar="DIR", default=Path("submitted"), help="default: %(default)s")
-    return parser
 
 
-def add_export(commands: Commands) -> argparse.ArgumentParser:
+def add_export(commands: Commands) -> None:
     """Add the command `export`."""
-    parser: argparse.ArgumentParser = commands.add_parser(
+    add = add_command(
+        commands,
         "export",
+        _export,
         help="lay submissions out for Dolos, JPlag or Moss, with names hidden",
         description="Lay submissions out for a tool that finds shared code. Numbers stand for students; notebooks "
         "become modules; what you released is the base that does not count.",
         epilog="names.csv tells whose number it is: keep it. Names in a student's own text stay as they are.",
-    )
-    parser.set_defaults(command=_export)
-    add = parser.add_argument
+    ).add_argument
     add("paths", nargs="+", type=Path, metavar="PATH", help="what `grade` is given")
     add("--for", dest="tool", choices=["dolos", "jplag", "moss"], required=True, help="the tool")
     add("--to", type=Path, metavar="DIR", required=True, help="a folder that is new or empty")
     add("--assignment", metavar="SLUG", help="which one it is, where the names do not tell")
-    return parser
 
 
-def add_alike(commands: Commands) -> argparse.ArgumentParser:
+def add_alike(commands: Commands) -> None:
     """Add the command `alike`."""
-    parser: argparse.ArgumentParser = commands.add_parser(
+    add = add_command(
+        commands,
         "alike",
+        _alike,
         help="list pairs of submissions that share code",
         description="List pairs of submissions that share code, most alike first. Names, comments and what you "
         "released do not count. Beside each student stands the share of their code that the other one has, too.",
         epilog="Short assignments have few right ways: look at both before you ask anybody. `report` lists who share "
         "a wrong result.",
-    )
-    parser.set_defaults(command=_alike)
-    add = parser.add_argument
+    ).add_argument
     add("paths", nargs="+", type=Path, metavar="PATH", help="what `grade` is given")
     add("--least", type=_share, metavar="SHARE", default=0.6, help="of the code of one of two (default: %(default)s)")
     add("--assignment", metavar="SLUG", help="which one it is, where the names do not tell")
-    return parser
 
 
-def add_lms(commands: Commands) -> argparse.ArgumentParser:
+def add_lms(commands: Commands) -> None:
     """Add the command `lms`."""
     importing = [name for name, system in SYSTEMS.items() if system.table]
-    parser: argparse.ArgumentParser = commands.add_parser(
+    add = add_command(
+        commands,
         "lms",
+        _lms,
         help="make a table that a learning management system imports",
         description=f"Make a table of scores that {_titles(importing)} imports, and a zip file of pages that some of "
         "them hand out. Columns of the gradebook stay as they are; course.toml says which one an assignment has.",
         epilog="With a roster the exit code is 1 if a score belongs to nobody on it, or somebody on it has none, if a "
         "score was changed in the gradebook, or if nobody graded a part by hand.",
-    )
-    parser.set_defaults(command=_lms)
-    add = parser.add_argument
+    ).add_argument
     add("grades", type=Path, metavar="GRADES", help="what `grade --out` wrote, or the table of `nbgrader export`")
     add("--to", choices=importing, required=True, help="the system")
     add("--roster", type=Path, metavar="FILE", help="the gradebook or participants that the system exported")
@@ -102,23 +99,21 @@ def add_lms(commands: Commands) -> argparse.ArgumentParser:
     add("--pages", type=Path, metavar="ZIP", help="also a zip file of one assignment's pages, to hand back there")
     add("--collected", type=Path, metavar="CSV", help="for --pages: collected.csv, which `collect` wrote")
     add("--out", type=Path, metavar="FILE", help="default: print it")
-    return parser
 
 
-def add_report(commands: Commands) -> argparse.ArgumentParser:
+def add_report(commands: Commands) -> None:
     """Add the command `report`."""
-    parser: argparse.ArgumentParser = commands.add_parser(
+    add = add_command(
+        commands,
         "report",
+        _report,
         help="make one page on the class",
         description="Make one page on the class: scores, checks, known mistakes, who is missing.",
-    )
-    parser.set_defaults(command=_report)
-    add = parser.add_argument
+    ).add_argument
     add("folder", type=Path, metavar="DIR", help="what `grade --out` wrote")
     add("--roster", type=Path, metavar="FILE", help="all students, one a line or in the first column of a table")
     add("--collected", type=Path, metavar="CSV", help="collected.csv, which `collect` wrote: when and how often")
     add("--out", type=Path, metavar="FILE", help="default: DIR/report.html, beside the feedback it links to")
-    return parser
 
 
 def _collect(arguments: argparse.Namespace) -> int:

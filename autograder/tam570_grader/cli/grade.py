@@ -9,7 +9,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tam570_grader.cli.options import Commands, add_cluster, natural, positive
+from tam570_grader.cli.options import Commands, add_cluster, add_command, natural, positive
 from tam570_grader.cli.run import RunSummary, whole_run
 from tam570_grader.errors import UsageError, counted, say, warn
 from tam570_grader.grading.executor import cores
@@ -24,16 +24,16 @@ if TYPE_CHECKING:
     from tam570_grader.results.store import Results
 
 
-def add_grade(commands: Commands) -> argparse.ArgumentParser:
+def add_grade(commands: Commands) -> None:
     """Add the command `grade`."""
-    grade: argparse.ArgumentParser = commands.add_parser(
+    add = add_command(
+        commands,
         "grade",
+        _grade,
         help="grade submissions",
         description="Grade modules, notebooks, their folders, or a tree of submissions <student>/<assignment>/.",
         epilog="The exit code is 0 when grading worked, whatever the scores; 1 when the grader failed; 2 on bad usage.",
-    )
-    grade.set_defaults(command=_grade)
-    add = grade.add_argument
+    ).add_argument
     add("paths", nargs="+", type=Path, metavar="PATH", help="a module, a notebook, a folder or a tree")
     add("--out", type=Path, metavar="DIR", help="write results.jsonl, grades.csv and feedback there")
     add("--json", action="store_true", help="print a JSON object for each submission, one a line")
@@ -63,7 +63,6 @@ def add_grade(commands: Commands) -> argparse.ArgumentParser:
     ):
         add(name, type=positive, metavar=unit, help=f"{what} (default: as course.toml says, else {default})")
     add_cluster(add)
-    return grade
 
 
 def _seed(text: str) -> int:

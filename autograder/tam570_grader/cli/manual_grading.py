@@ -4,7 +4,7 @@ import argparse
 import contextlib
 from pathlib import Path
 
-from tam570_grader.cli.options import Commands, natural
+from tam570_grader.cli.options import Commands, add_command, natural
 from tam570_grader.errors import UsageError, say
 from tam570_grader.grading.submissions import submissions
 from tam570_grader.lms.manual_grading import Desk, StudentWork, serve
@@ -12,23 +12,22 @@ from tam570_grader.results import manual_points
 from tam570_grader.results.store import ResultStore, results
 
 
-def add_mark(commands: Commands) -> argparse.ArgumentParser:
+def add_mark(commands: Commands) -> None:
     """Add the command `mark`."""
-    parser: argparse.ArgumentParser = commands.add_parser(
+    add = add_command(
+        commands,
         "mark",
+        _mark,
         help="open a page to grade parts by hand",
         description="Open a page on this machine with each student's work beside the claims of the rubric. It writes "
         "the points and comments into DIR/by_hand.csv, as `points` does.",
         epilog="The address holds a secret: give it to nobody. Keys: n and p change the student, 1 to 9 tick claims.",
-    )
-    parser.set_defaults(command=_mark)
-    add = parser.add_argument
+    ).add_argument
     add("folder", type=Path, metavar="DIR", help="what `grade --out` wrote")
     add("--submitted", type=Path, metavar="DIR", help="the tree of submissions, to show the work")
     add("--only", nargs="+", metavar="SLUG", default=[], help="these assignments alone")
     add("--anonymous", action="store_true", help="show numbers for names, in any order")
     add("--port", type=natural, default=0, help="default: any that is free")
-    return parser
 
 
 def _mark(arguments: argparse.Namespace) -> int:

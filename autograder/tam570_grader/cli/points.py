@@ -4,7 +4,7 @@ import argparse
 import contextlib
 from pathlib import Path
 
-from tam570_grader.cli.options import Commands
+from tam570_grader.cli.options import Commands, add_command
 from tam570_grader.course import late_policy
 from tam570_grader.errors import UsageError, counted, say, warn
 from tam570_grader.lms.points import checked_rows, write_template
@@ -13,10 +13,12 @@ from tam570_grader.results.manual_points import COLUMNS, EVERYONE, LATE
 from tam570_grader.results.store import ResultStore, results
 
 
-def add_points(commands: Commands) -> argparse.ArgumentParser:
+def add_points(commands: Commands) -> None:
     """Add the command `points`."""
-    parser: argparse.ArgumentParser = commands.add_parser(
+    add = add_command(
+        commands,
         "points",
+        _points,
         help="add points by hand, late days and changes to results",
         description="Add what a table says to the results: grades.csv, the pages, the report and lms have it then. "
         "An item is the letter of a part that is graded by hand, the name of a check, or a word. A check gets these "
@@ -26,9 +28,7 @@ def add_points(commands: Commands) -> argparse.ArgumentParser:
         epilog="The newest row of a student, an assignment and an item counts; one without points takes it back. "
         "Nothing is written unless every row is right. DIR/by_hand.csv holds all of it. course.toml may say what late "
         "days cost, when assignments are due, and who has more time: give the command again when it changes.",
-    )
-    parser.set_defaults(command=_points)
-    add = parser.add_argument
+    ).add_argument
     add("folder", type=Path, metavar="DIR", help="what `grade --out` wrote")
     add(
         "table", type=Path, nargs="?", metavar="CSV", help=f"the columns are {', '.join(COLUMNS)}; `of` may be left out"
@@ -40,7 +40,6 @@ def add_points(commands: Commands) -> argparse.ArgumentParser:
     )
     times = "collected.csv, which `collect` wrote: who is late by the dates in course.toml"
     add("--collected", type=Path, metavar="CSV", help=times)
-    return parser
 
 
 def _points(arguments: argparse.Namespace) -> int:

@@ -3,61 +3,44 @@
 import argparse
 from pathlib import Path
 
-from tam570_grader.cli.options import Commands
+from tam570_grader.cli.options import Commands, add_command
 
 
-def _parser(commands: Commands, name: str, sentence: str) -> argparse.ArgumentParser:
-    """Return the parser of a command of which one sentence tells enough."""
-    parser: argparse.ArgumentParser = commands.add_parser(
-        name, help=sentence, description=f"{sentence[0].upper()}{sentence[1:]}."
-    )
-    return parser
-
-
-def add_stubs(commands: Commands) -> argparse.ArgumentParser:
+def add_stubs(commands: Commands) -> None:
     """Add the command `stubs`."""
-    stubs = _parser(commands, "stubs", "make the students' stubs from the solutions")
-    stubs.set_defaults(command=_stubs)
-    stubs.add_argument("--check", action="store_true", help="write nothing; exit 1 if a stub is out of date")
-    stubs.add_argument("--examples", nargs="*", metavar="SLUG", help="make the examples that `tam570 check` runs, too")
-    return stubs
+    add = add_command(commands, "stubs", _stubs, help="make the students' stubs from the solutions").add_argument
+    add("--check", action="store_true", help="write nothing; exit 1 if a stub is out of date")
+    add("--examples", nargs="*", metavar="SLUG", help="make the examples that `tam570 check` runs, too")
 
 
-def add_kit(commands: Commands) -> argparse.ArgumentParser:
+def add_kit(commands: Commands) -> None:
     """Add the command `kit`."""
-    kit = _parser(commands, "kit", "make what students install and start from")
-    kit.set_defaults(command=_kit)
+    kit = add_command(commands, "kit", _kit, help="make what students install and start from")
     kit.add_argument("folder", type=Path, metavar="DIR", help="where to put it")
-    return kit
 
 
-def add_course(commands: Commands) -> argparse.ArgumentParser:
+def add_course(commands: Commands) -> None:
     """Add the command `course`."""
-    course = _parser(commands, "course", "make a course that nbgrader runs")
-    course.set_defaults(command=_course)
-    return _folder_and_slugs(course)
+    _add_folder_and_slugs(add_command(commands, "course", _course, help="make a course that nbgrader runs"))
 
 
-def add_gradescope(commands: Commands) -> argparse.ArgumentParser:
+def add_gradescope(commands: Commands) -> None:
     """Add the command `gradescope`."""
-    gradescope = _parser(commands, "gradescope", "make the archives that Gradescope runs")
-    gradescope.set_defaults(command=_gradescope)
-    return _folder_and_slugs(gradescope)
+    _add_folder_and_slugs(
+        add_command(commands, "gradescope", _gradescope, help="make the archives that Gradescope runs")
+    )
 
 
-def _folder_and_slugs(parser: argparse.ArgumentParser) -> argparse.ArgumentParser:
-    """Return the parser, with what `_course_and_slugs` reads."""
+def _add_folder_and_slugs(parser: argparse.ArgumentParser) -> None:
+    """Add what `_course_and_slugs` reads."""
     parser.add_argument("folder", type=Path, metavar="DIR", help="where to write")
     parser.add_argument("assignments", nargs="*", metavar="SLUG", help="default: all")
-    return parser
 
 
-def add_trust(commands: Commands) -> argparse.ArgumentParser:
+def add_trust(commands: Commands) -> None:
     """Add the command `trust`."""
-    trust = _parser(commands, "trust", "use this course from now on, in its folder and below")
-    trust.set_defaults(command=_trust)
+    trust = add_command(commands, "trust", _trust, help="use this course from now on, in its folder and below")
     trust.add_argument("folder", type=Path, nargs="?", default=Path(), metavar="DIR", help="default: this folder")
-    return trust
 
 
 def _trust(arguments: argparse.Namespace) -> int:

@@ -8,26 +8,25 @@ import numpy as np
 
 from tam570.values import Json, Numbers
 from tam570_grader.checks.failure import Failure
-from tam570_grader.cli.options import Commands
+from tam570_grader.cli.options import Commands, add_command
 from tam570_grader.errors import Over, UsageError, say
 from tam570_grader.sandbox.function import SandboxFunction
 
 
-def add_replay(commands: Commands) -> argparse.ArgumentParser:
+def add_replay(commands: Commands) -> None:
     """Add the command `replay`."""
-    replay: argparse.ArgumentParser = commands.add_parser(
+    add = add_command(
+        commands,
         "replay",
+        _replay,
         help="show the input, the expected and the actual value of a failed check",
         description="Print the very call that failed a check, with all digits. With FILE, make that call again.",
-    )
-    replay.set_defaults(command=_replay)
-    add = replay.add_argument
+    ).add_argument
     add("results", type=Path, metavar="RESULTS", help="what `grade --out` wrote")
     add("student", metavar="STUDENT")
     add("check", metavar="CHECK", help="the name of the check, as in results.jsonl")
     add("file", nargs="?", type=Path, metavar="FILE", help="a module or notebook, to make the call again")
     add("--assignment", metavar="SLUG", help="which value it is, where two have a check of this name")
-    return replay
 
 
 def _replay(arguments: argparse.Namespace) -> int:

@@ -6,7 +6,7 @@ import math
 import re
 from pathlib import Path
 
-from tam570_grader.cli.options import Commands, positive
+from tam570_grader.cli.options import Commands, add_command, positive
 from tam570_grader.errors import UsageError, say, writing
 from tam570_grader.grading.executor import cores
 from tam570_grader.grading.watch import COPIES, KEY, Desk, Policy, Queue
@@ -14,19 +14,19 @@ from tam570_grader.grading.watch import COPIES, KEY, Desk, Policy, Queue
 UNITS = {"s": 1, "m": 60, "h": 3600, "d": 86400}
 
 
-def add_watch(commands: Commands) -> argparse.ArgumentParser:
+def add_watch(commands: Commands) -> None:
     """Add the command `watch`."""
-    watch: argparse.ArgumentParser = commands.add_parser(
+    add = add_command(
+        commands,
         "watch",
+        _watch,
         help="grade submissions when they arrive",
         description="Grade submissions when they arrive in a folder, or in a course of nbgrader's exchange, and put "
         "the page of feedback back: beside the work, or where `nbgrader fetch_feedback` finds it. Each attempt has "
         "hidden inputs of its own.",
         epilog="DIR/status.html shows who waits and who has which score, and reloads itself. If the command ends, give "
         "it again: it goes on from there.",
-    )
-    watch.set_defaults(command=_watch)
-    add = watch.add_argument
+    ).add_argument
     add("source", type=Path, metavar="SOURCE", help="a tree of submissions, or a course in nbgrader's exchange")
     add("--out", type=Path, metavar="DIR", required=True, help="write results, copies, the status page there")
     add("--attempts", type=positive, metavar="N", help="of a student in an assignment (default: no limit)")
@@ -35,7 +35,6 @@ def add_watch(commands: Commands) -> argparse.ArgumentParser:
     add("--assignment", metavar="SLUG", help="which one it is, where the names do not tell")
     add("--jobs", type=positive, metavar="N", default=cores(), help="supervisors (default: %(default)s)")
     add("--once", action="store_true", help="grade what is there and may be graded, then end")
-    return watch
 
 
 def _duration(text: str) -> float:
