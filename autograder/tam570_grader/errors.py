@@ -1,9 +1,12 @@
 """What ends a command or a submission, and what an instructor is told: no traceback, nothing that moves the cursor."""
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import TypeVar
+
+T = TypeVar("T")
 
 
 class UsageError(Exception):
@@ -36,6 +39,13 @@ def say(text: str, *, error: bool = False) -> None:
 def counted(n: int, word: str) -> str:
     """So many of what a word names: 1 file, 2 files."""
     return f"{n} {word}" if n == 1 else f"{n} {word}s"
+
+
+def progress(items: Iterable[T], total: int, unit: str, delay: float = 0.0) -> Iterator[T]:
+    """Yield the items, with a bar on a terminal after so many seconds."""
+    from tqdm import tqdm
+
+    yield from tqdm(items, total=total, unit=unit, leave=False, delay=delay, disable=None)
 
 
 @contextmanager

@@ -15,7 +15,6 @@ from types import ModuleType
 from typing import Any
 
 from tam570.values import Json
-from tam570_grader.audit.gradings import progress
 from tam570_grader.audit.local import Key, LocalStudent, Replies, failed_cases
 from tam570_grader.audit.mutate import mutants
 from tam570_grader.audit.mutation import alone
@@ -25,6 +24,7 @@ from tam570_grader.checks.check import Check
 from tam570_grader.checks.returns import Array, Group
 from tam570_grader.diagnosis.mistakes import answer, candidates, mistakes, same, tolerance_of
 from tam570_grader.diagnosis.mutants import reached
+from tam570_grader.errors import progress
 from tam570_grader.grading.executor import TaskExecutor, in_order
 
 SEED, SEEDS = 570, 20

@@ -11,11 +11,11 @@ from itertools import cycle
 from pathlib import Path
 
 from tam570.values import Json
-from tam570_grader.audit.gradings import Grading, progress, submissions, tried
+from tam570_grader.audit.gradings import Grading, submissions, tried
 from tam570_grader.checks import assignments
 from tam570_grader.diagnosis.mistakes import Mistake, mistakes
 from tam570_grader.diagnosis.mutants import reached
-from tam570_grader.errors import UsageError
+from tam570_grader.errors import UsageError, progress
 from tam570_grader.grading.executor import TaskExecutor, in_order
 from tam570_grader.release.stubs import exported
 from tam570_grader.results.records import Result

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from tam570.values import Json
-from tam570_grader.audit.gradings import Grading, progress, submissions, tried
+from tam570_grader.audit.gradings import Grading, submissions, tried
 from tam570_grader.checks import assignments
-from tam570_grader.errors import UsageError, writing
+from tam570_grader.errors import UsageError, progress, writing
 from tam570_grader.grading.executor import TaskExecutor, in_order
 
 FIRST_SEED = 5000

@@ -1,9 +1,7 @@
 """Gradings by the thousand, to judge the grader: on several processes, each with warm workers of its own."""
 
-from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TypeVar
 
 from tam570_grader.checks import assignments
 from tam570_grader.diagnosis.mistakes import overlays
@@ -13,8 +11,6 @@ from tam570_grader.sandbox import pool
 from tam570_grader.sandbox.preload import imported
 from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.zygote import ResourceLimits
-
-Outcome = TypeVar("Outcome")
 
 
 @dataclass(frozen=True)
@@ -48,13 +44,6 @@ def tried(grading: Grading, recorder: Recorder | None = None) -> Result:
         grading.limits,
         [grading.course],
     )
-
-
-def progress(outcomes: Iterable[Outcome], total: int, unit: str) -> Iterator[Outcome]:
-    """Yield the outcomes, with a bar on a terminal."""
-    from tqdm import tqdm
-
-    yield from tqdm(outcomes, total=total, unit=unit, leave=False, disable=None)
 
 
 def submissions(course: Path, slug: str, folder: str) -> dict[str, str]:

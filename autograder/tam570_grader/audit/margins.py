@@ -11,11 +11,12 @@ from pathlib import Path
 import numpy as np
 
 from tam570.values import Json
-from tam570_grader.audit.gradings import Grading, progress, tried
+from tam570_grader.audit.gradings import Grading, tried
 from tam570_grader.audit.mutation import calls_of_checks
 from tam570_grader.checks import assignments
 from tam570_grader.diagnosis.mistakes import Mistake, mistakes
 from tam570_grader.diagnosis.mutants import reached
+from tam570_grader.errors import progress
 from tam570_grader.grading.executor import TaskExecutor, in_order
 
 ENOUGH = 10  # times: below the limit for a careful student, above it for wrong physics

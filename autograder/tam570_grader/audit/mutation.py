@@ -10,12 +10,12 @@ from typing import Any
 
 from tam570.values import Json, Numbers
 from tam570_grader.audit.equivalents import Slip, entry, equivalents, idle
-from tam570_grader.audit.gradings import Grading, progress, tried
+from tam570_grader.audit.gradings import Grading, tried
 from tam570_grader.audit.mutate import Mutant, mutants
 from tam570_grader.checks import assignments
 from tam570_grader.checks.case import Case
 from tam570_grader.diagnosis.mutants import reached
-from tam570_grader.errors import counted
+from tam570_grader.errors import counted, progress
 from tam570_grader.grading.executor import TaskExecutor, in_order
 from tam570_grader.grading.run_checks import generator
 from tam570_grader.results.records import Result

@@ -94,6 +94,15 @@ def checks_folder(root: Path, slug: str) -> Path:
     return root / "autograder" / "checks" / slug
 
 
+def title(root: Path, slug: str) -> str:
+    """Return what an assignment is called: the heading of its README without the number, else its name."""
+    try:
+        with open(root / "assignments" / slug / "README.md", encoding="utf-8") as file:
+            return file.readline().partition(": ")[2].strip() or slug
+    except OSError:
+        return slug
+
+
 def slug_of(name: str, slugs: Sequence[str]) -> str | None:
     """Return the assignment that a file's or folder's name stands for: hw07, HW7, homework 7, hw07-final, ..."""
     if name in slugs:

@@ -29,6 +29,10 @@ class Column:
     turns: bool = False  # angles, which are never wrapped
     scale: Callable[[Case, Numbers], float] | None = None  # scale(case, right result); default: the largest number
 
+    def size(self, case: Case, expected: NDArray[np.float64]) -> Numbers:
+        """Return what an error is relative to; 1 where that is zero."""
+        return (self.scale(case, expected) if self.scale else np.max(np.abs(expected[..., self.where]))) or 1.0
+
 
 PLACES = range(2, 13)  # after the point, to which people round; what has two or fewer may be exact
 PLACED, ARGUMENTS, KEYWORDS = (  # f(name, *args, **known)
@@ -336,7 +340,7 @@ def compare_columns(  # noqa: PLR0913  as `compare`
         expected = np.asarray(expected, float)
         sizes = np.full(expected.shape, np.inf)  # of what is not compared
         for column in columns:
-            sizes[..., column.where] = _size(column, case, expected)
+            sizes[..., column.where] = column.size(case, expected)
         yield None, expected, sizes
 
     if not get_context().listens and batch.includes(results, tolerance, ("columns", *map(id, columns)), members):
@@ -345,7 +349,7 @@ def compare_columns(  # noqa: PLR0913  as `compare`
         expected, t = np.asarray(expected, float), case.args[0] if result.ndim == 2 else None
         for column in columns:
             numbers, right_numbers = result[..., column.where], expected[..., column.where]
-            size = _size(column, case, expected)
+            size = column.size(case, expected)
             where = np.arange(expected.shape[-1])[column.where].tolist()
             limits = {"quantity": column.quantity, "scale": size, "tolerance": tolerance}
             get_context().add_example(function, case, None, where, right_numbers, **limits)
@@ -357,10 +361,6 @@ def compare_columns(  # noqa: PLR0913  as `compare`
                 "near_miss_credit": near_miss_credit,
             }
             expect(numbers, right_numbers, tolerance=tolerance * size, **words)
-
-
-def _size(column: Column, case: Case, expected: Array) -> Numbers:
-    return (column.scale(case, expected) if column.scale else np.max(np.abs(expected[..., column.where]))) or 1.0
 
 
 def _members(

@@ -217,8 +217,7 @@ def _scales(columns: Sequence[Column], case: Case, expected: Array) -> Array:
     """(k,) the scale of each column; 1 where all is zero."""
     scales = np.ones(expected.shape[1])
     for column in columns:
-        largest = np.max(np.abs(expected[:, column.where]))
-        scales[column.where] = (column.scale(case, expected) if column.scale else largest) or 1.0
+        scales[column.where] = column.size(case, expected)
     return scales
 
 

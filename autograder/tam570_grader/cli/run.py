@@ -3,14 +3,14 @@
 import argparse
 import contextlib
 import json
-import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable
 from dataclasses import asdict, dataclass, field
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING
 
 from tam570.values import Json
-from tam570_grader.errors import say
+from tam570_grader.errors import progress, say
 
 if TYPE_CHECKING:
     from tam570_grader.grading.batch import RunConfig
@@ -18,9 +18,8 @@ if TYPE_CHECKING:
     from tam570_grader.results.manual_points import ManualAdjustments
     from tam570_grader.results.store import Results, ResultStore
 
-T = TypeVar("T")
-
 Record = Json  # a result line
+_with_bar = partial(progress, unit="submission", delay=1.0)
 
 
 @dataclass
@@ -61,7 +60,7 @@ def whole_run(
             summary.changes += gone
             summary.compared += len(gone)
         if store is not None:  # the pages of all results that are there; of a finished run, of those that changed
-            failed = feedback.write_pages(arguments.out / "feedback", store, course, _with_progress)
+            failed = feedback.write_pages(arguments.out / "feedback", store, course, _with_bar)
             summary.faults += [f"{' '.join(key)} has no page of feedback" for key in failed]
             summary.adjustments = manual_points.read(arguments.out)
             summary.rows = feedback.with_hand(summary.rows, store, summary.adjustments)
@@ -80,7 +79,7 @@ def _run(
     from tam570_grader.reports.feedback import row
 
     is_read = arguments.json or arguments.against or arguments.format == "gradescope"
-    for outcome in _with_progress(outcomes(config, store, old), len(config.submissions)):
+    for outcome in _with_bar(outcomes(config, store, old), len(config.submissions)):
         if isinstance(outcome, CachedResult) and not is_read:
             summary.rows.append(outcome.summary_row)
             continue
@@ -119,13 +118,3 @@ def _faults(record: Record) -> list[str]:
         return []
     errors = {check_result["error"] for check_result in record["checks"] if check_result["outcome"] == "grader_error"}
     return [f"the grader failed on {record['student']} {record['assignment']}: {'; '.join(errors)}"]
-
-
-def _with_progress(records: Iterable[T], total: int) -> Iterator[T]:
-    """Yield the records, with a bar on a terminal."""
-    if not sys.stderr.isatty():
-        yield from records
-        return
-    from tqdm import tqdm
-
-    yield from tqdm(records, total=total, unit="submission", leave=False, delay=1.0)

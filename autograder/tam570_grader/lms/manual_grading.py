@@ -5,7 +5,6 @@ rubric that were given. Nothing else is kept.
 """
 
 import contextlib
-import html
 import json
 import mimetypes
 import random
@@ -14,19 +13,18 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from string import Template
 from threading import Lock
 
 from tam570.values import Json
 from tam570_grader.checks.rubric import ManualPart
 from tam570_grader.errors import UsageError
 from tam570_grader.grading.submissions import CannotRead, Submission, entries, read
+from tam570_grader.reports.feedback import environment
 from tam570_grader.results import manual_points
 from tam570_grader.results.manual_points import EVERYONE, Entry
 from tam570_grader.results.store import ResultStore
 from tam570_grader.sandbox.notebooks import Unshown, cells_of
 
-TEMPLATES = Path(__file__).parent / "templates"
 SHOWN = (".png", ".jpg", ".jpeg", ".gif", ".svg")
 HANDED_IN = (*SHOWN, ".pdf", ".md", ".txt", ".docx", ".tex")
 HEADERS = {
@@ -175,45 +173,31 @@ class _Handler(BaseHTTPRequestHandler):
 def page(desk: Desk, number: int, nonce: str) -> str:
     """One student's page."""
     sheet, last = desk.sheets[number], len(desk.sheets) - 1
-    work = "".join(
-        f'<pre class="{"code" if label == "code" else "words"}">{html.escape(text)}</pre>'
-        for label, text in desk.code(number)
-    )
-    for index, file in enumerate(desk.files(number)):
-        name, where = html.escape(file.name), f"{number}/{index}"
-        work += (
-            f'<figure><img src="{where}" alt="{name}"><figcaption>{name}</figcaption></figure>'
-            if file.suffix.lower() in SHOWN
-            else f'<p><a href="{where}" download="{name}">{name}</a></p>'
-        )
-    return Template((TEMPLATES / "mark.html").read_text(encoding="utf-8")).substitute(
-        title=html.escape(f"{desk.name(number)}, {sheet.slug}"),
+    template = environment(Path(__file__).parent / "templates").get_template("mark.html")
+    return template.render(
+        title=f"{desk.name(number)}, {sheet.slug}",
         count=f"{number + 1} of {last + 1}",
         previous=max(0, number - 1),
         following=min(last, number + 1),
-        parts="".join(_part(desk, number, letter, rubric) for letter, rubric in sheet.parts.items()),
-        work=work,
+        parts=[_part(desk.entry(number, letter), letter, rubric) for letter, rubric in sheet.parts.items()],
+        number=number,
+        code=desk.code(number),
+        files=[(file.name, file.suffix.lower() in SHOWN) for file in desk.files(number)],
         nonce=nonce,
     )
 
 
-def _part(desk: Desk, number: int, letter: str, rubric: ManualPart) -> str:
-    """Return the claims of a part to tick, what else it is worth, and a comment."""
-    entry = desk.entry(number, letter)
-    lines = entry.comment.split("\n") if entry else []
+def _part(entry: Entry | None, letter: str, rubric: ManualPart) -> Json:
+    """Return the claims of a part, those that were given ticked, what else it is worth, and the rest of the comment."""
+    lines, texts = entry.comment.split("\n") if entry else [], {f"+ {claim}" for _, claim in rubric.claims}
+    given = entry.points if entry else None
     ticked = [f"+ {claim}" in lines for _, claim in rubric.claims]
-    others = "\n".join(line for line in lines if line not in {f"+ {claim}" for _, claim in rubric.claims})
     of_claims = round(sum(worth for (worth, _), is_ticked in zip(rubric.claims, ticked, strict=True) if is_ticked), 6)
-    typed = "" if entry is None or entry.points in (None, of_claims) else f"{entry.points:g}"
-    boxes = []
-    for index, ((worth, claim), is_ticked) in enumerate(zip(rubric.claims, ticked, strict=True)):
-        box = f'<input type="checkbox" value="{index}"{" checked" if is_ticked else ""}>'
-        boxes.append(f"<label>{box} {worth:g}: {html.escape(claim)}</label>")
-    state = "not graded yet" if entry is None or entry.points is None else f"{entry.points:g} points"
-    number_input = f'<input type="number" step="any" min="0" max="{rubric.points:g}" value="{typed}">'
-    return (
-        f'<section data-part="{html.escape(letter)}"><h2>({html.escape(letter)}) {rubric.points:g} points</h2>'
-        f"<p>{html.escape(rubric.asks)}</p>{''.join(boxes)}<label>points, if others {number_input}</label>"
-        f'<textarea rows="3" placeholder="comment, which the student reads">{html.escape(others)}</textarea>'
-        f"<output>{state}</output></section>"
-    )
+    return {
+        "letter": letter,
+        "rubric": rubric,
+        "claims": [(worth, claim, is_ticked) for (worth, claim), is_ticked in zip(rubric.claims, ticked, strict=True)],
+        "given": given,
+        "typed": "" if given is None or given == of_claims else f"{given:g}",
+        "comment": "\n".join(line for line in lines if line not in texts),
+    }

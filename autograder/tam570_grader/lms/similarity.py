@@ -11,7 +11,7 @@ from itertools import combinations
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.errors import UsageError, counted, say, warn
+from tam570_grader.errors import UsageError, counted, progress, say, warn
 from tam570_grader.grading.submissions import CannotRead, submissions
 from tam570_grader.lms.similarity_export import code
 from tam570_grader.sandbox.notebooks import Unshown, statements_of
@@ -71,10 +71,8 @@ def pairs(course: Path, slug: str, texts: Mapping[str, str]) -> Iterator[Pair]:
     stub = (course / "assignments" / slug / f"{slug}.py").read_text(encoding="utf-8")
     ours = list(_fingerprint(_statements(stub), []).hashes)
     prints = {student: _fingerprint(text, ours) for student, text in sorted(texts.items())}
-    from tqdm import tqdm
-
-    everything = tqdm(list(combinations(prints, 2)), unit="pair", leave=False, delay=1.0, disable=None)
-    for student, other in everything:
+    everyone = list(combinations(prints, 2))
+    for student, other in progress(everyone, len(everyone), "pair", delay=1.0):
         shares = _shares(prints[student], prints[other])
         if any(shares):
             yield Pair(slug, student, other, shares)

@@ -32,17 +32,11 @@ def run(course: Path, folder: Path) -> int:
     if EXAMPLE not in assignments.slugs(course):
         function = next(iter(assignments.assignment(course, first).results))
         text = text.replace(EXAMPLE, first).replace(EXAMPLE[:4], first[:4]).replace("rotation_matrix", function)
-    held = "\n".join(f"- {_title(course, slug)}" for slug in assignments.slugs(course))
+    held = "\n".join(f"- {slug[:4]}: {assignments.title(course, slug)}" for slug in assignments.slugs(course))
     written(folder / "README.md", text.replace("{wheel}", wheel.name).replace("{assignments}", held))
     shutil.copyfile(course / "NOTATION.md", folder / "NOTATION.md")
     say(f"{folder}: {wheel.name}, README.md and NOTATION.md, for your students", error=True)
     return 0
-
-
-def _title(course: Path, slug: str) -> str:
-    """Return the first line of an assignment's README."""
-    with open(course / "assignments" / slug / "README.md", encoding="utf-8") as file:
-        return file.readline().lstrip("# ").strip()
 
 
 def _wheel(course: Path, folder: Path) -> Path:

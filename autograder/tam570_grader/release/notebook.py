@@ -1,6 +1,5 @@
 """The notebook of an assignment: the problem part by part, what the student's module does, and cells for the points."""
 
-import ast
 import json
 import re
 import shutil
@@ -9,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from tam570 import handin
+from tam570.checking.changes import calls
 from tam570.values import Json
 from tam570_grader.checks import assignments
 from tam570_grader.checks.assignments import LoadedAssignment
@@ -17,7 +17,6 @@ from tam570_grader.results.tables import written
 
 TEMPLATES = Path(__file__).parent / "templates"
 CellRecord = Json
-Definitions = Mapping[str, ast.FunctionDef]
 
 PART = re.compile(r"^\*\*\(([a-z])\)\*\*", re.MULTILINE)
 FENCE = re.compile(r"^## ([a-z])\n+```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -123,26 +122,10 @@ def functions_by_part(assignment: LoadedAssignment) -> dict[str, str]:
 def visible_by_part(assignment: LoadedAssignment, tests: str) -> dict[str, list[str]]:
     """Return the visible tests of each part: a test belongs to the last part of which it uses a function."""
     parts, graded = functions_by_part(assignment), sorted(part_points(assignment))
-    definitions = {node.name: node for node in ast.parse(tests).body if isinstance(node, ast.FunctionDef)}
     functions: dict[str, list[str]] = {part: [] for part in graded}
-    for name, node in definitions.items():
-        if name.startswith("test_"):
-            used = [parts[f] for f in _mentioned(node, definitions) if f in parts]
-            functions[max(used, default=graded[0])].append(name)
+    for name, used in calls(tests, assignment.slug).items():
+        functions[max((parts[function] for function in used & parts.keys()), default=graded[0])].append(name)
     return functions
-
-
-def _mentioned(node: ast.FunctionDef, definitions: Definitions) -> set[str]:
-    """Return the attributes of `hw` that a visible test uses, itself or by the functions beside it."""
-    names, pending, seen = set(), [node], {node.name}
-    while pending:
-        for inner in ast.walk(pending.pop()):
-            if isinstance(inner, ast.Attribute) and isinstance(inner.value, ast.Name) and inner.value.id == "hw":
-                names.add(inner.attr)
-            elif isinstance(inner, ast.Name) and inner.id in definitions and inner.id not in seen:
-                seen.add(inner.id)
-                pending.append(definitions[inner.id])
-    return names
 
 
 def _part(

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tam570.values import Json
-from tam570_grader.checks.assignments import checks_digest, engine_digest
+from tam570_grader.checks.assignments import checks_digest, engine_digest, title
 from tam570_grader.checks.curves import Curve
 from tam570_grader.errors import UsageError, warn
 from tam570_grader.reports.sentences import capitalized, describe_failure, known_mistake, points, sentence, typeset
@@ -22,7 +22,7 @@ from tam570_grader.results.store import Key, Record, Results
 from tam570_grader.results.tables import written
 
 if TYPE_CHECKING:
-    from jinja2 import Template
+    from jinja2 import Environment, Template
 
     from tam570_grader.reports.pictures import Among, Picture, Sketch
 
@@ -59,15 +59,7 @@ def load_assignment_info(course: Path, slug: str) -> AssignmentInfo:
     assignment = assignments.assignment(course, slug)
     lines = {check.name: check.title for check in assignment.checks}
     functions = {check.name: check.function for check in assignment.checks}
-    return AssignmentInfo(_title(course / "assignments" / slug, slug), lines, functions, assignment.manual)
-
-
-def _title(folder: Path, slug: str) -> str:
-    try:
-        with open(folder / "README.md", encoding="utf-8") as file:
-            return file.readline().partition(": ")[2].strip() or slug
-    except OSError:
-        return slug
+    return AssignmentInfo(title(course, slug), lines, functions, assignment.manual)
 
 
 def page(result: Result, info: AssignmentInfo, adjusted: AdjustedScore | None = None) -> str:
@@ -111,16 +103,21 @@ def must_write_pages() -> None:
 
 
 @functools.cache
-def template(name: str) -> "Template":
-    """Return a page's template; whatever is put into it is escaped."""
+def environment(folder: Path) -> "Environment":
+    """Return the templates of a folder; whatever is put into one is escaped."""
     import jinja2
 
-    loader = jinja2.FileSystemLoader(Path(__file__).parent / "templates")
+    loader = jinja2.FileSystemLoader(folder)
     pages = jinja2.Environment(
         loader=loader, autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True
     )
     pages.filters |= {"typeset": typeset, "points": points}
-    return pages.get_template(name)
+    return pages
+
+
+def template(name: str) -> "Template":
+    """Return a page's template."""
+    return environment(Path(__file__).parent / "templates").get_template(name)
 
 
 def _part(letter: str, result: Result, info: AssignmentInfo) -> Json:
@@ -277,8 +274,7 @@ def _known(notes: Path) -> dict[str, str]:
 
 def _info_digest(course: Path, slug: str, version: int) -> int:
     """Of all that a sheet is made of, which is not loaded for that."""
-    title = _title(course / "assignments" / slug, slug)
-    return zlib.crc32(title.encode() + checks_digest(course, slug), version)
+    return zlib.crc32(title(course, slug).encode() + checks_digest(course, slug), version)
 
 
 def _version() -> int:

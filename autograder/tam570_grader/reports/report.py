@@ -1,6 +1,7 @@
 """The instructor's page on a class: one file made from the results, that sorts, filters and turns its tables' pages."""
 
 import base64
+import contextlib
 import hashlib
 import heapq
 import statistics
@@ -17,11 +18,11 @@ from tam570_grader.errors import UsageError, say, writing
 from tam570_grader.reports.feedback import AssignmentInfo, load_assignment_info, template
 from tam570_grader.reports.scenes import wrong_and_right
 from tam570_grader.reports.sentences import points
-from tam570_grader.results import manual_points
+from tam570_grader.results import manual_points, store
 from tam570_grader.results.manual_points import EX, EXCUSED, GradeRow
 from tam570_grader.results.records import CheckResult, Result
 from tam570_grader.results.shared import Notes
-from tam570_grader.results.store import Key, stream
+from tam570_grader.results.store import Key
 from tam570_grader.results.tables import written
 
 SLOWEST = 20  # submissions that are listed
@@ -89,13 +90,11 @@ def run(
 
 
 def results(folder: Path, notes: Notes | None = None, examples: Examples | None = None) -> Class:
-    """Return the newest results in a folder; a last line that is being written is left out.
-
-    The notes see each pass by.
-    """
+    """Return the newest results in a folder. The notes see each pass by."""
     if not (folder / "results.jsonl").is_file():
         raise UsageError(f"there are no results in {folder}; make them with: tam570-grader grade ... --out {folder}")
-    class_results = newest((notes or Notes()).passing(stream(folder / "results.jsonl")), examples)
+    with contextlib.closing(store.results(folder)) as lines:
+        class_results = newest((notes or Notes()).passing(map(lines.result, lines)), examples)
     if not class_results:
         raise UsageError(f"{folder / 'results.jsonl'} is empty; nothing has been graded yet")
     adjustments = manual_points.read(folder)

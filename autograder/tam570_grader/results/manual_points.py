@@ -165,12 +165,10 @@ class ManualAdjustments:
 
     def applied(self, result: Result) -> Result:
         """Return a result with its score settled."""
-        if not self.touches((result.student, result.assignment)):
+        key = result.student, result.assignment
+        if not self.touches(key):
             return result
-        key, earned = (
-            (result.student, result.assignment),
-            {check_result.name: check_result.points for check_result in result.checks},
-        )
+        earned = {check_result.name: check_result.points for check_result in result.checks}
         adjusted = self.adjust(key, result.score, result.max_score, lambda: earned)
         status = EXCUSED if adjusted.excused else result.status
         return replace(result, status=status, score=adjusted.score, max_score=adjusted.most)

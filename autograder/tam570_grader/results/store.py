@@ -71,6 +71,15 @@ class Results(Mapping[Key, Record]):
         line = self.lines[key]
         return os.pread(self._file.fileno(), line.length, line.start)
 
+    def result(self, key: Key) -> Result:
+        """Return a result as a record."""
+        try:
+            return records.read(self[key])
+        except (ValueError, TypeError, KeyError, AttributeError):
+            raise UsageError(
+                f"{self._path} holds a line on {' '.join(key)} that is not a result; grade again"
+            ) from None
+
     def earned(self, key: Key) -> manual_points.Earned:
         """Return the points of each check of a result, read when they are asked for."""
         return lambda: {check_result["name"]: check_result["points"] for check_result in self[key]["checks"]}
@@ -186,20 +195,6 @@ def read(path: Path) -> list[Record]:
     """Return the newest result of every student and assignment, in a folder of results or its `results.jsonl`."""
     with contextlib.closing(results(path)) as store:
         return list(store.values())
-
-
-def stream(path: Path) -> Iterator[Result]:
-    """Yield the results in a `results.jsonl` as they stand there, in one pass.
-
-    Of two for the same work the later counts.
-    """
-    with open(path, "rb") as file:
-        for number, text in enumerate(file, 1):
-            if text.endswith(b"\n"):
-                try:
-                    yield records.read(_record(text, path, number))
-                except (ValueError, TypeError, KeyError, AttributeError):
-                    raise _not_a_result(path, number) from None
 
 
 def common_seed(seeds: Iterable[int]) -> int | None:
