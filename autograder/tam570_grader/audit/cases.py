@@ -17,7 +17,7 @@ from typing import Any
 from tam570.values import Json
 from tam570_grader.audit.local import Key, LocalStudent, Replies, failed_cases
 from tam570_grader.audit.mutate import mutants
-from tam570_grader.audit.mutation import alone
+from tam570_grader.audit.mutation import alone, calling, within_reach
 from tam570_grader.checks import assignments
 from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.checks.check import Check
@@ -122,11 +122,11 @@ def _mutants(assignment: LoadedAssignment) -> Iterator[Wrong]:
     solution = assignment.solution
     calls, reachable = _calls(assignment), reached(solution)
     for mutant in mutants(assignment.slug, solution):
-        reach = frozenset(name for name, names in reachable.items() if mutant.function in names)
-        yield Wrong(f"mutant {mutant.name}", mutant.text, reach, _calling(calls, reach))
+        reach = within_reach(reachable, mutant.function)
+        yield Wrong(f"mutant {mutant.name}", mutant.text, reach, calling(calls, reach))
         if mutant.function in assignment.results and len(reach) > 1:
             itself = frozenset({mutant.function})
-            yield Wrong(f"mutant {mutant.name} alone", alone(solution, mutant, calls), itself, _calling(calls, itself))
+            yield Wrong(f"mutant {mutant.name} alone", alone(solution, mutant, calls), itself, calling(calls, itself))
 
 
 def _mistakes(assignment: LoadedAssignment) -> Iterator[Wrong]:
@@ -135,7 +135,7 @@ def _mistakes(assignment: LoadedAssignment) -> Iterator[Wrong]:
     for mistake in mistakes(assignments.checks_folder(assignment.root, assignment.slug)):
         function = ast.parse(mistake.text).body[-1]
         assert isinstance(function, ast.FunctionDef)
-        reach = frozenset(name for name, names in reachable.items() if function.name in names)
+        reach = within_reach(reachable, function.name)
         text = f"{assignment.solution}\n\n{mistake.text}"
         yield Wrong(f"mistake {mistake.name}", text, reach, frozenset({mistake.first_fails}))
 
@@ -148,10 +148,6 @@ def _calls(assignment: LoadedAssignment) -> dict[str, set[str]]:
         failed_cases(student, check, SEED, assignment.slug)
         calls[check.name] = {key.function for key in student.cases}
     return calls
-
-
-def _calling(calls: Mapping[str, set[str]], functions: frozenset[str]) -> frozenset[str]:
-    return frozenset(check for check, names in calls.items() if names & functions)
 
 
 def _told_apart(assignment: LoadedAssignment, check: Check, student: LocalStudent) -> Iterator[Any]:

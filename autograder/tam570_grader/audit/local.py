@@ -17,14 +17,14 @@ import numpy as np
 
 from tam570.values import Json, Numbers
 from tam570_grader.checks.assignments import LoadedAssignment
-from tam570_grader.checks.case import Case
+from tam570_grader.checks.case import Call, Case
 from tam570_grader.checks.check import Check
 from tam570_grader.checks.expect import CheckContext, Failed, check_context
 from tam570_grader.checks.returns import Array, FreeBodyDiagram, Group, result
 from tam570_grader.grading.run_checks import generator
 from tam570_grader.protocol.answer import answer
 from tam570_grader.protocol.wire import packed, unpacked
-from tam570_grader.sandbox.function import Call, SandboxFunction
+from tam570_grader.sandbox.function import SandboxFunction
 from tam570_grader.sandbox.replies import checked
 
 SLOWEST = 2.0  # s of processor time of a call

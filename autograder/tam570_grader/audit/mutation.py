@@ -2,16 +2,15 @@
 
 import time
 from collections import Counter, defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 from tam570.values import Json, Numbers
-from tam570_grader.audit.equivalents import Slip, entry, equivalents, idle
 from tam570_grader.audit.gradings import Grading, tried
-from tam570_grader.audit.mutate import Mutant, mutants
+from tam570_grader.audit.mutate import Mutant, Slip, entry, equivalents, idle, mutants
 from tam570_grader.checks import assignments
 from tam570_grader.checks.case import Case
 from tam570_grader.diagnosis.mutants import reached
@@ -72,13 +71,13 @@ def fates(
     # a second failure tells that the first check is not needed
     grading = partial(Grading, course, slug, seed=SEED, limits=ResourceLimits(cpu=CALLS * call, call=call), enough=2)
     reachable = reached(text)
-    tasks = [
-        grading(mutant.name, mutant.text, checks=_concerned(calls, reachable, mutant.function)) for mutant in chosen
-    ]
+    exported = set().union(*calls.values())
+    reach_of = {mutant.name: within_reach(reachable, mutant.function) for mutant in chosen}
+    tasks = [grading(mutant.name, mutant.text, checks=calling(calls, reach_of[mutant.name])) for mutant in chosen]
     tasks += [
-        grading(f"{mutant.name} alone", alone(text, mutant, calls), checks=_calling(calls, mutant.function))
+        grading(f"{mutant.name} alone", alone(text, mutant, calls), checks=calling(calls, {mutant.function}))
         for mutant in chosen
-        if _is_shared(mutant.function, calls, reachable)
+        if _is_shared(mutant.function, exported, reach_of[mutant.name])
     ]
     tasks = [replace(task, seed=SEED + seed) for seed in range(seeds) for task in tasks]
     results = defaultdict[str, list[Result]](list)  # by name, one for each seed
@@ -120,10 +119,9 @@ def alone(solution: str, mutant: Mutant, calls: Mapping[str, set[str]]) -> str:
     return ALONE.format(solution=solution, slipped=mutant.text, exports=exports, function=mutant.function)
 
 
-def _is_shared(function: str, calls: Mapping[str, set[str]], reachable: Mapping[str, set[str]]) -> bool:
+def _is_shared(function: str, exported: Set[str], reach: Set[str]) -> bool:
     """Return whether it is exported, and other functions may call it."""
-    exported = any(function in functions for functions in calls.values())
-    return exported and any(function in reach for name, reach in reachable.items() if name != function)
+    return function in exported and len(reach) > 1
 
 
 def _missing(results: Sequence[Result]) -> list[int]:
@@ -169,16 +167,14 @@ def calls_of_checks(course: Path, slug: str, text: str) -> tuple[dict[str, set[s
     return calls, student.longest
 
 
-def _concerned(calls: Mapping[str, set[str]], reachable: Mapping[str, set[str]], function: str) -> frozenset[str]:
-    """Return the checks that a slip in a function can change: they call one within whose reach it is."""
-    return frozenset(
-        check for check, functions in calls.items() if any(function in reachable[name] for name in functions)
-    )
+def within_reach(reachable: Mapping[str, set[str]], function: str) -> frozenset[str]:
+    """Return the functions that may come to call one, and itself."""
+    return frozenset(name for name, names in reachable.items() if function in names)
 
 
-def _calling(calls: Mapping[str, set[str]], function: str) -> frozenset[str]:
-    """Return the checks that call a function themselves."""
-    return frozenset(check for check, functions in calls.items() if function in functions)
+def calling(calls: Mapping[str, set[str]], functions: Set[str]) -> frozenset[str]:
+    """Return the checks that call one of these functions themselves."""
+    return frozenset(check for check, names in calls.items() if names & functions)
 
 
 def catches(fates_of_all: Fates) -> dict[str, tuple[int, int]]:

@@ -1,6 +1,7 @@
 """A case: the arguments of one call, and what the student is told of them."""
 
 import functools
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -48,6 +49,15 @@ class Case:
     def with_leading(self, *args: Numbers) -> "Case":
         """Return the same call with more arguments before its own."""
         return Case(*args, *self.args, **self.kwargs).labelled(self.label, self.hint)
+
+
+@dataclass(frozen=True)
+class Call:
+    """A call that a check made, and the result that came back."""
+
+    name: str
+    case: Case
+    result: Numbers  # None where the call raised, or returned what was not promised
 
 
 def _sent(value: Numbers) -> Numbers:

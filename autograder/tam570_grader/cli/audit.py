@@ -5,7 +5,11 @@ import json
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
+from tam570_grader.checks import assignments
+from tam570_grader.cli.grade import executor_of, warn_of_isolation
 from tam570_grader.cli.options import Commands, add_cluster, add_command, positive
+from tam570_grader.course import course_config
+from tam570_grader.diagnosis.mutants import reached
 from tam570_grader.errors import UsageError, say
 from tam570_grader.grading.executor import TaskExecutor, cores
 
@@ -47,10 +51,6 @@ def add_audit(commands: Commands) -> None:
 
 def _audit(arguments: argparse.Namespace) -> int:
     """Print what is asked for, an assignment at a time; 1 if there is a fault."""
-    from tam570_grader.checks import assignments
-    from tam570_grader.cli.grade import executor_of, warn_of_isolation
-    from tam570_grader.course import course_config
-
     course = course_config.course_of(arguments.root)
     question = _question(arguments)
     if not arguments.cluster:
@@ -79,8 +79,6 @@ def _question(arguments: argparse.Namespace) -> Question:
 
 def _with_functions(course: Path, slugs: Sequence[str], names: Sequence[str]) -> list[str]:
     """Return the assignments that have functions of these names; UsageError for a name that none has."""
-    from tam570_grader.diagnosis.mutants import reached
-
     texts = {slug: (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8") for slug in slugs}
     there = {slug: set(reached(text)) for slug, text in texts.items()}
     functions = sorted(set().union(*there.values()))

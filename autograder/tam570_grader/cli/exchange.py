@@ -6,9 +6,17 @@ from collections.abc import Iterable, Sequence
 from functools import partial
 from pathlib import Path
 
+from tam570_grader.checks import assignments
 from tam570_grader.cli.options import Commands, add_command
+from tam570_grader.course import course_config, course_toml, late_policy
 from tam570_grader.errors import UsageError, warn
+from tam570_grader.grading import roster
+from tam570_grader.lms import feedback_export, score_export, similarity, similarity_export, submission_import
+from tam570_grader.lms.hand_ins import hand_ins
 from tam570_grader.lms.systems import SYSTEMS
+from tam570_grader.reports import feedback
+from tam570_grader.results import manual_points
+from tam570_grader.results.store import results
 
 
 def _titles(names: Iterable[str]) -> str:
@@ -117,16 +125,12 @@ def add_report(commands: Commands) -> None:
 
 
 def _collect(arguments: argparse.Namespace) -> int:
-    from tam570_grader.lms import submission_import
-
     _, slugs, slug = _course_and_slug(arguments, [arguments.source, arguments.to])
     lists = submission_import.Lists(arguments.roster, arguments.groups, arguments.times)
     return submission_import.run(arguments.source, arguments.system, arguments.to, slugs, slug, lists)
 
 
 def _export(arguments: argparse.Namespace) -> int:
-    from tam570_grader.lms import similarity_export
-
     course, slugs, slug = _course_and_slug(arguments, arguments.paths)
     return similarity_export.run(course, arguments.paths, arguments.tool, arguments.to, slugs, slug)
 
@@ -143,21 +147,17 @@ def _share(text: str) -> float:
 
 
 def _alike(arguments: argparse.Namespace) -> int:
-    from tam570_grader.lms import similarity
-
     course, slugs, slug = _course_and_slug(arguments, arguments.paths)
     return similarity.run(course, arguments.paths, slugs, slug, arguments.least)
 
 
 def _lms(arguments: argparse.Namespace) -> int:
-    from tam570_grader.course import course_config, course_toml
-    from tam570_grader.lms import feedback_export, score_export
-
     course = course_config.course_of(arguments.root)
     grades = arguments.grades / "grades.csv" if arguments.grades.is_dir() else arguments.grades
     if bool(arguments.pages) != bool(arguments.collected):
         raise UsageError("--pages and --collected go together: the names of the download tell whose a page is")
-    if ungraded := _ungraded(grades.parent, course, arguments.only) if arguments.ungraded == "stop" else []:
+    stale, ungraded = _open_questions(grades.parent, course, arguments.only)
+    if ungraded and arguments.ungraded == "stop":
         for line in ungraded:
             warn(line)
         return 1
@@ -166,7 +166,7 @@ def _lms(arguments: argparse.Namespace) -> int:
         pages = grades.parent / "feedback"
         names = (arguments.collected, arguments.to, arguments.pages, arguments.only, arguments.roster)
         lacking = feedback_export.run(pages, *names)
-    for line in filter(None, [*lacking, _stale_policy(grades.parent, course)]):
+    for line in filter(None, [*lacking, stale]):
         warn(line)
     columns = course_toml.columns(course, arguments.to)
     options = score_export.ExportOptions(
@@ -176,19 +176,17 @@ def _lms(arguments: argparse.Namespace) -> int:
     return code or bool(lacking)
 
 
-def _ungraded(folder: Path, course: Path, only: Sequence[str]) -> list[str]:
-    """Parts by hand of assignments with results that somebody has yet to grade: a sentence for each."""
-    from tam570_grader.checks import assignments
-    from tam570_grader.results import manual_points
-    from tam570_grader.results.store import results
+def _open_questions(folder: Path, course: Path, only: Sequence[str] = ()) -> tuple[str, list[str]]:
+    """Return what to say if course.toml has other terms for late work than the results in a folder, else "".
 
+    And a sentence for each part by hand, of assignments with results, that somebody has yet to grade.
+    """
     if not (folder / "results.jsonl").is_file():  # nbgrader's table, say, which formgrader fills
-        return []
+        return "", []
     adjustments, slugs, lines = manual_points.read(folder), assignments.slugs(course), []
     with contextlib.closing(results(folder)) as graded:
-        here = [
-            (record["student"], record["assignment"]) for record in graded.values() if record["status"] != "missing"
-        ]
+        stale = late_policy.stale(folder, adjustments, course, {slug for _, slug in graded})
+        here = [key for key, line in sorted(graded.lines.items()) if line.graded.status != "missing"]
     for slug in assignments.match_slugs(only, sorted({slug for _, slug in here})):
         for part in assignments.manual_parts(course, slug) if slug in slugs else ():
             waiting = [who for who, which in here if which == slug and adjustments.points_of(who, slug, part) is None]
@@ -198,32 +196,17 @@ def _ungraded(folder: Path, course: Path, only: Sequence[str]) -> list[str]:
                 lines.append(
                     f"{everybody} points of part ({part}) of {slug} by hand: {names}; use points, or --ungraded zero"
                 )
-    return lines
-
-
-def _stale_policy(folder: Path, course: Path) -> str:
-    """Return what to say if course.toml has other terms for late work than the results in a folder."""
-    from tam570_grader.course import late_policy
-    from tam570_grader.results import manual_points
-    from tam570_grader.results.store import results
-
-    if not (folder / "results.jsonl").is_file():  # nbgrader's table, say
-        return ""
-    with contextlib.closing(results(folder)) as graded:
-        return late_policy.stale(folder, manual_points.read(folder), course, {slug for _, slug in graded})
+    return stale, lines
 
 
 def _report(arguments: argparse.Namespace) -> int:
-    from tam570_grader.checks import assignments
-    from tam570_grader.course import course_config, late_policy
-    from tam570_grader.grading import roster
-    from tam570_grader.lms.hand_ins import hand_ins
-    from tam570_grader.reports import feedback, report
+    from tam570_grader.reports import report  # which loads Matplotlib
 
     feedback.must_write_pages()
     course = course_config.course_of(arguments.root)
-    if line := _stale_policy(arguments.folder, course):
-        warn(line)
+    stale, _ = _open_questions(arguments.folder, course)
+    if stale:
+        warn(stale)
     everyone = partial(roster.students, arguments.roster) if arguments.roster else None
     names = roster.names(arguments.roster) if arguments.roster else {}
     policies = late_policy.policies_of(course)
@@ -233,9 +216,6 @@ def _report(arguments: argparse.Namespace) -> int:
 
 def _course_and_slug(arguments: argparse.Namespace, graded: Sequence[Path]) -> tuple[Path, list[str], str | None]:
     """Return the checkout, its assignments, and the one that --assignment names."""
-    from tam570_grader.checks import assignments
-    from tam570_grader.course import course_config
-
     course = course_config.course_of(arguments.root, graded)
     slugs = assignments.slugs(course)
     return course, slugs, assignments.match_slug(arguments.assignment, slugs)

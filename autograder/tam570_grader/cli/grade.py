@@ -5,23 +5,27 @@ import gc
 import json
 import zlib
 from collections.abc import Sequence
+from contextlib import AbstractContextManager
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+from tam570_grader.checks import assignments
 from tam570_grader.cli.options import Commands, add_cluster, add_command, natural, positive
 from tam570_grader.cli.run import RunSummary, whole_run
+from tam570_grader.course import course_config
 from tam570_grader.errors import UsageError, counted, say, warn
-from tam570_grader.grading.executor import cores
-
-if TYPE_CHECKING:
-    from contextlib import AbstractContextManager
-
-    from tam570_grader.grading.batch import RunConfig
-    from tam570_grader.grading.cluster import Cluster
-    from tam570_grader.grading.executor import TaskExecutor
-    from tam570_grader.grading.submissions import Submission
-    from tam570_grader.results.store import Results
+from tam570_grader.gradescope import autograder
+from tam570_grader.grading import regrade, roster, seeds
+from tam570_grader.grading.batch import RunConfig
+from tam570_grader.grading.cluster import Cluster
+from tam570_grader.grading.executor import TaskExecutor, cores, executor
+from tam570_grader.grading.prove import prove
+from tam570_grader.grading.skipped_files import not_handed_in, skipped_files
+from tam570_grader.grading.submissions import Submission, handed_in, submissions
+from tam570_grader.reports import feedback
+from tam570_grader.results.store import Results
+from tam570_grader.sandbox.launch import hide_from_submissions, isolation
+from tam570_grader.sandbox.zygote import ResourceLimits
 
 
 def add_grade(commands: Commands) -> None:
@@ -76,11 +80,6 @@ def _seed(text: str) -> int:
 
 
 def _grade(arguments: argparse.Namespace) -> int:
-    from tam570_grader.checks import assignments
-    from tam570_grader.course import course_config
-    from tam570_grader.grading.prove import prove
-    from tam570_grader.reports import feedback
-
     gc.set_threshold(100_000)  # a large class is many records without circles, which would be sought again and again
     course = course_config.course_of(arguments.root, arguments.paths)
     chosen = _submissions(arguments, assignments.slugs(course))
@@ -111,10 +110,8 @@ def _what_is_kept(out: Path | None, summary: RunSummary) -> str:
     return f"{counted(len(summary.store or ()), 'result')} kept in {out}; the same command goes on from there"
 
 
-def _print_results(arguments: argparse.Namespace, course: Path, config: "RunConfig", summary: RunSummary) -> int:
+def _print_results(arguments: argparse.Namespace, course: Path, config: RunConfig, summary: RunSummary) -> int:
     """Print what was asked for; the exit code."""
-    from tam570_grader.grading import regrade
-
     if arguments.format == "gradescope":
         return _print_gradescope(course, summary)
     if not arguments.json:
@@ -124,15 +121,8 @@ def _print_results(arguments: argparse.Namespace, course: Path, config: "RunConf
     return _warn_of_faults(summary)
 
 
-def _config(
-    arguments: argparse.Namespace, course: Path, chosen: "list[Submission]", earlier: "list[Results]"
-) -> "RunConfig":
+def _config(arguments: argparse.Namespace, course: Path, chosen: list[Submission], earlier: list[Results]) -> RunConfig:
     """Return what is graded and how; of the results that are there it takes the seed."""
-    from tam570_grader.course import course_config
-    from tam570_grader.grading import seeds
-    from tam570_grader.grading.batch import RunConfig
-    from tam570_grader.sandbox.zygote import ResourceLimits
-
     key = seeds.key(arguments.vary, any(earlier)) if arguments.vary else None
     seed = seeds.seed(arguments.seed, earlier, key)
     most = {name: vars(arguments)[name] or usual for name, usual in course_config.limits(course).items()}
@@ -145,17 +135,13 @@ def _config(
 
 def _folders(course: Path) -> list[Path]:
     """Return where a course lies; one of one's own has a checkout, and the teacher's desk, too."""
-    from tam570_grader.course import course_config
-
     if course.parent.name != course_config.ADAPTED_COURSES:
         return [course]
     return [course, (course / "shared").resolve().parent, course.parents[1]]
 
 
-def _cluster(arguments: argparse.Namespace) -> "Cluster | None":
+def _cluster(arguments: argparse.Namespace) -> Cluster | None:
     """Return the cluster that was named; None for this machine alone."""
-    from tam570_grader.grading.cluster import Cluster
-
     if not arguments.cluster:
         if arguments.certificates or arguments.unconfined:
             raise UsageError("--certificates and --unconfined go with --cluster")
@@ -165,17 +151,13 @@ def _cluster(arguments: argparse.Namespace) -> "Cluster | None":
 
 def executor_of(
     arguments: argparse.Namespace, course: Path, slugs: Sequence[str]
-) -> "AbstractContextManager[TaskExecutor]":
+) -> AbstractContextManager[TaskExecutor]:
     """Return who does the work, by the options --jobs and --cluster."""
-    from tam570_grader.grading.executor import executor
-
     cluster = _cluster(arguments)
     return cluster.executor(course, slugs, arguments.jobs) if cluster else executor(arguments.jobs)
 
 
-def _print_tables(summary: RunSummary, config: "RunConfig") -> None:
-    from tam570_grader.reports import feedback
-
+def _print_tables(summary: RunSummary, config: RunConfig) -> None:
     say(feedback.table(sorted(summary.rows, key=lambda row: (row[1], row[0]))))
     inputs = "the same key" if config.key else f"seed {config.seed}; the same seed"
     say(f"\n{inputs} gives the same hidden inputs and the same scores")
@@ -183,10 +165,8 @@ def _print_tables(summary: RunSummary, config: "RunConfig") -> None:
         say(f"the points that you give by hand are not in it yet: {lacking}")
 
 
-def _missing_points(summary: RunSummary, config: "RunConfig") -> str:
+def _missing_points(summary: RunSummary, config: RunConfig) -> str:
     """Return how many points of which assignments were not given by hand yet."""
-    from tam570_grader.checks import assignments
-
     parts = {slug: assignments.manual_parts(config.course, slug) for slug in sorted({row[1] for row in summary.rows})}
     lacking = {slug: sum(of for of, _ in manual.values()) for slug, manual in parts.items() if manual}
     counted = {slug for slug in lacking if summary.adjustments and summary.adjustments.counts_parts(slug)}
@@ -195,9 +175,6 @@ def _missing_points(summary: RunSummary, config: "RunConfig") -> str:
 
 def _print_gradescope(course: Path, summary: RunSummary) -> int:
     """results.json of the one submission, or nothing if the grader failed on it; the exit code."""
-    from tam570_grader.checks import assignments
-    from tam570_grader.gradescope import autograder
-
     if len(summary.rows) != 1:
         raise UsageError(f"--format gradescope is for one submission; there are {len(summary.rows)} at these paths")
     if code := _warn_of_faults(summary):
@@ -220,12 +197,7 @@ def _shard(text: str) -> tuple[int, int]:
     return int(k), int(n)
 
 
-def _submissions(arguments: argparse.Namespace, slugs: list[str]) -> "list[Submission]":
-    from tam570_grader.checks import assignments
-    from tam570_grader.grading import roster
-    from tam570_grader.grading.skipped_files import not_handed_in, skipped_files
-    from tam570_grader.grading.submissions import handed_in, submissions
-
+def _submissions(arguments: argparse.Namespace, slugs: list[str]) -> list[Submission]:
     slug = assignments.match_slug(arguments.assignment, slugs)
     only = assignments.match_slugs(arguments.only or (), slugs)
     students = roster.folders(arguments.roster) if arguments.roster else ()
@@ -251,8 +223,6 @@ def _warn_of_faults(summary: RunSummary) -> int:
 
 def warn_of_isolation() -> None:
     """Say so where submissions are plain processes, and hide from them what they could read of this one."""
-    from tam570_grader.sandbox.launch import hide_from_submissions, isolation
-
     if isolation() != "bubblewrap":
         hide_from_submissions()
         warn(

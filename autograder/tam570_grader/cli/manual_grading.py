@@ -4,10 +4,13 @@ import argparse
 import contextlib
 from pathlib import Path
 
+from tam570_grader.checks import assignments
 from tam570_grader.cli.options import Commands, add_command, natural
+from tam570_grader.course import course_config
 from tam570_grader.errors import UsageError, say
 from tam570_grader.grading.submissions import submissions
 from tam570_grader.lms.manual_grading import Desk, StudentWork, serve
+from tam570_grader.reports import feedback
 from tam570_grader.results import manual_points
 from tam570_grader.results.store import ResultStore, results
 
@@ -31,14 +34,8 @@ def add_mark(commands: Commands) -> None:
 
 
 def _mark(arguments: argparse.Namespace) -> int:
-    from tam570_grader.checks import assignments
-    from tam570_grader.course import course_config
-    from tam570_grader.reports import feedback
-
     tree = [arguments.submitted] if arguments.submitted else []
     course, folder = course_config.course_of(arguments.root, tree), arguments.folder
-    if not (folder / "results.jsonl").is_file():
-        raise UsageError(f"there are no results in {folder}; make them with: tam570-grader grade ... --out {folder}")
     feedback.must_write_pages()
     slugs = assignments.slugs(course)
     with contextlib.closing(results(folder)) as graded:

@@ -4,10 +4,12 @@ import argparse
 import contextlib
 from pathlib import Path
 
+from tam570_grader.checks import assignments
 from tam570_grader.cli.options import Commands, add_command
-from tam570_grader.course import late_policy
+from tam570_grader.course import course_config, late_policy
 from tam570_grader.errors import UsageError, counted, say, warn
 from tam570_grader.lms.points import checked_rows, write_template
+from tam570_grader.reports import feedback
 from tam570_grader.results import manual_points
 from tam570_grader.results.manual_points import COLUMNS, EVERYONE, LATE
 from tam570_grader.results.store import ResultStore, results
@@ -43,13 +45,7 @@ def add_points(commands: Commands) -> None:
 
 
 def _points(arguments: argparse.Namespace) -> int:
-    from tam570_grader.checks import assignments
-    from tam570_grader.course import course_config
-    from tam570_grader.reports import feedback
-
     course, folder = course_config.course_of(arguments.root), arguments.folder
-    if not (folder / "results.jsonl").is_file():
-        raise UsageError(f"there are no results in {folder}; make them with: tam570-grader grade ... --out {folder}")
     with contextlib.closing(results(folder)) as graded:
         slugs = sorted({slug for _, slug in graded})
         offered = assignments.slugs(course)

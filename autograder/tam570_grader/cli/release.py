@@ -3,7 +3,12 @@
 import argparse
 from pathlib import Path
 
+from tam570_grader.checks import assignments
 from tam570_grader.cli.options import Commands, add_command
+from tam570_grader.course import course_config
+from tam570_grader.gradescope import autograder
+from tam570_grader.nbgrader import course
+from tam570_grader.release import examples, kit, stubs
 
 
 def add_stubs(commands: Commands) -> None:
@@ -44,46 +49,29 @@ def add_trust(commands: Commands) -> None:
 
 
 def _trust(arguments: argparse.Namespace) -> int:
-    from tam570_grader.course import course_config
-
     course_config.trust(arguments.folder)
     return 0
 
 
 def _stubs(arguments: argparse.Namespace) -> int:
-    from tam570_grader.course import course_config
-    from tam570_grader.release import stubs
-
     if arguments.examples is not None:
-        from tam570_grader.release import examples
-
         return examples.write(course_config.course_of(arguments.root), arguments.examples)
     return stubs.run(course_config.course_of(arguments.root), check=arguments.check)
 
 
 def _kit(arguments: argparse.Namespace) -> int:
-    from tam570_grader.course import course_config
-    from tam570_grader.release import kit
-
     return kit.run(course_config.course_of(arguments.root), arguments.folder)
 
 
 def _course(arguments: argparse.Namespace) -> int:
-    from tam570_grader.nbgrader import course
-
     return course.run(*_course_and_slugs(arguments))
 
 
 def _gradescope(arguments: argparse.Namespace) -> int:
-    from tam570_grader.gradescope import autograder
-
     return autograder.run(*_course_and_slugs(arguments))
 
 
 def _course_and_slugs(arguments: argparse.Namespace) -> tuple[Path, Path, list[str]]:
     """Return the checkout, the folder to write to, the assignments."""
-    from tam570_grader.checks import assignments
-    from tam570_grader.course import course_config
-
     course = course_config.course_of(arguments.root)
     return course, arguments.folder, assignments.match_slugs(arguments.assignments, assignments.slugs(course))

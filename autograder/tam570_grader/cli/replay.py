@@ -7,10 +7,21 @@ from pathlib import Path
 import numpy as np
 
 from tam570.values import Json, Numbers
+from tam570_grader.checks import assignments
+from tam570_grader.checks.assignments import match_slugs
+from tam570_grader.checks.case import Case
+from tam570_grader.checks.expect import Failed, NotWritten
 from tam570_grader.checks.failure import Failure
+from tam570_grader.checks.returns import Drawing, Formula
 from tam570_grader.cli.options import Commands, add_command
+from tam570_grader.course import course_config
 from tam570_grader.errors import Over, UsageError, say
+from tam570_grader.grading.submissions import CannotRead, Submission, read
+from tam570_grader.reports.sentences import describe_failure
+from tam570_grader.results import records, store
 from tam570_grader.sandbox.function import SandboxFunction
+from tam570_grader.sandbox.student import Student
+from tam570_grader.sandbox.zygote import ResourceLimits, Zygote
 
 
 def add_replay(commands: Commands) -> None:
@@ -30,8 +41,6 @@ def add_replay(commands: Commands) -> None:
 
 
 def _replay(arguments: argparse.Namespace) -> int:
-    from tam570_grader.reports.sentences import describe_failure
-
     slug, why = _failure(arguments.results, arguments.student, arguments.check, arguments.assignment)
     say(f"{arguments.student}, {slug}, {arguments.check}: {describe_failure(why)}")
     if why.function:
@@ -46,9 +55,6 @@ def _replay(arguments: argparse.Namespace) -> int:
 
 def _failure(results: Path, student: str, check: str, assignment: str | None) -> tuple[str, Failure]:
     """Return the assignment and the failure; UsageError where there is none, or more than value."""
-    from tam570_grader.checks.assignments import match_slugs
-    from tam570_grader.results import records, store
-
     lines = [line for line in store.read(results) if line["student"] == student]
     if not lines:
         raise UsageError(f"{results} has no result of {student}")
@@ -88,14 +94,6 @@ def _listed(failed: Iterable[tuple[str, str]]) -> str:
 
 def _again(arguments: argparse.Namespace, slug: str, why: Failure) -> str:
     """Return what the function of the file gives at this input, in the sandbox; or why it gives nothing."""
-    from tam570_grader.checks import assignments
-    from tam570_grader.checks.expect import Failed, NotWritten
-    from tam570_grader.course import course_config
-    from tam570_grader.grading.submissions import CannotRead, Submission, read
-    from tam570_grader.reports.sentences import describe_failure
-    from tam570_grader.sandbox.student import Student
-    from tam570_grader.sandbox.zygote import ResourceLimits, Zygote
-
     root = course_config.course_of(arguments.root, [arguments.file])
     assignment = assignments.assignment(root, slug)
     try:
@@ -120,9 +118,6 @@ def _again(arguments: argparse.Namespace, slug: str, why: Failure) -> str:
 
 def _result(function: SandboxFunction, at: Json) -> str:
     """Return what a function gives: numbers, the values of a formula, or the curves of a drawing."""
-    from tam570_grader.checks.case import Case
-    from tam570_grader.checks.returns import Drawing, Formula
-
     args, kwargs = (
         [_numbers(value) for value in at["args"]],
         {name: _numbers(value) for name, value in at["kwargs"].items()},

@@ -7,16 +7,18 @@ from collections.abc import Callable
 from dataclasses import asdict, dataclass, field
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from tam570.values import Json
+from tam570_grader.checks import assignments
 from tam570_grader.errors import progress, say
-
-if TYPE_CHECKING:
-    from tam570_grader.grading.batch import RunConfig
-    from tam570_grader.grading.regrade import Change
-    from tam570_grader.results.manual_points import ManualAdjustments
-    from tam570_grader.results.store import Results, ResultStore
+from tam570_grader.grading import regrade
+from tam570_grader.grading.batch import CachedResult, RunConfig, outcomes
+from tam570_grader.grading.regrade import Change
+from tam570_grader.reports import feedback
+from tam570_grader.reports.feedback import row
+from tam570_grader.results import manual_points
+from tam570_grader.results.manual_points import ManualAdjustments
+from tam570_grader.results.store import Results, ResultStore, key_of, results
 
 Record = Json  # a result line
 _with_bar = partial(progress, unit="submission", delay=1.0)
@@ -27,22 +29,18 @@ class RunSummary:
     """What is kept of the results of a run until its end: not the results."""
 
     rows: list[tuple[str, ...]] = field(default_factory=list)  # of the table
-    adjustments: "ManualAdjustments | None" = None  # what was added by hand
+    adjustments: ManualAdjustments | None = None  # what was added by hand
     faults: list[str] = field(default_factory=list)
-    changes: "list[Change]" = field(default_factory=list)
+    changes: list[Change] = field(default_factory=list)
     compared: int = 0
     last: Record = field(default_factory=dict)
-    store: "ResultStore | None" = None  # the results in --out
+    store: ResultStore | None = None  # the results in --out
 
 
 def whole_run(
-    arguments: argparse.Namespace, course: Path, config_of: "Callable[[list[Results]], RunConfig]", summary: RunSummary
-) -> "RunConfig":
+    arguments: argparse.Namespace, course: Path, config_of: Callable[[list[Results]], RunConfig], summary: RunSummary
+) -> RunConfig:
     """Grade all, write the pages, and note what the end of the run needs; the plan, made of earlier results."""
-    from tam570_grader.reports import feedback
-    from tam570_grader.results import manual_points
-    from tam570_grader.results.store import ResultStore, results
-
     with contextlib.ExitStack() as stack:
         earlier = [*arguments.join, *filter(None, [arguments.against])]
         old = [stack.enter_context(contextlib.closing(results(folder, feedback.row))) for folder in earlier]
@@ -68,16 +66,9 @@ def whole_run(
 
 
 def _run(
-    config: "RunConfig",
-    store: "ResultStore | None",
-    old: "list[Results]",
-    summary: RunSummary,
-    arguments: argparse.Namespace,
+    config: RunConfig, store: ResultStore | None, old: list[Results], summary: RunSummary, arguments: argparse.Namespace
 ) -> None:
     """Grade, and note of each result what the end of the run will need."""
-    from tam570_grader.grading.batch import CachedResult, outcomes
-    from tam570_grader.reports.feedback import row
-
     is_read = arguments.json or arguments.against or arguments.format == "gradescope"
     for outcome in _with_bar(outcomes(config, store, old), len(config.submissions)):
         if isinstance(outcome, CachedResult) and not is_read:
@@ -92,22 +83,16 @@ def _run(
             say(json.dumps({**record, **change}, allow_nan=False))
 
 
-def _change(old: "Results", record: Record, summary: RunSummary) -> Json:
+def _change(old: Results, record: Record, summary: RunSummary) -> Json:
     """Return what became of the old score, as `--json` has it."""
-    from tam570_grader.grading import regrade
-    from tam570_grader.results.store import key_of
-
     change = regrade.change(old.get(key_of(record)), record)
     summary.changes += [change] if change else []
     summary.compared += 1
     return {"change": change and asdict(change)}
 
 
-def _gone(old: "Results", config: "RunConfig", arguments: argparse.Namespace) -> "list[Change]":
+def _gone(old: Results, config: RunConfig, arguments: argparse.Namespace) -> list[Change]:
     """Return the changes of those who are no longer there; they count among what is compared."""
-    from tam570_grader.checks import assignments
-    from tam570_grader.grading import regrade
-
     names = arguments.only or filter(None, [arguments.assignment])
     slugs = assignments.match_slugs(names, assignments.slugs(config.course))
     return regrade.gone(old, config.submissions, arguments.paths, slugs)

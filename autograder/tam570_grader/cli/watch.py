@@ -6,10 +6,15 @@ import math
 import re
 from pathlib import Path
 
+from tam570_grader.cli.grade import warn_of_isolation
 from tam570_grader.cli.options import Commands, add_command, positive
+from tam570_grader.course import course_config
 from tam570_grader.errors import UsageError, say, writing
-from tam570_grader.grading.executor import cores
+from tam570_grader.grading import seeds
+from tam570_grader.grading.executor import cores, executor
 from tam570_grader.grading.watch import COPIES, KEY, Desk, Policy, Queue
+from tam570_grader.reports import feedback
+from tam570_grader.results.store import ResultStore
 
 UNITS = {"s": 1, "m": 60, "h": 3600, "d": 86400}
 
@@ -45,13 +50,6 @@ def _duration(text: str) -> float:
 
 
 def _watch(arguments: argparse.Namespace) -> int:
-    from tam570_grader.cli.grade import warn_of_isolation
-    from tam570_grader.course import course_config
-    from tam570_grader.grading import seeds
-    from tam570_grader.grading.executor import executor
-    from tam570_grader.reports import feedback
-    from tam570_grader.results.store import ResultStore
-
     course = course_config.course_of(arguments.root, [arguments.source])
     feedback.must_write_pages()
     warn_of_isolation()

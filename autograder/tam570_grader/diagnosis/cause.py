@@ -2,24 +2,11 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Protocol
 
 from tam570.values import Numbers
-from tam570_grader.checks.case import Case
+from tam570_grader.checks.case import Call
 
-
-class Called(Protocol):
-    """A call that a check made, and the result that came back."""
-
-    @property
-    def name(self) -> str: ...
-    @property
-    def case(self) -> Case: ...
-    @property
-    def result(self) -> Numbers: ...  # None where the call raised, or returned what was not promised
-
-
-Answer = Callable[[Called], Numbers]  # of the whole solution with a mistake in it, to a call of any function
+Answer = Callable[[Call], Numbers]  # of the whole solution with a mistake in it, to a call of any function
 
 
 @dataclass(frozen=True)
@@ -38,5 +25,5 @@ class Cause:
     message: str
     source: str
     answers: tuple[Answer, ...] = ()
-    calls: tuple[Called, ...] = ()
+    calls: tuple[Call, ...] = ()
     follows_from: str = ""

@@ -9,8 +9,7 @@ from numpy.typing import NDArray
 
 from tam570.checking.transforms import parts
 from tam570.values import Numbers
-from tam570_grader.checks.case import Case
-from tam570_grader.diagnosis.cause import Called
+from tam570_grader.checks.case import Call
 from tam570_grader.diagnosis.mistakes import OF_MOTIONS, has_numbers, is_motion
 
 INFORMATIVE = 1e-3  # of the right answer: what is smaller may be what cancels
@@ -22,12 +21,9 @@ EXPLAINED, HARDLY = 3e-4, 0.1
 
 
 @dataclass(frozen=True)
-class ComparedCall:
+class ComparedCall(Call):
     """A call, what came back, and the right answer."""
 
-    name: str
-    case: Case
-    result: Numbers
     expected: Numbers
 
     def fits(self, answer: Numbers) -> bool:
@@ -65,7 +61,7 @@ class Rows(ComparedCall):
         return {row.tobytes() for row in _table(self.result)}
 
 
-def compared_call(call: Called, expected: Numbers) -> ComparedCall:
+def compared_call(call: Call, expected: Numbers) -> ComparedCall:
     """Return a call beside the right answer; of a motion the rows that tell."""
     if not is_motion(call) or _shapes(call.result) != _shapes(expected):
         return ComparedCall(call.name, call.case, call.result, expected)

@@ -5,13 +5,14 @@ from dataclasses import replace
 from itertools import product
 from pathlib import Path
 
-from tam570_grader.diagnosis.cause import Called, Cause
+from tam570_grader.checks.case import Call
+from tam570_grader.diagnosis.cause import Cause
 from tam570_grader.diagnosis.mistakes import candidates, explains, named_mistake
 from tam570_grader.diagnosis.search import general, wrong_arguments
 
 
 def diagnose(
-    solution: str, folder: Path, calls: Sequence[Called], earlier: Sequence[Cause] = (), *, may_follow: bool = True
+    solution: str, folder: Path, calls: Sequence[Call], earlier: Sequence[Cause] = (), *, may_follow: bool = True
 ) -> Cause | None:
     """Return why a check fails.
 
@@ -49,7 +50,7 @@ def _says(cause: Cause, name: str, earlier: Sequence[Cause]) -> bool:
     return cause.message.replace(cause.function, name) in {other.message for other in earlier}
 
 
-def follows(solution: str, calls: Sequence[Called], earlier: Iterable[Cause]) -> Cause | None:
+def follows(solution: str, calls: Sequence[Call], earlier: Iterable[Cause]) -> Cause | None:
     """Return the cause of calls whose results are all the solution's with an earlier mistake in it.
 
     None if there is none.
@@ -70,6 +71,6 @@ def _in_common(solution: str, causes: Iterable[Cause], earlier: Sequence[Cause])
     return None
 
 
-def _others(function: str, calls: Sequence[Called]) -> list[str]:
+def _others(function: str, calls: Sequence[Call]) -> list[str]:
     """Return the functions that are called besides one."""
     return [call.name for call in calls if call.name != function]

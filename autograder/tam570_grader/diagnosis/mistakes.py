@@ -28,10 +28,11 @@ import numpy as np
 
 from tam570.checking.transforms import parts
 from tam570.values import Function, Json, Numbers
+from tam570_grader.checks.case import Call
 from tam570_grader.checks.check import Check, Memory
 from tam570_grader.checks.effort import compile_counted
 from tam570_grader.checks.expected import shared
-from tam570_grader.diagnosis.cause import Answer, Called, Cause
+from tam570_grader.diagnosis.cause import Answer, Cause
 from tam570_grader.diagnosis.mutants import reached
 from tam570_grader.protocol.wire import packed
 
@@ -171,7 +172,7 @@ def candidates(solution: str, folder: Path, functions: Container[str]) -> list[M
     ]
 
 
-def named_mistake(solution: str, suspects: Iterable[Mistake], calls: Sequence[Called]) -> Cause | None:
+def named_mistake(solution: str, suspects: Iterable[Mistake], calls: Sequence[Call]) -> Cause | None:
     """Return the first mistake that the calls agree with; None if there is none.
 
     Of each function that the mistake changes, every result must be the mistake's, and one must be numbers.
@@ -186,7 +187,7 @@ def named_mistake(solution: str, suspects: Iterable[Mistake], calls: Sequence[Ca
     return Cause((wrong or [calls[0].name])[0], mistake.message, "known mistake", answers, tuple(calls))
 
 
-def explains(solution: str, answer_to: Answer, calls: Sequence[Called]) -> bool:
+def explains(solution: str, answer_to: Answer, calls: Sequence[Call]) -> bool:
     """Whether what the solution answers with a mistake in it is what the student's functions returned in every call.
 
     Some result must be wrong by it, and some number of it not zero: of nothing all kinds of nothing follow.
@@ -203,7 +204,7 @@ def explains(solution: str, answer_to: Answer, calls: Sequence[Called]) -> bool:
     return wrong and informative
 
 
-def _explains_all(solution: str, mistake: Mistake, groups: dict[str, list[Called]]) -> bool:
+def _explains_all(solution: str, mistake: Mistake, groups: dict[str, list[Call]]) -> bool:
     informative = False
     compared = ([call for call in group if mistake.label in call.case.label] for group in groups.values())
     for group in filter(None, compared):
@@ -216,12 +217,12 @@ def _explains_all(solution: str, mistake: Mistake, groups: dict[str, list[Called
     return informative
 
 
-def tolerance_of(call: Called) -> float:
+def tolerance_of(call: Call) -> float:
     """Return how closely numbers must agree, of the largest: rows of a motion less so."""
     return OF_MOTIONS if is_motion(call) else WITHIN
 
 
-def is_motion(call: Called) -> bool:
+def is_motion(call: Call) -> bool:
     """Return whether the result has a row for each of the times; what is square is the matrix of a vector."""
     times, shape = (call.case.args or (None,))[0], np.shape(parts(call.result)[0])
     return isinstance(times, np.ndarray) and len(shape) > 1 and shape[0] == len(times) != shape[-1]
@@ -232,7 +233,7 @@ def has_numbers(result: Numbers, wrong: Numbers) -> bool:
     return result is not None and wrong is not None and same(result, wrong, WITHIN)
 
 
-def right_answer(solution: str, call: Called) -> Numbers:
+def right_answer(solution: str, call: Call) -> Numbers:
     """Return the solution's answer to a call; None where it has none."""
     value = answer(solution, "", call)
     return None if value is NoValue else value
@@ -250,7 +251,7 @@ _answers = Memory[Numbers](MOST_ANSWERS, _bytes)
 _changes = Memory[bool](MOST_CHANGES)
 
 
-def answer(solution: str, text: str, call: Called) -> Numbers:
+def answer(solution: str, text: str, call: Call) -> Numbers:
     """Return the answer of the solution with a mistake, computed a single time for all who are given the same input."""
     name, message = _named(solution, text), call.case.packed
 
@@ -262,7 +263,7 @@ def answer(solution: str, text: str, call: Called) -> Numbers:
     return _answers.value((name, call.name, message), compute)
 
 
-def _changed(solution: str, text: str, call: Called, tolerance: float) -> bool:
+def _changed(solution: str, text: str, call: Call, tolerance: float) -> bool:
     """Return whether the mistake changes the answer to a call."""
     key = _named(solution, text), call.name, call.case.packed, tolerance
 
@@ -277,7 +278,7 @@ def _named(solution: str, text: str) -> str:
     return hashlib.sha256(f"{solution}\0{text}".encode()).hexdigest()
 
 
-def computed(module: ModuleType, call: Called) -> Numbers:
+def computed(module: ModuleType, call: Call) -> Numbers:
     """Return the answer of a module's function to a call; `NoValue` where its formula has none."""
     function, case = getattr(module, call.name), call.case
     try:

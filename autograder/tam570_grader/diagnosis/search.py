@@ -11,7 +11,7 @@ import functools
 import inspect
 import re
 import warnings
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
@@ -21,9 +21,9 @@ import numpy as np
 
 from tam570.checking.transforms import WrongArgument, other_arguments, other_forms, other_products, other_results, parts
 from tam570.values import Function, Numbers
-from tam570_grader.checks.case import Case
+from tam570_grader.checks.case import Call, Case
 from tam570_grader.checks.effort import Exhausted, compile_counted, count, limited
-from tam570_grader.diagnosis.cause import Answer, Called, Cause
+from tam570_grader.diagnosis.cause import Answer, Cause
 from tam570_grader.diagnosis.compared_call import ComparedCall, compared_call, count_informative
 from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, right_answer, solution_with
 from tam570_grader.diagnosis.mutants import Mutant, mutants_of, reached
@@ -35,7 +35,7 @@ ELEMENTS = 1000  # of a result, that are compared in a step
 Transform = Callable[[ComparedCall], Numbers]
 
 
-def general(solution: str, calls: Sequence[Called]) -> Cause | None:
+def general(solution: str, calls: Sequence[Call]) -> Cause | None:
     """Return the one variant of the right answers that has the student's numbers in every call, or None.
 
     Formulas are left out: to evaluate one takes long.
@@ -47,7 +47,7 @@ def general(solution: str, calls: Sequence[Called]) -> Cause | None:
         return None
 
 
-def _general(solution: str, calls: Sequence[Called]) -> Cause | None:
+def _general(solution: str, calls: Sequence[Call]) -> Cause | None:
     if any(call.result is None or _symbolic(call) for call in calls):
         return None
     expected = [right_answer(solution, call) for call in calls]
@@ -66,44 +66,44 @@ def _general(solution: str, calls: Sequence[Called]) -> Cause | None:
     exec(_code(solution), vars(module))
     reference = getattr(module, name)
     known_for = {str(call.case.kwargs) for call in wrong}
+
+    def transformed(words: str, transform: Transform) -> Cause:
+        return Cause(name, words, "transform", _with_variant(solution, name, transform), tuple(calls))
+
     results = other_results(name, wrong[0], vary=len(known_for) >= FEWEST or not wrong[0].case.kwargs)
-    if first := _first(results, its_calls):
-        return Cause(name, first[0], "transform", _with_variant(solution, name, first[1]), tuple(calls))
+    if first := next(_explaining(results, its_calls), None):
+        return transformed(*first)
     for family in (other_arguments(name, reference, its_calls[0]), other_products(name, reference, its_calls[0])):
-        explaining = [(words, transform) for words, transform in family if _explains(transform, its_calls)]
-        if len(explaining) == 1:
-            ((words, transform),) = explaining
-            return Cause(name, words, "transform", _with_variant(solution, name, transform), tuple(calls))
-    if cause := _for_one_word(solution, name, reference, compared, calls):
-        return cause
+        if len(explaining := [*_explaining(family, its_calls)]) == 1:
+            return transformed(*explaining[0])
+    if one_word := _for_one_word(name, reference, compared):
+        return transformed(*one_word)
     if mutant := _mutant(solution, module, name, compared):
         words, texts = mutant
         return Cause(name, words, "mutant", tuple(partial(answer, solution, text) for text in texts), tuple(calls))
-    if first := _first(other_forms(name, reference, its_calls[0]), its_calls):
-        return Cause(name, first[0], "transform", _with_variant(solution, name, first[1]), tuple(calls))
+    if first := next(_explaining(other_forms(name, reference, its_calls[0]), its_calls), None):
+        return transformed(*first)
     where = _single_entry(name, its_calls)
     return Cause(name, where, "place") if where else None
 
 
-def _first(family: Iterator[tuple[str, Transform]], calls: Sequence[ComparedCall]) -> tuple[str, Transform] | None:
-    return next(((words, transform) for words, transform in family if _explains(transform, calls)), None)
+def _explaining(
+    family: Iterable[tuple[str, Transform]], calls: Sequence[ComparedCall]
+) -> Iterator[tuple[str, Transform]]:
+    """Yield those of a family that explain all calls."""
+    return ((words, transform) for words, transform in family if _explains(transform, calls))
 
 
-def _for_one_word(
-    solution: str, name: str, reference: Function, calls: Sequence[ComparedCall], every_call: Sequence[Called]
-) -> Cause | None:
+def _for_one_word(name: str, reference: Function, calls: Sequence[ComparedCall]) -> tuple[str, Transform] | None:
     """Return the one wrong argument, where a function is wrong for one value alone of an argument that is a word."""
     wrong, keys = [call for call in calls if not call.fits(call.expected)], [*inspect.signature(reference).parameters]
     for index, word in enumerate(wrong[0].case.args):
         if isinstance(word, str) and all(_word(call, index) == word for call in wrong):
-            family = [*other_arguments(name, reference, wrong[0])]
-            explaining = [
-                (words, transform) for words, transform in family if _explains(_Where(index, word, transform), calls)
-            ]
+            family = other_arguments(name, reference, wrong[0])
+            explaining = [*_explaining(((words, _Where(index, word, transform)) for words, transform in family), calls)]
             if len(explaining) == 1:
                 ((words, transform),) = explaining
-                answers = _with_variant(solution, name, _Where(index, word, transform))
-                return Cause(name, f"{words} where {keys[index]} is {word!r}", "transform", answers, tuple(every_call))
+                return f"{words} where {keys[index]} is {word!r}", transform
     return None
 
 
@@ -123,7 +123,7 @@ class _Where:
         return self.transform(call) if _word(call, self.index) == self.word else call.expected
 
 
-def wrong_arguments(solution: str, calls: Sequence[Called]) -> Iterator[Cause]:
+def wrong_arguments(solution: str, calls: Sequence[Call]) -> Iterator[Cause]:
     """Yield each wrong argument that explains all calls of a function.
 
     There may be several, of which one was made before.
@@ -146,7 +146,7 @@ def _with_variant(solution: str, name: str, transform: Transform) -> tuple[Answe
     return (_InPlace(solution, name, transform),)
 
 
-def _everywhere(solution: str, wrong: WrongArgument, call: Called) -> Numbers:
+def _everywhere(solution: str, wrong: WrongArgument, call: Call) -> Numbers:
     function = getattr(solution_with(solution, ""), call.name)
     case = Case(**wrong.arguments(function, call.case))
     return answer(solution, "", ComparedCall(call.name, case, None, None))
@@ -160,7 +160,7 @@ class _InPlace:
     name: str
     transform: Transform
 
-    def __call__(self, call: Called) -> Numbers:
+    def __call__(self, call: Call) -> Numbers:
         try:
             return computed(self._module, call)
         except (LookupError, TypeError, AttributeError):
@@ -178,7 +178,7 @@ class _InPlace:
         return module
 
 
-def _symbolic(call: Called) -> bool:
+def _symbolic(call: Call) -> bool:
     args = call.case.args
     return bool(args) and isinstance(args[0], list) and bool(args[0]) and isinstance(args[0][0], dict)
 

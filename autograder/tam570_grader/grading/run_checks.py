@@ -9,12 +9,13 @@ import numpy as np
 
 from tam570_grader.checks import assignments
 from tam570_grader.checks.assignments import LoadedAssignment
+from tam570_grader.checks.case import Call
 from tam570_grader.checks.check import Check
 from tam570_grader.checks.effort import Exhausted
 from tam570_grader.checks.expect import LONGEST_FAULT, Failed, NotWritten, check_context
 from tam570_grader.checks.failure import Failure
 from tam570_grader.checks.returns import FreeBodyDiagram
-from tam570_grader.diagnosis.cause import Called, Cause
+from tam570_grader.diagnosis.cause import Cause
 from tam570_grader.diagnosis.diagnose import diagnose, follows
 from tam570_grader.errors import Over
 from tam570_grader.grading.budget import budget
@@ -240,7 +241,7 @@ def _consequence(run: _Run, check: Check, functions: Container[str]) -> CheckRes
     return _passed(check) if any(name not in functions for name in function_names) else None
 
 
-def _is_drawn(assignment: LoadedAssignment, call: Called) -> bool:
+def _is_drawn(assignment: LoadedAssignment, call: Call) -> bool:
     """Return whether a call gives a free body diagram: it has no numbers to compare."""
     return isinstance(assignment.results[call.name], FreeBodyDiagram)
 

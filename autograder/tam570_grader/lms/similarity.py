@@ -4,17 +4,16 @@ The method: S. Schleimer, D. S. Wilkerson, A. Aiken, "Winnowing: local algorithm
 """
 
 import io
-from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.errors import UsageError, counted, progress, say, warn
+from tam570_grader.errors import UsageError, counted, progress, say
 from tam570_grader.grading.submissions import CannotRead, submissions
-from tam570_grader.lms.similarity_export import code
-from tam570_grader.sandbox.notebooks import Unshown, statements_of
+from tam570_grader.lms.similarity_export import texts_of
+from tam570_grader.sandbox.notebooks import statements_of
 
 SHORTEST = 25  # characters of code without names that must agree to count: two statements
 LONGEST = 100_000  # characters of code; the longest solution has 13,000
@@ -38,14 +37,7 @@ class Pair:
 
 def run(course: Path, paths: Sequence[Path], slugs: Sequence[str], slug_given: str | None, least: float) -> int:
     """Print the pairs that share so much, most alike first; the exit code is 1 if a submission could not be read."""
-    texts: dict[str, dict[str, str]] = defaultdict(dict)
-    unread = []
-    for submission in submissions(paths, slugs, slug_given):
-        try:
-            texts[submission.slug][submission.student] = _statements(code(submission))
-        except (CannotRead, Unshown) as error:
-            unread.append(f"{submission.student} {submission.slug}")
-            warn(f"{submission.student} {submission.slug} is left out: {error}")
+    texts, unread = texts_of(submissions(paths, slugs, slug_given), _statements)
     similar = [pair for slug in sorted(texts) for pair in pairs(course, slug, texts[slug]) if pair.share >= least]
     for pair in sorted(similar, key=lambda pair: (-pair.share, pair.slug, pair.student)):
         first, second = (f"{100 * share:3.0f} %" for share in pair.shares)

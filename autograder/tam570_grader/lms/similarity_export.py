@@ -7,7 +7,7 @@ a folder for each submission, `-bc` for the base code. Moss: its script: `-d` fo
 import random
 import shutil
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 
 from tam570_grader.errors import UsageError, say, warn, writing
@@ -31,19 +31,12 @@ def run(
     if out.exists() and (not out.is_dir() or any(out.iterdir())):
         raise UsageError(f"cannot write to {out}: it is not an empty folder; name a new one, for its numbers are new")
     numbers = _numbers(sorted({submission.student for submission in everything}))
-    texts: dict[str, dict[str, str]] = defaultdict(dict)
-    unread = 0
-    for submission in everything:
-        try:
-            texts[submission.slug][numbers[submission.student]] = code(submission)
-        except (CannotRead, Unshown) as error:
-            unread += 1
-            warn(f"{submission.student} {submission.slug} is left out: {error}")
+    texts, unread = texts_of(everything)
     with writing(out):
         out.mkdir(parents=True, exist_ok=True)
         _write_names(numbers, out / NAMES)
         for slug, modules in sorted(texts.items()):
-            _write(course, slug, modules, out / slug, tool)
+            _write(course, slug, {numbers[who]: text for who, text in modules.items()}, out / slug, tool)
             say(f"cd {out / slug} && {COMMANDS[tool].format(slug=slug)}")
     return 1 if unread else 0
 
@@ -52,6 +45,21 @@ def _numbers(students: Sequence[str]) -> dict[str, str]:
     """Return a number for each student, in an order that tells nobody."""
     order = random.SystemRandom().sample(range(1, len(students) + 1), len(students))
     return {student: f"s{number:04}" for student, number in zip(students, order, strict=True)}
+
+
+def texts_of(
+    everything: Iterable[Submission], form: Callable[[str], str] = str
+) -> tuple[dict[str, dict[str, str]], list[str]]:
+    """Return the texts of submissions in some form, by assignment and student, and who is left out, which is told."""
+    texts: dict[str, dict[str, str]] = defaultdict(dict)
+    unread = []
+    for submission in everything:
+        try:
+            texts[submission.slug][submission.student] = form(code(submission))
+        except (CannotRead, Unshown) as error:
+            unread.append(f"{submission.student} {submission.slug}")
+            warn(f"{unread[-1]} is left out: {error}")
+    return texts, unread
 
 
 def code(submission: Submission) -> str:

@@ -184,9 +184,11 @@ def _opened(folder: Path) -> BinaryIO:
 
 def results(path: Path, summary_row: SummaryRow = lambda record: ()) -> Results:
     """Return the results in a folder, or in its `results.jsonl`."""
-    path = path / "results.jsonl" if path.is_dir() else path
+    file = path if path.is_file() else path / "results.jsonl"
+    if not file.is_file():
+        raise UsageError(f"there are no results in {path}; make them with: tam570-grader grade ... --out {path}")
     try:
-        return Results(open(path, "rb"), path, summary_row)  # noqa: SIM115  closed with the results
+        return Results(open(file, "rb"), file, summary_row)  # noqa: SIM115  closed with the results
     except OSError as error:
         raise UsageError(f"cannot read results from {path}: {error.strerror}") from None
 

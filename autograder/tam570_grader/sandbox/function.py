@@ -11,7 +11,7 @@ import numpy as np
 
 from tam570.formulas import REMEDIES
 from tam570.values import Json, Numbers
-from tam570_grader.checks.case import Case
+from tam570_grader.checks.case import Call, Case
 from tam570_grader.checks.expect import Failed, NotWritten, get_context
 from tam570_grader.checks.plots import readable
 from tam570_grader.checks.returns import Drawing, Formula, FreeBodyDiagram, result, results_alike
@@ -22,15 +22,6 @@ REAL = 1e-12  # of a value: complex exponentials that make it real leave 1e-25 o
 ROUNDING = 1e-25  # where they cancel to zero
 MISCALLED = re.compile(r"\S+\(\) (?:got|missing|takes) .*")  # what Python says of arguments that do not fit
 STRANGER = r"[A-Za-z]{1,12}(_?[A-Za-z0-9]{1,3})?(\(t\))?"  # a symbol's name, theta_1, or a function of time, theta(t)
-
-
-@dataclass(frozen=True)
-class Call:
-    """A call that a check made and the result that came back."""
-
-    name: str
-    case: Case
-    result: Numbers  # None where the call raised, or returned what was not promised
 
 
 class Asked(Protocol):

@@ -8,11 +8,11 @@ from typing import Any
 
 from tam570.values import Function, Json
 from tam570_grader.checks.assignments import LoadedAssignment
-from tam570_grader.checks.case import Case
+from tam570_grader.checks.case import Call, Case
 from tam570_grader.checks.expect import Failed, NotWritten, get_context
 from tam570_grader.errors import Over, printable
 from tam570_grader.protocol.wire import request
-from tam570_grader.sandbox.function import Call, SandboxFunction
+from tam570_grader.sandbox.function import SandboxFunction
 from tam570_grader.sandbox.imports import NotLoaded, not_compiled, not_imported, skipped_cells
 from tam570_grader.sandbox.pool import ONLY, Attempt
 from tam570_grader.sandbox.process import PATIENCE, ProcessLost, ProcessTimeout, SandboxProcess

@@ -5,9 +5,8 @@ from dataclasses import replace
 
 import pytest
 
-from tam570_grader.checks.case import Case
+from tam570_grader.checks.case import Call, Case
 from tam570_grader.diagnosis.mistakes import Mistake, named_mistake, solution_with
-from tam570_grader.sandbox.function import Call
 
 SOLUTION = "import math\n\nimport numpy as np\n\n\ndef f(x):\n    return 2.0 * x\n\n\ndef g(x):\n    return 3.0 * x\n"
 

@@ -5,11 +5,10 @@ import math
 import numpy as np
 import pytest
 
-from tam570_grader.checks.case import Case
+from tam570_grader.checks.case import Call, Case
 from tam570_grader.diagnosis.cause import Cause
 from tam570_grader.diagnosis.diagnose import diagnose
 from tam570_grader.diagnosis.search import general
-from tam570_grader.sandbox.function import Call
 
 SOLUTION = """
 import numpy as np
