@@ -13,6 +13,7 @@ import importlib.machinery
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
+from dataclasses import dataclass
 from importlib.machinery import ModuleSpec
 from types import CodeType, ModuleType
 
@@ -26,13 +27,11 @@ class Exhausted(Exception):
     """So much is not spent on one submission."""
 
 
+@dataclass(slots=True)
 class Meter:
     """Steps that are left."""
 
-    __slots__ = ("remaining",)
-
-    def __init__(self, remaining: int) -> None:
-        self.remaining = remaining
+    remaining: int
 
 
 _meter: ContextVar[Meter | None] = ContextVar("meter", default=None)
@@ -92,14 +91,7 @@ class _Counted(ast.NodeTransformer):
         node.body.insert(index, ast.parse("_count()").body[0])
         return node
 
-    def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.stmt:  # noqa: N802
-        return self._with_count(node)
-
-    def visit_While(self, node: ast.While) -> ast.stmt:  # noqa: N802
-        return self._with_count(node)
-
-    def visit_For(self, node: ast.For) -> ast.stmt:  # noqa: N802
-        return self._with_count(node)
+    visit_FunctionDef = visit_While = visit_For = _with_count
 
     def visit_Lambda(self, node: ast.Lambda) -> ast.expr:  # noqa: N802
         self.generic_visit(node)

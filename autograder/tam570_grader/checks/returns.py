@@ -12,7 +12,7 @@ accepted is what `numpy.asarray` turns into that shape: lists, tuples and NumPy 
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TypeGuard
+from typing import Self, TypeGuard
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,17 +36,23 @@ class Description:
 
 
 @dataclass(frozen=True)
-class Array:
+class Described:
+    """A result with what messages call it."""
+
+    description: Description = field(default=Description(), compare=False, kw_only=True)
+
+    def described(self, quantity: str, unit: str = "", scale: Scale | None = None) -> Self:
+        """Return the same promise, with what messages call its result."""
+        return replace(self, description=Description(quantity, unit, scale))
+
+
+@dataclass(frozen=True)
+class Array(Described):
     """A float64 array; None stands for any length but zero, and "n" for as many as the first argument has."""
 
     shape: tuple[int | str | None, ...]
     infinite: bool = False  # may be math.inf
     columns: Sequence[Numbers] = field(default=(), compare=False)  # each a `Column`
-    description: Description = field(default=Description(), compare=False)
-
-    def described(self, quantity: str, unit: str = "", scale: Scale | None = None) -> "Array":
-        """Return the same promise, with what messages call its result."""
-        return replace(self, description=Description(quantity, unit, scale))
 
 
 @dataclass(frozen=True)
@@ -61,15 +67,10 @@ class Group:
 
 
 @dataclass(frozen=True)
-class Formula:
+class Formula(Described):
     """A SymPy expression in these symbols; `student.f.at([{"theta": .3, ...}, ...])` gives its values."""
 
     symbols: tuple[str, ...]
-    description: Description = field(default=Description(), compare=False)
-
-    def described(self, quantity: str, unit: str = "", scale: Scale | None = None) -> "Formula":
-        """Return the same promise, with what messages call its value."""
-        return replace(self, description=Description(quantity, unit, scale))
 
 
 @dataclass(frozen=True)
@@ -118,6 +119,7 @@ MOST_DIMENSIONS = 3  # of a shape that is told
 
 number = Array(())
 drawing = Drawing()
+free_body_diagram = FreeBodyDiagram
 ReturnSpec = Array | Group | Formula | Drawing | FreeBodyDiagram
 
 
@@ -139,11 +141,6 @@ def group(*members: Array | Group) -> Group:
 def formula(*symbols: str) -> Formula:
     """Describe an expression of SymPy in these symbols."""
     return Formula(symbols)
-
-
-def free_body_diagram(dimension: int) -> FreeBodyDiagram:
-    """Describe pairs (point, direction) of so many numbers each."""
-    return FreeBodyDiagram(dimension)
 
 
 def result(returns: Array | Group | FreeBodyDiagram, value: object, name: str, call: Case) -> Numbers:

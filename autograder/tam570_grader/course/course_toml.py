@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from tam570.values import Json
-from tam570_grader.checks.assignments import slug_of
+from tam570_grader.checks import assignments
 from tam570_grader.errors import UsageError
 
 FILE = "course.toml"
@@ -41,7 +41,7 @@ def by_slug(path: Path, tables: Json, slugs: Sequence[str]) -> dict[str, tuple[s
     """Return the tables of assignments, each with the name that it has in the file; UsageError if one has two."""
     tables_by_slug: dict[str, tuple[str, Any]] = {}
     for key, table in tables.items():
-        if (slug := slug_of(key, slugs)) is not None:
+        if (slug := assignments.slug_of(key, slugs)) is not None:
             must(
                 path,
                 slug not in tables_by_slug,
@@ -53,8 +53,6 @@ def by_slug(path: Path, tables: Json, slugs: Sequence[str]) -> dict[str, tuple[s
 
 def columns(course: Path, system: str) -> dict[str, str]:
     """Return the heading, or id, that each assignment's column has in the gradebook of a system."""
-    from tam570_grader.checks import assignments
-
     path = course / COPY
     tables = by_slug(path, toml(path), assignments.slugs(course)) if path.is_file() else {}
     return {slug: str(table[system]) for slug, (_, table) in tables.items() if system in table}

@@ -13,9 +13,10 @@ from pathlib import Path
 from zoneinfo import ZoneInfo
 
 from tam570.values import Json
+from tam570_grader.checks import assignments
 from tam570_grader.course.course_toml import COPY, FILE, by_slug, must, no_other, toml
 from tam570_grader.errors import UsageError, counted
-from tam570_grader.results.collected import form
+from tam570_grader.results.collected import form, listed
 from tam570_grader.results.manual_points import EVERYONE, EXTENSION, LATE, MOST, OFF, Entry, ManualAdjustments
 from tam570_grader.results.store import Results
 
@@ -41,8 +42,6 @@ class LatePolicy:
 
 def policies_of(course: Path) -> dict[str, LatePolicy]:
     """Return the terms of a course, by the names of its assignments; those that no course.toml made have none."""
-    from tam570_grader.checks import assignments
-
     path = course / COPY
     return policies(path, toml(path), assignments.slugs(course)) if path.is_file() else {}
 
@@ -97,8 +96,6 @@ def apply_late_policy(
     results   : tell what was graded: of a module and a notebook the time of one counts
     collected : the table that `collect` wrote, whose times tell who is late
     """
-    from tam570_grader.results.collected import listed
-
     slugs = {slug for _, slug in results}
     table = list(_graded(listed(collected, NEEDED), results)) if collected else []
     days, open_ = _days(policies, adjustments, table, collected)

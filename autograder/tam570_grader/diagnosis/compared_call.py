@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from tam570.checking.transforms import parts
 from tam570.values import Numbers
 from tam570_grader.checks.case import Call
+from tam570_grader.checks.motions import flat
 from tam570_grader.diagnosis.mistakes import OF_MOTIONS, has_numbers, is_motion
 
 INFORMATIVE = 1e-3  # of the right answer: what is smaller may be what cancels
@@ -58,7 +59,7 @@ class Rows(ComparedCall):
         return np.minimum(OF_MOTIONS, EXPLAINED * np.maximum(off, HARDLY * off.max()))
 
     def numbers(self) -> set[bytes]:
-        return {row.tobytes() for row in _table(self.result)}
+        return {row.tobytes() for row in flat(self.result)}
 
 
 def compared_call(call: Call, expected: Numbers) -> ComparedCall:
@@ -82,14 +83,9 @@ def _shapes(answer: Numbers) -> list[tuple[int, ...]]:
     return [np.shape(part) for part in parts(answer)]
 
 
-def _table(motion: Numbers) -> NDArray[np.float64]:
-    """Return the motion as (rows, columns)."""
-    return np.hstack([np.reshape(part, (len(part), -1)) for part in parts(motion)])
-
-
 def _off(result: Numbers, expected: Numbers) -> NDArray[np.float64]:
     """(rows, columns) how far a motion is off, of the size of each column; infinite where it is no number."""
-    result, expected = _table(result), _table(expected)
+    result, expected = flat(result), flat(expected)
     size = np.abs(expected).max(axis=0)
     with np.errstate(all="ignore"):
         off = np.abs(result - expected) / np.where(size > 0, size, 1.0)

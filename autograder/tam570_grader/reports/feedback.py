@@ -11,9 +11,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tam570.values import Json
-from tam570_grader.checks.assignments import checks_digest, engine_digest, title
+from tam570_grader.checks import assignments
 from tam570_grader.checks.curves import Curve
 from tam570_grader.errors import UsageError, warn
+from tam570_grader.reports.pictures import Picture, among, picture, sketch
 from tam570_grader.reports.sentences import capitalized, describe_failure, known_mistake, points, sentence, typeset
 from tam570_grader.results import manual_points
 from tam570_grader.results.manual_points import AdjustedScore, ManualAdjustments
@@ -23,8 +24,6 @@ from tam570_grader.results.tables import written
 
 if TYPE_CHECKING:
     from jinja2 import Environment, Template
-
-    from tam570_grader.reports.pictures import Among, Picture, Sketch
 
 SIGNS = {"passed": "+", "failed": "-", "not_run": "o", "grader_error": "!"}
 HEADINGS: tuple[str, ...] = ("student", "assignment", "score", "status", "time", "what to look at first")
@@ -52,14 +51,12 @@ class AssignmentInfo:
 
 def load_assignment_info(course: Path, slug: str) -> AssignmentInfo:
     """Return the sheet of an assignment; of one that is no longer in the course, its name."""
-    from tam570_grader.checks import assignments
-
     if slug not in assignments.slugs(course):
         return AssignmentInfo(slug, {}, {}, {})
     assignment = assignments.assignment(course, slug)
     lines = {check.name: check.title for check in assignment.checks}
     functions = {check.name: check.function for check in assignment.checks}
-    return AssignmentInfo(title(course, slug), lines, functions, assignment.manual)
+    return AssignmentInfo(assignments.title(course, slug), lines, functions, assignment.manual)
 
 
 def page(result: Result, info: AssignmentInfo, adjusted: AdjustedScore | None = None) -> str:
@@ -72,7 +69,7 @@ def page(result: Result, info: AssignmentInfo, adjusted: AdjustedScore | None = 
     check_results = [check_result for part in parts for check_result in part["marks"]]
     wrong = [check_result for check_result in check_results if check_result["stuck"]]
     wrong.sort(key=lambda check_result: (not check_result["suspect"], check_result["outcome"] != "failed"))
-    text = template("feedback.html").render(
+    return template("feedback.html").render(
         slug=result.assignment,
         student=result.student,
         title=info.title,
@@ -86,9 +83,8 @@ def page(result: Result, info: AssignmentInfo, adjusted: AdjustedScore | None = 
         ],
         adjustments=adjusted.message,
         first=next(iter(wrong), None),
-        among=_among(result),
+        among=among(result.assignment, result.speed) if result.speed else None,
     )
-    return text
 
 
 def overall(status: str, message: str) -> str:
@@ -139,12 +135,9 @@ def _shown(check_result: CheckResult, info: AssignmentInfo, overall_message: str
 
     Never its detail, which is the instructor's.
     """
-    is_stuck = check_result.outcome == "failed" or bool(check_result.unwritten)
-    function = (
-        (check_result.failure.function if check_result.failure else "")
-        or check_result.unwritten
-        or info.functions.get(check_result.name)
-    )
+    failure, is_stuck = check_result.failure, check_result.outcome == "failed" or bool(check_result.unwritten)
+    function = (failure and failure.function) or check_result.unwritten or info.functions.get(check_result.name)
+    message = "" if check_result.message == overall_message else check_result.message
     return {
         "name": check_result.name,
         "outcome": check_result.outcome,
@@ -152,46 +145,17 @@ def _shown(check_result: CheckResult, info: AssignmentInfo, overall_message: str
         "stuck": is_stuck,
         "points": points(check_result.points, check_result.max_points),
         "max_points": points(check_result.max_points),
-        "message": describe_failure(check_result.failure)
-        if check_result.failure
-        else ""
-        if check_result.message == overall_message
-        else check_result.message,
+        "message": describe_failure(failure) if failure else message,
         "suspect": check_result.suspect and known_mistake(check_result.suspect),
-        "sketch": _sketch(check_result.failure.sketch if check_result.failure else None),
-        "pictures": pictures(check_result.failure.curve if check_result.failure else None),
+        "sketch": sketch(failure.sketch) if failure and failure.sketch else None,
+        "pictures": pictures(failure.curve if failure else None),
         "hint": function if is_stuck else None,
     }
 
 
-def pictures(curve: Curve | None) -> "list[Picture]":
-    """Return the drawings of a failure: the error, and what becomes of an invariant.
-
-    Results of an older run have none.
-    """
-    if not curve:
-        return []
-    from tam570_grader.reports.pictures import picture
-
-    return [picture(drawn) for drawn in (curve, curve.get("keeps")) if drawn]
-
-
-def _sketch(drawn: Json | None) -> "Sketch | None":
-    """Return the free body diagram of a failure, if there is one."""
-    if not drawn:
-        return None
-    from tam570_grader.reports.pictures import sketch
-
-    return sketch(drawn)
-
-
-def _among(result: Result) -> "Among | None":
-    """Return the student's run time among the methods, if it was measured."""
-    if not result.speed:
-        return None
-    from tam570_grader.reports.pictures import among
-
-    return among(result.assignment, result.speed)
+def pictures(curve: Curve | None) -> list[Picture]:
+    """Return the drawings of a failure: the error, and what becomes of an invariant."""
+    return [picture(drawn) for drawn in (curve, curve.get("keeps")) if drawn] if curve else []
 
 
 def write_pages(
@@ -274,13 +238,13 @@ def _known(notes: Path) -> dict[str, str]:
 
 def _info_digest(course: Path, slug: str, version: int) -> int:
     """Of all that a sheet is made of, which is not loaded for that."""
-    return zlib.crc32(title(course, slug).encode() + checks_digest(course, slug), version)
+    return zlib.crc32(assignments.title(course, slug).encode() + assignments.checks_digest(course, slug), version)
 
 
 def _version() -> int:
     """Of all that makes a page of a result."""
     templates = sorted((Path(__file__).parent / "templates").iterdir())
-    return zlib.crc32(engine_digest() + b"".join(path.read_bytes() for path in templates if path.is_file()))
+    return zlib.crc32(assignments.engine_digest() + b"".join(path.read_bytes() for path in templates if path.is_file()))
 
 
 def table(rows: Sequence[tuple[str, ...]]) -> str:

@@ -129,7 +129,7 @@ def report(
     script = SCRIPT.read_text(encoding="utf-8")
     students = sorted({student for student, _ in class_results} | set(roster))
     everything = class_results.values()
-    text = template("report.html").render(
+    return template("report.html").render(
         {"shared": (), "names": {}, "claims": (), "scenes": (), "hand_ins": ()} | sections,
         slugs=_slugs(class_results),
         infos=infos,
@@ -152,7 +152,6 @@ def report(
         script=script,
         script_hash=base64.b64encode(hashlib.sha256(script.encode()).digest()).decode(),
     )
-    return text
 
 
 def _slugs(class_results: Class) -> list[str]:

@@ -3,8 +3,7 @@
 from collections.abc import Collection
 from pathlib import Path
 
-from tam570_grader.errors import UsageError
-from tam570_grader.results.tables import name_in, table
+from tam570_grader.results.tables import by_column, name_in
 
 COLUMNS = ("student", "name", "assignment", "file", "when", "late", "from", "note")
 
@@ -14,10 +13,10 @@ TABLE = "collected.csv"
 
 def listed(path: Path, needed: Collection[str] = COLUMNS) -> list[dict[str, str]]:
     """Return the rows of collected.csv by column; UsageError if it lacks one that is needed."""
-    heading, *rows = table(path, "surrogateescape")  # names of files may hold any bytes
-    if lacking := {*needed} - {*heading}:
-        raise UsageError(f"{path} has no column {', '.join(sorted(lacking))}: name the table that `collect` wrote")
-    return [dict(zip(heading, [*map(name_in, row), *[""] * len(heading)], strict=False)) for row in rows]
+    rows = by_column(
+        path, needed, ": name the table that `collect` wrote", "surrogateescape"
+    )  # files' names: any bytes
+    return [{name: name_in(cell) for name, cell in row.items()} for _, row in rows]
 
 
 WORK = (".py", ".ipynb")

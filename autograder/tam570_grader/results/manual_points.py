@@ -10,13 +10,12 @@ all of them: `slip days` of a term pay late days in the order of assignments, `d
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import astuple, dataclass, replace
-from itertools import zip_longest
 from pathlib import Path
 from typing import NamedTuple
 
 from tam570_grader.errors import UsageError
 from tam570_grader.results.records import Result
-from tam570_grader.results.tables import lines, name_in, write_table
+from tam570_grader.results.tables import by_column, name_in, write_table
 
 Key = tuple[str, str]  # student, assignment
 Score = float | str | None  # EX in the place of the score of who is excused
@@ -238,12 +237,9 @@ def read(folder: Path) -> ManualAdjustments:
 
 def rows_of(path: Path) -> Iterator[tuple[int, Entry]]:
     """Yield the rows of a table with the columns `COLUMNS`, in any order, and their line numbers."""
-    (_, heading), *rows = lines(path)
-    names = [name.strip().lower() for name in heading]
-    if lacking := {"student", "assignment", "item", "points"} - set(names):
-        raise UsageError(f"{path} has no column {', '.join(sorted(lacking))}; its heading is: {','.join(COLUMNS)}")
+    rows = by_column(path, ("student", "assignment", "item", "points"), f"; its heading is: {','.join(COLUMNS)}")
     for line, row in rows:
-        cells = {name: text.strip() for name, text in zip_longest(names, row[: len(names)], fillvalue="")}
+        cells = {name: text.strip() for name, text in row.items()}
         where = f"{path}, line {line}"
         points, of = (_number(cells.get(name, ""), f"{where}: {name}") for name in ("points", "of"))
         student, item, comment = name_in(cells["student"]), cells["item"], name_in(cells.get("comment", ""))

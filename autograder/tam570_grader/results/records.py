@@ -13,6 +13,7 @@ from tam570_grader.checks.case import Case
 from tam570_grader.checks.failure import Failure
 
 FORMAT = 3  # of a result line; those of another format are refused
+MAY_LACK = ("speed", "digest", "notebook", "unwritten", "error")  # of a line, where they are empty
 WRITTEN_OUT = 64  # elements of an array; longer ones are kept as their bytes
 
 
@@ -36,6 +37,17 @@ class CheckResult:
         """Whether the checks that build on this one are run."""
         return self.outcome == "passed" or bool(self.failure and self.failure.near_miss)
 
+    def record(self) -> Json:
+        """Return it as plain data."""
+        line = {key: value for key, value in vars(self).items() if value or key not in MAY_LACK}
+        del line["failure"]
+        if self.failure:
+            values = {field: getattr(self.failure, field.name) for field in fields(self.failure)}
+            line["failure"] = {
+                field.name: numbers(value) for field, value in values.items() if value is not field.default
+            }
+        return line
+
 
 @dataclass(frozen=True)
 class Result:
@@ -57,41 +69,20 @@ class Result:
     format: int = FORMAT
 
     def record(self) -> Json:
-        return write(self)
-
-
-def write(result: Result) -> Json:
-    """Return the result line as plain data; what is empty is left out where it may be."""
-    line = {**vars(result), "checks": [_check_result(check_result) for check_result in result.checks]}
-    return {key: value for key, value in line.items() if value or key not in ("message", "speed", "digest", "notebook")}
-
-
-def _check_result(check_result: CheckResult) -> Json:
-    line = {key: value for key, value in vars(check_result).items() if value or key not in ("unwritten", "error")}
-    del line["failure"]
-    if check_result.failure:
-        fields_set = [
-            (field.name, getattr(check_result.failure, field.name), field.default)
-            for field in fields(check_result.failure)
-        ]
-        line["failure"] = dict((name, numbers(value)) for name, value, usual in fields_set if value is not usual)
-    return line
+        """Return the result line as plain data; what is empty is left out where it may be."""
+        line = {**vars(self), "checks": [check_result.record() for check_result in self.checks]}
+        return {key: value for key, value in line.items() if value or key not in (*MAY_LACK, "message")}
 
 
 def read(line: Json) -> Result:
     """Return the result in a line. KeyError or TypeError if there is none."""
-    check_results = tuple(
-        CheckResult(**{**check_result, "failure": failure(check_result.get("failure"))})
-        for check_result in line["checks"]
-    )
-    return Result(**{**line, "checks": check_results})
+    checks = tuple(CheckResult(**{**each, "failure": failure(each.get("failure"))}) for each in line["checks"])
+    return Result(**{**line, "checks": checks})
 
 
 def failure(line: Json | None) -> Failure | None:
-    """Return the failure in a mark's line."""
-    if line is None:
-        return None
-    return Failure(**{key: _restored(value) for key, value in line.items()})
+    """Return the failure in the line of a check."""
+    return None if line is None else Failure(**{key: _restored(value) for key, value in line.items()})
 
 
 def numbers(value: object) -> Numbers:

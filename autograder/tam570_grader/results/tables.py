@@ -4,7 +4,8 @@ import csv
 import io
 import os
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from itertools import zip_longest
 from pathlib import Path
 from typing import TypeVar
 
@@ -76,6 +77,18 @@ def name_in(cell: str) -> str:
 def table(path: Path, errors: str = "strict") -> list[list[str]]:
     """Return the rows of a CSV file that are not empty, whatever separates its cells."""
     return [row for _, row in lines(path, errors)]
+
+
+def by_column(
+    path: Path, needed: Iterable[str], remedy: str, errors: str = "strict"
+) -> Iterator[tuple[int, dict[str, str]]]:
+    """Yield the rows of a CSV file by column, each with its line; UsageError if it lacks one that is needed."""
+    (_, heading), *rows = lines(path, errors)
+    names = [name.strip().lower() for name in heading]
+    if lacking := {*needed} - {*names}:
+        raise UsageError(f"{path} has no column {', '.join(sorted(lacking))}{remedy}")
+    for line, row in rows:
+        yield line, dict(zip_longest(names, row[: len(names)], fillvalue=""))
 
 
 def lines(path: Path, errors: str = "strict") -> list[tuple[int, list[str]]]:
