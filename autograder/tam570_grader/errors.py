@@ -43,9 +43,12 @@ def counted(n: int, word: str) -> str:
 
 def progress(items: Iterable[T], total: int, unit: str, delay: float = 0.0) -> Iterator[T]:
     """Yield the items, with a bar on a terminal after so many seconds."""
+    if not sys.stderr.isatty():
+        yield from items
+        return
     from tqdm import tqdm
 
-    yield from tqdm(items, total=total, unit=unit, leave=False, delay=delay, disable=None)
+    yield from tqdm(items, total=total, unit=unit, leave=False, delay=delay)
 
 
 @contextmanager

@@ -5,17 +5,23 @@ what tells a mistake from those that feedback looks for before it.
 """
 
 import ast
-import sys
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 from tam570.values import Json
-from tam570_grader.audit.local import Key, LocalStudent, Replies, failed_cases
+from tam570_grader.audit.local import (
+    SEED,
+    Key,
+    LocalStudent,
+    Replies,
+    calls_of_checks,
+    failed_cases,
+    module_of,
+    solution_replies,
+)
 from tam570_grader.audit.mutate import mutants
 from tam570_grader.audit.mutation import alone, calling, within_reach
 from tam570_grader.checks import assignments
@@ -27,7 +33,7 @@ from tam570_grader.diagnosis.mutants import reached
 from tam570_grader.errors import progress
 from tam570_grader.grading.executor import TaskExecutor, in_order
 
-SEED, SEEDS = 570, 20
+SEEDS = 20
 EXPENSIVE = 2e-3  # s; cases of longer calls are chosen for what the others do not catch
 CHUNKS = 4  # of the wrong submissions of a seed
 Subject = tuple[int, str]  # a seed, and what must be caught with it
@@ -84,7 +90,10 @@ def report_cases(course: Path, slug: str, executor: TaskExecutor, seeds: int) ->
 
 def judged_cases(run: CaseRun) -> tuple[dict[Key, float], dict[Subject, frozenset[Key]]]:
     """Return the seconds of each case, and the cases that catch each subject."""
-    assignment, solution = (assignments.assignment(run.course, run.slug), _solution(run.course, run.slug, run.seed))
+    assignment, solution = (
+        assignments.assignment(run.course, run.slug),
+        solution_replies(run.course, run.slug, run.seed),
+    )
     seconds, caught = dict[Key, float](), dict[str, frozenset[Key]]()
     for check in assignment.checks if run.first else ():
         student = LocalStudent(assignment, check, solution, solution)
@@ -93,7 +102,7 @@ def judged_cases(run: CaseRun) -> tuple[dict[Key, float], dict[Subject, frozense
         seconds |= {key: solution.seconds.get((key.function, case.packed), 0.0) for key, case in student.cases.items()}
         caught.update(_told_apart(assignment, check, student))
     for wrong in run.wrong:
-        replies = Replies(_module(wrong.text), solution, wrong.reach)
+        replies = Replies(module_of(wrong.text), solution, wrong.reach)
         checks = [check for check in assignment.checks if check.name in wrong.checks]
         students = [(LocalStudent(assignment, check, solution, replies), check) for check in checks]
         failures = (failed_cases(student, check, run.seed, run.slug) for student, check in students)
@@ -101,26 +110,10 @@ def judged_cases(run: CaseRun) -> tuple[dict[Key, float], dict[Subject, frozense
     return seconds, {(run.seed, name): keys for name, keys in caught.items() if keys}
 
 
-@cache
-def _solution(course: Path, slug: str, seed: int) -> Replies:
-    """Return the solution's replies, for all that one seed asks."""
-    return Replies(_module(assignments.assignment(course, slug).solution))
-
-
-def _module(text: str) -> ModuleType:
-    """Return a module that may raise at import: then none of its functions is there."""
-    module = sys.modules["_audited"] = ModuleType("_audited")  # a dataclass looks for its module there
-    try:
-        exec(compile(text, "<submission>", "exec"), vars(module))
-    except Exception:
-        return ModuleType("_raises")
-    return module
-
-
 def _mutants(assignment: LoadedAssignment) -> Iterator[Wrong]:
     """Yield the mutants, and each in its function alone where others call that."""
     solution = assignment.solution
-    calls, reachable = _calls(assignment), reached(solution)
+    (calls, _), reachable = calls_of_checks(assignment.root, assignment.slug), reached(solution)
     for mutant in mutants(assignment.slug, solution):
         reach = within_reach(reachable, mutant.function)
         yield Wrong(f"mutant {mutant.name}", mutant.text, reach, calling(calls, reach))
@@ -138,16 +131,6 @@ def _mistakes(assignment: LoadedAssignment) -> Iterator[Wrong]:
         reach = within_reach(reachable, function.name)
         text = f"{assignment.solution}\n\n{mistake.text}"
         yield Wrong(f"mistake {mistake.name}", text, reach, frozenset({mistake.first_fails}))
-
-
-def _calls(assignment: LoadedAssignment) -> dict[str, set[str]]:
-    """Return the functions that each check calls."""
-    solution, calls = _solution(assignment.root, assignment.slug, SEED), dict[str, set[str]]()
-    for check in assignment.checks:
-        student = LocalStudent(assignment, check, solution, solution)
-        failed_cases(student, check, SEED, assignment.slug)
-        calls[check.name] = {key.function for key in student.cases}
-    return calls
 
 
 def _told_apart(assignment: LoadedAssignment, check: Check, student: LocalStudent) -> Iterator[Any]:

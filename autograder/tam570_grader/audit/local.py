@@ -5,17 +5,21 @@ solution's. Nothing here is a sandbox: it is for mutants and mistakes of ours.
 """
 
 import contextlib
+import importlib
 import signal
+import sys
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from functools import partial
+from functools import cache, partial
+from pathlib import Path
 from types import ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from tam570.values import Json, Numbers
+from tam570_grader.checks import assignments
 from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.checks.case import Call, Case
 from tam570_grader.checks.check import Check
@@ -27,6 +31,7 @@ from tam570_grader.protocol.wire import packed, unpacked
 from tam570_grader.sandbox.function import SandboxFunction
 from tam570_grader.sandbox.replies import checked
 
+SEED = 570
 SLOWEST = 2.0  # s of processor time of a call
 TOO_SLOW = {"error": {"kinds": ["SlowCall"], "text": "", "line": 0}}
 
@@ -59,9 +64,9 @@ class Replies:
             return self._solution.reply(name, case, mode, fields)
         key = name, case.packed, mode, repr(fields)
         if key not in self._replies:
-            began = time.perf_counter()
+            began = time.process_time()
             self._replies[key] = _answered(self._module, name, case, mode, fields)
-            self.seconds[name, case.packed] = time.perf_counter() - began
+            self.seconds[name, case.packed] = time.process_time() - began
         return self._replies[key]
 
 
@@ -119,6 +124,7 @@ class LocalStudent:
         self.calls: list[Call] = []
         self.worked: set[str] = set()
         self.cases: dict[Key, Case] = {}
+        self.functions: set[str] = set()  # that were called
         self._keys: dict[tuple[str, int], Key] = {}
         self._count: Counter[tuple[str, str]] = Counter()
 
@@ -139,6 +145,7 @@ class LocalStudent:
         return contextlib.nullcontext()
 
     def replies(self, name: str, calls: Sequence[Case], mode: str = "value", **more: Any) -> list[Reply]:
+        self.functions.add(name)
         return [self._reply(name, case, mode, more) for case in calls]
 
     def _reply(self, name: str, case: Case, mode: str, fields: Json) -> Reply:
@@ -189,3 +196,33 @@ def _record(student: LocalStudent, context: CheckContext, error: float) -> None:
     key = student.key(context.function, context.case)
     if not error <= 1:
         student.failed.add(key)
+
+
+def module_of(text: str) -> ModuleType:
+    """Return a module that may raise at import: then none of its functions is there."""
+    module = sys.modules["_audited"] = ModuleType("_audited")  # a dataclass looks for its module there
+    try:
+        exec(compile(text, "<submission>", "exec"), vars(module))
+    except Exception:
+        return ModuleType("_raises")
+    return module
+
+
+@cache
+def solution_replies(course: Path, slug: str, seed: int) -> Replies:
+    """Return the solution's replies, for all that one seed asks."""
+    return Replies(module_of(assignments.assignment(course, slug).solution))
+
+
+def calls_of_checks(course: Path, slug: str) -> tuple[dict[str, set[str]], float]:
+    """Return the functions that each check calls, and the longest call in s, by running them on the solution."""
+    assignment, solution = assignments.assignment(course, slug), solution_replies(course, slug, SEED)
+    calls = dict[str, set[str]]()
+    for module in assignment.needs:  # as in the sandbox, no call waits for it
+        importlib.import_module(module)
+    for check in assignment.checks:
+        student = LocalStudent(assignment, check, solution, solution)
+        failed = failed_cases(student, check, SEED, slug)
+        assert not failed, failed
+        calls[check.name] = student.functions
+    return calls, max(solution.seconds.values())

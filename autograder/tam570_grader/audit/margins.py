@@ -12,7 +12,7 @@ import numpy as np
 
 from tam570.values import Json
 from tam570_grader.audit.gradings import Grading, tried
-from tam570_grader.audit.mutation import calls_of_checks
+from tam570_grader.audit.local import calls_of_checks
 from tam570_grader.checks import assignments
 from tam570_grader.diagnosis.mistakes import Mistake, mistakes
 from tam570_grader.diagnosis.mutants import reached
@@ -112,7 +112,7 @@ def _simulating(course: Path, slug: str, text: str) -> frozenset[str]:
     """Return the checks that call what integrates."""
     reach = reached(_careful(text, METHODS[0]))
     integrating = {name for name, reachable in reach.items() if "solve" in reachable}
-    calls, _ = calls_of_checks(course, slug, text)
+    calls, _ = calls_of_checks(course, slug)
     return frozenset(name for name, called_functions in calls.items() if called_functions & integrating)
 
 

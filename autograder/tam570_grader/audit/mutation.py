@@ -1,27 +1,21 @@
 """What becomes of the mutants of the solutions: killed, equivalent, or a hole in the checks."""
 
-import time
 from collections import Counter, defaultdict
 from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import Any
 
-from tam570.values import Json, Numbers
+from tam570.values import Json
 from tam570_grader.audit.gradings import Grading, tried
+from tam570_grader.audit.local import SEED, calls_of_checks
 from tam570_grader.audit.mutate import Mutant, Slip, entry, equivalents, idle, mutants
-from tam570_grader.checks import assignments
-from tam570_grader.checks.case import Case
 from tam570_grader.diagnosis.mutants import reached
 from tam570_grader.errors import counted, progress
 from tam570_grader.grading.executor import TaskExecutor, in_order
-from tam570_grader.grading.run_checks import generator
 from tam570_grader.results.records import Result
-from tam570_grader.sandbox.student import Source, Student
-from tam570_grader.sandbox.zygote import ResourceLimits, Zygote
+from tam570_grader.sandbox.zygote import ResourceLimits
 
-SEED = 570
 QUICK = 10  # mutants of an assignment in the quick form
 SLOWER = 10  # times as long as the solution's longest call: then a call of a mutant is cut
 SHORTEST = 0.25  # s; below that the clock of a busy machine says nothing
@@ -66,7 +60,7 @@ def fates(
     all_mutants, listed = mutants(slug, text), equivalents(course, slug)
     wanted = [mutant for mutant in all_mutants if not functions or mutant.function in functions]
     chosen = wanted[:: max(1, len(wanted) // QUICK)] if quick else wanted
-    calls, longest = calls_of_checks(course, slug, text)
+    calls, longest = calls_of_checks(course, slug)
     call = max(SHORTEST, SLOWER * longest)
     # a second failure tells that the first check is not needed
     grading = partial(Grading, course, slug, seed=SEED, limits=ResourceLimits(cpu=CALLS * call, call=call), enough=2)
@@ -131,40 +125,6 @@ def _missing(results: Sequence[Result]) -> list[int]:
 
 def _failed(result: Result) -> list[str]:
     return [check_result.name for check_result in result.checks if check_result.outcome == "failed"]
-
-
-class _Watched(Student):
-    """A student of whom we note which functions are called, and for how long."""
-
-    def __init__(self, *args: Numbers) -> None:
-        super().__init__(*args)
-        self.functions: set[str] = set()
-        self.longest = 0.0  # s
-
-    def replies(self, name: str, calls: Sequence[Case], mode: str = "value", **more: Any) -> list[Json]:
-        started = time.perf_counter()
-        try:
-            return super().replies(name, calls, mode, **more)
-        finally:
-            self.functions.add(name)
-            self.longest = max(self.longest, (time.perf_counter() - started) / max(1, len(calls)))
-
-
-def calls_of_checks(course: Path, slug: str, text: str) -> tuple[dict[str, set[str]], float]:
-    """Return the functions that each check calls, and the longest call in s, by running them on the solution."""
-    assignment = assignments.assignment(course, slug)
-    zygote = Zygote(list(assignment.needs), ResourceLimits(), [course])
-    student = _Watched(Source(text.encode()), assignment, zygote)
-    calls = {}
-    try:
-        for check in assignment.checks:
-            student.functions = set()
-            check.run(student, generator(SEED, slug, check))
-            calls[check.name] = student.functions
-    finally:
-        student.leave()
-        zygote.close()
-    return calls, student.longest
 
 
 def within_reach(reachable: Mapping[str, set[str]], function: str) -> frozenset[str]:
