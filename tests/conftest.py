@@ -211,21 +211,16 @@ def scenes():
 
 
 @pytest.fixture(scope="session")
-def jupyter_environment():
-    """Ours, with the commands of this Python on the path: nbgrader starts alembic and jupyter."""
-    return {**os.environ, "PATH": f"{os.path.dirname(sys.executable)}{os.pathsep}{os.environ['PATH']}"}
-
-
-@pytest.fixture(scope="session")
-def nbgrader(tmp_path_factory, jupyter_environment):
+def nbgrader(tmp_path_factory):
     """`nbgrader(folder, *command)` -> what it says; the command line in a process that has imported it already."""
     log = tmp_path_factory.mktemp("log") / "log.txt"
+    path = f"{os.path.dirname(sys.executable)}{os.pathsep}{os.environ['PATH']}"  # nbgrader starts alembic and jupyter
     server = subprocess.Popen(
         [sys.executable, "-c", NBGRADER],
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         text=True,
-        env=jupyter_environment,
+        env={**os.environ, "PATH": path},
     )
 
     def nbgrader(folder, *command, fails=False):

@@ -8,7 +8,6 @@ import doctest
 import importlib
 import os
 import re
-import runpy
 import subprocess
 import sys
 from dataclasses import dataclass
@@ -92,10 +91,6 @@ def test_the_commands_of_a_page_work_in_their_order(page, tmp_path, environment)
         if block.language != "pycon" and not block.reason:
             done = run(block, tmp_path / "here", environment)
             assert done.returncode == block.code, f"{block.text}\n{done.stdout}\n{done.stderr}"
-
-
-def sample_class():
-    return list(runpy.run_path(str(DOCS.parent / "tests" / "sample_class.py"))["sample_class"]())
 
 
 @pytest.mark.parametrize("page", [page for page in PAGES if any(block.language == "pycon" for block in texts(page))])

@@ -1,11 +1,12 @@
 """What messages call a result: RESULTS says it once, and a check may say it otherwise."""
 
-from types import ModuleType, SimpleNamespace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from tam570_grader.checks.case import Case
+from tam570_grader.checks.check import once
 from tam570_grader.checks.compare import Column, compare, compare_columns
 from tam570_grader.checks.expect import Failed, check_context, expect
 from tam570_grader.checks.returns import array, group, number, rows
@@ -23,19 +24,7 @@ def said(compare, *args, **fields):
     return describe_failure(failed.value.failure)
 
 
-def reference(**functions):
-    """A module of right functions."""
-    module = ModuleType("reference")
-    vars(module).update(functions)
-    return module
-
-
 HEIGHT = number.described("the height", "m", lambda case, _: 1e3)
-
-
-def test_returns_and_the_reference_say_what_is_compared():
-    message = said(compare, student(HEIGHT, 3.0), reference(height=lambda x: x), [Case(1.0)])
-    assert message == "The height is wrong by 2 m (limit 1e-6)."
 
 
 def test_each_member_of_a_tuple_has_words_of_its_own():
@@ -65,3 +54,25 @@ def test_a_hint_is_asked_for_the_one_failure_that_is_told():
         for error in (2.0, 3.0):  # both keep a share
             expect(error, 0.0, tolerance=1.0, hint=lambda error=error: call_cases.append(error) or f"by {error:g}")
     assert call_cases == [2.0] and failed.value.failure.hint == "by 2"
+
+
+def test_a_call_is_cut_to_what_the_reference_takes():
+    seen = []
+    item = SimpleNamespace(name="root", returns=number, many=lambda cases: seen.extend(cases) or [2.0])
+    compare(item, lambda x: x**0.5, [Case(4.0, 7.0, mass=2.0).labelled("more than it takes")], tolerance=1e-9)
+    assert seen == [Case(4.0).labelled("more than it takes")]
+
+
+@pytest.mark.parametrize(("mine", "said"), [("", "Look at y^2."), ("Is it positive?", "Is it positive?")])
+def test_the_hint_of_a_case_goes_before_that_of_the_check(mine, said):
+    with check_context(), pytest.raises(Failed) as failed:
+        calls = [Case(4.0).labelled("a root of 4", mine)]
+        compare(student(number, -2.0), lambda x: x**0.5, calls, tolerance=1e-9, hint="Look at y^2.")
+    assert failed.value.failure.hint == said
+
+
+def test_an_array_that_is_drawn_once_a_run_may_be_changed_in_place():
+    axis = once(lambda rng: rng.normal(size=3))
+    drawn, changed = (axis(np.random.default_rng(5)) for _ in range(2))
+    changed[0] = 7.0
+    assert (axis(np.random.default_rng(5)) == drawn).all() and drawn[0] != 7.0

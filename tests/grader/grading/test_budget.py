@@ -8,7 +8,7 @@ import pytest
 from parameters import first
 
 from tam570_grader.checks import assignments
-from tam570_grader.checks.effort import Exhausted, compile_counted, limited
+from tam570_grader.checks.effort import compile_counted, limited
 from tam570_grader.diagnosis import diagnose
 from tam570_grader.grading import budget, run_checks
 from tam570_grader.grading.run_checks import graded
@@ -72,47 +72,6 @@ def test_to_look_for_a_mistake_is_part_of_it(evaluated, solution_text, monkeypat
     result = evaluated(text=solution_text(SLUG) + "\n\ndef skew(v): return np.eye(3)")
     assert result.status == "graded"
     assert {check.suspect for check in result.checks} == {None}
-
-
-COUNTED = '''
-"""A module."""
-from __future__ import annotations
-
-def f(n):
-    "It is called."
-    return sum(map(lambda k: k, range(n)))
-
-def g(n):
-    for _ in range(n):
-        pass
-    while n:
-        n -= 1
-    return n
-'''
-
-
-@pytest.mark.parametrize(("call", "steps"), [("f(5)", 6), ("g(5)", 11), ("f(2) + g(0)", 4)])
-def test_calls_and_turns_are_counted(call, steps):
-    names = compiled(COUNTED)
-    with limited(1000) as meter:
-        eval(call, names)
-    assert 1000 - meter.remaining == steps
-    with limited(steps):
-        eval(call, names)
-    with pytest.raises(Exhausted), limited(steps - 1):
-        eval(call, names)
-    assert names["f"].__doc__ == "It is called."
-
-
-def test_what_an_inner_block_spends_counts_in_the_outer_one():
-    f = compiled(COUNTED)["f"]
-    with limited(10) as meter:
-        with limited(7):
-            f(5)
-        assert meter.remaining == 4
-        with pytest.raises(Exhausted), limited(1000):
-            f(5)
-    f(1000)  # and outside of them nothing is limited
 
 
 SPRING = """

@@ -123,14 +123,19 @@ def test_a_malformed_zip_file_is_named_and_the_rest_is_collected(desk, download,
     assert "handed in nothing: bbrown" in said, "it is not true of cchen"
 
 
-@pytest.mark.parametrize(("name", "words"), [("hw08_{}.py", "more than 20 MiB"), ("{}.dat", "neither a module")])
-def test_a_zip_file_that_unpacks_to_much_takes_no_memory(desk, download, name, words):
+@pytest.mark.parametrize(
+    ("name", "uploads", "words"),
+    [("hw08_{}.py", 1, "more than 20 MiB"), ("{}.dat", 1, "neither a module"), ("{}/hw08.py", 60, "more than 20 MiB")],
+)
+def test_zip_files_that_unpack_to_much_take_no_memory(desk, download, name, uploads, words):
     bomb = packed({name.format(k): bytes(LARGEST) for k in range(10)})
     tracemalloc.start()
-    code, said = download("canvas", {"adamsann_17_5_hw08.py": "a", "chency_19_9_hw08.zip": bomb}, ROSTER)
+    files = {f"chency_19_{n}_hw08.zip": bomb for n in range(uploads)}
+    code, said = download("canvas", {"adamsann_17_5_hw08.py": "a", **files}, ROSTER)
     most = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert code == 1 and [*desk.collected] == ["aadams"] and words in said and most < 3 * LARGEST
+    assert said.count("warning") < 20
 
 
 def test_a_disk_that_is_full_cuts_no_module_short(download, desk, monkeypatch):

@@ -165,9 +165,9 @@ def test_moodles_zip_tells_no_time(desk, download, roster, more, late):
 TEAMS = [("group", "login"), *((group, login) for login, *_, group in CLASS)]
 
 
-@pytest.mark.parametrize("way", ["moodle, worksheet", "moodle, table", "canvas, table", "gradescope"])
+@pytest.mark.parametrize("way", ["moodle, worksheet", "moodle, table", "canvas, table"])
 def test_everybody_of_a_group_gets_its_work(desk, download, way):
-    """Moodle's folders have the group's number, Canvas's files the number of one member, Gradescope's table all."""
+    """Moodle's folders have the group's number, Canvas's files the number of one member."""
     system, more = way.split(",")[0], ["--groups", "groups.csv"] if way.endswith("table") else []
     folders = {"Team 7": "Team 7_7", "Team 8": "Team 8_17", "Team 9": "Team 9_900"}
     files = {f"{folder}_assignsubmission_file/hw08.py": f"# {team}" for team, folder in folders.items()}
@@ -176,14 +176,6 @@ def test_everybody_of_a_group_gets_its_work(desk, download, way):
         members = {"Team 7": "7", "Team 8": "17", "Team 9": "20"}
         files = {f"{words(team)}_{number}_500_hw08.py": f"# {team}" for team, number in members.items()}
         roster = gradebook()
-    if system == "gradescope":
-        people = {team: [] for team in folders}
-        for login, _, last, first, team in CLASS:
-            people[team].append({":name": f"{first} {last}", ":sid": login, ":email": f"{login}@x.edu"})
-        table = {f"submission_{team[-1]}": {":submitters": group} for team, group in people.items()}
-        files = {f"export/submission_{team[-1]}/hw08.py": f"# {team}" for team in folders}
-        files["export/submission_metadata.yml"] = json.dumps(table)
-        roster = [("Name", "SID", "Email"), *((f"{first} {last}", login, "") for login, _, last, first, _ in CLASS)]
     desk.write("groups.csv", TEAMS)
     code, printed = download(system, files, roster, *more)
     assert (code, desk.collected) == (0, {login: f"# {group}" for login, *_, group in CLASS}), printed

@@ -11,7 +11,7 @@ from parameters import first
 from tam570 import cli
 from tam570.course import Unknown
 from tam570.integrate import solve
-from tam570.lectures import catalogue, load, names
+from tam570.lectures import load, names
 from tam570.show import show
 from tam570.show.page import page
 
@@ -54,12 +54,6 @@ def wandered(invariant, states):
     worth = [np.ravel(invariant(states[0] * (1 - 0.1 * unit))) - values[0] for unit in np.eye(states.shape[1])]
     size = max(np.linalg.norm(values, axis=1).max(), 10 * np.linalg.norm(worth, axis=1).max())
     return np.linalg.norm(values - values[0], axis=1).max() / size
-
-
-def test_they_are_listed_by_date(capsys):
-    assert cli.main(["list", "--lectures"]) == 0
-    days = [lecture.day for lecture in catalogue().values()]
-    assert days == sorted(days) and len(capsys.readouterr().out.splitlines()) == len(names()) == len(days) > 0
 
 
 def test_a_wrong_name_is_refused(capsys):
