@@ -1,7 +1,6 @@
 """Hidden checks of hw01."""
 
 import math
-from functools import partial
 
 import numpy as np
 
@@ -36,6 +35,7 @@ VARIATION = 1e-4  # (2 pi 1.5/2000)^2/3 = 7e-6 by any quadrature of second order
 ACTION = 1e-5  # (4/4000)^2/3 = 3e-7 by any quadrature of second order; one of first order is off by 2e-4
 
 compare = compare_with(reference, tolerance=FORMULA)
+compare_motions = compare_with(reference, by=compare_trajectory, tolerance=TRAJECTORY)
 
 
 def power_of_rate(n, mass, length):
@@ -251,11 +251,9 @@ SWING = cases.motions(cases.swing, 10, 60, "a large swing, t[0] not 0")
 @check("simulate", points=0.5)
 def simulate_swings(student, rng):
     """large swings, row i at t[i], row 0 the given state."""
-    compare_trajectory(
+    compare_motions(
         student.simulate,
-        reference,
         SWING(rng),
-        tolerance=TRAJECTORY,
         hint="Integrate theta' = omega, omega' = alpha from the state at t[0].",
         keeps=KEPT,
     )
@@ -269,29 +267,20 @@ LINEAR = "No swing is so small that sin theta is theta: the difference adds up."
 def simulate_needs_no_dense_times(student, rng):
     """the same at a few times, whatever was asked before."""
     small, *large = cases.few_times(rng)
-    compare_motions = partial(compare_trajectory, student.simulate, reference, tolerance=TRAJECTORY)
-    compare_motions([small], hint=LINEAR, loose_tolerance_credit=False)
-    compare_motions(large, hint=STEPS)
+    compare_motions(student.simulate, [small], hint=LINEAR, loose_tolerance_credit=False)
+    compare_motions(student.simulate, large, hint=STEPS)
 
 
 @check("simulate", points=0.25, after=simulate_swings)
 def simulate_turns_over_the_top(student, rng):
     """a pendulum that turns round and round; theta goes on growing."""
-    compare_trajectory(
-        student.simulate,
-        reference,
-        cases.over_the_top(rng),
-        tolerance=TRAJECTORY,
-        hint="Is alpha right at every angle?",
-    )
+    compare_motions(student.simulate, cases.over_the_top(rng), hint="Is alpha right at every angle?")
 
 
 @check("simulate", points=0.25, after=simulate_swings)
 def simulate_without_gravity(student, rng):
     """without gravity it turns uniformly."""
-    compare_trajectory(
-        student.simulate, reference, cases.weightless(rng), tolerance=TRAJECTORY, hint="Is anything divided by gravity?"
-    )
+    compare_motions(student.simulate, cases.weightless(rng), hint="Is anything divided by gravity?")
 
 
 MANY = cases.motions(cases.swing, 40, 40, "many periods")

@@ -38,6 +38,7 @@ DRAWN, FINE = 1e-4, 1001
 FEWER = 200  # times that; chords of a line of ten points leave a parabola by (2.4/9)^2/4 = 1.8e-2
 
 compare = compare_with(reference, tolerance=ROOT)
+compare_rows = compare_with(reference, by=compare_columns, tolerance=CLOSED)
 
 
 def of_rates(case, _):
@@ -95,7 +96,7 @@ def of_ground(motion):
 
 def compare_flights(student, flights):
     """Compare simulated flights, and the student's rates along them."""
-    own_rates = OwnRates(student.state_derivative, reference, lambda t, row: (t, row))
+    own_rates = OwnRates(student.state_derivative, reference)
     words = {"hint": of_ground, "own_rates": own_rates, "restart": lambda row: (row, None)}
     compare_trajectory(student.simulate, reference, flights, tolerance=SIMULATED, **words)
 
@@ -128,18 +129,14 @@ def of_closed_form(case, result, expected):
 @check("trajectory", points=0.75, part="c")
 def trajectory_is_the_motion(student, rng):
     """trajectory gives the states in closed form."""
-    compare_columns(student.trajectory, reference, cases.flights_from_zero(rng), tolerance=CLOSED, hint=of_closed_form)
+    compare_rows(student.trajectory, cases.flights_from_zero(rng), hint=of_closed_form)
 
 
 @check("trajectory", points=0.25, part="c", after=trajectory_is_the_motion)
 def trajectory_counts_time_from_the_launch(student, rng):
     """trajectory is launched at t = 0, at whatever times: later ones, a single one, backwards."""
-    compare_columns(
-        student.trajectory,
-        reference,
-        cases.late_flights(rng),
-        tolerance=CLOSED,
-        hint="The launch is at t = 0, and row i is the state at t[i].",
+    compare_rows(
+        student.trajectory, cases.late_flights(rng), hint="The launch is at t = 0, and row i is the state at t[i]."
     )
 
 
@@ -149,7 +146,7 @@ EXPM1 = "1 - e^-s is a difference of nearly equal numbers (see numpy.expm1); so 
 @check("trajectory", points=0.75, part="c", after=trajectory_is_the_motion)
 def trajectory_with_any_drag(student, rng):
     """trajectory keeps its digits at drag 1e-12, at none, and long after e^(-c t/m) is nothing."""
-    compare_columns(student.trajectory, reference, cases.flights_with_any_drag(rng), tolerance=CLOSED, hint=EXPM1)
+    compare_rows(student.trajectory, cases.flights_with_any_drag(rng), hint=EXPM1)
 
 
 def of_landing(case, time, expected):

@@ -41,6 +41,7 @@ RIGHT_ANGLE = 1e-7  # of the larger axis, along the smaller; eigenvectors are go
 DRAWN = 1e-3  # of the picture; chords of the 201 points that it is compared with leave the path by 4e-5
 
 compare = compare_with(reference, tolerance=POINTWISE)
+compare_motions = compare_with(reference, by=compare_trajectory, tolerance=TRAJECTORY)
 
 
 def length(case, _=None):
@@ -112,15 +113,11 @@ def solution_holds_without_gravity_and_from_any_time(student, rng):
     compare_columns(student.solution, reference, cases.from_any_time(rng), tolerance=POINTWISE, hint=at_zero)
 
 
-def by_rates(student):
-    return OwnRates(student.state_derivative, reference, lambda t, row: (t, row))
-
-
 @check("simulate", points=0.75)
 def simulate_moves_as_it_must(student, rng):
     """the state at few and uneven times, the first of which is not 0."""
-    compare_trajectory(
-        student.simulate, reference, cases.moving(rng), tolerance=TRAJECTORY, own_rates=by_rates(student), keeps=KEPT
+    compare_motions(
+        student.simulate, cases.moving(rng), own_rates=OwnRates(student.state_derivative, reference), keeps=KEPT
     )
 
 
@@ -130,10 +127,8 @@ FIXED = "Neither a fixed step nor a fixed number of steps does for every spring 
 @check("simulate", points=0.5, after=simulate_moves_as_it_must)
 def simulate_does_not_depend_on_the_sampling(student, rng):
     """the same with only two times, periods apart, whatever was asked before."""
-    compare_trajectory(
-        student.simulate, reference, cases.few_times(rng), tolerance=TRAJECTORY, own_rates=by_rates(student)
-    )
-    compare_trajectory(student.simulate, reference, cases.stiff(rng), tolerance=TRAJECTORY, hint=FIXED)
+    compare_motions(student.simulate, cases.few_times(rng), own_rates=OwnRates(student.state_derivative, reference))
+    compare_motions(student.simulate, cases.stiff(rng), hint=FIXED)
 
 
 @check("simulate", points=0.5, after=simulate_moves_as_it_must)

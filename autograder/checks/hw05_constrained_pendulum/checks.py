@@ -34,6 +34,7 @@ COARSELY = 0.05  # of the scale: in 100 s a loose tolerance shifts the phase, wr
 ROUNDED = 1e-12  # what a step back onto the circle leaves
 
 compare = compare_with(reference, tolerance=FORMULA)
+compare_motions = compare_with(reference, by=compare_trajectory, tolerance=FOLLOWED)
 
 
 def pull(case, _=None):
@@ -118,27 +119,13 @@ def by_rates(student):
 @check("simulate", points=0.5)
 def without_gravity_it_goes_round_uniformly(student, rng):
     """uniform motion around the circle where there is no gravity."""
-    compare_trajectory(
-        student.simulate,
-        reference,
-        cases.without_gravity(rng),
-        tolerance=FOLLOWED,
-        own_rates=by_rates(student),
-        keeps=KEPT,
-    )
+    compare_motions(student.simulate, cases.without_gravity(rng), own_rates=by_rates(student), keeps=KEPT)
 
 
 @check("simulate", points=0.75)
 def with_gravity_it_swings_or_goes_round(student, rng):
     """the state at few and uneven times, the first of which is not 0."""
-    compare_trajectory(
-        student.simulate,
-        reference,
-        cases.with_gravity(rng),
-        tolerance=FOLLOWED,
-        own_rates=by_rates(student),
-        keeps=KEPT,
-    )
+    compare_motions(student.simulate, cases.with_gravity(rng), own_rates=by_rates(student), keeps=KEPT)
 
 
 LEAVES = "Do place and velocity leave the circle: what corrects the errors of the steps?"
@@ -149,8 +136,8 @@ ENERGY_SHARES = {1e-3: 0.9, np.inf: 0.8}  # most of the points are the constrain
 @check("simulate", points=1.25, after=with_gravity_it_swings_or_goes_round)
 def it_stays_on_the_circle(student, rng):
     """after 100 s the particle is still on the circle, its velocity tangent to it, its energy the first."""
-    motions = compare_trajectory(
-        student.simulate, reference, cases.long(rng), tolerance=COARSELY, hint=LEAVES, near_miss_credit=False
+    motions = compare_motions(
+        student.simulate, cases.long(rng), tolerance=COARSELY, hint=LEAVES, near_miss_credit=False
     )
     (motion,) = motions
     (x, y, vx, vy), length = motion.actual.T, motion.case.kwargs["length"]
@@ -176,9 +163,8 @@ def drift(off, out):
 @check("simulate", points=0.5, after=with_gravity_it_swings_or_goes_round)
 def at_the_very_top_it_stays(student, rng):
     """at rest straight above the hinge it is in equilibrium."""
-    compare_trajectory(
+    compare_motions(
         student.simulate,
-        reference,
         cases.at_the_top(rng),
         tolerance=TOP,
         hint="What do the two forces add up to there?",

@@ -141,10 +141,6 @@ def of_rates(case, result, expected):
     return "Turn (forward, left) by the heading; G slips sideways, for no axle is there."
 
 
-def by_rates(student):
-    return OwnRates(student.state_derivative, reference, lambda t, row: (t, row))
-
-
 def of_run(motion):
     """What to say of a motion that ends early, goes straight on, or does not stay where it stops."""
     result, expected = motion.actual, motion.expected
@@ -234,7 +230,14 @@ def kinetic_energy_of_G_and_of_turning(student, rng):
 
 def compare_motions(student, motions, **limits):
     """Compare simulated motions, and the student's rates along them."""
-    compare_trajectory(student.simulate, reference, motions, hint=of_run, own_rates=by_rates(student), **limits)
+    compare_trajectory(
+        student.simulate,
+        reference,
+        motions,
+        hint=of_run,
+        own_rates=OwnRates(student.state_derivative, reference),
+        **limits,
+    )
 
 
 @check("simulate", points=0.75)

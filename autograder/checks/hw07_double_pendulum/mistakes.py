@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from tam570_grader.diagnosis.fixed_steps import runge_kutta
 from tam570_grader.diagnosis.mistakes import mistake
 
 from . import checks
@@ -201,21 +202,8 @@ def simulate(reference, t, theta, omega, **parameters):
 def simulate(reference, t, theta, omega, *, masses, lengths, gravity):
     """You take two Runge-Kutta steps between the rows of a long motion; take smaller steps."""
     parameters = _parameters(masses, lengths, gravity)
-
-    def rates(y):
-        return np.array(_rates(0.0, tuple(y), **parameters))
-
-    rows = [np.array([*theta, *omega], float)]
-    for span in np.diff(t):
-        n = math.ceil(2000 * span / (t[-1] - t[0])) if t[-1] - t[0] < 9 else 2
-        y, h = rows[-1], span / n
-        for _ in range(n):
-            k1 = rates(y)
-            k2 = rates(y + h / 2 * k1)
-            k3 = rates(y + h / 2 * k2)
-            y = y + h / 6 * (k1 + 2 * k2 + 2 * k3 + rates(y + h * k3))
-        rows.append(y)
-    return np.array(rows)
+    steps = [math.ceil(2000 * span / (t[-1] - t[0])) for span in np.diff(t)] if t[-1] - t[0] < 9 else 2
+    return runge_kutta(lambda y: _rates(0.0, tuple(y), **parameters), t, [*theta, *omega], steps)
 
 
 @mistake(first_fails=checks.momentum_is_conserved_without_gravity)

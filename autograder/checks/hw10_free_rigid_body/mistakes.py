@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from tam570_grader.diagnosis.fixed_steps import runge_kutta
 from tam570_grader.diagnosis.mistakes import mistake
 
 from . import checks
@@ -27,20 +28,6 @@ def by_solve_ivp(t, R, omega, inertia, attitude=None, **settings):
         return rates_of(state, inertia, attitude)
 
     return parts(solve_ivp(rates, (t[0], t[-1]), np.concatenate([omega, np.ravel(R)]), t_eval=t, **settings).y.T)
-
-
-def runge_kutta(t, R, omega, inertia, steps):
-    """The classical method with so many steps to each time."""
-    rows = [np.concatenate([omega, np.ravel(R)])]
-    for h in np.diff(t) / steps:
-        state = rows[-1]
-        for _ in range(steps):
-            first = rates_of(state, inertia)
-            second = rates_of(state + h / 2 * first, inertia)
-            third = rates_of(state + h / 2 * second, inertia)
-            state = state + h / 6 * (first + 2 * second + 2 * third + rates_of(state + h * third, inertia))
-        rows.append(state)
-    return parts(np.array(rows))
 
 
 def round_the_last_axis(omega, inertia):
@@ -176,7 +163,7 @@ def simulate(reference, t, R, omega, *, inertia):
 @mistake(first_fails=checks.invariants_stay_over_many_turns, compared=False, numerics=True)
 def simulate(reference, t, R, omega, *, inertia):
     """You take 30 Runge-Kutta steps to each time, however far; limit the size of a step."""
-    return runge_kutta(t, R, omega, inertia, 30)
+    return parts(runge_kutta(lambda y: rates_of(y, inertia), t, [*omega, *np.ravel(R)], 30))
 
 
 @mistake(first_fails=checks.special_bodies_move_too)

@@ -32,6 +32,7 @@ PERIOD = 1e-6  # a quadrature with a singular end, or an event of a simulation, 
 TINY = 5e-4  # at micrometres an event of a simulation with an absolute tolerance of 1e-9 m is good to 5e-5
 
 compare = compare_with(reference, tolerance=FORMULA)
+compare_motions = compare_with(reference, by=compare_trajectory, tolerance=TRAJECTORY)
 
 
 def largest_term(case, acceleration):
@@ -146,9 +147,7 @@ WIDE = cases.rides(0.4, 1.0, 25, 15.0, "an amplitude near 1/c")
 @check("simulate", points=0.75, part="b")
 def simulate_slides(student, rng):
     """large motions, row i at t[i], row 0 the given state."""
-    compare_trajectory(
-        student.simulate, reference, WIDE(rng), tolerance=TRAJECTORY, own_rates=by_rates(student), keeps=KEPT
-    )
+    compare_motions(student.simulate, WIDE(rng), own_rates=by_rates(student), keeps=KEPT)
 
 
 SMALL = "Do you leave terms out at small amplitudes, or is atol too loose for them?"
@@ -157,20 +156,14 @@ SMALL = "Do you leave terms out at small amplitudes, or is atol too loose for th
 @check("simulate", points=0.25, part="b", after=simulate_slides)
 def simulate_needs_no_dense_times(student, rng):
     """the same motion when only a few times are asked for."""
-    compare_trajectory(
-        student.simulate, reference, cases.few_times(rng), tolerance=TRAJECTORY, own_rates=by_rates(student)
-    )
-    compare_trajectory(
-        student.simulate, reference, cases.close(rng), tolerance=TRAJECTORY, hint=SMALL, near_miss_credit=False
-    )
+    compare_motions(student.simulate, cases.few_times(rng), own_rates=by_rates(student))
+    compare_motions(student.simulate, cases.close(rng), hint=SMALL, near_miss_credit=False)
 
 
 @check("simulate", points=0.25, part="b", after=simulate_slides)
 def simulate_without_gravity(student, rng):
     """without gravity the bead keeps its speed, whatever was asked before."""
-    compare_trajectory(
-        student.simulate, reference, cases.weightless(rng), tolerance=TRAJECTORY, hint="Is anything divided by gravity?"
-    )
+    compare_motions(student.simulate, cases.weightless(rng), hint="Is anything divided by gravity?")
 
 
 STEEP = cases.rides(5.0, 8.0, 10, 45.0, "an amplitude of several 1/c")
@@ -179,9 +172,8 @@ STEEP = cases.rides(5.0, 8.0, 10, 45.0, "an amplitude of several 1/c")
 @check("simulate", points=0.25, part="b", after=simulate_slides)
 def simulate_slides_down_steep_wires(student, rng):
     """an amplitude of many 1/c, where the bead turns sharply at the bottom."""
-    compare_trajectory(
+    compare_motions(
         student.simulate,
-        reference,
         STEEP(rng),
         tolerance=SHARP_TURN,
         hint="Are the steps short enough for the turn at the bottom?",

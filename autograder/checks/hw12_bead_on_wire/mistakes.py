@@ -5,6 +5,7 @@ import math
 import numpy as np
 import sympy
 
+from tam570_grader.diagnosis.fixed_steps import runge_kutta
 from tam570_grader.diagnosis.mistakes import mistake
 
 from . import checks
@@ -13,29 +14,15 @@ KEPT = {}  # between calls
 SYMBOLS = sympy.symbols("x v m c g")
 
 
-def runge_kutta(t, x, v, steps, wire):
-    """The classical method with so many steps to each time of t."""
-
-    def rates(state):
-        return np.array([state[1], acceleration_newton(*state, **wire)])
-
-    rows = [np.array([x, v])]
-    for span, count in zip(np.diff(t), steps, strict=True):
-        state, h = rows[-1], span / count
-        for _ in range(count):
-            first = rates(state)
-            second = rates(state + h / 2 * first)
-            third = rates(state + h / 2 * second)
-            state = state + h / 6 * (first + 2 * second + 2 * third + rates(state + h * third))
-        rows.append(state)
-    return np.array(rows)
+def in_steps(t, x, v, steps, wire):
+    return runge_kutta(lambda y: (y[1], acceleration_newton(*y, **wire)), t, (x, v), steps)
 
 
 def in_longer_steps(t, x, v, wire, limit, longer):
     """By short steps up to a duration, and by longer ones beyond it, in units of 1/sqrt(2 g c)."""
     rate = np.sqrt(2 * wire["curvature"] * (wire["gravity"] or 10.0))
     step = (0.002 if (t[-1] - t[0]) * rate < limit else longer) / rate
-    return runge_kutta(t, x, v, [math.ceil(span / step) for span in np.diff(t)], wire)
+    return in_steps(t, x, v, [math.ceil(span / step) for span in np.diff(t)], wire)
 
 
 # Lagrange
@@ -200,7 +187,7 @@ def simulate(reference, t, x, v, **wire):
 @mistake(first_fails=checks.simulate_needs_no_dense_times, compared=False, numerics=True)
 def simulate(reference, t, x, v, **wire):
     """You take forty Runge-Kutta steps to each time, however far; limit the size of a step."""
-    return runge_kutta(t, x, v, [40] * (len(t) - 1), wire)
+    return in_steps(t, x, v, 40, wire)
 
 
 @mistake(first_fails=checks.simulate_needs_no_dense_times, tolerance=1e-4)

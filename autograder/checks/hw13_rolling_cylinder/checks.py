@@ -30,6 +30,7 @@ ENERGY = 5e-6  # the same integrators drift by up to 4e-7 on the longer run
 ROCKING = 5e-4  # of the amplitude: solve_ivp at 1e-9 is off by 4e-5, the square of the amplitude by 3e-5
 
 compare = compare_with(reference, tolerance=FORMULA)
+compare_motions = compare_with(reference, by=compare_trajectory, tolerance=TRAJECTORY)
 
 
 def rate2(case, _=None):
@@ -193,25 +194,14 @@ def energy_of_G_and_of_turning(student, rng):
 @check("simulate", points=0.75, part="b")
 def simulate_rolls_and_rocks(student, rng):
     """rolling down and rocking, row i at t[i], row 0 the given state."""
-    compare_trajectory(
-        student.simulate, reference, cases.runs(rng), tolerance=TRAJECTORY, own_rates=by_rates(student), keeps=KEPT
-    )
+    compare_motions(student.simulate, cases.runs(rng), own_rates=by_rates(student), keeps=KEPT)
 
 
 @check("simulate", points=0.25, part="b", after=simulate_rolls_and_rocks)
 def simulate_needs_no_dense_times(student, rng):
     """the same motion when few times are asked for."""
-    compare_trajectory(
-        student.simulate, reference, cases.few_times(rng), tolerance=TRAJECTORY, own_rates=by_rates(student)
-    )
-    compare_trajectory(
-        student.simulate,
-        reference,
-        cases.near_lowest(rng),
-        tolerance=TRAJECTORY,
-        hint=HOWEVER_SMALL,
-        near_miss_credit=False,
-    )
+    compare_motions(student.simulate, cases.few_times(rng), own_rates=by_rates(student))
+    compare_motions(student.simulate, cases.near_lowest(rng), hint=HOWEVER_SMALL, near_miss_credit=False)
 
 
 @check("simulate", points=0.25, part="b", after=simulate_rolls_and_rocks)

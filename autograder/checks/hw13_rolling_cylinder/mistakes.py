@@ -4,27 +4,14 @@ import math
 
 import numpy as np
 
+from tam570_grader.diagnosis.fixed_steps import runge_kutta
 from tam570_grader.diagnosis.mistakes import mistake
 
 from . import checks
 
 
-def runge_kutta(t, start, steps, cylinder):
-    """The classical method with so many steps to each time of t."""
-
-    def rates(state):
-        return np.array([state[1], acceleration(*state, **cylinder)])
-
-    rows = [np.array(start)]
-    for span, count in zip(np.diff(t), steps, strict=True):
-        state, h = rows[-1], span / count
-        for _ in range(count):
-            first = rates(state)
-            second = rates(state + h / 2 * first)
-            third = rates(state + h / 2 * second)
-            state = state + h / 6 * (first + 2 * second + 2 * third + rates(state + h * third))
-        rows.append(state)
-    return np.array(rows)
+def in_steps(t, start, steps, cylinder):
+    return runge_kutta(lambda y: (y[1], acceleration(*y, **cylinder)), t, start, steps)
 
 
 def rocks(t, phi, rate):
@@ -217,7 +204,7 @@ def simulate(reference, t, phi, phi_dot, **cylinder):
 @mistake(first_fails=checks.simulate_needs_no_dense_times, compared=False, numerics=True)
 def simulate(reference, t, phi, phi_dot, **cylinder):
     """You take a hundred Runge-Kutta steps to each time, however far; limit the size of a step."""
-    return runge_kutta(t, (phi, phi_dot), [100] * (len(t) - 1), cylinder)
+    return in_steps(t, (phi, phi_dot), 100, cylinder)
 
 
 @mistake(first_fails=checks.simulate_needs_no_dense_times, compared=False)
@@ -243,4 +230,4 @@ def simulate(reference, t, phi, phi_dot, **cylinder):
     """You take longer steps in a long motion; its error grows."""
     rate = math.sqrt((cylinder["gravity"] or 5.0) / cylinder["radius"])
     step = (0.005 if (t[-1] - t[0]) * rate < 15 else 0.1) / rate
-    return runge_kutta(t, (phi, phi_dot), [math.ceil(span / step) for span in np.diff(t)], cylinder)
+    return in_steps(t, (phi, phi_dot), [math.ceil(span / step) for span in np.diff(t)], cylinder)

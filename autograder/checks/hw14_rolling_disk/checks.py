@@ -41,6 +41,7 @@ ENERGY = 5e-6  # 4.3e-7, over a longer time
 COARSELY = 1e-3  # 1e-6 over that time; the centre in the place of the contact is off by 3e-2 or more
 
 compare = compare_with(reference, tolerance=POINTWISE)
+compare_motions = compare_with(reference, by=compare_trajectory, tolerance=TRAJECTORY)
 
 
 def euler_of(case):
@@ -183,20 +184,14 @@ def multiplier_equations_hold(student, rng):
 # (b) Simulation, (c) both ways
 
 
-def by_rates(rates):
-    return OwnRates(rates, reference, lambda t, row: (t, row))
-
-
 @check("simulate_euler", points=0.5, part="b")
 def euler_simulation_follows_the_motion(student, rng):
     """simulate_euler follows the motion from any start, row i at t[i], row 0 the given state."""
-    compare_trajectory(
+    compare_motions(
         student.simulate_euler,
-        reference,
         cases.simulated(rng),
-        tolerance=TRAJECTORY,
         keeps=ENERGY_KEPT,
-        own_rates=by_rates(student.euler_state_derivative),
+        own_rates=OwnRates(student.euler_state_derivative, reference),
     )
 
 
@@ -210,12 +205,10 @@ def euler_simulation_keeps_energy_and_two_integrals(student, rng):
 @check("simulate_matrix", points=0.5, part="b")
 def matrix_simulation_follows_the_motion(student, rng):
     """simulate_matrix follows the motion from any start, row i at t[i], row 0 the given state."""
-    compare_trajectory(
+    compare_motions(
         student.simulate_matrix,
-        reference,
         cases.by_matrix(cases.simulated)(rng),
-        tolerance=TRAJECTORY,
-        own_rates=by_rates(student.matrix_state_derivative),
+        own_rates=OwnRates(student.matrix_state_derivative, reference),
     )
 
 
@@ -225,9 +218,7 @@ BOTH = euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion
 @check("simulate_matrix", points=0.5, part="c", after=BOTH)
 def both_simulations_agree(student, rng):
     """simulate_matrix agrees with it over a long time; the disk stays on the ground, R a rotation."""
-    motions = compare_trajectory(
-        student.simulate_matrix, reference, cases.by_matrix(cases.long_motion)(rng), tolerance=AGREED
-    )
+    motions = compare_motions(student.simulate_matrix, cases.by_matrix(cases.long_motion)(rng), tolerance=AGREED)
     compare_invariants(student.simulate_matrix, motions, ROTATES, HEIGHT)
 
 

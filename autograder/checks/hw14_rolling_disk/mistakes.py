@@ -4,27 +4,10 @@ import math
 
 import numpy as np
 
+from tam570_grader.diagnosis.fixed_steps import runge_kutta
 from tam570_grader.diagnosis.mistakes import mistake
 
 from . import checks
-
-
-def runge_kutta(derivative, t, state, steps, disk):
-    """The classical method with so many steps to each time."""
-
-    def rates(state):
-        return np.array(derivative(0.0, state, **disk))
-
-    rows = [np.array(state)]
-    for h in np.diff(t) / steps:
-        state = rows[-1]
-        for _ in range(steps):
-            first = rates(state)
-            second = rates(state + h / 2 * first)
-            third = rates(state + h / 2 * second)
-            state = state + h / 6 * (first + 2 * second + 2 * third + rates(state + h * third))
-        rows.append(state)
-    return np.array(rows)
 
 
 def rolling_inertia(disk):
@@ -166,7 +149,7 @@ def simulate_euler(reference, t, state, **disk):
 @mistake(first_fails=checks.euler_simulation_keeps_energy_and_two_integrals, compared=False, numerics=True)
 def simulate_euler(reference, t, state, **disk):
     """You take 12 Runge-Kutta steps to each time, however far; limit the size of a step."""
-    return runge_kutta(euler_state_derivative, t, state, 12, disk)
+    return runge_kutta(lambda y: euler_state_derivative(0.0, y, **disk), t, state, 12)
 
 
 @mistake(first_fails=checks.euler_simulation_keeps_energy_and_two_integrals, compared=False, numerics=True)
@@ -192,7 +175,7 @@ def simulate_matrix(reference, t, state, **disk):
 @mistake(first_fails=checks.both_simulations_agree, compared=False, numerics=True)
 def simulate_matrix(reference, t, state, **disk):
     """You take 18 Runge-Kutta steps to each time, however far; limit the size of a step."""
-    return runge_kutta(matrix_state_derivative, t, state, 18, disk)
+    return runge_kutta(lambda y: matrix_state_derivative(0.0, y, **disk), t, state, 18)
 
 
 # Steady circles, and the picture

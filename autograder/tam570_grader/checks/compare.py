@@ -103,15 +103,19 @@ def compare(  # noqa: PLR0913  what a check says of a comparison, each by its na
     return results
 
 
-def compare_with(reference: Reference, *, tolerance: float) -> Callable[..., list[Numbers]]:
-    """Return `compare` with this reference, and with this tolerance where a check names no other.
+def compare_with(
+    reference: Reference, *, by: Callable[..., Any] = compare, **defaults: Any
+) -> Callable[..., list[Numbers]]:
+    """Return a comparison with its reference, and with words that hold where a check has no others.
 
     compare = compare_with(reference, tolerance=FORMULA)
+    compare_motions = compare_with(reference, by=compare_trajectory, tolerance=TRAJECTORY)
     compare(student.energy, cases.states(rng), hint="Which three terms?")
     """
 
     def compare_cases(function: StudentFunction, cases: Iterable[Case], **words: Any) -> list[Numbers]:
-        return compare(function, reference, cases, **{"tolerance": tolerance, **words})
+        results: list[Numbers] = by(function, reference, cases, **{**defaults, **words})
+        return results
 
     return compare_cases
 

@@ -44,12 +44,12 @@ class Invariant:
 class OwnRates:
     """The student's function of the rates in a simulated motion, which may be right where the motion is wrong.
 
-    arguments : (t, row) -> what the rates are asked for there; words of the motion's case follow
+    arguments : (t, row) -> what the rates are asked for there, by default both; words of the motion's case follow
     """
 
     function: StudentFunction
     reference: Reference
-    arguments: Callable[[float, Array], tuple[Numbers, ...]]
+    arguments: Callable[[float, Array], tuple[Numbers, ...]] = lambda t, row: (t, row)
 
     def are_right(self, motion: Motion) -> bool:
         """Return whether they are right at some rows of the right motion."""

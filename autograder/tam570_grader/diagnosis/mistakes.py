@@ -15,6 +15,7 @@ function in the place of its own is what the checks grade in the sandbox, and wh
 import ast
 import functools
 import hashlib
+import inspect
 import math
 import sys
 from collections import Counter
@@ -32,6 +33,7 @@ from tam570_grader.checks.case import Call
 from tam570_grader.checks.check import Check, Memory
 from tam570_grader.checks.effort import compile_counted
 from tam570_grader.checks.expected import shared
+from tam570_grader.diagnosis import fixed_steps
 from tam570_grader.diagnosis.cause import Answer, Cause
 from tam570_grader.diagnosis.mutants import reached
 from tam570_grader.protocol.wire import packed
@@ -125,7 +127,7 @@ def overlays(folder: Path) -> dict[str, str]:
 
 def _decorated(text: str) -> Iterator[Mistake]:
     tree, count = ast.parse(text), Counter[str]()
-    besides = "\n".join(ast.unparse(node) for node in tree.body if not (_decorator(node) or _is_of_the_grader(node)))
+    besides = "\n".join(_carried(node) for node in tree.body if not (_decorator(node) or _is_of_the_grader(node)))
     for node in tree.body:
         if decorator := _decorator(node):
             assert isinstance(node, ast.FunctionDef)
@@ -147,12 +149,18 @@ def _decorator(node: ast.stmt) -> ast.Call | None:
     return next((call for call in calls if getattr(call.func, "id", "") == "mistake"), None)
 
 
+def _carried(node: ast.stmt) -> str:
+    """Return the text of a statement; of the import of fixed steps, that module's."""
+    is_steps = isinstance(node, ast.ImportFrom) and node.module == fixed_steps.__name__
+    return inspect.getsource(fixed_steps) if is_steps else ast.unparse(node)
+
+
 def _is_of_the_grader(node: ast.stmt) -> bool:
     """Return whether a statement is for the reader of the file alone.
 
     The docstring, and imports of checks and `mistake`.
     """
-    imported = isinstance(node, ast.ImportFrom) and (node.level > 0 or f"{node.module}".startswith("tam570_grader"))
+    imported = isinstance(node, ast.ImportFrom) and (node.level > 0 or node.module == __name__)
     return imported or (isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant))
 
 
