@@ -146,7 +146,7 @@ def simulate(reference, t, position, velocity, *, mass, stiffness, gravity):
     """Your integrator loses a little energy at every step; over many periods it must stay."""
     centre = np.array([0, 0, -mass * gravity / stiffness, 0, 0, 0])
     rows = reference(t, position, velocity, mass=mass, stiffness=stiffness, gravity=gravity)
-    return centre + (rows - centre) * np.exp(-5e-6 * (t - t[0]) * np.sqrt(stiffness / mass))[:, None]
+    return centre + (rows - centre) * np.exp(-5e-7 * (t - t[0]) * np.sqrt(stiffness / mass))[:, None]
 
 
 # The ellipse
