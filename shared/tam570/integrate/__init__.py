@@ -9,8 +9,7 @@ solve(rhs, t, y0, parameters=..., rtol=1e-10) is all that most scenes need. For 
     events=, dense=, report=       zeros of functions, the motion as a function of time, how the run went
 """
 
-from tam570.integrate.prepare import prepared
 from tam570.integrate.rotation import solve_rotation
-from tam570.integrate.solver import solve
+from tam570.integrate.solver import prepared, solve
 
 __all__ = ["prepared", "solve", "solve_rotation"]

@@ -4,23 +4,34 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
-from typing import NamedTuple
+from typing import NamedTuple, NoReturn
 
 import numpy as np
 
 from tam570.integrate.adaptive_loop import LARGEST, RUNNING, SETS_IN, STOPPED, State
 from tam570.integrate.arguments import SMALLEST_RTOL, Array
-from tam570.integrate.binding import TRIAL_ERRORS, check_start
-from tam570.integrate.compilation import Estimate, WorthCompiling
 from tam570.integrate.engine import Engine, Mistraced
 from tam570.integrate.error_scale import NO_SCALE, SHARE, error_scale
-from tam570.integrate.stiffness import COMPILED, PYTHON, Look, stiffness_watch
+from tam570.integrate.rates import TRIAL_ERRORS, check_start
 from tam570.integrate.switches import chatter
+from tam570.integrate.watch import COMPILED, PYTHON, Estimate, Look, WorthCompiling, repays, stiffness_watch
 from tam570.values import Numbers
 
-__all__ = ["BETWEEN_LOOKS", "Control", "Run", "Solution", "integrate", "shortest_step", "sizes", "start_run", "step_n"]
+__all__ = [
+    "BETWEEN_LOOKS",
+    "Control",
+    "Run",
+    "Solution",
+    "ensemble",
+    "integrate",
+    "shortest_step",
+    "sizes",
+    "start_run",
+    "step_n",
+]
 
 BETWEEN_LOOKS = 500  # steps
+WORTH_LANES = 16  # members: with fewer the code for eight motions is not worth its compilation
 OUT_OF_REACH = 1e9  # steps that nobody waits for
 LOOKS = 40  # in a row: stiffness, where that is the cause, is told before
 KINKS = 30.0  # of the tolerance, so many times less where the rates may have kinks
@@ -170,43 +181,33 @@ def _run_stretch(run: Run, how: str, a: Sequence[float]) -> None:
 
             step_by_step(run)
     if run.last.halt not in (RUNNING, SETS_IN, STOPPED):
-        raise _trouble(run, run.last)
+        _give_up(run, run.last)
 
 
-def _trouble(run: Run, last: State) -> Exception:
-    """Return why a run cannot go on."""
+def _give_up(run: Run, last: State) -> NoReturn:
+    """Raise what says why a run cannot go on."""
     engine, t = run.engine, run.origin + last.t
     where = f"at t = {engine.sign * t:.17g}"
-    beyond = [t + 1e-13 * max(abs(t), float(run.since[-1])), t]
-    for time in beyond:
+    for time in (t + 1e-13 * max(abs(t), float(run.since[-1])), t):
         y = np.array(last.y) + (time - t) * np.array(last.f)
         try:
             g = np.asarray(engine.rates(time, y), dtype=float)
         except TRIAL_ERRORS as error:
             if str(error) in ("math domain error", "math range error") or isinstance(error, ArithmeticError):
-                return _chained(ArithmeticError(f"rhs or solution is not finite {where}: {error}"), error)
+                raise ArithmeticError(f"rhs or solution is not finite {where}: {error}") from error
             error.add_note(f"solve: rhs raises this just beyond t = {engine.sign * t:.17g}, y = {list(last.y)}")
-            return error
+            raise
         if not np.isfinite(g).all():
-            return ArithmeticError(f"rhs or solution is not finite {where}: rhs gives {g}")
+            raise ArithmeticError(f"rhs or solution is not finite {where}: rhs gives {g}")
         if engine.is_traced and not all(map(math.isfinite, engine.functions["rhs"](time, tuple(y), engine.constants))):
-            return Mistraced()
-    called_rates = engine.called_rates
-    if (
-        called_rates is not None
-        and called_rates.error is not None
-        and not isinstance(called_rates.error, ArithmeticError)
-    ):
-        called_rates.error.add_note(f"solve: rhs raises this beyond t = {engine.sign * t:.17g}, y = {list(last.y)}")
-        return called_rates.error
-    return ArithmeticError(
+            raise Mistraced
+    own_error = engine.called_rates.error if engine.called_rates else None
+    if own_error is not None and not isinstance(own_error, ArithmeticError):
+        own_error.add_note(f"solve: rhs raises this beyond t = {engine.sign * t:.17g}, y = {list(last.y)}")
+        raise own_error
+    raise ArithmeticError(
         f"no step is short enough {where}: the solution seems to become infinite, or the rates jump without end"
     )
-
-
-def _chained(error: Exception, cause: Exception) -> Exception:
-    error.__cause__ = cause
-    return error
 
 
 def step_n(run: Run, advance: Numbers, since: Numbers, look: Look, state: State, budget: int) -> State:
@@ -317,7 +318,7 @@ def shortest_step(engine: Engine, times: Array, start: Array, control: Control) 
         before = state
         state = step_n(run, engine.functions["advance"], [0.0, span], lambda *_: None, state, 1)
         if state.halt not in (RUNNING, SETS_IN):
-            raise _trouble(run, state)
+            _give_up(run, state)
         at_switch = engine.switches is not None and bool(engine.switches.crossings)
         if state.row == 2 or state.halt and not at_switch:
             break
@@ -331,3 +332,27 @@ def shortest_step(engine: Engine, times: Array, start: Array, control: Control) 
                 )
             shortest, last = min(shortest, length) if step > 5 else shortest, length
     return shortest
+
+
+def ensemble(engine: Engine, times: Array, starts: Array, how: str, control: Control) -> Array:
+    """(m, n, k) states at `times` from the (m, k) starts, eight motions at a time in compiled code where that repays.
+
+    how : "auto", "python" or "compiled"
+    """
+    rows = np.empty((len(starts), len(times), starts.shape[1]))
+    first = integrate(engine, times, starts[0], how, control)
+    rows[0] = first.rows
+    is_left = np.arange(len(starts)) > 0
+    graph, begin, end = engine.graph, float(times[0]), float(times[-1])
+    any_steps = (
+        control.max_step == np.inf and control.first_step is None and engine.next_break(begin, begin, end) == end
+    )
+    if graph is not None and len(starts) >= WORTH_LANES and any_steps:
+        steps = (first.last.steps + first.last.refusals) * len(starts)
+        if first.engine == "compiled" or how == "auto" and repays(steps, len(graph.operations)):
+            from tam570.integrate.compiled import backend
+
+            is_left &= backend.taylor_runs(graph, times, rows, starts, control) == 0
+    for i in np.flatnonzero(is_left):
+        rows[i] = integrate(engine, times, starts[i], how, control).rows
+    return rows

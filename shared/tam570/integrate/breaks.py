@@ -9,8 +9,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from tam570.integrate.symbols import NUMPY_NAMES, Symbol, Value
-from tam570.integrate.trace import Graph
+from tam570.integrate.trace import NUMPY_NAMES, Graph, Symbol, Value
 from tam570.values import Numbers
 
 __all__ = ["breaks_of"]

@@ -9,9 +9,8 @@ from numpy.typing import ArrayLike
 from tam570.integrate.adaptive import Control, Run
 from tam570.integrate.arguments import Array
 from tam570.integrate.cache_key import Changeable, call_key
-from tam570.integrate.compilation import available
 from tam570.integrate.engine import Engine
-from tam570.integrate.stiffness import COMPILED
+from tam570.integrate.watch import COMPILED, available
 from tam570.values import Numbers, Parameters
 
 __all__ = ["CompiledRun", "Slot", "compile_run", "keep", "slot_of"]

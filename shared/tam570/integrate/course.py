@@ -1,9 +1,10 @@
 """What a right-hand side that is called as it stands decides by, written down once and evaluated at many points.
 
-A `Course` is a number known at several points of a step at once. What a function decides by it, it decides as at the
-first point, and what it decides by is noted: the difference of two numbers that are compared, the distance from the
-next whole number where one is rounded, from the next entry where one is looked up in a table. Where one of these
-passes zero, the function may do something else. Until then the operations that lead to them are all that is repeated.
+A `Course` is a tape whose symbols are known at several points of a step at once. What a function decides by them, it
+decides as at the first point, and what it decides by is noted: the difference of two numbers that are compared, the
+distance from the next whole number where one is rounded, from the next entry where one is looked up in a table. Where
+one of these passes zero, the function may do something else. Until then the operations that lead to them are all that
+is repeated.
 """
 
 import copy
@@ -18,11 +19,10 @@ from numbers import Real
 import numpy as np
 
 from tam570.integrate.arguments import Array
-from tam570.integrate.symbols import NUMPY_NAMES
-from tam570.integrate.trace import substituted
+from tam570.integrate.trace import NUMPY_NAMES, Module, Symbol, Tape, substituted
 from tam570.values import Function, Numbers
 
-__all__ = ["Course", "Decisions", "along"]
+__all__ = ["Course", "along"]
 
 FOREIGN = tuple(sysconfig.get_paths()[name] for name in ("stdlib", "platstdlib", "purelib", "platlib"))
 OURS = "tam570"
@@ -32,13 +32,13 @@ INSIDE = 1e-9  # of the first cell, where what is rounded is decided
 LARGEST_TABLE = 100_000
 
 
-class Decisions:
-    """What a function decides by along a step.
+class Course(Tape):
+    """A tape of a step: each number is known at several points of it, and what the function decides by is noted.
 
-    slots      : of each operation and each constant the value, at m points or the same at all
+    slots      : of each operation and each constant the value, at m points or the same at all; the first are t and y
     operations : slot, function and slots of its operands
     seen       : slots of what it decides by; saturating : of the arguments of exp, tanh and their like;
-    denominators : of what has a pole where it is zero
+    denominators : of what has a pole where it is zero; lines : of what is affine in time alone
     """
 
     def __init__(self, t: Array, y: Array) -> None:
@@ -47,18 +47,65 @@ class Decisions:
         self.seen: list[int] = []
         self.saturating: list[int] = []
         self.denominators: list[int] = []
+        self.lines = {0}
 
-    def sign(self, course: "Course") -> float:
-        """Note a difference; return its sign on the path that the function takes."""
-        self.seen.append(course.slot)
-        first = course.values[0] or next((v for v in course.values if v), 0.0)
-        return math.copysign(1.0, first) if first else 0.0
+    def values(self, x: Symbol) -> Numbers:
+        return self.slots[x.number]
 
     def slot_of(self, value: Numbers) -> int:
-        if isinstance(value, Course):
-            return value.slot
+        if isinstance(value, Symbol):
+            return value.number
         self.slots.append(float(value))
         return len(self.slots) - 1
+
+    def record(self, function: Numbers, *operands: Numbers) -> Symbol:
+        """Write down what a function, or an operator, makes of symbols and numbers, point by point."""
+        function, numbers = OPERATORS.get(function, function), tuple(map(self.slot_of, operands))
+        self.slots.append(function(*(self.slots[i] for i in numbers)))
+        self.operations.append((len(self.slots) - 1, function, numbers))
+        return Symbol(self, len(self.slots) - 1, "", ())
+
+    def combine(self, name: str, *operands: Numbers) -> Numbers:
+        if name == "fabs":
+            return -operands[0] if self.sign(operands[0]) < 0 else operands[0]
+        result, symbols = self.record(name, *operands), [a.number for a in operands if isinstance(a, Symbol)]
+        if name == "/" and isinstance(operands[1], Symbol):
+            self.denominators.append(operands[1].number)
+        if len(symbols) == 1 and symbols[0] in self.lines and name != "pow":
+            self.lines.add(result.number)
+            self.seen += [result.number] if name in "+-" else []
+        return result
+
+    def method(self, name: str) -> Function:
+        function: Function | None = None if name.startswith("_") else getattr(np, name, None)
+        if not callable(function):
+            raise AttributeError(name)
+        return _lifted(function)
+
+    def sign(self, x: Symbol) -> float:
+        """Note a difference; return its sign on the path that the function takes."""
+        self.seen.append(x.number)
+        first = self.values(x)[0] or next((v for v in self.values(x) if v), 0.0)
+        return math.copysign(1.0, first) if first else 0.0
+
+    def rounded(self, x: Symbol, half: float = 0.0) -> float:
+        """Return the whole number below, or the nearest with half = 0.5; note where it changes."""
+        moved = self.record("+", x, half)
+        low = float(math.floor(self.soon(moved)))
+        self.note_levels(moved, low, low + 1)
+        return low
+
+    def soon(self, x: Symbol) -> float:
+        """Return it just beyond the start, where it may be whole."""
+        return float(self.values(x)[0] + INSIDE * (self.values(x)[1] - self.values(x)[0]))
+
+    def note_levels(self, x: Symbol, *levels: float) -> None:
+        self.seen += [self.record("-", x, level).number for level in levels]
+
+    def note_table(self, x: Symbol, table: Sequence[float]) -> None:
+        """Note the distance from the next numbers of a table, above and below."""
+        position = int(np.searchsorted(table, self.soon(x)))
+        self.note_levels(x, *table[max(position - 1, 0) : position + 1])
 
     def forget_results(self) -> None:
         """Keep the operations that lead to what is noted; of a function that decides by nothing else no poles."""
@@ -77,146 +124,14 @@ class Decisions:
         return [slots[i] for i in self.seen], [slots[i] for i in self.saturating]
 
 
-def _applied(function: Function, *operands: Numbers, is_line: bool = False) -> "Course":
-    """Return what a function makes of courses and numbers, point by point; written down."""
-    decisions: Decisions = next(operand.decisions for operand in operands if isinstance(operand, Course))
-    numbers = tuple(map(decisions.slot_of, operands))
-    decisions.slots.append(function(*(decisions.slots[i] for i in numbers)))
-    decisions.operations.append((len(decisions.slots) - 1, function, numbers))
-    return Course(decisions, len(decisions.slots) - 1, is_line)
-
-
-def _arithmetic(function: Function, *, swapped: bool = False, notes: bool = False) -> Numbers:
-    def method(self: "Course", other: Numbers) -> Numbers:
-        if not isinstance(other, Course | Real):
-            return NotImplemented
-        is_line = self.is_line and not isinstance(other, Course)
-        operands = (other, self) if swapped else (self, other)
-        result = _applied(function, *operands, is_line=is_line)
-        if function is _quotient and isinstance(operands[1], Course):
-            self.decisions.denominators.append(operands[1].slot)
-        if notes and is_line:
-            self.decisions.seen.append(result.slot)
-        return result
-
-    return method
-
-
-def _comparison(compare: Callable[[Numbers, Numbers], bool]) -> Numbers:
-    def method(self: "Course", other: Numbers) -> Numbers:
-        if not isinstance(other, Course | Real):
-            return NotImplemented
-        return compare(self.decisions.sign(_applied(operator.sub, self, other)), 0.0)
-
-    return method
-
-
-def _quotient(a: Numbers, b: Numbers) -> Numbers:
-    return np.true_divide(a, b)
-
-
-def _refuse(*_: Numbers) -> Numbers:
-    raise TypeError("a function wants the digits of a number")
-
-
-class Course:
-    """A number at m points of a step. slot : where it is written down; is_line : whether it is affine in time alone."""
-
-    __slots__ = ("decisions", "is_line", "slot", "values")
-
-    def __init__(self, decisions: Decisions, slot: int, is_line: bool = False) -> None:
-        self.decisions, self.slot, self.is_line = decisions, slot, is_line
-        self.values = decisions.slots[slot]
-
-    __add__, __radd__ = _arithmetic(operator.add, notes=True), _arithmetic(operator.add, swapped=True, notes=True)
-    __sub__, __rsub__ = _arithmetic(operator.sub, notes=True), _arithmetic(operator.sub, swapped=True, notes=True)
-    __mul__, __rmul__ = _arithmetic(operator.mul), _arithmetic(operator.mul, swapped=True)
-    __truediv__, __rtruediv__ = _arithmetic(_quotient), _arithmetic(_quotient, swapped=True)
-
-    def __pow__(self, other: Numbers) -> Numbers:
-        return _applied(np.power, self, other)
-
-    def __rpow__(self, other: Numbers) -> Numbers:
-        return _applied(np.power, other, self)
-
-    def __neg__(self) -> "Course":
-        return _applied(operator.neg, self, is_line=self.is_line)
-
-    def __pos__(self) -> "Course":
-        return self
-
-    def __abs__(self) -> "Course":
-        return -self if self.decisions.sign(self) < 0 else self
-
-    __lt__, __le__ = _comparison(operator.lt), _comparison(operator.le)
-    __gt__, __ge__ = _comparison(operator.gt), _comparison(operator.ge)
-    __eq__, __ne__ = _comparison(operator.eq), _comparison(operator.ne)
-    __hash__ = None  # type: ignore[assignment]
-    __str__ = __repr__ = __format__ = __reduce_ex__ = _refuse
-
-    def __bool__(self) -> bool:
-        return self.decisions.sign(self) != 0.0
-
-    def rounded(self, half: float = 0.0) -> float:
-        """Return the whole number below, or the nearest with half = 0.5; note where it changes."""
-        course = _applied(operator.add, self, half)
-        low = float(math.floor(course.soon()))
-        course.note_levels(low, low + 1)
-        return low
-
-    def soon(self) -> float:
-        """Return it just beyond the start, where it may be whole."""
-        return float(self.values[0] + INSIDE * (self.values[1] - self.values[0]))
-
-    def note_levels(self, *levels: float) -> None:
-        self.decisions.seen += [_applied(operator.sub, self, level).slot for level in levels]
-
-    def __floor__(self) -> int:
-        return int(self.rounded())
-
-    def __ceil__(self) -> int:
-        return -int((-self).rounded())
-
-    def __trunc__(self) -> int:
-        return self.__floor__() if self.decisions.sign(self) >= 0 else self.__ceil__()
-
-    __int__ = __trunc__
-
-    def __round__(self, digits: Numbers = None) -> Numbers:
-        scale = 10.0 ** (digits or 0)
-        value = (self * scale).rounded(0.5)
-        return int(value) if digits is None else value / scale
-
-    def __floordiv__(self, period: Numbers) -> Numbers:
-        return float((self / period).rounded())
-
-    def __mod__(self, period: Numbers) -> Numbers:
-        return self - (self / period).rounded() * period
-
-    def __rfloordiv__(self, other: Numbers) -> Numbers:
-        return float((other / self).rounded())
-
-    def __rmod__(self, other: Numbers) -> Numbers:
-        return other - (other / self).rounded() * self
-
-    def __divmod__(self, period: Numbers) -> Numbers:
-        return self // period, self % period
-
-    def __getattr__(self, name: str) -> Numbers:
-        """NumPy's functions ask an object for a method of their name."""
-        function = getattr(np, name, None)
-        if name.startswith("_") or not callable(function):
-            raise AttributeError(name)
-        return functools.partial(_lifted(function), self)
-
-    def note_table(self, table: Sequence[float]) -> None:
-        """Note the distance from the next numbers of a table, above and below."""
-        position = int(np.searchsorted(table, self.soon()))
-        self.note_levels(*table[max(position - 1, 0) : position + 1])
+OPERATORS: dict[Numbers, Function] = {
+    **{"+": operator.add, "-": operator.sub, "*": operator.mul, "neg": operator.neg},
+    **{"/": np.true_divide, "pow": np.power},
+}
 
 
 def _sign(x: Numbers) -> float:
-    return float(x.decisions.sign(x) if isinstance(x, Course) else np.sign(x))
+    return float(x.tape.sign(x) if isinstance(x, Symbol) else np.sign(x))
 
 
 def _is_close(a: Numbers, b: Numbers, rtol: Numbers = 1e-5, atol: Numbers = 1e-8) -> bool:
@@ -265,8 +180,8 @@ DECIDING: dict[str, Function] = {
 
 
 def _parts(value: Numbers) -> Numbers:
-    """Return the courses in an argument."""
-    if isinstance(value, Course):
+    """Return the symbols in an argument."""
+    if isinstance(value, Symbol):
         yield value
     elif type(value) in (list, tuple) or type(value) is np.ndarray and value.dtype == object:
         for part in value.ravel() if type(value) is np.ndarray else value:
@@ -274,21 +189,21 @@ def _parts(value: Numbers) -> Numbers:
 
 
 def _replaced(value: Numbers, replace: Function) -> Numbers:
-    """Return a copy of an argument with others in the place of its courses."""
-    if isinstance(value, Course):
+    """Return a copy of an argument with others in the place of its symbols."""
+    if isinstance(value, Symbol):
         return replace(value)
     if type(value) in (list, tuple):
         return type(value)(_replaced(part, replace) for part in value)
     if type(value) is np.ndarray and value.dtype == object:
         parts = np.empty(value.size, dtype=object)
         parts[:] = [_replaced(part, replace) for part in value.ravel()]
-        keeps_courses = any(isinstance(part, Course) for part in parts)
-        return (parts if keeps_courses else parts.astype(float)).reshape(value.shape)
+        keeps_symbols = any(isinstance(part, Symbol) for part in parts)
+        return (parts if keeps_symbols else parts.astype(float)).reshape(value.shape)
     return value.copy() if type(value) is np.ndarray else value
 
 
-def _lifted(function: Function) -> Numbers:
-    """Return a function of numbers, and arrays of them, as one of courses."""
+def _lifted(function: Function) -> Function:
+    """Return a function of numbers, and arrays of them, as one of symbols."""
     name = getattr(function, "__name__", "")
     name = f"math.{name}" if function in (math.isclose, math.remainder) else name
 
@@ -296,64 +211,63 @@ def _lifted(function: Function) -> Numbers:
     def lifted(*arguments: Numbers, **keywords: Numbers) -> Numbers:
         arguments = tuple(float if a is _Float else a for a in arguments)
         keywords = {key: float if a is _Float else a for key, a in keywords.items()}
-        courses = [*_parts(arguments), *_parts(tuple(keywords.values()))]
-        if not courses:
+        symbols = [*_parts(arguments), *_parts(tuple(keywords.values()))]
+        if not symbols:
             result = function(*arguments, **keywords)
             return result.astype(object) if name in FILLED and result.dtype == float else result
-        scalars = all(isinstance(a, Course | Real) for a in arguments)
+        tape: Course = symbols[0].tape
+        scalars = all(isinstance(a, Symbol | Real) for a in arguments)
         if name in SATURATING:
-            courses[0].decisions.saturating += [c.slot for c in courses]
+            tape.saturating += [s.number for s in symbols]
         if name in DECIDING:
             decide = functools.partial(DECIDING[name], **keywords)
             return decide(*arguments) if scalars else np.frompyfunc(decide, len(arguments), 1)(*arguments)
-        if (
-            scalars
-            and not keywords
-            and (smooth := getattr(np, NUMPY_NAMES.get(name, name), None))
-            and isinstance(smooth, np.ufunc)
-        ):
+        smooth = getattr(np, NUMPY_NAMES.get(name, name), None)
+        if scalars and not keywords and isinstance(smooth, np.ufunc):
             if name == "tan":
-                courses[0].decisions.denominators.append(_applied(np.cos, *arguments).slot)
-            return _applied(smooth, *arguments)
+                tape.denominators.append(tape.record(np.cos, *arguments).number)
+            return tape.record(smooth, *arguments)
         if not scalars and getattr(function, "__module__", "") == "numpy" or isinstance(function, np.ufunc):
             try:
                 return function(*arguments, **keywords)
             except (TypeError, ValueError, AttributeError):
                 pass
-        return _point_by_point(function, courses, arguments, keywords)
+        return _joined(tape, _point_by_point(tape, function, symbols, arguments, keywords))
 
     return lifted
 
 
-def _point_by_point(function: Function, courses: list[Course], arguments: Numbers, keywords: Numbers) -> Numbers:
-    """Return what a function makes of courses that nobody can look into: of tables the entries are seen."""
+def _point_by_point(
+    tape: Course, function: Function, symbols: list[Symbol], arguments: Numbers, keywords: Numbers
+) -> Symbol:
+    """Return what a function makes of symbols that nobody can look into: of tables the entries are seen."""
     for table in (*filter(_is_table, arguments), *_tables_of(function)):
-        for course in courses:
-            course.note_table(table)
-    call = _replaced((arguments, tuple(keywords.values())), lambda course: course)  # the function may change them later
+        for symbol in symbols:
+            tape.note_table(symbol, table)
+    call = _replaced((arguments, tuple(keywords.values())), lambda symbol: symbol)  # the function may change them later
 
     def results(*values: Array) -> list[Numbers]:
-        columns = {course.slot: v.tolist() for course, v in zip(courses, values, strict=True)}
-        calls = [_replaced(call, lambda course, k=k: columns[course.slot][k]) for k in range(len(values[0]))]
+        columns = {symbol.number: v.tolist() for symbol, v in zip(symbols, values, strict=True)}
+        calls = [_replaced(call, lambda symbol, k=k: columns[symbol.number][k]) for k in range(len(values[0]))]
         return [function(*positional, **dict(zip(keywords, named, strict=True))) for positional, named in calls]
 
-    return _joined(_applied(results, *courses))
+    return tape.record(results, *symbols)
 
 
-def _joined(results: Course) -> Numbers:
-    """Return the courses of what came at each point."""
-    first = results.values[0]
+def _joined(tape: Course, results: Symbol) -> Numbers:
+    """Return the symbols of what came at each point."""
+    first = tape.values(results)[0]
     if isinstance(first, tuple | list):
-        parts = (_applied(lambda r, i=i: [part[i] for part in r], results) for i in range(len(first)))
-        return type(first)(map(_joined, parts))
+        parts = (tape.record(lambda r, i=i: [part[i] for part in r], results) for i in range(len(first)))
+        return type(first)(_joined(tape, part) for part in parts)
     array = np.asarray(first)
     if array.dtype.kind in "biu" and array.ndim == 0:  # it chose
-        results.decisions.sign(_applied(lambda r: np.where(np.array(r) == first, 1.0, -1.0), results))
+        tape.sign(tape.record(lambda r: np.where(np.array(r) == first, 1.0, -1.0), results))
         return first
-    flat = [_applied(lambda r, i=i: np.array([np.ravel(a)[i] for a in r], float), results) for i in range(array.size)]
-    joined = np.empty(len(flat), dtype=object)
-    joined[:] = flat
-    return joined.reshape(array.shape) if array.ndim else flat[0]
+    joined = np.empty(array.size, dtype=object)
+    for i in range(array.size):
+        joined[i] = tape.record(lambda r, i=i: np.array([np.ravel(a)[i] for a in r], float), results)
+    return joined.reshape(array.shape) if array.ndim else joined[0]
 
 
 def _is_table(value: Numbers) -> bool:
@@ -375,22 +289,10 @@ def _tables_of(function: Function) -> list[Numbers]:
     return [table for table in tables if isinstance(table, np.ndarray) and _is_table(table)]
 
 
-class _LiftedModule:
-    """A module whose functions take courses."""
-
-    def __init__(self, module: types.ModuleType) -> None:
-        self.module = module
-
-    def __getattr__(self, name: str) -> Numbers:
-        value = substituted(getattr(self.module, name), _substitute, STAND_INS)
-        setattr(self, name, value)  # it is asked for once
-        return value
-
-
 def _substitute(value: Numbers) -> Numbers:
-    """Return what stands in for a value in a function of courses; itself where it is to be looked into."""
+    """Return what stands in for a value in a function of symbols; itself where it is to be looked into."""
     if isinstance(value, types.ModuleType):
-        return _LiftedModule(value)
+        return Module(value, lambda used: substituted(used, _substitute, STAND_INS))
     if isinstance(value, types.BuiltinFunctionType):
         return value if value.__module__ == "builtins" else _lifted(value)
     if isinstance(value, types.FunctionType):
@@ -420,7 +322,7 @@ def _is_foreign(function: types.FunctionType) -> bool:
 
 class _FloatType(type):
     def __instancecheck__(cls, value: Numbers) -> bool:
-        return isinstance(value, float | Course)
+        return isinstance(value, float | Symbol)
 
 
 class _Float(metaclass=_FloatType):
@@ -429,26 +331,25 @@ class _Float(metaclass=_FloatType):
     def __new__(cls, value: Numbers = 0.0) -> Numbers:
         if isinstance(value, np.ndarray) and value.shape == () and value.dtype == object:
             value = value.item()
-        return value if isinstance(value, Course) else float(value)
+        return value if isinstance(value, Symbol) else float(value)
 
 
 def _isinstance(value: Numbers, kinds: Numbers) -> bool:
-    return isinstance(1.0 if isinstance(value, Course) else value, kinds)
+    return isinstance(1.0 if isinstance(value, Symbol) else value, kinds)
 
 
 STAND_INS = {"float": _Float, "isinstance": _isinstance}
 
 
-def along(rates: Function, size: int) -> Callable[[Array, Array], Decisions]:
+def along(rates: Function, size: int) -> Callable[[Array, Array], Course]:
     """Return profile(t, y): what rates(t, y) decides by at (m,) times and (k, m) states."""
     twin = substituted(rates, _substitute, STAND_INS)
 
-    def profile(t: Array, y: Array) -> Decisions:
-        decisions = Decisions(t, y)
-        state = np.empty(size, dtype=object)
-        state[:] = [Course(decisions, i + 1) for i in range(size)]
-        twin(Course(decisions, 0, is_line=True), state)
-        decisions.forget_results()
-        return decisions
+    def profile(t: Array, y: Array) -> Course:
+        course = Course(t, y)
+        time, *components = (Symbol(course, slot, "", ()) for slot in range(1 + size))
+        twin(time, np.array(components, dtype=object))
+        course.forget_results()
+        return course
 
     return profile

@@ -11,15 +11,21 @@ from typing import NamedTuple
 
 from tam570.integrate.adaptive_loop import GENERATED, first_step_with, loop_with
 from tam570.integrate.arguments import Array
-from tam570.integrate.binding import CalledRates, Rates, bound, check_start, is_same, reversed_rates
 from tam570.integrate.breaks import breaks_of
 from tam570.integrate.cache_key import Changeable, call_key
-from tam570.integrate.dop853_source import compiled
+from tam570.integrate.dop853 import compiled
 from tam570.integrate.formulas import Formulas, call_of, written
-from tam570.integrate.roundoff import roundoff_by_neighbours
+from tam570.integrate.rates import (
+    CalledRates,
+    Rates,
+    bound,
+    check_start,
+    is_same,
+    reversed_rates,
+    roundoff_by_neighbours,
+)
 from tam570.integrate.switches import Switches
-from tam570.integrate.symbols import Untraceable
-from tam570.integrate.trace import Graph, traced
+from tam570.integrate.trace import Graph, Untraceable, traced
 from tam570.values import Function, Json, Numbers, Parameters
 
 __all__ = ["Engine", "Mistraced", "engine"]

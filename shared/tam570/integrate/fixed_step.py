@@ -1,25 +1,179 @@
-"""Long runs at a fixed step by the methods that keep the structure of mechanics."""
+"""Long runs at a fixed step by two methods that keep the structure of mechanics.
+
+"gauss": Gauss-Legendre collocation of six stages, order 12, symplectic and symmetric for any Hamiltonian. The
+coefficients are split in two doubles: rounded to one, they make the energy drift. Hairer, McLachlan, Razakarivony,
+Achieving Brouwer's law with implicit Runge-Kutta methods, BIT 2008.
+"composition": 17 leapfrogs, order 8, symmetric, for a state (q, v) with q' a function of v and v' one of q. The
+constants are those of Kahan and Li, Composition constants for raising the orders of unconventional schemes, 1997.
+"""
 
 import math
-from functools import lru_cache, partial
+from collections.abc import Callable
+from decimal import Decimal, localcontext
+from functools import cache, lru_cache, partial
+from typing import NamedTuple
 
 import numpy as np
 
 from tam570.integrate.adaptive import FOREVER, Control, shortest_step
 from tam570.integrate.arguments import Array
-from tam570.integrate.compilation import repays
-from tam570.integrate.composition_source import composition_source
 from tam570.integrate.engine import Engine
-from tam570.integrate.fixed_loop import FixedState, fixed_loop_with
-from tam570.integrate.formulas import halves
-from tam570.integrate.gauss_source import STAGES, gauss_source
+from tam570.integrate.formulas import Formulas, halves, names, tuple_of, unpacked
+from tam570.integrate.watch import repays
 from tam570.values import Function, Numbers
 
-__all__ = ["METHODS", "states"]
+__all__ = ["FixedState", "states"]
 
 METHODS = {"gauss": 3.5, "composition": 0.5}  # step over the shortest that DOP853 takes at the same rtol
-
 SWEEPS = {"gauss": 0.7, "composition": 0.1}  # over the lines of the source in a step, a twelfth: as `repays` counts
+DIGITS = 45
+NODES = """0.033765242898423986093849222753002695432617131144 0.169395306766867743169300202490047326496775717802
+0.380690406958401545684749139159644032290694684930"""  # the smaller half, zeros of Legendre's polynomial on (0, 1)
+LEAPS = """0.13020248308889008087881763 0.56116298177510838456196441 -0.38947496264484728640807860
+0.15884190655515560089621075 -0.39590389413323757733623154 0.18453964097831570709183254
+0.25837438768632204729397911 0.29501172360931029887096624 -0.60550853383003451169892108"""  # the first half, and middle
+
+Polynomial = list[Decimal]  # coefficients, constant first
+Pair = tuple[float, float]  # a double, and what it lacks
+
+
+class FixedState(NamedTuple):
+    """Where a run is."""
+
+    row: int  # the next sample
+    done: int  # steps
+    y: tuple[float, ...]
+    r: tuple[float, ...]  # what rounding took from y
+    k: tuple[float, ...]  # first guess of the next step's stages
+
+
+def fixed_loop_with(leap: Function) -> Callable[..., FixedState]:
+    """Return the loop over the steps of a run."""
+
+    def march(
+        origin: Numbers, times: Numbers, out: Numbers, state: Numbers, c: Numbers, h: Numbers, budget: Numbers
+    ) -> Numbers:
+        """Fill the rows of `out` until none is left or `budget` steps are spent.
+
+        times : since `origin`; state : a `FixedState`, as returned. A sample inside a step is reached by a
+        shorter step from the step's start that leaves the motion alone.
+        """
+        row, done, y, r, k = state
+        while row < len(times) and budget > 0:
+            budget -= 1
+            t = done * h  # not summed up: no error of time grows
+            n, rest, onward = leap(origin + t, h, y, r, k, c)
+            while row < len(times) and times[row] <= t + h * (1.0 + 2.0**-40):
+                sample = n
+                if times[row] < t + h * (1.0 - 2.0**-40):  # a sample this close to the end of a step is its end
+                    sample = leap(origin + t, times[row] - t, y, r, k, c)[0]
+                for i in range(len(n)):
+                    out[row, i] = sample[i]
+                row += 1
+            y, r, k, done = n, rest, onward, done + 1
+        return FixedState(row, done, y, r, k)
+
+    return march
+
+
+def composition_source(drift: Formulas, kick: Formulas, constants: int) -> str:
+    """Source of leap(start, h, y, r, k, c): drifts move q by v, kicks move v by q; sums are compensated."""
+    half = len(drift.rates)
+    leaps = [float(leap) for leap in (*LEAPS.split(), *LEAPS.split()[-2::-1])]
+    drifts = [(a + b) / 2 for a, b in zip([0.0, *leaps], [*leaps, 0.0], strict=True)]
+    pairs = tuple_of(f"({d!r}, {k!r})" for d, k in zip(drifts, [*leaps, 0.0], strict=True))
+    s, r, c = tuple_of(names("s", 2 * half)), tuple_of(names("r", 2 * half)), names("c", constants)
+    lines = [f"{s} = y", f"{r} = r", *([f"{tuple_of(c)} = c"] if constants else []), f"for d, k_ in {pairs}:"]
+    for fraction, formulas, first in (("d", drift, 0), ("k_", kick, half)):
+        lines += [f"    {line}" for line in formulas.lines]
+        for i, rate in enumerate(formulas.rates, start=first):
+            lines.append(f"    d{i} = {fraction} * h * {rate}")
+        for i in range(first, first + len(formulas.rates)):
+            moved = [*sum_and_error(f"s{i}", f"d{i}"), f"rest = r{i} + error"]
+            lines += [f"    {line}" for line in (*moved, f"s{i} = n + rest", f"r{i} = rest - (s{i} - n)")]
+    lines.append(f"return {s}, {r}, k")
+    return "\n    ".join(["def leap(start, h, y, r, k, c):", *lines]) + "\n"
+
+
+def _value(polynomial: Polynomial, x: Decimal) -> Decimal:
+    return sum((c * x**power for power, c in enumerate(polynomial)), Decimal(0))
+
+
+def _integral(polynomial: Polynomial) -> Polynomial:
+    return [Decimal(0), *(c / (power + 1) for power, c in enumerate(polynomial))]
+
+
+def _times(p: Polynomial, q: Polynomial) -> Polynomial:
+    product = [Decimal(0)] * (len(p) + len(q) - 1)
+    for i, a in enumerate(p):
+        for j, b in enumerate(q):
+            product[i + j] += a * b
+    return product
+
+
+@cache
+def gauss_tableau() -> tuple[list[list[Pair]], list[Pair], list[float], list[list[float]]]:
+    """Coefficients and weights, each split in two doubles; nodes; how the next step's stages follow from these."""
+    with localcontext() as context:
+        context.prec = DIGITS
+        half = [Decimal(x) for x in NODES.split()]
+        nodes = [*half, *(1 - x for x in reversed(half))]
+        lagrange = []
+        for j, stage in enumerate(nodes):
+            basis = [Decimal(1)]
+            for node in nodes[:j] + nodes[j + 1 :]:
+                basis = _times(basis, [-node / (stage - node), 1 / (stage - node)])
+            lagrange.append(basis)
+        sums = [_integral(basis) for basis in lagrange]
+        rows = [[_split(_value(s, node)) for s in sums] for node in nodes]
+        weights = [_split(_value(s, Decimal(1))) for s in sums]
+        onward = [[float(_value(basis, node + 1)) for basis in lagrange] for node in nodes]
+        return rows, weights, [float(node) for node in nodes], onward
+
+
+def _split(x: Decimal) -> Pair:
+    return float(x), float(x - Decimal(float(x)))
+
+
+def gauss_source(formulas: Formulas) -> str:
+    """Source of leap(start, h, y, r, k, c): new state, its rounding, guess of the next stages' derivatives."""
+    rows, weights, nodes, onward = gauss_tableau()
+    size = formulas.size
+    stages = tuple_of(f"k{j}_{i}" for j in range(len(nodes)) for i in range(size))
+    lines = [*unpacked(formulas, y="y", r="r"), f"{stages} = k", "change = inf", "sweep = 0"]
+    lines += ["while sweep < 60:", "    sweep += 1", "    before = change", "    change = 0.0"]
+    for number, (row, node) in enumerate(zip(rows, nodes, strict=True)):
+        lines += [f"    {line}" for line in _collocation(formulas, number, row, node)]
+    # Rounding sets the end: a change that no longer shrinks is rounding.
+    lines += ["    if change == 0.0 or (change >= before and sweep > 3):", "        break"]
+    lines += ["if not change < 1e-9 * (1.0 + first):", "    y0 = nan"]  # it did not settle: the step is too long
+    for i in range(size):
+        low, high = (" + ".join(f"{w[part]!r} * k{j}_{i}" for j, w in enumerate(weights)) for part in (1, 0))
+        lines += [f"d = h * ({high})", f"rest = h * ({low}) + r{i}", *sum_and_error(f"y{i}", "d")]
+        # Were `rest` added to d first, its tail would go the same way at every step.
+        lines += ["rest += error", f"n{i} = n + rest", f"r{i} = rest - (n{i} - n)"]
+    guesses = (" + ".join(f"{w!r} * k{j}_{i}" for j, w in enumerate(row)) for row in onward for i in range(size))
+    lines.append(f"return {tuple_of(names('n', size))}, {tuple_of(names('r', size))}, {tuple_of(guesses)}")
+    return "\n    ".join(["def leap(start, h, y, r, k, c):", *lines]) + "\n"
+
+
+def sum_and_error(y: str, d: str) -> list[str]:
+    """n = y + d and what it lacks, whichever is larger: where y passes zero, d - (n - y) errs, always one way."""
+    return [f"n = {y} + {d}", f"part = n - {y}", f"error = ({y} - (n - part)) + ({d} - part)"]
+
+
+def _collocation(formulas: Formulas, number: int, row: list[Pair], node: float) -> list[str]:
+    """Lines that renew the derivatives of one stage (by the newest of the others: Gauss-Seidel)."""
+    lines = [f"t = start + {node!r} * h"] if formulas.timed else []
+    if number == 0:
+        lines.append("first = 0.0")
+    for i in sorted(formulas.reads):
+        low, high = (" + ".join(f"{a[part]!r} * k{j}_{i}" for j, a in enumerate(row)) for part in (1, 0))
+        lines.append(f"s{i} = y{i} + (h * ({high}) + (h * ({low}) + r{i}))")
+    lines += formulas.lines
+    for i, rate in enumerate(formulas.rates):
+        lines += [f"x = {rate}", f"change += abs(x - k{number}_{i})", f"k{number}_{i} = x", "first += abs(x)"]
+    return lines
 
 
 def states(method: str, engine: Engine, times: Array, start: Array, control: Control, step: float | None) -> Array:
@@ -31,24 +185,26 @@ def states(method: str, engine: Engine, times: Array, start: Array, control: Con
     source, constants = _source(method, engine, len(start))
     python = fixed_loop_with(_leap(source, engine))
 
-    def march(function: Function, since: Numbers, state: Numbers, budget: int) -> Numbers:
-        return function(origin, since, rows, state, constants, h, budget)
+    def run(march: Function, since: Numbers, state: Numbers, budget: int) -> Numbers:
+        return march(origin, since, rows, state, constants, h, budget)
 
     def share(state: Numbers) -> float:
         return 1.0 if state.row == len(rows) else min(state.done * h / listed[-1], 0.999)
 
-    state = _at_start(method, engine, origin, start)
+    y = tuple(start.tolist())
+    stages = engine.functions["rhs"](origin, y, engine.constants) * len(gauss_tableau()[2])
+    state = FixedState(1, 0, y, (0.0,) * len(y), stages if method == "gauss" else (0.0,))
     lines = source.count("\n")
     if engine.is_traced and repays(SWEEPS[method] * listed[-1] / h, lines):
         try:
             from tam570.integrate.compiled import backend
 
             compiled = backend.fixed(source, len(start), len(state.k), len(constants))
-            backend.by_moments(partial(march, compiled, since), share, state)
+            backend.by_moments(partial(run, compiled, since), share, state)
         except (ImportError, OSError, RuntimeError):  # a broken llvmlite: nobody asked for it
-            march(python, listed, state, FOREVER)
+            run(python, listed, state, FOREVER)
     else:
-        march(python, listed, state, FOREVER)
+        run(python, listed, state, FOREVER)
     if not np.isfinite(rows).all():
         raise ArithmeticError(f"the stages do not settle at a step of {h:.3g} s: give a shorter `step`")
     return rows
@@ -84,10 +240,3 @@ def _leap(source: str, engine: Engine) -> Numbers:
     namespace = {**vars(math), "given": engine.functions["given"]}
     exec(_code(source), namespace)
     return namespace["leap"]
-
-
-def _at_start(method: str, engine: Engine, origin: float, start: Array) -> FixedState:
-    """Row 1 is to come, no step is done; all stages start with the derivative at the start."""
-    y = tuple(start.tolist())
-    stages = engine.functions["rhs"](origin, y, engine.constants) * STAGES if method == "gauss" else (0.0,)
-    return FixedState(1, 0, y, (0.0,) * len(y), stages)

@@ -3,8 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from tam570.integrate.symbols import Symbol, Value
-from tam570.integrate.trace import Graph
+from tam570.integrate.trace import Graph, Symbol, Value
 
 __all__ = ["Formulas", "by_call", "call_of", "halves", "names", "tuple_of", "unpacked", "written"]
 

@@ -29,19 +29,23 @@ errors
 
 import math
 from collections.abc import Callable, Sequence
-from typing import Literal, overload
+from functools import partial
+from typing import TYPE_CHECKING, Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.integrate import adaptive, compiled_cache
 from tam570.integrate.arguments import Array, checked, positive
-from tam570.integrate.binding import RhsError
+from tam570.integrate.compiled_cache import compile_run
 from tam570.integrate.engine import Engine, Mistraced, engine
-from tam570.integrate.motion import Motion
+from tam570.integrate.rates import RhsError
 from tam570.values import Function, Numbers, Parameters
 
-__all__ = ["solve"]
+if TYPE_CHECKING:
+    from tam570.integrate.events import Motion
+
+__all__ = ["prepared", "solve"]
 
 FIXED_STEP = ("gauss", "composition")
 METHODS = ("auto", "python", "compiled", *FIXED_STEP)
@@ -82,7 +86,7 @@ def solve(
     events: Events | None = ...,
     dense: bool = ...,
     report: bool = ...,
-) -> Motion: ...
+) -> "Motion": ...
 def solve(
     rhs: Function,
     t: ArrayLike,
@@ -99,7 +103,7 @@ def solve(
     events: Events | None = None,
     dense: bool = False,
     report: bool = False,
-) -> Array | Motion:
+) -> "Array | Motion":
     """Solve `y' = rhs(t, y, **parameters)`, `y(t[0]) = y0`, and return the states at the times `t`.
 
     Parameters
@@ -159,18 +163,13 @@ def solve(
         control = control._replace(max_step=positive("max_step", max_step), first_step=first)
     control = control._replace(project=project)
 
-    def run(may_trace: bool) -> Array | Motion:
-        run_engine = engine(
-            rhs,
-            parameters,
-            times,
-            np.atleast_2d(start)[0],
-            sign=sign,
-            sampled=events is not None or dense,
-            may_trace=may_trace,
-        )
+    def run(may_trace: bool) -> "Array | Motion":
+        first, sampled = np.atleast_2d(start)[0], events is not None or dense
+        run_engine = engine(rhs, parameters, times, first, sign=sign, sampled=sampled, may_trace=may_trace)
         if more:
-            return _motion(run_engine, times, start, control, events, parameters, dense, method)
+            from tam570.integrate.events import motion
+
+            return motion(run_engine, times, start, control, events, parameters, dense, method)
         return _states(run_engine, times, start, control, method, step, slot)
 
     with np.errstate(all="ignore"):  # a step that proves too long may overflow: it is taken again
@@ -180,12 +179,6 @@ def solve(
             return run(may_trace=False)
         except RhsError as error:
             raise ValueError(str(error)) from None
-
-
-def _motion(*call: Numbers) -> Motion:
-    from tam570.integrate.events import motion
-
-    return motion(*call)
 
 
 def _states(
@@ -202,9 +195,7 @@ def _states(
 
         return fixed_step.states(method, run_engine, times, start, control, step)
     if start.ndim == 2:
-        from tam570.integrate import ensemble
-
-        return ensemble.states(run_engine, times, start, method, control)
+        return adaptive.ensemble(run_engine, times, start, method, control)
     solution = adaptive.integrate(run_engine, times, start, method, control)
     if slot is not None and solution.engine == "compiled":
         compiled_cache.keep(slot, run_engine, times, control)
@@ -222,3 +213,55 @@ def _check_method(method: str, *, several: bool, projected: bool, stepped: bool,
         raise ValueError(f'step: goes with method "gauss" or "composition" alone, {method!r} takes rtol')
     if more and (several or projected or method in FIXED_STEP):
         raise ValueError("events, dense, report: go with one start, no project, and a method that chooses its steps")
+
+
+def prepared(
+    rhs: Function,
+    t: ArrayLike,
+    y0: ArrayLike,
+    *,
+    parameters: Parameters | None = None,
+    rtol: float = 1e-10,
+    atol: ArrayLike | None = None,
+) -> Callable[[ArrayLike], Array]:
+    """Prepare a function of the start alone, for many short runs in a row.
+
+    `prepared` validates, traces and compiles once what does not depend on the start. It does not notice later
+    changes of what the right-hand side depends on.
+
+    Parameters
+    ----------
+    y0 : (k,) array_like
+        One of the starts; the trace is tested with it.
+    rhs, t, parameters, rtol, atol
+        As in `solve`.
+
+    Returns
+    -------
+    callable
+        run(y0) returns what `solve` returns from there.
+
+    Examples
+    --------
+    >>> def falling(t, y, *, gravity):
+    ...     return y[1], -gravity
+    >>> run = prepared(falling, [0.0, 1.0], [0.0, 0.0], parameters={"gravity": 10.0})
+    >>> run([5.0, 0.0])[-1].tolist(), run([0.0, 5.0])[-1].tolist()
+    ([0.0, -10.0], [0.0, -5.0])
+    """
+    times, sign, start, control = checked(t, y0, rtol, atol)
+    parameters = dict(parameters or {})
+    in_full = partial(solve, rhs, sign * times, parameters=parameters, rtol=rtol, atol=atol)
+    with np.errstate(all="ignore"):
+        prepared_engine = engine(rhs, parameters, times, start.reshape(-1, start.shape[-1])[0], sign=sign)
+    compiled_run = compile_run(prepared_engine, times, control)
+
+    def run(y0: ArrayLike) -> Array:
+        rows = compiled_run(y0)
+        if rows is None:
+            if np.shape(y0)[-1:] != start.shape[-1:]:
+                raise ValueError(f"y0: need {start.shape[-1]} numbers, as when it was prepared, got {y0!r}")
+            rows = in_full(y0)
+        return rows
+
+    return run

@@ -13,9 +13,9 @@ from functools import partial
 import numpy as np
 
 from tam570.integrate.arguments import Array
-from tam570.integrate.binding import Rates
-from tam570.integrate.course import Decisions, along
-from tam570.integrate.dop853_source import REACH
+from tam570.integrate.course import Course, along
+from tam570.integrate.dop853 import REACH
+from tam570.integrate.rates import Rates
 from tam570.values import Numbers
 
 __all__ = ["Switches", "chatter"]
@@ -71,7 +71,7 @@ class Switches:
         """Forget the run before."""
         self.time, self.distance = math.nan, math.inf  # from the end of the last step to the next switch
         self.pace = self.longest = 0.0  # s, of steps before the last switches, and since
-        self.decisions: Decisions | None = None  # what it decided by last
+        self.decisions: Course | None = None  # what it decided by last
         self.signs = np.empty((0, 1))  # of that, at the start of the step
         self.is_near = False  # whether the last step was at a switch
         self.may_keep = self.is_accepted = False  # of the step: whether what is zero at its ends is zero inside

@@ -1,25 +1,249 @@
 """A right-hand side specialised to its scene: call it once with symbols instead of numbers, write down what it did.
 
-Parameters are numbers already, so what depends on them alone is computed here and now; a factor of zero takes its
-term along; what occurs twice is computed once. A function that asks what a number is (a comparison, a loop until
-convergence, a compiled routine) cannot be written down like this and is called as it stands.
+Parameters are numbers already, so what depends on them alone is computed here and now. Each operation is recorded once,
+in the order of its first use, and simplified on the way: a factor of zero takes its term along, a sum with zero is the
+other term. A function that asks what a number is (a comparison, a loop until convergence, a compiled routine) cannot be
+written down like this and is called as it stands.
 """
 
 import contextlib
 import dis
 import functools
 import math
+import operator
 import types
 from collections.abc import Callable
 from dataclasses import dataclass
+from numbers import Real
 
 import numpy as np
 
 from tam570.integrate.cache_key import global_names
-from tam570.integrate.symbols import FUNCTIONS, Symbol, Tape, Untraceable, Value
 from tam570.values import Function, Numbers, Parameters
 
-__all__ = ["Graph", "substituted", "traced"]
+__all__ = [
+    "FUNCTIONS",
+    "NUMPY_NAMES",
+    "Graph",
+    "Module",
+    "Symbol",
+    "Tape",
+    "Untraceable",
+    "Value",
+    "substituted",
+    "traced",
+]
+
+
+class Untraceable(TypeError):
+    """The function wants to know the value of a symbol."""
+
+
+class Tape:
+    """What was done to the symbols, each operation once, in the order of its first use."""
+
+    def __init__(self) -> None:
+        self.symbols: dict[tuple[Numbers, ...], Symbol] = {}
+
+    def record(self, name: str, *arguments: Numbers) -> "Symbol":
+        arguments = tuple(a if isinstance(a, Symbol) else float(a) for a in arguments)
+        key = (name, *(("symbol", a.number) if isinstance(a, Symbol) else a for a in arguments))
+        if key not in self.symbols:
+            self.symbols[key] = Symbol(self, len(self.symbols), name, arguments)
+        return self.symbols[key]
+
+    def combine(self, name: str, *operands: Numbers) -> Numbers:
+        """Return what an operator of Python makes of symbols and numbers."""
+        return SIMPLIFIED[name](self, *operands)
+
+    def method(self, name: str) -> Function:
+        """Return a function of symbols, by the name of a method that NumPy asks an object for."""
+        if name not in FUNCTIONS:
+            raise AttributeError(name)
+        return functools.partial(self.record, FUNCTIONS[name])
+
+    def sign(self, x: "Symbol") -> float:
+        """Return the sign by which the function decides."""
+        raise Untraceable("depends on the value of the state")
+
+    def rounded(self, x: "Symbol", half: float = 0.0) -> float:
+        """Return the whole number below x, or the nearest to it with half = 0.5."""
+        return self.sign(x)
+
+
+def _called(function: Function, *arguments: Numbers) -> Numbers:
+    """Return what a function of the module math makes of symbols; numbers go to itself."""
+    symbol = next((a for a in arguments if isinstance(a, Symbol)), None)
+    if symbol is None:
+        return function(*arguments)
+    name, (first, *rest) = function.__name__, arguments
+    if name == "log" and rest:
+        return _called(function, first) / _called(function, *rest)
+    if name == "hypot" and len(rest) != 1:
+        return _called(function, _called(function, first, rest[0]), *rest[1:]) if rest else abs(symbol)
+    return first ** rest[0] if name == "pow" else symbol.tape.record(name, *arguments)
+
+
+def _operator(name: str, swapped: bool = False) -> Numbers:
+    def method(self: "Symbol", other: Numbers) -> Numbers:
+        if not isinstance(other, Symbol | Real):
+            return NotImplemented  # NumPy goes through the elements of an array
+        return self.tape.combine(name, *((other, self) if swapped else (self, other)))
+
+    return method
+
+
+def _comparison(compare: Callable[[Numbers, Numbers], bool]) -> Numbers:
+    def method(self: "Symbol", other: Numbers) -> Numbers:
+        if not isinstance(other, Symbol | Real):
+            return NotImplemented
+        return compare(self.tape.sign(self.tape.record("-", self, other)), 0.0)
+
+    return method
+
+
+def _sum(tape: Tape, a: Numbers, b: Numbers) -> Numbers:
+    if _is(a, 0) or _is(b, 0):
+        return b if _is(a, 0) else a
+    if isinstance(b, Symbol) and b.name == "neg":
+        return _difference(tape, a, b.arguments[0])
+    return tape.record("+", *_ordered(a, b))
+
+
+def _difference(tape: Tape, a: Numbers, b: Numbers) -> Numbers:
+    if _is(a, 0) or _is(b, 0):
+        return -b if _is(a, 0) else a
+    if isinstance(b, Symbol) and b.name == "neg":
+        return _sum(tape, a, b.arguments[0])
+    return tape.record("-", a, b)
+
+
+def _product(tape: Tape, a: Numbers, b: Numbers) -> Numbers:
+    for number, other in ((a, b), (b, a)):
+        if _is(number, 0):
+            return 0.0
+        if _is(number, 1) or _is(number, -1):
+            return other if _is(number, 1) else -other
+    return tape.record("*", *_ordered(a, b))
+
+
+def _quotient(tape: Tape, a: Numbers, b: Numbers) -> Numbers:
+    if _is(a, 0):
+        return 0.0
+    return a if _is(b, 1) else tape.record("/", a, b)
+
+
+def _power(tape: Tape, base: Numbers, exponent: Numbers) -> Numbers:
+    """Small whole and half powers as products and a root: faster than pow, and no less accurate."""
+    if isinstance(exponent, Symbol) or not float(2 * exponent).is_integer() or abs(exponent) > 8:
+        return tape.record("pow", base, exponent)
+    if exponent < 0:
+        return _quotient(tape, 1.0, _power(tape, base, -exponent))
+    root = tape.record("sqrt", base) if exponent % 1 else 1.0
+    return functools.reduce(lambda product, _: product * base, range(int(exponent)), root)
+
+
+def _is(value: Numbers, number: float) -> bool:
+    return not isinstance(value, Symbol) and bool(value == number)
+
+
+def _ordered(a: Numbers, b: Numbers) -> tuple[Numbers, Numbers]:
+    """Order the terms: a + b is b + a, to the last bit."""
+    first, second = (x.number if isinstance(x, Symbol) else -1 for x in (a, b))
+    return (a, b) if first <= second else (b, a)
+
+
+def _negative(tape: Tape, a: Numbers) -> Numbers:
+    return a.arguments[0] if a.name == "neg" else tape.record("neg", a)
+
+
+SIMPLIFIED: dict[str, Function] = {
+    **{"+": _sum, "-": _difference, "*": _product, "/": _quotient, "pow": _power, "neg": _negative},
+    "fabs": lambda tape, a: tape.record("fabs", a),
+}
+
+
+def _refuse(*_: Numbers) -> Numbers:
+    raise Untraceable("depends on the value of the state")
+
+
+class Symbol:
+    """A number not known yet, on a tape: what is done to it is written down there, what is asked of it is asked there.
+
+    name, arguments : of the operation that gives it; number : on the tape
+    """
+
+    __slots__ = ("arguments", "name", "number", "tape")
+
+    def __init__(self, tape: Tape, number: int, name: str, arguments: tuple[Numbers, ...]) -> None:
+        self.tape, self.number, self.name, self.arguments = tape, number, name, arguments
+
+    __add__, __radd__ = _operator("+"), _operator("+", swapped=True)
+    __sub__, __rsub__ = _operator("-"), _operator("-", swapped=True)
+    __mul__, __rmul__ = _operator("*"), _operator("*", swapped=True)
+    __truediv__, __rtruediv__ = _operator("/"), _operator("/", swapped=True)
+    __pow__, __rpow__ = _operator("pow"), _operator("pow", swapped=True)
+    __lt__, __le__ = _comparison(operator.lt), _comparison(operator.le)
+    __gt__, __ge__ = _comparison(operator.gt), _comparison(operator.ge)
+    __eq__, __ne__ = _comparison(operator.eq), _comparison(operator.ne)
+    __float__ = __index__ = __complex__ = __hash__ = __str__ = __repr__ = __format__ = __reduce_ex__ = _refuse
+
+    def __neg__(self) -> Numbers:
+        return self.tape.combine("neg", self)
+
+    def __pos__(self) -> Numbers:
+        return self
+
+    def __abs__(self) -> Numbers:
+        return self.tape.combine("fabs", self)
+
+    def __bool__(self) -> bool:
+        return self.tape.sign(self) != 0.0
+
+    def __floor__(self) -> int:
+        return int(self.tape.rounded(self))
+
+    def __ceil__(self) -> int:
+        return -int(self.tape.rounded(-self))
+
+    def __trunc__(self) -> int:
+        return self.__floor__() if self.tape.sign(self) >= 0 else self.__ceil__()
+
+    __int__ = __trunc__
+
+    def __round__(self, digits: Numbers = None) -> Numbers:
+        scale = 10.0 ** (digits or 0)
+        value = self.tape.rounded(self * scale, 0.5)
+        return int(value) if digits is None else value / scale
+
+    def __floordiv__(self, period: Numbers) -> Numbers:
+        return self.tape.rounded(self / period)
+
+    def __mod__(self, period: Numbers) -> Numbers:
+        return self - self // period * period
+
+    def __rfloordiv__(self, other: Numbers) -> Numbers:
+        return self.tape.rounded(other / self)
+
+    def __rmod__(self, other: Numbers) -> Numbers:
+        return other - self.__rfloordiv__(other) * self
+
+    def __divmod__(self, period: Numbers) -> Numbers:
+        return self // period, self % period
+
+    def __getattr__(self, name: str) -> Function:
+        """NumPy's functions ask an object for a method of their name."""
+        return functools.partial(self.tape.method(name), self)
+
+
+_NAMES = """sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh
+exp expm1 log log1p log2 log10 sqrt cbrt hypot fabs erf erfc"""
+FUNCTIONS = {name: name for name in _NAMES.split()}
+FUNCTIONS |= {"arc" + name[1:]: name for name in FUNCTIONS if name[0] == "a"} | {"absolute": "fabs"}
+NUMPY_NAMES = {plain: name for name, plain in FUNCTIONS.items() if name.startswith("arc")} | {"pow": "power"}
+
+Value = Symbol | float
+
 
 # What Python, NumPy and a careful function answer to an argument that is not a number.
 ANSWERS = (TypeError, ValueError, AttributeError, ArithmeticError, LookupError, AssertionError, RuntimeError)
@@ -62,31 +286,16 @@ def _refusal(answer: Exception) -> Exception:
     return Untraceable(f"{type(answer).__name__}: {answer}") if isinstance(answer, ANSWERS) else answer
 
 
-class _Mathematics:
-    """The module math for symbols; numbers go to the real one."""
+class Module:
+    """What stands in for a module; substitute : what stands in for a thing in it."""
+
+    def __init__(self, module: types.ModuleType, substitute: Callable[[Numbers], Numbers]) -> None:
+        self.module, self.substitute = module, substitute
 
     def __getattr__(self, name: str) -> Numbers:
-        return _symbolic(getattr(math, name))
-
-
-def _symbolic(function: Function) -> Numbers:
-    name = getattr(function, "__name__", "")
-    if name not in FUNCTIONS and name != "pow":
-        return function
-
-    def either(*arguments: Numbers) -> Numbers:
-        symbol = next((a for a in arguments if isinstance(a, Symbol)), None)
-        if symbol is None:
-            return function(*arguments)
-        if name == "log" and len(arguments) == 2:
-            return either(arguments[0]) / either(arguments[1])
-        if name == "hypot" and len(arguments) > 2:
-            return either(either(*arguments[:2]), *arguments[2:])
-        if name == "hypot" and len(arguments) == 1:
-            return abs(symbol)
-        return arguments[0] ** arguments[1] if name == "pow" else symbol.tape.record(name, *arguments)
-
-    return either
+        value = self.substitute(getattr(self.module, name))
+        setattr(self, name, value)  # it is asked for once
+        return value
 
 
 def _checked_isinstance(value: Numbers, kinds: Numbers) -> bool:
@@ -102,8 +311,9 @@ STAND_INS = {"isinstance": _checked_isinstance}
 def _substitute(value: Numbers) -> Numbers:
     """Return what stands in for math and its functions."""
     if value is math:
-        return _Mathematics()
-    return _symbolic(value) if isinstance(value, types.BuiltinFunctionType) and value.__module__ == "math" else value
+        return Module(math, _substitute)
+    is_of_math = isinstance(value, types.BuiltinFunctionType) and value.__module__ == "math"
+    return functools.partial(_called, value) if is_of_math and value.__name__ in {*FUNCTIONS, "pow"} else value
 
 
 def substituted(

@@ -11,8 +11,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from tam570.integrate.symbols import Symbol, Untraceable, Value
-from tam570.integrate.trace import Graph, traced
+from tam570.integrate.trace import Graph, Symbol, Untraceable, Value, traced
 from tam570.show.scene import Shape
 from tam570.show.student import Trouble
 from tam570.values import Function, Json, Numbers, Parameters

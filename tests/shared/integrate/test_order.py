@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from systems import clock, pendulum
 
-from tam570.integrate import solve, tableau
-from tam570.integrate.dop853_source import compiled
+from tam570.integrate import dop853, solve
+from tam570.integrate.dop853 import compiled
 from tam570.integrate.formulas import written
 from tam570.integrate.trace import traced
 from tam570.invariants import observed_order
@@ -17,11 +17,11 @@ EPS = 2.0**-52
 
 
 def test_tableau_satisfies_the_order_conditions():
-    b = tableau.ROWS[12]
+    b = dop853.ROWS[12]
     for power in range(8):
-        moment = sum(Fraction(w) * Fraction(tableau.NODES[j]) ** power for j, w in b.items())
+        moment = sum(Fraction(w) * Fraction(dop853.NODES[j]) ** power for j, w in b.items())
         assert abs(moment - Fraction(1, power + 1)) < 20 * EPS  # some weights are as large as 6
-    for estimate in (tableau.FIFTH, tableau.THIRD):
+    for estimate in (dop853.FIFTH, dop853.THIRD):
         assert abs(sum(estimate.values())) < 20 * EPS  # no error where the derivative is constant
 
 

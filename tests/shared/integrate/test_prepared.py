@@ -33,7 +33,7 @@ def alone(monkeypatch):
     def nothing(*_, **__):
         raise AssertionError("asks solve")
 
-    monkeypatch.setattr("tam570.integrate.prepare.solve", nothing)
+    monkeypatch.setattr("tam570.integrate.solver.solve", nothing)
 
 
 @pytest.mark.parametrize("times", [[0, 3], np.linspace(-1, 20, 57), [5.0, 2.0, 1.5]])
@@ -42,7 +42,7 @@ def test_the_states_are_those_of_solve(alone, times, rhs, parameters):
     for atol in (None, 1e-3, [1e-3, 0.0]):
         run = prepared(rhs, times, STARTS[0], parameters=parameters, rtol=1e-9, atol=atol)
         for start in STARTS[:3]:
-            expected = solver.solve(rhs, times, start, parameters=parameters, rtol=1e-9, atol=atol, method="compiled")
+            expected = solve(rhs, times, start, parameters=parameters, rtol=1e-9, atol=atol, method="compiled")
             np.testing.assert_array_equal(run(start), expected)
 
 

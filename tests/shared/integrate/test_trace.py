@@ -8,11 +8,10 @@ import numpy as np
 import pytest
 
 from tam570.integrate import solve
-from tam570.integrate.dop853_source import functions, sampling
+from tam570.integrate.dop853 import functions, sampling
 from tam570.integrate.engine import engine
 from tam570.integrate.formulas import written
-from tam570.integrate.symbols import Untraceable
-from tam570.integrate.trace import traced
+from tam570.integrate.trace import Untraceable, traced
 
 
 def operations(rhs, size, **parameters):

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tam570.integrate import adaptive_loop, fixed_loop
+from tam570.integrate import adaptive_loop, fixed_step
 from tam570.integrate.adaptive import Control, Run
 from tam570.integrate.adaptive_loop import State
 from tam570.integrate.arguments import Array
@@ -19,12 +19,12 @@ from tam570.integrate.compiled.ir import Operand
 from tam570.integrate.compiled.llvm import function
 from tam570.integrate.compiled.recurrences import NotAnalytic, Recurrences, recurrences
 from tam570.integrate.compiled.series import layout
-from tam570.integrate.dop853_source import functions, sampling
+from tam570.integrate.dop853 import functions, sampling
 from tam570.integrate.error_scale import NO_SCALE, SHARE
-from tam570.integrate.fixed_loop import FixedState
+from tam570.integrate.fixed_step import FixedState
 from tam570.integrate.formulas import Formulas
-from tam570.integrate.stiffness import Look
 from tam570.integrate.trace import Graph
+from tam570.integrate.watch import Look
 from tam570.values import Function
 
 __all__ = [
@@ -230,9 +230,9 @@ def dop853(formulas: Formulas) -> Callable[..., State]:
 
 @lru_cache(maxsize=256)
 def fixed(source: str, size: int, stages: int, constants: int) -> Callable[..., FixedState]:
-    """Return `march` of fixed_loop, compiled."""
+    """Return `march` of fixed_step, compiled."""
     like = FixedState(0, 0, (0.0,) * size, (0.0,) * size, (0.0,) * stages)
-    return _loop(fixed_loop, source, "march", like, constants)
+    return _loop(fixed_step, source, "march", like, constants)
 
 
 def _loop(

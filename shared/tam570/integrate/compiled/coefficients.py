@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from tam570.integrate.compiled.ir import Value, Writer, number
 from tam570.integrate.compiled.recurrences import Recurrence, Recurrences
-from tam570.integrate.dop853_source import REACH
+from tam570.integrate.dop853 import REACH
 
 __all__ = ["FAST", "HIGHEST", "LANES", "Coefficients", "Factor", "Layout", "sums_of"]
 

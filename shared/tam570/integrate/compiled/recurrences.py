@@ -9,8 +9,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from tam570.integrate.symbols import Symbol, Value
-from tam570.integrate.trace import Graph
+from tam570.integrate.trace import Graph, Symbol, Value
 
 __all__ = ["NotAnalytic", "Recurrence", "Recurrences", "recurrences"]
 

@@ -12,8 +12,8 @@ from tam570.integrate.arguments import Array
 from tam570.integrate.compiled import taylor, taylor_loop, taylor_memory
 from tam570.integrate.compiled.backend import Memory, Motion, address_of, memory_for, motion_of, seen, until_done
 from tam570.integrate.error_scale import NO_SCALE, SHARE
-from tam570.integrate.stiffness import Look
 from tam570.integrate.trace import Graph
+from tam570.integrate.watch import Look
 from tam570.values import Numbers
 
 __all__ = ["taylor_repeated"]
