@@ -13,12 +13,11 @@ from tam570.integrate import adaptive_loop, fixed_step
 from tam570.integrate.adaptive import Control, Run
 from tam570.integrate.adaptive_loop import State
 from tam570.integrate.arguments import Array
-from tam570.integrate.compiled import loops, taylor, taylor_loop, taylor_memory
-from tam570.integrate.compiled.coefficients import LANES
+from tam570.integrate.compiled import loops, taylor, taylor_loop
 from tam570.integrate.compiled.ir import Operand
 from tam570.integrate.compiled.llvm import function
 from tam570.integrate.compiled.recurrences import NotAnalytic, Recurrences, recurrences
-from tam570.integrate.compiled.series import layout
+from tam570.integrate.compiled.series import LANES, layout, padded_size
 from tam570.integrate.dop853 import functions, sampling
 from tam570.integrate.error_scale import NO_SCALE, SHARE
 from tam570.integrate.fixed_step import FixedState
@@ -46,7 +45,7 @@ __all__ = [
 FEWEST, MOST = 1000, 16000  # steps in compiled code, after which Python may look for an interrupt
 LINE = 64  # bytes
 EFFORT = 1  # of the code generator, for a series: 2 takes twice as long and makes nothing of it that is faster
-UNSET = (0,) * (taylor_memory.NUMBERS - 13)
+UNSET = (0,) * (taylor_loop.NUMBERS - 13)
 
 
 @lru_cache(maxsize=256)
@@ -94,8 +93,8 @@ def motion_of(graph: Graph) -> Motion | None:
         return None
     laws, constants = analysed
     size = len(laws.rates)
-    part = f"{size}d{8 * (taylor_memory.padded(size) - size)}x"  # of a component, with what fills up vectors
-    numbers = struct.Struct(f"={taylor_memory.NUMBERS}d{3 * part}")
+    part = f"{size}d{8 * (padded_size(size) - size)}x"  # of a component, with what fills up vectors
+    numbers = struct.Struct(f"={taylor_loop.NUMBERS}d{3 * part}")
     return Motion(_taylor(laws), layout(laws, 1).doubles, constants, numbers, [])
 
 
@@ -125,18 +124,18 @@ def taylor_run(run: Run, look: Look, state: State, *, is_fresh: bool = False) ->
     def some(budget: int) -> bool:
         taylor.CALL.pack_into(memory.call_arguments, 0, *memory.places, *ends, budget)
         motion.advance(memory.address)
-        is_running = bool(memory.z[taylor_memory.STATUS] == taylor_loop.RUNNING)
+        is_running = bool(memory.z[taylor_loop.STATUS] == taylor_loop.RUNNING)
         if is_running:
             look(*seen(memory, size))
         return is_running
 
     until_done(some)
     numbers = motion.numbers.unpack_from(memory.state)
-    row, t, _, _, status, steps, refusals, _, h = numbers[: taylor_memory.LONGEST + 1]
+    row, t, _, _, status, steps, refusals, _, h = numbers[: taylor_loop.LONGEST + 1]
     if status == taylor_loop.DONE:  # after all others there may be numbers that are not finite in it
         motion.free.append(memory)
     total = state.steps + int(steps), state.refusals + int(refusals)
-    y, r, m = (numbers[k : k + size] for k in range(taylor_memory.NUMBERS, len(numbers), size))
+    y, r, m = (numbers[k : k + size] for k in range(taylor_loop.NUMBERS, len(numbers), size))
     a = state.a if control.atol else tuple(max(SHARE * rtol * size, NO_SCALE) for size in m)
     steps, refusals = total
     return state._replace(row=int(row), t=t, h=h, y=y, r=r, a=a, steps=steps, refusals=refusals)
@@ -150,10 +149,10 @@ def address_of(array: Array) -> int:
 
 def seen(memory: Memory, size: int) -> tuple[float, list[float], list[float], int]:
     """Time, state, its scale, and steps so far."""
-    padded = taylor_memory.padded(size)
-    parts = memory.z[taylor_memory.NUMBERS : taylor_memory.NUMBERS + 3 * padded].reshape(3, padded)
+    padded = padded_size(size)
+    parts = memory.z[taylor_loop.NUMBERS : taylor_loop.NUMBERS + 3 * padded].reshape(3, padded)
     y, _, m = parts[:, :size].tolist()
-    return float(memory.z[taylor_memory.T]), y, m, int(memory.z[taylor_memory.STEPS])
+    return float(memory.z[taylor_loop.T]), y, m, int(memory.z[taylor_loop.STEPS])
 
 
 def taylor_runs(graph: Graph, times: Array, out: Array, starts: Array, control: Control) -> Array:
@@ -164,10 +163,10 @@ def taylor_runs(graph: Graph, times: Array, out: Array, starts: Array, control: 
         return np.zeros(len(starts), dtype=bool)
     laws, constants = analysed
     advance, memory_layout, size = _taylor(laws, LANES), layout(laws, LANES), starts.shape[1]
-    per_lane = taylor_memory.memory(size)
+    per_lane = taylor_loop.memory(size)
     memory = _memory(LANES * per_lane + 2, memory_layout.doubles, LANES, constants)
     z = memory.z
-    z[taylor_memory.STATUS : LANES * per_lane : per_lane] = taylor_loop.IDLE
+    z[taylor_loop.STATUS : LANES * per_lane : per_lane] = taylor_loop.IDLE
     z[-1], memory.time[:] = LANES, origin
     out[:, 0] = starts
     members = np.hstack([np.full((len(starts), 1), times[-1] / 100), starts, np.abs(starts)])
@@ -185,7 +184,7 @@ def taylor_runs(graph: Graph, times: Array, out: Array, starts: Array, control: 
 
 def memory_for(motion: Motion, size: int) -> Memory:
     """For one run of k = size components."""
-    return _memory(taylor_memory.memory(taylor_memory.padded(size)), motion.doubles, 1, motion.constants)
+    return _memory(taylor_loop.memory(padded_size(size)), motion.doubles, 1, motion.constants)
 
 
 def _memory(per_lane: int, work: int, lanes: int, constants: tuple[float, ...]) -> Memory:

@@ -9,7 +9,7 @@ import numpy as np
 
 from tam570.integrate.adaptive import Run
 from tam570.integrate.arguments import Array
-from tam570.integrate.compiled import taylor, taylor_loop, taylor_memory
+from tam570.integrate.compiled import taylor, taylor_loop
 from tam570.integrate.compiled.backend import Memory, Motion, address_of, memory_for, motion_of, seen, until_done
 from tam570.integrate.error_scale import NO_SCALE, SHARE
 from tam570.integrate.trace import Graph
@@ -39,8 +39,8 @@ def taylor_repeated(graph: Graph, run: Run, watch: Callable[[], Look]) -> Callab
         *[0.0] * (2 * size),
         *([a / (SHARE * run.rtol) if a > NO_SCALE else 0.0 for a in run.control.atol] or [0.0] * size),
     )
-    start, first, used = struct.Struct(f"={size}d"), 8 * taylor_memory.NUMBERS, len(fresh)
-    advance, status, free = motion.advance, taylor_memory.STATUS, list[Place]()
+    start, first, used = struct.Struct(f"={size}d"), 8 * taylor_loop.NUMBERS, len(fresh)
+    advance, status, free = motion.advance, taylor_loop.STATUS, list[Place]()
 
     def states(y0: Numbers) -> Array | None:
         if type(y0) is np.ndarray and y0.ndim != 1:  # its rows may be numbers, too
@@ -74,11 +74,11 @@ def _place(motion: Motion, run: Run) -> Place:
 
 def _head(run: Run) -> list[float]:
     """Return the first numbers of the memory of a run that has not begun."""
-    fresh_numbers = [0.0] * taylor_memory.NUMBERS
-    fresh_numbers[taylor_memory.ROW], fresh_numbers[taylor_memory.STATUS] = 1.0, taylor_loop.FRESH
-    fresh_numbers[taylor_memory.LONGEST] = run.since[-1] / 100
-    fresh_numbers[taylor_memory.GIVEN] = 1.0 if run.control.atol else 0.0
-    fresh_numbers[taylor_memory.MAXIMUM] = fresh_numbers[taylor_memory.FIRST] = math.inf
+    fresh_numbers = [0.0] * taylor_loop.NUMBERS
+    fresh_numbers[taylor_loop.ROW], fresh_numbers[taylor_loop.STATUS] = 1.0, taylor_loop.FRESH
+    fresh_numbers[taylor_loop.LONGEST] = run.since[-1] / 100
+    fresh_numbers[taylor_loop.GIVEN] = 1.0 if run.control.atol else 0.0
+    fresh_numbers[taylor_loop.MAXIMUM] = fresh_numbers[taylor_loop.FIRST] = math.inf
     return fresh_numbers
 
 
@@ -90,7 +90,7 @@ def _carried_on(mine: Place, advance: Numbers, size: int, watch: Callable[[], Lo
         look(*seen(mine.memory, size))
         taylor.BUDGET.pack_into(mine.memory.call_arguments, taylor.CALL.size - taylor.BUDGET.size, budget)
         advance(mine.memory.address)
-        return mine.numbers[taylor_memory.STATUS] == taylor_loop.RUNNING
+        return mine.numbers[taylor_loop.STATUS] == taylor_loop.RUNNING
 
     until_done(some)
     taylor.BUDGET.pack_into(mine.memory.call_arguments, taylor.CALL.size - taylor.BUDGET.size, STEPS)

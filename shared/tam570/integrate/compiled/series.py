@@ -1,15 +1,448 @@
-"""All Taylor coefficients of the state as functions of LLVM's representation, for one motion or for eight at once."""
+"""All Taylor coefficients of the state as functions of LLVM's representation, for one motion or for eight at once.
 
-from functools import lru_cache
+The sums over earlier coefficients are taken in two ways. Eight motions have them in memory: each term is eight numbers.
+One motion has a register for each sum, with what is known of it for the next orders: once x_m is there, x_m y_1,
+x_m y_2, ... are parts of the sums of the orders m + 1, m + 2, ...: a register of these takes one product with the first
+coefficients of y, and moves on by one number an order. Nothing is summed across a register. One of two factors has an
+order of eight at most, for the highest order of a sum is seventeen.
+"""
 
-from tam570.integrate.compiled.coefficients import HIGHEST, Coefficients, Factor, Layout, sums_of
-from tam570.integrate.compiled.recurrences import Recurrences
-from tam570.integrate.compiled.sums_of_eight import OfEight
-from tam570.integrate.compiled.sums_of_one import OfOne
-from tam570.integrate.compiled.taylor_memory import padded
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import lru_cache, partial
+
+from tam570.integrate.compiled.ir import Value, Writer, number
+from tam570.integrate.compiled.recurrences import Recurrence, Recurrences
+from tam570.integrate.dop853 import REACH
 from tam570.integrate.formulas import SATURATING
 
-__all__ = ["exponents", "layout", "series_text"]
+__all__ = ["FAST", "HIGHEST", "LANES", "exponents", "layout", "padded_size", "series_text", "vector_width"]
+
+UNIT_ROUNDOFF = 2.0**-53
+LANES = 8
+HIGHEST = 2 * LANES + 2  # order: of the two factors of a sum one has an order of eight at most
+FAST = "nsz reassoc contract"  # sums of products may be taken in any order
+
+Factor = tuple[int, bool]  # a series, and whether its coefficients are times their order
+
+
+def vector_width(size: int) -> int:
+    """Components in a vector of one motion."""
+    return 1 if size == 1 else 2 if size == 2 else 4 if size <= 4 else 8
+
+
+def padded_size(size: int) -> int:
+    """Components with what fills up the last vector."""
+    return -(-size // vector_width(size)) * vector_width(size)
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Where the coefficients are: `across` doubles from a row to the next, `along` from an order to the next.
+
+    Row i < states is component i of the state; the others serve the sums.
+    """
+
+    lanes: int
+    across: int
+    along: int
+    rows: dict[Factor, int]
+    doubles: int
+
+
+def sums_of(series: int, r: Recurrence) -> list[tuple[Factor, Factor]]:
+    """Return the sums over j = 1 ... n - 1 of x_j y_(n - j) that a recurrence needs."""
+    of = r.of
+    if r.rule in ("*", "square"):
+        return [((of[0], False), (of[-1], False))]
+    if r.rule in ("/", "sqrt"):
+        return [((series, False), (of[1] if r.rule == "/" else series, False))]
+    if r.rule == "pow":
+        return [((of[0], True), (series, False)), ((series, True), (of[0], False))]
+    if r.rule == "wy'=ab'-ba'":
+        return [((of[1], True), (of[2], False)), ((of[2], True), (of[1], False)), ((series, True), (of[0], False))]
+    if r.rule[0] == "w":
+        return [((series, True), (of[0], False))]
+    return [((of[1], True), (of[0], False))] if r.rule[0] == "y" else []
+
+
+class Coefficients(Writer):
+    """What both ways of taking the sums have in common."""
+
+    def __init__(self, laws: Recurrences, memory_layout: Layout) -> None:
+        super().__init__()
+        self.laws, self.memory_layout = laws, memory_layout
+        self.ir_type = "double" if memory_layout.lanes == 1 else f"<{memory_layout.lanes} x double>"
+        self.suffix = "f64" if memory_layout.lanes == 1 else f"v{memory_layout.lanes}f64"
+        self.first: dict[int, str] = {}  # the coefficients of order 0, of constants too
+        self.now: dict[int, str] = {}  # of order n
+
+    # Instructions on numbers of the kind
+
+    def op(self, name: str, a: str, b: str) -> str:
+        return self.emit(self.ir_type, f"f{name} {FAST} {self.ir_type} {a}, {b}").text
+
+    def negative(self, a: str) -> str:
+        return self.emit(self.ir_type, f"fneg {self.ir_type} {a}").text
+
+    def constant(self, value: float) -> str:
+        return self.each(number(value))
+
+    def each(self, value: str) -> str:
+        """Return a number for every lane."""
+        return value if self.memory_layout.lanes == 1 else self.spread(Value("double", value), self.ir_type)
+
+    def address(self, row: int, index: str | int) -> str:
+        """Of a number at row and index."""
+        start = self.element("%work", row * self.memory_layout.across)
+        step = f"mul i64 {index}, {self.memory_layout.along}"
+        return self.emit("ptr", f"getelementptr double, ptr {start}, i64 {self.emit('i64', step).text}").text
+
+    def keep(self, row: int, index: str | int, value: str) -> None:
+        self.do(f"store {self.ir_type} {value}, ptr {self.address(row, index)}, align 8")
+
+    def fetch(self, row: int, index: str | int) -> str:
+        return self.emit(self.ir_type, f"load {self.ir_type}, ptr {self.address(row, index)}, align 8").text
+
+    def function(self, name: str, arguments: list[str]) -> str:
+        """Return a function of each lane."""
+        if name == "sqrt":
+            return self.emit(
+                self.ir_type, f"call {self.ir_type} @llvm.sqrt.{self.suffix}({self.ir_type} {arguments[0]})"
+            ).text
+        if self.memory_layout.lanes == 1:
+            listed = ", ".join(f"double {a}" for a in arguments)
+            return self.emit("double", f"call double @{name}({listed})").text
+        vector = "poison"
+        for lane in range(self.memory_layout.lanes):
+            parts = [self.emit("double", f"extractelement {self.ir_type} {a}, i32 {lane}").text for a in arguments]
+            single = self.emit("double", f"call double @{name}({', '.join(f'double {p}' for p in parts)})").text
+            vector = self.emit(self.ir_type, f"insertelement {self.ir_type} {vector}, double {single}, i32 {lane}").text
+        return vector
+
+    # Order 0
+
+    def values(self) -> None:
+        """Coefficients of order 0: time and state are in memory."""
+        for i in range(self.laws.constants):
+            pointer = self.element("%c", i)
+            self.first[-1 - i] = self.each(self.emit("double", f"load double, ptr {pointer}").text)
+        for i, r in enumerate(self.laws.series):
+            self.first[i] = self.value(r)
+
+    def value(self, r: Recurrence) -> str:
+        if r.rule == "time":
+            return self.emit(self.ir_type, f"load {self.ir_type}, ptr %t, align 8").text
+        if r.rule == "state":
+            return self.fetch(r.of[0], 0)
+        values_of = [self.first[i] for i in (r.arguments if r.value else r.of)]
+        if r.value:
+            return self.function(r.value, values_of)
+        if r.rule == "neg":
+            return self.negative(values_of[0])
+        name = {"+": "add", "shift": "add", "-": "sub", "/": "div"}.get(r.rule, "mul")
+        return self.op(name, values_of[0], values_of[-1])
+
+    def size(self, a: str) -> str:
+        return self.emit(self.ir_type, f"call {self.ir_type} @llvm.fabs.{self.suffix}({self.ir_type} {a})").text
+
+    def bounds(self) -> dict[int, str]:
+        """Return a running error bound of the coefficients of order 0.
+
+        What each makes of its arguments' and its own.
+        """
+        zero = self.constant(0.0)
+        bounds = dict.fromkeys(range(-self.laws.constants, 0), zero)
+        for i, r in enumerate(self.laws.series):
+            bound = zero
+            if r.rule != "neg":
+                bound = self.op(
+                    "mul", self.constant(2 * UNIT_ROUNDOFF if r.value else UNIT_ROUNDOFF), self.size(self.first[i])
+                )
+            for factor, j in self.sensitivities(i, r):
+                part = bounds[j] if not factor else self.op("mul", factor, bounds[j])
+                bound = self.op("add", bound, part)
+            bounds[i] = bound
+        return bounds
+
+    def sensitivities(self, i: int, r: Recurrence) -> list[tuple[str, int]]:
+        """By how much a coefficient of order 0 changes with each that it is made of; empty for one."""
+        if r.rule in ("time", "state"):
+            return []
+        y, values_of = self.size(self.first[i]), [self.size(self.first[j]) for j in r.of]
+        if r.rule in ("+", "-", "neg", "shift"):
+            return [("", j) for j in r.of]
+        if r.rule in ("*", "scale", "square"):
+            return [(values_of[-1], r.of[0]), (values_of[0], r.of[-1])]
+        if r.rule == "/":
+            return [
+                (self.op("div", self.constant(1.0), values_of[1]), r.of[0]),
+                (self.op("div", y, values_of[1]), r.of[1]),
+            ]
+        if r.rule == "sqrt":
+            return [(self.op("div", self.constant(0.5), y), r.of[0])]
+        if r.rule == "pow":
+            return [(self.op("div", self.op("mul", values_of[1], y), values_of[0]), r.of[0])]
+        if r.rule == "wy'=ab'-ba'":
+            return [
+                (self.op("div", values_of[2], values_of[0]), r.of[1]),
+                (self.op("div", values_of[1], values_of[0]), r.of[2]),
+            ]
+        if r.rule[0] == "w":
+            return [(self.op("div", self.constant(1.0), values_of[0]), r.of[1])]
+        if "y^2" in r.rule:
+            return [(self.op("add", self.constant(1.0), values_of[0]), r.of[1])]
+        return [(values_of[0], r.of[1])]
+
+    # Order n
+
+    def all_orders(self, slots: list[str]) -> None:
+        """Coefficients of the orders from 1 up to %order, which is left out."""
+        raise NotImplementedError
+
+    def coefficient(self, i: int, r: Recurrence, one_over_n: str, sums: list[str]) -> str:
+        """Return the coefficient of order n: what is known before, and multiples of others of order n."""
+        of = [self.now.get(j, "") for j in r.of]  # empty where it comes later, and is not asked for
+        if r.rule in ("+", "-"):
+            return self.op("add" if r.rule == "+" else "sub", of[0], of[1])
+        if r.rule == "neg":
+            return self.negative(of[0])
+        if r.rule == "shift":
+            return of[0]
+        earlier = self.earlier(i, r, one_over_n, sums)
+        for pointer, factor in self.multiples[i]:
+            if r.of[pointer] >= 0:  # a number has no further coefficients
+                product = self.op("mul", of[pointer], factor)
+                earlier = self.op("add", earlier, product) if earlier else product
+        return earlier
+
+    def earlier(self, i: int, r: Recurrence, one_over_n: str, sums: list[str]) -> str:
+        """Return what of it follows from earlier orders."""
+        if not sums:
+            return ""
+        total = sums[0]
+        if r.rule == "pow":
+            total = self.op("sub", self.op("mul", self.first[r.of[1]], sums[0]), sums[1])
+        elif r.rule == "wy'=ab'-ba'":
+            total = self.op("sub", self.op("sub", sums[0], sums[1]), sums[2])
+        if i in self.scales:
+            total = self.op("mul", total, self.scales[i])
+        return total if r.rule in ("*", "square", "/", "sqrt") else self.op("mul", total, one_over_n)
+
+    def prepared(self) -> None:
+        """Write what is the same for all orders: factors of other coefficients and of the sums."""
+        single = self.constant(1.0)
+        self.multiples: dict[int, list[tuple[int, str]]] = {}
+        self.scales: dict[int, str] = {}
+        for i, r in enumerate(self.laws.series):
+            start = [self.first.get(j, "") for j in r.of]
+            if r.rule == "scale":
+                self.multiples[i] = [(0, start[1])]
+            elif r.rule == "*":
+                self.multiples[i] = [(1, start[0]), (0, start[1])]
+            elif r.rule == "square":
+                self.multiples[i] = [(0, self.op("add", start[0], start[0]))]
+            elif r.rule in ("/", "sqrt", "pow") or r.rule[0] == "w":
+                self._divided(i, r, start, single)
+            elif r.rule[0] == "y":
+                self._multiplied(i, r, start, single)
+
+    def _divided(self, i: int, r: Recurrence, start: list[str], single: str) -> None:
+        divisor = {"/": start[-1], "sqrt": self.op("add", self.first[i], self.first[i])}.get(r.rule, start[0])
+        inverse = self.op("div", single, divisor)
+        minus = self.negative(inverse)
+        self.scales[i] = minus
+        if r.rule == "/":
+            self.multiples[i] = [(0, inverse), (1, self.op("mul", self.first[i], minus))]
+        elif r.rule == "sqrt":
+            self.multiples[i] = [(0, inverse)]
+        elif r.rule == "pow":
+            self.scales[i] = inverse
+            self.multiples[i] = [(0, self.op("mul", self.op("mul", start[1], self.first[i]), inverse))]
+        elif r.rule == "wy'=ab'-ba'":
+            self.scales[i] = inverse
+            self.multiples[i] = [(1, self.op("mul", start[2], inverse)), (2, self.op("mul", start[1], minus))]
+        else:
+            self.multiples[i] = [(1, minus if r.rule == "wy'=-a'" else inverse)]
+
+    def _multiplied(self, i: int, r: Recurrence, start: list[str], single: str) -> None:
+        if r.rule in ("y'=-wa'", "y'=a'-y^2a'"):
+            self.scales[i] = self.constant(-1.0)
+        factor = self.negative(start[0]) if i in self.scales else start[0]
+        self.multiples[i] = [(1, factor if "y^2" not in r.rule else self.op("add", single, factor))]
+
+    def states(self, n: str, one_over_n: str, slots: list[str]) -> None:
+        """Write the state's coefficients of order n, from the rates' of order n - 1."""
+        for i, r in enumerate(self.laws.series):
+            if r.rule == "state":
+                rate = self.emit(self.ir_type, f"load {self.ir_type}, ptr {slots[r.of[0]]}").text
+                self.now[i] = self.op("mul", rate, one_over_n)
+                self.keep(r.of[0], n, self.now[i])
+
+    def orders(self, n: str, slots: list[str], sums: list[list[str]], numbers: tuple[str, str]) -> None:
+        """Write all coefficients of order n; numbers: n and 1 / n."""
+        zero = self.constant(0.0)
+        self.now = dict.fromkeys(range(-self.laws.constants, 0), zero)
+        self.states(n, numbers[1], slots)
+        for i, r in enumerate(self.laws.series):
+            if r.rule == "time":
+                first = self.emit("i1", f"icmp eq i64 {n}, 1").text
+                self.now[i] = self.each(self.emit("double", f"select i1 {first}, double 1.0, double 0.0").text)
+            elif r.rule != "state":
+                self.now[i] = self.coefficient(i, r, numbers[1], sums[i])
+        for slot, rate in zip(slots, self.laws.rates, strict=True):
+            self.do(f"store {self.ir_type} {self.now[rate]}, ptr {slot}")
+
+    def reach(self, slots: list[str], exponents: list[int]) -> str:
+        """As in `dop853_source`: the longest step in which each changes by no more than half of itself, or REACH."""
+        single = self.constant(1.0)
+        self.orders(
+            "1",
+            slots,
+            [[self.constant(0.0)] * len(sums_of(i, r)) for i, r in enumerate(self.laws.series)],
+            (single, single),
+        )
+        longest = self.constant(math.inf)
+        for i in exponents:
+            half = self.op("mul", self.constant(0.5), self.size(self.first[i]))
+            allowed = self.extreme_of("maxnum", half, self.constant(REACH))
+            longest = self.extreme_of("minnum", longest, self.op("div", allowed, self.size(self.now[i])))
+        return longest
+
+    def extreme_of(self, name: str, a: str, b: str) -> str:
+        return self.emit(
+            self.ir_type, f"call {self.ir_type} @llvm.{name}.{self.suffix}({self.ir_type} {a}, {self.ir_type} {b})"
+        ).text
+
+    def numbers(self, n: str) -> tuple[str, str]:
+        """n and 1 / n as numbers of the kind."""
+        exact = self.emit("double", f"sitofp i64 {n} to double").text
+        return self.each(exact), self.each(self.emit("double", f"fdiv double 1.0, {exact}").text)
+
+    def loop(self, first: int, end: str, body: Callable[[str], None]) -> None:
+        """body(n) for n from first up to end, which is left out."""
+        before, test, body_label, last, after = self.labels("before", "test", "inside", "last", "after")
+        n, more = f"%n{self.count}", f"%more{self.count}"
+        self.jump(before)
+        self.start(before)
+        self.jump(test)
+        self.start(test)
+        self.lines.append(f"  {n} = phi i64 [{first}, %{before}], [{more}, %{last}]")
+        self.branch(self.emit("i1", f"icmp slt i64 {n}, {end}"), body_label, after)
+        self.start(body_label)
+        body(n)
+        self.jump(last)
+        self.start(last)
+        self.lines.append(f"  {more} = add i64 {n}, 1")
+        self.jump(test)
+        self.start(after)
+
+
+TOGETHER = 14  # sums in one loop: each takes a register
+
+
+class OfEight(Coefficients):
+    """Eight motions. The factors are in memory, order by order."""
+
+    def all_orders(self, slots: list[str]) -> None:
+        self.loop(1, "%order", lambda n: self._order(n, slots))
+
+    def _order(self, n: str, slots: list[str]) -> None:
+        listed = [sums_of(i, r) for i, r in enumerate(self.laws.series)]
+        flat = [pair for pairs in listed for pair in pairs]
+        laws = [total for k in range(0, len(flat), TOGETHER) for total in self.totals(flat[k : k + TOGETHER], n)]
+        sums, numbers = [[laws.pop(0) for _ in pairs] for pairs in listed], self.numbers(n)
+        self.orders(n, slots, sums, numbers)
+        for (i, sloped), row in self.memory_layout.rows.items():
+            if sloped or self.laws.series[i].rule != "state":
+                self.keep(row, n, self.op("mul", numbers[0], self.now[i]) if sloped else self.now[i])
+
+    def totals(self, pairs: list[tuple[Factor, Factor]], n: str) -> list[str]:
+        """Return sums of eight motions each, in one loop over the terms."""
+        before, test, body_label, after = self.labels("before", "test", "inside", "after")
+        self.jump(before)
+        self.start(before)
+        self.jump(test)
+        self.start(test)
+        j, more = f"%j{self.count}", f"%more{self.count}"
+        names = [(f"%sum{self.count}_{k}", f"%next{self.count}_{k}") for k in range(len(pairs))]
+        self.lines.append(f"  {j} = phi i64 [1, %{before}], [{more}, %{body_label}]")
+        for total, following in names:
+            self.lines.append(
+                f"  {total} = phi {self.ir_type} [zeroinitializer, %{before}], [{following}, %{body_label}]"
+            )
+        self.branch(self.emit("i1", f"icmp slt i64 {j}, {n}"), body_label, after)
+        self.start(body_label)
+        rest = self.emit("i64", f"sub i64 {n}, {j}").text
+        xs = {x: self.fetch(self.memory_layout.rows[x], j) for x, _ in pairs}
+        ys = {y: self.fetch(self.memory_layout.rows[y], rest) for _, y in pairs}
+        for (x, y), (total, following) in zip(pairs, names, strict=True):
+            product = self.op("mul", xs[x], ys[y])
+            self.lines.append(f"  {following} = fadd {FAST} {self.ir_type} {total}, {product}")
+        self.lines.append(f"  {more} = add i64 {j}, 1")
+        self.jump(test)
+        self.start(after)
+        return [total for total, _ in names]
+
+
+VECTOR = f"<{LANES} x double>"
+ONWARD = f"<{LANES} x i32> <{', '.join(f'i32 {k}' for k in range(1, LANES + 1))}>"
+
+
+class OfOne(Coefficients):
+    """One motion."""
+
+    def all_orders(self, slots: list[str]) -> None:
+        self.pairs = [[(min(pair), max(pair)) for pair in sums_of(i, r)] for i, r in enumerate(self.laws.series)]
+        factors = {factor: None for pairs in self.pairs for pair in pairs for factor in pair}
+        self.ahead = {pair: self._slot() for pairs in self.pairs for pair in pairs}
+        self.early = {factor: self._slot() for factor in factors}  # orders 1 to 8
+        for first, end, is_early in ((1, LANES + 1, True), (LANES + 1, HIGHEST, False)):
+            limit = self.emit("i64", f"call i64 @llvm.smin.i64(i64 %order, i64 {end})").text
+            self.loop(first, limit, partial(self._order, slots, is_early))
+
+    def _slot(self) -> str:
+        slot = self.allocated(VECTOR).text
+        self.do(f"store {VECTOR} zeroinitializer, ptr {slot}")
+        return slot
+
+    def _load(self, slot: str) -> str:
+        return self.emit(VECTOR, f"load {VECTOR}, ptr {slot}").text
+
+    def _order(self, slots: list[str], is_early: bool, n: str) -> None:
+        numbers = self.numbers(n)
+        totals = {}
+        for pair, slot in self.ahead.items():
+            totals[pair] = self.emit("double", f"extractelement {VECTOR} {self._load(slot)}, i32 0").text
+        self.orders(n, slots, [[totals[pair] for pair in pairs] for pairs in self.pairs], numbers)
+        wide = {}
+        for i, sloped in self.early:
+            wide[i, sloped] = self._wide("double", self.op("mul", numbers[0], self.now[i]) if sloped else self.now[i])
+        before = {factor: self._load(slot) for factor, slot in self.early.items()}
+        early = self._with(n, wide, before) if is_early else before
+        for (x, y), slot in self.ahead.items():
+            moved = f"shufflevector {VECTOR} {self._load(slot)}, {VECTOR} zeroinitializer, {ONWARD}"
+            ahead = self.emit(VECTOR, moved).text
+            for a, b in ((wide[x], early[y]), (wide[y], before[x])):
+                product = self.emit(VECTOR, f"fmul {FAST} {VECTOR} {a}, {b}").text
+                ahead = self.emit(VECTOR, f"fadd {FAST} {VECTOR} {ahead}, {product}").text
+            self.do(f"store {VECTOR} {ahead}, ptr {slot}")
+
+    def _with(self, n: str, wide: dict[Factor, str], before: dict[Factor, str]) -> dict[Factor, str]:
+        """Return the first coefficients with those of order n, which they keep."""
+        lane = self._wide("i64", self.emit("i64", f"sub i64 {n}, 1").text)
+        counted = ", ".join(f"i64 {k}" for k in range(LANES))
+        is_lane = self.emit(f"<{LANES} x i1>", f"icmp eq <{LANES} x i64> {lane}, <{counted}>").text
+        early = {}
+        for factor, slot in self.early.items():
+            chosen = f"select <{LANES} x i1> {is_lane}, {VECTOR} {wide[factor]}, {VECTOR} {before[factor]}"
+            early[factor] = self.emit(VECTOR, chosen).text
+            self.do(f"store {VECTOR} {early[factor]}, ptr {slot}")
+        return early
+
+    def _wide(self, ir_type: str, value: str) -> str:
+        return self.spread(Value(ir_type, value), f"<{LANES} x {ir_type}>")
 
 
 @lru_cache(maxsize=256)
@@ -21,7 +454,7 @@ def layout(laws: Recurrences, lanes: int) -> Layout:
     for factor in factors if lanes > 1 else []:
         rows.setdefault(factor, len(rows))
     if lanes == 1:
-        along = padded(len(laws.rates))
+        along = padded_size(len(laws.rates))
         return Layout(1, 1, along, rows, (HIGHEST + 1) * along)
     return Layout(lanes, (HIGHEST + 1) * lanes, lanes, rows, max(1, len(rows)) * (HIGHEST + 1) * lanes)
 

@@ -7,18 +7,16 @@ import math
 import struct
 from functools import lru_cache
 
-from tam570.integrate.compiled import taylor_loop, taylor_memory, taylor_scale
-from tam570.integrate.compiled.coefficients import FAST, HIGHEST
+from tam570.integrate.compiled import taylor_loop
 from tam570.integrate.compiled.ir import Array, Operand, Value, number
 from tam570.integrate.compiled.llvm import assembled
 from tam570.integrate.compiled.recurrences import Recurrences
-from tam570.integrate.compiled.series import exponents, layout, series_text
+from tam570.integrate.compiled.series import FAST, HIGHEST, exponents, layout, padded_size, series_text, vector_width
 from tam570.integrate.compiled.translate import Translator, functions_of
 from tam570.values import Json
 
 __all__ = ["BUDGET", "CALL", "KINDS", "order_for", "taylor_text"]
 
-MODULES = (taylor_memory, taylor_scale, taylor_loop)  # that are translated
 KINDS = (ctypes.c_void_p,)  # one address: converting thirteen arguments takes longer than many a run
 GIVEN = {
     **dict.fromkeys(("z", "work", "time", "c", "times"), "ptr"),
@@ -44,7 +42,7 @@ def order_for(rtol: float, lanes: int = 1) -> int:
 def taylor_text(laws: Recurrences, lanes: int = 1) -> str:
     """Return the module: the series, and the loop over the steps."""
     memory_layout, size = layout(laws, lanes), len(laws.rates)
-    padded = taylor_memory.padded(size) if lanes == 1 else size
+    padded = padded_size(size) if lanes == 1 else size
     integers = {
         "SIZE": size,
         "PADDED": padded,
@@ -53,20 +51,19 @@ def taylor_text(laws: Recurrences, lanes: int = 1) -> str:
         "ALONG": memory_layout.along,
     }
     names: Json = {
-        **{name: value for module in MODULES for name, value in vars(module).items() if name.isupper()},
+        **{name: value for name, value in vars(taylor_loop).items() if name.isupper()},
         **{name: Value("i64", str(value)) for name, value in integers.items()},
         **{name: _call_of(name) for name in ("coefficients", "rates", "roundoff", "reach")},
         "LANES": lanes if lanes == 1 else Value("i64", str(lanes)),
-        "MEMORY": taylor_memory.memory(size),
+        "MEMORY": taylor_loop.memory(size),
         "SATURATES": bool(exponents(laws)),
         "TIMED": any(law.rule == "time" for law in laws.series),
         **{"wide": _wide, "largest": _largest, "summed": _summed, "logarithm": _logarithm, "power_of_2": _power_of_2},
         "shifted": lambda writer, array, k: Array(writer.element(array.text, k), array.row, array.length),
     }
-    written = {name: node for module in MODULES for name, node in functions_of(inspect.getsource(module)).items()}
-    translator = Translator(written, names)
+    translator = Translator(functions_of(inspect.getsource(taylor_loop)), names)
     translator.flags, translator.components = " contract", padded
-    translator.width = taylor_memory.width(size) if lanes == 1 else 1
+    translator.width = vector_width(size) if lanes == 1 else 1
     arguments: list[Operand] = [Array(f"%{name}") for name in ("z", "work", "time", "c")]
     arguments += [Array("%times", None, Value("i64", "%rows")), Array("%out", size)]
     several = [] if lanes == 1 else [Array("%members", 1 + 2 * size, Value("i64", "%several"))]

@@ -2,65 +2,145 @@
 
 A step is the polynomial itself. It is tried first and judged afterwards: at its end the right-hand side must be the
 polynomial's derivative. That test needs nothing but the next step's first coefficients, and no coefficient that
-happens to be zero deceives it.
+happens to be zero deceives it. What is zero at the start, and has a rate of zero, takes the size that the others give
+it, as in `error_scale`.
+
+The memory of one motion is `z`: NUMBERS first, then seven numbers a component, then the polynomial, order by order. One
+motion alone has its components side by side, in vectors, with zeros up to PADDED. Names put in place for one right-hand
+side: SIZE components, ORDER of the run, ACROSS, ALONG and LANES of `series.Layout`.
 """
 
 from math import inf, log2
 
-from tam570.integrate.compiled.taylor_memory import (
-    FIRST,
-    GIVEN,
-    LANES,
-    LONGEST,
-    MAXIMUM,
-    MEMORY,
-    NEW,
-    NEXT,
-    NOISE,
-    NUMBERS,
-    ORDER,
-    PADDED,
-    POLYNOMIAL,
-    REFUSALS,
-    REST,
-    ROW,
-    SATURATES,
-    SIZE,
-    SLOPE,
-    STATUS,
-    STEPS,
-    TRIES,
-    WHO,
-    H,
-    M,
-    T,
-    Y,
-    at,
-    coefficient,
-    components,
-    largest,
-    rates,
-    reach,
-    roundoff,
-    summed,
-    wide,
-)
-from tam570.integrate.compiled.taylor_scale import lacking, sized
-from tam570.integrate.error_scale import NO_SCALE, SHARE
+from tam570.integrate.compiled.series import HIGHEST
+from tam570.integrate.error_scale import CALM, COARSE, NO_SCALE, PART, SHARE
 from tam570.values import Numbers
 
-__all__ = ["DONE", "FRESH", "IDLE", "RUNNING", "advance", "advance_all"]
+__all__ = ["DONE", "FRESH", "IDLE", "NUMBERS", "RUNNING", "STATUS", "advance", "advance_all", "memory"]
 
+NUMBERS = 16
+ROW, T, H, NEW, STATUS, STEPS, REFUSALS, TRIES, LONGEST, GIVEN, WHO, MAXIMUM, FIRST = range(13)  # where in z
+Y, REST, M, SLOPE, NEXT, BASE, NOISE, POLYNOMIAL = range(8)
+# of a component: at the end of the step tried; what rounding took from its start; its size at the start; the
+# polynomial's derivative at the end; what rounding takes from the end; the derivative there; what a rounding does to it
+
+SIZE = PADDED = ORDER = ACROSS = ALONG = LANES = MEMORY = 0
+TIMED = False  # whether the right-hand side depends on time
+SATURATES = False  # whether it has exp, tanh or their like of the state
 RUNNING, DONE, VANISHED, SINGULAR, LACKING, IDLE, FRESH = 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0
 LEFT_OUT = 0.4  # of the tolerance, by the terms that a step leaves out
 TOLERATED = 1.0  # the derivative may be off by so many times (ORDER + 1) of the tolerance in a step
 ROUNDINGS = 8.0  # and by so many times the bound of its rounding: the polynomial adds up as many terms
 GROWTH = 6.0  # of the step where all coefficients in the window are zero
+LONG, SHORT = 16.0, 1e-9  # times the first step of a series: how long the others are given at most and at least
+STILL = 0.1  # times it, where nothing turns over
 
 coefficients: Numbers = None
 logarithm: Numbers = None  # to base 2, to a tenth: a root of it is wanted
 power_of_2: Numbers = None  # to a hundredth
 shifted: Numbers = None  # behind(array, k): from its k-th number on
+rates: Numbers = None  # rates(work, c, time, ORDER): the coefficients of order 1
+reach: Numbers = None  # the same: in the place of the first, the longest step for what saturates
+roundoff: Numbers = None  # the same: in their place, a bound of their rounding
+
+
+components: Numbers = None  # components(): their indices; of one motion alone as many at a time as fit in a vector
+wide: Numbers = None  # wide(x): as many of it
+largest: Numbers = None  # largest(x): of a vector
+summed: Numbers = None  # summed(x): of a vector
+
+
+def memory(size: int) -> int:
+    """Doubles in z."""
+    return NUMBERS + size * (POLYNOMIAL + HIGHEST + 1)
+
+
+def at(part: Numbers, i: Numbers) -> Numbers:
+    """Return where in z that part of component i is, or the first coefficient of its polynomial."""
+    return NUMBERS + part * PADDED + i
+
+
+def coefficient(i: Numbers, n: Numbers, lane: Numbers) -> Numbers:
+    """Return where in `work` the coefficient of order n of component i is."""
+    return i * ACROSS + n * ALONG + lane
+
+
+def lacking(z: Numbers, work: Numbers, lane: Numbers) -> Numbers:
+    """Return whether something is zero, and so is its rate: its scale follows from others, one after the other."""
+    is_found = False
+    for i in range(SIZE):
+        if z[at(M, i)] <= NO_SCALE and work[coefficient(i, 1, lane)] == 0.0:
+            is_found = True
+    return is_found
+
+
+def sized(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, h: Numbers) -> Numbers:
+    """Return whether all that lacks a size has one now, or no later time can give it one; in steps of about h."""
+    for i in range(SIZE):
+        z[at(BASE, i)] = work[coefficient(i, 1, lane)]
+    duration, is_found = LONG * h, False
+    while not is_found and duration > SHORT * h:
+        is_found = spread(z, work, time, c, lane, duration)
+        if is_found and duration == LONG * h:  # nothing turns over
+            is_found = False
+            duration = 2.0 * STILL * h
+        duration /= 2.0
+    every = is_found or not TIMED
+    for i in range(SIZE):
+        work[coefficient(i, 0, lane)] = z[at(Y, i)]
+        work[coefficient(i, 1, lane)] = z[at(BASE, i)]
+        if is_found and z[at(M, i)] <= NO_SCALE and z[at(BASE, i)] == 0.0:
+            z[at(M, i)] = z[at(SLOPE, i)]
+            every = every and (not TIMED or z[at(M, i)] > NO_SCALE or moves(work, i, lane))
+    return every
+
+
+def moves(work: Numbers, i: Numbers, lane: Numbers) -> Numbers:
+    """Return whether one of the further coefficients of component i is not zero."""
+    is_found = False
+    for n in range(2, ORDER + 1):
+        is_found = is_found or abs(work[coefficient(i, n, lane)]) > NO_SCALE
+    return is_found
+
+
+def spread(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, duration: Numbers) -> Numbers:
+    """Return what the sizes do to one another within so many s, in the place of SLOPE.
+
+    Whether none is turned over by that.
+    """
+    for i in range(SIZE):
+        z[at(SLOPE, i)] = max(z[at(M, i)], abs(z[at(Y, i)]), duration * abs(z[at(BASE, i)]))
+    more = SIZE + 1
+    while more > 0:
+        more -= 1
+        changed(z, work, time, c, lane, PART)
+        news = False
+        for i in range(SIZE):
+            size = duration / PART * abs(work[coefficient(i, 1, lane)] - z[at(BASE, i)])
+            if z[at(SLOPE, i)] > NO_SCALE:
+                if CALM * z[at(SLOPE, i)] < size < inf:
+                    return False
+            elif NO_SCALE < size < inf:
+                z[at(SLOPE, i)] = size
+                news = True
+        if not news:
+            more = 0
+    changed(z, work, time, c, lane, COARSE)
+    for i in range(SIZE):
+        size = duration / COARSE * abs(work[coefficient(i, 1, lane)] - z[at(BASE, i)])
+        if z[at(SLOPE, i)] > NO_SCALE and not size <= CALM * z[at(SLOPE, i)]:
+            return False
+    return True
+
+
+def changed(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, part: Numbers) -> Numbers:
+    """Return the rates where each component is changed by a part of its size."""
+    sign = 1.0
+    for i in range(SIZE):
+        work[coefficient(i, 0, lane)] = z[at(Y, i)] + part * z[at(SLOPE, i)] * sign
+        sign = -0.85 * sign if abs(sign) > 0.45 else (1.0 if sign < 0.0 else -1.0)  # no two cancel
+    rates(work, c, time, ORDER)
+    return 0
 
 
 def advance(
