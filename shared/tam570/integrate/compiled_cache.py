@@ -6,7 +6,7 @@ from functools import lru_cache, partial
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.integrate.adaptive import Control, Run
+from tam570.integrate.adaptive import Control, start_run
 from tam570.integrate.arguments import Array
 from tam570.integrate.cache_key import Changeable, call_key
 from tam570.integrate.engine import Engine
@@ -27,12 +27,11 @@ def compile_run(engine: Engine, times: Array, control: Control) -> CompiledRun:
     begin, end = float(times[0]), float(times[-1])
     if engine.graph is None or not available() or engine.next_break(begin, begin, end) != end:
         return _nothing
-    rows = np.empty((len(times), engine.formulas.size))
-    run = Run(engine, float(times[0]), times - times[0], rows, control)
+    run = start_run(engine, times, np.zeros(engine.formulas.size), control)
     try:
-        from tam570.integrate.compiled import repeated
+        from tam570.integrate.compiled import backend
 
-        runs = repeated.taylor_repeated(engine.graph, run, partial(run.watch, COMPILED))
+        runs = backend.taylor_repeated(run, partial(run.watch, COMPILED))
     except (ImportError, OSError, RuntimeError):  # a broken llvmlite: nobody asked for it
         runs = None
     return runs or _nothing

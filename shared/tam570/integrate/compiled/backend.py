@@ -24,25 +24,12 @@ from tam570.integrate.fixed_step import FixedState
 from tam570.integrate.formulas import Formulas
 from tam570.integrate.trace import Graph
 from tam570.integrate.watch import Look
-from tam570.values import Function
+from tam570.values import Function, Numbers
 
-__all__ = [
-    "Memory",
-    "Motion",
-    "address_of",
-    "analytic",
-    "until_done",
-    "dop853",
-    "fixed",
-    "memory_for",
-    "motion_of",
-    "seen",
-    "by_moments",
-    "taylor_run",
-    "taylor_runs",
-]
+__all__ = ["by_moments", "dop853", "fixed", "taylor_repeated", "taylor_run", "taylor_runs"]
 
 FEWEST, MOST = 1000, 16000  # steps in compiled code, after which Python may look for an interrupt
+REPEATED = 1000  # steps of a repeated run, after which Python looks for the first time whether it is stiff
 LINE = 64  # bytes
 EFFORT = 1  # of the code generator, for a series: 2 takes twice as long and makes nothing of it that is faster
 UNSET = (0,) * (taylor_loop.NUMBERS - 13)
@@ -73,6 +60,14 @@ class Memory(NamedTuple):
     state: memoryview  # z, as bytes
     places: tuple[int, ...]  # the addresses of the four
     address: int
+
+
+class Place(NamedTuple):
+    """What one of the repeated runs at a time works in."""
+
+    memory: Memory
+    rows: Array  # to be filled
+    numbers: "memoryview[float]"  # of the state
 
 
 class Motion(NamedTuple):
@@ -106,23 +101,16 @@ def taylor_run(run: Run, look: Look, state: State, *, is_fresh: bool = False) ->
     look     : taken now and then
     is_fresh : whether the sizes of the components are those of the start
     """
-    graph, control = run.engine.graph, run.control
-    motion = motion_of(graph) if graph is not None else None
+    motion = motion_of(run.engine.graph) if run.engine.graph is not None else None
     if motion is None:
         return state
-    origin, times, out, rtol, size = run.origin, run.since, run.rows, control.rtol, len(state.y)
-    sizes = [a / (SHARE * rtol) if a > NO_SCALE else 0.0 for a in state.a]
-    is_start = state.t == 0.0 and not state.steps and not control.atol
-    has_sizes = 1.0 if control.atol or (min(sizes) > 0.0 and not is_start) else 2.0 if not is_start else 0.0
+    control, size = run.control, len(state.y)
     memory = motion.free.pop() if motion.free else memory_for(motion, size)
-    status = taylor_loop.FRESH if is_fresh else taylor_loop.RUNNING
-    first_numbers = (state.row, state.t, 0, state.t, status, 0, 0, 0, state.h, has_sizes)
-    limits = 0, control.max_step, math.inf if control.first_step is None or state.steps else control.first_step
-    motion.numbers.pack_into(memory.state, 0, *first_numbers, *limits, *UNSET, *state.y, *state.r, *sizes)
-    ends = address_of(times), len(times), address_of(out), 0, 0, origin, rtol, taylor.order_for(rtol)
+    packed = _packed(motion, run, state, is_fresh)
+    memory.state[: len(packed)] = packed
 
     def some(budget: int) -> bool:
-        taylor.CALL.pack_into(memory.call_arguments, 0, *memory.places, *ends, budget)
+        _pack_call(memory, run, run.rows, budget)
         motion.advance(memory.address)
         is_running = bool(memory.z[taylor_loop.STATUS] == taylor_loop.RUNNING)
         if is_running:
@@ -134,11 +122,80 @@ def taylor_run(run: Run, look: Look, state: State, *, is_fresh: bool = False) ->
     row, t, _, _, status, steps, refusals, _, h = numbers[: taylor_loop.LONGEST + 1]
     if status == taylor_loop.DONE:  # after all others there may be numbers that are not finite in it
         motion.free.append(memory)
-    total = state.steps + int(steps), state.refusals + int(refusals)
     y, r, m = (numbers[k : k + size] for k in range(taylor_loop.NUMBERS, len(numbers), size))
-    a = state.a if control.atol else tuple(max(SHARE * rtol * size, NO_SCALE) for size in m)
-    steps, refusals = total
+    a = state.a if control.atol else tuple(max(SHARE * run.rtol * size, NO_SCALE) for size in m)
+    steps, refusals = state.steps + int(steps), state.refusals + int(refusals)
     return state._replace(row=int(row), t=t, h=h, y=y, r=r, a=a, steps=steps, refusals=refusals)
+
+
+def _packed(motion: Motion, run: Run, state: State, is_fresh: bool) -> bytes:
+    """Return the first numbers of the memory of a run in this state."""
+    control = run.control
+    sizes = [a / (SHARE * run.rtol) if a > NO_SCALE else 0.0 for a in state.a]
+    is_start = state.t == 0.0 and not state.steps and not control.atol
+    has_sizes = 1.0 if control.atol or (min(sizes) > 0.0 and not is_start) else 2.0 if not is_start else 0.0
+    status = taylor_loop.FRESH if is_fresh else taylor_loop.RUNNING
+    first_numbers = (state.row, state.t, 0, state.t, status, 0, 0, 0, state.h, has_sizes)
+    limits = 0, control.max_step, math.inf if control.first_step is None or state.steps else control.first_step
+    return motion.numbers.pack(*first_numbers, *limits, *UNSET, *state.y, *state.r, *sizes)
+
+
+def _pack_call(memory: Memory, run: Run, rows: Array, budget: int) -> None:
+    ends = address_of(run.since), len(run.since), address_of(rows), 0, 0
+    rest = run.origin, run.rtol, taylor.order_for(run.rtol), budget
+    taylor.CALL.pack_into(memory.call_arguments, 0, *memory.places, *ends, *rest)
+
+
+def taylor_repeated(run: Run, watch: Callable[[], Look]) -> Callable[[Numbers], Array | None] | None:
+    """states(y0) -> (n, k), or None where the method ends early or y0 is not k numbers; None without a series.
+
+    Of such runs only the start differs: memory and arguments are in place before they begin.
+    """
+    motion, size = motion_of(run.engine.graph) if run.engine.graph is not None else None, len(run.rows[0])
+    if motion is None:
+        return None
+    fresh = _packed(motion, run, run.last, is_fresh=True)
+    start, first, used = struct.Struct(f"={size}d"), 8 * taylor_loop.NUMBERS, len(fresh)
+    advance, status, free = motion.advance, taylor_loop.STATUS, list[Place]()
+
+    def place() -> Place:
+        memory, rows = memory_for(motion, size), np.empty_like(run.rows)
+        _pack_call(memory, run, rows, REPEATED)
+        return Place(memory, rows, memory.state.cast("d"))
+
+    def states(y0: Numbers) -> Array | None:
+        if type(y0) is np.ndarray and y0.ndim != 1:  # its rows may be numbers, too
+            return None
+        mine = free.pop() if free else place()
+        state = mine.memory.state
+        state[:used] = fresh
+        try:
+            start.pack_into(state, first, *y0)
+        except (struct.error, TypeError):  # `solve` says what is wrong
+            return None
+        advance(mine.memory.address)
+        if mine.numbers[status] == taylor_loop.RUNNING:
+            carry_on(mine)
+        if mine.numbers[status] != taylor_loop.DONE:
+            return None  # what is not finite stays in the memory: it is left
+        rows = mine.rows.copy()
+        free.append(mine)
+        return rows
+
+    def carry_on(mine: Place) -> None:
+        """To the end, with a look now and then; ArithmeticError where it is stiff."""
+        look = watch()
+
+        def some(budget: int) -> bool:
+            look(*seen(mine.memory, size))
+            _pack_call(mine.memory, run, mine.rows, budget)
+            advance(mine.memory.address)
+            return mine.numbers[status] == taylor_loop.RUNNING
+
+        until_done(some)
+        _pack_call(mine.memory, run, mine.rows, REPEATED)
+
+    return states
 
 
 def address_of(array: Array) -> int:

@@ -15,7 +15,7 @@ from tam570.integrate.compiled.series import FAST, HIGHEST, exponents, layout, p
 from tam570.integrate.compiled.translate import Translator, functions_of
 from tam570.values import Json
 
-__all__ = ["BUDGET", "CALL", "KINDS", "order_for", "taylor_text"]
+__all__ = ["CALL", "KINDS", "order_for", "taylor_text"]
 
 KINDS = (ctypes.c_void_p,)  # one address: converting thirteen arguments takes longer than many a run
 GIVEN = {
@@ -25,7 +25,6 @@ GIVEN = {
 }  # what stands at that address, eight bytes each
 CALL = struct.Struct("=5Qq2Qq2d2q")  # the same
 LOWEST = 8  # order
-BUDGET = struct.Struct("=q")  # its last
 
 
 @lru_cache(maxsize=64)
