@@ -11,24 +11,13 @@ import numpy as np
 from tam570.integrate.adaptive_loop import LARGEST, RUNNING, SETS_IN, STOPPED, State
 from tam570.integrate.arguments import SMALLEST_RTOL, Array
 from tam570.integrate.engine import Engine, Mistraced
-from tam570.integrate.error_scale import NO_SCALE, SHARE, error_scale
+from tam570.integrate.error_scale import NO_SCALE, SHARE, Rates, error_scale
 from tam570.integrate.rates import TRIAL_ERRORS, check_start
 from tam570.integrate.switches import chatter
 from tam570.integrate.watch import COMPILED, PYTHON, Estimate, Look, WorthCompiling, repays, stiffness_watch
 from tam570.values import Numbers
 
-__all__ = [
-    "BETWEEN_LOOKS",
-    "Control",
-    "Run",
-    "Solution",
-    "ensemble",
-    "integrate",
-    "shortest_step",
-    "sizes",
-    "start_run",
-    "step_n",
-]
+__all__ = ["Control", "Run", "Solution", "ensemble", "integrate", "shortest_step", "start_run", "step_n"]
 
 BETWEEN_LOOKS = 500  # steps
 WORTH_LANES = 16  # members: with fewer the code for eight motions is not worth its compilation
@@ -279,17 +268,16 @@ def start_state(run: Run, a: Sequence[float] = ()) -> State:
                 f"rhs or solution is not finite at t = {engine.sign * origin:.17g}: rhs gives {list(f)}"
             )
         check_start(engine.rates, origin, run.rows[0], engine.sign)
-    first_step = engine.functions["first_step"]
     g = f
     if a and min(a) <= NO_SCALE:  # what a ramp has just set in motion: as before it
         y = tuple(0.0 if size <= NO_SCALE else v for size, v in zip(a, y, strict=True))
         both = zip(rhs(origin, y, c), rhs(origin + SOON * span, y, c), strict=True)
         g = tuple(0.0 if abs(rate) < RAMP * abs(later) else rate for rate, later in both)
-    h = first_step(origin, span, y, g, c)
+    h = _first_step(rhs, origin, span, y, g, c)
     if h < SOON * span:  # the rates may jump at the very start
-        onward = engine.functions["euler"](h, y, g)
+        onward = _euler(h, y, g)
         g = rhs(origin + h, onward, c)
-        h = max(h, first_step(origin + h, span, onward, g, c))
+        h = max(h, _first_step(rhs, origin + h, span, onward, g, c))
     if not control.atol and min(a, default=0.0) <= NO_SCALE:
         later = _doubling(origin, h, span) if engine.formulas.timed else ()
         sizes = error_scale(rhs, origin, h, y, g, [0.0] * len(y), c, later)
@@ -298,6 +286,40 @@ def start_state(run: Run, a: Sequence[float] = ()) -> State:
     h = control.first_step or h
     atol, nothing = tuple(control.atol) or tuple(a), (0.0,) * len(y)
     return State(1, 0.0, h, tuple(run.rows[0].tolist()), nothing, f, atol, nothing, nothing, LARGEST, 0, 0, 0, RUNNING)
+
+
+def _euler(h: float, y: Sequence[float], f: Sequence[float]) -> tuple[float, ...]:
+    return tuple(v + h * rate for v, rate in zip(y, f, strict=True))
+
+
+def _first_step(
+    rhs: Rates, origin: float, span: float, y: Sequence[float], f: Sequence[float], c: Sequence[float]
+) -> float:
+    """Return a step across which the derivative changes little, found from above.
+
+    A derivative of zero deceives nobody.
+    """
+    h = span / 100 or span
+    while h > 1e-9 * span:
+        onward = _euler(h, y, f)
+        g = rhs(origin + h, onward, c)
+        # What starts at zero at zero rate does nothing to the others before a second step.
+        if not (_restless(h, y, f, g, 0.1) or _restless(h, y, f, rhs(origin + 2 * h, _euler(h, onward, g), c), 0.3)):
+            break
+        h /= 4
+    return h
+
+
+def _restless(h: float, y: Numbers, f: Numbers, g: Numbers, part: float) -> bool:
+    """Return whether the derivative changes by more than a part of the state, or of itself, within h.
+
+    What starts at zero with zero rate has no scale to compare with and is left to the estimates of the steps.
+    """
+    for i in range(len(y)):
+        size = max(abs(y[i]), h * abs(f[i]))
+        if size > 0 and not h * abs(g[i] - f[i]) <= part * max(size, h * abs(g[i])):
+            return True
+    return False
 
 
 def _doubling(origin: float, h: float, span: float) -> list[float]:

@@ -9,21 +9,9 @@ from math import inf, sqrt
 from typing import NamedTuple
 
 from tam570.integrate.error_scale import NO_SCALE
-from tam570.values import Function, Numbers
+from tam570.values import Numbers
 
-__all__ = [
-    "GENERATED",
-    "LARGEST",
-    "NOT_FINITE",
-    "RUNNING",
-    "SETS_IN",
-    "STOPPED",
-    "TOO_SHORT",
-    "State",
-    "advance",
-    "first_step_with",
-    "loop_with",
-]
+__all__ = ["GENERATED", "RUNNING", "SETS_IN", "STOPPED", "State", "advance", "loop_with"]
 
 SAFETY = 0.9
 LARGEST, SMALLEST = 6.0, 0.2  # change of the step size from one step to the next (as dop853.f)
@@ -42,17 +30,8 @@ AT_A_JUMP = 200.0  # of the rates the estimate is but a part of the error; the r
 UNSEEN = 256.0  # for the error where the step may have passed what saturates: half the step is tried
 AT_REST = 8  # steps at least: where nothing moves, no error says how far to look for what sets in later
 
-GENERATED = (
-    "step",
-    "error_norms",
-    "jump",
-    "roundoff",
-    "lesser",
-    "reach",
-    "passed",
-    "dense",
-    "at",
-)  # the functions that `advance` is given
+# The functions that `advance` is given:
+GENERATED = ("step", "error_norms", "roundoff", "lesser", "reach", "passed", "dense", "at")
 RUNNING, SETS_IN, TOO_SHORT, NOT_FINITE, STOPPED = 0, 1, 2, 3, 4  # why a loop comes back
 
 
@@ -76,39 +55,6 @@ class State(NamedTuple):
     pace: float = 0.0  # s, of the steps before a switch cut one short
 
 
-def first_step_with(rhs: Function, euler: Numbers) -> Callable[..., float]:
-    """Return the function that finds the first step of a run."""
-
-    def first_step(origin: Numbers, span: Numbers, y: Numbers, f: Numbers, c: Numbers) -> Numbers:
-        """Return a step across which the derivative changes little, found from above.
-
-        A derivative of zero deceives nobody.
-        """
-        h = span / 100 or span
-        while h > 1e-9 * span:
-            onward = euler(h, y, f)
-            g = rhs(origin + h, onward, c)
-            # What starts at zero at zero rate does nothing to the others before a second step.
-            if not (_restless(h, y, f, g, 0.1) or _restless(h, y, f, rhs(origin + 2 * h, euler(h, onward, g), c), 0.3)):
-                break
-            h /= 4
-        return h
-
-    return first_step
-
-
-def _restless(h: float, y: Numbers, f: Numbers, g: Numbers, part: float) -> bool:
-    """Return whether the derivative changes by more than a part of the state, or of itself, within h.
-
-    What starts at zero with zero rate has no scale to compare with and is left to the estimates of the steps.
-    """
-    for i in range(len(y)):
-        size = max(abs(y[i]), h * abs(f[i]))
-        if size > 0 and not h * abs(g[i] - f[i]) <= part * max(size, h * abs(g[i])):
-            return True
-    return False
-
-
 def loop_with(*generated: Numbers) -> Callable[..., State]:
     """Return the loop over the steps of a run."""
     return partial(advance, generated)
@@ -130,7 +76,7 @@ def advance(
     generated : functions, as GENERATED names them; times : since `origin`; state : a `State`, as returned
     longest   : s, of a step
     """
-    (step, error_norms, jump, roundoff, lesser, reach, passed, dense, at), end = generated, times[len(times) - 1]
+    (step, error_norms, roundoff, lesser, reach, passed, dense, at), end = generated, times[len(times) - 1]
     row, t, h, y, r, f, a, b, measured, growth, refused, steps, refusals, halt, pace = state
     suspicious = SUSPICIOUS * rtol**1.25  # of errors in units of the tolerance
     while row < len(times) and budget > 0 and halt == RUNNING:
@@ -164,7 +110,7 @@ def advance(
         is_cut = sure < h and not at_last
         crosses = at_last and sure <= h
         largest = POLE if crosses else JUMP
-        jumps = at_last and fifth < inf and _finite(n) and jump(h, y, n, f, g, a, rtol) <= largest
+        jumps = at_last and fifth < inf and _finite(n) and _jump(h, y, n, f, g, a, rtol) <= largest
         jumps = jumps and not (crosses and _leaps(h, n, g, a, rtol))
         if ((error <= 1.0 and not crosses) or jumps) and not is_cut:
             if jumps and _sets_in(y, n, a):
@@ -252,6 +198,16 @@ def _sampled(
             out[row, i] = n[i]
         row += 1
     return row
+
+
+def _jump(h: Numbers, y: Numbers, n: Numbers, f: Numbers, g: Numbers, a: Numbers, rtol: Numbers) -> Numbers:
+    """Return how far a change of the rates moves the state within h, relative to it; what starts from zero aside."""
+    largest = 0.0
+    for i in range(len(n)):
+        w, x = a[i] / rtol + max(abs(y[i]), abs(n[i])), h * abs(g[i] - f[i])
+        if (y[i] != 0.0 or a[i] > NO_SCALE) and not x <= largest * w:
+            largest = x / w
+    return largest
 
 
 def _sets_in(y: Numbers, n: Numbers, a: Numbers) -> Numbers:

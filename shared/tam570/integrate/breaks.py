@@ -9,8 +9,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from tam570.integrate.trace import NUMPY_NAMES, Graph, Symbol, Value
-from tam570.values import Numbers
+from tam570.integrate.trace import Graph, Symbol, on_arrays
 
 __all__ = ["breaks_of"]
 
@@ -26,25 +25,16 @@ Array = np.ndarray[tuple[int, ...], np.dtype[np.float64]]
 def breaks_of(graph: Graph, start: float, end: float) -> tuple[float, ...]:
     """Return the times, in order, between start and end."""
     affine: dict[int, Affine] = {}
-    timed: list[Symbol] = []
-    numbers: set[int] = set()
+    timed: dict[int, Symbol] = {}
     arguments: dict[int, Symbol] = {}
     for symbol in graph.operations:
-        if symbol.name == "t" and not symbol.arguments:
-            affine[symbol.number] = 1.0, 0.0
-            timed.append(symbol)
-            numbers.add(symbol.number)
-        elif symbol.arguments and all(not isinstance(a, Symbol) or a.number in numbers for a in symbol.arguments):
-            timed.append(symbol)
-            numbers.add(symbol.number)
-            line = _affine(symbol, affine)
-            if line:
-                affine[symbol.number] = line
-        else:
-            continue
-        if symbol.number in affine:
-            continue
         operands = [a for a in symbol.arguments if isinstance(a, Symbol)]
+        if symbol.name != "t" and not (operands and all(a.number in timed for a in operands)):
+            continue
+        timed[symbol.number] = symbol
+        if line := _affine(symbol, affine):
+            affine[symbol.number] = line
+            continue
         is_multiple = len(operands) == 1 and (
             symbol.name == "*" or (symbol.name == "/" and symbol.arguments[0] is operands[0])
         )
@@ -54,12 +44,14 @@ def breaks_of(graph: Graph, start: float, end: float) -> tuple[float, ...]:
     zeros = [-shift / rate for rate, shift in lines if shift and rate]
     curved = [symbol for number, symbol in arguments.items() if number not in affine]
     if curved:
-        zeros += _zeros_and_turns(timed, curved, start, end, _fastest(timed, affine))
+        zeros += _zeros_and_turns(list(timed.values()), curved, start, end, _fastest(list(timed.values()), affine))
     return tuple(sorted({time for time in zeros if start < time < end}))
 
 
 def _affine(symbol: Symbol, affine: dict[int, Affine]) -> Affine | None:
     """rate and shift of what is affine in time."""
+    if not symbol.arguments:
+        return 1.0, 0.0
     lines = [affine.get(a.number) if isinstance(a, Symbol) else (0.0, a) for a in symbol.arguments]
     if None in lines or symbol.name not in ("+", "-", "*", "/", "neg"):
         return None
@@ -113,18 +105,8 @@ def _refined(timed: list[Symbol], symbol: Symbol, low: float, high: float, *, tu
 def _values(timed: list[Symbol], t: Array) -> dict[int, Array]:
     """Return what each function of time is at the times."""
     computed: dict[int, Array] = {}
-
-    def value(argument: Value) -> Numbers:
-        return computed[argument.number] if isinstance(argument, Symbol) else argument
-
-    arithmetic = {"+": np.add, "-": np.subtract, "*": np.multiply, "/": np.true_divide, "neg": np.negative}
     with np.errstate(all="ignore"):
         for symbol in timed:
-            operands = [value(a) for a in symbol.arguments]
-            if not symbol.arguments:
-                computed[symbol.number] = t
-                continue
-            function = arithmetic.get(symbol.name) or getattr(np, NUMPY_NAMES.get(symbol.name, symbol.name), None)
-            scalar = np.vectorize(getattr(math, symbol.name)) if function is None else function
-            computed[symbol.number] = np.asarray(scalar(*operands), dtype=float) + 0.0 * t
+            operands = [computed[a.number] if isinstance(a, Symbol) else a for a in symbol.arguments]
+            computed[symbol.number] = on_arrays(symbol.name)(*operands) if operands else t
     return computed

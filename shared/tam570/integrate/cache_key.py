@@ -18,7 +18,7 @@ import numpy as np
 
 from tam570.values import Function, Parameters
 
-__all__ = ["Changeable", "Reach", "cache_key", "call_key", "global_names"]
+__all__ = ["Changeable", "Reach", "cache_key", "call_key", "global_names", "cache_slot"]
 
 Captured: TypeAlias = Any  # whatever a right-hand side refers to
 
@@ -128,6 +128,12 @@ def call_key(rhs: Function, parameters: Parameters | None) -> Hashable:
             _last.clear()
         _last[rhs] = reach
     return key
+
+
+@lru_cache(maxsize=256)
+def cache_slot(key: Hashable) -> list[Captured]:
+    """Return the place of what is kept for a key; an empty list at first."""
+    return []
 
 
 def _number(value: Captured, _: Captured) -> Hashable:

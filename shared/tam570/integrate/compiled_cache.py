@@ -1,14 +1,14 @@
 """Compiled runs that differ from an earlier one in their start alone: all else is ready."""
 
 from collections.abc import Callable, Hashable
-from functools import lru_cache, partial
+from functools import partial
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.integrate.adaptive import Control, start_run
 from tam570.integrate.arguments import Array
-from tam570.integrate.cache_key import Changeable, call_key
+from tam570.integrate.cache_key import Changeable, cache_slot, call_key
 from tam570.integrate.engine import Engine
 from tam570.integrate.watch import COMPILED, available
 from tam570.values import Numbers, Parameters
@@ -50,7 +50,7 @@ def slot_of(
         key = call_key(rhs, parameters)
         times = t if isinstance(t, tuple) else _numbers(t)
         start = len(y0) if method == "compiled" else np.asarray(y0, dtype=float).tobytes()  # "auto" depends on it
-        return _slot((key, start, times, rtol, atol))
+        return cache_slot((key, start, times, rtol, atol))
     except (Changeable, TypeError, ValueError):
         return None
 
@@ -58,11 +58,6 @@ def slot_of(
 def _numbers(t: ArrayLike) -> Hashable:
     times = np.asarray(t, dtype=float)
     return times.shape, times.tobytes()
-
-
-@lru_cache(maxsize=64)
-def _slot(key: Hashable) -> Slot:
-    return []
 
 
 def keep(slot: Slot, engine: Engine, times: Array, control: Control) -> None:

@@ -19,7 +19,7 @@ from numbers import Real
 import numpy as np
 
 from tam570.integrate.arguments import Array
-from tam570.integrate.trace import NUMPY_NAMES, Module, Symbol, Tape, substituted
+from tam570.integrate.trace import NUMPY_NAMES, OPERATORS, Module, Symbol, Tape, substituted
 from tam570.values import Function, Numbers
 
 __all__ = ["Course", "along"]
@@ -122,12 +122,6 @@ class Course(Tape):
         for slot, function, operands in self.operations:
             slots[slot] = function(*[slots[i] for i in operands])
         return [slots[i] for i in self.seen], [slots[i] for i in self.saturating]
-
-
-OPERATORS: dict[Numbers, Function] = {
-    **{"+": operator.add, "-": operator.sub, "*": operator.mul, "neg": operator.neg},
-    **{"/": np.true_divide, "pow": np.power},
-}
 
 
 def _sign(x: Numbers) -> float:

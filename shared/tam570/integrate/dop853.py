@@ -142,7 +142,7 @@ SWEEPS = (1.0, 2.0, 3.0)  # the rounding of one rate shifts that component, and 
 
 
 def functions(formulas: Formulas, forgiving: bool = True) -> str:
-    """Source of `rhs`, `euler`, and of what `adaptive_loop.GENERATED` names but `dense` and `at`.
+    """Source of `rhs`, and of what `adaptive_loop.GENERATED` names but `dense` and `at`.
 
     forgiving : Python raises an error on overflow, where compiled code goes on with infinity
     """
@@ -155,7 +155,7 @@ def functions(formulas: Formulas, forgiving: bool = True) -> str:
     reach = _reach(formulas)
     parts += [_forgiving(reach, "inf") if forgiving and formulas.exponents else reach]
     parts += [["def passed(start, h, y, f, n, g, error, shortest, c):", "return inf"]]
-    parts += [_euler(formulas), _error_norms(formulas), _jump(formulas), _lesser(formulas)]
+    parts += [_error_norms(formulas), _lesser(formulas)]
     return _source(parts)
 
 
@@ -202,11 +202,6 @@ def _derivative(formulas: Formulas, number: int, time: str, less: str = "") -> l
 
 def _rhs(formulas: Formulas) -> list[str]:
     return ["def rhs(t, s, c):", *unpacked(formulas, s="s"), *formulas.lines, f"return {tuple_of(formulas.rates)}"]
-
-
-def _euler(formulas: Formulas) -> list[str]:
-    states = (f"y[{i}] + h * f[{i}]" for i in range(formulas.size))
-    return ["def euler(h, y, f):", f"return {tuple_of(states)}"]
 
 
 def _roundoff(formulas: Formulas) -> list[str]:
@@ -256,7 +251,15 @@ def _lesser(formulas: Formulas) -> list[str]:
 
 
 def _step(formulas: Formulas) -> list[str]:
-    """One step: new state, its rounding, derivative, both error estimates squared, stages kept."""
+    """One step of h from (t, y): new state, its rounding, derivative, both error estimates squared, stages kept.
+
+    k_i = f(t + c_i h, y + h sum of a_ij k_j over j < i) for i = 0 ... 11, and n = y + h sum of b_i k_i, with `NODES` c
+    and `ROWS` a and b (Hairer, Norsett, Wanner, II.1 and II.5). Written with e_i = k_i - k_0, for a row of a adds up to
+    c_i: y + h (c_i k_0 + sum of a_ij e_j).
+
+    Source of step(start, h, y, r, f, a, b, rtol, c): y, r, f, a, b of k numbers each. It returns n, r, f (k each), both
+    estimates, and the stages that the interpolant takes over.
+    """
     lines = ["def step(start, h, y, r, f, a, b, rtol, c):", *unpacked(formulas, y="y", r="r", f="k0_", a="a", b="b")]
     for number in range(1, 12):
         lines += _stage(formulas, number, ROWS[number], NODES[number])
@@ -280,20 +283,6 @@ def _error_norms(formulas: Formulas) -> list[str]:
     for i in formulas.moving:
         lines += [f"a{i} = part * a{i}", f"u{i} = {_combination(ROWS[12], i)}", *_estimate(i)]
     return [*lines, "return fifth, third"]
-
-
-def _jump(formulas: Formulas) -> list[str]:
-    """Return how far a change of the rates moves the state within h, relative to it.
-
-    What starts to move from zero aside.
-    """
-    lines = ["def jump(h, y, n, f, g, a, rtol):"]
-    lines += unpacked(replace(formulas, constants=0), y="y", n="n", f="f", g="g", a="a")
-    lines.append("largest = 0.0")
-    for i in formulas.moving:
-        lines += [f"w = a{i} / rtol + max(abs(y{i}), abs(n{i}))", f"x = h * abs(g{i} - f{i})"]
-        lines += [f"if (y{i} != 0.0 or a{i} > {NO_SCALE!r}) and not x <= largest * w:", "    largest = x / w"]
-    return [*lines, "return largest"]
 
 
 def _kept(formulas: Formulas) -> list[str]:

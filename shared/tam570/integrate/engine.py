@@ -4,29 +4,19 @@ What was traced is kept for the next run of a right-hand side with the same key:
 function then, and nothing that it depends on has changed since.
 """
 
-from collections.abc import Hashable
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import NamedTuple
 
-from tam570.integrate.adaptive_loop import GENERATED, first_step_with, loop_with
+from tam570.integrate.adaptive_loop import GENERATED, loop_with
 from tam570.integrate.arguments import Array
 from tam570.integrate.breaks import breaks_of
-from tam570.integrate.cache_key import Changeable, call_key
+from tam570.integrate.cache_key import Changeable, cache_slot, call_key
 from tam570.integrate.dop853 import compiled
 from tam570.integrate.formulas import Formulas, call_of, written
-from tam570.integrate.rates import (
-    CalledRates,
-    Rates,
-    bound,
-    check_start,
-    is_same,
-    reversed_rates,
-    roundoff_by_neighbours,
-)
+from tam570.integrate.rates import CalledRates, Rates, bound, check_start, is_same, reversed_rates
 from tam570.integrate.switches import Switches
 from tam570.integrate.trace import Graph, Untraceable, traced
-from tam570.values import Function, Json, Numbers, Parameters
+from tam570.values import Function, Json, Parameters
 
 __all__ = ["Engine", "Mistraced", "engine"]
 
@@ -79,67 +69,46 @@ def engine(
     sampled : states inside of steps will be asked for, not only where there are more than two times
     may_trace : whether formulas may take the place of calls
     """
-    run = _Run(rhs, parameters, times, start, sampled or len(times) > 2, sign)
-    if not may_trace:
-        return _called_engine(run, "it has a value where its formulas have none")
-    try:
-        key = call_key(rhs, parameters)
-        slot = _cache_slot((key, len(start), run.sampled, sign))
-        if not slot:
-            slot.append(_traced_engine(run))
-        result = slot[0]
-    except Changeable as reason:
-        result = str(reason)
-    return result if isinstance(result, Engine) else _called_engine(run, result)
+    sampled, reason = sampled or len(times) > 2, "it has a value where its formulas have none"
 
-
-@lru_cache(maxsize=256)
-def _cache_slot(key: Hashable) -> list[Numbers]:
-    """Return where the engine is kept that was made for this key, or why there is none."""
-    return []
-
-
-class _Run(NamedTuple):
-    """What an engine is made of."""
-
-    rhs: Function
-    parameters: Parameters | None
-    times: Array
-    start: Array
-    sampled: bool
-    sign: float
-
-    def rates(self) -> Rates:
+    def rates() -> Rates:
         """Return the right-hand side, tried at the start."""
-        rates = bound(self.rhs, self.parameters)
-        rates = rates if self.sign > 0 else reversed_rates(rates)
-        check_start(rates, float(self.times[0]), self.start, self.sign)
-        return rates
+        called = bound(rhs, parameters)
+        called = called if sign > 0 else reversed_rates(called)
+        check_start(called, float(times[0]), start, sign)
+        return called
 
-
-def _traced_engine(run: _Run) -> Engine | str:
-    """Return the engine of a traced right-hand side; or why it is not traced."""
-    rates = run.rates()
     try:
-        graph = traced(rates, len(run.start))
+        slot = cache_slot((call_key(rhs, parameters), len(start), sampled, sign)) if may_trace else [reason]
+        if not slot:
+            slot.append(_traced_engine(rates(), times, start, sampled, sign))
+        if isinstance(slot[0], Engine):
+            return slot[0]
+        reason = slot[0]
+    except Changeable as changeable:
+        reason = str(changeable)
+    return _called_engine(rates(), times, len(start), sampled, sign, reason)
+
+
+def _traced_engine(rates: Rates, times: Array, start: Array, sampled: bool, sign: float) -> Engine | str:
+    """Return the engine of a traced right-hand side; or why it is not traced."""
+    try:
+        graph = traced(rates, len(start))
     except Untraceable as reason:
         return str(reason)
     formulas, constants = written(graph)
-    engine = Engine(rates, _functions(formulas, run.sampled), constants, formulas, graph, sign=run.sign)
-    if is_same(rates, engine.functions["rhs"], constants, run.times, run.start):
-        return engine
-    return "its formulas as traced give other numbers than it does"
+    functions = _functions(formulas, sampled)
+    if not is_same(rates, functions["rhs"], constants, times, start):
+        return "its formulas as traced give other numbers than it does"
+    return Engine(rates, functions, constants, formulas, graph, sign=sign)
 
 
-def _called_engine(run: _Run, reason: str) -> Engine:
-    rates = run.rates()
-    called_rates = CalledRates(rates, len(run.start))
-    formulas = call_of(len(run.start))
-    functions = compiled(formulas, run.sampled, called_rates)
-    switches = Switches(rates, len(run.start), float(run.times[-1] - run.times[0]), run.sign)
-    by_call = {"roundoff": roundoff_by_neighbours(called_rates), "reach": switches.reach, "passed": switches.passed}
-    functions = _with_loop({**functions, **by_call})
-    return Engine(rates, functions, (), formulas, None, reason, run.sign, called_rates, switches)
+def _called_engine(rates: Rates, times: Array, size: int, sampled: bool, sign: float, reason: str) -> Engine:
+    formulas, called_rates = call_of(size), CalledRates(rates, size)
+    switches = Switches(rates, size, float(times[-1] - times[0]), sign)
+    by_call = {"roundoff": called_rates.roundoff, "reach": switches.reach, "passed": switches.passed}
+    functions = _with_loop({**compiled(formulas, sampled, called_rates), **by_call})
+    return Engine(rates, functions, (), formulas, None, reason, sign, called_rates, switches)
 
 
 @lru_cache(maxsize=256)
@@ -149,6 +118,4 @@ def _functions(formulas: Formulas, sampled: bool) -> Json:
 
 def _with_loop(functions: Json) -> Json:
     """Return the generated functions and the loop around them."""
-    first_step = first_step_with(functions["rhs"], functions["euler"])
-    advance = loop_with(*(functions[name] for name in GENERATED))
-    return {**functions, "first_step": first_step, "advance": advance}
+    return {**functions, "advance": loop_with(*(functions[name] for name in GENERATED))}

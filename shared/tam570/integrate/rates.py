@@ -97,6 +97,18 @@ class CalledRates:
                 "remember earlier calls. Put what it remembers into the state, or run it piece by piece"
             )
 
+    def roundoff(self, start: float, h: float, y: Numbers, f: Numbers, b: Numbers, _: Numbers) -> tuple[float, ...]:
+        """Return what rounding does to the error estimates of a step of h."""
+        self.check_memory(start, y, f)
+        t, state = start + INSIDE * h, [v + INSIDE * h * rate for v, rate in zip(y, f, strict=True)]
+        try:
+            there = self(t, tuple(state))
+            above, below = (_changes(self, t, h, state, there, side) for side in (1.0, -1.0))
+        except (ArithmeticError, ValueError, LookupError):
+            return tuple(b)
+        widths = (ESTIMATE_ROUNDOFF * h * _noise(*four) for four in zip(*above, *below, strict=True))
+        return tuple(x if x < math.inf else 0.0 for x in widths)
+
 
 def _floats(value: Numbers, size: int) -> Sequence[float]:
     if type(value) is np.ndarray and value.dtype == float and value.shape == (size,):
@@ -156,27 +168,6 @@ INSIDE = 0.4637  # of the step, where they are taken: no point at which a motion
 ONE_SIDED = 1e-3  # of the changes on one side, where those on the other are less: it is a jump
 
 Changes = tuple[list[float], list[float]]  # the least and the largest of each rate
-
-
-def roundoff_by_neighbours(rates: CalledRates) -> Callable[..., tuple[float, ...]]:
-    """Return the function `roundoff(start, h, y, f, b, c)`.
-
-    What rounding does to the error estimates of a step of h.
-    """
-
-    def roundoff(start: float, h: float, y: Numbers, f: Numbers, b: Numbers, _: Numbers) -> tuple[float, ...]:
-        rates.check_memory(start, y, f)
-        t, state = start + INSIDE * h, [v + INSIDE * h * rate for v, rate in zip(y, f, strict=True)]
-        try:
-            there = rates(t, tuple(state))
-            above, below = (_changes(rates, t, h, state, there, side) for side in (1.0, -1.0))
-        except (ArithmeticError, ValueError, LookupError):
-            return tuple(b)
-        noise = [_noise(*four) for four in zip(*above, *below, strict=True)]
-        widths = [ESTIMATE_ROUNDOFF * h * x for x in noise]
-        return tuple(x if x < math.inf else 0.0 for x in widths)
-
-    return roundoff
 
 
 def _noise(least: float, largest: float, other_least: float, other_largest: float) -> float:

@@ -21,18 +21,7 @@ import numpy as np
 from tam570.integrate.cache_key import global_names
 from tam570.values import Function, Numbers, Parameters
 
-__all__ = [
-    "FUNCTIONS",
-    "NUMPY_NAMES",
-    "Graph",
-    "Module",
-    "Symbol",
-    "Tape",
-    "Untraceable",
-    "Value",
-    "substituted",
-    "traced",
-]
+__all__ = ["Graph", "Symbol", "Tape", "Untraceable", "Value", "on_arrays", "substituted", "traced"]
 
 
 class Untraceable(TypeError):
@@ -242,7 +231,19 @@ FUNCTIONS = {name: name for name in _NAMES.split()}
 FUNCTIONS |= {"arc" + name[1:]: name for name in FUNCTIONS if name[0] == "a"} | {"absolute": "fabs"}
 NUMPY_NAMES = {plain: name for name, plain in FUNCTIONS.items() if name.startswith("arc")} | {"pow": "power"}
 
+OPERATORS: dict[str, Function] = {
+    **{"+": operator.add, "-": operator.sub, "*": operator.mul, "neg": operator.neg},
+    **{"/": np.true_divide, "pow": np.power},
+}
+
 Value = Symbol | float
+
+
+@functools.cache
+def on_arrays(name: str) -> Function:
+    """Return the operation of a symbol as a function of arrays."""
+    function = OPERATORS.get(name) or getattr(np, NUMPY_NAMES.get(name, name), None)
+    return np.vectorize(getattr(math, name), otypes=[float]) if function is None else function
 
 
 # What Python, NumPy and a careful function answer to an argument that is not a number.
