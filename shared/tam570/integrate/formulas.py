@@ -87,27 +87,39 @@ def unpacked(formulas: Formulas, **letters: str) -> list[str]:
     return lines + constants
 
 
-def _written(operations: Sequence[Symbol], rates: Sequence[Value], constants: dict[float, str]) -> Formulas:
-    uses = _uses(operations, rates)
+def _texts(
+    operations: Sequence[Symbol], uses: list[int], constants: dict[float, str], name: str, longest: float
+) -> tuple[list[str], dict[int, str]]:
+    """Return lines that set v0, v1, ... for name = "v", and the text of each operation.
+
+    What is needed once has no name, up to so many characters.
+    """
     texts: dict[int, str] = {}
     lines: list[str] = []
-
-    def text(value: Value) -> str:
-        if isinstance(value, Symbol):
-            return texts[value.number]
-        return constants.setdefault(value, f"c{len(constants)}") if value else "0.0"
-
     for symbol in operations:
         if not uses[symbol.number]:
             continue
-        expression = _expression(symbol.name, [text(a) for a in symbol.arguments])
-        texts[symbol.number] = expression
-        if symbol.arguments and (uses[symbol.number] > 1 or len(expression) > LONGEST):
-            texts[symbol.number] = f"v{len(lines)}"
-            lines.append(f"v{len(lines)} = {expression}")
+        arguments = [_text(a, texts, constants) for a in symbol.arguments]
+        expression = texts[symbol.number] = _expression(symbol.name, arguments)
+        if symbol.arguments and (uses[symbol.number] > 1 or len(expression) > longest):
+            texts[symbol.number] = f"{name}{len(lines)}"
+            lines.append(f"{name}{len(lines)} = {expression}")
+    return lines, texts
+
+
+def _text(value: Value, texts: dict[int, str], constants: dict[float, str]) -> str:
+    if isinstance(value, Symbol):
+        return texts[value.number]
+    return constants.setdefault(value, f"c{len(constants)}") if value else "0.0"
+
+
+def _written(operations: Sequence[Symbol], rates: Sequence[Value], constants: dict[float, str]) -> Formulas:
+    uses = _uses(operations, rates)
+    lines, texts = _texts(operations, uses, constants, "v", LONGEST)
+    expressions = tuple(_text(rate, texts, constants) for rate in rates)
     used = [symbol.name for symbol in operations if uses[symbol.number] and not symbol.arguments]
     reads = frozenset(int(name[1:]) for name in used if name != "t")
-    return Formulas(tuple(lines), tuple(map(text, rates)), len(constants), reads, "t" in used)
+    return Formulas(tuple(lines), expressions, len(constants), reads, "t" in used)
 
 
 def _bounded(formulas: Formulas, graph: Graph, constants: dict[float, str]) -> Formulas:
@@ -116,35 +128,26 @@ def _bounded(formulas: Formulas, graph: Graph, constants: dict[float, str]) -> F
     Of each operation, what it makes of its arguments' and its own.
     """
     uses = _uses(graph.operations, graph.rates)
-    texts: dict[int, tuple[str, str]] = {}
-    values: list[str] = []
+    values, texts = _texts(graph.operations, uses, constants, "z", 0)
     bounds: list[str] = []
 
-    def text(value: Value) -> tuple[str, str]:
-        if isinstance(value, Symbol):
-            return texts[value.number]
-        return (constants[value] if value else "0.0"), ""
+    def bound(value: Value) -> str:
+        """Return the name of its bound: b3 of z3, b_s1 of the state's s1; none of a number."""
+        text = texts[value.number] if isinstance(value, Symbol) else ""
+        return f"b{text[1:]}" if text[:1] == "z" else text and f"b_{text}"
 
     for symbol in graph.operations:
-        if not uses[symbol.number]:
-            continue
-        if not symbol.arguments:
-            texts[symbol.number] = symbol.name, f"b_{symbol.name}"
-            continue
-        arguments = [text(a) for a in symbol.arguments]
-        z, b = f"z{len(values)}", f"b{len(values)}"
-        values.append(f"{z} = {_expression(symbol.name, [a for a, _ in arguments])}")
-        bounds.append(f"{b} = {_bound_of(symbol.name, z, arguments)}")
-        texts[symbol.number] = z, b
-    rate_bounds = tuple(text(rate)[1] or "0.0" for rate in graph.rates)
+        if uses[symbol.number] and symbol.arguments:
+            arguments = [(_text(a, texts, constants), bound(a)) for a in symbol.arguments]
+            bounds.append(f"{bound(symbol)} = {_bound_of(symbol.name, texts[symbol.number], arguments)}")
     exponents = [s.arguments[0] for s in graph.operations if uses[s.number] and s.name in SATURATING]
     exponents = [a for a in exponents if isinstance(a, Symbol) and _moves_with_state(a)]
     return replace(
         formulas,
         values=tuple(values),
         bounds=tuple(bounds),
-        rate_bounds=rate_bounds,
-        exponents=tuple(dict.fromkeys(text(a)[0] for a in exponents)),
+        rate_bounds=tuple(bound(rate) or "0.0" for rate in graph.rates),
+        exponents=tuple(dict.fromkeys(texts[a.number] for a in exponents)),
     )
 
 
