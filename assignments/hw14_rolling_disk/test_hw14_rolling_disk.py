@@ -54,8 +54,8 @@ def test_the_three_derivations_agree():
     np.testing.assert_allclose(by_multipliers, by_matrix, rtol=1e-9, atol=1e-9)
     # the angles' rates give the matrix state's by a small step along them
     rates, h = numbers(hw.euler_state_derivative(0.0, STATE, **DISK)), 1e-5
-    ahead, behind = (numbers(hw.matrix_state(STATE + k * h * rates, radius=0.5)) for k in (1, -1))
-    np.testing.assert_allclose((ahead - behind) / (2 * h), by_matrix, rtol=1e-5, atol=1e-5)
+    after, before = (numbers(hw.matrix_state(STATE + k * h * rates, radius=0.5)) for k in (1, -1))
+    np.testing.assert_allclose((after - before) / (2 * h), by_matrix, rtol=1e-5, atol=1e-5)
 
 
 def test_the_point_at_the_contact_has_no_velocity():
