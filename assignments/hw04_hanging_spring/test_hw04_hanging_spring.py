@@ -1,7 +1,5 @@
 """Visible tests of hw04: run them with `tam570 check hw04` (or plain pytest) as often as you like."""
 
-import re
-
 import hw04_hanging_spring as hw
 import numpy as np
 import pytest
@@ -112,26 +110,10 @@ def test_seen_from_straight_above():
     assert seen == pytest.approx(np.array([[2, -1]]))
 
 
-def curves(axes):
-    """The points of each line or scatter; those of fewer than ten points are markers, or lines for reference."""
-    from matplotlib.collections import PathCollection
-
-    drawn = [[line.get_xydata()] for line in axes.lines if line.get_visible()]
-    drawn += [c.get_segments() for c in axes.collections if hasattr(c, "get_segments")]
-    drawn += [[c.get_offsets()] for c in axes.collections if isinstance(c, PathCollection)]
-    points = [np.array([*{tuple(point) for piece in pieces for point in piece}]) for pieces in drawn]
-    return [curve for curve in points if len(curve) >= 10]
-
-
-def in_metres(label):
-    """Whether the unit is a word of its own, as in "x (m)" or "x in metres"."""
-    plain = re.sub(r"\\[A-Za-z]+\{?|\\.|~", " ", label.replace("(s)", "s"))  # without TeX's commands
-    words = {word.strip("()[]{}$,;:.") for word in plain.split()}
-    return "m" in words or any(word.lower().rstrip("s") in ("metre", "meter") for word in words)
-
-
 def test_the_picture_has_one_curve_and_names_on_its_axes():
     from matplotlib.figure import Figure
+
+    from tam570.checking.drawings import curves, in_metres
 
     ax = Figure().add_subplot()
     t = np.linspace(0, PERIOD, 201)

@@ -1,13 +1,13 @@
 """Visible tests of hw07: run them with `tam570 check hw07` (or plain pytest) as often as you like."""
 
 import math
-import re
 
 import hw07_double_pendulum as hw
 import numpy as np
 import pytest
-from matplotlib.collections import PathCollection
 from matplotlib.figure import Figure
+
+from tam570.checking.drawings import curves, in_metres
 
 BARS = {"masses": np.array([2.0, 1.5]), "lengths": np.array([1.0, 0.8])}  # kg, m
 PENDULUM = {**BARS, "gravity": 9.81}  # m/s^2
@@ -117,22 +117,6 @@ def test_equal_bars_have_the_frequencies_of_the_book():
 def test_the_bars_hang_below_the_ceiling():
     bars = numbers(hw.wireframe(DOWN, lengths=BARS["lengths"]))
     np.testing.assert_allclose(bars, [[[0, 0], [0, -1]], [[0, -1], [0, -1.8]]], atol=1e-12)
-
-
-def curves(axes):
-    """The points of each line or scatter; those of fewer than ten points are markers, or lines for reference."""
-    drawn = [[line.get_xydata()] for line in axes.lines if line.get_visible()]
-    drawn += [c.get_segments() for c in axes.collections if hasattr(c, "get_segments")]
-    drawn += [[c.get_offsets()] for c in axes.collections if isinstance(c, PathCollection)]
-    points = [np.array([*{tuple(point) for piece in pieces for point in piece}]) for pieces in drawn]
-    return [curve for curve in points if len(curve) >= 10]
-
-
-def in_metres(label):
-    """Whether the unit is a word of its own, as in "x (m)" or "x in metres"."""
-    plain = re.sub(r"\\[A-Za-z]+\{?|\\.|~", " ", label.replace("(s)", "s"))  # without TeX's commands
-    words = {word.strip("()[]{}$,;:.") for word in plain.split()}
-    return "m" in words or any(word.lower().rstrip("s") in ("metre", "meter") for word in words)
 
 
 def test_the_tip_path_is_drawn():

@@ -1,7 +1,6 @@
 """Visible tests of hw10: run them with `tam570 check hw10` (or plain pytest) as often as you like."""
 
 import math
-import re
 
 import hw10_free_rigid_body as hw
 import numpy as np
@@ -106,26 +105,10 @@ def test_the_edges_turn_with_the_box():
     assert len({tuple(middle) for middle in np.round(middles, 9) + 0.0}) == 12
 
 
-def curves(axes):
-    """The points of each line or scatter; those of fewer than ten points are markers, or lines for reference."""
-    from matplotlib.collections import PathCollection
-
-    drawn = [[line.get_xydata()] for line in axes.lines if line.get_visible()]
-    drawn += [c.get_segments() for c in axes.collections if hasattr(c, "get_segments")]
-    drawn += [[c.get_offsets()] for c in axes.collections if isinstance(c, PathCollection)]
-    points = [np.array([*{tuple(point) for piece in pieces for point in piece}]) for pieces in drawn]
-    return [curve for curve in points if len(curve) >= 10]
-
-
-def in_metres(label):
-    """Whether the unit is a word of its own, as in "x (m)" or "x in metres"."""
-    plain = re.sub(r"\\[A-Za-z]+\{?|\\.|~", " ", label.replace("(s)", "s"))  # without TeX's commands
-    words = {word.strip("()[]{}$,;:.") for word in plain.split()}
-    return "m" in words or any(word.lower().rstrip("s") in ("metre", "meter") for word in words)
-
-
 def test_two_paths_are_drawn():
     from matplotlib.figure import Figure
+
+    from tam570.checking.drawings import curves, in_metres
 
     ax = Figure().subplots()
     t, omega = np.linspace(1.0, 4.0, 201), np.array([0.1, 0.0, 2.0])

@@ -199,7 +199,9 @@ def euler_simulation_follows_the_motion(student, rng):
 def euler_simulation_keeps_energy_and_two_integrals(student, rng):
     """over a long time the energy stays, and omega along e2 and e3 depends only on the tilt."""
     conserved, shares = (INTEGRALS, ENERGY_KEPT), {1e-4: 0.5}
-    check_conserved(student.simulate_euler, reference, cases.long_motion(rng), *conserved, coarsely=COARSELY, partial=shares)
+    check_conserved(
+        student.simulate_euler, reference, cases.long_motion(rng), *conserved, coarsely=COARSELY, partial=shares
+    )
 
 
 @check("simulate_matrix", points=0.5, part="b")
