@@ -64,27 +64,6 @@ def test_scenes_come_as_they_are_seen_and_go(opened):
     tab.wait_for_function("document.querySelectorAll('figure.scene')[0].querySelector('iframe') === null")
 
 
-# Focus on the last of what takes it before the scene.
-BEFORE_THE_SCENE = """() => [...document.querySelectorAll("a[href], button")]
-  .filter((one) => one.compareDocumentPosition(document.querySelector("iframe")) & Node.DOCUMENT_POSITION_FOLLOWING)
-  .findLast((one) => (one.focus(), document.activeElement === one)).outerHTML"""
-
-
-def test_a_scene_is_reached_and_played_by_keys(opened):
-    tab = opened(LECTURE, DESK)
-    tab.wait_for_selector("figure.scene iframe")
-    scene = tab.frames[1]
-    scene.wait_for_load_state()
-    tab.evaluate(BEFORE_THE_SCENE)
-    tab.keyboard.press("Tab")
-    scene.locator("#live:focus").wait_for()
-    assert tab.evaluate("document.activeElement.title").endswith("a scene that plays")
-    tab.keyboard.press("Space")
-    scene.locator("#play", has_text="Pause").wait_for()
-    tab.keyboard.press("Tab")
-    scene.locator("#play:focus").wait_for()
-
-
 def test_paper_and_readers_without_scripts_have_a_still(opened):
     tab = opened(LECTURE, DESK)
     tab.wait_for_selector("figure.scene iframe")

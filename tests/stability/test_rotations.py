@@ -20,7 +20,6 @@ DRAW = np.random.default_rng(571)
 UNTURNED = np.array([[1, 0, 0], [0, 0, -1], [1, 1, 1], [1, -1, 1], [1, 1e-9, 1e-12], [1e-9, 1, 1]], dtype=float)
 AXES = np.vstack([UNTURNED, DRAW.normal(size=(4, 3))])
 ANGLES = [*SMALL, 1.0, math.pi / 2, 2.5, *(math.pi - d for d in SMALL)]
-CASES = [(axis, angle) for axis in AXES for angle in ANGLES]
 
 
 @pytest.fixture(autouse=True)
@@ -74,63 +73,6 @@ def singly_and_in_a_batch(function, *arguments):
     yield tuple(part[0] for part in pair) if isinstance(pair, tuple) else pair[0]
 
 
-def vectors_apart(v, direction, angle):
-    """Largest component of v -+ direction, the sign free next to half a turn."""
-    return min(error(v, s * direction) for s in ((1, -1) if angle > math.pi - 1e-15 else (1,)))
-
-
-@pytest.mark.parametrize("length", [1, 1e-200, 1e200, 5e-324, 1e308])
-def test_axis_and_angle_to_matrix(length):
-    for axis, angle in CASES:
-        scaled = axis / np.abs(axis).max() * length
-        for signed in angle, -angle:
-            reference = exact_matrix(scaled, signed)
-            for R in singly_and_in_a_batch(rotations.matrix_from_axis_angle, scaled, signed):
-                assert error(R, reference) <= ALLOWED, (scaled, signed)
-
-
-def test_matrix_to_axis_and_angle():
-    for axis, angle in CASES:
-        R = rounded(exact_matrix(axis, angle))
-        for n, turned in singly_and_in_a_batch(rotations.axis_angle_from_matrix, R):
-            assert vectors_apart(n, unit(axis), angle) <= ALLOWED, (axis, angle)
-            assert error(turned, mpmath.mpf(angle)) <= ALLOWED * angle, (axis, angle)
-
-
-def test_matrix_to_rotation_vector():
-    for axis, angle in CASES:
-        R = rounded(exact_matrix(axis, angle))
-        for v in singly_and_in_a_batch(rotations.log, R):
-            assert vectors_apart(v, angle * unit(axis), angle) <= ALLOWED * angle, (axis, angle)
-
-
-def test_rotation_vector_to_matrix():
-    for axis, angle in CASES:
-        v = angle * rounded(unit(axis))
-        length = mpmath.sqrt((exact(v) ** 2).sum())
-        reference = exact_matrix(v, length)
-        for R in singly_and_in_a_batch(rotations.exp, v):
-            assert error(R, reference) <= ALLOWED, v
-
-
-def test_matrix_to_quaternion():
-    for axis, angle in CASES:
-        half = mpmath.mpf(angle) / 2
-        reference = np.array([mpmath.cos(half), *(mpmath.sin(half) * unit(axis))])
-        for q in singly_and_in_a_batch(rotations.quaternion_from_matrix, rounded(exact_matrix(axis, angle))):
-            assert q[0] >= 0
-            assert vectors_apart(q, reference, angle) <= ALLOWED, (axis, angle)
-
-
-@pytest.mark.parametrize("length", [1, 1e-200, 1e200, 1e308])
-def test_quaternion_to_matrix(length):
-    for axis, angle in CASES:
-        q = length * np.array([math.cos(0.5 * angle), *(math.sin(0.5 * angle) * rounded(unit(axis)))])
-        reference = exact_quaternion_matrix(q)
-        for R in singly_and_in_a_batch(rotations.matrix_from_quaternion, q):
-            assert error(R, reference) <= ALLOWED, q
-
-
 def exact_quaternion_matrix(q):
     """(w^2 - v^2) I + 2 v v^T + 2 w skew(v), over the squared length."""
     w, x, y, z = exact(q)
@@ -139,6 +81,40 @@ def exact_quaternion_matrix(q):
     square = x * x + y * y + z * z
     identity = np.eye(3, dtype=int).astype(object)
     return ((w * w - square) * identity + 2 * v.T @ v + 2 * w * K) / (w * w + square)
+
+
+def conversions(axis, angle):
+    """Functions, their arguments, and how far off a result is: absolutely, or relative to the angle."""
+    n, R = unit(axis), rounded(exact_matrix(axis, angle))
+    v, half = angle * rounded(n), mpmath.mpf(angle) / 2
+    by_vector = exact_matrix(v, mpmath.sqrt((exact(v) ** 2).sum()))
+    quaternion = np.array([mpmath.cos(half), *(mpmath.sin(half) * n)])
+
+    def apart(vector, direction):
+        """Largest component of a difference, the sign free next to half a turn."""
+        return min(error(vector, s * direction) for s in ((1, -1) if angle > math.pi - 1e-15 else (1,)))
+
+    yield rotations.axis_angle_from_matrix, (R,), lambda pair: max(apart(pair[0], n), error(pair[1], 2 * half) / angle)
+    yield rotations.log, (R,), lambda vector: apart(vector, angle * n) / angle
+    yield rotations.exp, (v,), lambda matrix: error(matrix, by_vector)
+    yield rotations.quaternion_from_matrix, (R,), lambda q: apart(q, quaternion) if q[0] >= 0 else math.inf
+    for length in (1, 1e-200, 1e200, 5e-324, 1e308):
+        scaled = axis / np.abs(axis).max() * length
+        for signed in (angle, -angle):
+            by_axis = exact_matrix(scaled, signed)
+            yield rotations.matrix_from_axis_angle, (scaled, signed), lambda matrix, to=by_axis: error(matrix, to)
+    for length in (1, 1e-200, 1e200, 1e308):
+        q = length * np.array([math.cos(0.5 * angle), *(math.sin(0.5 * angle) * rounded(n))])
+        by_quaternion = exact_quaternion_matrix(q)
+        yield rotations.matrix_from_quaternion, (q,), lambda matrix, to=by_quaternion: error(matrix, to)
+
+
+@pytest.mark.parametrize("axis", AXES)
+def test_a_conversion_of_any_axis_and_angle(axis):
+    for angle in ANGLES:
+        for function, arguments, off in conversions(axis, angle):
+            for result in singly_and_in_a_batch(function, *arguments):
+                assert off(result) <= ALLOWED, (function, angle)
 
 
 def test_round_trips_next_to_half_a_turn():

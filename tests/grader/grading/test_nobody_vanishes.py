@@ -55,7 +55,9 @@ def test_what_cannot_be_told_is_one_row_that_says_why_and_holds_up_nobody(class_
     assert all(name in said[student] for student in ("bob", "dan", "kim") for name in odd[student])
 
 
-@pytest.mark.parametrize("name", ["ida/work.py", "ida/final.zip", "ida/mine/a.py", "lone.zip", "ida/notes.pdf"])
+@pytest.mark.parametrize(
+    "name", ["ida/work.py", "ida/hw080.py", "ida/final.zip", "ida/mine/a.py", "lone.zip", "ida/notes.pdf"]
+)
 def test_what_tells_no_assignment_is_warned_of(class_of, name):
     tree = class_of([GRADED[0], name])
     (warning,) = skipped_files([tree], submissions([tree], SLUGS), SLUGS)
