@@ -1,28 +1,17 @@
 """What is nothing but the rounding of larger components costs no steps; what is small and physics keeps its scale."""
 
-import importlib.util
 import math
-from pathlib import Path
+import runpy
 
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
 from tam570.integrate import solve
+from tam570_grader.checks import assignments
 
-ROOT = Path(__file__).parents[2]
-
-
-def _loaded(path):
-    spec = importlib.util.spec_from_file_location(f"_rounding_{path.stem}", path)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-HW06 = _loaded(ROOT / "solutions" / "hw06_braking.py")
-HW14 = _loaded(ROOT / "solutions" / "hw14_rolling_disk.py")
-PROBLEMS = _loaded(ROOT / "benchmarks" / "run_time" / "public.py").PROBLEMS
+HW06, HW14 = (assignments.solution(slug) for slug in ("hw06_braking", "hw14_rolling_disk"))
+PROBLEMS = runpy.run_path(str(assignments.find() / "benchmarks" / "run_time" / "public.py"))["PROBLEMS"]
 DISK = {"mass": 1.0, "radius": 0.5, "inertia": (0.0625, 0.125), "gravity": 9.81}
 CAR = {"mass": 1136.0, "yaw_inertia": 1300.0, "front": 1.9, "rear": 1.1, "friction": 0.7, "gravity": 9.81}
 

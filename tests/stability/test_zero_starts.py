@@ -110,23 +110,6 @@ def test_a_force_all_of_whose_derivatives_are_zero_at_the_start():
     assert np.abs(solve(rates, t, [0.0, 0.0]) - by_scipy(rates, t, [0.0, 0.0])).max() < 1e-9
 
 
-def test_a_push_that_comes_while_nothing_moves_is_not_stepped_over():
-    for begin in np.linspace(0.5, 9, 18):
-        states = solve(
-            lambda t, y, a: (y[1], 1.0 if a <= t < a + 0.5 else 0.0), [0, 10], [0.0, 0.0], parameters={"a": begin}
-        )
-        assert states[-1, 1] == pytest.approx(0.5, abs=1e-7), begin
-
-
-def test_a_jump_with_no_scale_at_all_is_passed_too():
-    """The second component is off until the first passes one half: no time and no small change tells."""
-
-    def rates(t, y):
-        return 1.0, (2.0 if y[0] > 0.5 else 0.0)
-
-    assert solve(rates, [0, 2.0], [0.0, 0.0])[-1] == pytest.approx([2.0, 3.0], abs=1e-8)
-
-
 def test_an_ensemble_under_a_force_that_sets_in_late():
     """The square root is zero until t = 3."""
 

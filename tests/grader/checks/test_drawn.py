@@ -1,6 +1,6 @@
 """What a student draws: decorations beside the curves, few points, scatters in any order, labels in TeX."""
 
-import importlib.util
+import runpy
 import sys
 import types
 
@@ -102,10 +102,7 @@ def tried(slug, text, course, monkeypatch):
     exec(text, vars(module))
     monkeypatch.setitem(sys.modules, slug, module)
     path = course / "assignments" / slug / f"test_{slug}.py"
-    spec = importlib.util.spec_from_file_location(f"visible_{slug}", path)
-    visible = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(visible)
-    getattr(visible, f"test_{DRAWN[slug][2]}")()
+    runpy.run_path(str(path))[f"test_{DRAWN[slug][2]}"]()
 
 
 def pictures(fields):

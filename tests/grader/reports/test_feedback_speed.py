@@ -1,7 +1,7 @@
 """Run time against error on a student's page: what is measured, where the point is drawn, what it is compared with."""
 
-import importlib.util
 import json
+import runpy
 
 import numpy as np
 import pytest
@@ -41,11 +41,9 @@ def measured(course, zygotes):
 
 def test_what_the_pages_know_of_run_times_is_made_from_the_benchmark(course):
     path = course / "benchmarks" / "run_time_for_pages.py"
-    spec = importlib.util.spec_from_file_location("run_time_for_pages", path)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    stored = json.loads(module.PLACE.read_text())
-    assert json.loads(json.dumps(module.shared())) == stored, f"run: python {path.relative_to(course)}"
+    program = runpy.run_path(str(path))
+    stored = json.loads(program["PLACE"].read_text())
+    assert json.loads(json.dumps(program["shared"]())) == stored, f"run: python {path.relative_to(course)}"
     assert set(stored) <= set(assignments.slugs(course)) and len(stored) > 4
 
 
