@@ -68,7 +68,7 @@ def test_the_honest_part_keeps_its_points_and_the_next_student_notices_nothing(
         assert result.score is not None and result.score < result.max_score, said(result)
     after = grade(SLUG, solution_text(SLUG), seed=2, limits=BRIEF)
     assert after.score == after.max_score, said(after)
-    assert not processes(zygotes(SLUG, BRIEF).jail_limits["user"]), "left running"
+    assert not processes(zygotes(SLUG, BRIEF).user), "left running"
     assert not planted(), "left lying about"
 
 

@@ -27,7 +27,6 @@ from tam570_grader.checks.returns import free_body_diagram
 
 from . import cases, reference
 
-WAYS = "euler_state_derivative", "matrix_state_derivative", "multiplier_state_derivative"
 POINTWISE = 1e-9  # careful formulas agree to 1e-13, a numpy.linalg.solve of nine unknowns to 1e-12
 FLAT = 1e-8  # at a tilt of 1e-3 a linear system for the angles loses six of its sixteen digits
 LINEAR = 1e-7  # the five-point difference is good to 1e-11; a student's own difference to 1e-9
@@ -333,6 +332,10 @@ ASSIGNMENT = Assignment(
         "wireframe": array(None, 2, 3),
         "free_body_diagram": free_body_diagram(3),
     },
-    forbidden={way: tuple(other for other in WAYS if other != way) for way in WAYS},
+    forbidden={
+        "euler_state_derivative": ("matrix_state_derivative", "multiplier_state_derivative"),
+        "matrix_state_derivative": ("euler_state_derivative", "multiplier_state_derivative"),
+        "multiplier_state_derivative": ("euler_state_derivative", "matrix_state_derivative"),
+    },
     needs=("numpy",),
 )

@@ -143,6 +143,23 @@ def assignment(root: Path, slug: str) -> LoadedAssignment:
     return _adapted(loaded, folder) if (folder / f"{OVERRIDES}.py").exists() else loaded
 
 
+@functools.cache
+def sandbox_imports(root: Path, slug: str) -> tuple[frozenset[str], frozenset[str]]:
+    """Return what the sandbox of an assignment imports and what is off limits in it, by the text of its checks.
+
+    To load them takes as long as to start the sandbox, which so starts meanwhile.
+    """
+    (slug,) = match_slugs([slug], slugs(root))
+    record = ast.parse((checks_folder(root, slug) / "checks.py").read_bytes()).body[-1]
+    stated = record.value.keywords if isinstance(record, ast.Assign) and isinstance(record.value, ast.Call) else []
+    values = {field.arg: field.value for field in stated}
+    try:
+        needs, forbidden = (ast.literal_eval(values[name]) for name in ("needs", "forbidden"))
+    except (KeyError, ValueError):
+        raise UsageError(f"{slug}: ASSIGNMENT ends its checks, with needs and forbidden as plain texts") from None
+    return frozenset(needs), frozenset(forbidden.get("*", ()))
+
+
 def _adapted(original: LoadedAssignment, folder: Path) -> LoadedAssignment:
     """Return an assignment with the points, parts and checks of a course of one's own."""
     change = importlib.import_module(f"_checks_{folder.name}.{OVERRIDES}")

@@ -18,7 +18,7 @@ from pathlib import Path
 from tam570_grader.checks import assignments
 from tam570_grader.grading import supervisor
 from tam570_grader.grading.cluster import Cluster
-from tam570_grader.grading.executor import WorkerLost, cores, run_tasks
+from tam570_grader.grading.executor import WorkerLost, cores, forks, run_tasks
 from tam570_grader.grading.executor import executor as local_executor
 from tam570_grader.grading.seeds import derive, new_seed
 from tam570_grader.grading.submissions import CannotRead, Submission, read, submissions
@@ -114,9 +114,10 @@ def outcomes(
         held += len(text)
         fresh.append((submission, task if held < HELD else None))
     # a worker's import of a package pays off from the second submission that uses it
-    preload = [name for name, count in users.items() if count >= 2 * config.jobs]
+    preload = [name for name, count in users.items() if count > 1]
     tasks = (task or _task(config, engine, submission) for submission, task in fresh)
-    for line in lines(config, tasks, len(fresh), preload):
+    slugs = sorted({submission.slug for submission, _ in fresh if submission.path})
+    for line in lines(config, tasks, len(fresh), slugs, preload):
         record = json.loads(line)
         if store is not None:
             store.add(record, line)
@@ -137,8 +138,13 @@ def _noted(cached: CachedResult, store: ResultStore | None) -> CachedResult:
     return cached
 
 
-def lines(config: RunConfig, tasks: Iterable[GradeTask], count: int, preload: Sequence[str] = ()) -> Iterator[bytes]:
-    """Yield the result lines of these tasks, as soon as each is there; an interrupt ends all supervisors."""
+def lines(
+    config: RunConfig, tasks: Iterable[GradeTask], count: int, slugs: Sequence[str], preload: Sequence[str] = ()
+) -> Iterator[bytes]:
+    """Yield the result lines of these tasks, as soon as each is there; an interrupt ends all supervisors.
+
+    slugs : the assignments of those that can be read
+    """
     jobs = max(1, min(config.jobs, count // FEW))
     with ExitStack() as stack:
         if not count:
@@ -151,6 +157,8 @@ def lines(config: RunConfig, tasks: Iterable[GradeTask], count: int, preload: Se
         conditions = WorkerConfig(
             config.limits, _hidden(config), tuple(preload), config.speed, _shared(config, jobs, stack)
         )
+        if not config.cluster and (jobs == 1 or forks()):
+            supervisor.prepare(config.course, slugs, conditions)
         configured = (replace(task, conditions=conditions) for task in tasks)
         for _, task, line in run_tasks(executor, supervisor.line, configured, count):
             yield supervisor.lost(task, str(line)) if isinstance(line, WorkerLost) else line

@@ -13,6 +13,7 @@ import socket
 import subprocess
 import sys
 import threading
+import traceback
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from dataclasses import dataclass
@@ -27,9 +28,8 @@ from tam570_grader.sandbox.pool import TRIES, sandboxes
 
 PREFETCH = 2  # bunches of tasks a job that are handed out: one is worked on, one waits
 CHUNK = 8  # tasks at most: to hand one out costs the head more than to read it
-SERVE = "from tam570_grader.grading.executor import serve; serve()"
+SERVE = "import sys; from tam570_grader.grading.executor import serve; serve(int(sys.argv[1]))"
 HEARD = 0.5  # s, in which an interrupt is heard
-PATIENCE = 5  # s, for a process to end by itself
 T = TypeVar("T")
 Outcome = TypeVar("Outcome")
 
@@ -152,23 +152,31 @@ class _Processes(ThreadPoolExecutor):
 
     def __init__(self, jobs: int) -> None:
         super().__init__(jobs)
-        self._mine, self._all, self._lock, self._over = threading.local(), list[_Process](), threading.Lock(), False
+        self._jobs, self._idle, self._lock, self._over = jobs, SimpleQueue[_Process | None](), threading.Lock(), False
+        self._all = list[_Process]()
 
     def submit(self, work: Function, /, *args: Any, **kwargs: Any) -> Future[Any]:
+        while len(self._all) < self._jobs:  # before there are threads
+            self._idle.put(self._start())
         return super().submit(self._done_there, (work, args, kwargs))
 
+    def _start(self) -> "_Process":
+        with self._lock:
+            if self._over:
+                raise WorkerLost("the run has ended")
+            self._all.append(process := _Process(self._all))
+        return process
+
     def _done_there(self, order: Any) -> Any:
-        if getattr(self._mine, "process", None) is None:
-            with self._lock:
-                if self._over:
-                    raise WorkerLost("the run has ended")
-                self._mine.process = _Process()
-                self._all.append(self._mine.process)
+        process = self._idle.get()
         try:
-            worked, outcome = self._mine.process.done(order)
+            process = process or self._start()
+            worked, outcome = process.done(order)
         except WorkerLost:
-            self._mine.process = None
+            process = None
             raise
+        finally:
+            self._idle.put(process)
         if not worked:
             raise outcome
         return outcome
@@ -178,27 +186,35 @@ class _Processes(ThreadPoolExecutor):
         with self._lock:
             self._over = True
         for process in self._all:
-            process.hang_up()
+            process.kill()
         super().shutdown(wait=True, cancel_futures=True)
         for process in self._all:
             process.close()
+        with sandboxes():
+            pass
+
+
+def forks() -> bool:
+    """Return whether processes are forked from this one: it has no other thread, and no library that forbids it."""
+    return sys.platform == "linux" and threading.active_count() == 1
 
 
 class _Process:
-    """A process of ours that does what it is told, one thing at a time."""
+    """A process of ours that does what it is told, one thing at a time.
 
-    def __init__(self) -> None:
+    Where that is safe it is forked, and has at once what this one has imported, loaded and computed.
+    """
+
+    def __init__(self, others: "Sequence[_Process]") -> None:
         self._socket, child_end = socket.socketpair()
         self._file = self._socket.makefile("rwb")
         with child_end:
-            self._process = subprocess.Popen(
-                [sys.executable, "-c", SERVE, str(child_end.fileno())],
-                pass_fds=[child_end.fileno()],
-                env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))},
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.DEVNULL,
-                start_new_session=True,  # Ctrl-C is the parent's to hear
-            )
+            self._popen = None if forks() else _spawn(child_end)
+            self._id = self._popen.pid if self._popen else os.fork()
+            if self._id == 0:
+                for process in (self, *others):  # or none would notice that this end is closed
+                    process.hang_up()
+                _serve_forked(child_end)
 
     def done(self, order: Any) -> tuple[bool, Any]:
         """Return whether it worked, and the outcome or the exception."""
@@ -210,25 +226,54 @@ class _Process:
             raise WorkerLost("the process that graded it died") from None
         return reply
 
-    def hang_up(self) -> None:
-        with contextlib.suppress(OSError):
-            self._socket.shutdown(socket.SHUT_RDWR)
+    def kill(self) -> None:
+        os.kill(self._id, signal.SIGKILL)  # one that has ended waits for `close`
 
-    def close(self) -> None:
+    def hang_up(self) -> None:
         with contextlib.suppress(OSError):  # what it has not taken is lost with it
             self._file.close()
         self._socket.close()
-        try:
-            self._process.wait(PATIENCE)
-        except subprocess.TimeoutExpired:
-            self._process.kill()
-            self._process.wait()
+
+    def close(self) -> None:
+        self.hang_up()
+        if self._popen:
+            self._popen.wait()
+        else:
+            os.waitpid(self._id, 0)
 
 
-def serve() -> None:
-    """Live as a process: do what comes over the socket, until the other end is closed."""
+def _spawn(line: socket.socket) -> subprocess.Popen[bytes]:
+    """Start a process that imports what it needs by itself."""
+    return subprocess.Popen(
+        [sys.executable, "-c", SERVE, str(line.fileno())],
+        pass_fds=[line.fileno()],
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))},
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        start_new_session=True,  # Ctrl-C is the parent's to hear
+    )
+
+
+def _serve_forked(line: socket.socket) -> None:
+    """Live as a process that was forked; never returns."""
+    try:
+        os.setsid()
+        for number in (signal.SIGINT, signal.SIGTERM):
+            signal.signal(number, signal.SIG_DFL)
+        nowhere = os.open(os.devnull, os.O_RDWR)
+        for standard in range(2):
+            os.dup2(nowhere, standard)
+        serve(line.detach())
+    except BaseException:
+        traceback.print_exc()
+    finally:
+        os._exit(0)
+
+
+def serve(number: int) -> None:
+    """Live as a process: do what comes over the socket of this number, until the other end is closed."""
     hide_from_submissions()
-    with socket.socket(fileno=int(sys.argv[1])) as line, line.makefile("rwb") as file, sandboxes():
+    with socket.socket(fileno=number) as line, line.makefile("rwb") as file, sandboxes():
         threading.Thread(target=_end_with, args=[line.fileno()], daemon=True).start()
         with contextlib.suppress(EOFError, OSError):
             while True:

@@ -2,6 +2,7 @@
 
 import functools
 import json
+from collections.abc import Collection
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -11,7 +12,7 @@ from tam570_grader.grading.run_checks import CheckOptions, failed_by_us, graded,
 from tam570_grader.grading.speed import Yardstick
 from tam570_grader.grading.submissions import CannotRead
 from tam570_grader.results.records import Result
-from tam570_grader.sandbox.pool import Attempt, tried
+from tam570_grader.sandbox.pool import Attempt, start, tried
 from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.zygote import NotConfined, ResourceLimits, Zygote, ZygoteLost
 
@@ -43,6 +44,21 @@ class GradeTask:
     conditions: WorkerConfig = WorkerConfig(ResourceLimits())
 
 
+def prepare(course: Path, slugs: Collection[str], conditions: WorkerConfig) -> None:
+    """Start the sandboxes of assignments, and load their checks while these start: both stay with this process."""
+    for slug in slugs:
+        start(*_sandbox(course, slug, conditions))
+    for slug in slugs:
+        assignments.assignment(course, slug)
+
+
+def _sandbox(course: Path, slug: str, conditions: WorkerConfig) -> tuple[list[str], ResourceLimits, list[Path]]:
+    """Return what its worker imports, the limits, and what it must not see."""
+    needs, forbidden = assignments.sandbox_imports(course, slug)
+    preload = sorted({*needs, *conditions.preload}.difference(forbidden))
+    return preload, conditions.limits, [*dict.fromkeys([course, *conditions.hidden])]
+
+
 def line(task: GradeTask) -> bytes:
     """Return the result line of a submission."""
     return _line(task, result(task))
@@ -65,12 +81,9 @@ def result(task: GradeTask) -> Result:
     if isinstance(task.source, CannotRead):
         status = "missing" if task.missing else "unreadable"
         return not_graded(task.student, assignment, status, str(task.source), task.seed)
-    conditions = task.conditions
-    hidden = [*dict.fromkeys([task.course, *conditions.hidden])]
-    preload = sorted({*assignment.needs, *conditions.preload}.difference(assignment.forbidden.get("*", ())))
     try:
-        with expected.sharing(conditions.shared):
-            return tried(functools.partial(_graded, task), preload, conditions.limits, hidden)
+        with expected.sharing(task.conditions.shared):
+            return tried(functools.partial(_graded, task), *_sandbox(task.course, task.slug, task.conditions))
     except NotConfined as why:
         raise UsageError(NO_JAIL.format(why=why)) from None
     except UsageError:

@@ -47,7 +47,7 @@ def main() -> None:
     for name in settings["preload"]:
         importlib.import_module(name)
     _warm_up(settings["preload"])
-    program(**jail.Limits(cpu=0, **settings["limits"]).refusals)
+    program(**jail.Limits(cpu=0, user=None, **settings["limits"]).refusals)
     jail.hidden_from_debuggers()
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # guards are reaped by the kernel
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the supervisor decides what an interrupt ends

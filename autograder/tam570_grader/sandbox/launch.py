@@ -109,7 +109,7 @@ def jailed_command(hidden: Sequence[Path]) -> tuple[list[str], list[str]]:
     shown |= {"/opt/course/tam570": str(course), "/opt/grader/protocol": str(HOME / "protocol")}
     binds = [(Path(target), ["--ro-bind", os.path.realpath(source)]) for target, source in shown.items()]
     below = [path for path in hidden if any(path.is_relative_to(target) for target, _ in binds)]
-    masks = [(path, ["--tmpfs"]) for path in dict.fromkeys([*below, *other_packages(sites)])]
+    masks = [(path, ["--tmpfs"]) for path in dict.fromkeys([*below, *other_packages(sites), *_unused_fonts(sites)])]
     command = ["bwrap", "--unshare-pid", "--unshare-ipc", "--unshare-net", "--unshare-uts", "--die-with-parent"]
     for target, mount in sorted(masks + binds, key=lambda entry: len(entry[0].parts)):
         for parent in reversed(target.parents[:-1]):
@@ -133,6 +133,12 @@ def other_packages(sites: Sequence[str]) -> list[Path]:
     packages = [path for folder in _python_folders() for path in Path(folder).glob("python3*/*-packages")]
     linked = [path for path in packages if path.is_symlink() or path.parent.is_symlink()]
     return [path for path in packages if path not in linked and path.is_dir() and os.path.realpath(path) not in ours]
+
+
+def _unused_fonts(sites: Sequence[str]) -> list[Path]:
+    """Return fonts for printers, which no picture on a screen has, and which matplotlib takes long to list."""
+    fonts = [Path(folder, "matplotlib/mpl-data/fonts", name) for folder in sites for name in ("afm", "pdfcorefonts")]
+    return [folder for folder in fonts if folder.is_dir()]
 
 
 def _python_folders() -> list[str]:

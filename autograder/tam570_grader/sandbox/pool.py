@@ -35,11 +35,8 @@ def tried(
     work: Callable[[Zygote, Attempt], T], preload: Sequence[str], limits: ResourceLimits, hidden: Sequence[Path] = ()
 ) -> T:
     """work(worker, attempt) on a warm worker, on another where that one is lost; WorkerLost from the last attempt."""
-    key = (threading.get_ident(), *preload, limits, *hidden)
     for attempt in ATTEMPTS:
-        if key not in _warm:
-            _make_room(key[0])
-            _warm[key] = Zygote(preload, limits, hidden)
+        key = start(preload, limits, hidden)
         try:
             return work(_warm[key], attempt)
         except ZygoteLost:
@@ -47,6 +44,15 @@ def tried(
             if not attempt.forgiving:
                 raise
     raise AssertionError("the last try returns or raises")
+
+
+def start(preload: Sequence[str], limits: ResourceLimits, hidden: Sequence[Path] = ()) -> tuple[Any, ...]:
+    """Start a worker where none is warm, without waiting for it; the key of the warm one."""
+    key = (threading.get_ident(), *preload, limits, *hidden)
+    if key not in _warm:
+        _make_room(key[0])
+        _warm[key] = Zygote(preload, limits, hidden)
+    return key
 
 
 def _make_room(thread: Any) -> None:

@@ -1,10 +1,12 @@
 """The supervisor's side of the sandbox: starts a warm worker, tries it out, opens a cell for a submission."""
 
 import contextlib
+import functools
 import itertools
 import json
 import math
 import os
+import select
 import signal
 import socket
 import subprocess
@@ -32,7 +34,7 @@ def endless():
 ASKED = {"mode": "value", "refused": []}
 STOPPED_AFTER = 0.02  # s that the endless call gets
 
-_serial = itertools.count(os.getpid() * 16)  # a user id for each worker
+_serial = itertools.count()
 
 
 @dataclass(frozen=True)
@@ -54,14 +56,16 @@ class NotConfined(ZygoteLost):
 
 
 class Zygote:
-    """A warm process, in bubblewrap where there is one, that forks a cell for each submission."""
+    """A warm process, in bubblewrap where there is one, that forks a cell for each submission.
+
+    Processes that are forked from the one that started it share it: a message with files is read by itself.
+    """
 
     def __init__(self, preload: Sequence[str], limits: ResourceLimits, hidden: Sequence[Path] = ()) -> None:
-        self.limits = limits
+        self.limits, self._owner, self._serial = limits, os.getpid(), next(_serial)
         self._errors = tempfile.TemporaryFile()  # noqa: SIM115  closed with the worker
         self._control, child_end = socket.socketpair()
-        self.jail_limits = _limits(limits)
-        settings = {"limits": self.jail_limits, "control": child_end.fileno(), "preload": list(preload)}
+        settings = {"limits": _limits(limits), "control": child_end.fileno(), "preload": list(preload)}
         command, path = jailed_command(hidden) if isolation() == "bubblewrap" else plain_command()
         self._process = subprocess.Popen(
             [*command, json.dumps(settings), json.dumps(path)],
@@ -74,6 +78,13 @@ class Zygote:
         )
         child_end.close()
         self._ready = False
+
+    @property
+    def user(self) -> int | None:
+        """The id of the user that a submission becomes under root: another one for each supervisor and worker."""
+        if os.geteuid() or not _maps_users():
+            return None
+        return LOWEST_USER + (16 * os.getpid() + self._serial) % USERS
 
     def process(self, cpu: float, hidden: Sequence[str] = ()) -> SandboxProcess:
         """Return a new cell with nothing loaded, for so many seconds of CPU, without sight of the hidden modules."""
@@ -88,7 +99,7 @@ class Zygote:
         leash, guard_end = socket.socketpair()
         ends = [prisoner_end.fileno(), guard_end.fileno()]
         most = max(1, math.ceil(cpu))
-        order = {"cpu": most, "hidden": list(hidden)}
+        order = {"cpu": most, "hidden": list(hidden), "user": self.user}
         try:
             socket.send_fds(self._control, [json.dumps(order).encode()], ends)
         except OSError:
@@ -137,18 +148,18 @@ class Zygote:
             raise NotConfined("a call that does not end is not stopped")
 
     def must_live(self) -> None:
-        """Raise WorkerLost if the worker is ending or has ended."""
-        try:
-            self._process.wait(timeout=1)
-        except subprocess.TimeoutExpired:
-            return
-        raise ZygoteLost("the worker died")
+        """Raise ZygoteLost if the worker is ending or has ended."""
+        hung_up = select.poll()
+        hung_up.register(self._control, 0)
+        if hung_up.poll(1000):
+            raise ZygoteLost("the worker died")
 
     def close(self) -> None:
-        """End the worker and everything in it."""
+        """End the worker and everything in it, if this process started it; else others may still need it."""
         self._control.close()
-        self.kill()
-        self._process.wait()
+        if os.getpid() == self._owner:
+            self.kill()
+            self._process.wait()
         self._errors.close()
 
     def kill(self) -> None:
@@ -158,7 +169,7 @@ class Zygote:
 
     def _await_ready(self) -> None:
         try:
-            said = self._control.recv(5)
+            said = self._control.recv(5, socket.MSG_PEEK)  # who shares the worker waits for it, too
         except OSError:
             said = b""
         if said != b"ready":
@@ -178,7 +189,6 @@ def _limits(limits: ResourceLimits) -> Json:
         "file_size": FILE_SIZE,
         "processes": limits.processes,
         "namespaces": isolation() == "bubblewrap",
-        "user": LOWEST_USER + next(_serial) % USERS if os.geteuid() == 0 and _maps_users() else None,
     }
 
 
@@ -195,6 +205,7 @@ def _is_stopped(process: SandboxProcess) -> bool:
     return False
 
 
+@functools.cache
 def _maps_users() -> bool:
     """Return whether root here can become the users that submissions run as.
 
