@@ -1,11 +1,12 @@
 """What is right in hw06, in the car's axes, with the free axle's side force as an unknown.
 
-A velocity or force is forward + i left; axles are at distances forward of G.
+A velocity or force is forward and left; axles are at distances forward of G.
 """
 
 import cmath
 import math
 from functools import partial
+from math import cos, hypot, sin
 
 import numpy as np
 
@@ -29,32 +30,34 @@ def axle_load(locked, *, mass, front, rear, gravity):
 
 
 def velocity_of(point, state, locked, front, rear):
-    """Of a point of the centreline: the free axle has none to the left."""
-    return complex(state[3], (point - axles(locked, front, rear)[0]) * state[4])
+    """Of a point of the centreline, forward and left: the free axle has none to the left."""
+    return state[3], (point - axles(locked, front, rear)[0]) * state[4]
 
 
 def friction_force(state, locked, *, mass, front, rear, friction, gravity):
-    velocity = velocity_of(axles(locked, front, rear)[1], state, locked, front, rear)
-    size = friction * axle_load(locked, mass=mass, front=front, rear=rear, gravity=gravity)
-    force = -size * velocity / abs(velocity) if velocity else 0j
-    return force.real, force.imag
+    forward, left = velocity_of(axles(locked, front, rear)[1], state, locked, front, rear)
+    size, sliding = (
+        friction * axle_load(locked, mass=mass, front=front, rear=rear, gravity=gravity),
+        hypot(forward, left),
+    )
+    return (-size * forward / sliding, -size * left / sliding) if sliding else (0.0, 0.0)
 
 
 def state_derivative(t, state, locked, *, yaw_inertia, **car):
     """F = m a and moments about G; the side force keeps the free axle from slipping."""
-    mass, (free, dragging), yaw_rate = car["mass"], axles(locked, car["front"], car["rear"]), float(state[4])
-    velocity = velocity_of(0.0, state, locked, car["front"], car["rear"])
+    mass, (free, dragging) = car["mass"], axles(locked, car["front"], car["rear"])
+    heading, (forward, left), yaw_rate = state[2], velocity_of(0.0, state, locked, car["front"], car["rear"]), state[4]
     along, aside = friction_force(state, locked, **car)
     # the sideways acceleration of the free axle is zero; what it lacks without the side force
-    lacking = yaw_rate * velocity.real - aside / mass - free * dragging * aside / yaw_inertia
+    lacking = yaw_rate * forward - aside / mass - free * dragging * aside / yaw_inertia
     side = lacking / (1 / mass + free**2 / yaw_inertia)
-    slowing, turning = along / mass + yaw_rate * velocity.imag, (dragging * aside + free * side) / yaw_inertia
-    velocity *= cmath.exp(1j * state[2])
-    return np.array([velocity.real, velocity.imag, yaw_rate, slowing, turning])
+    slowing, turning = along / mass + yaw_rate * left, (dragging * aside + free * side) / yaw_inertia
+    east, north = forward * cos(heading) - left * sin(heading), forward * sin(heading) + left * cos(heading)
+    return np.array([east, north, yaw_rate, slowing, turning])
 
 
 def kinetic_energy(state, locked, *, mass, yaw_inertia, front, rear):
-    return (mass * abs(velocity_of(0.0, state, locked, front, rear)) ** 2 + yaw_inertia * state[4] ** 2) / 2
+    return (mass * hypot(*velocity_of(0.0, state, locked, front, rear)) ** 2 + yaw_inertia * state[4] ** 2) / 2
 
 
 def ease_of_turning(locked, *, mass, yaw_inertia, front, rear, **_):
@@ -72,7 +75,7 @@ def stopped(start, locked, car):
     free, dragging = axles(locked, car["front"], car["rear"])
 
     def slowed(_, s):
-        sliding = abs(velocity_of(dragging, s, locked, car["front"], car["rear"]))
+        sliding = hypot(*velocity_of(dragging, s, locked, car["front"], car["rear"]))
         return sliding * np.append(state_derivative(0.0, s[:5], locked, **car), 1.0)
 
     decays = 16 * (free - dragging) / (car["friction"] * car["gravity"] * free)  # to exp(-16) of the speed
@@ -124,7 +127,7 @@ def free_body_diagram(state, locked, mass, front, rear, friction, gravity):
     x, y, heading, speed, yaw_rate = map(float, state)
     G, forward = complex(x, y), cmath.exp(1j * heading)
     free, locked_axle = (G + at * forward for at in axles(locked, front, rear))
-    slide = velocity_of(axles(locked, front, rear)[1], state, locked, front, rear)
+    slide = complex(*velocity_of(axles(locked, front, rear)[1], state, locked, front, rear))
     drags = friction * gravity != 0 and slide != 0
     # straight on nothing turns the car; on the spot and without drag the free axle does not accelerate
     turns = yaw_rate != 0 and (speed != 0 or drags)
