@@ -26,7 +26,6 @@ from tam570_grader.checks.compare import (
     first_wrong,
     largest,
 )
-from tam570_grader.checks.curves import conserved_curve
 from tam570_grader.checks.expect import Failed, expect, expect_that, fail, get_context
 from tam570_grader.checks.formulas import from_own_lagrangian, in_symbols
 from tam570_grader.checks.plots import curves_seen, distances, exchanged, judge_axes_of_lengths, judge_boxes, path_drawn
@@ -76,7 +75,6 @@ __all__ = [
     "group",
     "judge_axes_of_lengths",
     "judge_boxes",
-    "conserved_curve",
     "largest",
     "number",
     "once",

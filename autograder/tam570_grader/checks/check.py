@@ -99,14 +99,13 @@ def needed(after: Check | Sequence[Check]) -> tuple[Check, ...]:
     return (after,) if isinstance(after, Check) else tuple(after)
 
 
-def once(compute: Callable[..., T], most: int = MOST_KNOWN) -> Callable[..., T]:
+def once(compute: Callable[..., T]) -> Callable[..., T]:
     """Compute `compute(rng, ...)` a single time a run, however many students are graded; a list of what it yields.
 
     The generator is left as the computation left it, so a check draws the same numbers with and without it.
     Cases are shared between students; of arrays, which a function of cases may go on to change, each call has its own.
-    `most` is how many values are kept.
     """
-    memory = Memory[tuple[T, Mapping[str, object]]](most)
+    memory = Memory[tuple[T, Mapping[str, object]]](MOST_KNOWN)
 
     @functools.wraps(compute)
     def remembered(rng: np.random.Generator, *args: Numbers, **keywords: Numbers) -> T:

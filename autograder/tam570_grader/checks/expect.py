@@ -160,12 +160,10 @@ def expect(  # noqa: PLR0913  what a check says of a comparison, each by its nam
         fail("", quantity=quantity, unit=unit, hint=hint, label=label, at=at, share=share, **numbers)
 
 
-def expect_that(
-    holds: object, message: str, *, hint: Hint = "", label: str | None = "", at: object = None, share: float = 0.0
-) -> None:
+def expect_that(holds: object, message: str, *, hint: Hint = "", label: str | None = "") -> None:
     """Fail with `message` (what is wrong) unless the condition holds; a label of None means: for any input."""
     if not holds:
-        fail(message, hint=hint, label=label, at=at, share=share)
+        fail(message, hint=hint, label=label)
 
 
 def fail(

@@ -71,10 +71,10 @@ class Figure:
         """Join points, (n, 2); a closed line of style "solid" is filled."""
         self._path(self._on_paper(points), style, closed)
 
-    def segments(self, pairs: ArrayLike, style: str = "body") -> None:
+    def segments(self, pairs: ArrayLike) -> None:
         """Draw line segments (k, 2, 2), as a `wireframe` returns them."""
         for pair in np.asarray(pairs, float):
-            self.line(pair, style)
+            self.line(pair, "body")
 
     def curve(self, points: ArrayLike, label: str = "", style: str = "angle", by: tuple[float, float] = (0, 0)) -> None:
         """Join points, with an arrowhead at the last; the label is at the middle."""

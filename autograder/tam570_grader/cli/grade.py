@@ -25,7 +25,6 @@ from tam570_grader.grading.submissions import Submission, handed_in, submissions
 from tam570_grader.reports import feedback
 from tam570_grader.results.store import Results
 from tam570_grader.sandbox.launch import hide_from_submissions, isolation
-from tam570_grader.sandbox.zygote import ResourceLimits
 
 
 def add_grade(commands: Commands) -> None:
@@ -125,8 +124,8 @@ def _config(arguments: argparse.Namespace, course: Path, chosen: list[Submission
     """Return what is graded and how; of the results that are there it takes the seed."""
     key = seeds.key(arguments.vary, any(earlier)) if arguments.vary else None
     seed = seeds.seed(arguments.seed, earlier, key)
-    most = {name: vars(arguments)[name] or usual for name, usual in course_config.limits(course).items()}
-    limits = ResourceLimits(most["memory"] * 2**20, most["cpu"], most["call"], arguments.processes)
+    options = {name: vars(arguments)[name] for name in course_config.STANDARD}
+    limits = course_config.resource_limits(course, arguments.processes, **options)
     ours = [*arguments.paths, *arguments.join, *filter(None, (arguments.out, arguments.against, arguments.vary))]
     hidden = [*_folders(course), *(path.resolve() for path in ours)]
     cluster = _cluster(arguments)

@@ -24,6 +24,7 @@ from tam570_grader.course.contract import contract, with_points
 from tam570_grader.course.course_toml import COLUMNS, COPY, FILE, by_slug, must, no_other, toml
 from tam570_grader.errors import UsageError, warn, writing
 from tam570_grader.results.tables import written
+from tam570_grader.sandbox.zygote import ResourceLimits
 
 ADAPTED_COURSES = ".course"
 VARIABLE = "TAM570_COURSE"  # of the environment: names a course, as --root does
@@ -167,6 +168,12 @@ def limits(root: Path) -> dict[str, int]:
     """Return the limits of a submission, as the options of `grade` have them: of the course, else the standard ones."""
     path = root / COPY
     return {**STANDARD, **(toml(path).get("limits", {}) if path.is_file() else {})}
+
+
+def resource_limits(root: Path, processes: int = 1, **chosen: int | None) -> ResourceLimits:
+    """Return the limits of a submission as the sandbox has them: `chosen` by an option, else the course's."""
+    most = {name: chosen.get(name) or usual for name, usual in limits(root).items()}
+    return ResourceLimits(most["memory"] * 2**20, most["cpu"], most["call"], processes)
 
 
 def _digest(path: Path, base: Path, parts: Mapping[str, Changes]) -> str:

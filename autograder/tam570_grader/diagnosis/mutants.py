@@ -112,9 +112,9 @@ class _InEveryPlace(ast.NodeTransformer):
 def reached(text: str) -> dict[str, set[str]]:
     """For each function of a module those that it may come to call, itself among them."""
     body = ast.parse(text).body
-    names_in = {node.name: _names_in(node) for node in body if isinstance(node, ast.FunctionDef)}
+    names_in = {node.name: names_used(node) for node in body if isinstance(node, ast.FunctionDef)}
     always = {
-        name for node in body if not isinstance(node, ast.FunctionDef) for name in _names_in(node) if name in names_in
+        name for node in body if not isinstance(node, ast.FunctionDef) for name in names_used(node) if name in names_in
     }  # what runs at import
     reach_of = {name: {name, *(names & names_in.keys()), *always} for name, names in names_in.items()}
     while True:
@@ -124,7 +124,8 @@ def reached(text: str) -> dict[str, set[str]]:
         reach_of = wider
 
 
-def _names_in(node: ast.AST) -> set[str]:
+def names_used(node: ast.AST) -> set[str]:
+    """Return the names in an expression or a statement."""
     return {inner.id for inner in ast.walk(node) if isinstance(inner, ast.Name)}
 
 

@@ -26,7 +26,7 @@ from tam570_grader.checks.effort import Exhausted, compile_counted, count, limit
 from tam570_grader.diagnosis.cause import Answer, Cause
 from tam570_grader.diagnosis.compared_call import ComparedCall, compared_call, count_informative
 from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, right_answer, solution_with
-from tam570_grader.diagnosis.mutants import Mutant, mutants_of, reached
+from tam570_grader.diagnosis.mutants import Mutant, mutants_of, names_used, reached
 
 FEWEST = 2  # wrong answers: one may agree by chance
 MOST = 1_000_000  # steps of all variants, about a second; what is named takes a third of them
@@ -260,7 +260,10 @@ def _mutants(solution: str) -> list[tuple[str, str, set[str], str, str]]:
         (
             function,
             words,
-            {parameters.get(name, name) for name in _names(mutant.product if isinstance(term, ast.Constant) else term)},
+            {
+                parameters.get(name, name)
+                for name in names_used(mutant.product if isinstance(term, ast.Constant) else term)
+            },
             _missing(term, mutant.product, locals_of[function]) if mutant.operator == "a missing factor" else "",
             mutant.text,
         )
@@ -300,7 +303,7 @@ def _locals(solution: str) -> dict[str, dict[str, ast.expr]]:
 
 def _missing(factor: ast.expr, product: ast.expr, quantities: Mapping[str, ast.expr]) -> str:
     """Return what is missing, and beside which parameters; "" if it has no short name."""
-    words, names = _in_parameters(factor, quantities), _names(product) - _names(factor)
+    words, names = _in_parameters(factor, quantities), names_used(product) - names_used(factor)
     beside = ", ".join(sorted(name for name in names if ast.unparse(quantities.get(name, product)) == name))
     return words and f"{words} is missing{beside and f' beside {beside}'}"
 
@@ -324,10 +327,6 @@ def _in_parameters(term: ast.expr, quantities: Mapping[str, ast.expr]) -> str:
 
 
 LONGEST, WORDS = 24, {"sin", "cos", "tan", "sqrt", "exp", "pi"}
-
-
-def _names(term: ast.expr) -> set[str]:
-    return {node.id for node in ast.walk(term) if isinstance(node, ast.Name)}
 
 
 @functools.cache

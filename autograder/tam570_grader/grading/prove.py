@@ -5,7 +5,7 @@ from pathlib import Path
 
 from tam570_grader.checks import assignments
 from tam570_grader.checks.assignments import ADDITIONS
-from tam570_grader.course.course_config import limits
+from tam570_grader.course.course_config import resource_limits
 from tam570_grader.errors import UsageError
 
 SEEDS = 3  # with which checks of a course's own are tried on the solution and the stub
@@ -19,14 +19,12 @@ def prove(root: Path, slugs: Sequence[str]) -> None:
     from tam570_grader.grading import supervisor
     from tam570_grader.grading.supervisor import GradeTask, WorkerConfig
     from tam570_grader.sandbox.student import Source
-    from tam570_grader.sandbox.zygote import ResourceLimits
 
     for slug in slugs:
         added, proved = assignments.checks_folder(root, slug) / f"{ADDITIONS}.py", root / f".proved-{slug}"
         if not added.is_file() or proved.exists():
             continue
-        most = limits(root)
-        config = WorkerConfig(ResourceLimits(most["memory"] * 2**20, most["cpu"], most["call"]), (root,))
+        config = WorkerConfig(resource_limits(root), (root,))
         assignment = assignments.assignment(root, slug)
         added_names = {check.name for check in assignment.checks if check.run.__module__.endswith(f".{ADDITIONS}")}
         texts = {

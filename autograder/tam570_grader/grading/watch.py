@@ -32,7 +32,6 @@ from tam570_grader.results.records import read as result_of
 from tam570_grader.results.store import ResultStore
 from tam570_grader.results.tables import written
 from tam570_grader.sandbox.student import Source
-from tam570_grader.sandbox.zygote import ResourceLimits
 
 JOURNAL, COPIES, KEY, STATUS = "watch.jsonl", "attempts", "watch.key", "status.html"
 SETTLED = 0.2  # s for which a file has not changed when it is taken: it may be being written
@@ -300,11 +299,8 @@ class Desk:
         source: Source | CannotRead = CannotRead(arrival.reason)
         if arrival.copy:
             source = read(Submission(arrival.student, arrival.slug, Path(arrival.copy), Path(arrival.copy)))
-        limits = course_config.limits(self.course)
-        config = WorkerConfig(
-            ResourceLimits(limits["memory"] * 2**20, limits["cpu"], limits["call"]),
-            (self.course, self.source, self.queue.folder.resolve()),
-        )
+        hidden = self.course, self.source, self.queue.folder.resolve()
+        config = WorkerConfig(course_config.resource_limits(self.course), hidden)
         return GradeTask(self.course, arrival.student, arrival.slug, seed, source, arrival.digest, conditions=config)
 
     def hand_back(self, event: Json) -> None:

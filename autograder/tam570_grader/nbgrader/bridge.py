@@ -36,7 +36,6 @@ from tam570_grader.release.notebook import FORMAT, part_of, part_points, text_ce
 from tam570_grader.reports.feedback import AssignmentInfo, load_assignment_info
 from tam570_grader.results.store import Record, ResultStore
 from tam570_grader.sandbox.notebooks import Unshown, cells_of
-from tam570_grader.sandbox.zygote import ResourceLimits
 
 Resources = Any
 Outcome = tuple[Notebook, Resources]
@@ -222,8 +221,7 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
     def _plan(self, coursedir: Any, book: ResultStore, everyone: Sequence[Submission]) -> RunConfig:
         seed = new_seed() if book.seed is None else book.seed
         mine = {"memory": self.memory, "cpu": self.cpu, "call": self.call}
-        most = {name: mine[name] or usual for name, usual in course_config.limits(self.found_checkout()).items()}
-        limits = ResourceLimits(most["memory"] * 2**20, most["cpu"], most["call"])
+        limits = course_config.resource_limits(self.found_checkout(), **mine)
         jobs = self.jobs or cores()
         hidden = [self.found_checkout(), Path(coursedir.root).resolve()]
         return RunConfig(self.found_checkout(), everyone, seed, jobs, limits, hidden)

@@ -19,6 +19,7 @@ from tam570.values import Function, Json, Numbers, Parameters
 __all__ = ["ObservedCall", "Mistake", "candidates", "tightened"]
 
 TIGHT = 1e-9
+QUICK = 0.01  # s of a call, up to which it is made with many other arguments
 INTEGRATORS = {"solve_ivp": ("rtol", "atol"), "odeint": ("rtol", "atol")}  # and the names of their tolerances
 
 
@@ -75,10 +76,15 @@ class Mistake:
     right: Callable[[ObservedCall], Numbers] | None
 
 
-def candidates(name: str, returns: Promise, function: Function, example: ObservedCall) -> Iterator[Mistake]:
-    """Yield the mistakes that a function of this form can have, the most telling first."""
+def candidates(
+    name: str, returns: Promise, function: Function, example: ObservedCall, seconds: float
+) -> Iterator[Mistake]:
+    """Yield the mistakes that a function of this form can have, the most telling first.
+
+    seconds : of its longest call
+    """
     if ["n"] in [member.get("array", [])[:1] for member in returns.get("group", [returns])]:
         yield Mistake(name, f"It would pass with the tolerances rtol=1e-9, atol=1e-9 in {name}.", None)
     if "array" in returns or "group" in returns:
-        for words, right in undone(name, function, example):
+        for words, right in undone(name, function, example, seconds < QUICK):
             yield Mistake(name, f"Your numbers match this mistake: {words}.", right)

@@ -246,7 +246,8 @@ def _explained(outcomes: Outcomes, used: Mapping[str, set[str]], reached: Progre
         best: list[str] = []
         if not failed or name not in functions.observed:
             continue
-        for mistake in candidates(name, functions.results[name], functions.plain(name), functions.observed[name]):
+        known = functions.results[name], functions.plain(name), functions.observed[name], functions.longest[name]
+        for mistake in candidates(name, *known):
             budget -= len(failed)
             if budget < 0:
                 break
