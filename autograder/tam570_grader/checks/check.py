@@ -86,10 +86,17 @@ def check(
     points, part : what it is worth, and in which lettered part
     line : what it tests, for the student; left out, it is the docstring of the function
     after : the check, or the checks, that must (nearly) pass before this one runs
+
+    Raises
+    ------
+    ValueError
+        If the function has neither a line nor a docstring.
     """
 
     def decorated(run: Run) -> Check:
-        return Check(run, function, float(points), part, line or " ".join((run.__doc__ or "").split()), needed(after))
+        if not (text := line or " ".join((run.__doc__ or "").split())):
+            raise ValueError(f"the check {run.__name__} needs a docstring: the line that the student reads")
+        return Check(run, function, float(points), part, text, needed(after))
 
     return decorated
 
