@@ -1,20 +1,13 @@
-"""How `tam570-grader watch` keeps up with a class, and what it loses when it is killed.
+"""How `tam570-grader watch` keeps up with a class.
 
-    python benchmarks/arrivals.py [--submissions 500] [--seconds 60] [--kills 20] [--users TEACHER STUDENT]
+    python benchmarks/arrivals.py [--submissions 500] [--seconds 60]
 
-First, so many students hand in during a minute, evenly, into a folder. Then, with two Unix users (this needs root),
-the student hands in with nbgrader through its exchange, twice between two starts of the teacher's `watch`, which is
-killed at a random moment each time; `nbgrader fetch_feedback` gets the student's pages. Prints how many hand-ins were
-graded, twice, or out of order, and the longest wait. Writes results/arrivals.json.
+So many students hand in during a minute, evenly, into a folder. Prints how many hand-ins were graded, twice, or out of
+order, and the longest wait. Writes results/arrivals.json.
 """
 
 import argparse
-import contextlib
 import json
-import os
-import pwd
-import random
-import shutil
 import signal
 import subprocess
 import sys
@@ -25,37 +18,15 @@ from pathlib import Path
 import record
 from grading import COURSE
 
-SLUG, NAME = "hw08_axis_angle", "tam570"
+SLUG = "hw08_axis_angle"
 TEXT = (COURSE / "solutions" / f"{SLUG}.py").read_text()
-HALF = "\n\ndef rotate(r, axis, angle):\n    return np.asarray(r, float)\n"
-CONFIG = 'c = get_config()\nc.CourseDirectory.course_id = "{name}"\nc.Exchange.root = "{exchange}"\n'
-NBGRADER = """
-import os, sys
-from nbgrader.apps import NbGraderApp
-for line in sys.stdin:
-    child = os.fork()
-    if child == 0:
-        for stream in (1, 2):
-            os.dup2(os.open("log.txt", os.O_WRONLY | os.O_CREAT | os.O_APPEND), stream)
-        NbGraderApp.launch_instance(line.split())
-        os._exit(0)
-    print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), flush=True)
-"""
 
 
-def watch(source, out, *more, user=None):
+def watch(source, out):
     """Start to watch a folder."""
-    command = [sys.executable, "-m", "tam570_grader", "watch", source, "--out", out, "--jobs", "2", *more]
+    command = [sys.executable, "-m", "tam570_grader", "watch", source, "--out", out, "--jobs", "2"]
     quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, "start_new_session": True}
-    return subprocess.Popen([*map(str, command)], **quiet, **(_as(user) if user else {}))
-
-
-def _as(name):
-    """Options of a process of a Unix user."""
-    person = pwd.getpwnam(name)
-    variables = {**os.environ, "HOME": person.pw_dir, "JUPYTER_DATA_DIR": person.pw_dir, "USER": name}
-    path = f"{Path(sys.executable).parent}:{os.environ['PATH']}"
-    return {"user": name, "group": person.pw_gid, "extra_groups": [], "env": {**variables, "PATH": path}}
+    return subprocess.Popen([*map(str, command)], **quiet)
 
 
 def graded(out):
@@ -99,91 +70,15 @@ def in_a_minute(root, count, seconds):
     }
 
 
-def made_exchange(folder, teacher, student):
-    """A course that the teacher has released, and the student's folder with the assignment."""
-    (exchange := folder / "exchange").mkdir()
-    exchange.chmod(0o777)
-    homes = {}
-    for user in (teacher, student):
-        homes[user] = folder / user
-        homes[user].mkdir()
-        shutil.chown(homes[user], user)
-    course, config = homes[teacher] / "course", CONFIG.format(name=NAME, exchange=exchange)
-    (homes[student] / "nbgrader_config.py").write_text(config)
-    _must([sys.executable, "-m", "tam570_grader", "course", course, SLUG], homes[teacher], teacher)
-    with open(course / "nbgrader_config.py", "a") as file:
-        file.write(config.replace("c = get_config()", ""))
-    for command in ("generate_assignment", "release_assignment"):
-        _must(["nbgrader", command, SLUG], course, teacher)
-    _must(["nbgrader", "fetch_assignment", SLUG], homes[student], student)
-    return exchange / NAME, homes
-
-
-def _must(command, folder, user):
-    done = subprocess.run([*map(str, command)], cwd=folder, capture_output=True, text=True, **_as(user))
-    if done.returncode:
-        raise SystemExit(f"{command}: {done.stderr}")
-
-
-def through_the_exchange(folder, kills, rng, teacher, student):
-    """The student hands in while the teacher's command is killed again and again."""
-    exchange, homes = made_exchange(folder, teacher, student)
-    out, pipe = homes[teacher] / "results", {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True}
-    nbgrader = subprocess.Popen([sys.executable, "-c", NBGRADER], cwd=homes[student], **pipe, **_as(student))
-
-    def nbgrader_does(*command):
-        nbgrader.stdin.write(" ".join(command) + "\n")
-        nbgrader.stdin.flush()
-        if int(nbgrader.stdout.readline()):
-            raise SystemExit((homes[student] / "log.txt").read_text())
-
-    handed_in = 0
-    for _ in range(kills):
-        process = watch(exchange, out, user=teacher)
-        for _ in range(2):
-            (homes[student] / SLUG / f"{SLUG}.py").write_text(f"{TEXT}\n# {handed_in}\n{HALF if handed_in % 2 else ''}")
-            nbgrader_does("submit", SLUG)
-            handed_in += 1
-        time.sleep(rng.uniform(0.0, 8.0))
-        with contextlib.suppress(ProcessLookupError):
-            os.kill(process.pid, signal.SIGKILL)
-        process.wait()
-    if watch(exchange, out, "--once", user=teacher).wait():
-        raise SystemExit("watch --once failed")
-    nbgrader_does("fetch_feedback", SLUG)
-    nbgrader.stdin.close()
-    nbgrader.wait()
-    done = graded(out)
-    times = [Path(event["origin"]).parent.name for event in done]
-    right = [event["record"]["score"] == 10 for event in done]
-    return {
-        "hand-ins": handed_in,
-        "kills": kills,
-        "graded": len({*times}),
-        "graded twice": len(times) - len({*times}),
-        "out of order": sum(a > b for a, b in zip(times, times[1:], strict=False)),
-        "with another's score": sum(is_right != (n % 2 == 0) for n, is_right in enumerate(right)),
-        "pages that the student fetched": len(list((homes[student] / SLUG / "feedback").rglob("*.html"))),
-        "rows of grades": (out / "grades.csv").read_text().splitlines()[1:],
-    }
-
-
 def main():
-    parser = argparse.ArgumentParser(description="Let a class hand in while `watch` grades, and kill it.")
-    for name, default in (("--submissions", 500), ("--seconds", 60), ("--kills", 20), ("--seed", 1)):
+    parser = argparse.ArgumentParser(description="Let a class hand in while `watch` grades.")
+    for name, default in (("--submissions", 500), ("--seconds", 60)):
         parser.add_argument(name, type=int, default=default)
-    parser.add_argument("--users", nargs=2, metavar=("TEACHER", "STUDENT"), help="two Unix users; this needs root")
     options = parser.parse_args()
-    outcomes = {}
     with tempfile.TemporaryDirectory() as folder:
-        os.chmod(folder, 0o755)
-        if options.submissions:
-            outcomes["in a folder"] = in_a_minute(Path(folder), options.submissions, options.seconds)
-        if options.users:
-            rng = random.Random(options.seed)
-            outcomes["in nbgrader's exchange"] = through_the_exchange(Path(folder), options.kills, rng, *options.users)
-    print(json.dumps(outcomes, indent=1))
-    record.write(record.RESULTS / "arrivals.json", **outcomes)
+        outcome = in_a_minute(Path(folder), options.submissions, options.seconds)
+    print(json.dumps(outcome, indent=1))
+    record.write(record.RESULTS / "arrivals.json", **outcome)
 
 
 if __name__ == "__main__":

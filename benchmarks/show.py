@@ -109,8 +109,8 @@ def main():
     for row in rows:
         print(f"{row['scene']:<44} {row['seconds']:6.2f} {row['bytes'] / 1e3:8.1f}", end="")
         if "samples" in row:
-            earlier = f"{row['samples earlier']}/{row['samples']}"
-            print(f" {row['gzip bytes'] / 1e3:6.1f} {earlier:>12} {row['tracks earlier']:>7}/{row['points']}", end="")
+            kept = f"{row['samples kept']}/{row['samples']}"
+            print(f" {row['gzip bytes'] / 1e3:6.1f} {kept:>12} {row['tracks kept']:>7}/{row['points']}", end="")
         print()
     if arguments.peers and not arguments.quick:
         record.write(RESULTS, rows=rows)
