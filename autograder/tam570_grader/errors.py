@@ -48,6 +48,7 @@ def progress(items: Iterable[T], total: int, unit: str, delay: float = 0.0) -> I
         return
     from tqdm import tqdm
 
+    tqdm.monitor_interval = 0  # no thread: processes of ours are forked
     yield from tqdm(items, total=total, unit=unit, leave=False, delay=delay)
 
 

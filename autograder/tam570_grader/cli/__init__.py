@@ -2,51 +2,43 @@
 
 import argparse
 import contextlib
+import importlib
 import os
 import signal
 import sys
 from collections.abc import Callable
 
 from tam570 import __version__
-from tam570_grader.cli.audit import add_audit
-from tam570_grader.cli.certificates import add_certificates
-from tam570_grader.cli.exchange import add_alike, add_collect, add_export, add_lms, add_report
-from tam570_grader.cli.grade import add_grade
-from tam570_grader.cli.manual_grading import add_mark
 from tam570_grader.cli.options import add_root
-from tam570_grader.cli.points import add_points
-from tam570_grader.cli.release import add_course, add_gradescope, add_kit, add_stubs, add_trust
-from tam570_grader.cli.replay import add_replay
-from tam570_grader.cli.watch import add_watch
 from tam570_grader.errors import UsageError, say, warn
 
 __all__ = ["main"]
 
 INTERRUPTED = 130
-COMMANDS = (
-    add_collect,
-    add_grade,
-    add_watch,
-    add_points,
-    add_mark,
-    add_replay,
-    add_stubs,
-    add_trust,
-    add_kit,
-    add_course,
-    add_gradescope,
-    add_export,
-    add_alike,
-    add_lms,
-    add_report,
-    add_audit,
-    add_certificates,
-)
+MODULES = {  # where each command is, in the order of the help
+    "collect": "exchange",
+    "grade": "grade",
+    "watch": "watch",
+    "points": "points",
+    "mark": "manual_grading",
+    "replay": "replay",
+    "stubs": "release",
+    "trust": "release",
+    "kit": "release",
+    "course": "release",
+    "gradescope": "release",
+    "export": "exchange",
+    "alike": "exchange",
+    "lms": "exchange",
+    "report": "exchange",
+    "audit": "audit",
+    "certificates": "certificates",
+}
 
 
 def main(argv: list[str] | None = None) -> int:
     """Run the command; the exit code is 0 (done), 1 (the grader failed), 2 (bad usage) or 130 (interrupted)."""
-    arguments = _parser().parse_args(argv)
+    arguments = _parser(sys.argv[1:] if argv is None else argv).parse_args(argv)
     command: Callable[[argparse.Namespace], int] = arguments.command
     with contextlib.suppress(ValueError):  # not the main thread
         signal.signal(signal.SIGTERM, signal.default_int_handler)
@@ -69,13 +61,14 @@ def main(argv: list[str] | None = None) -> int:
         return 1
 
 
-def _parser() -> argparse.ArgumentParser:
+def _parser(argv: list[str]) -> argparse.ArgumentParser:
+    """Return a parser of the commands that are named, for each takes time to import, or of all."""
     parser = argparse.ArgumentParser(prog="tam570-grader", description="Grade the assignments of the course.")
     parser.add_argument("--version", action="version", version=f"tam570-grader {__version__}")
     add_root(parser, None)
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
-    for add in COMMANDS:
-        add(commands)
+    for name in [name for name in MODULES if name in argv] or MODULES:
+        getattr(importlib.import_module(f"tam570_grader.cli.{MODULES[name]}"), f"add_{name}")(commands)
     completion = commands.add_parser("completion", help="print a script that completes commands in your shell")
     completion.add_argument("shell", choices=["bash", "zsh", "tcsh"])
     completion.set_defaults(command=lambda arguments: _complete(parser, arguments.shell))

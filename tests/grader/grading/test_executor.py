@@ -89,6 +89,31 @@ def test_no_process_outlives_a_run_that_is_ended(tmp_path, end):
     await_end(started)
 
 
+GRADES_A_CLASS = """
+import sys
+from tam570_grader.checks import assignments
+from tam570_grader.grading import batch
+from tam570_grader.grading.submissions import Submission
+from tam570_grader.sandbox import pool
+
+def tell(module, name):
+    function = getattr(module, name)
+    setattr(module, name, lambda *args: print(name, file=sys.stderr) or function(*args))
+
+tell(pool, "Zygote"), tell(assignments, "_checks")
+work = assignments.find() / "solutions" / "hw08_axis_angle.py"
+config = batch.RunConfig(submissions=[Submission(f"s{n}", work.stem, work, work) for n in range(8)], jobs=2)
+print(sum(record["score"] for record in batch.records(config)))
+"""
+
+
+@linux
+def test_all_jobs_share_a_sandbox_and_what_is_loaded():
+    done = subprocess.run([sys.executable, "-c", GRADES_A_CLASS], capture_output=True, text=True, check=True)
+    assert float(done.stdout) == 80
+    assert done.stderr.split() == ["Zygote", "_checks"]
+
+
 def motion(folder, seconds):
     """A right answer that is expensive, and leaves a file each time that it is computed."""
     leave_trace(Path(folder), "motion")
