@@ -2,9 +2,12 @@
 
 import json
 import re
+import socket
 import sqlite3
 import subprocess
 import sys
+from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from parameters import SLUGS, first
@@ -145,17 +148,62 @@ def test_a_module_that_is_saved_is_read_again(course, work):
     assert "Nothing to see yet" in before and "Nothing to see yet" not in after
 
 
-def test_a_locked_gradebook_is_waited_for_and_then_told_in_one_line(tmp_path, monkeypatch):
+@pytest.fixture
+def ending(monkeypatch):
+    """How commands end, with a short wait; needs nbgrader."""
     ending = pytest.importorskip("tam570_grader.nbgrader.ending")
-    from sqlalchemy import create_engine, event, text
-
     monkeypatch.setattr(ending, "WAIT", 0.05)
-    engine = create_engine(f"sqlite:///{tmp_path / 'gradebook.db'}")
+    yield ending
+    for name, listener in (("connect", ending._wait), ("handle_error", ending._tell)):
+        if ending.event.contains(ending.Engine, name, listener):
+            ending.event.remove(ending.Engine, name, listener)
+
+
+def listened(url, ending):
+    """An engine whose errors are told as a command tells them."""
+    from sqlalchemy import create_engine, event
+
+    engine = create_engine(url)
     event.listen(engine, "connect", ending._wait)
     event.listen(engine, "handle_error", ending._tell)
+    return engine
+
+
+def test_a_locked_gradebook_is_waited_for_and_then_told_in_one_line(ending, tmp_path):
+    from sqlalchemy import text
+
     holder = sqlite3.connect(tmp_path / "gradebook.db")
     holder.execute("BEGIN EXCLUSIVE")
+    engine = listened(f"sqlite:///{tmp_path / 'gradebook.db'}", ending)
     with pytest.raises(ending.Lost, match="is locked by another command"), engine.connect() as here:
         assert here.execute(text("PRAGMA busy_timeout")).scalar() == 50
         here.execute(text("CREATE TABLE x (y INTEGER)"))
     holder.close()
+
+
+def test_a_server_that_is_lost_ends_the_command_in_one_line(ending, capsys):
+    """Lost is an interrupt: nbgrader removes what it was writing, and goes on to no other student."""
+    pytest.importorskip("psycopg", reason="no psycopg: pip install 'tam570[postgres]'")
+    with socket.socket() as closed:
+        closed.bind(("127.0.0.1", 0))  # and it does not listen
+        engine = listened(f"postgresql+psycopg://me:secret@127.0.0.1:{closed.getsockname()[1]}/grades", ending)
+        with pytest.raises(SystemExit) as end:
+            ending._ending(lambda app: engine.connect())(None)
+    said = capsys.readouterr().err
+    assert end.value.code == 1 and issubclass(ending.Lost, KeyboardInterrupt)
+    assert len(said.splitlines()) == 1 and "does not answer" in said and "secret" not in said
+    gone = SimpleNamespace(engine=engine, connection=engine, is_disconnect=True, original_exception=OSError("gone"))
+    with pytest.raises(ending.Lost, match="gone"):
+        ending._tell(gone)
+
+
+def test_a_table_that_is_not_finished_leaves_the_last_one(ending, tmp_path, monkeypatch):
+    def half(plugin, gradebook):
+        Path(plugin.to).write_text("half")
+        raise ending.Lost
+
+    (tmp_path / "grades.csv").write_text("of the last time")
+    monkeypatch.setattr(ending.CsvExportPlugin, "export", half)
+    with pytest.raises(ending.Lost):
+        ending.WholeTable(to=str(tmp_path / "grades.csv")).export(None)
+    assert [path.read_text() for path in tmp_path.iterdir()] == ["of the last time"]
