@@ -9,12 +9,6 @@ from . import checks
 # Moment
 
 
-@mistake(first_fails=checks.moment_is_about_C, compared=False)
-def moment(reference, r_p, a_p, r_c, *, mass):
-    """You take the moment about O; take it about C."""
-    return reference(r_p, a_p, 0 * r_c, mass=mass)
-
-
 @mistake(first_fails=checks.moment_is_about_C, name="moment_of_a_unit_mass")
 def moment(reference, *vectors, mass):
     """You do not multiply the acceleration by the mass."""
