@@ -46,9 +46,8 @@ def _empty(work: dict[str, Path], slug: str) -> Iterator[str]:
         with contextlib.suppress(SyntaxError, ValueError):
             to_write = stubs((folder(slug) / f"{slug}.py").read_bytes())
             submitted = stubs(module.read_bytes())
-            missing = [
-                name for name, stub in to_write.items() if not stub.written and not _written(submitted.get(name))
-            ]
+            written = {name for stubs_of in (to_write, submitted) for name, stub in stubs_of.items() if stub.written}
+            missing = [name for name in to_write if name not in written]
             if missing and f"{slug}.ipynb" not in work:
                 yield f"not written yet: {', '.join(missing)}"
     if notebook := work.get(f"{slug}.ipynb"):
@@ -57,7 +56,3 @@ def _empty(work: dict[str, Path], slug: str) -> Iterator[str]:
             count = sum("".join(cell["source"]).strip() == PLACEHOLDER for cell in cells)
             if count:
                 yield f"{count} of the cells for your answers are empty"
-
-
-def _written(stub: object) -> bool:
-    return bool(getattr(stub, "written", False))

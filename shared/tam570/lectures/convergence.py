@@ -82,7 +82,9 @@ def errors(method: str, steps: ArrayLike) -> tuple[Array, Array]:
     steps  : (n,) s, each at most .5; the nearest that makes a whole number of steps is taken
     Each is measured against the solution of its own equations, from START with the parameters of EXAMPLE.
     """
-    weights, sizes = _weights(method), numbers(steps=steps)
+    if not isinstance(method, str) or method.lower() not in STAGES:
+        raise ValueError(f"method: must be one of Euler, Heun, RK4, got {method!r}")
+    weights, sizes = STAGES[method.lower()], numbers(steps=steps)
     if not ((sizes > 0) & (sizes <= DURATION)).all():
         raise ValueError(f"steps: must be above 0 and at most {DURATION:g} s, got {steps!r}")
     both = []
@@ -98,12 +100,6 @@ def order(method: str, steps: ArrayLike) -> tuple[float, float]:
     counts = np.rint(DURATION / numbers(steps=steps))
     correct, wrong = errors(method, steps)
     return observed_order(DURATION / counts, correct), observed_order(DURATION / counts, wrong)
-
-
-def _weights(method: str) -> tuple[tuple[float, ...], ...]:
-    if not isinstance(method, str) or method.lower() not in STAGES:
-        raise ValueError(f"method: must be one of Euler, Heun, RK4, got {method!r}")
-    return STAGES[method.lower()]
 
 
 def _stepped(equations: Function, weights: Sequence[Sequence[float]], count: int) -> Array:

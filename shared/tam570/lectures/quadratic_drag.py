@@ -14,7 +14,7 @@ from tam570.arguments import nonnegative, positive, sequence
 from tam570.integrate import solve
 from tam570.show.live import Live, drag, energies
 from tam570.show.plots import value_plot
-from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, with_slider
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, with_slider
 from tam570.values import Numbers
 
 __all__ = ["film", "hodograph", "rates", "terminal_speed"]
@@ -75,6 +75,7 @@ def _one(parameters: Mapping[str, float], start: Sequence[float], seconds: float
     paths = {"parabola": _landed(parabola), "with drag": _landed(states[:, :2])}
     paths["as in the Middle Ages"] = _out_then_down(times, start, paths["with drag"], parameters)
     colors = dict(zip(paths, (0, 2, 1), strict=True))
+    caption = f"terminal speed {terminal_speed(**parameters):.3g} m/s" if parameters["drag"] else "no drag"
     ground = np.array([start[:2], [paths["parabola"][-1, 0], start[1]]])
     return Scene(
         "Cannon ball",
@@ -86,7 +87,7 @@ def _one(parameters: Mapping[str, float], start: Sequence[float], seconds: float
             Panel([Shape("lines", ground, GREY), *_flights(paths, colors, labelled=True)], "as far as they go"),
             *_shapes(paths, colors),
         ],
-        [_speed(times, states, parameters)],
+        [value_plot("speed through air", times, {"": np.hypot(*states[:, 2:].T)}, "m/s", caption)],
         still_time=0.45,
         live=Live(
             *(rates, parameters, STATE, start, _draw, [drag(0, 2)], energies(_energy, 2)),
@@ -143,8 +144,3 @@ def _shapes(paths: Mapping[str, Array], colors: Mapping[str, int]) -> list[Panel
     along = copysign(1.0, ranges["parabola"])
     ground = Shape("lines", np.array([[0.0, 0.0], [along, 0.0]]), GREY)
     return [Panel([ground, *_flights(shapes, colors, labelled=False)], "each as a share of its range", ruler=False)]
-
-
-def _speed(times: Array, states: Array, parameters: Mapping[str, float]) -> TimePlot:
-    text = f"terminal speed {terminal_speed(**parameters):.3g} m/s" if parameters["drag"] else "no drag"
-    return value_plot("speed through air", times, {"": np.hypot(*states[:, 2:].T)}, "m/s", text)

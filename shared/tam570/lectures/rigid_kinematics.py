@@ -72,7 +72,8 @@ def film(parameters: Mapping[str, float]) -> Scene:
     rate = 2 * np.pi / SECONDS  # rad/s, of A's way
     A, v_a, a_a = (np.outer(wave, [SWAY, 0.0, 0.0]) for wave in _sway(times, rate))
     e = np.column_stack([np.cos(angle), np.sin(angle), 0 * angle])
-    out, speed, quicker = (length * wave[:, None] for wave in _slide(times, slide / length))
+    out, speed, quicker = (0.4 * length * wave[:, None] for wave in _sway(times, slide / length))
+    out += 0.6 * length  # so the bead goes to and fro between .2 and 1 of the bar
     bead = A + out * e
     histories = zip(a_a, omega, out * e, speed * e, quicker * e, strict=True)
     each = [five_terms(a, w, parameters["spin_rate"] * UP, r, v, b) for a, w, r, v, b in histories]
@@ -98,12 +99,6 @@ def film(parameters: Mapping[str, float]) -> Scene:
 def _sway(times: Array, rate: float) -> tuple[Array, Array, Array]:
     """sin(rate t), and its first and second derivative."""
     return np.sin(rate * times), rate * np.cos(rate * times), -(rate**2) * np.sin(rate * times)
-
-
-def _slide(times: Array, rate: float) -> tuple[Array, Array, Array]:
-    """Return a share of the bar to and fro between .2 and 1, and its first and second derivative."""
-    wave, first, second = _sway(times, rate)
-    return 0.6 + 0.4 * wave, 0.4 * first, 0.4 * second
 
 
 def _bar(A: Array, tip: Array) -> list[Shape]:

@@ -62,7 +62,7 @@ def film(parameters: Parameters) -> Scene:
         ),
         *(Shape("arrow", np.array([np.zeros(3), 1.25 * corner]), GREY, width=2) for corner in corners),
         *(Shape("text", 1.33 * corner[None], INK, words=name) for name, corner in zip("ABC", corners, strict=True)),
-        *(Shape("path", _arc(start, end), 3, "triangle of half angles", width=3) for start, end in _sides(corners)),
+        *(Shape("path", _arc(corners[i - 1], corners[i]), 3, "triangle of half angles", width=3) for i in (1, 2, 0)),
         *_trail(one_by_one, 0, "about A, then about B"),
         *_trail(direct, 1, "once about C"),
     ]
@@ -80,10 +80,6 @@ def film(parameters: Parameters) -> Scene:
 def _unit(vector: Array) -> Array:
     size = hypot(*vector)
     return vector / size if size else np.array([0.0, 0.0, 1.0])
-
-
-def _sides(corners: list[Array]) -> list[tuple[Array, Array]]:
-    return [(corners[i], corners[(i + 1) % 3]) for i in range(3)]
 
 
 def _arc(start: Array, end: Array) -> Array:

@@ -129,8 +129,7 @@ def _on_table(state: Numbers, **parameters: Numbers) -> list[Numbers]:
     return [state[0] * np.cos(state[1]), state[0] * np.sin(state[1]), 0.0 * state[0]]
 
 
-def _grab(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numbers]:
-    return [np.hypot(point[0], point[1]), np.arctan2(point[1], point[0]), *state[2:]]
-
-
-HANDLE = Handle(_on_table, _grab)
+HANDLE = Handle(
+    _on_table,
+    lambda point, state, **parameters: [np.hypot(point[0], point[1]), np.arctan2(point[1], point[0]), *state[2:]],
+)

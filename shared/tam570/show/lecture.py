@@ -5,7 +5,7 @@ and `film(parameters, start, seconds)`. The scene of an assignment has the same,
 """
 
 import ast
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
@@ -72,20 +72,13 @@ def filmed(source: ModuleType, numbers: Parameters | None = None, *before: Stude
     values |= numbers or {}
     try:
         arguments = _arguments(dict(values)) if moves else (values,)
-        if moves:
-            _must_be_slow(source.STATE, values)
+        for name in [f"start.{name}" for name, unit in source.STATE.items() if unit == "rad/s"] if moves else ():
+            drawable_rate(name, values[name])
         with patience("the motion", MOST_WORK):
             scene: Scene = source.film(*before, *arguments)
     except (TypeError, ValueError, ArithmeticError) as error:
         raise Trouble(str(error)) from error
     return replace(scene, settings=values)
-
-
-def _must_be_slow(units: Mapping[str, str], values: Parameters) -> None:
-    """ValueError for a start that turns too fast to be drawn."""
-    for name, unit in units.items():
-        if unit == "rad/s":
-            drawable_rate(f"start.{name}", values[f"start.{name}"])
 
 
 def _arguments(settings: Json) -> tuple[Json, tuple[float, ...], float]:

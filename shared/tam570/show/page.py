@@ -8,7 +8,7 @@ from string import Template
 from tam570.show.compact import packed
 from tam570.show.live import program as written
 from tam570.show.scene import Scene
-from tam570.values import Json, Parameters
+from tam570.values import Json
 
 __all__ = ["HERE", "framed", "page"]
 
@@ -23,7 +23,7 @@ def page(scene: Scene) -> str:
         title=html.escape(scene.title),
         alt_text=html.escape(scene.alt_text),
         notes="".join(f'<p class="note">{html.escape(caption)}</p>' for caption in scene.notes),
-        settings=html.escape(_listed(scene.settings)),
+        settings=html.escape(", ".join(f"{name} = {value}" for name, value in scene.settings.items())),
         style=_read("page.css"),
         view=_read("space.js" if scene.in_space else "plane.js"),
         program=program.code if program else "const program = null;",
@@ -32,10 +32,6 @@ def page(scene: Scene) -> str:
         player=_read("player.js"),
         data=_data(data),
     )
-
-
-def _listed(settings: Parameters) -> str:
-    return ", ".join(f"{name} = {value}" for name, value in settings.items())
 
 
 def framed(document: str, title: str, height: int) -> str:

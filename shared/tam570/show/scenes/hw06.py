@@ -110,7 +110,8 @@ def _car(states: Array, locked: str, y: float, parameters: Parameters) -> list[S
     body = np.array([[nose - 0.5, side], [tail, side], [tail, -side], [nose - 0.5, -side], [nose, -0.5], [nose, 0.5]])
     color = 0 if locked == "front" else 1
     axles = {"front": parameters["front"], "rear": -parameters["rear"]}
-    wheels = {name: _wheels(at) for name, at in axles.items()}
+    ends = [(end, left) for left in (side - 0.1, 0.1 - side) for end in (-WHEEL, WHEEL)]
+    wheels = {name: np.array(ends) + [at, 0.0] for name, at in axles.items()}
     free = "rear" if locked == "front" else "front"
     return [
         Shape("trail", states[:, None, :2] + [0.0, y], color, width=1.5),
@@ -120,11 +121,6 @@ def _car(states: Array, locked: str, y: float, parameters: Parameters) -> list[S
         Shape("lines", _placed(states, wheels[locked], y), 5, "wheels that are locked" if color else "", width=5),
         Shape("text", np.array([[-4.0, y + 1.6]]), color, words=f"{locked} locked"),
     ]
-
-
-def _wheels(at: float) -> Array:
-    """(4, 2) ends of the two wheels of an axle."""
-    return np.array([(at + end, side) for side in (HALF_WIDTH - 0.1, 0.1 - HALF_WIDTH) for end in (-WHEEL, WHEEL)])
 
 
 def _energy(student: Student, times: Array, motions: dict[str, Array], parameters: Parameters) -> TimePlot:

@@ -43,7 +43,8 @@ def tops(
     precessing = [
         part for color, states in enumerate(steadily) for part in _top(states, color, ("slow", "fast")[color])
     ]
-    changes = {name.replace("_", " "): _shares(law, free) for name, law in laws.items()}
+    constants = [values(law, free) for law in laws.values()]
+    changes = {name: sizes / (abs(sizes[0]) or 1.0) for name, sizes in zip(laws, constants, strict=True)}
     drift = drift_note(changes, 1.0, "energy and both momenta")
     return Scene(
         "Heavy top",
@@ -62,12 +63,6 @@ def tops(
         view=(0.5, 0.3),
         still_time=0.5,
     )
-
-
-def _shares(law: Callable[[Array], float], states: Array) -> Array:
-    """(n,) what stays, over its size at the start."""
-    sizes = values(law, states)
-    return sizes / (abs(sizes[0]) or 1.0)
 
 
 def _ground() -> list[Shape]:
