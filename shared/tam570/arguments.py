@@ -71,7 +71,7 @@ def array(shape: tuple[int | None, ...], **arguments: ArrayLike) -> NDArray[np.f
     actual = _shape(name, value)
     if len(actual) != len(shape) or any(n is not None and m != n for m, n in zip(actual, shape, strict=True)):
         wanted = ", ".join("n" if n is None else str(n) for n in shape)
-        raise ValueError(f"{name}: must have the shape ({wanted}), got {actual}")
+        raise ValueError(f"{name}: must have the shape ({wanted}{',' * (len(shape) == 1)}), got {actual}")
     values = _floats(name, value)
     if values.dtype != object and not np.isfinite(values).all():
         raise ValueError(f"{name}: must be finite, got {values}")

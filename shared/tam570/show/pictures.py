@@ -89,7 +89,7 @@ def _drawn(scene: Scene, figure: Figure) -> Update:
 
     update(0)
     figure.draw_without_rendering()  # lays it out, once for all frames
-    figure.set_layout_engine("none")
+    figure.set_layout_engine(None)  # "none" would draw each frame twice
     return update
 
 
@@ -99,7 +99,7 @@ def _panel(ax: Axes, panel: Panel, scene: Scene) -> list[Update]:
     low, high = rows.min(axis=0), rows.max(axis=0)
     margin = 0.03 * float((high - low).max() or 1.0)
     ax.set(xlim=(low[0] - margin, high[0] + margin), ylim=(low[1] - margin, high[1] + margin), aspect="equal")
-    ax.set_title(panel.title, fontsize=10)
+    ax.set_title(panel.title, fontsize=10, y=1.0)  # else its place is found anew for each frame
     return [_shape(ax, shape, points, HEAD * float((high - low).max())) for shape, points in shapes]
 
 
@@ -172,6 +172,7 @@ def _time_plot(ax: Axes, time_plot: TimePlot, scene: Scene) -> Update:
         fontsize=8,
         color="#b00020" if time_plot.alarm else "#1b1f24",
         wrap=True,
+        y=1.0,
     )
     ax.tick_params(labelsize=8)
     if len(time_plot.curves) > 1:
