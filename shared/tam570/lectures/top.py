@@ -77,9 +77,9 @@ def vertical_momentum(
     state: ArrayLike, *, mass: float, distance: float, axial: float, transverse: float, gravity: float
 ) -> float:
     """Angular momentum about the vertical through the tip, kg m^2/s."""
-    parameters = {"mass": mass, "distance": distance, "axial": axial, "transverse": transverse, "gravity": gravity}
-    _, theta, _, W, _, _ = numbers(6, state=state)
-    return float(transverse * W * sin(theta) ** 2 + axial_momentum(state, **parameters) * cos(theta))
+    _weight(mass, distance, axial, transverse, gravity)
+    _, theta, _, W, _, s = numbers(6, state=state)
+    return float(transverse * W * sin(theta) ** 2 + axial * (s + W * cos(theta)) * cos(theta))
 
 
 INVARIANTS = {"energy": energy, "axial_momentum": axial_momentum, "vertical_momentum": vertical_momentum}

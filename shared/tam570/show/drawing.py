@@ -105,6 +105,6 @@ def graph(
 
     zero = to_points(x0 if x0 * x1 > 0.0 else 0.0, y0 if y0 * y1 > 0.0 else 0.0)
     ends = [[0.0, zero[1]], [1.0, zero[1]], [zero[0], 0.0], [zero[0], height]]
-    places = [[0.95, zero[1]], [zero[0], height]]  # a name at the right end of its axis would be cut off
+    places = [[0.9, zero[1] - 0.13], [zero[0], height]]  # below the axis, where no curve runs
     labels = [Shape("text", np.array([at]), GREY, words=name) for at, name in zip(places, names, strict=True)]
     return [Shape("arrow", np.array(ends), GREY, width=1.2), *labels], to_points

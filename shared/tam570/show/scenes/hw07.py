@@ -24,8 +24,7 @@ SECONDS = 20.0
 def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return the motion of part (d)."""
     times = frame_times(seconds)
-    arguments: Json = {name: np.array(parameters[name]) for name in ("masses", "lengths")}
-    arguments["gravity"] = parameters["gravity"]
+    arguments = _as_arrays(**parameters)
     theta, omega = np.array(start[:2]), np.array(start[2:])
     states = student("simulate", times, theta, omega, **arguments, shape=(len(times), 4))
     bars = student.each("wireframe", states[:, :2], lengths=arguments["lengths"], shape=(2, 2, 2))
@@ -47,36 +46,36 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
     )
 
 
+def _as_arrays(*, masses: Numbers, lengths: Numbers, gravity: Numbers) -> Json:
+    return {"masses": np.array(masses), "lengths": np.array(lengths), "gravity": gravity}
+
+
 def _forces(student: Student, states: Array, parameters: Parameters) -> list[Shape]:
     """Return the forces that the student draws on either bar."""
-    size, shapes = 0.3 * float(np.mean(parameters["lengths"])), list[Shape]()
+    shapes, rows = list[Shape](), states[:, :2]
     for bar in (1, 2):
-        shapes += force_shapes(
-            student,
-            *([bar] * len(states), states[:, :2]),
-            size=size,
-            color=bar + 2,
-            label=f"forces on bar {bar}",
-            **parameters,
-        )
+        look: Json = {
+            "size": 0.3 * float(np.mean(parameters["lengths"])),
+            "color": bar + 2,
+            "label": f"forces on bar {bar}",
+        }
+        shapes += force_shapes(student, [bar] * len(rows), rows, **look, **parameters)
     return shapes
 
 
 def _live(student: Student, parameters: Parameters, start: Sequence[float]) -> Live:
     acceleration, energy = student.function("angular_acceleration"), student.function("energy")
 
-    def rates(t: float, state: Numbers, *, masses: Numbers, lengths: Numbers, gravity: Numbers) -> list[Numbers]:
-        parameters = {"masses": np.array(masses), "lengths": np.array(lengths), "gravity": gravity}
-        return [*state[2:], *acceleration(np.array(state[:2]), np.array(state[2:]), **parameters)]
+    def rates(t: float, state: Numbers, **parameters: Numbers) -> list[Numbers]:
+        return [*state[2:], *acceleration(np.array(state[:2]), np.array(state[2:]), **_as_arrays(**parameters))]
 
     def drawing(states: Numbers, parameters: Parameters) -> list[Shape]:
         elbow, tip = joints(states[:, :2].T, parameters["lengths"])
         hinge = np.zeros_like(elbow)
         return _bars(*(moving(*ends) for ends in ((hinge, elbow), (elbow, tip))))
 
-    def total(state: Numbers, *, masses: Numbers, lengths: Numbers, gravity: Numbers) -> Numbers:
-        parameters = {"masses": np.array(masses), "lengths": np.array(lengths), "gravity": gravity}
-        return energy(np.array(state[:2]), np.array(state[2:]), **parameters)
+    def total(state: Numbers, **parameters: Numbers) -> Numbers:
+        return energy(np.array(state[:2]), np.array(state[2:]), **_as_arrays(**parameters))
 
     handles = rod_handles(2, lambda parameters: parameters["lengths"])
     return Live(rates, parameters, STATE, start, drawing, handles, energies(total, 2))
