@@ -53,8 +53,7 @@ class Live:
     rates     : rates(t, state, **parameters) -> the state's rates
     drawing   : drawing(states, parameters) -> Shapes, as for a film of one sample, states (1, k)
     handles   : what can be dragged
-    measures  : by name, f(state, **parameters) -> a number to plot over time
-    unit      : of the measures
+    measures  : by name, f(state, **parameters) -> J, to plot over time
     conserved : whether the first measure keeps its value
     rests     : whether friction ends the motion, where the first measure is zero
     title     : of the panel
@@ -68,7 +67,6 @@ class Live:
     drawing: Callable[[Numbers, Parameters], Sequence[Shape]]
     handles: Sequence[Handle] = ()
     measures: Mapping[str, Function] = field(default_factory=dict)
-    unit: str = "J"
     conserved: bool = True
     rests: bool = False
     title: str = ""
@@ -190,7 +188,6 @@ class _Writer:
             "handles": [{"panel": 0, "at": first + i * dim, "dim": dim} for i in range(len(self.live.handles))],
             "measures": measures,
             "first": first + count,
-            "unit": self.live.unit,
             "constant": has_first and self.live.conserved,
             "rests": has_first and self.live.rests,
         }

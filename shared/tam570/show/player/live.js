@@ -150,7 +150,7 @@ function drawMeasures() {
     context.stroke();
   });
   const first = live.past.map((row) => row[1]), drift = Math.max(...first) - Math.min(...first);
-  live.now.textContent = grasped.measures.map((name, i) => `${name}: ${Number(now[i].toPrecision(5))} ${grasped.unit}`).join(", ")
+  live.now.textContent = grasped.measures.map((name, i) => `${name}: ${Number(now[i].toPrecision(5))} J`).join(", ")
     + (grasped.constant && first.length ? `; ${grasped.measures[0]} drifts by ${Number(drift.toPrecision(1))}` : "");
 }
 
