@@ -1,6 +1,7 @@
 """The command that shows a failure whole: `tam570-grader replay RESULTS STUDENT CHECK [FILE]`."""
 
 import argparse
+import contextlib
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -18,7 +19,7 @@ from tam570_grader.course import course_config
 from tam570_grader.errors import Over, UsageError, say
 from tam570_grader.grading.submissions import CannotRead, Submission, read
 from tam570_grader.reports.sentences import describe_failure
-from tam570_grader.results import records, store
+from tam570_grader.results import store
 from tam570_grader.sandbox.function import SandboxFunction
 from tam570_grader.sandbox.student import Student
 from tam570_grader.sandbox.zygote import ResourceLimits, Zygote
@@ -37,7 +38,7 @@ def add_replay(commands: Commands) -> None:
     add("student", metavar="STUDENT")
     add("check", metavar="CHECK", help="the name of the check, as in results.jsonl")
     add("file", nargs="?", type=Path, metavar="FILE", help="a module or notebook, to make the call again")
-    add("--assignment", metavar="SLUG", help="which value it is, where two have a check of this name")
+    add("--assignment", metavar="SLUG", help="which one it is, where two have a check of this name")
 
 
 def _replay(arguments: argparse.Namespace) -> int:
@@ -54,37 +55,23 @@ def _replay(arguments: argparse.Namespace) -> int:
 
 
 def _failure(results: Path, student: str, check: str, assignment: str | None) -> tuple[str, Failure]:
-    """Return the assignment and the failure; UsageError where there is none, or more than value."""
-    lines = [line for line in store.read(results) if line["student"] == student]
-    if not lines:
+    """Return the assignment and the failure; UsageError where there is none, or more than one."""
+    with contextlib.closing(store.results(results)) as graded:
+        mine = [graded.result(key) for key in graded if key[0] == student]
+    if not mine:
         raise UsageError(f"{results} has no result of {student}")
-    slugs = match_slugs([assignment] if assignment else [], [line["assignment"] for line in lines])
-    check_results = [
-        (result.assignment, check_result) for result in map(records.read, lines) for check_result in result.checks
-    ]
-    check_results = [(slug, check_result) for slug, check_result in check_results if slug in slugs]
-    failures = [
-        (slug, check_result.failure)
-        for slug, check_result in check_results
-        if check_result.name == check and check_result.failure
-    ]
-    if len(failures) == 1:
-        return failures[0]
-    if failures:
-        both = _listed((slug, check) for slug, _ in failures)
-        raise UsageError(f"{student} failed {check} of several assignments: {both}; choose value with --assignment")
-    failed = (
-        _listed((slug, check_result.name) for slug, check_result in check_results if check_result.failure) or "none"
-    )
-    why = next(
-        (
-            f" ({check_result.outcome}: {check_result.message})"
-            for _, check_result in check_results
-            if check_result.name == check
-        ),
-        "",
-    )
-    raise UsageError(f"{student} did not fail {check}{why}; failed checks: {failed}")
+    slugs = match_slugs([assignment] if assignment else [], [result.assignment for result in mine])
+    checks = {(result.assignment, each.name): each for result in mine for each in result.checks}
+    failures = {key: each.failure for key, each in checks.items() if key[0] in slugs and each.failure}
+    same = [(key, failure) for key, failure in failures.items() if key[1] == check]
+    if len(same) == 1:
+        return same[0][0][0], same[0][1]
+    if same:
+        both = _listed(key for key, _ in same)
+        raise UsageError(f"{student} failed {check} of several assignments: {both}; choose one with --assignment")
+    here = [checks[slug, check] for slug in slugs if (slug, check) in checks]
+    why = f" ({here[0].outcome}: {here[0].message})" if here else ""
+    raise UsageError(f"{student} did not fail {check}{why}; failed checks: {_listed(failures) or 'none'}")
 
 
 def _listed(failed: Iterable[tuple[str, str]]) -> str:

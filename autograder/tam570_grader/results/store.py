@@ -1,6 +1,5 @@
 """The results of a run on disk: one line each, safe from a kill at any moment, found again by the next run."""
 
-import contextlib
 import fcntl
 import hashlib
 import json
@@ -191,12 +190,6 @@ def results(path: Path, summary_row: SummaryRow = lambda record: ()) -> Results:
         return Results(open(file, "rb"), file, summary_row)  # noqa: SIM115  closed with the results
     except OSError as error:
         raise UsageError(f"cannot read results from {path}: {error.strerror}") from None
-
-
-def read(path: Path) -> list[Record]:
-    """Return the newest result of every student and assignment, in a folder of results or its `results.jsonl`."""
-    with contextlib.closing(results(path)) as store:
-        return list(store.values())
 
 
 def common_seed(seeds: Iterable[int]) -> int | None:

@@ -52,8 +52,8 @@ def test_a_changed_check_is_named_with_whose_score_it_changes(tree, tmp_path, ca
     assert grade(tree, "--out", tmp_path / "old") == 0
     name = assignments.assignment(course, HW08).checks[0].name
     easy = f'@check("skew", points=1, part="a", line="anything.")\ndef {name}(student, rng):\n    pass\n'
-    with open(copy / "autograder" / "checks" / HW08 / "checks.py", "a") as checks:
-        checks.write(f"\n\nfrom tam570_grader import check\n\n\n{easy}")
+    checks = copy / "autograder" / "checks" / HW08 / "checks.py"
+    checks.write_text(checks.read_text().replace("\nASSIGNMENT = ", f"\n{easy}\n\nASSIGNMENT = "))
     graded_works.clear()
     capsys.readouterr()
     assert grade(tree, "--against", tmp_path / "old" / "results.jsonl", "--root", copy, "--json") == 0
