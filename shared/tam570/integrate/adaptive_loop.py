@@ -21,7 +21,8 @@ JUMP = 1e-9  # move of the state, relative, by a change of the rates within the 
 # rates makes less of it, a singularity more
 TRIALS, LONGER = 60, 0.02  # of the shortest steps, where the rates are not finite
 POLE = 1e-6  # the same, where a step goes across a switch
-NOTHING = 0.1  # of the state: where rounding moves it by more it is all noise
+BLURRED, BRIEF, LEAP = 256.0, 1e-9, 1e-4  # of the shortest step, of the run, of the state: the stages of a step so short
+# lie at times known to a thousandth of it, and moving the state so far it is at a pole, whatever its error says
 SUSPICIOUS = 0.005  # of the third's power 9/4: the error of exp(a t) and of its like is 0.02 and more, so that less is
 # an estimate of order 5 that passes through zero
 NOT_SMOOTH = 0.01  # fifth over third, squared: with a short step of a smooth motion it is less
@@ -101,17 +102,19 @@ def advance(
         if may_be_rounding:
             before, measured = measured, roundoff(origin + t, h, y, f, b, c)
             b = lesser(before, measured)
-            if not _is_at_a_pole(measured, y, n, at_last):
+            if not _is_at_a_pole(measured, y, n):
                 fifth, third = error_norms(h, y, n, f, g, a, measured, part, part * rtol, stages)
                 error = _error(fifth, third, suspicious)
         if error <= 1.0 and not at_last and h > 2.0 * reach(origin + new, h, n, g, c):
             error = UNSEEN
         sure = passed(origin + t, h, y, f, n, g, error, shortest, c) if fifth < inf else inf
+        if error <= 1.0 and h < min(BLURRED * shortest, BRIEF * end) and _leaps(h, n, g, a, rtol, LEAP):
+            error = UNSEEN
         is_cut = sure < h and not at_last
         crosses = at_last and sure <= h
         largest = POLE if crosses else JUMP
         jumps = at_last and fifth < inf and _finite(n) and _jump(h, y, n, f, g, a, rtol) <= largest
-        jumps = jumps and not (crosses and _leaps(h, n, g, a, rtol))
+        jumps = jumps and not (crosses and _leaps(h, n, g, a, rtol, JUMP))
         if ((error <= 1.0 and not crosses) or jumps) and not is_cut:
             if jumps and _sets_in(y, n, a):
                 halt = SETS_IN
@@ -157,12 +160,12 @@ def _shorter(h: Numbers, error: Numbers, sure: Numbers) -> Numbers:
     return h
 
 
-def _is_at_a_pole(b: Numbers, y: Numbers, n: Numbers, at_last: Numbers) -> Numbers:
-    """Return whether the rates are known so badly that a step says little, and are more than noise."""
+def _is_at_a_pole(b: Numbers, y: Numbers, n: Numbers) -> Numbers:
+    """Return whether the rates are known so badly that a step says little."""
     noise, size = 0.0, 0.0
     for i in range(len(n)):
         noise, size = max(noise, b[i]), max(size, abs(y[i]), abs(n[i]))
-    return JUMP * size < noise and (at_last or noise < NOTHING * size)
+    return JUMP * size < noise
 
 
 def _error(fifth: Numbers, third: Numbers, suspicious: Numbers) -> Numbers:
@@ -218,13 +221,13 @@ def _sets_in(y: Numbers, n: Numbers, a: Numbers) -> Numbers:
     return moves
 
 
-def _leaps(h: Numbers, n: Numbers, g: Numbers, a: Numbers, rtol: Numbers) -> Numbers:
-    """Return whether the shortest step moves the state at all, as next to a singularity of the rates."""
+def _leaps(h: Numbers, n: Numbers, g: Numbers, a: Numbers, rtol: Numbers, part: Numbers) -> Numbers:
+    """Return whether a short step moves the state by a part of it, as next to a singularity of the rates."""
     moved, size = 0.0, 0.0
     for i in range(len(n)):
         if a[i] > NO_SCALE:
             moved, size = max(moved, h * abs(g[i])), max(size, abs(n[i]), a[i] / rtol)
-    return moved > max(JUMP, rtol) * size
+    return moved > max(part, rtol) * size
 
 
 def _has_no_scale(a: Numbers) -> Numbers:

@@ -118,7 +118,7 @@ class Switches:
         shortest = max(shortest, self.leaving)
         is_at_switch = h <= 2.0 * shortest
         self.leaving *= error > 1.0
-        if is_at_switch:
+        if is_at_switch and part <= 1.0:
             self._count(start, y)
         elif self.kept or error > 1.0:
             self.kept = self.kept + (error > 1.0) if self._is_at_zero(start, np.array(y)[:, None]) else 0
