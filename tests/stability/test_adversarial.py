@@ -415,6 +415,12 @@ class Window:
 
     def __call__(self, x):
         self.asked.append(x)
+        return self.looked_up(x)
+
+    def pole(self, x):
+        return 1 / (x - 1)
+
+    def looked_up(self, x):
         return float(self.table(x))
 
 
@@ -518,6 +524,11 @@ def own_error(t, y):
     return (-1.0,)
 
 
+@functools.lru_cache
+def reciprocal(x):
+    return 1 / (x - 1)
+
+
 REFUSED = {
     "it remembers": (remembers(), (0, 1), [1.0], ValueError, "remember"),
     "hysteresis": (hysteresis(), (0, 5), [0.0, 0.0], ValueError, "remember"),
@@ -571,6 +582,15 @@ REFUSED = {
         ArithmeticError,
         r"t = (2|1\.99)",
     ),
+    **{
+        f"a pole that nobody can look into, {which}": (rhs, (0, 2.7), [0.0, 0.0], ArithmeticError, r"t = (1|0\.99)")
+        for which, rhs in {
+            "of time": lambda t, y: (1, reciprocal(float(t))),
+            "of the state": lambda t, y: (1, reciprocal(float(y[0]))),
+            "of a method": lambda t, y: (1, WINDOWS["in an object"][0].pole(t)),
+            "of a matrix": lambda t, y: (1, np.linalg.inv([[y[0] - 1, 0], [0, 1]])[0, 0]),
+        }.items()
+    },
     "a pole of the state": (lambda t, y: (1, 1 / (y[0] - 1)), (0, 2), [0.0, 0.0], ArithmeticError, r"t = (1|0\.99)"),
     "a belt that holds": (
         lambda t, y: (y[1], -y[0] - 5.0 if -0.51 < y[1] < -0.5 else -y[0]),

@@ -21,8 +21,8 @@ JUMP = 1e-9  # move of the state, relative, by a change of the rates within the 
 # rates makes less of it, a singularity more
 TRIALS, LONGER = 60, 0.02  # of the shortest steps, where the rates are not finite
 POLE = 1e-6  # the same, where a step goes across a switch
-BLURRED, BRIEF, LEAP = 256.0, 1e-9, 1e-4  # of the shortest step, of the run, of the state: the stages of a step so short
-# lie at times known to a thousandth of it, and moving the state so far it is at a pole, whatever its error says
+BLURRED, BRIEF = 256.0, 1e-9  # of the shortest step, of the run: the times of stages are known to a thousandth of it
+LEAP = 1e-4  # of the state: what moves it so far within such a step is a pole, whatever the error says
 SUSPICIOUS = 0.005  # of the third's power 9/4: the error of exp(a t) and of its like is 0.02 and more, so that less is
 # an estimate of order 5 that passes through zero
 NOT_SMOOTH = 0.01  # fifth over third, squared: with a short step of a smooth motion it is less
@@ -108,8 +108,7 @@ def advance(
         if error <= 1.0 and not at_last and h > 2.0 * reach(origin + new, h, n, g, c):
             error = UNSEEN
         sure = passed(origin + t, h, y, f, n, g, error, shortest, c) if fifth < inf else inf
-        if error <= 1.0 and h < min(BLURRED * shortest, BRIEF * end) and _leaps(h, n, g, a, rtol, LEAP):
-            error = UNSEEN
+        error = _error_of_brief(error, h, min(BLURRED * shortest, BRIEF * end), n, g, a, rtol)
         is_cut = sure < h and not at_last
         crosses = at_last and sure <= h
         largest = POLE if crosses else JUMP
@@ -228,6 +227,15 @@ def _leaps(h: Numbers, n: Numbers, g: Numbers, a: Numbers, rtol: Numbers, part: 
         if a[i] > NO_SCALE:
             moved, size = max(moved, h * abs(g[i])), max(size, abs(n[i]), a[i] / rtol)
     return moved > max(part, rtol) * size
+
+
+def _error_of_brief(
+    error: Numbers, h: Numbers, brief: Numbers, n: Numbers, g: Numbers, a: Numbers, rtol: Numbers
+) -> Numbers:
+    """Return the error of a step, too large to be taken where a brief one goes to or across a pole."""
+    if error <= 1.0 and h < brief and _leaps(h, n, g, a, rtol, LEAP):
+        error = UNSEEN
+    return error
 
 
 def _has_no_scale(a: Numbers) -> Numbers:

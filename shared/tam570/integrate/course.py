@@ -9,6 +9,7 @@ is repeated.
 
 import copy
 import functools
+import inspect
 import math
 import operator
 import sysconfig
@@ -293,10 +294,13 @@ def _substitute(value: Numbers) -> Numbers:
         return _lifted(value) if _is_foreign(value) else value
     if isinstance(value, type | functools.partial) or not callable(value):
         return value
-    method = value if isinstance(value, types.MethodType) else types.MethodType(type(value).__call__, value)
-    if isinstance(method.__func__, types.FunctionType) and not _is_foreign(method.__func__):
-        return types.MethodType(substituted(method.__func__, _substitute, STAND_INS), _copied(method.__self__))
-    return _lifted(value)
+    is_method = isinstance(value, types.MethodType)
+    function = value.__func__ if is_method else type(value).__call__
+    if not _is_looked_into(function):
+        return _lifted(value)
+    if is_method:
+        return types.MethodType(substituted(function, _substitute, STAND_INS), _copied(value.__self__))
+    return _copied(value)
 
 
 def _copied(instance: Numbers) -> Numbers:
@@ -306,7 +310,22 @@ def _copied(instance: Numbers) -> Numbers:
     twin = copy.copy(instance)
     for name, value in vars(instance).items():
         twin.__dict__[name] = copy.copy(value) if isinstance(value, list | dict | set) else _substitute(value)
+    kind = type(instance)
+    listed = {name: inspect.getattr_static(kind, name) for name in dir(kind)}
+    methods = {name: _when_called(value) for name, value in listed.items() if _is_looked_into(value)}
+    if twin is not instance and methods:
+        object.__setattr__(twin, "__class__", type(kind.__name__, (kind,), methods))
     return twin
+
+
+def _when_called(method: types.FunctionType) -> Function:
+    """Return a method of courses, substituted when it is first called: it may use its own instance by name."""
+    substitute = functools.cache(lambda: substituted(method, _substitute, STAND_INS))
+    return lambda *arguments, **keywords: substitute()(*arguments, **keywords)
+
+
+def _is_looked_into(value: Numbers) -> bool:
+    return isinstance(value, types.FunctionType) and not _is_foreign(value)
 
 
 def _is_foreign(function: types.FunctionType) -> bool:
