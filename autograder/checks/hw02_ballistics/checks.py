@@ -309,4 +309,5 @@ ASSIGNMENT = Assignment(
     },
     forbidden={"trajectory": ("scipy.integrate", "tam570.integrate")},
     needs=("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg"),
+    states=(4,),
 )

@@ -226,4 +226,5 @@ ASSIGNMENT = Assignment(
     },
     forbidden={"*": ("tam570.lectures",)},
     needs=("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg"),
+    states=(6,),
 )

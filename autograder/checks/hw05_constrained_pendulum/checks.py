@@ -192,4 +192,5 @@ ASSIGNMENT = Assignment(
     },
     forbidden={},
     needs=("numpy",),
+    states=(3,),
 )

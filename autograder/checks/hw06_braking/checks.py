@@ -337,4 +337,5 @@ ASSIGNMENT = Assignment(
     },
     forbidden={},
     needs=("numpy",),
+    states=(3, 5),
 )

@@ -279,4 +279,5 @@ ASSIGNMENT = Assignment(
     },
     forbidden={},
     needs=("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg"),
+    states=(4,),
 )

@@ -365,4 +365,5 @@ ASSIGNMENT = Assignment(
     },
     forbidden={"*": ("tam570.lectures",), "euler_rates_313": ("tam570.rotations", "scipy.spatial.transform")},
     needs=("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg"),
+    states=(7,),
 )

@@ -338,4 +338,5 @@ ASSIGNMENT = Assignment(
         "multiplier_state_derivative": ("euler_state_derivative", "matrix_state_derivative"),
     },
     needs=("numpy",),
+    states=(8, 15),
 )

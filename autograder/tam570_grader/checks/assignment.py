@@ -17,6 +17,7 @@ class Assignment:
     returns : {function: what it returns}, of all functions that students write
     forbidden : {function, or "*" for all: names of modules and functions that it must not use}
     needs : modules that the sandbox imports before it loads a submission
+    states : numbers of components of the states that submissions integrate, for which it compiles a step before
 
     Raises
     ------
@@ -27,6 +28,7 @@ class Assignment:
     returns: Mapping[str, ReturnSpec]
     forbidden: Mapping[str, Sequence[str]]
     needs: Sequence[str]
+    states: Sequence[int] = ()
 
     def __post_init__(self) -> None:
         if unknown := sorted(self.forbidden.keys() - self.returns.keys() - {EVERYWHERE}):

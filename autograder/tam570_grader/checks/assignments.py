@@ -39,6 +39,7 @@ class LoadedAssignment:
     checks: tuple[Check, ...]
     results: Mapping[str, ReturnSpec]
     needs: Sequence[str]
+    states: Sequence[int]
     forbidden: Mapping[str, Sequence[str]]
     source: bytes  # of the checks
     rubric: Mapping[str, ManualPart]  # what is graded by hand, by part
@@ -139,7 +140,9 @@ def assignment(root: Path, slug: str) -> LoadedAssignment:
     rubric = load_rubric(root / "assignments" / slug)
     if unknown := [check.name for check in checks if check.function not in stated.returns]:
         raise UsageError(f"{slug}: the check {unknown[0]} is about no function of the assignment")
-    loaded = LoadedAssignment(slug, checks, stated.returns, stated.needs, stated.forbidden, source, rubric, root)
+    loaded = LoadedAssignment(
+        slug, checks, stated.returns, stated.needs, stated.states, stated.forbidden, source, rubric, root
+    )
     return _adapted(loaded, folder) if (folder / f"{OVERRIDES}.py").exists() else loaded
 
 

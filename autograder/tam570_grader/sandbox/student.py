@@ -162,7 +162,7 @@ class Student:
         """Return the cell for functions that may not call these modules, with the submission loaded."""
         if uncallable not in self._processes:
             hidden = [*self._assignment.forbidden.get("*", ()), *uncallable]
-            process = self._zygote.process(self._zygote.limits.cpu - self._cpu, hidden)
+            process = self._zygote.process(self._zygote.limits.cpu - self._cpu, hidden, self._assignment.states)
             try:
                 self._load(process, uncallable)
             except NotLoaded:

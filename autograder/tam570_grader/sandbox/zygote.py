@@ -86,20 +86,23 @@ class Zygote:
             return None
         return LOWEST_USER + (16 * os.getpid() + self._serial) % USERS
 
-    def process(self, cpu: float, hidden: Sequence[str] = ()) -> SandboxProcess:
-        """Return a new cell with nothing loaded, for so many seconds of CPU, without sight of the hidden modules."""
+    def process(self, cpu: float, hidden: Sequence[str] = (), states: Sequence[int] = ()) -> SandboxProcess:
+        """Return a new cell with nothing loaded, for so many seconds of CPU, without sight of the hidden modules.
+
+        states : see `Assignment`
+        """
         if not self._ready:
             self._await_ready()
             self._try_out()
             self._ready = True
-        return self._opened(cpu, hidden)
+        return self._opened(cpu, hidden, states)
 
-    def _opened(self, cpu: float, hidden: Sequence[str] = ()) -> SandboxProcess:
+    def _opened(self, cpu: float, hidden: Sequence[str] = (), states: Sequence[int] = ()) -> SandboxProcess:
         channel, prisoner_end = socket.socketpair()
         leash, guard_end = socket.socketpair()
         ends = [prisoner_end.fileno(), guard_end.fileno()]
         most = max(1, math.ceil(cpu))
-        order = {"cpu": most, "hidden": list(hidden), "user": self.user}
+        order = {"cpu": most, "hidden": list(hidden), "user": self.user, "states": list(states)}
         try:
             socket.send_fds(self._control, [json.dumps(order).encode()], ends)
         except OSError:
