@@ -1,11 +1,11 @@
-"""DOP853: its tableau, the interpolant that we build on its own one, and the step written out for one right-hand side.
+"""DOP853: its tableau, the interpolant that we build on its own one, and the step for a number of components.
 
 Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 2nd ed., II.5 and II.10 (code dop853.f).
 
-The step is Python source without loops, arrays or calls. Names in it: y state, k0 its derivative, e3_1 what stage 3's
-derivative of component 1 differs from that, s the state at a stage, n the new state, r what rounding took from the
-state, a the absolute tolerance, b what rounding does to the error estimates, c the constants of the scene. An error of
-component i is measured in units of a_i + b_i + rtol max(|y_i|, |n_i|).
+The step is Python source without loops or arrays; it calls the rates. Names in it: y state, k0 its derivative, e3_1
+what stage 3's derivative of component 1 differs from that, s the state at a stage, n the new state, r what rounding
+took from the state, a the absolute tolerance, b what rounding does to the error estimates, c the constants of the
+scene. An error of component i is measured in units of a_i + b_i + rtol max(|y_i|, |n_i|).
 """
 
 import math
@@ -19,10 +19,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tam570.integrate.error_scale import NO_SCALE, PART
-from tam570.integrate.formulas import Formulas, by_call, names, tuple_of, unpacked
+from tam570.integrate.formulas import Formulas, by_call, call_of, names, tuple_of, unpacked
 from tam570.values import Function, Numbers
 
-__all__ = ["ESTIMATE_ROUNDOFF", "NODES", "REACH", "ROWS", "compiled", "functions", "sampling"]
+__all__ = ["ESTIMATE_ROUNDOFF", "NODES", "REACH", "ROWS", "compiled", "rates", "rounding", "sampling", "stepping"]
 
 Row = dict[int, float]  # coefficient of each earlier stage's derivative
 
@@ -141,27 +141,32 @@ ESTIMATE_ROUNDOFF = 8.0
 SWEEPS = (1.0, 2.0, 3.0)  # the rounding of one rate shifts that component, and so on the others' rates: chains of four
 
 
-def functions(formulas: Formulas, forgiving: bool = True) -> str:
-    """Source of `rhs`, and of what `adaptive_loop.GENERATED` names but `dense` and `at`.
+def rates(formulas: Formulas, forgiving: bool = True) -> str:
+    """Source of `rhs` and `reach`.
 
     forgiving : Python raises an error on overflow, where compiled code goes on with infinity
     """
-    nothing = tuple_of(["nan"] * formulas.size)
-    inner = formulas if forgiving else by_call(formulas)
-    parts = [_rhs(formulas), _step(inner), *([_roundoff(formulas)] if formulas.rate_bounds else [])]
-    if forgiving:
-        answers = (nothing, "y, r, f, inf, 0.0, ()", "b")[: len(parts)]
-        parts = [_forgiving(part, answer) for part, answer in zip(parts, answers, strict=True)]
     reach = _reach(formulas)
-    parts += [_forgiving(reach, "inf") if forgiving and formulas.exponents else reach]
+    return _source([_rhs(formulas), _forgiving(reach, "inf") if forgiving else reach])
+
+
+def rounding(formulas: Formulas, forgiving: bool = True) -> str:
+    """Source of `roundoff`."""
+    roundoff = _roundoff(formulas)
+    return _source([_forgiving(roundoff, "b") if forgiving else roundoff])
+
+
+def stepping(formulas: Formulas, forgiving: bool = True) -> str:
+    """Source of `step`, `passed`, `error_norms` and `lesser`."""
+    step = _step(formulas)
+    parts = [_forgiving(step, "y, r, f, inf, 0.0, ()") if forgiving else step]
     parts += [["def passed(start, h, y, f, n, g, error, shortest, c):", "return inf"]]
-    parts += [_error_norms(formulas), _lesser(formulas)]
-    return _source(parts)
+    return _source([*parts, _error_norms(formulas), _lesser(formulas)])
 
 
-def sampling(formulas: Formulas, forgiving: bool = True) -> str:
+def sampling(formulas: Formulas) -> str:
     """Source of `dense` and `at`: states inside of a step."""
-    return _source([_dense(formulas if forgiving else by_call(formulas)), _at(formulas)])
+    return _source([_dense(formulas), _at(formulas)])
 
 
 def _source(parts: list[list[str]]) -> str:
@@ -353,11 +358,27 @@ def _at(formulas: Formulas) -> list[str]:
 
 
 def compiled(formulas: Formulas, sampled: bool, called_function: Function | None = None) -> dict[str, Numbers]:
-    """Return the functions by name; `given` is what formulas of `call_of` call."""
+    """Return the functions by name; `given` is what formulas of `call_of` call.
+
+    Steps call `rhs`: those of one size have the same code, which takes longer to compile than that of most rates.
+    """
     namespace: dict[str, Numbers] = {**vars(math), "given": called_function, "dense": None, "at": None}
-    for write in (functions, sampling)[: 1 + sampled]:
-        exec(_code(write, formulas), namespace)
-    return namespace
+    exec(_code(rates, formulas), namespace)
+    for write in (stepping, sampling)[: 1 + sampled]:
+        exec(_code(write, by_call(call_of(formulas.size))), namespace)
+    raw_rhs, nothing = namespace["rhs"], (math.nan,) * formulas.size
+
+    def rhs(t: float, s: Numbers, c: Numbers) -> Numbers:
+        try:
+            return raw_rhs(t, s, c)
+        except (ArithmeticError, ValueError, LookupError):
+            return nothing
+
+    def roundoff(*inputs: Numbers) -> Numbers:
+        exec(_code(rounding, formulas), namespace)  # most runs need none
+        return namespace["roundoff"](*inputs)
+
+    return {**namespace, "rhs": rhs, "roundoff": roundoff}
 
 
 @lru_cache(maxsize=256)

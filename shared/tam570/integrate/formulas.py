@@ -67,7 +67,7 @@ def by_call(formulas: Formulas) -> Formulas:
     results = tuple_of(f"p{i}" for i in range(formulas.size))
     state = tuple_of(f"s{i}" if i in formulas.reads else "0.0" for i in range(formulas.size))
     line = f"{results} = rhs({'t' if formulas.timed else '0.0'}, {state}, c)"
-    return replace(formulas, lines=(line,), rates=rates)
+    return Formulas((line,), rates, 0, formulas.reads, formulas.timed)
 
 
 def names(letter: str, size: int) -> list[str]:

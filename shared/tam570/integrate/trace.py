@@ -343,7 +343,7 @@ def substituted(
     names = {**stand_ins, **value.__globals__}
     cells = tuple(types.CellType() for _ in value.__closure__ or ())
     twin = types.FunctionType(value.__code__, names, value.__name__, None, cells)
-    sets_items = any(line.opname == "STORE_SUBSCR" for line in dis.get_instructions(value.__code__))
+    sets_items = dis.opmap["STORE_SUBSCR"] in value.__code__.co_code[::2]
     twins[id(value)] = twin  # before its names are looked at: it may call itself
 
     def stand_in(used: Numbers) -> Numbers:

@@ -18,10 +18,10 @@ from tam570.integrate.compiled.ir import Operand
 from tam570.integrate.compiled.llvm import function
 from tam570.integrate.compiled.recurrences import NotAnalytic, Recurrences, recurrences
 from tam570.integrate.compiled.series import LANES, layout, padded_size
-from tam570.integrate.dop853 import functions, sampling
+from tam570.integrate.dop853 import rates, rounding, sampling, stepping
 from tam570.integrate.error_scale import NO_SCALE, SHARE
 from tam570.integrate.fixed_step import FixedState
-from tam570.integrate.formulas import Formulas
+from tam570.integrate.formulas import Formulas, by_call
 from tam570.integrate.trace import Graph
 from tam570.integrate.watch import Look
 from tam570.values import Function, Numbers
@@ -280,7 +280,9 @@ def dop853(formulas: Formulas) -> Callable[..., State]:
     """Return `advance` of adaptive_loop, compiled."""
     zeros = (0.0,) * formulas.size
     like = State(0, 0.0, 0.0, zeros, zeros, zeros, zeros, zeros, zeros, 0.0, 0, 0, 0, 0)
-    generated = functions(formulas, forgiving=False) + sampling(formulas, forgiving=False)
+    call = by_call(formulas)
+    generated = "".join(write(formulas, forgiving=False) for write in (rates, rounding))
+    generated += stepping(call, forgiving=False) + sampling(call)
     return _loop(adaptive_loop, generated, "advance", like, formulas.constants, adaptive_loop.GENERATED)
 
 
