@@ -12,8 +12,8 @@ compare them with each other.
 import argparse
 import collections
 import functools
+import json
 import os
-import resource
 import statistics
 import subprocess
 import sys
@@ -26,8 +26,6 @@ import record
 from tqdm import tqdm
 
 from tam570_grader.checks import assignments
-from tam570_grader.grading.batch import RunConfig, records
-from tam570_grader.grading.submissions import submissions
 from tam570_grader.grading.supervisor import GradeTask, WorkerConfig, result
 from tam570_grader.sandbox.launch import isolation
 from tam570_grader.sandbox.pool import sandboxes
@@ -39,6 +37,7 @@ RESULTS, COST = record.RESULTS / "grading.json", record.RESULTS / "grading_cost.
 COURSE = assignments.find(Path(__file__).parents[1])
 SLUGS = assignments.slugs(COURSE)
 TOGETHER = 2e-3  # s, in which results of one chunk are read
+ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
 WORKS = {"stub": "assignments/{0}/{0}.py", "solution": "solutions/{0}.py"}  # what everybody in a class hands in
 
 
@@ -132,16 +131,19 @@ def _timed(task):
 
 
 def graded(slug, count, jobs):
-    """Seconds of grading a class, of each in its second half, when all processes have started, and of the head."""
+    """Seconds from the command to its end, for a class; and of each in its second half, when all processes work."""
     with tempfile.TemporaryDirectory() as folder:
-        handed_in = submissions([class_of(slug, count, Path(folder))], [slug])
-        config = RunConfig(COURSE, handed_in, 570, jobs, ResourceLimits(), [COURSE])
-        started, head = time.perf_counter(), head_seconds()
-        arrivals = []
-        for record in tqdm(records(config), total=count, desc=slug, leave=False, disable=None):
-            assert record["score"] == record["max_score"]
-            arrivals.append(time.perf_counter() - started)
-        seconds, head = time.perf_counter() - started, head_seconds() - head
+        options = ["--seed", "570", "--jobs", str(jobs), "--json"]
+        program = [sys.executable, "-m", "tam570_grader", "--root", COURSE, "grade"]
+        command = [*program, class_of(slug, count, Path(folder)), *options]
+        started, arrivals = time.perf_counter(), []
+        with subprocess.Popen(command, stdout=subprocess.PIPE, env=ENVIRONMENT) as grader:
+            for line in tqdm(grader.stdout, total=count, desc=slug, leave=False, disable=None):
+                arrivals.append(time.perf_counter() - started)
+                result = json.loads(line)
+                assert result["score"] == result["max_score"]
+        seconds = time.perf_counter() - started
+    assert len(arrivals) == count
     return {
         "grader": f"tam570-grader, {isolation()}, {jobs} jobs",
         "assignment": slug,
@@ -149,7 +151,6 @@ def graded(slug, count, jobs):
         "seconds": seconds,
         "seconds_each": seconds / count,
         "steady_seconds_each": steady(arrivals),
-        **({"head_seconds_each": head / count} if jobs > 1 else {}),  # of one job it is all but the sandbox
     }
 
 
@@ -159,24 +160,12 @@ def steady(arrivals):
     return (arrivals[-1] - half) / (sum(arrival > half + TOGETHER for arrival in arrivals) or 1)
 
 
-def head_seconds():
-    """Processor time of this process, which hands out and writes; with one job it grades as well, and is not told."""
-    usage = resource.getrusage(resource.RUSAGE_SELF)
-    return usage.ru_utime + usage.ru_stime
-
-
 def print_jobs(slug, runs):
-    """How many times as fast several jobs are as one, and the most that any number can be: the head is one process."""
-    if 1 not in runs:
-        return
-    for jobs, row in runs.items():
+    """How many times as fast several jobs are as one."""
+    for jobs, row in runs.items() if 1 in runs else ():
         if jobs > 1:
-            faster, bound = runs[1]["seconds"] / row["seconds"], runs[1]["seconds_each"] / row["head_seconds_each"]
-            late = runs[1]["steady_seconds_each"] / row["steady_seconds_each"]
-            print(
-                f"{slug:26} {jobs} jobs: {faster:.2f} times as fast as 1 job, {late:.2f} times once all have started;"
-                f" no number of jobs: {bound:.0f} times"
-            )
+            faster, late = (runs[1][name] / row[name] for name in ("seconds", "steady_seconds_each"))
+            print(f"{slug:26} {jobs} jobs: {faster:.2f} times as fast as 1 job, {late:.2f} times once all have started")
 
 
 def print_peers(slug, runs, peers):
@@ -193,7 +182,7 @@ def one_file(slug):
     times = []
     for _ in range(5):
         started = time.perf_counter()
-        subprocess.run(command, check=True, capture_output=True)
+        subprocess.run(command, check=True, capture_output=True, env=ENVIRONMENT)
         times.append(time.perf_counter() - started)
     return {
         "grader": "tam570-grader, one file from the command line",
@@ -230,7 +219,7 @@ def nbgrader(slug, count):
 def _nbgrader(course, *arguments):
     path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"  # nbgrader starts alembic and jupyter
     command = [sys.executable, "-m", "nbgrader", *arguments]
-    subprocess.run(command, cwd=course, check=True, capture_output=True, env={**os.environ, "PATH": path})
+    subprocess.run(command, cwd=course, check=True, capture_output=True, env={**ENVIRONMENT, "PATH": path})
 
 
 def _notebook(path, slug):
@@ -295,10 +284,9 @@ def main():
 def print_row(row):
     """Print a row of the table."""
     later = f"{row['steady_seconds_each'] * 1000:8.1f} later" if "steady_seconds_each" in row else ""
-    head = f"{row['head_seconds_each'] * 1000:6.2f} of the head" if "head_seconds_each" in row else ""
     print(
         f"{row['assignment']:26} {row['grader']:46} {row['submissions']:4} in {row['seconds']:7.2f} s"
-        f" {row['seconds_each'] * 1000:8.1f} ms each {later} {head}",
+        f" {row['seconds_each'] * 1000:8.1f} ms each {later}",
         flush=True,
     )
 
