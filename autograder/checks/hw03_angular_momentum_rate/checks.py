@@ -40,6 +40,7 @@ def by_difference(hint):
 
 
 LETTERS = "Raise ValueError for anything but the three letters."
+check_letters = compare_with(reference, by=check_domain, tolerance=POINTWISE, hint=LETTERS)
 FIXED = "C' stays where C is at this instant: what is its velocity?"
 PRODUCT = by_difference("Differentiate the product: which vectors change with time?")
 
@@ -77,9 +78,7 @@ BOTH_MOMENTA = momentum_with_the_velocity_in_F, momentum_with_the_velocity_relat
 @check("angular_momentum", points=0.25, after=BOTH_MOMENTA)
 def momentum_refuses_other_definitions(student, rng):
     """angular_momentum raises ValueError for another definition."""
-    check_domain(
-        student.angular_momentum, reference, cases.letters(cases.momenta("b"))(rng), tolerance=POINTWISE, hint=LETTERS
-    )
+    check_letters(student.angular_momentum, cases.letters(cases.momenta("b"))(rng))
 
 
 @check("rate", points=0.5)
@@ -106,7 +105,7 @@ BOTH_RATES = rate_about_a_fixed_point, rate_with_the_velocity_in_F
 @check("rate", points=0.25, after=BOTH_RATES)
 def rate_refuses_other_definitions(student, rng):
     """rate raises ValueError for another definition."""
-    check_domain(student.rate, reference, cases.letters(cases.rates("b"))(rng), tolerance=POINTWISE, hint=LETTERS)
+    check_letters(student.rate, cases.letters(cases.rates("b"))(rng))
 
 
 @check("discrepancy", points=0.5)
@@ -130,9 +129,7 @@ def no_discrepancy_about_a_fixed_point(student, rng):
 @check("discrepancy", points=0.25, after=discrepancy_with_the_velocity_in_F)
 def discrepancy_refuses_other_definitions(student, rng):
     """discrepancy raises ValueError for another definition."""
-    check_domain(
-        student.discrepancy, reference, cases.letters(cases.rates("b"))(rng), tolerance=POINTWISE, hint=LETTERS
-    )
+    check_letters(student.discrepancy, cases.letters(cases.rates("b"))(rng))
 
 
 def judge_motion(special_motion, definition):

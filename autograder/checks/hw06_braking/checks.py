@@ -162,12 +162,9 @@ def of_run(motion):
     return "Find the time at which it stops: does anything change from then on?"
 
 
-DERIVATIVE = {"tolerance": FORMULA, "hint": of_rates}
-HARDLY = {"tolerance": SOME, "hint": of_friction, "near_miss_credit": False, "scale": largest}
-EACH_BY_ITSELF = [
-    Column(column.quantity, column.unit, column.where) for column in RATES[2:]
-]  # of the scale of its own number
-HARDLY_RATES = {"columns": EACH_BY_ITSELF, "tolerance": SOME, "hint": of_rates, "near_miss_credit": False}
+compare_rates = compare_with(reference, by=compare_columns, tolerance=FORMULA, hint=of_rates)
+HARDLY = {"tolerance": SOME, "near_miss_credit": False}
+EACH_BY_ITSELF = [Column(column.quantity, column.unit, column.where) for column in RATES[2:]]  # each by its own size
 
 
 @check("axle_load", points=0.75)
@@ -191,33 +188,27 @@ def friction_in_any_motion_and_at_rest(student, rng):
         hint=of_friction,
     )
     compare(student.friction_force, cases.slow(rng), tolerance=SLOW, hint=of_friction)
-    compare(student.friction_force, cases.hardly_moving(rng), **HARDLY)
+    compare(student.friction_force, cases.hardly_moving(rng), hint=of_friction, scale=largest, **HARDLY)
 
 
 @check("state_derivative", points=1.25)
 def equations_of_motion(student, rng):
     """the balances of momentum; the free axle does not slip sideways."""
-    compare_columns(
-        student.state_derivative, reference, cases.timed(cases.ways(cases.TURN, count=2))(rng), **DERIVATIVE
-    )
+    compare_rates(student.state_derivative, cases.timed(cases.ways(cases.TURN, count=2))(rng))
 
 
 @check("state_derivative", points=0.5, after=equations_of_motion)
 def equations_in_any_motion(student, rng):
     """in reverse, on the spot, straight, slow."""
-    compare_columns(
-        student.state_derivative, reference, cases.timed(cases.ways(*cases.MOVING), cases.headings)(rng), **DERIVATIVE
-    )
-    compare_columns(student.state_derivative, reference, cases.timed(cases.slow)(rng), tolerance=SLOW, hint=of_rates)
-    compare_columns(student.state_derivative, reference, cases.timed(cases.hardly_moving)(rng), **HARDLY_RATES)
+    compare_rates(student.state_derivative, cases.timed(cases.ways(*cases.MOVING), cases.headings)(rng))
+    compare_rates(student.state_derivative, cases.timed(cases.slow)(rng), tolerance=SLOW)
+    compare_rates(student.state_derivative, cases.timed(cases.hardly_moving)(rng), columns=EACH_BY_ITSELF, **HARDLY)
 
 
 @check("state_derivative", points=0.5, after=equations_of_motion)
 def equations_without_friction_and_at_rest(student, rng):
     """without friction, without gravity; all zero at rest."""
-    compare_columns(
-        student.state_derivative, reference, cases.timed(cases.ways(cases.REST), cases.odd_cars)(rng), **DERIVATIVE
-    )
+    compare_rates(student.state_derivative, cases.timed(cases.ways(cases.REST), cases.odd_cars)(rng))
 
 
 @check("kinetic_energy", points=0.5)
