@@ -69,10 +69,11 @@ class Course(Tape):
     def combine(self, name: str, *operands: Numbers) -> Numbers:
         if name == "fabs":
             return -operands[0] if self.sign(operands[0]) < 0 else operands[0]
-        result, symbols = self.record(name, *operands), [a.number for a in operands if isinstance(a, Symbol)]
-        if name == "/" and isinstance(operands[1], Symbol):
-            self.denominators.append(operands[1].number)
-        if len(symbols) == 1 and symbols[0] in self.lines and name != "pow":
+        result, first, last = self.record(name, *operands), operands[0], operands[-1]
+        if name == "/" and isinstance(last, Symbol):
+            self.denominators.append(last.number)
+        x = first if isinstance(first, Symbol) else last
+        if x.number in self.lines and name != "pow" and sum(isinstance(a, Symbol) for a in operands) == 1:
             self.lines.add(result.number)
             self.seen += [result.number] if name in "+-" else []
         return result
@@ -116,7 +117,7 @@ class Course(Tape):
             needed.update(operands if slot in needed else ())
         self.operations = [operation for operation in self.operations if operation[0] in needed]
 
-    def again(self, t: Array, y: Array) -> tuple[list[Array], list[Array]]:
+    def evaluate(self, t: Array, y: Array) -> tuple[list[Array], list[Array]]:
         """Return what was seen, and what saturates, at other points, as far as the function decides the same."""
         slots = self.slots
         slots[: len(y) + 1] = t, *y
@@ -244,7 +245,7 @@ def _point_by_point(
     def results(*values: Array) -> list[Numbers]:
         columns = {symbol.number: v.tolist() for symbol, v in zip(symbols, values, strict=True)}
         calls = [_replaced(call, lambda symbol, k=k: columns[symbol.number][k]) for k in range(len(values[0]))]
-        return [function(*positional, **dict(zip(keywords, named, strict=True))) for positional, named in calls]
+        return [function(*positional, **dict(zip(keywords, by_name, strict=True))) for positional, by_name in calls]
 
     return tape.record(results, *symbols)
 

@@ -71,23 +71,23 @@ def engine(
     """
     sampled, reason = sampled or len(times) > 2, "it has a value where its formulas have none"
 
-    def rates() -> Rates:
+    def tried_rates() -> Rates:
         """Return the right-hand side, tried at the start."""
-        called = bound(rhs, parameters)
-        called = called if sign > 0 else reversed_rates(called)
-        check_start(called, float(times[0]), start, sign)
-        return called
+        rates = bound(rhs, parameters)
+        rates = rates if sign > 0 else reversed_rates(rates)
+        check_start(rates, float(times[0]), start, sign)
+        return rates
 
     try:
         slot = cache_slot((call_key(rhs, parameters), len(start), sampled, sign)) if may_trace else [reason]
         if not slot:
-            slot.append(_traced_engine(rates(), times, start, sampled, sign))
+            slot.append(_traced_engine(tried_rates(), times, start, sampled, sign))
         if isinstance(slot[0], Engine):
             return slot[0]
         reason = slot[0]
     except Changeable as changeable:
         reason = str(changeable)
-    return _called_engine(rates(), times, len(start), sampled, sign, reason)
+    return _called_engine(tried_rates(), times, len(start), sampled, sign, reason)
 
 
 def _traced_engine(rates: Rates, times: Array, start: Array, sampled: bool, sign: float) -> Engine | str:

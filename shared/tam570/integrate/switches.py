@@ -76,7 +76,7 @@ class Switches:
         self.is_near = False  # whether the last step was at a switch
         self.may_keep = self.is_accepted = False  # of the step: whether what is zero at its ends is zero inside
         self.leaving = 0.0  # s, until the state is another than at a start at a switch
-        self.kept = 0  # steps refused since a switching function is zero
+        self.refusals = 0  # steps refused since a switching function is zero
         self.crossings: list[float] = []  # times, each soon after the one before
 
     def reach(self, start: float, h: float, y: Numbers, f: Numbers, c: Numbers) -> float:
@@ -120,9 +120,9 @@ class Switches:
         self.leaving *= error > 1.0
         if is_at_switch and part <= 1.0:
             self._count(start, y)
-        elif self.kept or error > 1.0:
-            self.kept = self.kept + (error > 1.0) if self._is_at_zero(start, np.array(y)[:, None]) else 0
-            if self.kept == KEPT:
+        elif self.refusals or error > 1.0:
+            self.refusals = self.refusals + (error > 1.0) if self._is_at_zero(start, np.array(y)[:, None]) else 0
+            if self.refusals == KEPT:
                 raise chatter(self.sign * start, y)
         if part > 1.0:
             if error <= 1.0:
@@ -147,7 +147,7 @@ class Switches:
     def _is_at_zero(self, start: float, y: Array) -> bool:
         """Return whether a switching function is zero here, as far as a state can be known."""
         path = y * (1.0 + NEAR * np.resize((0.0, *ROUNDED), (len(y), len(ROUNDED) + 1)))
-        rows = self.decisions.again(np.full(path.shape[1], start), path)[0] if self.decisions else []
+        rows = self.decisions.evaluate(np.full(path.shape[1], start), path)[0] if self.decisions else []
         seen = np.array(rows).reshape(-1, path.shape[1])
         changes = np.abs(seen - seen[:, :1]).max(axis=1)
         return bool(((np.abs(seen[:, 0]) <= changes) & (changes > 0.0)).any())
@@ -174,7 +174,7 @@ class Switches:
     def _leave(self, start: float, h: float, shortest: float, y: Array, moves: Array) -> float:
         """Return after how many s no switching function is zero as at the start: a state of 1 moves by no 1e-30."""
         x = np.append(0.0, np.geomspace(min(shortest / h, 1.0), 1.0, LEAVING))
-        seen = np.array(self.decisions.again(start + x * h, y + moves @ _basis(x))[0]) if self.decisions else y[:0]
+        seen = np.array(self.decisions.evaluate(start + x * h, y + moves @ _basis(x))[0]) if self.decisions else y[:0]
         leaving = seen[(seen[:, 0] == 0.0) & (seen != 0.0).any(axis=1)] != 0.0
         time = 2.0 * h * float(x[np.argmax(leaving.all(axis=0))])
         return time if time > CHATTER * shortest else shortest
@@ -182,18 +182,18 @@ class Switches:
     def _look(self, start: float, h: float, y: Array, moves: Array, x: Array, basis: Array) -> tuple[Array, float]:
         """(q, m) switching functions, positive at the start; and the part in which nothing saturates unseen."""
         t, path = start + x * h, y + moves @ basis
-        seen, saturating = self.decisions.again(t, path) if self.decisions else ([], [])
+        seen, saturating = self.decisions.evaluate(t, path) if self.decisions else ([], [])
         rows = np.array(seen).reshape(-1, len(x))
         positive = self.signs * rows
         if not self.decisions or not (positive > 0.0).all() and (_signs(rows) != self.signs).any():
             self.decisions = self.profile(t, path)
-            seen, saturating = self.decisions.again(t, path)
+            seen, saturating = self.decisions.evaluate(t, path)
             rows = np.array(seen).reshape(-1, len(x))
             self.signs = _signs(rows)
             positive = self.signs * rows
             self.is_smooth = not seen and not saturating
         if not (positive > 0.0).all():
-            nearby = self.decisions.again(t, path * (1.0 + EPS * np.resize(ROUNDED, path.shape[::-1]).T))[0]
+            nearby = self.decisions.evaluate(t, path * (1.0 + EPS * np.resize(ROUNDED, path.shape[::-1]).T))[0]
             noise = np.abs(self.signs * nearby - positive).max(axis=1)
             near = NEAR / EPS * noise
             turns = np.abs(positive[:, 2]) > 3.0 * np.abs(positive[:, 1])  # twice a linear one, four times a square

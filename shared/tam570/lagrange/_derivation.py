@@ -37,9 +37,9 @@ def motion(
     _check_lengths(q, v, forces)
     L = sympy.sympify(lagrangian)
     Q = tuple(sympy.sympify(force) for force in forces) or (sympy.Integer(0),) * len(q)
-    given = tuple(sympy.sympify(constraint) for constraint in constraints)
-    holonomic = tuple(c for c in given if not c.has(*v))
-    rates = tuple(c if c.has(*v) else _carried(c, q, v, t) for c in given)
+    all_constraints = tuple(sympy.sympify(constraint) for constraint in constraints)
+    holonomic = tuple(c for c in all_constraints if not c.has(*v))
+    rates = tuple(c if c.has(*v) else _carried(c, q, v, t) for c in all_constraints)
     matrix = sympy.Matrix(len(rates), len(v), [sympy.diff(rate, w) for rate in rates for w in v])
     if matrix.has(*v):
         raise ValueError("constraints must be linear in the velocities")
@@ -48,7 +48,7 @@ def motion(
     _check_inertia(mass)
     _check_independence(matrix)
     _check_pivots(mass, matrix)
-    used = set().union(*(e.free_symbols for e in (L, *Q, *given)))
+    used = set().union(*(e.free_symbols for e in (L, *Q, *all_constraints)))
     return Motion(
         time=t,
         coordinates=q,

@@ -50,13 +50,13 @@ def _head(motion: Motion) -> str:
     )
 
 
-def _function(motion: Motion, name: str, says: str, result: Expression) -> str:
+def _function(motion: Motion, name: str, summary: str, result: Expression) -> str:
     """Return a function's text; result(motion, lines) appends to its lines and gives what it returns."""
     parameters = ", ".join(["*", *map(str, motion.parameters)]) if motion.parameters else ""
     signature = ", ".join(filter(None, [str(motion.time), "state", parameters]))
     lines = [f"{', '.join(map(str, motion.coordinates + motion.velocities))} = state"]
     lines.append(f"return {result(motion, lines)}")
-    return f'def {name}({signature}):\n    """{says}"""\n    ' + "\n    ".join(lines)
+    return f'def {name}({signature}):\n    """{summary}"""\n    ' + "\n    ".join(lines)
 
 
 def _rates(motion: Motion, lines: Lines) -> str:
@@ -117,19 +117,19 @@ def _reduced(lines: Lines, row: list[Number], factor: Number, pivot_row: list[Nu
     return _named(lines, [_less(a, _products([factor], [b])) for a, b in zip(row, pivot_row, strict=True)])
 
 
-def _products(left: Iterable[Number], right: Iterable[Number]) -> list[str]:
+def _products(xs: Iterable[Number], ys: Iterable[Number]) -> list[str]:
     """Return the products that are not zero."""
-    pairs = [(a, b) for a, b in zip(left, right, strict=True) if a is not None and b is not None]
+    pairs = [(a, b) for a, b in zip(xs, ys, strict=True) if a is not None and b is not None]
     return [b if a == "1" else a if b == "1" else f"{a}*{b}" for a, b in pairs]
 
 
-def _sum(terms: list[str]) -> Number:
-    return " + ".join(terms) if terms else None
+def _sum(products: list[str]) -> Number:
+    return " + ".join(products) if products else None
 
 
-def _less(start: Number, terms: list[str]) -> Number:
-    """Start less the terms."""
-    return "".join([start or "", *(f" - {term}" for term in terms)]).strip() or None
+def _less(start: Number, products: list[str]) -> Number:
+    """Start less the products."""
+    return "".join([start or "", *(f" - {product}" for product in products)]).strip() or None
 
 
 _ATOM = re.compile(r"-?[\w.]+")

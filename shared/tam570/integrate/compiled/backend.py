@@ -62,7 +62,7 @@ class Memory(NamedTuple):
     address: int
 
 
-class Place(NamedTuple):
+class RepeatedRun(NamedTuple):
     """What one of the repeated runs at a time works in."""
 
     memory: Memory
@@ -156,17 +156,17 @@ def taylor_repeated(run: Run, watch: Callable[[], Look]) -> Callable[[Numbers], 
         return None
     fresh = _packed(motion, run, run.last, is_fresh=True)
     start, first, used = struct.Struct(f"={size}d"), 8 * taylor_loop.NUMBERS, len(fresh)
-    advance, status, free = motion.advance, taylor_loop.STATUS, list[Place]()
+    advance, status, free = motion.advance, taylor_loop.STATUS, list[RepeatedRun]()
 
-    def place() -> Place:
+    def new_run() -> RepeatedRun:
         memory, rows = memory_for(motion, size), np.empty_like(run.rows)
         _pack_call(memory, run, rows, REPEATED)
-        return Place(memory, rows, memory.state.cast("d"))
+        return RepeatedRun(memory, rows, memory.state.cast("d"))
 
     def states(y0: Numbers) -> Array | None:
         if type(y0) is np.ndarray and y0.ndim != 1:  # its rows may be numbers, too
             return None
-        mine = free.pop() if free else place()
+        mine = free.pop() if free else new_run()
         state = mine.memory.state
         state[:used] = fresh
         try:
@@ -182,7 +182,7 @@ def taylor_repeated(run: Run, watch: Callable[[], Look]) -> Callable[[Numbers], 
         free.append(mine)
         return rows
 
-    def carry_on(mine: Place) -> None:
+    def carry_on(mine: RepeatedRun) -> None:
         """To the end, with a look now and then; ArithmeticError where it is stiff."""
         look = watch()
 

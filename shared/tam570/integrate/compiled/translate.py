@@ -221,7 +221,7 @@ class Translator(Expressions):
         super().__init__({**{name: self._inlined(node) for name, node in functions.items()}, **names})
         self.components = 0  # with what fills up the last vector
         self.tables: dict[tuple[float, ...], str] = {}
-        self.loops: list[tuple[str, str]] = []  # where `continue` and `break` go
+        self.loops: list[str] = []  # where `break` goes
         self.returns: list[tuple[str, Operand]] = []  # where `return` goes, and its value's place
 
     def _inlined(self, node: ast.FunctionDef) -> Function:
@@ -343,7 +343,7 @@ class Translator(Expressions):
         return True
 
     def _looped(self, names: Names, body: Sequence[ast.stmt], next_label: str, after: str) -> None:
-        self.loops.append((next_label, after))
+        self.loops.append(after)
         if self.body(names, body):
             self.jump(next_label)
         self.loops.pop()
@@ -419,11 +419,7 @@ class Translator(Expressions):
         return self._counted(names, node.body, (0, len(rows)), bind)
 
     def do_Break(self, names: Names, node: ast.Break) -> bool:
-        self.jump(self.loops[-1][1])
-        return False
-
-    def do_Continue(self, names: Names, node: ast.Continue) -> bool:
-        self.jump(self.loops[-1][0])
+        self.jump(self.loops[-1])
         return False
 
     def do_Return(self, names: Names, node: ast.Return) -> bool:
