@@ -91,7 +91,6 @@ def _rows(text: str) -> list[Row]:
 
 ROWS: list[Row] = [{}, *_rows(_STAGES)]
 FIFTH, LESS = _rows(_ESTIMATES)
-THIRD: Row = {j: ROWS[12].get(j, 0.0) + LESS.get(j, 0.0) for j in ROWS[12]}
 
 # Sums of the rows, to the last bit: the rows' own numbers are rounded.
 _EARLY, _LATE = (6 - sqrt(6)) / 30, (6 + sqrt(6)) / 30

@@ -81,7 +81,6 @@ class Motion:
 
 
 LOOKS = 8  # at an event function within a step: two crossings in one step are two
-FOREVER = 2**62
 
 
 @dataclass(frozen=True)
