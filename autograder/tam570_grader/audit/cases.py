@@ -17,10 +17,10 @@ from tam570_grader.audit.local import (
     Key,
     LocalStudent,
     Replies,
-    calls_of_checks,
     failed_cases,
     module_of,
     solution_replies,
+    students_of_checks,
 )
 from tam570_grader.audit.mutate import mutants
 from tam570_grader.audit.mutation import alone, calling, within_reach
@@ -113,7 +113,9 @@ def judged_cases(run: CaseRun) -> tuple[dict[Key, float], dict[Subject, frozense
 def _mutants(assignment: LoadedAssignment) -> Iterator[Wrong]:
     """Yield the mutants, and each in its function alone where others call that."""
     solution = assignment.solution
-    (calls, _), reachable = calls_of_checks(assignment.root, assignment.slug), reached(solution)
+    students = students_of_checks(assignment.root, assignment.slug)
+    calls = {check: {key.function for key in student.cases} for check, student in students.items()}
+    reachable = reached(solution)
     for mutant in mutants(assignment.slug, solution):
         reach = within_reach(reachable, mutant.function)
         yield Wrong(f"mutant {mutant.name}", mutant.text, reach, calling(calls, reach))

@@ -214,15 +214,20 @@ def solution_replies(course: Path, slug: str, seed: int) -> Replies:
     return Replies(module_of(assignments.assignment(course, slug).solution))
 
 
-def calls_of_checks(course: Path, slug: str) -> tuple[dict[str, set[str]], float]:
-    """Return the functions that each check calls, and the longest call in s, by running them on the solution."""
+def students_of_checks(course: Path, slug: str) -> dict[str, LocalStudent]:
+    """Return the solution as each check has seen it, with the cases that it asked for."""
     assignment, solution = assignments.assignment(course, slug), solution_replies(course, slug, SEED)
-    calls = dict[str, set[str]]()
+    students = dict[str, LocalStudent]()
     for module in assignment.needs:  # as in the sandbox, no call waits for it
         importlib.import_module(module)
     for check in assignment.checks:
-        student = LocalStudent(assignment, check, solution, solution)
+        student = students[check.name] = LocalStudent(assignment, check, solution, solution)
         failed = failed_cases(student, check, SEED, slug)
         assert not failed, failed
-        calls[check.name] = student.functions
-    return calls, max(solution.seconds.values())
+    return students
+
+
+def calls_of_checks(course: Path, slug: str) -> tuple[dict[str, set[str]], float]:
+    """Return the functions that each check calls, and the longest call in s, by running them on the solution."""
+    calls = {check: student.functions for check, student in students_of_checks(course, slug).items()}
+    return calls, max(solution_replies(course, slug, SEED).seconds.values())
