@@ -246,8 +246,8 @@ def _explained(outcomes: Outcomes, used: Mapping[str, set[str]], reached: Progre
         best: list[str] = []
         if not failed or name not in functions.observed:
             continue
-        known = functions.results[name], functions.plain(name), functions.observed[name], functions.longest[name]
-        for mistake in candidates(name, *known):
+        observed = functions.results[name], functions.plain(name), functions.observed[name], functions.longest[name]
+        for mistake in candidates(name, *observed):
             budget -= len(failed)
             if budget < 0:
                 break

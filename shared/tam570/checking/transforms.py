@@ -173,8 +173,8 @@ def undone(name: str, function: Function, example: Compared, is_quick: bool) -> 
         yield from _of_all_results(name, len(results))
     values = _named(function, example.case)
     for key, value in values.items():
-        taken = [(words, back) for words, _, back in _other_values(np.asarray(value))] if is_quick else []
-        for words, back in (*taken, *UNPREPARED.get(key, ())):
+        undone_values = [(words, back) for words, _, back in _other_values(np.asarray(value))] if is_quick else []
+        for words, back in (*undone_values, *UNPREPARED.get(key, ())):
             if back:
                 yield f"In {name}, {words.format(key)}", WrongArgument(function, key, back)
     if is_quick:
