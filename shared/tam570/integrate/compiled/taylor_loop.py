@@ -29,6 +29,7 @@ TIMED = False  # whether the right-hand side depends on time
 SATURATES = False  # whether it has exp, tanh or their like of the state
 RUNNING, DONE, VANISHED, SINGULAR, LACKING, IDLE, FRESH = 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0
 LEFT_OUT = 0.4  # of the tolerance, by the terms that a step leaves out
+FINEST = 1e-14  # tolerance of a step, below which they fall as its square: in long runs they add up, rounding does not
 TOLERATED = 1.0  # the derivative may be off by so many times (ORDER + 1) of the tolerance in a step
 ROUNDINGS = 8.0  # and by so many times the bound of its rounding: the polynomial adds up as many terms
 GROWTH = 6.0  # of the step where all coefficients in the window are zero
@@ -177,7 +178,7 @@ def pace_of(rtol: Numbers) -> Numbers:
     LEFT_OUT times the tolerance. q follows from the last term alone, to a hundredth.
     """
     q = power_of_2(log2(rtol) / ORDER)
-    last = log2(rtol * LEFT_OUT * (1.0 - q) / q) / ORDER
+    last = log2(rtol * min(1.0, rtol / FINEST) * LEFT_OUT * (1.0 - q) / q) / ORDER
     return last, 1.0 / ORDER, 1.0 / (ORDER - 1), 1.0 / (ORDER - 2), 1.0 / (ORDER - 3)
 
 
