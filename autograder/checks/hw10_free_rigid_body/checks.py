@@ -317,30 +317,22 @@ def mistaken(rotations):
 @check("plot_rim_paths", points=0.5)
 def rim_paths_are_drawn(student, rng):
     """both paths as seen along x, from t[0] to t[-1], with labels and equal scales."""
-    for case in cases.pictures(rng):
-        picture, (t, R, omega), radius = student.plot_rim_paths.drawn(case), case.args, case.kwargs["radius"]
-        densely = Case(np.linspace(t[0], t[-1], 801), R, omega, inertia=case.kwargs["inertia"])
-        _, rotations = expected_result(reference.motion, densely)
-        paths = [radius * path for path in seen_along_x(rotations)]
-        wrong_source = first_wrong(reference.motion, case, student.simulate)
-        others = {message: [radius * path for path in both] for message, both in mistaken(rotations).items()}
-        others["These are the paths for a radius of 1 m"] = seen_along_x(rotations)
-        from_behind = all(exchanged(picture, *AXES))  # seen from there: z to the right and y up
-        curves = [
-            replace(line, points=line.points[:, ::-1]) if from_behind else line for line in curves_seen(picture, 2)
-        ]
-        for line, path in zip(in_order(curves, paths[0]), paths, strict=True):
-            limits = {"tolerance": DRAWN * radius / np.ptp(path, axis=0).max(), "fewer": COARSELY / DRAWN}
-            path_drawn(
-                line,
-                path,
-                **limits,
-                quantity="a path",
-                others=others,
-                wrong_source=wrong_source,
-                near_miss_credit=False,
-            )
-        judge_axes_of_lengths(picture, *AXES, from_below=True)
+    case = cases.pictured(rng)
+    picture, (t, R, omega), radius = student.plot_rim_paths.drawn(case), case.args, case.kwargs["radius"]
+    densely = Case(np.linspace(t[0], t[-1], 801), R, omega, inertia=case.kwargs["inertia"])
+    _, rotations = expected_result(reference.motion, densely)
+    paths = [radius * path for path in seen_along_x(rotations)]
+    wrong_source = first_wrong(reference.motion, case, student.simulate)
+    others = {message: [radius * path for path in both] for message, both in mistaken(rotations).items()}
+    others["These are the paths for a radius of 1 m"] = seen_along_x(rotations)
+    from_behind = all(exchanged(picture, *AXES))  # seen from there: z to the right and y up
+    curves = [replace(line, points=line.points[:, ::-1]) if from_behind else line for line in curves_seen(picture, 2)]
+    for line, path in zip(in_order(curves, paths[0]), paths, strict=True):
+        limits = {"tolerance": DRAWN * radius / np.ptp(path, axis=0).max(), "fewer": COARSELY / DRAWN}
+        path_drawn(
+            line, path, **limits, quantity="a path", others=others, wrong_source=wrong_source, near_miss_credit=False
+        )
+    judge_axes_of_lengths(picture, *AXES, from_below=True)
 
 
 def in_order(lines, path):
