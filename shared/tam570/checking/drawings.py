@@ -13,13 +13,14 @@ FEWEST = 10  # points of a curve; fewer are markers, or lines for reference
 
 
 def curves(axes: Axes) -> list[NDArray[np.float64]]:
-    """Return the points (n, 2) of each line or scatter, each point once."""
+    """Return the points (n, 2) of each line or scatter, each point once, without NaN (a lift of the pen)."""
     drawn = [line.get_xydata() for line in axes.lines if line.get_visible()]
     drawn += [
         np.vstack([np.empty((0, 2)), *c.get_segments()]) for c in axes.collections if isinstance(c, LineCollection)
     ]
     drawn += [c.get_offsets() for c in axes.collections if isinstance(c, PathCollection)]
-    points = [np.unique(np.asarray(curve, float), axis=0) for curve in drawn]
+    finite = [curve[np.isfinite(curve).all(axis=1)] for curve in (np.asarray(curve, float) for curve in drawn)]
+    points = [np.unique(curve, axis=0) for curve in finite]
     return [curve for curve in points if len(curve) >= FEWEST]
 
 
