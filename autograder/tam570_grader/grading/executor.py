@@ -210,7 +210,7 @@ class _Process:
         self._file = self._socket.makefile("rwb")
         with child_end:
             self._popen = None if forks() else _spawn(child_end)
-            self._id = self._popen.pid if self._popen else os.fork()
+            self._id = self._popen.pid if self._popen else _fork()
             if self._id == 0:
                 for process in (self, *others):  # or none would notice that this end is closed
                     process.hang_up()
@@ -240,6 +240,15 @@ class _Process:
             self._popen.wait()
         else:
             os.waitpid(self._id, 0)
+
+
+def _fork() -> int:
+    """Fork. A signal that comes meanwhile is heard after it: Python drops what is raised in what it runs at a fork."""
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGTERM})
+    try:
+        return os.fork()
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _spawn(line: socket.socket) -> subprocess.Popen[bytes]:

@@ -72,6 +72,18 @@ def test_what_a_task_raises_is_raised_here(jobs):
 
 
 @linux
+def test_an_interrupt_during_a_fork_is_heard():
+    program = (
+        "import os, signal, time; from tam570_grader.grading.executor import *\n"
+        "os.register_at_fork(after_in_parent=lambda: os.kill(os.getpid(), signal.SIGINT))\n"
+        "with executor(2) as us:\n"
+        "    list(run_tasks(us, time.sleep, [1, 1]))\n"
+    )
+    ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert ended.returncode and ended.stderr.endswith("KeyboardInterrupt\n")
+
+
+@linux
 @pytest.mark.parametrize("end", [signal.SIGINT, signal.SIGKILL])
 def test_no_process_outlives_a_run_that_is_ended(tmp_path, end):
     program = (
