@@ -195,7 +195,7 @@ class _Processes(ThreadPoolExecutor):
 
 
 def forks() -> bool:
-    """Return whether processes are forked from this one: it has no other thread, and no library that forbids it."""
+    """Return whether processes are forked from this one: on Linux, without other threads; macOS stands no fork."""
     return sys.platform == "linux" and threading.active_count() == 1
 
 

@@ -341,7 +341,7 @@ def shortest_step(engine: Engine, times: Array, start: Array, control: Control) 
         state = step_n(run, engine.functions["advance"], [0.0, span], lambda *_: None, state, 1)
         if state.halt not in (RUNNING, SETS_IN):
             _give_up(run, state)
-        at_switch = engine.switches is not None and (engine.switches.is_near or bool(engine.switches.crossings))
+        at_switch = engine.switches is not None and engine.switches.is_near
         if state.row == 2 or state.halt and not at_switch:
             break
         if state.t > before.t or at_switch:  # taken, not refused
