@@ -64,21 +64,17 @@ class BlankAxes:
 
     def __init__(self) -> None:
         self._axes: list[Artist] = []
-        self._settings: Artist = None
+        self._settings: Json = {}
 
     def prepare(self) -> None:
         """Make them, after a first picture, for which Matplotlib reads its fonts."""
-        from matplotlib import rcParams
-
         picture(lambda axes: axes.plot(range(FEWEST)), [], {})
-        self._settings = rcParams.copy()
+        self._settings = _settings()
         self._axes = [self._new() for _ in range(PREPARED)]
 
     def take(self) -> Artist:
         """Return blank axes of their own figure, as the settings that a submission may have changed make them."""
-        from matplotlib import rcParams
-
-        return self._axes.pop() if self._axes and self._settings == rcParams else self._new()
+        return self._axes.pop() if self._axes and self._settings == _settings() else self._new()
 
     @staticmethod
     def _new() -> Artist:
@@ -88,6 +84,13 @@ class BlankAxes:
 
 
 blank_axes = BlankAxes()
+
+
+def _settings() -> Json:
+    """Return Matplotlib's settings but for its backend, which imports pyplot when it is read."""
+    from matplotlib import rcParams
+
+    return {name: value for name, value in dict.items(rcParams) if name != "backend"}
 
 
 def _drawn(axes: Artist) -> Iterator[tuple[Artist, list[Numbers], bool]]:
