@@ -1,9 +1,14 @@
 """What students return in the place of a SymPy expression, told apart in the same way by `check` and by the grader."""
 
+from collections.abc import Mapping, Sequence
+
 from tam570.values import Numbers
 
-__all__ = ["REMEDIES", "form_of"]
+__all__ = ["REMEDIES", "form_of", "strangers", "values_at"]
 
+STAND_INS = 1.25, 3.75  # for symbols that may cancel
+CANCELLED = 1e-13  # of a value: it has 25 digits before it is rounded
+NOTHING = 1e-60  # what is zero comes out below it, of up to 100 digits
 REMEDIES = {  # what to do instead
     "an equation": "Return one side of it, such as equation.rhs.",
     "a list": "sympy.solve returns a list; return the expression in it, such as solve(...)[0].",
@@ -37,3 +42,27 @@ def form_of(result: Numbers) -> str:
     if hasattr(result, "__array__"):
         return "an array" if result.ndim else ""
     return "a function" if callable(result) else "an object"
+
+
+def strangers(expression: Numbers, symbols: Sequence[str], points: Sequence[Mapping[str, float]]) -> list[str]:
+    """Return the other symbols and functions in an expression; none if they cancel at these points."""
+    from sympy.core.function import AppliedUndef
+
+    if functions := expression.atoms(AppliedUndef):
+        return sorted(map(str, functions))
+    names = sorted({symbol.name for symbol in expression.free_symbols} - set(symbols))
+    first, other = ([] if not names else values_at(expression, points, stand_in) for stand_in in STAND_INS)
+    cancel = all(abs(a - b) <= max(CANCELLED * abs(a), NOTHING) for a, b in zip(first, other, strict=True))
+    return [] if cancel else names
+
+
+def values_at(
+    expression: Numbers, points: Sequence[Mapping[str, float]], stand_in: float = STAND_INS[0]
+) -> list[complex]:
+    """Return the values at points {symbol's name: number}; other symbols are numbers from the stand-in on."""
+    names = {symbol: symbol.name for symbol in expression.free_symbols}
+    others = {name: stand_in + number for number, name in enumerate(sorted(set(names.values())))}
+    return [
+        complex(expression.evalf(25, subs={symbol: {**others, **point}[name] for symbol, name in names.items()}))
+        for point in points
+    ]

@@ -4,9 +4,8 @@ import json
 import re
 from collections.abc import Mapping
 
-from tam570.values import Json
 from tam570_grader.checks.assignments import LoadedAssignment
-from tam570_grader.checks.returns import Drawing, Formula, FreeBodyDiagram, Group, ReturnSpec
+from tam570_grader.checks.returns import form
 
 ROW = re.compile(r"^(\| `(\w+)\(.*?` *\| *)[\d.]+( *\|)", re.MULTILINE)  # of a function, in a README's table
 
@@ -18,19 +17,6 @@ def with_points(readme: str, worth: Mapping[str, float]) -> str:
 
 def contract(assignment: LoadedAssignment) -> str:
     """Return the forms of the results, and what is off limits, as JSON: a line for each."""
-    results = [f'  "{name}": {json.dumps(_plain(returns))}' for name, returns in assignment.results.items()]
+    results = [f'  "{name}": {json.dumps(form(returns))}' for name, returns in assignment.results.items()]
     banned = json.dumps({name: list(modules) for name, modules in assignment.forbidden.items()})
     return '{\n "results": {\n' + ",\n".join(results) + '\n },\n "off_limits": ' + banned + "\n}\n"
-
-
-def _plain(returns: ReturnSpec) -> Json:
-    """Return a promise as plain data."""
-    if isinstance(returns, Group):
-        return {"group": [_plain(member) for member in returns.members]}
-    if isinstance(returns, Formula):
-        return {"formula": list(returns.symbols)}
-    if isinstance(returns, Drawing):
-        return {"drawing": True}
-    if isinstance(returns, FreeBodyDiagram):
-        return {"diagram": returns.dimension}
-    return {"array": list(returns.shape), **({"infinite": True} if returns.infinite else {})}

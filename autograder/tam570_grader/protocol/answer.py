@@ -10,7 +10,7 @@ import numpy.polynomial  # before the fork, as the next: NumPy puts it off until
 import numpy.random
 
 from tam570.bans import IN_ONE, Change, Unusable, everywhere, refused
-from tam570.formulas import form_of
+from tam570.formulas import form_of, strangers, values_at
 from tam570.values import Function, Json, Numbers
 
 from .picture import picture
@@ -19,9 +19,6 @@ from .wire import portable
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
 
 LONGEST_TEXT = 300
-STAND_INS = 1.25, 3.75  # for symbols that may cancel
-CANCELLED = 1e-13  # of a value: it has 25 digits before it is rounded
-NOTHING = 1e-60  # what is zero comes out below it, of up to 100 digits
 
 
 def answer(module: ModuleType, request: Json, args: list[Numbers], kwargs: Json) -> Json:
@@ -109,21 +106,14 @@ def _formula(function: Function, args: list[Numbers], kwargs: Json, request: Jso
     Another symbol may stand in it if it cancels: if the values are the same whatever it is.
     """
     import sympy
-    from sympy.core.function import AppliedUndef
 
     expression = function(*args, **kwargs)
     if form := form_of(expression):
         return {"form": form}
     expression = sympy.sympify(expression).doit()
-    if unknown := expression.atoms(AppliedUndef):
-        return {"strangers": sorted(map(str, unknown))}
-    unexpected = sorted({symbol.name for symbol in expression.free_symbols} - set(request["symbols"]))
-    values = _values(expression, request, unexpected, STAND_INS[0])
-    if not unexpected:
-        return [portable(value) for value in values]
-    others = _values(expression, request, unexpected, STAND_INS[1])
-    cancels = all(abs(a - b) <= max(CANCELLED * abs(a), NOTHING) for a, b in zip(values, others, strict=True))
-    return [portable(value) for value in values] if cancels else {"strangers": unexpected}
+    if names := strangers(expression, request["symbols"], request["points"]):
+        return {"strangers": names}
+    return [portable(value) for value in values_at(expression, request["points"])]
 
 
 def evaluate_a_formula() -> None:
@@ -132,17 +122,7 @@ def evaluate_a_formula() -> None:
 
     x, y = sympy.symbols("x y")
     expression = sympy.cancel(sympy.diff(y**2 * sympy.cos(x), x) / y)
-    _values(expression, {"points": [{"x": 0.5, "y": 2.0}]}, [], STAND_INS[0])
-
-
-def _values(expression: Numbers, request: Json, unexpected: list[str], stand_in: float) -> list[complex]:
-    """At each point, the strange symbols being numbers from the stand-in on."""
-    others = {name: stand_in + number for number, name in enumerate(unexpected)}
-    names = {symbol: symbol.name for symbol in expression.free_symbols}
-    return [
-        complex(expression.evalf(25, subs={s: {**others, **point}[name] for s, name in names.items()}))
-        for point in request["points"]
-    ]
+    values_at(expression, [{"x": 0.5, "y": 2.0}])
 
 
 def _drawing(function: Function, args: list[Numbers], kwargs: Json, request: Json) -> Numbers:

@@ -117,7 +117,7 @@ class SandboxFunction:
         """Return the real numbers that a formula has at so many points, or Failed."""
         if not isinstance(values, list) or len(values) != count:
             if form := values.get("form") if isinstance(values, dict) else None:
-                raise Failed(f"{self.name} returns {form} in place of a SymPy expression", hint=REMEDIES[form])
+                raise Failed(f"{self.name} returned {form} in place of a SymPy expression", hint=REMEDIES[form])
             strange = _strangers(values, self.student.text)
             message = f"{self.name} does not return a SymPy expression in {', '.join(self.returns.symbols)} alone"
             raise Failed(message, hint=strange and f"It has {strange} in it.")

@@ -10,8 +10,8 @@ from types import ModuleType
 
 from tam570.bans import HERE, Change, Forbidden, Unusable, refused
 from tam570.checking.deadline import CALL, TooLong, limited
+from tam570.checking.forms import Form, WrongForm, conform
 from tam570.checking.mistakes import Arguments, Mistake, ObservedCall, tightened
-from tam570.checking.promises import Promise, complaint
 from tam570.checking.trail import Trail
 from tam570.loading import replaced, said
 from tam570.values import Function, Numbers
@@ -33,7 +33,7 @@ class Functions:
 
     module: ModuleType
     file: Path
-    results: Mapping[str, Promise]
+    results: Mapping[str, Form]
     off_limits: Mapping[str, Sequence[str]]
     calls: list[str] = field(default_factory=list)  # in the test that runs, in order
     mistake: Mistake | None = None  # what is tried on the results
@@ -86,14 +86,16 @@ class Functions:
     def _result(self, name: str, function: Function, arguments: Arguments) -> Numbers:
         """Return what the function returns, remembered while mistakes are tried.
 
-        Fault if it is not what is promised.
+        Fault if it has not the form of the contract.
         """
         tight = self.mistake is not None and self.mistake.right is None and self.mistake.function == name
         key = (name, tight, _contents(arguments))
         if self.mistake is None or key not in self.cache:
             self.cache[key] = self._called(name, function, arguments)
-        if said := complaint(self.results[name], self.cache[key], name, arguments[0]):
-            raise Fault(name, said)
+        try:
+            conform(self.results[name], self.cache[key], name, arguments.args)
+        except WrongForm as wrong:
+            raise Fault(name, wrong.sentences) from None
         self.observed.setdefault(name, ObservedCall(arguments, self.cache[key]))
         return self.cache[key]
 

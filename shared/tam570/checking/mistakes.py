@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tam570.checking.promises import Promise
+from tam570.checking.forms import Form
 from tam570.checking.transforms import undone
 from tam570.values import Function, Json, Numbers, Parameters
 
@@ -77,7 +77,7 @@ class Mistake:
 
 
 def candidates(
-    name: str, returns: Promise, function: Function, example: ObservedCall, seconds: float
+    name: str, returns: Form, function: Function, example: ObservedCall, seconds: float
 ) -> Iterator[Mistake]:
     """Yield the mistakes that a function of this form can have, the most telling first.
 

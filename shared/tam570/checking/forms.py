@@ -1,0 +1,192 @@
+"""Whether a result has the form that the assignment asks for: `check` and the grader judge it here, in the same words.
+
+A form is plain data, as `contract.json` has it: {"array": [3, 3]}, {"array": ["n", 2]} with a row for each element of
+the first argument, {"array": [null], "infinite": true} of any length but zero, {"group": [...]} of arrays,
+{"formula": ["theta", ...]}, {"diagram": 2} of so many dimensions, or {"drawing": true}.
+"""
+
+from collections.abc import Callable, Sequence
+from typing import TypeAlias
+
+import numpy as np
+
+from tam570.formulas import REMEDIES, form_of, strangers
+from tam570.values import Json, Numbers
+
+__all__ = ["Form", "WrongForm", "conform", "fits", "is_sequence"]
+
+Form: TypeAlias = Json
+Sizes = Sequence[int | str | None]
+Describe = Callable[[Numbers], str]
+
+MOST_FORCES = 8  # of a diagram; the largest right one has five
+LONGEST_TOLD = 2000  # elements of a result: no check asks for more rows
+LONGEST = 100_000  # rows of a result whose length is the student's choice
+MOST_DIMENSIONS = 3  # of a shape that is told
+
+
+class WrongForm(Exception):
+    """A result has another form than the contract's: the message, where to look, and the numbers that came instead."""
+
+    def __init__(self, message: str, hint: str = "", actual: Numbers = None) -> None:
+        super().__init__(message)
+        self.hint, self.actual = hint, actual
+
+    @property
+    def sentences(self) -> str:
+        return f"{self}. {self.hint}".rstrip()
+
+
+def _shortened(value: Numbers) -> str:
+    text = " ".join(repr(value).split())
+    return text if len(text) <= 60 else f"{text[:57]}..."
+
+
+def conform(
+    form: Form, value: Numbers, name: str, arguments: Sequence[Numbers], describe: Describe = _shortened
+) -> Numbers:
+    """Return a result in its form.
+
+    Parameters
+    ----------
+    form : see above
+    value : what the function `name` returned: anything that `numpy.asarray` makes numbers of the right shape of
+    arguments : of the call
+    describe : says what a value is, where it is no number
+
+    Returns
+    -------
+    A float, a float64 array, or a tuple of these; of a diagram a list of pairs (point, direction), the direction None
+    where no component is known; formulas and drawings as they are.
+
+    Raises
+    ------
+    WrongForm
+    """
+    if "group" in form:
+        return _members(form["group"], value, name, arguments, describe)
+    if "diagram" in form:
+        return _forces(form["diagram"], value, name, describe)
+    if "array" in form:
+        return _array(form, value, name, arguments, describe)
+    if "formula" in form:
+        _must_be_formula(value, form["formula"], name)
+    return value
+
+
+def _members(
+    forms: Sequence[Form], value: Numbers, name: str, arguments: Sequence[Numbers], describe: Describe
+) -> tuple[Numbers, ...]:
+    if not is_sequence(value) or len(value) != len(forms):
+        came = f"{_size(len(value))} results" if is_sequence(value) else describe(value)
+        message = f"{name} returned {came}, not a tuple of {len(forms)} results, as in `return a, b`"
+        raise WrongForm(message, _remedy(value))
+    return tuple(
+        conform(form, member, f"{name} (result {index})", arguments, describe)
+        for index, (form, member) in enumerate(zip(forms, value, strict=True), start=1)
+    )
+
+
+def _array(form: Form, value: Numbers, name: str, arguments: Sequence[Numbers], describe: Describe) -> Numbers:
+    numbers = _numbers(value, name, describe)
+    shape = tuple(len(arguments[0]) if size == "n" else size for size in form["array"])
+    if not fits(numbers.shape, shape):
+        message = f"{name} returned {_shaped(numbers.shape)}, not {_shaped(shape)}"
+        actual = numbers if numbers.size <= LONGEST_TOLD else None  # of a size that no check asked for
+        rows = form["array"][:1] == ["n"] and numbers.shape[1:] == shape[1:]
+        missing = rows and numbers.shape[0] < shape[0] - 1  # one may be forgotten; an integrator gives up for several
+        raise WrongForm(message, "Rows are missing: did the integration stop early?" if missing else "", actual)
+    if np.isnan(numbers).any() or (not form.get("infinite") and np.isinf(numbers).any()):
+        raise WrongForm(f"{name} returned NaN or infinity", actual=numbers)
+    return numbers if numbers.ndim else float(numbers)
+
+
+def _forces(dimension: int, value: Numbers, name: str, describe: Describe) -> list[tuple[Numbers, Numbers]]:
+    """Return the points and directions of a diagram's arrows; one of length zero draws nothing."""
+    if not is_sequence(value):
+        raise WrongForm(f"{name} returned {describe(value)}, not a list of pairs (point, direction)", _remedy(value))
+    if len(value) > MOST_FORCES:
+        raise WrongForm(f"{name} returned more than {MOST_FORCES} forces")
+    pairs = [_force(dimension, pair, f"{name} (force {index})", describe) for index, pair in enumerate(value, start=1)]
+    return [(point, direction) for point, direction in pairs if direction is None or direction.any()]
+
+
+def _force(dimension: int, pair: Numbers, name: str, describe: Describe) -> tuple[Numbers, Numbers]:
+    if not is_sequence(pair) or len(pair) != 2:
+        raise WrongForm(f"{name} is not a pair (point, direction)")
+    point, direction = pair
+    unknown = direction is None or (is_sequence(direction) and all(component is None for component in direction))
+    return _vector(dimension, point, name, describe), None if unknown else _vector(dimension, direction, name, describe)
+
+
+def _vector(dimension: int, value: Numbers, name: str, describe: Describe) -> Numbers:
+    """Return a vector of the diagram's dimension; in a plane a third component of zero does no harm."""
+    numbers = _numbers(value, name, describe)
+    if dimension == 2 and numbers.shape == (3,) and numbers[2] == 0:
+        numbers = numbers[:2]
+    if numbers.shape != (dimension,):
+        shapes = _shaped(numbers.shape), _shaped((dimension,))
+        raise WrongForm(f"{name} has {shapes[0]} as its point or direction, not {shapes[1]}")
+    if not np.isfinite(numbers).all():
+        raise WrongForm(f"{name} holds NaN or infinity", actual=numbers)
+    return numbers
+
+
+def _numbers(value: Numbers, name: str, describe: Describe) -> Numbers:
+    """Return a value as float64, SymPy's numbers too; complex numbers, texts and ragged lists are none."""
+    try:
+        numbers = np.asarray(value)
+    except ValueError:
+        raise WrongForm(f"{name} returned a list whose rows differ in length") from None
+    try:
+        if numbers.dtype.kind == "O":
+            numbers = np.reshape([float(number) for number in numbers.ravel()], numbers.shape)
+        if numbers.dtype.kind not in "fiub":
+            raise TypeError
+    except (TypeError, ValueError, ArithmeticError):
+        came = "complex numbers" if numbers.dtype.kind == "c" else describe(value)
+        raise WrongForm(f"{name} returned {came}, not real numbers", _remedy(value)) from None
+    return numbers.astype(np.float64)
+
+
+def _must_be_formula(value: Numbers, symbols: Sequence[str], name: str) -> None:
+    import sympy
+
+    if form := form_of(value):
+        raise WrongForm(f"{name} returned {form} in place of a SymPy expression", REMEDIES.get(form, ""))
+    if names := strangers(sympy.sympify(value).doit(), symbols, [dict.fromkeys(symbols, 0.7)]):
+        message = f"{name} does not return a SymPy expression in {', '.join(symbols)} alone"
+        raise WrongForm(message, f"It has {', '.join(names)} in it.")
+
+
+def _remedy(value: Numbers) -> str:
+    return REMEDIES["None"] if value is None else ""
+
+
+def is_sequence(value: Numbers) -> bool:
+    """Return whether a value has members, as a list or an array."""
+    return isinstance(value, list | tuple) or (isinstance(value, np.ndarray) and value.ndim > 0)
+
+
+def fits(shape: Sequence[int], wanted: Sizes) -> bool:
+    """Return whether a shape is the wanted one, in which None stands for any length but zero."""
+    sizes = zip(shape, wanted, strict=False)
+    return len(shape) == len(wanted) and all(
+        have == want if want is not None else 0 < have <= LONGEST for have, want in sizes
+    )
+
+
+def _shaped(shape: Sizes) -> str:
+    if not shape:
+        return "a single number"
+    if 0 in shape:
+        return "an empty array"  # whose other sizes could be anything
+    if len(shape) > MOST_DIMENSIONS:
+        return f"an array of more than {MOST_DIMENSIONS} dimensions"
+    sizes = ", ".join("k" if size is None else _size(size) for size in shape)
+    return f"an array of shape ({sizes}{',' if len(shape) == 1 else ''})"
+
+
+def _size(size: int | str) -> str:
+    """Return a length in words: a long one could be an input, written out."""
+    return "many" if isinstance(size, int) and size > LONGEST_TOLD else str(size)
