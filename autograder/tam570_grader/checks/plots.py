@@ -8,6 +8,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tam570.checking.drawings import FEWEST, in_metres, without_tex
 from tam570.values import Json
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import expect, expect_that, fail, get_context
@@ -20,16 +21,12 @@ Complex = NDArray[np.complex128]  # points of the plane
 SEEN, WITHIN, EXTENT = 0.5, 0.9, 0.02  # of a curve's points, of them, of the figure: a curve with less is not seen
 STRAIGHT = 1e-3  # of the axes: a logarithmic one over a tenth of a decade is bent by .03
 LARGEST = 1e100  # of what a student draws, which is cut to this
-FEWEST = 10  # points of a curve; fewer are a marker, a line for reference or an entry of the legend
-# In a label, by Matplotlib's mathtext: fonts and sizes of brackets, and spaces.
-FONTS = r"\\(?:(?:math|text)[a-z]*|(?:rm|it|bf|sf|tt|boldsymbol|operatorname|left|right|[bB]igg?[lr]?)(?![A-Za-z]))"
-SPACES = r"\\(?:[ ,:;/>]|(?:quad|qquad|enspace|thinspace)(?![A-Za-z])|hspace\{[^{}]*\})|~"
 MOST_POINTS, MOST_CORNERS = 400, 4000  # a picture of a million points costs no more than one that looks alike
 
 
 def readable(picture: Drawing) -> Drawing:
-    """Read what a student draws, labels without TeX's fonts and spaces, and of its lines those that are curves."""
-    xlabel, ylabel = (re.sub(SPACES, " ", re.sub(FONTS, "", label)) for label in (picture.xlabel, picture.ylabel))
+    """Read what a student draws, labels without TeX's commands, and of its lines those that are curves."""
+    xlabel, ylabel = map(without_tex, (picture.xlabel, picture.ylabel))
     lines = (replace(line, points=_told_apart(line.points)) for line in picture.lines)
     curves = tuple(line for line in lines if len(line.points) >= FEWEST)
     return replace(picture, lines=curves, xlabel=xlabel, ylabel=ylabel)
@@ -180,7 +177,7 @@ def judge_axes_of_lengths(
     """
     require = partial(expect_that, label=None)
     for label, shows, axis in zip((picture.xlabel, picture.ylabel), picture.labels_show, "xy", strict=True):
-        require(METRES & words(label), "the axes are not labelled with their unit, as in x (m)")
+        require(in_metres(label), "the axes are not labelled with their unit, as in x (m)")
         require(shows, f"the label of the axis of {axis} cannot be seen")
     wrong, (first, other) = exchanged(picture, across, up), (names.split()[0] for names in (across, up))
     require(not any(wrong) or (from_below and all(wrong)), f"the label of {first} stands at the axis of {other}")
@@ -196,18 +193,6 @@ def exchanged(picture: Drawing, across: str = "x", up: str = "y") -> tuple[bool,
     along_x, along_y = (set(re.findall("[a-z]+", label.lower())) for label in (picture.xlabel, picture.ylabel))
     rightward, upwards = set(across.split()), set(up.split())
     return not along_x & rightward and bool(along_x & upwards), not along_y & upwards and bool(along_y & rightward)
-
-
-METRES = {"m", "metre", "metres", "meter", "meters"}
-
-
-def words(label: str) -> set[str]:
-    """Return the words of a label, without punctuation around them, in lower case.
-
-    A single letter keeps its case (M, m).
-    """
-    stripped = (word.strip("()[]{}$,;:.\\") for word in label.replace("(s)", "s").split())
-    return {word if len(word) == 1 else word.lower() for word in stripped}
 
 
 def judge_boxes(function: StudentFunction, cases: Iterable[tuple[Array, Array, str]], tolerance: float) -> None:

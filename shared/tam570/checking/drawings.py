@@ -1,19 +1,23 @@
-"""What visible tests read of a picture: its curves, and the units on its axes."""
+"""What is read of a picture: its curves, and the words on its axes."""
 
 import re
+from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.collections import LineCollection, PathCollection
 from numpy.typing import NDArray
 
-__all__ = ["curves", "in_metres"]
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
-FEWEST = 10  # points of a curve; fewer are markers, or lines for reference
+__all__ = ["curves", "in_metres", "without_tex"]
+
+FEWEST = 10  # points of a curve; fewer are a marker, a line for reference or an entry of the legend
 
 
-def curves(axes: Axes) -> list[NDArray[np.float64]]:
+def curves(axes: "Axes") -> list[NDArray[np.float64]]:
     """Return the points (n, 2) of each line or scatter, each point once, without NaN (a lift of the pen)."""
+    from matplotlib.collections import LineCollection, PathCollection
+
     drawn = [line.get_xydata() for line in axes.lines if line.get_visible()]
     drawn += [
         np.vstack([np.empty((0, 2)), *c.get_segments()]) for c in axes.collections if isinstance(c, LineCollection)
@@ -24,8 +28,12 @@ def curves(axes: Axes) -> list[NDArray[np.float64]]:
     return [curve for curve in points if len(curve) >= FEWEST]
 
 
+def without_tex(label: str) -> str:
+    """Return a label without TeX's commands: fonts, spaces and sizes of brackets."""
+    return re.sub(r"\\[A-Za-z]+\{?|\\.|~", " ", label)
+
+
 def in_metres(label: str) -> bool:
     """Return whether the unit is a word of its own, as in "x (m)" or "x in metres"."""
-    plain = re.sub(r"\\[A-Za-z]+\{?|\\.|~", " ", label.replace("(s)", "s"))  # without TeX's commands
-    words = {word.strip("()[]{}$,;:.") for word in plain.split()}
+    words = {word.strip("()[]{}$,;:.\\") for word in without_tex(label.replace("(s)", "s")).split()}
     return "m" in words or any(word.lower().rstrip("s") in ("metre", "meter") for word in words)
