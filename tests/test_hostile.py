@@ -29,7 +29,6 @@ def rotation_matrix(axis, angle): return [[0.0] * 3] * 3
 def rotate(r, axis, angle): return [0.0] * 3
 """
 BRIEF = ResourceLimits(cpu=4, call=1)
-FORTY = 40
 A_CHECK = 2.0  # s of the supervisor, in which it judges what is honest
 
 pytestmark = pytest.mark.skipif(isolation() != "bubblewrap", reason="needs bubblewrap and namespaces")
@@ -74,7 +73,7 @@ def test_the_honest_part_keeps_its_points_and_the_next_student_notices_nothing(
 
 @pytest.mark.slow
 def test_a_class_of_attackers_costs_their_allowances_and_no_more(grade, solution_text, zygotes, monkeypatch):
-    """Forty attacks and an honest one between them on one worker, which outlives them all."""
+    """Every second attack, and an honest one behind them, on one worker, which outlives them all."""
     spent = []
 
     class Counted(Student):
@@ -85,7 +84,7 @@ def test_a_class_of_attackers_costs_their_allowances_and_no_more(grade, solution
 
     monkeypatch.setattr(run_checks, "Student", Counted)
     zygote, limits = zygotes(SLUG, BRIEF), BRIEF
-    for path in FILES[: 2 * FORTY : 2]:
+    for path in FILES[::2]:
         before = time.thread_time()
         grade(SLUG, HONEST.read_text() + "\n\n" + path.read_text(), seed=2, limits=BRIEF)
         ours = time.thread_time() - before

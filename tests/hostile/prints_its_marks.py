@@ -1,4 +1,4 @@
-"""Prints full marks in the forms that graders read off a program's output, and calls the commands that give marks.
+"""Prints 100 MB, and full marks in the forms that graders read off a program's output; calls the commands for marks.
 
 Published against VPL (Kratzke, "Smart Like a Fox", CSEDU 2019: injection; jcrodriguez-dis/moodle-mod_vpl issue 246
 shows the line), INGInious (its tutorial on run_student: the submission calls the commands) and graders whose verdict is
@@ -7,6 +7,7 @@ a last line (zmievsa/autograder issue 49).
 deserves: 10
 """
 
+import contextlib
 import os
 import sys
 
@@ -21,16 +22,12 @@ FORMS = (
     "::set-output name=score::10",
 )
 COMMANDS = ("feedback-result success", "feedback-grade 100", "feedback-msg -m full", "otter grade", "check50 --local")
-for stream in (sys.stdout, sys.stderr, sys.__stdout__):
-    for form in FORMS:
-        print(form, file=stream, flush=True)
+for stream in (sys.stdout, sys.stderr):
+    for line in ["x" * 10**6] * 50 + [*FORMS]:
+        print(line, file=stream, flush=True)
 for number in (0, 1, 2):
-    try:
+    with contextlib.suppress(OSError):
         os.write(number, "\n".join(FORMS).encode())
-    except OSError:
-        pass
 for command in COMMANDS:
-    try:
+    with contextlib.suppress(OSError, AttributeError):
         os.system(f"{command} >/dev/null 2>&1")
-    except (OSError, AttributeError):
-        pass

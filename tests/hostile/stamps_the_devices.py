@@ -1,23 +1,23 @@
-"""Writes into the times of the system's devices, which every submission can read.
+"""Writes to devices and terminals, and into their times, which every submission can read.
+
+A device's times move when it is written to, on a read-only mount too.
 
 deserves: 10
 """
 
+import contextlib
 import os
 
-
-def written():
-    for folder in ("/dev", "/dev/pts"):
-        for name in os.listdir(folder):
-            try:
-                os.utime(os.path.join(folder, name))  # now: what is written is when
-            except OSError:
-                continue
-            return True
-    return False
-
-
-if written():
-    raise SystemExit("written")
+for folder in ("/dev", "/dev/pts"):
+    for name in os.listdir(folder):
+        with contextlib.suppress(OSError):
+            os.utime(os.path.join(folder, name))  # now: what is written is when
+            raise SystemExit("written")
+for place in ("/dev/pts/ptmx", "/dev/ptmx", "/dev/tty", "/dev/console"):
+    with contextlib.suppress(OSError):
+        os.write(os.open(place, os.O_RDWR | os.O_NOCTTY), b"note")
+        raise SystemExit(f"written to {place}")
+if os.path.isdir("/dev/pts") and os.listdir("/dev/pts"):
+    raise SystemExit("there are terminals")
 with open(os.devnull, "w") as nowhere:
     nowhere.write("as ever")

