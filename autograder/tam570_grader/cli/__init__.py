@@ -11,6 +11,7 @@ from collections.abc import Callable
 from tam570 import __version__
 from tam570_grader.cli.options import add_root
 from tam570_grader.errors import UsageError, say, warn
+from tam570_grader.sandbox.launch import launched_early
 
 __all__ = ["main"]
 
@@ -38,7 +39,14 @@ MODULES = {  # where each command is, in the order of the help
 
 def main(argv: list[str] | None = None) -> int:
     """Run the command; the exit code is 0 (done), 1 (the grader failed), 2 (bad usage) or 130 (interrupted)."""
-    arguments = _parser(sys.argv[1:] if argv is None else argv).parse_args(argv)
+    argv = sys.argv[1:] if argv is None else argv
+    grades_here = "grade" in argv and not any(option.startswith("--cl") for option in argv)
+    with launched_early() if grades_here else contextlib.nullcontext():
+        return _run(argv)
+
+
+def _run(argv: list[str]) -> int:
+    arguments = _parser(argv).parse_args(argv)
     command: Callable[[argparse.Namespace], int] = arguments.command
     with contextlib.suppress(ValueError):  # not the main thread
         signal.signal(signal.SIGTERM, signal.default_int_handler)

@@ -4,13 +4,14 @@ The head reads bytes, hands out and writes; whatever takes time is done by the s
 not graded again.
 """
 
+import functools
 import hashlib
 import json
 import platform
 import sys
 import tempfile
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -102,10 +103,10 @@ def outcomes(
         for key, line in results.lines.items()
         if line.scored
     }
-    engine = _engine_digest(config)
+    code = _code_digests(config)
     fresh, held, users = list[tuple[Submission, GradeTask | None]](), 0, Counter[str]()
     for submission in config.submissions:
-        task = _task(config, engine, submission)
+        task = _task(config, code, submission)
         if task.digest in cached:
             yield _noted(cached[task.digest], store)
             continue
@@ -115,7 +116,7 @@ def outcomes(
         fresh.append((submission, task if held < HELD else None))
     # a worker's import of a package pays off from the second submission that uses it
     preload = [name for name, count in users.items() if count > 1]
-    tasks = (task or _task(config, engine, submission) for submission, task in fresh)
+    tasks = (task or _task(config, code, submission) for submission, task in fresh)
     slugs = sorted({submission.slug for submission, _ in fresh if submission.path})
     for line in lines(config, tasks, len(fresh), slugs, preload):
         record = json.loads(line)
@@ -126,9 +127,9 @@ def outcomes(
 
 def digests(config: RunConfig) -> Iterator[tuple[str, str, str]]:
     """Student, assignment and digest of each submission: of all that its result depends on."""
-    engine = _engine_digest(config)
+    code = _code_digests(config)
     for submission in config.submissions:
-        yield submission.student, submission.slug, _task(config, engine, submission).digest
+        yield submission.student, submission.slug, _task(config, code, submission).digest
 
 
 def _noted(cached: CachedResult, store: ResultStore | None) -> CachedResult:
@@ -176,9 +177,9 @@ def _shared(config: RunConfig, jobs: int, stack: ExitStack) -> Path | None:
     return Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="tam570-", ignore_cleanup_errors=True)))
 
 
-def _task(config: RunConfig, engine: bytes, submission: Submission) -> GradeTask:
+def _task(config: RunConfig, code: Callable[[str], bytes], submission: Submission) -> GradeTask:
     source = _source(submission)
-    digest = _digest(engine, config, submission, source)
+    digest = _digest(code(submission.slug), config, submission, source)
     seed = config.seed_of(submission)
     return GradeTask(config.course, submission.student, submission.slug, seed, source, digest, submission.path is None)
 
@@ -192,7 +193,7 @@ def _source(submission: Submission) -> Source | CannotRead:
         return error
 
 
-def _digest(engine: bytes, config: RunConfig, submission: Submission, source: Source | CannotRead) -> str:
+def _digest(code: bytes, config: RunConfig, submission: Submission, source: Source | CannotRead) -> str:
     """Return a name for all that the result depends on."""
     text = source.text if isinstance(source, Source) else str(source).encode()
     kind_name = type(source).__name__ + (".ipynb" if isinstance(source, Source) and source.notebook else "")
@@ -201,15 +202,14 @@ def _digest(engine: bytes, config: RunConfig, submission: Submission, source: So
         submission.student.encode(),
         submission.slug.encode(),
         text,
-        assignments.checks_digest(config.course, submission.slug),
+        code,
         str(config.seed_of(submission)).encode(),
-        engine,
     )
     return hashlib.sha256(b"".join(len(part).to_bytes(8) + part for part in parts)).hexdigest()
 
 
-def _engine_digest(config: RunConfig) -> bytes:
-    """Of the limits, of what keeps submissions apart, and of all code but the assignment's."""
+def _code_digests(config: RunConfig) -> Callable[[str], bytes]:
+    """Of the limits, of what keeps submissions apart, and of all code, by the name of the assignment."""
     names = (
         config.limits,
         config.cluster.isolation if config.cluster else isolation(),
@@ -218,7 +218,8 @@ def _engine_digest(config: RunConfig) -> bytes:
         _installed(),
         *(("speed",) if config.speed else ()),
     )
-    return hashlib.sha256(repr(names).encode() + assignments.engine_digest()).digest()
+    engine = hashlib.sha256(repr(names).encode() + assignments.engine_digest()).digest()
+    return functools.cache(lambda slug: assignments.checks_digest(config.course, slug) + engine)
 
 
 def _installed() -> list[str]:

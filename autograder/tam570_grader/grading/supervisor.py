@@ -12,6 +12,7 @@ from tam570_grader.grading.run_checks import CheckOptions, failed_by_us, graded,
 from tam570_grader.grading.speed import Yardstick
 from tam570_grader.grading.submissions import CannotRead
 from tam570_grader.results.records import Result
+from tam570_grader.sandbox.launch import write_bytecode
 from tam570_grader.sandbox.pool import Attempt, start, tried
 from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.zygote import NotConfined, ResourceLimits, Zygote, ZygoteLost
@@ -48,6 +49,7 @@ def prepare(course: Path, slugs: Collection[str], conditions: WorkerConfig) -> N
     """Start the sandboxes of assignments, and load their checks while these start: both stay with this process."""
     for slug in slugs:
         start(*_sandbox(course, slug, conditions))
+    write_bytecode()
     for slug in slugs:
         assignments.assignment(course, slug)
 

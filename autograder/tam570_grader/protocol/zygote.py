@@ -41,10 +41,12 @@ HOLD = 0.02  # s that a reply may wait for the next one
 
 
 def main() -> None:
-    """Serve the supervisor at the other end of the socket that the first argument names."""
-    settings = json.loads(sys.argv[1])
-    control = socket.socket(fileno=settings["control"])
-    gc.disable()  # nothing is garbage yet, and looking for it takes a fifth of the time of the imports
+    """Serve the supervisor at the other end of the socket that the last argument names."""
+    control = socket.socket(fileno=int(sys.argv[-1]))
+    message = control.recv(LONGEST_ORDER)
+    if not message:
+        return
+    settings = json.loads(message)
     for name in settings["preload"]:
         importlib.import_module(name)
     _warm_up(settings["preload"])

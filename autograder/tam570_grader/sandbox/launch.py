@@ -1,15 +1,20 @@
 """How a worker is started: in bubblewrap, seeing Python and the course's utilities alone, or as a plain process."""
 
+import compileall
+import contextlib
 import ctypes
 import functools
+import json
 import os
 import re
 import shutil
+import signal
+import socket
 import stat
 import subprocess
 import sys
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import tam570
@@ -18,8 +23,9 @@ from tam570_grader.protocol.jail import SCRATCH, hidden_from_debuggers
 
 # The package `protocol` alone is imported of what lies beside it.
 BOOT = """
-import importlib.util, json, sys
-*path, home = json.loads(sys.argv[2])
+import gc, importlib.util, json, sys
+gc.disable()  # nothing is garbage yet, and looking for it takes a fifth of the time of the imports
+*path, home = json.loads(sys.argv[1])
 sys.path += path
 spec = importlib.util.spec_from_file_location("protocol", home + "/protocol/__init__.py")
 sys.modules["protocol"] = package = importlib.util.module_from_spec(spec)
@@ -42,6 +48,87 @@ VARIABLES = {
     "MPLBACKEND": "agg",
     "TAM570_COMPILED": "0",  # compiling costs seconds that a call may not have
 }
+
+
+class LaunchedZygote:
+    """A zygote's process, which imports NumPy and then waits to be told the rest."""
+
+    def __init__(self, command: Sequence[str]) -> None:
+        self.command, self._owner = command, os.getpid()
+        self._errors = tempfile.TemporaryFile()  # noqa: SIM115  closed with the process
+        self.control, child_end = socket.socketpair()
+        with child_end:
+            self._process = subprocess.Popen(
+                [*command, str(child_end.fileno())],
+                pass_fds=[child_end.fileno()],
+                env=environment(),
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                stderr=self._errors,
+                start_new_session=True,
+            )
+
+    def errors(self) -> str:
+        """Return what it has written to its errors last."""
+        self._errors.seek(0)
+        return self._errors.read()[-500:].decode(errors="replace")
+
+    def wait(self) -> None:
+        """Wait until it has ended."""
+        self._process.wait()
+
+    def kill(self) -> None:
+        """Kill it at once: its whole group, for a half-started bubblewrap's child outlives its parent."""
+        with contextlib.suppress(ProcessLookupError, PermissionError):  # macOS refuses for one that has ended
+            os.killpg(self._process.pid, signal.SIGKILL)
+
+    def close(self) -> None:
+        """End it and everything in it, if this process started it; else others may still need it."""
+        self.control.close()
+        if os.getpid() == self._owner:
+            self.kill()
+            self.wait()
+        self._errors.close()
+
+
+_early = list[LaunchedZygote]()  # launched before it is known what for
+
+
+@contextlib.contextmanager
+def launched_early() -> Iterator[None]:
+    """Launch a zygote while this process imports what it needs itself; the first that is asked for is this one."""
+    if isolation() == "bubblewrap":
+        _early.append(LaunchedZygote(_command([])))
+    try:
+        yield
+    finally:
+        _close_early()
+
+
+def launch(hidden: Sequence[Path]) -> LaunchedZygote:
+    """Launch a zygote that sees none of the hidden folders, or take the one that was launched early, if it fits."""
+    command = _command(hidden)
+    if _early and _early[0].command == command:
+        return _early.pop()
+    _close_early()
+    return LaunchedZygote(command)
+
+
+def _close_early() -> None:
+    while _early:
+        _early.pop().close()
+
+
+def _command(hidden: Sequence[Path]) -> list[str]:
+    command, path = jailed_command(hidden) if isolation() == "bubblewrap" else plain_command()
+    return [*command, json.dumps(path)]
+
+
+def write_bytecode() -> None:
+    """Compile what a zygote imports of ours, where that is new: it may write nothing, and compiles it at each start."""
+    course = Path(tam570.__file__).parent
+    for folder in () if sys.dont_write_bytecode else (HOME / "protocol", course, course / "integrate"):
+        compileall.compile_dir(folder, maxlevels=0, quiet=2)
 
 
 def environment() -> dict[str, str]:

@@ -1,23 +1,20 @@
 """The supervisor's side of the sandbox: starts a warm worker, tries it out, opens a cell for a submission."""
 
-import contextlib
 import functools
 import itertools
 import json
 import math
 import os
 import select
-import signal
 import socket
-import subprocess
-import tempfile
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
 from tam570.values import Json
 from tam570_grader.errors import Over
-from tam570_grader.sandbox.launch import environment, isolation, jailed_command, plain_command
+from tam570_grader.sandbox.launch import isolation, launch
 from tam570_grader.sandbox.process import ProcessLost, ProcessTimeout, SandboxProcess
 from tam570_grader.sandbox.replies import checked, imported
 
@@ -32,7 +29,7 @@ def endless():
         pass
 """
 ASKED = {"mode": "value", "refused": []}
-STOPPED_AFTER = 0.02  # s that the endless call gets
+STOPPED_AFTER = 0.002  # s that the endless call gets
 
 _serial = itertools.count()
 
@@ -62,21 +59,10 @@ class Zygote:
     """
 
     def __init__(self, preload: Sequence[str], limits: ResourceLimits, hidden: Sequence[Path] = ()) -> None:
-        self.limits, self._owner, self._serial = limits, os.getpid(), next(_serial)
-        self._errors = tempfile.TemporaryFile()  # noqa: SIM115  closed with the worker
-        self._control, child_end = socket.socketpair()
-        settings = {"limits": _limits(limits), "control": child_end.fileno(), "preload": list(preload)}
-        command, path = jailed_command(hidden) if isolation() == "bubblewrap" else plain_command()
-        self._process = subprocess.Popen(
-            [*command, json.dumps(settings), json.dumps(path)],
-            pass_fds=[child_end.fileno()],
-            env=environment(),
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL,
-            stderr=self._errors,
-            start_new_session=True,
-        )
-        child_end.close()
+        self.limits, self._serial, self._launched = limits, next(_serial), launch(hidden)
+        self._control = self._launched.control
+        with suppress(OSError):  # that it has ended is noticed when it is waited for
+            self._control.sendall(json.dumps({"limits": _limits(limits), "preload": list(preload)}).encode())
         self._ready = False
 
     @property
@@ -122,7 +108,7 @@ class Zygote:
             reply = process.receive(lambda reply: reply)
         except (ProcessLost, ProcessTimeout):
             process.end()
-            raise ZygoteLost(f"a process ended before it was confined: {self._last_errors()}") from None
+            raise ZygoteLost(f"a process ended before it was confined: {self._launched.errors()}") from None
         if reply != {"confined": True}:
             process.end()
             raise NotConfined(reply["confined"])
@@ -159,16 +145,11 @@ class Zygote:
 
     def close(self) -> None:
         """End the worker and everything in it, if this process started it; else others may still need it."""
-        self._control.close()
-        if os.getpid() == self._owner:
-            self.kill()
-            self._process.wait()
-        self._errors.close()
+        self._launched.close()
 
     def kill(self) -> None:
-        """Kill the worker at once: its whole group, for a half-started bubblewrap's child outlives its parent."""
-        with contextlib.suppress(ProcessLookupError, PermissionError):  # macOS refuses for one that has ended
-            os.killpg(self._process.pid, signal.SIGKILL)
+        """Kill the worker at once."""
+        self._launched.kill()
 
     def _await_ready(self) -> None:
         try:
@@ -176,13 +157,8 @@ class Zygote:
         except OSError:
             said = b""
         if said != b"ready":
-            self._process.wait()
-            raise ZygoteLost(f"the sandbox did not start: {self._last_errors()}")
-
-    def _last_errors(self) -> str:
-        """Return what the worker has written to its errors last."""
-        self._errors.seek(0)
-        return self._errors.read()[-500:].decode(errors="replace")
+            self._launched.wait()
+            raise ZygoteLost(f"the sandbox did not start: {self._launched.errors()}")
 
 
 def _limits(limits: ResourceLimits) -> Json:

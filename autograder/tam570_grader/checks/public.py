@@ -1,0 +1,66 @@
+"""What hidden checks are written with: the names that they import from `tam570_grader`."""
+
+from tam570_grader.checks.assignment import Assignment
+from tam570_grader.checks.case import Case
+from tam570_grader.checks.check import check, once
+from tam570_grader.checks.compare import (
+    Column,
+    absolute,
+    check_domain,
+    check_raises,
+    compare,
+    compare_columns,
+    compare_with,
+    first_wrong,
+    largest,
+)
+from tam570_grader.checks.expect import Failed, expect, expect_that, fail, get_context
+from tam570_grader.checks.formulas import from_own_lagrangian, in_symbols
+from tam570_grader.checks.plots import curves_seen, distances, exchanged, judge_axes_of_lengths, judge_boxes, path_drawn
+from tam570_grader.checks.returns import array, drawing, formula, group, number, rows
+from tam570_grader.checks.times import KEPT, SOME_TIMES, repeated_calls, uneven
+from tam570_grader.checks.trajectory import Invariant, OwnRates, check_conserved, compare_invariants, compare_trajectory
+
+__all__ = [
+    "Assignment",
+    "absolute",
+    "compare_columns",
+    "compare_with",
+    "compare_invariants",
+    "get_context",
+    "path_drawn",
+    "in_symbols",
+    "repeated_calls",
+    "Column",
+    "Invariant",
+    "compare_trajectory",
+    "check_conserved",
+    "compare",
+    "check_domain",
+    "check_raises",
+    "KEPT",
+    "SOME_TIMES",
+    "Failed",
+    "fail",
+    "first_wrong",
+    "array",
+    "check",
+    "curves_seen",
+    "distances",
+    "drawing",
+    "exchanged",
+    "expect",
+    "expect_that",
+    "formula",
+    "from_own_lagrangian",
+    "OwnRates",
+    "Case",
+    "group",
+    "judge_axes_of_lengths",
+    "judge_boxes",
+    "largest",
+    "number",
+    "once",
+    "rows",
+    "uneven",
+]
