@@ -43,10 +43,10 @@ def along(line: Line, path: Array) -> Array:
 
     Those of a scatter, which has none, in that of the path next to them.
     """
-    from scipy.spatial import cKDTree
-
     if not line.scatter:
         return line.points
+    from scipy.spatial import cKDTree
+
     tangents = np.gradient(path, axis=0)
     nearest = cKDTree(path).query(line.points)[1]
     beyond = np.sum((line.points - path[nearest]) * tangents[nearest], axis=1)

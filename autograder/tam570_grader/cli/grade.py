@@ -1,6 +1,7 @@
 """The command that grades submissions: `tam570-grader grade`."""
 
 import argparse
+import atexit
 import gc
 import json
 import zlib
@@ -80,6 +81,7 @@ def _seed(text: str) -> int:
 
 def _grade(arguments: argparse.Namespace) -> int:
     gc.set_threshold(100_000)  # a large class is many records without circles, which would be sought again and again
+    atexit.register(gc.freeze)  # and at the end, where all memory is given back anyway
     course = course_config.course_of(arguments.root, arguments.paths)
     chosen = _submissions(arguments, assignments.slugs(course))
     prove(course, sorted({submission.slug for submission in chosen}))
