@@ -68,7 +68,7 @@ class BlankAxes:
 
     def prepare(self) -> None:
         """Make them, after a first picture, for which Matplotlib reads its fonts."""
-        picture(lambda axes: axes.plot(range(FEWEST)), [], {})
+        picture(_first_picture, [], {})
         self._settings = _settings()
         self._axes = [self._new() for _ in range(PREPARED)]
 
@@ -84,6 +84,13 @@ class BlankAxes:
 
 
 blank_axes = BlankAxes()
+
+
+def _first_picture(axes: Artist) -> None:
+    """Draw what most do, so that Matplotlib has done once what it puts off: words in two sizes, a legend."""
+    axes.plot(range(FEWEST), label="x")
+    axes.set(xlabel="x", ylabel="x", aspect="equal")
+    axes.legend()
 
 
 def _settings() -> Json:
