@@ -137,7 +137,6 @@ def _prints(axes: Artist, curves: list[Artist]) -> dict[Artist, Numbers]:
     """Print the picture by its axes, of the same without curves and labels by None, of a curve alone by it."""
     from matplotlib import rc_context
     from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.legend import Legend
 
     figure, labels = axes.figure, (axes.xaxis.label, axes.yaxis.label)
     figure.dpi = PRINTED / max(figure.get_size_inches())
@@ -146,9 +145,6 @@ def _prints(axes: Artist, curves: list[Artist]) -> dict[Artist, Numbers]:
     with rc_context({"agg.path.chunksize": 10_000}), np.errstate(all="ignore"):
         prints = {axes: _printed(canvas)}
         figure.set_layout_engine("none")  # what is drawn later stays where it is
-        for legend in figure.findobj(Legend):
-            if legend.get_visible():
-                legend.draw = legend.get_frame().draw  # to lay it out takes as long as to draw all else
         visible = {artist: artist.get_visible() for artist in curves}
         for artist in (*curves, *labels):
             artist.set_visible(False)
@@ -161,7 +157,11 @@ def _prints(axes: Artist, curves: list[Artist]) -> dict[Artist, Numbers]:
 
 
 def _without_words(figure: Artist, labels: tuple[Artist, Artist]) -> None:
-    """Take away what takes long to draw, or needs TeX; of the two labels an x stays, like them in all but the words."""
+    """Take away what takes long to draw, or needs TeX; of the two labels an x stays, like them in all but the words.
+
+    A legend goes as a whole: to lay it out takes as long as to draw all else.
+    """
+    from matplotlib.legend import Legend
     from matplotlib.text import Text
     from matplotlib.ticker import NullLocator
 
@@ -170,6 +170,8 @@ def _without_words(figure: Artist, labels: tuple[Artist, Artist]) -> None:
         for axis in (axes.xaxis, axes.yaxis):
             axis.set_major_locator(NullLocator())
             axis.set_minor_locator(NullLocator())
+    for legend in figure.findobj(Legend):
+        legend.set_visible(False)
     for text in figure.findobj(Text):
         text.set(usetex=False, text="x" if text in labels and text.get_text().strip() else "")
 
