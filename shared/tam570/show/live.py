@@ -5,31 +5,24 @@ down, as `tam570.integrate` does it for a compiler. A function that cannot be tr
 """
 
 import math
-import operator
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 
-from tam570.integrate.trace import Graph, Symbol, Untraceable, Value, traced
+from tam570.integrate.course import STAND_INS
+from tam570.integrate.formulas import written
+from tam570.integrate.trace import Graph, Untraceable, Value, traced
 from tam570.show.scene import Shape
 from tam570.show.student import Trouble
 from tam570.values import Function, Json, Numbers, Parameters
 
 __all__ = ["Handle", "Live", "Program", "drag", "energies", "live_if_written", "program"]
 
-SAME_NAME = (
-    "sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh exp expm1 log log1p log2 log10 sqrt cbrt hypot"
-)
-IN_JAVASCRIPT = {name: f"Math.{name}" for name in SAME_NAME.split()} | {"fabs": "Math.abs", "pow": "Math.pow"}
+OF_MATH = "sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh exp expm1 log log1p log2 log10 sqrt cbrt"
+IN_JAVASCRIPT = [*OF_MATH.split(), "hypot", "pow"]
+OPERATIONS = {*IN_JAVASCRIPT, "fabs", "+", "-", "*", "/", "neg"}
 NAMED = {"inf": "Infinity", "-inf": "-Infinity", "nan": "NaN"}
-OPERATORS: dict[str, Function] = {
-    "+": operator.add,
-    "-": operator.sub,
-    "*": operator.mul,
-    "/": operator.truediv,
-    "neg": operator.neg,
-}
 LEAST, MOST = 0.25, 3.0  # of a parameter's value, of its slider
 CLOSE = 1e-9  # between the traced equations and the function: roundings
 
@@ -161,11 +154,13 @@ class _Writer:
             return grabs((target, state), parameters)
 
         graphs = {"rates": of_rates, "drawn": self._traced(drawn), "grab": self._traced(grabbed)}
-        code = "".join(f"{name}(t,s,p,q){{{_body(graph, self.k, self.m)}}}," for name, graph in graphs.items())
+        code = ",".join(f"{name}(t,s,p,q){{{_body(graph, self.k, self.m)}}}" for name, graph in graphs.items())
         shapes, points = _packed([*still, *drawing(np.reshape(self.live.start, (1, -1)), self.live.parameters)])
         first = len(points)
         count = len(graphs["drawn"].rates) - first - len(measures)
-        return Program(f"const program = {{{code}}};", self._data(shapes, first, count, list(measures)))
+        of_math = f"const {{{','.join(IN_JAVASCRIPT)}}} = Math, fabs = Math.abs;"
+        code = f"const program = (() => {{ {of_math} return {{{code}}}; }})();"
+        return Program(code, self._data(shapes, first, count, list(measures)))
 
     def _is_traceable(self, measure: Function) -> bool:
         try:
@@ -197,7 +192,7 @@ class _Writer:
             parameters = self._known(symbols[self.k : self.k + self.m])
             return function(t, symbols[: self.k], parameters, symbols[self.k + self.m :])
 
-        return traced(flat, self.k + self.m + 3, {"float": _Float})
+        return traced(flat, self.k + self.m + 3, STAND_INS)
 
     def _known(self, numbers: Sequence[Numbers]) -> Json:
         """Return the parameters, those with sliders replaced."""
@@ -211,11 +206,15 @@ class _Writer:
 
     def _compare(self, graph: Graph) -> None:
         """Untraceable if the graph gives other numbers than the function that it is a trace of."""
+        formulas, constants = written(graph)
+        known = {**vars(math), "t": 0.0, **{f"c{i}": number for i, number in enumerate(constants)}}
         for share in (1.0, 1.05):
             state = [share * number + (share - 1.0) for number in self.live.start]
             values = [value for _, _, value in self.sliders]
             wanted = np.array([float(rate) for rate in self.live.rates(0.0, np.array(state), **self.live.parameters)])
-            result = np.array(_evaluated(graph, [*state, *values, 0.0, 0.0, 0.0]))
+            known |= {f"s{i}": number for i, number in enumerate([*state, *values])}
+            exec("\n".join(formulas.lines), known)
+            result = np.array([eval(rate, known) for rate in formulas.rates])
             if not np.abs(result - wanted).max() <= CLOSE * (1.0 + np.abs(wanted).max()):
                 raise Untraceable("its formulas as traced give other numbers than it does")
 
@@ -229,18 +228,6 @@ def _composed(functions: Sequence[Function]) -> Callable[..., list[Numbers]]:
         return [number for result in results for number in result.tolist()]
 
     return composed
-
-
-class _OfFloats(type):
-    def __instancecheck__(cls, value: object) -> bool:
-        return isinstance(value, float)
-
-
-class _Float(float, metaclass=_OfFloats):
-    """`float` as a trace has it: numbers that are not known yet stay what they are."""
-
-    def __new__(cls, value: Numbers = 0.0) -> Numbers:
-        return value if isinstance(value, Symbol) else float(value)
 
 
 def _range(value: float) -> tuple[float, float]:
@@ -264,65 +251,13 @@ def _packed(shapes: Sequence[Shape]) -> tuple[list[Json], list[Value]]:
 
 
 def _body(graph: Graph, k: int, m: int) -> str:
-    """Statements that end in a return of the graph's results."""
-    texts: dict[int, str] = {}
-
-    def text(value: Value) -> str:
-        if isinstance(value, Symbol):
-            return texts[value.number]
-        number = repr(float(value))
-        return NAMED.get(number, f"({number})" if number.startswith("-") else number)
-
-    needed = _needed(graph)
-    lines = []
-    for symbol in graph.operations:
-        if symbol.number not in needed:
-            continue
-        if not symbol.arguments:
-            texts[symbol.number] = _input(symbol.name, k, m)
-            continue
-        texts[symbol.number] = f"v{symbol.number}"
-        lines.append(f"const v{symbol.number}={_expression(symbol.name, [text(a) for a in symbol.arguments])};")
-    return f"{''.join(lines)}return[{','.join(map(text, graph.rates))}];"
-
-
-def _needed(graph: Graph) -> set[int]:
-    needed = {value.number for value in graph.rates if isinstance(value, Symbol)}
-    for symbol in reversed(graph.operations):
-        if symbol.number in needed:
-            needed |= {argument.number for argument in symbol.arguments if isinstance(argument, Symbol)}
-    return needed
-
-
-def _input(name: str, k: int, m: int) -> str:
-    if name == "t":
-        return "t"
-    i = int(name[1:])
-    return f"s[{i}]" if i < k else f"p[{i - k}]" if i < k + m else f"q[{i - k - m}]"
-
-
-def _expression(name: str, arguments: list[str]) -> str:
-    if name == "neg":
-        return f"-{arguments[0]}"
-    if name in ("+", "-", "*", "/"):
-        return f"{arguments[0]}{name}{arguments[1]}"
-    if name not in IN_JAVASCRIPT:
-        raise Untraceable(f"{name} is not in JavaScript")
-    return f"{IN_JAVASCRIPT[name]}({','.join(arguments)})"
-
-
-def _evaluated(graph: Graph, inputs: Sequence[float]) -> list[float]:
-    """Return the results at t = 0 and these numbers, by Python."""
-    values: dict[int, float] = {}
-
-    def number(value: Value) -> float:
-        return values[value.number] if isinstance(value, Symbol) else float(value)
-
-    needed = _needed(graph)
-    for symbol in graph.operations:
-        if symbol.number in needed and symbol.arguments:
-            function = OPERATORS.get(symbol.name) or getattr(math, symbol.name)
-            values[symbol.number] = function(*map(number, symbol.arguments))
-        elif symbol.number in needed:
-            values[symbol.number] = 0.0 if symbol.name == "t" else inputs[int(symbol.name[1:])]
-    return [number(value) for value in graph.rates]
+    """Statements that end in a return of the graph's results, from the k numbers of s, the m of p, and q."""
+    if missing := {symbol.name for symbol in graph.operations if symbol.arguments} - OPERATIONS:
+        raise Untraceable(f"{missing.pop()} is not in JavaScript")
+    formulas, constants = written(graph)
+    places = [*(f"s[{i}]" for i in range(k)), *(f"p[{i}]" for i in range(m)), *(f"q[{i}]" for i in range(3))]
+    numbers = [NAMED.get(repr(number), repr(number)) for number in constants]
+    inputs = [f"s{i}={places[i]}" for i in sorted(formulas.reads)]
+    declared = [*inputs, *(f"c{i}={number}" for i, number in enumerate(numbers)), *formulas.lines]
+    head = f"const {','.join(declared)};" if declared else ""
+    return f"{head}return[{','.join(formulas.rates)}];"
