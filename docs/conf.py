@@ -16,7 +16,6 @@ version = release = tam570.__version__
 extensions = [
     "myst_parser",
     "sphinx.ext.autodoc",
-    "docstrings",
     "sphinx.ext.napoleon",
     "figures",
     "mathematics",

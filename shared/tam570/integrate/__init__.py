@@ -1,6 +1,7 @@
 """Solve the initial value problems of mechanics: states at the times asked for, nothing else.
 
-solve(rhs, t, y0, parameters=..., rtol=1e-10) is all that most scenes need. For the rest:
+`solve(rhs, t, y0, parameters=..., rtol=1e-10)` is all that most scenes need. For the rest::
+
     method="gauss", "composition"  conservative systems over long times, at a fixed step
     project=function               a holonomic constraint, restored after every step
     solve_rotation(...)            rotations that stay rotations, by Lie-group steps

@@ -1,12 +1,14 @@
 """From a Lagrangian in SymPy to functions of plain floats.
 
+For example::
+
     x, v, m, c, g = sympy.symbols("x v m c g")
     text = lagrange.source(m * v**2 * (1 + 4 * c**2 * x**2) / 2 - m * g * c * x**2, [x], [v])
     bead = lagrange.load(text)
     integrate.solve(bead.rhs, t, [0.5, 0.0], parameters={"m": 1.0, "c": 2.0, "g": 9.81})
 
 `source` needs SymPy and is called once; its text is plain Python on top of `math`, to be loaded, or saved as a
-file and imported, with neither SymPy nor NumPy. It holds, all with the arguments (t, state, *, parameters):
+file and imported, with neither SymPy nor NumPy. It holds, all with the arguments `(t, state, *, parameters)`:
 
 - rhs                 : the rates (velocities, accelerations) of the state (coordinates, velocities)
 - mass_matrix, forcing: M and F of  M a = F + A^T lam, as tuples

@@ -1,6 +1,7 @@
 """Rotations: matrices, axis and angle, quaternions, Euler angles, rotation vectors.
 
 Conventions
+
 - A matrix R turns column vectors: r' = R r. For a body it takes body components to space components.
 - Angles are in radians, right-handed about their axis, never wrapped on the way in.
 - An axis is a vector of any nonzero length. From a matrix: a unit axis and 0 <= angle <= pi; the axis is x
