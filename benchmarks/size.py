@@ -6,13 +6,11 @@
 Four works on each assignment are graded for real: right, wrong twice, and the stub. The results of all others are
 written as the grader would write them, from the result of the same work; their pages are made by the grader. Then the
 commands run, each as a process. Prints a table and writes results/size.json: seconds on the clock, seconds of the
-processor, and the most memory of the process that hands out and writes. `growth` is the exponent e of
-seconds ~ submissions^e from the smallest class to the largest: 1 is linear.
+processor, and the most memory of the process that hands out and writes.
 """
 
 import argparse
 import json
-import math
 import subprocess
 import sys
 import tempfile
@@ -116,13 +114,6 @@ def costs(size, results):
     return {"submissions": size, "journal_mb": len(journal) / 1e6, "page_mb": megabytes, **commands}
 
 
-def growth(rows, command):
-    """The exponent of seconds over submissions, from the first row to the last."""
-    first, last = rows[0], rows[-1]
-    seconds = last[command]["cpu_seconds"] / first[command]["cpu_seconds"]
-    return math.log(seconds) / math.log(last["submissions"] / first["submissions"])
-
-
 def print_rows(rows):
     for row in rows:
         print(f"{row['submissions']} submissions, {row['journal_mb']:.1f} MB of results, page {row['page_mb']:.2f} MB")
@@ -132,20 +123,16 @@ def print_rows(rows):
                     f"  {command:10} {cost['seconds']:8.1f} s  {cost['cpu_seconds']:8.1f} s of the processor"
                     f"  {cost['mib']:6.0f} MiB"
                 )
-    for command in rows[0]:
-        if len(rows) > 1 and isinstance(rows[0][command], dict):
-            print(f"growth of {command:10} {growth(rows, command):.2f}")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--sizes", type=int, nargs="+", default=[1000, 10000, 70000], metavar="N")
-    parser.add_argument("--out", type=Path, default=RESULTS)
     options = parser.parse_args()
     results, rows = graded(), []
     for size in tqdm(sorted(options.sizes), desc="classes", leave=False, disable=None):
         rows.append(costs(size, results))
-        record.write(options.out, rows=rows)
+        record.write(RESULTS, rows=rows)
     print_rows(rows)
 
 

@@ -17,7 +17,7 @@ from tam570.show.scene import RATE, Array, Panel, Scene, Shape, TimePlot
 from tam570.show.student import Trouble
 from tam570.values import Json, Numbers
 
-__all__ = ["frames", "write"]
+__all__ = ["save_frames", "write"]
 
 SIZE = (10.0, 5.6)  # inches
 DPI = 100
@@ -30,22 +30,20 @@ Update = Callable[[int], None]
 
 def write(scene: Scene, file: Path) -> None:
     """Save a picture (.png), one that moves (.gif, .webp) or a video (.mp4). Trouble if its writer is not installed."""
-    figure = Figure(figsize=SIZE, dpi=DPI)
-    update = _drawn(scene, figure)
-    if file.suffix == ".png":
-        update(round(scene.still_time * (len(scene.times) - 1)))
-        figure.savefig(file)
-        return
-    writer = _writer(file.suffix)
+    if file.suffix != ".png":
+        return save_frames(scene, file, _writer(file.suffix), EVERY[file.suffix])
+    figure, update = _drawn(scene)
+    update(round(scene.still_time * (len(scene.times) - 1)))
+    figure.savefig(file)
+
+
+def save_frames(scene: Scene, file: Path, writer: AbstractMovieWriter, every: int) -> None:
+    """Save what moves by a writer of Matplotlib, a frame every so many samples."""
+    figure, update = _drawn(scene)
     with writer.saving(figure, str(file), DPI):
-        for sample in frames(scene, file.suffix):
+        for sample in range(0, len(scene.times), every):
             update(sample)
             writer.grab_frame()
-
-
-def frames(scene: Scene, suffix: str) -> range:
-    """Return the samples that become frames of a file of this kind."""
-    return range(0, len(scene.times), EVERY[suffix])
 
 
 def _writer(suffix: str) -> AbstractMovieWriter:
@@ -63,8 +61,9 @@ def _palette() -> tuple[str, ...]:
     return tuple(parameters[name] for name in ("c0", "c1", "c2", "c3", "c4", "c5", "soft", "ink"))
 
 
-def _drawn(scene: Scene, figure: Figure) -> Update:
-    """Draw the scene's first frame; what takes it to the frame of another sample."""
+def _drawn(scene: Scene) -> tuple[Figure, Update]:
+    """Draw the scene's first frame; return it, and what takes it to the frame of another sample."""
+    figure = Figure(figsize=SIZE, dpi=DPI)
     halves = figure.subfigures(1, 2, squeeze=False, width_ratios=[2.6, 1] if scene.time_plots else [1, 0.01])
     wide, narrow = halves[0]
     figure.suptitle(scene.title)
@@ -90,7 +89,7 @@ def _drawn(scene: Scene, figure: Figure) -> Update:
     update(0)
     figure.draw_without_rendering()  # lays it out, once for all frames
     figure.set_layout_engine(None)  # "none" would draw each frame twice
-    return update
+    return figure, update
 
 
 def _panel(ax: Axes, panel: Panel, scene: Scene) -> list[Update]:
