@@ -120,5 +120,5 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
             drift_plot("angular momentum, change", times, {"rotations": H}, scale, "itself", beside=beside),
         ],
         still_time=1.0,
-        live=live_body(rates, energy, parameters, STATE, start, in_body=False, title=title),
+        live=live_body(rates, energy, parameters, STATE, start, in_body=False),
     )

@@ -76,25 +76,18 @@ def _one(parameters: Mapping[str, float], start: Sequence[float], seconds: float
     paths["as in the Middle Ages"] = _out_then_down(times, start, paths["with drag"], parameters)
     colors = dict(zip(paths, (0, 2, 1), strict=True))
     caption = f"terminal speed {terminal_speed(**parameters):.3g} m/s" if parameters["drag"] else "no drag"
-    ground = np.array([start[:2], [paths["parabola"][-1, 0], start[1]]])
+    ground = Shape("lines", np.array([start[:2], [paths["parabola"][-1, 0], start[1]]]), GREY)
+    measures = energies(_energy, 2)
     return Scene(
         "Cannon ball",
         "Three balls leave one point together. One flies on a parabola. One flies through air, where it falls more "
         "steeply than it rose. One flies as in the Middle Ages, straight out and then straight down. The more drag "
         "there is, the more the second looks like the third.",
         times,
-        [
-            Panel([Shape("lines", ground, GREY), *_flights(paths, colors, labelled=True)], "as far as they go"),
-            *_shapes(paths, colors),
-        ],
+        [Panel([ground, *_flights(paths, colors, labelled=True)], "as far as they go"), *_shapes(paths, colors)],
         [value_plot("speed through air", times, {"": np.hypot(*states[:, 2:].T)}, "m/s", caption)],
         still_time=0.45,
-        live=Live(
-            *(rates, parameters, STATE, start, _draw, [drag(0, 2)], energies(_energy, 2)),
-            conserved=False,
-            title="as far as they go",
-            backdrop=[Shape("lines", ground, GREY)],
-        ),
+        live=Live(rates, parameters, STATE, start, _draw, [drag(0, 2)], measures, conserved=False, backdrop=[ground]),
     )
 
 

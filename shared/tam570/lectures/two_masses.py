@@ -110,7 +110,7 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
             state_energy_plot(times, states, 2, lambda rows: values(energy, rows, **parameters)),
         ],
         live=Live(
-            *(rates, parameters, STATE, start, _draw, [_handle(0), _handle(1)], energies(energy, 2)), backdrop=ground
+            rates, parameters, STATE, start, _draw, [*map(_handle, (0, 1))], energies(energy, 2), backdrop=ground
         ),
     )
 

@@ -49,7 +49,6 @@ class Live:
     measures  : by name, f(state, **parameters) -> J, to plot over time
     conserved : whether the first measure keeps its value
     rests     : whether friction ends the motion, where the first measure is zero
-    title     : of the panel
     backdrop  : what stands still behind it, as it is in the film
     """
 
@@ -62,7 +61,6 @@ class Live:
     measures: Mapping[str, Function] = field(default_factory=dict)
     conserved: bool = True
     rests: bool = False
-    title: str = ""
     backdrop: Sequence[Shape] = ()
 
 
@@ -179,8 +177,8 @@ class _Writer:
                 {"name": name if i is None else f"{name} {i + 1}", "value": value, "range": _range(value)}
                 for name, i, value in self.sliders
             ],
-            "panels": [{"title": self.live.title, "shapes": shapes}],
-            "handles": [{"panel": 0, "at": first + i * dim, "dim": dim} for i in range(len(self.live.handles))],
+            "shapes": shapes,
+            "handles": [{"at": first + i * dim, "dim": dim} for i in range(len(self.live.handles))],
             "measures": measures,
             "first": first + count,
             "constant": has_first and self.live.conserved,

@@ -42,7 +42,6 @@ def live_body(
     start: Sequence[float],
     *,
     in_body: bool,
-    title: str,
 ) -> Live:
     """Return a free body as equations; its state is R (9, row by row) and omega (3).
 
@@ -60,7 +59,7 @@ def live_body(
             Shape("arrow", moving(np.zeros(3), tip(states[0])[None]), 1, "angular velocity", width=2.5),
         ]
 
-    return Live(rates, parameters, names, start, drawing, [hand], energies(energy), title=title)
+    return Live(rates, parameters, names, start, drawing, [hand], energies(energy))
 
 
 def spin_handle(reach: float, in_body: bool) -> Handle:

@@ -90,7 +90,7 @@ def dragged(opened, by):
 def test_the_bob_goes_where_it_is_dragged_and_swings_on(tab, scenes, size):
     opened = tab(scenes("hw01_simple_pendulum"), size)
     before, hinge = opened.evaluate(
-        "() => { followFilm(); return [handlePlace(grasped.handles[0]), livePoint(stage.frames[0], [0, 0])]; }"
+        "() => { followFilm(); return [handlePlace(grasped.handles[0]), livePoint([0, 0])]; }"
     )
     playing, (theta, omega) = dragged(opened, (-40, 30))
     assert playing and omega == 0.0

@@ -2,8 +2,8 @@
 // `program` holds rates(t, s, p), drawn(t, s, p) and grab(t, s, p, q): state s, parameters p, place of the hand q.
 
 const grasped = JSON.parse(byId("data").textContent).live, TRAIL = 1500, WINDOW = 10, PIECE = 0.2, STEPS = 500; // s, s; steps at most between two frames
-// alone: its panels have the stage for themselves; not while a hand holds what would move away under it.
-const live = {on: false, alone: false, held: null, s: [], p: [], t: Infinity, trails: [], past: [], zoom: [], most: 0};
+// alone: the first panel has the stage for itself; not while a hand holds what would move away under it.
+const live = {on: false, alone: false, held: null, s: [], p: [], t: Infinity, trails: [], past: [], zoom: 1, most: 0};
 
 // Dormand and Prince's pair of orders 5 and 4; the step follows from the error.
 const DP = {
@@ -47,21 +47,21 @@ function drawHandles() {
 }
 function goLive() {
   if (live.on || !grasped) return;
-  live.zoom = [];
+  live.zoom = 1;
   followFilm();
   live.on = true;
   forget();
   byId("restart").hidden = false;
   byId("time").hidden = byId("choice").hidden = true;
   byId("legend").replaceChildren();
-  showLegend(grasped.panels);
+  showLegend([grasped]);
   liveFigure();
   drawStill();
   setPlaying(true);
 }
-function forget() { Object.assign(live, {t: 0, trails: [], past: [], zoom: [], most: 0}); }
+function forget() { Object.assign(live, {t: 0, trails: [], past: [], zoom: 1, most: 0}); }
 function backToFilm() {
-  Object.assign(live, {on: false, alone: false, held: null, p: grasped.parameters.map(({value}) => value), t: Infinity, zoom: []});
+  Object.assign(live, {on: false, alone: false, held: null, p: grasped.parameters.map(({value}) => value), t: Infinity, zoom: 1});
   byId("restart").hidden = true;
   byId("time").hidden = false;
   byId("choice").hidden = !slider;
@@ -71,35 +71,33 @@ function backToFilm() {
 }
 
 // Drawing
-const livePoint = (frame, numbers) => {
-  const {middle, unit} = frame.panel, zoom = live.zoom[frame.index] || 1;
-  const [x, y, z] = numbers.map((value, i) => (value - middle[i]) / unit / zoom);
+const livePoint = (numbers) => {
+  const frame = stage.frames[0], {middle, unit} = frame.panel;
+  const [x, y, z] = numbers.map((value, i) => (value - middle[i]) / unit / live.zoom);
   return toScreen(frame, [x, y, z || 0]);
 };
 function drawLiveScene() {
-  const {context, width, height} = stage.live, values = program.drawn(live.t, live.s, live.p);
+  const {context, width, height} = stage.live, frame = stage.frames[0], values = program.drawn(live.t, live.s, live.p);
+  const world = ({at, dim}) => at.map((i) => values.slice(i, i + dim));
   context.clearRect(0, 0, width, height);
   live.values = values;
-  stage.frames.slice(0, grasped.panels.length).forEach((frame) => {
-    const panel = grasped.panels[frame.index], world = ({at, dim}) => at.map((i) => values.slice(i, i + dim));
-    live.zoom[frame.index] = fitting(frame, panel.shapes.flatMap(world));
-    panel.shapes.forEach((shape, number) => {
-      const points = world(shape), key = `${frame.index} ${number}`;
-      context.strokeStyle = context.fillStyle = colorOf(shape.color);
-      context.lineWidth = shape.width;
-      context.globalAlpha = shape.faint ? 0.22 : 1;
-      if (shape.kind === "trail") {
-        const trail = (live.trails[key] ||= []);
-        if (!live.held) trail.push(points);
-        if (trail.length > TRAIL) trail.shift();
-        points.forEach((_, i) => { curve(context, trail.map((one) => livePoint(frame, one[i]))); context.stroke(); });
-      } else draw[shape.kind](context, points.map((one) => livePoint(frame, one)), shape);
-      context.globalAlpha = 1;
-    });
-    context.fillStyle = colors.soft;
-    context.font = "14px system-ui, sans-serif";
-    context.fillText(panel.title, frame.left + 4, frame.top + 15, frame.width - 8);
+  live.zoom = fitting(frame, grasped.shapes.flatMap(world));
+  grasped.shapes.forEach((shape, number) => {
+    const points = world(shape);
+    context.strokeStyle = context.fillStyle = colorOf(shape.color);
+    context.lineWidth = shape.width;
+    context.globalAlpha = shape.faint ? 0.22 : 1;
+    if (shape.kind === "trail") {
+      const trail = (live.trails[number] ||= []);
+      if (!live.held) trail.push(points);
+      if (trail.length > TRAIL) trail.shift();
+      points.forEach((_, i) => { curve(context, trail.map((one) => livePoint(one[i]))); context.stroke(); });
+    } else draw[shape.kind](context, points.map(livePoint), shape);
+    context.globalAlpha = 1;
   });
+  context.fillStyle = colors.soft;
+  context.font = "14px system-ui, sans-serif";
+  context.fillText(frame.panel.title, frame.left + 4, frame.top + 15, frame.width - 8);
   for (const handle of grasped.handles) ring(context, handlePlace(handle));
   drawMeasures();
   byId("clock").textContent = `${live.t.toFixed(2)} s`;
@@ -111,16 +109,16 @@ function ring(context, [x, y]) {
   context.arc(x, y, 17, 0, 7);
   context.stroke();
 }
-// How many times smaller a panel is drawn, so that all of it is seen; it comes back slowly.
+// How many times smaller the panel is drawn, so that all of it is seen; it comes back slowly.
 function fitting(frame, points) {
   const [w, h] = sizeNow(frame.panel), {middle, unit} = frame.panel;
   const far = Math.max(1, ...points.map((numbers) => {
     const [right, up] = seen(...[0, 1, 2].map((i) => ((numbers[i] ?? 0) - (middle[i] ?? 0)) / unit), frame.panel.flat);
     return Math.max(Math.abs(right) / (w / 2), Math.abs(up) / (h / 2)) / 1.04;
   }).filter(Number.isFinite));
-  return Math.max(far, 0.995 * (live.zoom[frame.index] || 1));
+  return Math.max(far, 0.995 * live.zoom);
 }
-const handlePlace = ({panel, at, dim}) => livePoint(stage.frames[panel], live.values.slice(at, at + dim));
+const handlePlace = ({at, dim}) => livePoint(live.values.slice(at, at + dim));
 
 // What is measured, over the last seconds
 function liveFigure() {
@@ -179,7 +177,7 @@ function hold(event) {
 function drag(event) {
   if (!live.held) return;
   event.stopImmediatePropagation();
-  const {handle, place} = live.held, frame = stage.frames[handle.panel], perMetre = frame.scale / frame.panel.unit / (live.zoom[handle.panel] || 1);
+  const {handle, place} = live.held, frame = stage.frames[0], perMetre = frame.scale / frame.panel.unit / live.zoom;
   const right = (event.clientX - live.held.x) / perMetre, up = (live.held.y - event.clientY) / perMetre;
   const [rx, ux] = handle.dim === 3 ? directionsSeen() : [[1, 0], [0, 1]];
   const q = place.map((value, i) => value + right * rx[i] + up * ux[i]), k = live.s.length, at = k * grasped.handles.indexOf(handle);

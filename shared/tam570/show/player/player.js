@@ -66,7 +66,7 @@ const sizeNow = ({size, flat}) => (flat ? size : sizeSeen(size)).map((side) => s
 // The rectangles of the panels, in the grid of rows and columns in which they are largest.
 const MARGIN = 14, TITLE = 20;
 function layout(width, height) {
-  const panels = live.alone ? scene.panels.slice(0, grasped.panels.length) : scene.panels;
+  const panels = live.alone ? scene.panels.slice(0, 1) : scene.panels;
   const titled = panels.some((panel) => panel.title) ? TITLE : 0, count = panels.length;
   let best = null;
   for (let columns = 1; columns <= count; columns++) {
@@ -76,7 +76,7 @@ function layout(width, height) {
     if (!best || smallest > best.smallest) best = {smallest, scales, columns, w, h};
   }
   return panels.map((panel, i) => ({
-    panel, index: i, scale: best.scales[i], left: (i % best.columns) * best.w, top: Math.floor(i / best.columns) * best.h,
+    panel, scale: best.scales[i], left: (i % best.columns) * best.w, top: Math.floor(i / best.columns) * best.h,
     width: best.w, bottom: (Math.floor(i / best.columns) + 1) * best.h,
     x: (i % best.columns + 0.5) * best.w, y: (Math.floor(i / best.columns) + 0.5) * best.h + titled / 2,
   }));

@@ -82,17 +82,9 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float], road
         return energy(state, "rear", **parameters)
 
     handles = [Handle(lambda state, **arguments: [state[0], state[1] + lane], move), Handle(nose, turn)]
+    measures = {"kinetic": kinetic}
     return Live(
-        rates,
-        parameters,
-        STATE,
-        start,
-        drawing,
-        handles,
-        {"kinetic": kinetic},
-        conserved=False,
-        rests=True,
-        backdrop=roads,
+        rates, parameters, STATE, start, drawing, handles, measures, conserved=False, rests=True, backdrop=roads
     )
 
 

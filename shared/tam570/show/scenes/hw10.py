@@ -80,7 +80,7 @@ def _live(student: Student, inertia: Array, size: Array, spin: Array) -> Live:
 
     arguments = {"inertia": tuple(inertia.tolist())}
     state = {**dict.fromkeys(names, "1"), **STATE}
-    return Live(rates, arguments, state, start, drawing, [hand], {"energy": kinetic}, title="box in space")
+    return Live(rates, arguments, state, start, drawing, [hand], {"energy": kinetic})
 
 
 def _attitude(omega: Array, inertia: Array) -> Array:

@@ -27,7 +27,6 @@ EXAMPLE = {
 STATE = {"phi": "rad", "phi_dot": "rad/s"}
 START = (0.0, 8.0)  # rad, rad/s: enough to roll over the place where the centre of mass is highest
 SECONDS = 2.5
-BALANCED = "by the balance about G"  # title of a panel
 
 
 def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
@@ -37,7 +36,7 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
     wrong = student.make_each(lambda: _naive(student, times, start, parameters))
     farthest = max(float(np.abs(states[:, 0]).max()) for states in (correct, *wrong))
     shapes = _rolling(correct[:, 0], 0, farthest, parameters) + _forces(student, correct[:, 0], parameters)
-    panels = [Panel(shapes, BALANCED)]
+    panels = [Panel(shapes, "by the balance about G")]
     panels += [
         Panel(_rolling(states[:, 0], 1, farthest, parameters), "as M_C = I^C φ'' would have it") for states in wrong
     ]
@@ -72,7 +71,7 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float], fart
         return [(point[0] * np.cos(slope) - point[1] * np.sin(slope)) / radius, state[1]]
 
     measures = energies(lambda state, **arguments: energy(*state, **arguments), 1)
-    return Live(rates, parameters, STATE, start, drawing, [Handle(centre, grab)], measures, title=BALANCED)
+    return Live(rates, parameters, STATE, start, drawing, [Handle(centre, grab)], measures)
 
 
 def _naive(student: Student, times: Array, start: Sequence[float], parameters: Parameters) -> Array:

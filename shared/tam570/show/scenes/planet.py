@@ -29,6 +29,8 @@ def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Seque
     plane = _plane(states[0])
     flat = np.hstack([states[:, :3] @ plane.T, states[:, 3:] @ plane.T])
 
+    measures = energies(lecture.energy, 3)
+
     def drawing(states: Array, parameters: Parameters) -> list[Shape]:
         return _planet(states[:, :3] @ plane.T, 0, "planet")
 
@@ -38,12 +40,8 @@ def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Seque
     def scene_with(count: float) -> Scene:
         scene = _one(times, flat, period, int(count), parameters["gm"])
         handle = Handle(lambda state, **parameters: plane @ np.array(state[:3]), grab)
-        first = scene.panels[0]
-        live = Live(
-            *(lecture.rates, parameters, lecture.STATE, start, drawing, [handle], energies(lecture.energy, 3)),
-            title=first.title,
-            backdrop=[shape for shape in first.shapes if shape.points.ndim == 2],
-        )
+        still = [shape for shape in scene.panels[0].shapes if shape.points.ndim == 2]
+        live = Live(lecture.rates, parameters, lecture.STATE, start, drawing, [handle], measures, backdrop=still)
         return replace(scene, live=live)
 
     return with_slider(scene_with, "impulses", "", IMPULSES, FIRST)
