@@ -13,21 +13,16 @@ one end pushes the heap with the other, which throws it up (Biggins and Warner, 
 one above the scale. 0 is the textbook, where half of density v^3 is lost; at 1/2 nothing is; a real chain is between.
 """
 
-from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from math import inf, sqrt
-
-import numpy as np
+from types import SimpleNamespace
 
 from tam570.arguments import finite, nonnegative, positive
-from tam570.integrate import solve
-from tam570.show.scene import Array, Scene, frame_times
+from tam570.show.scenes import chains
 
 __all__ = ["film", "folded", "lifted", "poured"]
 
 EXAMPLE = {"length": 40.0, "density": 1.0, "speed": 8.0, "gravity": 9.81, "supplied": 0.2}  # m, kg/m, m/s, m/s^2, 1
-
-DOWN = 0.99  # of the length: what is pulled down ends at infinite speed
 
 
 def folded(fallen: float, speed: float, *, length: float, gravity: float) -> tuple[float, float]:
@@ -83,40 +78,4 @@ def _check_share(supplied: float) -> None:
         raise ValueError(f"supplied: must be a share from 0 to 1, got {supplied!r}")
 
 
-def film(parameters: Mapping[str, float]) -> Scene:
-    """Return all three at once, each by its two limits; lifted and poured also with the share `supplied`."""
-    from tam570.show.scenes.chains import chains
-
-    length, density, speed, gravity, supplied = (parameters[name] for name in EXAMPLE)
-    positive(length=length, density=density, speed=speed, gravity=gravity)
-    _check_share(supplied)
-    times = frame_times(1.1 * sqrt(2 * length / gravity))
-    shares = {"textbook": 0.0, f"supplied {supplied:g}": supplied, "nothing lost": 0.5}
-    folds = [_falls(times, partial(folded, length=length, gravity=gravity), i, length) for i in (0, 1)]
-    pulls, readings, falls = {}, {}, {}
-    for name, share in shares.items():
-        arguments = {"density": density, "gravity": gravity, "supplied": share}
-        pulls[name] = np.array([lifted(y, speed, **arguments) for y in np.minimum(speed * times, length)])
-        falls[name] = _falls(times, partial(_pulled_down, share, length=length, gravity=gravity), 0, length)[:, 0]
-        falling = [poured(x, **arguments, length=length) for x in falls[name][falls[name] < length]]
-        readings[name] = np.concatenate([falling, np.full(len(times) - len(falling), density * gravity * length)])
-    return chains(times, folds, falls, pulls, readings, parameters)
-
-
-def _pulled_down(share: float, fallen: float, speed: float, *, length: float, gravity: float) -> tuple[float]:
-    return (gravity + share * speed * speed / (length - fallen),)
-
-
-def _falls(times: Array, accelerations: Callable[[float, float], Sequence[float]], which: int, length: float) -> Array:
-    """(n, 2) m and m/s, of what falls from rest by one of these accelerations; its whole length at last."""
-
-    def rates(t: float, state: Sequence[float]) -> tuple[float, float]:
-        return state[1], accelerations(state[0], state[1])[which]
-
-    def down(t: float, state: Sequence[float]) -> float:
-        return state[0] - DOWN * length
-
-    down.terminal = True  # type: ignore[attr-defined]
-    motion = solve(rates, times, (0.0, 0.0), events=down)
-    falling = motion.states[times[: len(motion.states)] < motion.t[-1]]
-    return np.concatenate([falling, np.tile([length, 0.0], (len(times) - len(falling), 1))])
+film = partial(chains.film, SimpleNamespace(**globals()))  # by this module's functions, or those of its copy

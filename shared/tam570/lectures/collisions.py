@@ -6,14 +6,16 @@ x n)^2/I2, and Newton's law asks that they separate at `restitution` times the s
 e) mu v. The loss is (1 - e^2) mu v^2/2. A body of infinite mass and inertia is a wall.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import partial
+from types import SimpleNamespace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.arguments import array, numbers
-from tam570.show.scene import Array, Scene
+from tam570.show.scene import Array
+from tam570.show.scenes import collisions
 
 __all__ = ["collide", "cradle", "film"]
 
@@ -94,12 +96,4 @@ def _check_restitution(restitution: float) -> None:
         raise ValueError(f"restitution: must be from 0 to 1, got {restitution!r}")
 
 
-def film(parameters: Mapping[str, float]) -> Scene:
-    """Newton's cradle, and a rod that hits a peg."""
-    from tam570.show.scenes.collisions import cradle_and_rod
-
-    restitution = parameters["restitution"]
-    _check_restitution(restitution)
-    return cradle_and_rod(
-        partial(cradle, restitution=restitution), partial(collide, restitution=restitution), restitution
-    )
+film = partial(collisions.film, SimpleNamespace(**globals()))  # by this module's functions, or those of its copy

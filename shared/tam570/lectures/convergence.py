@@ -9,6 +9,7 @@ energy knows which is which (Hairer, Norsett and Wanner, Solving Ordinary Differ
 """
 
 from collections.abc import Sequence
+from functools import partial
 from math import cos, sin
 from types import SimpleNamespace
 
@@ -18,7 +19,8 @@ from numpy.typing import ArrayLike
 from tam570.arguments import nonnegative, numbers, positives, sequence
 from tam570.integrate import solve
 from tam570.invariants import observed_order
-from tam570.show.scene import Array, Scene
+from tam570.show.scene import Array
+from tam570.show.scenes import convergence
 from tam570.values import Function, Parameters
 
 __all__ = ["energy", "errors", "film", "order", "rates", "wrong_rates"]
@@ -121,8 +123,4 @@ def _checked(
     return positives(2, masses=masses), positives(2, lengths=lengths)
 
 
-def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
-    """Both pendulums, and the errors of three methods by either's equations."""
-    from tam570.show.scenes import convergence
-
-    return convergence.film(SimpleNamespace(**globals()), parameters, start, seconds)
+film = partial(convergence.film, SimpleNamespace(**globals()))  # by this module's functions, or those of its copy

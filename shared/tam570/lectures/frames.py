@@ -8,7 +8,8 @@ integral. The Earth turns at W sin(latitude) about the vertical of a place, and 
 way (Goldstein, Classical Mechanics, sections 4.9 and 4.10).
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from functools import partial
 from math import hypot, sin, sqrt
 from types import SimpleNamespace
 
@@ -16,7 +17,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tam570.arguments import array, finite, nonnegative, numbers, positive, sequence
-from tam570.show.scene import Array, Scene
+from tam570.show.scene import Array
+from tam570.show.scenes import frames
 
 __all__ = [
     "angular_momentum",
@@ -142,8 +144,4 @@ def _check(mass: float, stiffness: float, spin: float) -> None:
     finite(spin=spin)
 
 
-def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """Return the same motion from both sides, and a pendulum on a small fast Earth."""
-    from tam570.show.scenes import frames
-
-    return frames.film(SimpleNamespace(**globals()), parameters, start, seconds)
+film = partial(frames.film, SimpleNamespace(**globals()))  # by this module's functions, or those of its copy

@@ -7,16 +7,18 @@ West, Discrete mechanics and variational integrators, Acta Numerica 2001). Its s
 is positive for all neighbours only as long as no half period of a small swing has passed (Jacobi).
 """
 
+from functools import partial
 from math import copysign, pi, sin, sqrt
+from types import SimpleNamespace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.arguments import finite, numbers, positive, whole_number
-from tam570.show.scene import Array, Scene, with_slider
-from tam570.values import Parameters
+from tam570.show.scene import Array
+from tam570.show.scenes import least_action
 
-__all__ = ["action", "film", "is_minimum", "path"]
+__all__ = ["action", "film", "is_minimum", "path", "swing"]
 
 EXAMPLE = {"a": 0.3, "b": 0.5, "duration": 2.6, "points": 241, "length": 10.0, "gravity": 9.81}  # rad, s, 1, m, m/s^2
 FINISHED = 1e-11  # rad, of a Newton step, after which the next would be rounding
@@ -117,33 +119,18 @@ def _descent(angles: Array, *, duration: float, length: float, gravity: float) -
         damping = 4 * damping or 1e-13 * length**2 / h
 
 
-def film(parameters: Parameters) -> Scene:
-    """Return a slider for the time in which the pendulum has to go from a to b."""
-    from tam570.show.scenes.least_action import paths
-
-    positive(length=parameters["length"], gravity=parameters["gravity"])
-    half = pi * sqrt(parameters["length"] / parameters["gravity"])  # s
-    values = [round(share * half, 1) for share in (0.5, 0.95, 1.05, 1.4)]
-    scene = {name: parameters[name] for name in ("length", "gravity")}
-    ends = parameters["a"], parameters["b"]
-
-    def make(duration: float) -> Scene:
-        least = path(*ends, duration, points=parameters["points"], **scene)
-        swing = _swing(least, duration, **scene)
-        return paths(least, swing, duration, lambda angles: action(angles, duration, **scene))
-
-    return with_slider(make, "time from a to b", "s", values, parameters["duration"])
-
-
-def _swing(angles: Array, duration: float, *, length: float, gravity: float) -> Array:
-    """Return the motion nearest to the small swing between the same ends, whether its action is least or not."""
+def swing(angles: Array, duration: float, *, length: float, gravity: float) -> Array:
+    """(n,) rad: the motion nearest to the small swing between the same ends, whether its action is least or not."""
     w, times = sqrt(gravity / length), np.linspace(0.0, duration, len(angles))
     a, b, h = angles[0], angles[-1], duration / (len(angles) - 1)
     wave = sin(w * duration)
     size = copysign(max(abs(wave), 0.05), wave)  # at half a period the small swing would be infinite
-    swing: Array = (a * np.sin(w * (duration - times)) + b * np.sin(w * times)) / size
-    swing[[0, -1]] = a, b
+    motion: Array = (a * np.sin(w * (duration - times)) + b * np.sin(w * times)) / size
+    motion[[0, -1]] = a, b
     for _ in range(20):
-        slope, diagonal = _variations(swing, h, length, gravity)
-        swing[1:-1] += _eliminated(diagonal, -(length**2) / h, -slope)[0]
-    return swing
+        slope, diagonal = _variations(motion, h, length, gravity)
+        motion[1:-1] += _eliminated(diagonal, -(length**2) / h, -slope)[0]
+    return motion
+
+
+film = partial(least_action.film, SimpleNamespace(**globals()))  # by this module's functions, or those of its copy

@@ -6,7 +6,8 @@ Newton (Principia, book I, proposition 1) lets it move straight on for equal tim
 the end of each: equal areas follow from the direction of the impulses alone.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from functools import partial
 from math import atan2, hypot, inf, nan, pi, sqrt
 from types import SimpleNamespace
 
@@ -14,7 +15,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.arguments import numbers, positive, sequence
-from tam570.show.scene import Array, Scene
+from tam570.show.scene import Array
+from tam570.show.scenes import planet
 
 __all__ = ["angular_momentum", "elements", "energy", "exact", "film", "laplace_runge_lenz", "rates"]
 
@@ -112,8 +114,4 @@ def _halves(state: ArrayLike, gm: float) -> Array:
     return halves
 
 
-def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """Return the orbit, and beside it Newton's polygon with more and more impulses."""
-    from tam570.show.scenes import planet
-
-    return planet.film(SimpleNamespace(**globals()), parameters, start, seconds)
+film = partial(planet.film, SimpleNamespace(**globals()))  # by this module's functions, or those of its copy

@@ -7,7 +7,8 @@ V^2 = u^2 + k^2 om^2 it is solved by u = V tanh s, om = (V/k) sech s, s' = a V/k
 with G in front, turned by pi k/a at most (Chaplygin, 1911; Neimark and Fufaev, Dynamics of Nonholonomic Systems).
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from functools import partial
 from math import asinh, copysign, cos, hypot, pi, sin, sqrt
 from types import SimpleNamespace
 
@@ -15,7 +16,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.arguments import finite, numbers, positive, sequence
-from tam570.show.scene import Array, Scene
+from tam570.show.scene import Array
+from tam570.show.scenes import sleigh
 
 __all__ = ["energy", "exact", "film", "gyration", "rates", "straight_growth_rate"]
 
@@ -110,8 +112,4 @@ def gyration(mass: float, inertia: float, offset: float) -> float:
     return sqrt(inertia / mass + offset * offset)
 
 
-def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """Return the sleigh turns round, at several speeds."""
-    from tam570.show.scenes import sleigh
-
-    return sleigh.film(SimpleNamespace(**globals()), parameters, start, seconds)
+film = partial(sleigh.film, SimpleNamespace(**globals()))  # by this module's functions, or those of its copy

@@ -9,16 +9,18 @@ is rigid throughout, with springs at its contacts (strong rigidity), they leave 
 Applied Mechanics 65, 1998).
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from functools import partial
 from math import atan2, pi, sqrt
 from types import SimpleNamespace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.arguments import finite, nonnegative, numbers, positive, positives, sequence
+from tam570.arguments import nonnegative, numbers, positive, positives, sequence
 from tam570.integrate import solve
-from tam570.show.scene import Array, Scene
+from tam570.show.scene import Array
+from tam570.show.scenes import stiff_impact
 
 __all__ = ["energy", "film", "push", "rates", "rebound", "two_contacts"]
 
@@ -108,9 +110,4 @@ def _check(mass: float, stiffness: float, gravity: float) -> None:
     nonnegative(gravity=gravity)
 
 
-def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """Return the ball; the pushes of ever stiffer floors; the impulses of a rod's two contacts."""
-    from tam570.show.scenes import stiff_impact
-
-    finite(**parameters)
-    return stiff_impact.film(SimpleNamespace(**globals()), parameters, start, seconds)
+film = partial(stiff_impact.film, SimpleNamespace(**globals()))  # by this module's functions, or those of its copy

@@ -6,10 +6,13 @@ d = mu (N of locked wheels), Nf + Nr = g, front Nf - rear Nr = height d. Moments
 and about the point in which the forces of the ground meet a single one, for d alone. All hold while no axle lifts.
 """
 
+from functools import partial
+from types import SimpleNamespace
+
 import numpy as np
 
 from tam570.arguments import nonnegative, one_of, positive
-from tam570.show.scene import Scene
+from tam570.show.scenes import stopping_car
 from tam570.values import Parameters
 
 __all__ = ["by_centre_of_mass", "by_one_point", "by_three_points", "film"]
@@ -93,8 +96,4 @@ def _on_the_ground(deceleration: float, front_load: float, rear_load: float) -> 
     return deceleration, max(front_load, 0.0), max(rear_load, 0.0)
 
 
-def film(parameters: Parameters) -> Scene:
-    """Three cars that brake together, with different wheels locked."""
-    from tam570.show.scenes import stopping_car
-
-    return stopping_car.film(by_one_point, parameters)
+film = partial(stopping_car.film, SimpleNamespace(**globals()))  # by this module's functions, or those of its copy

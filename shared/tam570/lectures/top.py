@@ -8,17 +8,15 @@ W^2 - C w W + m g d = 0; the classic m g d/(C w) leaves out the first term (Gold
 5.7).
 """
 
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Sequence
 from functools import partial
 from math import copysign, cos, inf, nan, sin, sqrt
+from types import SimpleNamespace
 
 from numpy.typing import ArrayLike
 
 from tam570.arguments import finite, numbers, positive, sequence
-from tam570.integrate import solve
-from tam570.show.live import Live, energies
-from tam570.show.scene import Scene, with_slider
+from tam570.show.scenes import top
 
 __all__ = [
     "axial_momentum",
@@ -35,7 +33,6 @@ STATE = {"psi": "rad", "theta": "rad", "phi": "rad", "psi_rate": "rad/s", "theta
 EXAMPLE = {"mass": 2.0, "distance": 1.5, "axial": 5.0, "transverse": 7.0, "gravity": 9.81}  # kg, m, kg m^2, m/s^2
 START = (0.0, 1.0, 0.0, 0.0, 0.0, 5.0)
 SECONDS = 5.0
-SPINS = (3.5, 8.0)  # rad/s, of the scene's slider
 LEVEL = 1e-15  # |cos(tilt)| of pi/2 rounded
 
 
@@ -127,19 +124,4 @@ def _weight(mass: float, distance: float, axial: float, transverse: float, gravi
     return mass * gravity * distance
 
 
-def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """Return the same top let go, precessing steadily and asleep, with a slider for the rate of its spin."""
-    from tam570.show.scenes.top import HANDLE, drawing, tops
-
-    def make(spin: float) -> Scene:
-        begin = (*start[:5], spin)
-        scene = tops(
-            begin,
-            seconds,
-            lambda times, begin: solve(rates, times, begin, parameters=parameters),
-            partial(steady_precession, **parameters),
-            {name: partial(law, **parameters) for name, law in INVARIANTS.items()},
-        )
-        return replace(scene, live=Live(rates, parameters, STATE, begin, drawing, [HANDLE], energies(energy, 3)))
-
-    return with_slider(make, "rate of phi", "rad/s", SPINS, start[5])
+film = partial(top.film, SimpleNamespace(**globals()))  # by this module's functions, or those of its copy

@@ -7,6 +7,7 @@ goes as 1/k, as the stretch does that bends the particles' paths.
 """
 
 from collections.abc import Sequence
+from functools import partial
 from math import nan, sqrt
 from types import SimpleNamespace
 
@@ -14,7 +15,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.arguments import array, numbers, positive, positives, sequence
-from tam570.show.scene import Array, Scene
+from tam570.show.scene import Array
+from tam570.show.scenes import truss
 from tam570.values import Numbers, Parameters
 
 __all__ = ["angular_momentum", "energy", "film", "momentum", "rates", "rigid"]
@@ -124,8 +126,4 @@ def _parts(
     return m, r, v
 
 
-def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
-    """Return the truss on the rigid body, for several stiffnesses."""
-    from tam570.show.scenes import truss
-
-    return truss.film(SimpleNamespace(**globals()), parameters, start, seconds)
+film = partial(truss.film, SimpleNamespace(**globals()))  # by this module's functions, or those of its copy

@@ -1,39 +1,45 @@
 """The lecture on chains: a folded one by both of its equations, one lifted from a heap, one poured on a scale."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
+from math import sqrt
+from types import SimpleNamespace
 
 import numpy as np
 
+from tam570.arguments import finite, positive
+from tam570.integrate import solve
 from tam570.show.plots import drift_plot, value_plot
-from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, moving
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 
-__all__ = ["chains"]
+__all__ = ["film"]
 
 DISTANCE = 0.12  # of the length, between the two sides of a fold
 LARGEST = 4.0  # times the chain's weight, of the scale's reading that is shown: without loss it grows without limit
 HEAP = 0.09  # of the length: half the width of the whole chain in a heap
+DOWN = 0.99  # of the length: what is pulled down ends at infinite speed
 LIMITS = {"textbook": 0, "nothing lost": 1}  # those that are drawn, and their colours
 
 
-def chains(
-    times: Array,
-    folds: Sequence[Array],
-    falls: Mapping[str, Array],
-    pulls: Mapping[str, Array],
-    readings: Mapping[str, Array],
-    parameters: Mapping[str, float],
-) -> Scene:
-    """Draw three panels.
-
-    folds    : (n, 2) m and m/s, fallen by the end of a folded chain, by energy and inelastic
-    falls    : (n,) m, that a poured chain has fallen, for each share that is supplied
-    pulls    : (n,) N, that lift a chain from a heap
-    readings : (n,) N, of the scale
-    """
-    length, weight = parameters["length"], parameters["density"] * parameters["gravity"]
+def film(lecture: SimpleNamespace, parameters: Mapping[str, float]) -> Scene:
+    """Return all three at once, each by its two limits; lifted and poured also with the share `supplied`."""
+    length, density, speed, gravity, supplied = (parameters[name] for name in lecture.EXAMPLE)
+    positive(length=length, density=density, speed=speed, gravity=gravity)
+    finite(supplied=supplied)
+    times = frame_times(1.1 * sqrt(2 * length / gravity))
+    shares = {"textbook": 0.0, f"supplied {supplied:g}": supplied, "nothing lost": 0.5}
+    folds = [_falls(times, partial(lecture.folded, length=length, gravity=gravity), i, length) for i in (0, 1)]
+    pulls, readings, falls = {}, {}, {}
+    for name, share in shares.items():
+        arguments = {"density": density, "gravity": gravity, "supplied": share}
+        pulls[name] = np.array([lecture.lifted(y, speed, **arguments) for y in np.minimum(speed * times, length)])
+        falls[name] = _falls(times, partial(_pulled_down, share, length=length, gravity=gravity), 0, length)[:, 0]
+        falling = [lecture.poured(x, **arguments, length=length) for x in falls[name][falls[name] < length]]
+        readings[name] = np.concatenate([falling, np.full(len(times) - len(falling), density * gravity * length)])
+    weight = density * gravity  # N/m
     most = LARGEST * weight * length  # N
-    risen = np.minimum(parameters["speed"] * times, length)
+    risen = np.minimum(speed * times, length)
     ground = Shape("lines", DISTANCE * length * np.array([[-2.0, 0.0], [6.0, 0.0]]), GREY, width=3)
     lifting, pouring = [ground], [ground]
     for name, color in LIMITS.items():
@@ -65,6 +71,25 @@ def chains(
         ],
         still_time=0.72,
     )
+
+
+def _pulled_down(share: float, fallen: float, speed: float, *, length: float, gravity: float) -> tuple[float]:
+    return (gravity + share * speed * speed / (length - fallen),)
+
+
+def _falls(times: Array, accelerations: Callable[[float, float], Sequence[float]], which: int, length: float) -> Array:
+    """(n, 2) m and m/s, of what falls from rest by one of these accelerations; its whole length at last."""
+
+    def rates(t: float, state: Sequence[float]) -> tuple[float, float]:
+        return state[1], accelerations(state[0], state[1])[which]
+
+    def down(t: float, state: Sequence[float]) -> float:
+        return state[0] - DOWN * length
+
+    down.terminal = True  # type: ignore[attr-defined]
+    motion = solve(rates, times, (0.0, 0.0), events=down)
+    falling = motion.states[times[: len(motion.states)] < motion.t[-1]]
+    return np.concatenate([falling, np.tile([length, 0.0], (len(times) - len(falling), 1))])
 
 
 def _arrow(x: float, foot: Array, size: Array, name: str) -> Shape:

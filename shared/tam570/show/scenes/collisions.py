@@ -1,7 +1,9 @@
 """The lecture on collisions: a cradle that hits whenever its balls hang straight down, and a rod that hits a peg."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from functools import partial
 from math import inf, pi, sqrt
+from types import SimpleNamespace
 
 import numpy as np
 
@@ -10,7 +12,7 @@ from tam570.show.plots import drift_note, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Function
 
-__all__ = ["cradle_and_rod"]
+__all__ = ["film"]
 
 SECONDS = 8.0
 BALLS, RADIUS, LENGTH, GRAVITY = 5, 0.12, 1.0, 9.81  # 1, m, m, m/s^2
@@ -20,11 +22,11 @@ PEG = 0.04  # m, radius
 ARM, FALL, TURN, HIT = 0.3, 0.5, 0.4, 2.0  # m from G to the peg, m/s, rad/s, s
 
 
-def cradle_and_rod(cradle: Callable[[Array], Array], collide: Function, restitution: float) -> Scene:
-    """Both scenes in one; the functions are those of the lecture, with the restitution in place."""
-    times = frame_times(SECONDS)
-    angles, speeds = _swings(times, cradle)
-    places, about_peg, energies = _rod(times, collide)
+def film(lecture: SimpleNamespace, parameters: Mapping[str, float]) -> Scene:
+    """Return Newton's cradle, and a rod that hits a peg."""
+    times, restitution = frame_times(SECONDS), parameters["restitution"]
+    angles, speeds = _swings(times, partial(lecture.cradle, restitution=restitution))
+    places, about_peg, energies = _rod(times, partial(lecture.collide, restitution=restitution))
     total = about_peg.sum(axis=1)
     momenta = {"of G": about_peg[:, 0], "about G": about_peg[:, 1], "sum": total}
     caption = drift_note(total, float(np.abs(about_peg).max()), "its largest part")

@@ -1,20 +1,41 @@
 """The lecture on Hamilton's principle: a pendulum's paths between two angles, drawn over time, and their actions."""
 
 from collections.abc import Callable
+from functools import partial
+from math import pi, sqrt
+from types import SimpleNamespace
 
 import numpy as np
 
+from tam570.arguments import positive
 from tam570.show.drawing import graph
-from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, moving
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, moving, with_slider
+from tam570.values import Parameters
 
-__all__ = ["paths"]
+__all__ = ["film"]
 
 SIZE = 1.0  # m, of the picture: width of the graph, length of the pendulums
 NEIGHBOURS = np.linspace(-0.3, 0.3, 7)  # rad, bumps added to the swing
 SAME = 1e-3  # rad, between two paths that are one
 
 
-def paths(least: Array, swing: Array, duration: float, action: Callable[[Array], float]) -> Scene:
+def film(lecture: SimpleNamespace, parameters: Parameters) -> Scene:
+    """Return a slider for the time in which the pendulum has to go from a to b."""
+    pendulum = {name: parameters[name] for name in ("length", "gravity")}
+    positive(**pendulum)
+    half = pi * sqrt(parameters["length"] / parameters["gravity"])  # s
+    values = [round(share * half, 1) for share in (0.5, 0.95, 1.05, 1.4)]
+
+    def make(duration: float) -> Scene:
+        ends = parameters["a"], parameters["b"]
+        least = lecture.path(*ends, duration, points=parameters["points"], **pendulum)
+        swing = lecture.swing(least, duration, **pendulum)
+        return _paths(least, swing, duration, partial(lecture.action, duration=duration, **pendulum))
+
+    return with_slider(make, "time from a to b", "s", values, parameters["duration"])
+
+
+def _paths(least: Array, swing: Array, duration: float, action: Callable[[Array], float]) -> Scene:
     """Return the swing, which is a motion, among its neighbours; and the path of least action.
 
     least, swing : (n,) rad at even times over duration, s

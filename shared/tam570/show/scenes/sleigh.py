@@ -2,13 +2,11 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from math import sqrt
 from types import SimpleNamespace
 
 import numpy as np
 
 from tam570.integrate import solve
-from tam570.lectures.sleigh import gyration
 from tam570.show.drawing import graph, unit_circle
 from tam570.show.live import Handle, Live, drag, energies
 from tam570.show.plots import drift_note, value_plot, values
@@ -23,7 +21,8 @@ OUTLINE = np.array([[-0.4, -0.35], [1.3, -0.35], [1.7, 0.0], [1.3, 0.35], [-0.4,
 
 def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
     """Speed and yaw rate grow together: the same motion faster."""
-    times, size = frame_times(seconds), _size(parameters)
+    times, offset, k = frame_times(seconds), parameters["offset"], lecture.gyration(**parameters)
+    size = offset or k
     measures, handles = energies(lecture.energy), [drag(0, 2), Handle(_nose, _turn_to)]
 
     def drawing(states: Array, parameters: Mapping[str, float]) -> list[Shape]:
@@ -34,13 +33,15 @@ def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Seque
         begin = (*start[:3], speed, share * start[4])
         states = solve(lecture.rates, times, begin, parameters=parameters, rtol=1e-8)
         live = Live(lecture.rates, parameters, lecture.STATE, begin, drawing, handles, measures)
-        return replace(_one(times, states, lecture.energy, parameters), live=live)
+        note = drift_note(values(lecture.energy, states, **parameters), of="the energy")
+        return replace(_one(times, states, offset, k, note), live=live)
 
     speeds = [share * start[3] for share in SHARES] if start[3] else []
     return with_slider(scene_at, "push", "m/s", speeds, start[3])
 
 
-def _one(times: Array, states: Array, energy: Numbers, parameters: Mapping[str, float]) -> Scene:
+def _one(times: Array, states: Array, offset: float, k: float, note: tuple[str, bool]) -> Scene:
+    speeds = {"speed": states[:, 3], "k yaw rate": k * states[:, 4]}
     return Scene(
         "Chaplygin's sleigh",
         "A sleigh on ice glides on one blade that cannot slip sideways. It starts with its centre of mass behind the "
@@ -48,19 +49,10 @@ def _one(times: Array, states: Array, energy: Numbers, parameters: Mapping[str, 
         "angle.",
         times,
         [
-            Panel(_sleigh(states, parameters["offset"], _size(parameters))),
-            Panel(_phase_plane(states, parameters), "phase plane", ruler=False),
+            Panel(_sleigh(states, offset, offset or k)),
+            Panel(_phase_plane(states, offset, k), "phase plane", ruler=False),
         ],
-        [
-            _turn(times, states, parameters),
-            value_plot(
-                "speed, and k times yaw rate",
-                times,
-                {"speed": states[:, 3], "k yaw rate": gyration(**parameters) * states[:, 4]},
-                "m/s",
-                *drift_note(values(energy, states, **parameters), of="the energy"),
-            ),
-        ],
+        [_turn(times, states, offset, k), value_plot("speed, and k times yaw rate", times, speeds, "m/s", *note)],
         still_time=0.5,
     )
 
@@ -88,18 +80,13 @@ def _turn_to(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numb
     return [*state[:2], np.arctan2(point[1] - state[1], point[0] - state[0]), *state[3:]]
 
 
-def _size(parameters: Mapping[str, float]) -> float:
-    return parameters["offset"] or sqrt(parameters["inertia"] / parameters["mass"])
-
-
-def _phase_plane(states: Array, parameters: Mapping[str, float]) -> list[Shape]:
+def _phase_plane(states: Array, offset: float, k: float) -> list[Shape]:
     """Speed and yaw rate: each motion runs on an ellipse of its energy, from going straight backwards to forwards."""
-    k = gyration(**parameters)
     V = float(np.hypot(states[0, 3], k * states[0, 4])) or 1.0
     levels = V * np.array([0.4, 0.7, 1.0, 1.3])[:, None, None] * unit_circle(61) / [1.0, k]
     axes, to_points = graph(levels[..., 0], levels[..., 1], ("speed", "yaw rate"))
     ahead, back = (to_points(levels[:, i, 0], 0.0) for i in (0, 30))  # straight motion: the yaw rate stays 0
-    stable, unstable = (ahead, back) if parameters["offset"] >= 0 else (back, ahead)
+    stable, unstable = (ahead, back) if offset >= 0 else (back, ahead)
     way = to_points(states[:, 3], states[:, 4])[:, None]
     return [
         *axes,
@@ -111,9 +98,8 @@ def _phase_plane(states: Array, parameters: Mapping[str, float]) -> list[Shape]:
     ]
 
 
-def _turn(times: Array, states: Array, parameters: Mapping[str, float]) -> TimePlot:
-    offset = parameters["offset"]
+def _turn(times: Array, states: Array, offset: float, k: float) -> TimePlot:
     turned = np.degrees(states[:, 2] - states[0, 2])
-    total = 180.0 * gyration(**parameters) / abs(offset) if offset else float("inf")
+    total = 180.0 * k / abs(offset) if offset else float("inf")
     caption = f"at most pi k/offset = {total:.4g} degrees" if offset else "G at the blade: it turns for ever"
     return value_plot("turned", times, {"": turned}, "degrees", caption)

@@ -1,12 +1,13 @@
 """The lecture `stopping_car`: cars side by side, with different wheels locked."""
 
 from collections.abc import Mapping
+from types import SimpleNamespace
 
 import numpy as np
 
 from tam570.show.plots import value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
-from tam570.values import Function, Parameters
+from tam570.values import Parameters
 
 __all__ = ["film"]
 
@@ -15,13 +16,13 @@ SPEED = 12.0  # m/s
 WHEEL = 0.3  # m
 
 
-def film(by_one_point: Function, parameters: Parameters) -> Scene:
+def film(lecture: SimpleNamespace, parameters: Parameters) -> Scene:
     """Return what cannot brake without lifting an axle is a note."""
     result: dict[str, tuple[float, float, float]] = {}
     notes = []
     for locked in LOCKED:
         try:
-            result[locked] = by_one_point(**{**parameters, "locked": locked})
+            result[locked] = lecture.by_one_point(**{**parameters, "locked": locked})
         except ValueError as error:
             if locked == parameters["locked"]:
                 raise

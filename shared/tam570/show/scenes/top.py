@@ -1,50 +1,56 @@
 """The lecture on the top: let go, in both steady precessions, and asleep."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import partial
+from types import SimpleNamespace
 
 import numpy as np
 
+from tam570.integrate import solve
 from tam570.show.drawing import circle
-from tam570.show.live import Handle
+from tam570.show.live import Handle, Live, energies
 from tam570.show.plots import drift_note, value_plot, values
-from tam570.show.scene import FASTEST, GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
+from tam570.show.scene import FASTEST, GREY, INK, Array, Panel, Scene, Shape, frame_times, moving, with_slider
 from tam570.values import Numbers, Parameters
 
-__all__ = ["HANDLE", "drawing", "tops"]
+__all__ = ["film"]
 
 LENGTH, HEIGHT, RADIUS = 1.0, 0.6, 0.45  # m, of the picture: the axis, its disk
+SPINS = (3.5, 8.0)  # rad/s, of the slider
 NUDGED = 0.02  # rad, the tilt of a top that may sleep
 
 
-def tops(
-    start: Sequence[float],
-    seconds: float,
-    motion: Callable[[Array, Sequence[float]], Array],
-    steady: Callable[[float, float], tuple[float, float]],
-    laws: Mapping[str, Callable[[Array], float]],
-) -> Scene:
-    """Three panels of one top.
+def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
+    """Return the same top let go, precessing steadily and asleep, with a slider for the rate of its spin."""
 
-    start  : psi, theta, phi and their rates, of the top that is let go
-    motion : (n, 6) states at times, from a start
-    steady : both rates of precession at a tilt and a spin
-    laws   : what does not change, of a state
-    """
+    def make(spin: float) -> Scene:
+        begin, measures = (*start[:5], spin), energies(lecture.energy, 3)
+        live = Live(lecture.rates, parameters, lecture.STATE, begin, _draw, [HANDLE], measures)
+        return replace(_tops(lecture, parameters, begin, seconds), live=live)
+
+    return with_slider(make, "rate of phi", "rad/s", SPINS, start[5])
+
+
+def _tops(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
+    """Three panels of one top."""
     times, (_, tilt, _, _, _, rate) = frame_times(seconds), start
+    motion = partial(solve, lecture.rates, times, parameters=parameters)
     spin = rate + start[3] * np.cos(tilt)  # along the axis
-    free = motion(times, start)
-    asleep = motion(times, (0.0, NUDGED, 0.0, 0.0, 0.0, spin))
+    free = motion(start)
+    asleep = motion((0.0, NUDGED, 0.0, 0.0, 0.0, spin))
     try:
-        rates = [W for W in steady(tilt, spin) if abs(W) < FASTEST]  # near the level the fast one has no bound
+        both = lecture.steady_precession(tilt, spin, **parameters)
+        rates = [W for W in both if abs(W) < FASTEST]  # near the level the fast one has no bound
         title = ("too fast to draw", "slow steady precession", "steady precession, slow and fast")[len(rates)]
     except ValueError:  # too slow a spin
         rates, title = [], "too slow for steady precession"
-    steadily = [motion(times, (0.0, tilt, 0.0, W, 0.0, spin - W * np.cos(tilt))) for W in rates]
+    steadily = [motion((0.0, tilt, 0.0, W, 0.0, spin - W * np.cos(tilt))) for W in rates]
     precessing = [
         part for color, states in enumerate(steadily) for part in _top(states, color, ("slow", "fast")[color])
     ]
-    constants = [values(law, free) for law in laws.values()]
-    changes = {name: sizes / (abs(sizes[0]) or 1.0) for name, sizes in zip(laws, constants, strict=True)}
+    constants = {name: values(law, free, **parameters) for name, law in lecture.INVARIANTS.items()}
+    changes = {name: sizes / (abs(sizes[0]) or 1.0) for name, sizes in constants.items()}
     drift = drift_note(changes, 1.0, "energy and both momenta")
     return Scene(
         "Heavy top",
@@ -52,7 +58,7 @@ def tops(
         "goes round steadily, slowly or fast. Upright it sleeps, if it spins fast enough, else it falls over.",
         times,
         [
-            Panel(_top(free, 0, "let go"), "let go", ruler=False),
+            Panel(_draw(free, parameters), "let go", ruler=False),
             Panel([*_ground(), *precessing], title, ruler=False),
             Panel(_top(asleep, 2, "almost upright"), "almost upright", ruler=False),
         ],
@@ -70,8 +76,7 @@ def _ground() -> list[Shape]:
     return [Shape("path", level, GREY, width=1), Shape("dot", np.zeros((1, 3)), INK, width=4)]
 
 
-def drawing(states: Array, parameters: Parameters) -> list[Shape]:
-    """Draw the top that is let go; states (n, 6)."""
+def _draw(states: Array, parameters: Parameters) -> list[Shape]:
     return _top(states, 0, "let go")
 
 
