@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from tam570.arguments import numbers, one_of, positive
 from tam570.rotations import euler_from_matrix, matrix_from_axis_angle
-from tam570.show.drawing import circle
+from tam570.show.drawing import circle, solid
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Parameters
@@ -101,7 +101,6 @@ def _gimbal(turned: Array, sequence: str) -> list[Shape]:
         Shape("lines", moving(*(s * outer @ second for s in (1.2, 1.0, -1.2, -1.0))), 2, width=3),
         Shape("path", circle(np.zeros(3), middle @ second, middle @ third), 1, "ring of theta", width=4),
         Shape("lines", moving(*(s * middle @ third for s in (1.0, -1.0))), 1, width=3),
-        Shape("fill", circle(np.zeros(3), 0.7 * body @ second, 0.7 * body @ aside), 0, faint=True),
-        Shape("path", circle(np.zeros(3), 0.7 * body @ second, 0.7 * body @ aside), 0, "disk, turned by phi", width=3),
+        *solid(circle(np.zeros(3), 0.7 * body @ second, 0.7 * body @ aside), 0, "disk, turned by phi", 3),
         Shape("lines", moving(np.zeros(3), 0.7 * body @ second), 0, width=3),
     ]

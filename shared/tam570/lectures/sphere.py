@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from tam570.arguments import numbers
 from tam570.rotations import exp
-from tam570.show.drawing import circle
+from tam570.show.drawing import circle, solid
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times
 from tam570.values import Parameters
 
@@ -97,8 +97,4 @@ def _trail(rotations: Array, color: int, name: str) -> list[Shape]:
     points = np.array([[0.85, -0.45, 0.27], [0.65, -0.55, 0.52], [0.92, -0.2, 0.33]])
     points = points / np.linalg.norm(points, axis=1)[:, None]
     turned = points @ np.swapaxes(rotations, 1, 2)
-    return [
-        Shape("fill", turned, color, faint=True),
-        Shape("path", turned[:, [0, 1, 2, 0]], color, name, width=3),
-        Shape("trail", turned[:, :1], color, width=2),
-    ]
+    return [*solid(turned, color, name, 3), Shape("trail", turned[:, :1], color, width=2)]

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from tam570.arguments import finite, numbers, positive, positives, sequence
 from tam570.integrate import solve
-from tam570.show.drawing import unit_circle
+from tam570.show.drawing import solid, unit_circle
 from tam570.show.live import Handle, Live, energies
 from tam570.show.plots import drift_note, state_energy_plot, value_plot, values
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
@@ -95,7 +95,7 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
     states = solve(rates, times, start, parameters=parameters)
     farthest = float(states[:, 0].max())
     edge = np.column_stack([1.1 * farthest * unit_circle(61), np.zeros(61)])
-    table = [Shape("fill", edge, GREY, faint=True), Shape("path", edge, GREY, "table", width=2)]
+    table = solid(edge, GREY, "table")
 
     def drawing(states: Array, parameters: Parameters) -> list[Shape]:
         above = np.column_stack(_on_table(states.T))

@@ -10,7 +10,7 @@ from tam570.values import Numbers
 
 TINY = 1e-300  # whose root is small beside every length, and not 0
 
-__all__ = ["axes", "box_face", "brick", "circle", "coil", "cone", "floor", "graph", "unit_circle"]
+__all__ = ["axes", "box_face", "brick", "circle", "coil", "cone", "floor", "graph", "placed", "solid", "unit_circle"]
 
 
 def unit_circle(count: int) -> Array:
@@ -62,6 +62,20 @@ def box_face(rotations: Array, size: ArrayLike) -> Array:
     corners = half * np.array([[1.0, 1, 1], [-1, 1, 1], [-1, -1, 1], [1, -1, 1]])
     turned: Array = corners @ np.swapaxes(rotations, -1, -2)
     return turned
+
+
+def solid(outline: Array, color: int, name: str = "", width: float = 2.0) -> list[Shape]:
+    """Return an outline, (..., m, dim), closed and filled."""
+    closed = np.concatenate([outline, outline[..., :1, :]], axis=-2)
+    return [Shape("fill", outline, color, faint=True), Shape("path", closed, color, name, width=width)]
+
+
+def placed(outline: Array, at: Array, heading: Array) -> Array:
+    """(n, m, 2) points (m, 2) ahead and to the left of places (n, 2), by headings (n,), rad."""
+    c, s = np.cos(heading), np.sin(heading)
+    ahead, left = np.stack([c, s], axis=-1), np.stack([-s, c], axis=-1)
+    points: Array = at[:, None] + outline[:, :1] * ahead[:, None] + outline[:, 1:] * left[:, None]
+    return points
 
 
 def brick(rotations: Array, size: ArrayLike, color: int, name: str = "") -> list[Shape]:

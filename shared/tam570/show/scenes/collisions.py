@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from tam570.show.drawing import unit_circle
+from tam570.show.drawing import solid, unit_circle
 from tam570.show.plots import drift_note, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Function
@@ -67,8 +67,7 @@ def _balls(angles: Array) -> list[Shape]:
     for i in range(BALLS):
         shapes += [
             Shape("lines", moving(hooks[i], balls[:, i]), GREY, width=1.5),
-            Shape("fill", balls[:, i, None] + rim, 0, "balls", faint=True),
-            Shape("path", balls[:, i, None] + rim, 0, width=2),
+            *solid(balls[:, i, None] + rim, 0, "balls"),
         ]
     return shapes
 

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from tam570.show.diagrams import force_shapes
+from tam570.show.drawing import placed, solid
 from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times
@@ -88,15 +89,6 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float], road
     )
 
 
-def _placed(states: Array, outline: Array, y: float) -> Array:
-    """(n, m, 2) points given forward and left of G, where the car has them."""
-    c, s = np.cos(states[:, 2]), np.sin(states[:, 2])
-    forward, sideways = np.stack([c, s], axis=-1), np.stack([-s, c], axis=-1)
-    centre = states[:, :2] + [0.0, y]
-    placed: Array = centre[:, None] + outline[:, :1] * forward[:, None] + outline[:, 1:] * sideways[:, None]
-    return placed
-
-
 def _car(states: Array, locked: str, y: float, parameters: Parameters) -> list[Shape]:
     nose, tail, side = parameters["front"] + OVERHANG, -parameters["rear"] - OVERHANG, HALF_WIDTH
     body = np.array([[nose - 0.5, side], [tail, side], [tail, -side], [nose - 0.5, -side], [nose, -0.5], [nose, 0.5]])
@@ -105,12 +97,12 @@ def _car(states: Array, locked: str, y: float, parameters: Parameters) -> list[S
     ends = [(end, left) for left in (side - 0.1, 0.1 - side) for end in (-WHEEL, WHEEL)]
     wheels = {name: np.array(ends) + [at, 0.0] for name, at in axles.items()}
     free = "rear" if locked == "front" else "front"
+    G, heading = states[:, :2] + [0.0, y], states[:, 2]
     return [
-        Shape("trail", states[:, None, :2] + [0.0, y], color, width=1.5),
-        Shape("fill", _placed(states, body, y), color, faint=True),
-        Shape("path", _placed(states, np.vstack([body, body[:1]]), y), color, f"{locked} wheels locked", width=2),
-        Shape("lines", _placed(states, wheels[free], y), INK, width=3),
-        Shape("lines", _placed(states, wheels[locked], y), 5, "wheels that are locked" if color else "", width=5),
+        Shape("trail", G[:, None], color, width=1.5),
+        *solid(placed(body, G, heading), color, f"{locked} wheels locked"),
+        Shape("lines", placed(wheels[free], G, heading), INK, width=3),
+        Shape("lines", placed(wheels[locked], G, heading), 5, "wheels that are locked" if color else "", width=5),
         Shape("text", np.array([[-4.0, y + 1.6]]), color, words=f"{locked} locked"),
     ]
 
@@ -138,6 +130,6 @@ def _work(student: Student, states: Array, locked: str, parameters: Parameters) 
     c, s = np.cos(states[:, 2]), np.sin(states[:, 2])
     in_space = np.column_stack([c * force[:, 0] - s * force[:, 1], s * force[:, 0] + c * force[:, 1]])
     at = parameters["front"] if locked == "front" else -parameters["rear"]
-    steps = np.diff(_placed(states, np.array([[at, 0.0]]), 0.0)[:, 0], axis=0)
+    steps = np.diff(placed(np.array([[at, 0.0]]), states[:, :2], states[:, 2])[:, 0], axis=0)
     middle = (in_space[1:] + in_space[:-1]) / 2
     return np.concatenate([[0.0], np.cumsum((middle * steps).sum(axis=1))])

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from tam570.lectures.inertia import of_box
-from tam570.show.drawing import box_face, brick, circle, cone
+from tam570.show.drawing import box_face, brick, circle, cone, solid
 from tam570.show.live import Live, live_if_written
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
@@ -178,10 +178,8 @@ def _disk(student: Student, times: Array) -> Panel:
     length = 1.6 / np.linalg.norm(WOBBLE)
     omega = length * in_space(rotations, omegas)
     first, other = RADIUS * rotations[:, :, 0], RADIUS * rotations[:, :, 1]
-    rim = circle(np.zeros(3), first, other, 37)
     shapes = [
-        Shape("fill", rim, GREY, faint=True),
-        Shape("path", rim, GREY, "disk", width=2),
+        *solid(circle(np.zeros(3), first, other, 37), GREY, "disk"),
         *cone(_once_round(omega), 2, "space cone"),
         *cone(_once_round(length * omegas) @ np.swapaxes(rotations, 1, 2), 3, "body cone"),
         Shape("arrow", moving(np.zeros(3), omega), 1, width=2.5),

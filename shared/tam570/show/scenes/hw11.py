@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tam570.show.drawing import circle, floor
+from tam570.show.drawing import circle, floor, solid
 from tam570.show.plots import gap_note, plot_samples, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student
@@ -89,8 +89,7 @@ def _coin(times: Array, coin: Circling, radius: float, color: int) -> list[Shape
     track = circle(np.zeros(3), abs(coin.track_radius) * np.eye(3)[0], abs(coin.track_radius) * np.eye(3)[1])
     return [
         Shape("path", track, GREY, width=1.5),
-        Shape("fill", rim, color, faint=True),
-        Shape("path", rim, color, coin.name, width=2.5),
+        *solid(rim, color, coin.name, 2.5),
         Shape("lines", moving(centre, centre + radius * spoke), color, width=2.5),
         Shape("dot", contact[:, None], color, width=4),
     ]

@@ -7,7 +7,7 @@ import numpy as np
 
 from tam570.integrate import solve
 from tam570.show.diagrams import force_shapes
-from tam570.show.drawing import circle
+from tam570.show.drawing import circle, solid
 from tam570.show.live import Handle, Live, energies, live_if_written
 from tam570.show.plots import drift_note, plot_samples, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
@@ -106,8 +106,7 @@ def _rolling(phi: Array, color: int, farthest: float, parameters: Parameters) ->
     end = radius * (farthest + 1.5)
     return [
         Shape("lines", np.array([-radius * ahead, end * ahead]), GREY, width=3),
-        Shape("fill", circle(centre, radius * across, radius * down), color, faint=True),
-        Shape("path", circle(centre, radius * across, radius * down), color, width=2.5),
+        *solid(circle(centre, radius * across, radius * down), color, width=2.5),
         Shape("lines", moving(centre, centre + radius * down), color, width=1.5),
         Shape("trail", mass[:, None], 2, width=2),
         Shape("dot", centre[:, None], INK, width=3),

@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 
 from tam570.show.diagrams import force_shapes
-from tam570.show.drawing import circle, floor
+from tam570.show.drawing import circle, floor, solid
 from tam570.show.live import Handle, Live, energies, live_if_written
 from tam570.show.plots import gap_note, state_energy_plot, value_plot
 from tam570.show.scene import Array, Panel, Scene, Shape, TimePlot, frame_times, moving
@@ -43,11 +43,7 @@ def film(student: Student, disk: Parameters, start: Sequence[float], seconds: fl
     parameters = {name: disk[name] for name in ("mass", "radius", "gravity")}
     shapes = [
         floor(contact.min(axis=0)[:2] - 0.5, contact.max(axis=0)[:2] + 0.5, 0.5),
-        Shape("trail", contact[:, None], 1, "path of the contact", width=2),
-        Shape("fill", rim, 0, faint=True),
-        Shape("path", np.concatenate([rim, rim[:, :1]], axis=1), 0, "disk", width=3),
-        Shape("lines", diameters, 0, width=1.5),
-        Shape("dot", contact[:, None], 1, width=4),
+        *_disk(contact, rim, diameters),
         *force_shapes(student, states, size=disk["radius"], origin=(0.0, 0.0, 0.0), **parameters),
     ]
     return Scene(
@@ -75,15 +71,8 @@ def _live(student: Student, disk: Parameters, start: Sequence[float], still: lis
         first, other = parameters["radius"] * ahead, parameters["radius"] * up
         c, s = np.cos(roll)[:, None], np.sin(roll)[:, None]
         spokes = [c * first + s * other, c * other - s * first]
-        rim = circle(centre, first, other, SIDES + 1)
         ends = [centre + sign * spoke for spoke in spokes for sign in (1.0, -1.0)]
-        return [
-            Shape("trail", contact[:, None], 1, "path of the contact", width=2),
-            Shape("fill", rim, 0, faint=True),
-            Shape("path", rim, 0, "disk", width=3),
-            Shape("lines", moving(*ends), 0, width=1.5),
-            Shape("dot", contact[:, None], 1, width=4),
-        ]
+        return _disk(contact, circle(centre, first, other, SIDES + 1), moving(*ends))
 
     def top(state: Numbers, *, radius: Numbers, **parameters: Numbers) -> list[Numbers]:
         x, y, yaw, tilt = state[:4]
@@ -97,6 +86,15 @@ def _live(student: Student, disk: Parameters, start: Sequence[float], still: lis
 
     rates, measures = student.function("euler_state_derivative"), energies(student.function("energy"), 5)
     return Live(rates, disk, STATE, start, drawing, [Handle(top, grab)], measures, backdrop=still)
+
+
+def _disk(contact: Array, rim: Array, diameters: Array) -> list[Shape]:
+    return [
+        Shape("trail", contact[:, None], 1, "path of the contact", width=2),
+        *solid(rim, 0, "disk", 3),
+        Shape("lines", diameters, 0, width=1.5),
+        Shape("dot", contact[:, None], 1, width=4),
+    ]
 
 
 def _tilt(student: Student, times: Array, states_by_angles: Array, frame: Array, disk: Parameters) -> TimePlot:

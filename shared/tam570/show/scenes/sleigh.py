@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from tam570.integrate import solve
-from tam570.show.drawing import graph, unit_circle
+from tam570.show.drawing import graph, placed, solid, unit_circle
 from tam570.show.live import Handle, Live, drag, energies
 from tam570.show.plots import drift_note, value_plot, values
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, moving, with_slider
@@ -61,12 +61,9 @@ def _sleigh(states: Array, offset: float, size: float) -> list[Shape]:
     """Draw the sleigh, `size` long."""
     blade, heading = states[:, :2], states[:, 2]
     ahead = np.column_stack([np.cos(heading), np.sin(heading)])
-    sideways = np.column_stack([-np.sin(heading), np.cos(heading)])
-    outline = blade[:, None] + size * (OUTLINE[:, :1] * ahead[:, None] + OUTLINE[:, 1:] * sideways[:, None])
     return [
         Shape("trail", blade[:, None], 2, "path of the blade", width=2),
-        Shape("fill", outline, 0, faint=True),
-        Shape("path", np.concatenate([outline, outline[:, :1]], axis=1), 0, "sleigh", width=2),
+        *solid(placed(size * OUTLINE, blade, heading), 0, "sleigh"),
         Shape("lines", moving(blade - 0.3 * size * ahead, blade + 0.3 * size * ahead), 1, "blade", width=5),
         Shape("dot", (blade + offset * ahead)[:, None], 4, "G", width=6),
     ]

@@ -5,6 +5,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
+from tam570.show.drawing import solid
 from tam570.show.plots import value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Parameters
@@ -60,8 +61,7 @@ def _car(times: Array, motion: tuple[float, float, float], parameters: Parameter
     unit, G = 2.0 / parameters["gravity"], at + [0.0, height]  # s^2
     shapes = [
         Shape("lines", np.array([[-rear - 1.0, 0.0], [x[-1] + front + 1.0, 0.0]]), GREY, width=1),
-        Shape("fill", outline, color, faint=True),
-        Shape("path", np.concatenate([outline, outline[:, :1]], axis=1), color, width=2),
+        *solid(outline, color),
         Shape("arrow", moving(G, G - [0.0, 2.0]), 4, "weight", width=2.5),
         Shape("dot", G[:, None], 4, "G", width=4),
     ]

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from tam570.integrate import solve
-from tam570.show.drawing import circle
+from tam570.show.drawing import circle, solid
 from tam570.show.live import Handle, Live, energies
 from tam570.show.plots import drift_note, value_plot, values
 from tam570.show.scene import FASTEST, GREY, INK, Array, Panel, Scene, Shape, frame_times, moving, with_slider
@@ -103,8 +103,7 @@ def _top(states: Array, color: int, name: str) -> list[Shape]:
     spoke = HEIGHT * axis + RADIUS * (np.cos(phi)[:, None] * node + np.sin(phi)[:, None] * other)
     return [
         *_ground(),
-        Shape("fill", rim, color, faint=True),
-        Shape("path", rim, color, width=2),
+        *solid(rim, color),
         Shape("lines", moving(np.zeros(3), LENGTH * axis, HEIGHT * axis, spoke), color, name, width=3),
         Shape("trail", LENGTH * axis[:, None], 1, "end of the axis", width=1.8),
     ]
