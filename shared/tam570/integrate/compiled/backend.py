@@ -223,10 +223,9 @@ def taylor_runs(graph: Graph, times: Array, out: Array, starts: Array, control: 
     per_lane = taylor_loop.memory(size)
     memory = _memory(LANES * per_lane + 2, memory_layout.doubles, LANES, constants)
     z = memory.z
-    z[taylor_loop.STATUS : LANES * per_lane : per_lane] = taylor_loop.IDLE
-    z[-1], memory.time[:] = LANES, origin
-    out[:, 0] = starts
-    members = np.hstack([np.full((len(starts), 1), times[-1] / 100), starts, np.abs(starts)])
+    z[taylor_loop.STATUS : LANES * per_lane : per_lane] = taylor_loop.DONE
+    z[-1], memory.time[:] = len(starts), origin
+    members = np.hstack([np.zeros((len(starts), 1)), starts])
     ends = address_of(times), len(times), address_of(out), address_of(members), len(starts)
     order = taylor.order_for(rtol, LANES)
 

@@ -118,7 +118,7 @@ class _Making:
         return self.add("square", a) if a == b else self.add("*", a, b)
 
     def quotient(self, a: int, b: int) -> int:
-        """Return a factor is taken out: two bodies that pull at each other share the quotient."""
+        """Take a factor out of a / b: two bodies that pull at each other share the quotient."""
         if b >= 0:
             listed = self.listed[a] if a >= 0 else None
             if listed and listed.rule == "scale":

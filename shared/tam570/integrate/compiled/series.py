@@ -332,7 +332,7 @@ class Coefficients(Writer):
             self.do(f"store {self.ir_type} {self.now[rate]}, ptr {slot}")
 
     def reach(self, slots: list[str], exponents: list[int]) -> str:
-        """As in `dop853_source`: the longest step in which each changes by no more than half of itself, or REACH."""
+        """Return the longest step in which each exponent changes by half of itself, or by REACH if that is more."""
         single = self.constant(1.0)
         self.orders(
             Order("1", single, single),

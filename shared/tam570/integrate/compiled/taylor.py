@@ -18,11 +18,11 @@ from tam570.values import Json
 __all__ = ["CALL", "KINDS", "order_for", "taylor_text"]
 
 KINDS = (ctypes.c_void_p,)  # one address: converting thirteen arguments takes longer than many a run
-GIVEN = {
+ARGUMENTS = {
     **dict.fromkeys(("z", "work", "time", "c", "times"), "ptr"),
     **{"rows": "i64", "out": "ptr", "members": "ptr", "several": "i64"},
     **{"origin": "double", "rtol": "double", "order": "i64", "budget": "i64"},
-}  # what stands at that address, eight bytes each
+}  # what is at that address, eight bytes each
 CALL = struct.Struct("=5Qq2Qq2d2q")  # the same
 LOWEST = 8  # order
 
@@ -65,7 +65,7 @@ def taylor_text(laws: Recurrences, lanes: int = 1) -> str:
     translator.width = vector_width(size) if lanes == 1 else 1
     arguments: list[Operand] = [Array(f"%{name}") for name in ("z", "work", "time", "c")]
     arguments += [Array("%times", None, Value("i64", "%rows")), Array("%out", size)]
-    several = [] if lanes == 1 else [Array("%members", 1 + 2 * size, Value("i64", "%several"))]
+    several = [] if lanes == 1 else [Array("%members", 1 + size, Value("i64", "%several"))]
     arguments += [*several, Value("double", "%origin"), Value("double", "%rtol"), Value("i64", "%budget")]
     translator.call(translator.globals["advance" if lanes == 1 else "advance_all"], arguments)
     loop = [*_head(), *translator.allocations, *translator.lines, "  ret void", "}"]
@@ -73,9 +73,9 @@ def taylor_text(laws: Recurrences, lanes: int = 1) -> str:
 
 
 def _head() -> list[str]:
-    lines = ["define void @advance(ptr %given) {", "entry:"]
-    for position, (name, ir_type) in enumerate(GIVEN.items()):
-        lines += [f"  %{name}.at = getelementptr i64, ptr %given, i64 {position}"]
+    lines = ["define void @advance(ptr %arguments) {", "entry:"]
+    for position, (name, ir_type) in enumerate(ARGUMENTS.items()):
+        lines += [f"  %{name}.at = getelementptr i64, ptr %arguments, i64 {position}"]
         lines += [f"  %{name} = load {ir_type}, ptr %{name}.at"]
     return lines
 

@@ -16,10 +16,10 @@ from tam570.integrate.compiled.series import HIGHEST
 from tam570.integrate.error_scale import CALM, COARSE, NO_SCALE, PART, SHARE
 from tam570.values import Numbers
 
-__all__ = ["DONE", "FRESH", "IDLE", "NUMBERS", "RUNNING", "STATUS", "advance", "advance_all", "memory"]
+__all__ = ["DONE", "FRESH", "NUMBERS", "RUNNING", "STATUS", "advance", "advance_all", "memory"]
 
 NUMBERS = 16
-ROW, T, H, NEW, STATUS, STEPS, REFUSALS, TRIES, LONGEST, GIVEN, WHO, MAXIMUM, FIRST = range(13)  # where in z
+ROW, T, H, NEW, STATUS, STEPS, REFUSALS, TRIES, LONGEST, SIZED, WHO, MAXIMUM, FIRST = range(13)  # where in z
 Y, REST, M, SLOPE, NEXT, BASE, NOISE, POLYNOMIAL = range(8)
 # of a component: at the end of the step tried; what rounding took from its start; its size at the start; the
 # polynomial's derivative at the end; what rounding takes from the end; the derivative there; what a rounding does to it
@@ -27,7 +27,7 @@ Y, REST, M, SLOPE, NEXT, BASE, NOISE, POLYNOMIAL = range(8)
 SIZE = PADDED = ORDER = ACROSS = ALONG = LANES = MEMORY = 0
 TIMED = False  # whether the right-hand side depends on time
 SATURATES = False  # whether it has exp, tanh or their like of the state
-RUNNING, DONE, VANISHED, SINGULAR, LACKING, IDLE, FRESH = 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0
+RUNNING, DONE, VANISHED, SINGULAR, LACKING, FRESH = 0.0, 1.0, 2.0, 3.0, 4.0, 5.0
 LEFT_OUT = 0.4  # of the tolerance, by the terms that a step leaves out
 FINEST = 1e-14  # tolerance of a step, below which they fall as its square: in long runs they add up, rounding does not
 TOLERATED = 1.0  # the derivative may be off by so many times (ORDER + 1) of the tolerance in a step
@@ -105,10 +105,7 @@ def moves(work: Numbers, i: Numbers, lane: Numbers) -> Numbers:
 
 
 def spread(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, duration: Numbers) -> Numbers:
-    """Return what the sizes do to one another within so many s, in the place of SLOPE.
-
-    Whether none is turned over by that.
-    """
+    """Write what the sizes do to one another within so many s, in place of SLOPE; return whether none turns over."""
     for i in range(SIZE):
         z[at(SLOPE, i)] = max(z[at(M, i)], abs(z[at(Y, i)]), duration * abs(z[at(BASE, i)]))
     more = SIZE + 1
@@ -134,14 +131,13 @@ def spread(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, 
     return True
 
 
-def changed(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, part: Numbers) -> Numbers:
-    """Return the rates where each component is changed by a part of its size."""
+def changed(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, part: Numbers) -> None:
+    """Write the rates where each component is changed by a part of its size."""
     sign = 1.0
     for i in range(SIZE):
         work[coefficient(i, 0, lane)] = z[at(Y, i)] + part * z[at(SLOPE, i)] * sign
         sign = -0.85 * sign if abs(sign) > 0.45 else (1.0 if sign < 0.0 else -1.0)  # no two cancel
     rates(work, c, time, ORDER)
-    return 0
 
 
 def advance(
@@ -154,7 +150,7 @@ def advance(
     origin: Numbers,
     rtol: Numbers,
     budget: Numbers,
-) -> Numbers:
+) -> None:
     """Step until the last sample, `budget` steps are tried, or no step is possible: z[STATUS] tells."""
     pace = pace_of(rtol)
     if z[STATUS] == FRESH:
@@ -182,16 +178,15 @@ def pace_of(rtol: Numbers) -> Numbers:
     return last, 1.0 / ORDER, 1.0 / (ORDER - 1), 1.0 / (ORDER - 2), 1.0 / (ORDER - 3)
 
 
-def start_motion(z: Numbers, out: Numbers) -> Numbers:
-    """Return the first row, and the magnitudes of a start that nobody has looked at."""
+def start_motion(z: Numbers, out: Numbers) -> None:
+    """Write the first row, and the magnitudes of a start that nobody has looked at."""
     z[STATUS] = RUNNING
     for i in range(SIZE):
         out[0, i] = z[at(Y, i)]
-        if z[GIVEN] == 0.0:
+        if z[SIZED] == 0.0:
             z[at(M, i)] = abs(z[at(Y, i)])
         if not abs(z[at(Y, i)]) < inf:
             z[STATUS] = SINGULAR
-    return 0
 
 
 def advance_all(
@@ -205,48 +200,46 @@ def advance_all(
     origin: Numbers,
     rtol: Numbers,
     budget: Numbers,
-) -> Numbers:
-    """Write the same for many motions, as many at a time as there are lanes.
+) -> None:
+    """Step the same way for many motions, as many at a time as there are lanes.
 
-    members : what a motion starts with, a row each: its first step at most, y, m; and as it ends, its status
-    Memory behind all z: how many motions were begun, and how many are under way.
+    members : a row each: its status as it ends, and its start
+    Memory behind all z: how many motions were begun, and how many have not ended.
     """
     pace = pace_of(rtol)
-    start_motion, going = LANES * MEMORY, LANES * MEMORY + 1
-    while z[going] > 0.0 and budget > 0:
+    begun, running = LANES * MEMORY, LANES * MEMORY + 1
+    while z[running] > 0.0 and budget > 0:
         budget -= 1
         coefficients(work, c, time, ORDER)
         for lane in range(LANES):
-            lane_memory = shifted(z, lane * MEMORY)
-            if lane_memory[STATUS] == RUNNING:
-                who = int(lane_memory[WHO])
-                settle(lane_memory, work, time, c, times, shifted(out, who * len(times) * SIZE), lane, rtol, pace)
-                if lane_memory[STATUS] != RUNNING:
-                    members[who, 0] = lane_memory[STATUS]
-                    lane_memory[STATUS] = IDLE
-            if lane_memory[STATUS] == IDLE:
-                if int(z[start_motion]) < len(members):
-                    begin(lane_memory, work, members, z[start_motion], lane)
-                    z[start_motion] += 1.0
-                else:
-                    lane_memory[STATUS] = DONE
-                    z[going] -= 1.0
-            time[lane] = origin + lane_memory[NEW]
+            motion = shifted(z, lane * MEMORY)
+            if motion[STATUS] == RUNNING:
+                who = int(motion[WHO])
+                settle(motion, work, time, c, times, shifted(out, who * len(times) * SIZE), lane, rtol, pace)
+                if motion[STATUS] != RUNNING:
+                    members[who, 0] = motion[STATUS]
+                    z[running] -= 1.0
+            if motion[STATUS] != RUNNING and int(z[begun]) < len(members):
+                who = int(z[begun])
+                begin(motion, work, times, shifted(out, who * len(times) * SIZE), members, who, lane)
+                z[begun] += 1.0
+            time[lane] = origin + motion[NEW]
 
 
-def begin(z: Numbers, work: Numbers, members: Numbers, who: Numbers, lane: Numbers) -> Numbers:
-    """Put a motion's start where it belongs."""
+def begin(
+    z: Numbers, work: Numbers, times: Numbers, out: Numbers, members: Numbers, who: Numbers, lane: Numbers
+) -> None:
+    """Put a member's start where it belongs."""
     for k in range(NUMBERS + 7 * SIZE):
         z[k] = 0.0
     z[ROW] = 1.0
-    z[WHO] = who
+    z[WHO] = float(who)
     z[MAXIMUM] = z[FIRST] = inf
-    z[LONGEST] = members[int(who), 0]
+    z[LONGEST] = times[len(times) - 1] / 100.0
     for i in range(SIZE):
-        z[at(Y, i)] = members[int(who), 1 + i]
-        z[at(M, i)] = members[int(who), 1 + SIZE + i]
+        z[at(Y, i)] = members[who, 1 + i]
         work[coefficient(i, 0, lane)] = z[at(Y, i)]
-    return 0
+    start_motion(z, out)
 
 
 def settle(  # noqa: C901  one function, for it is compiled as a whole
@@ -259,7 +252,7 @@ def settle(  # noqa: C901  one function, for it is compiled as a whole
     lane: Numbers,
     rtol: Numbers,
     pace: Numbers,
-) -> Numbers:
+) -> None:
     """Judge the step that was tried, and try the next: `work` holds the coefficients at the state in z."""
     limit = inf
     if SATURATES:
@@ -271,20 +264,20 @@ def settle(  # noqa: C901  one function, for it is compiled as a whole
             z[REFUSALS] += 1.0
             z[TRIES] += 1.0
             attempt(z, work, times, lane, z[H] / 2.0 if z[TRIES] < 3.0 else z[H] / 8.0)
-            return 0
+            return
         take_step(z, times, out)
     if z[STATUS] == RUNNING:
         h = longest(z, work, lane, pace)
         if z[STEPS] == 0.0:
             if (
-                z[GIVEN] != 1.0
+                z[SIZED] != 1.0
                 and lacking(z, work, lane)
                 and not sized(z, work, time, c, lane, h if h < inf else z[LONGEST])
             ):
                 z[STATUS] = LACKING
             elif h < inf:
                 for i in range(SIZE):  # what is small yet and moves fast
-                    if z[GIVEN] == 0.0 or (z[GIVEN] == 2.0 and z[at(M, i)] <= NO_SCALE):
+                    if z[SIZED] == 0.0 or (z[SIZED] == 2.0 and z[at(M, i)] <= NO_SCALE):
                         z[at(M, i)] = max(z[at(M, i)], h * abs(work[coefficient(i, 1, lane)]))
                 h = longest(z, work, lane, pace)
         if not h < inf:
@@ -300,7 +293,6 @@ def settle(  # noqa: C901  one function, for it is compiled as a whole
             for i in components():
                 z[at(POLYNOMIAL, i) + n * PADDED] = work[coefficient(i, n, lane)]
         attempt(z, work, times, lane, h)
-    return 0
 
 
 def refused(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, rtol: Numbers) -> Numbers:
@@ -328,8 +320,8 @@ def off(z: Numbers, work: Numbers, lane: Numbers, limit: Numbers, roundings: Num
     return largest(wrong) > 0.0
 
 
-def take_step(z: Numbers, times: Numbers, out: Numbers) -> Numbers:
-    """Return samples of the step that proved right; what had no scale has one now."""
+def take_step(z: Numbers, times: Numbers, out: Numbers) -> None:
+    """Write the samples in the step, which proved right; what had no scale has one now."""
     row = int(z[ROW])
     while row < len(times) and times[row] <= z[NEW]:
         x = times[row] - z[T]
@@ -337,7 +329,7 @@ def take_step(z: Numbers, times: Numbers, out: Numbers) -> Numbers:
             out[row, i] = z[at(Y, i)] if times[row] == z[NEW] else evaluate(z, i, x)
         row += 1
     for i in components():
-        if z[GIVEN] != 1.0:  # what has no size yet moves: by as much within a step that proved right
+        if z[SIZED] != 1.0:  # what has no size yet moves: by as much within a step that proved right
             z[at(M, i)] = abs(z[at(Y, i)]) if z[at(M, i)] <= NO_SCALE else z[at(M, i)]
         z[at(REST, i)] = z[at(NEXT, i)]
     z[ROW] = float(row)
@@ -347,7 +339,6 @@ def take_step(z: Numbers, times: Numbers, out: Numbers) -> Numbers:
     z[TRIES] = 0.0
     if row >= len(times):
         z[STATUS] = DONE
-    return 0
 
 
 def evaluate(z: Numbers, i: Numbers, x: Numbers) -> Numbers:
@@ -384,8 +375,8 @@ def longest(z: Numbers, work: Numbers, lane: Numbers, pace: Numbers) -> Numbers:
     return power_of_2(pace[0] - largest(nearest))
 
 
-def attempt(z: Numbers, work: Numbers, times: Numbers, lane: Numbers, h: Numbers) -> Numbers:
-    """Return the state and the polynomial's derivative at the end of a step of about h."""
+def attempt(z: Numbers, work: Numbers, times: Numbers, lane: Numbers, h: Numbers) -> None:
+    """Write the state and the polynomial's derivative at the end of a step of about h."""
     t = z[T]
     end = times[len(times) - 1]
     remaining = end - t
@@ -397,7 +388,7 @@ def attempt(z: Numbers, work: Numbers, times: Numbers, lane: Numbers, h: Numbers
         z[STATUS] = VANISHED
         for i in components():
             z[at(Y, i)] = z[at(POLYNOMIAL, i)]
-        return 0
+        return
     z[H] = h
     z[NEW] = new
     for i in components():
@@ -416,4 +407,3 @@ def attempt(z: Numbers, work: Numbers, times: Numbers, lane: Numbers, h: Numbers
         z[at(Y, i)] = total
         work[coefficient(i, 0, lane)] = total
         z[at(NEXT, i)] = (y - (total - part)) + (change - part)
-    return 0

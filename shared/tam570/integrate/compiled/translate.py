@@ -70,7 +70,7 @@ class Translator(Writer):
         return call
 
     def _straight(self, names: Names, body: Sequence[ast.stmt]) -> Operand:
-        """Return a function without branches: its variables need no memory."""
+        """Write a function without branches, whose variables need no memory; return its result."""
         for statement in body:
             if isinstance(statement, ast.Return):
                 return self.value(names, statement.value) if statement.value else ()
@@ -191,7 +191,7 @@ class Translator(Writer):
         return True
 
     def _by_vectors(self, names: Names, node: ast.For) -> bool:
-        """Return a loop over the components, as many at a time as there are in a vector."""
+        """Write a loop over the components, as many at a time as there are in a vector."""
         if self.width == 1:
             bounds = 0, self.globals["SIZE"]
             return self._counted(names, node.body, bounds, lambda i: self.assign(names, node.target, i))
@@ -235,7 +235,7 @@ class Translator(Writer):
         return True
 
     def _over_table(self, names: Names, node: ast.For, rows: tuple[Operand, ...]) -> bool:
-        """Return a loop over numbers that are known: they are kept in memory, column by column."""
+        """Write a loop over numbers that are known: they are kept in memory, column by column."""
         columns = list(zip(*rows, strict=True)) if isinstance(rows[0], tuple) else [rows]
         targets = node.target.elts if isinstance(node.target, ast.Tuple) else [node.target]
 
@@ -354,7 +354,7 @@ class Translator(Writer):
         )
 
     def of_BoolOp(self, names: Names, node: ast.BoolOp) -> Operand:
-        """Return what comes second is looked at only where the first leaves it open: an index may be beyond the end."""
+        """Evaluate the second only where the first leaves it open: an index may be beyond the end."""
         slot, (after,) = self.allocated("i1"), self.labels("after")
         for part in node.values:
             test = self.value(names, part)
