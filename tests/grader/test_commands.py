@@ -36,9 +36,16 @@ def test_grading_hw08_imports_numpy_and_nothing_heavier(desk, course):
     assert "numpy" in modules and not modules & HEAVY
 
 
-def test_the_help_of_the_grader_imports_nothing_heavy(desk):
-    code = "from tam570_grader.cli import main\ntry: main(['grade', '--help'])\nexcept SystemExit: pass"
+@pytest.mark.parametrize("arguments", [["grade", "--help"], ["--help", "grade"]])
+def test_the_help_of_the_grader_imports_nothing_heavy(desk, arguments):
+    code = f"from tam570_grader.cli import main\ntry: main({arguments})\nexcept SystemExit: pass"
     assert not imported(code) & HEAVY
+
+
+def test_the_help_lists_every_command_whatever_follows(capsys):
+    with pytest.raises(SystemExit):
+        grader.main(["--help", "grade"])
+    assert set(grader.COMMANDS) <= set(capsys.readouterr().out.split())
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="counts threads in /proc")

@@ -6,34 +6,35 @@ import importlib
 import os
 import signal
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from functools import partial
+from typing import Any
 
 from tam570 import __version__
-from tam570_grader.cli.options import add_root
 from tam570_grader.errors import UsageError, say, warn
 from tam570_grader.sandbox.launch import launched_early
 
 __all__ = ["main"]
 
 INTERRUPTED = 130
-MODULES = {  # where each command is, in the order of the help
-    "collect": "exchange",
-    "grade": "grade",
-    "watch": "watch",
-    "points": "points",
-    "mark": "manual_grading",
-    "replay": "replay",
-    "stubs": "release",
-    "trust": "release",
-    "kit": "release",
-    "course": "release",
-    "gradescope": "release",
-    "export": "exchange",
-    "alike": "exchange",
-    "lms": "exchange",
-    "report": "exchange",
-    "audit": "audit",
-    "certificates": "certificates",
+COMMANDS = {  # the module and the help of each command, in the order of the help
+    "collect": ("exchange", "collect what was downloaded from a learning management system"),
+    "grade": ("grade", "grade submissions"),
+    "watch": ("watch", "grade submissions when they arrive"),
+    "points": ("points", "add points by hand, late days and changes to results"),
+    "mark": ("manual_grading", "open a page to grade parts by hand"),
+    "replay": ("replay", "show the input, the expected and the actual value of a failed check"),
+    "stubs": ("release", "make the students' stubs from the solutions"),
+    "trust": ("release", "use this course from now on, in its folder and below"),
+    "kit": ("release", "make what students install and start from"),
+    "course": ("release", "make a course that nbgrader runs"),
+    "gradescope": ("release", "make the archives that Gradescope runs"),
+    "export": ("exchange", "lay submissions out for Dolos, JPlag or Moss, with names hidden"),
+    "alike": ("exchange", "list pairs of submissions that share code"),
+    "lms": ("exchange", "make a table that a learning management system imports"),
+    "report": ("exchange", "make one page on the class"),
+    "audit": ("audit", "grade the grader: does it catch what it must?"),
+    "certificates": ("certificates", "make the certificates of a cluster"),
 }
 
 
@@ -46,7 +47,7 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _run(argv: list[str]) -> int:
-    arguments = _parser(argv).parse_args(argv)
+    arguments = _parser().parse_args(argv)
     command: Callable[[argparse.Namespace], int] = arguments.command
     with contextlib.suppress(ValueError):  # not the main thread
         signal.signal(signal.SIGTERM, signal.default_int_handler)
@@ -69,26 +70,46 @@ def _run(argv: list[str]) -> int:
         return 1
 
 
-def _parser(argv: list[str]) -> argparse.ArgumentParser:
-    """Return a parser of the commands that are named, for each takes time to import, or of all."""
+class _Command(argparse.ArgumentParser):
+    """A command; when it is given, `load` imports its module, which takes time, and adds its options."""
+
+    load: Callable[[], None]
+
+    def parse_known_args(self, *args: Any, **kwargs: Any) -> Any:
+        self.load()
+        return super().parse_known_args(*args, **kwargs)
+
+
+def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="tam570-grader", description="Grade the assignments of the course.")
     parser.add_argument("--version", action="version", version=f"tam570-grader {__version__}")
-    add_root(parser, None)
-    commands = parser.add_subparsers(required=True, metavar="COMMAND")
-    for name in [name for name in MODULES if name in argv] or MODULES:
-        getattr(importlib.import_module(f"tam570_grader.cli.{MODULES[name]}"), f"add_{name}")(commands)
+    _add_root(parser, None)
+    commands = parser.add_subparsers(required=True, metavar="COMMAND", parser_class=_Command)
+    for name, (module, text) in COMMANDS.items():
+        command = commands.add_parser(name, help=text, description=f"{text[0].upper()}{text[1:]}.")
+        command.load = partial(_load, command, module, name)
     completion = commands.add_parser("completion", help="print a script that completes commands in your shell")
+    completion.load = lambda: None
     completion.add_argument("shell", choices=["bash", "zsh", "tcsh"])
-    completion.set_defaults(command=lambda arguments: _complete(parser, arguments.shell))
+    completion.set_defaults(command=lambda arguments: _complete(parser, commands.choices, arguments.shell))
     return parser
 
 
-def _complete(parser: argparse.ArgumentParser, shell: str) -> int:
+def _load(command: argparse.ArgumentParser, module: str, name: str) -> None:
+    getattr(importlib.import_module(f"tam570_grader.cli.{module}"), f"add_{name}")(command)
+    _add_root(command, argparse.SUPPRESS)
+
+
+def _add_root(parser: argparse.ArgumentParser, default: str | None) -> None:
+    """Add the option --root: before the command and after it."""
+    where = "the course (default: $TAM570_COURSE, the trusted course you are in, the one that is installed)"
+    parser.add_argument("--root", metavar="DIR", default=default, help=where)
+
+
+def _complete(parser: argparse.ArgumentParser, commands: Mapping[str, _Command], shell: str) -> int:
     import shtab
 
+    for command in commands.values():
+        command.load()
     sys.stdout.write(f"{shtab.complete(parser, shell)}\n")  # its tabs stay
     return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from tam570_grader.checks import assignments
 from tam570_grader.cli.grade import executor_of, warn_of_isolation
-from tam570_grader.cli.options import Commands, add_cluster, add_command, positive
+from tam570_grader.cli.options import add_cluster, positive
 from tam570_grader.course import course_config
 from tam570_grader.diagnosis.mutants import reached
 from tam570_grader.errors import UsageError, say
@@ -18,17 +18,14 @@ Answer = tuple[object, list[str], int]  # plain data, lines to print, faults
 Question = Callable[[Path, str, TaskExecutor, argparse.Namespace], Answer]
 
 
-def add_audit(commands: Commands) -> None:
-    """Add the command `audit`."""
-    parser = add_command(
-        commands,
-        "audit",
-        _audit,
-        help="grade the grader: does it catch what it must?",
-        description="Run mutants of the reference solutions, one slip each, through the grader.",
-        epilog="The exit code is 0 if all is well, and 2 on bad usage. It is 1 if a mutant survives that is not listed "
+def add_audit(parser: argparse.ArgumentParser) -> None:
+    """Add the options of `audit`."""
+    parser.set_defaults(command=_audit)
+    parser.description = "Run mutants of the reference solutions, one slip each, through the grader."
+    parser.epilog = (
+        "The exit code is 0 if all is well, and 2 on bad usage. It is 1 if a mutant survives that is not listed "
         "as equivalent, or one is listed in vain. It is also 1 if a right submission loses points, a mistake gets a "
-        "wrong name, too few get one, or a margin is too small.",
+        "wrong name, too few get one, or a margin is too small."
     )
     add, asks = parser.add_argument, parser.add_mutually_exclusive_group().add_argument
     add("assignments", nargs="*", metavar="SLUG", help="default: all")

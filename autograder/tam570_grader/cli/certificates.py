@@ -6,7 +6,6 @@ import importlib.util
 import os
 from pathlib import Path
 
-from tam570_grader.cli.options import Commands, add_command
 from tam570_grader.errors import UsageError, say, writing
 from tam570_grader.grading.certificates import NAMES, files
 
@@ -22,16 +21,13 @@ Then grade here:
     tam570-grader grade submitted/ --out results/ --cluster tls://HOST:8786 --certificates {folder}"""
 
 
-def add_certificates(commands: Commands) -> None:
-    """Add the command `certificates`."""
-    certificates = add_command(
-        commands,
-        "certificates",
-        _certificates,
-        help="make the certificates of a cluster",
-        description="Make a certificate and a key that scheduler, workers and `grade --cluster` know each other by.",
+def add_certificates(parser: argparse.ArgumentParser) -> None:
+    """Add the options of `certificates`."""
+    parser.set_defaults(command=_certificates)
+    parser.description = (
+        "Make a certificate and a key that scheduler, workers and `grade --cluster` know each other by."
     )
-    certificates.add_argument("folder", type=Path, metavar="DIR", help="a new folder, for you alone")
+    parser.add_argument("folder", type=Path, metavar="DIR", help="a new folder, for you alone")
 
 
 def _certificates(arguments: argparse.Namespace) -> int:

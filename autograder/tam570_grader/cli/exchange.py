@@ -7,7 +7,6 @@ from functools import partial
 from pathlib import Path
 
 from tam570_grader.checks import assignments
-from tam570_grader.cli.options import Commands, add_command
 from tam570_grader.course import course_config, course_toml, late_policy
 from tam570_grader.errors import UsageError, warn
 from tam570_grader.grading import roster
@@ -25,19 +24,19 @@ def _titles(names: Iterable[str]) -> str:
     return f"{', '.join(first)} or {last}"
 
 
-def add_collect(commands: Commands) -> None:
-    """Add the command `collect`."""
-    add = add_command(
-        commands,
-        "collect",
-        _collect,
-        help="collect what was downloaded from a learning management system",
-        description=f"Put a download of {_titles(SYSTEMS)} into folders <student>/<assignment>/ that `grade` reads. A "
+def add_collect(parser: argparse.ArgumentParser) -> None:
+    """Add the options of `collect`."""
+    parser.set_defaults(command=_collect)
+    parser.description = (
+        f"Put a download of {_titles(SYSTEMS)} into folders <student>/<assignment>/ that `grade` reads. A "
         "download is of one assignment. Of modules, and of notebooks, the one that is named after the assignment goes "
-        "before others, then the newest. A module goes before a notebook.",
-        epilog="collected.csv, beside that folder, lists who handed in what and when, in all downloads. The exit code "
-        "is 1 if a file, or its student, could not be placed, or one that is newer does not count: each is named.",
-    ).add_argument
+        "before others, then the newest. A module goes before a notebook."
+    )
+    parser.epilog = (
+        "collected.csv, beside that folder, lists who handed in what and when, in all downloads. The exit code "
+        "is 1 if a file, or its student, could not be placed, or one that is newer does not count: each is named."
+    )
+    add = parser.add_argument
     add("source", type=Path, metavar="ZIP", help="the zip file that you downloaded, or its folder")
     add("--from", dest="system", choices=[*SYSTEMS], required=True, help="the system")
     add("--roster", type=Path, metavar="CSV", help="the gradebook or participants: folders are named by login")
@@ -47,53 +46,51 @@ def add_collect(commands: Commands) -> None:
     add("--to", type=Path, metavar="DIR", default=Path("submitted"), help="default: %(default)s")
 
 
-def add_export(commands: Commands) -> None:
-    """Add the command `export`."""
-    add = add_command(
-        commands,
-        "export",
-        _export,
-        help="lay submissions out for Dolos, JPlag or Moss, with names hidden",
-        description="Lay submissions out for a tool that finds shared code. Numbers stand for students; notebooks "
-        "become modules; what you released is the base that does not count.",
-        epilog="names.csv tells whose number it is: keep it. Names in a student's own text stay as they are.",
-    ).add_argument
+def add_export(parser: argparse.ArgumentParser) -> None:
+    """Add the options of `export`."""
+    parser.set_defaults(command=_export)
+    parser.description = (
+        "Lay submissions out for a tool that finds shared code. Numbers stand for students; notebooks "
+        "become modules; what you released is the base that does not count."
+    )
+    parser.epilog = "names.csv tells whose number it is: keep it. Names in a student's own text stay as they are."
+    add = parser.add_argument
     add("paths", nargs="+", type=Path, metavar="PATH", help="what `grade` is given")
     add("--for", dest="tool", choices=["dolos", "jplag", "moss"], required=True, help="the tool")
     add("--to", type=Path, metavar="DIR", required=True, help="a folder that is new or empty")
     add("--assignment", metavar="SLUG", help="which one it is, where the names do not tell")
 
 
-def add_alike(commands: Commands) -> None:
-    """Add the command `alike`."""
-    add = add_command(
-        commands,
-        "alike",
-        _alike,
-        help="list pairs of submissions that share code",
-        description="List pairs of submissions that share code, most alike first. Names, comments and what you "
-        "released do not count. Beside each student stands the share of their code that the other one has, too.",
-        epilog="Short assignments have few right ways: look at both before you ask anybody. `report` lists who share "
-        "a wrong result.",
-    ).add_argument
+def add_alike(parser: argparse.ArgumentParser) -> None:
+    """Add the options of `alike`."""
+    parser.set_defaults(command=_alike)
+    parser.description = (
+        "List pairs of submissions that share code, most alike first. Names, comments and what you "
+        "released do not count. Beside each student stands the share of their code that the other one has, too."
+    )
+    parser.epilog = (
+        "Short assignments have few right ways: look at both before you ask anybody. `report` lists who share "
+        "a wrong result."
+    )
+    add = parser.add_argument
     add("paths", nargs="+", type=Path, metavar="PATH", help="what `grade` is given")
     add("--least", type=_share, metavar="SHARE", default=0.6, help="of the code of one of two (default: %(default)s)")
     add("--assignment", metavar="SLUG", help="which one it is, where the names do not tell")
 
 
-def add_lms(commands: Commands) -> None:
-    """Add the command `lms`."""
+def add_lms(parser: argparse.ArgumentParser) -> None:
+    """Add the options of `lms`."""
     importing = [name for name, system in SYSTEMS.items() if system.table]
-    add = add_command(
-        commands,
-        "lms",
-        _lms,
-        help="make a table that a learning management system imports",
-        description=f"Make a table of scores that {_titles(importing)} imports, and a zip file of pages that some of "
-        "them hand out. Columns of the gradebook stay as they are; course.toml says which one an assignment has.",
-        epilog="With a roster the exit code is 1 if a score belongs to nobody on it, or somebody on it has none, if a "
-        "score was changed in the gradebook, or if nobody graded a part by hand.",
-    ).add_argument
+    parser.set_defaults(command=_lms)
+    parser.description = (
+        f"Make a table of scores that {_titles(importing)} imports, and a zip file of pages that some of "
+        "them hand out. Columns of the gradebook stay as they are; course.toml says which one an assignment has."
+    )
+    parser.epilog = (
+        "With a roster the exit code is 1 if a score belongs to nobody on it, or somebody on it has none, if a "
+        "score was changed in the gradebook, or if nobody graded a part by hand."
+    )
+    add = parser.add_argument
     add("grades", type=Path, metavar="GRADES", help="what `grade --out` wrote, or the table of `nbgrader export`")
     add("--to", choices=importing, required=True, help="the system")
     add("--roster", type=Path, metavar="FILE", help="the gradebook or participants that the system exported")
@@ -109,15 +106,11 @@ def add_lms(commands: Commands) -> None:
     add("--out", type=Path, metavar="FILE", help="default: print it")
 
 
-def add_report(commands: Commands) -> None:
-    """Add the command `report`."""
-    add = add_command(
-        commands,
-        "report",
-        _report,
-        help="make one page on the class",
-        description="Make one page on the class: scores, checks, known mistakes, who is missing.",
-    ).add_argument
+def add_report(parser: argparse.ArgumentParser) -> None:
+    """Add the options of `report`."""
+    parser.set_defaults(command=_report)
+    parser.description = "Make one page on the class: scores, checks, known mistakes, who is missing."
+    add = parser.add_argument
     add("folder", type=Path, metavar="DIR", help="what `grade --out` wrote")
     add("--roster", type=Path, metavar="FILE", help="all students, one a line or in the first column of a table")
     add("--collected", type=Path, metavar="CSV", help="collected.csv, which `collect` wrote: when and how often")

@@ -11,7 +11,7 @@ from functools import partial
 from pathlib import Path
 
 from tam570_grader.checks import assignments
-from tam570_grader.cli.options import Commands, add_cluster, add_command, natural, positive
+from tam570_grader.cli.options import add_cluster, natural, positive
 from tam570_grader.cli.run import RunSummary, whole_run
 from tam570_grader.course import course_config
 from tam570_grader.errors import UsageError, counted, say, warn
@@ -28,16 +28,14 @@ from tam570_grader.results.store import Results
 from tam570_grader.sandbox.launch import hide_from_submissions, isolation
 
 
-def add_grade(commands: Commands) -> None:
-    """Add the command `grade`."""
-    add = add_command(
-        commands,
-        "grade",
-        _grade,
-        help="grade submissions",
-        description="Grade modules, notebooks, their folders, or a tree of submissions <student>/<assignment>/.",
-        epilog="The exit code is 0 when grading worked, whatever the scores; 1 when the grader failed; 2 on bad usage.",
-    ).add_argument
+def add_grade(parser: argparse.ArgumentParser) -> None:
+    """Add the options of `grade`."""
+    parser.set_defaults(command=_grade)
+    parser.description = "Grade modules, notebooks, their folders, or a tree of submissions <student>/<assignment>/."
+    parser.epilog = (
+        "The exit code is 0 when grading worked, whatever the scores; 1 when the grader failed; 2 on bad usage."
+    )
+    add = parser.add_argument
     add("paths", nargs="+", type=Path, metavar="PATH", help="a module, a notebook, a folder or a tree")
     add("--out", type=Path, metavar="DIR", help="write results.jsonl, grades.csv and feedback there")
     add("--json", action="store_true", help="print a JSON object for each submission, one a line")

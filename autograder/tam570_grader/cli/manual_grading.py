@@ -5,7 +5,7 @@ import contextlib
 from pathlib import Path
 
 from tam570_grader.checks import assignments
-from tam570_grader.cli.options import Commands, add_command, natural
+from tam570_grader.cli.options import natural
 from tam570_grader.course import course_config
 from tam570_grader.errors import UsageError, say
 from tam570_grader.grading.submissions import submissions
@@ -15,17 +15,17 @@ from tam570_grader.results import manual_points
 from tam570_grader.results.store import ResultStore, results
 
 
-def add_mark(commands: Commands) -> None:
-    """Add the command `mark`."""
-    add = add_command(
-        commands,
-        "mark",
-        _mark,
-        help="open a page to grade parts by hand",
-        description="Open a page on this machine with each student's work beside the claims of the rubric. It writes "
-        "the points and comments into DIR/by_hand.csv, as `points` does.",
-        epilog="The address holds a secret: give it to nobody. Keys: n and p change the student, 1 to 9 tick claims.",
-    ).add_argument
+def add_mark(parser: argparse.ArgumentParser) -> None:
+    """Add the options of `mark`."""
+    parser.set_defaults(command=_mark)
+    parser.description = (
+        "Open a page on this machine with each student's work beside the claims of the rubric. It writes "
+        "the points and comments into DIR/by_hand.csv, as `points` does."
+    )
+    parser.epilog = (
+        "The address holds a secret: give it to nobody. Keys: n and p change the student, 1 to 9 tick claims."
+    )
+    add = parser.add_argument
     add("folder", type=Path, metavar="DIR", help="what `grade --out` wrote")
     add("--submitted", type=Path, metavar="DIR", help="the tree of submissions, to show the work")
     add("--only", nargs="+", metavar="SLUG", default=[], help="these assignments alone")

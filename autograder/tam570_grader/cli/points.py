@@ -5,7 +5,6 @@ import contextlib
 from pathlib import Path
 
 from tam570_grader.checks import assignments
-from tam570_grader.cli.options import Commands, add_command
 from tam570_grader.course import course_config, late_policy
 from tam570_grader.errors import UsageError, counted, say, warn
 from tam570_grader.lms.points import checked_rows, write_template
@@ -15,22 +14,22 @@ from tam570_grader.results.manual_points import COLUMNS, EVERYONE, LATE
 from tam570_grader.results.store import ResultStore, results
 
 
-def add_points(commands: Commands) -> None:
-    """Add the command `points`."""
-    add = add_command(
-        commands,
-        "points",
-        _points,
-        help="add points by hand, late days and changes to results",
-        description="Add what a table says to the results: grades.csv, the pages, the report and lms have it then. "
+def add_points(parser: argparse.ArgumentParser) -> None:
+    """Add the options of `points`."""
+    parser.set_defaults(command=_points)
+    parser.description = (
+        "Add what a table says to the results: grades.csv, the pages, the report and lms have it then. "
         "An item is the letter of a part that is graded by hand, the name of a check, or a word. A check gets these "
         "points in the place of its own. With adjust points are added, and total stands in the place of the score. "
         "All three need a comment. late and extension count days. 'off a day' is the "
-        "share of the score that a late day costs, 'most off' the largest share. The student * is everybody.",
-        epilog="The newest row of a student, an assignment and an item counts; one without points takes it back. "
+        "share of the score that a late day costs, 'most off' the largest share. The student * is everybody."
+    )
+    parser.epilog = (
+        "The newest row of a student, an assignment and an item counts; one without points takes it back. "
         "Nothing is written unless every row is right. DIR/by_hand.csv holds all of it. course.toml may say what late "
-        "days cost, when assignments are due, and who has more time: give the command again when it changes.",
-    ).add_argument
+        "days cost, when assignments are due, and who has more time: give the command again when it changes."
+    )
+    add = parser.add_argument
     add("folder", type=Path, metavar="DIR", help="what `grade --out` wrote")
     add(
         "table", type=Path, nargs="?", metavar="CSV", help=f"the columns are {', '.join(COLUMNS)}; `of` may be left out"
@@ -38,7 +37,7 @@ def add_points(commands: Commands) -> None:
     add(
         "--template",
         action="store_true",
-        help="write the table to fill in, with what is slugs, to CSV instead, a new file",
+        help="write the table to fill in, with what is known, to CSV instead, a new file",
     )
     times = "collected.csv, which `collect` wrote: who is late by the dates in course.toml"
     add("--collected", type=Path, metavar="CSV", help=times)

@@ -14,7 +14,6 @@ from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed, NotWritten
 from tam570_grader.checks.failure import Failure
 from tam570_grader.checks.returns import Drawing, Formula
-from tam570_grader.cli.options import Commands, add_command
 from tam570_grader.course import course_config
 from tam570_grader.errors import Over, UsageError, say
 from tam570_grader.grading.submissions import CannotRead, Submission, read
@@ -25,15 +24,11 @@ from tam570_grader.sandbox.student import Student
 from tam570_grader.sandbox.zygote import ResourceLimits, Zygote
 
 
-def add_replay(commands: Commands) -> None:
-    """Add the command `replay`."""
-    add = add_command(
-        commands,
-        "replay",
-        _replay,
-        help="show the input, the expected and the actual value of a failed check",
-        description="Print the very call that failed a check, with all digits. With FILE, make that call again.",
-    ).add_argument
+def add_replay(parser: argparse.ArgumentParser) -> None:
+    """Add the options of `replay`."""
+    parser.set_defaults(command=_replay)
+    parser.description = "Print the very call that failed a check, with all digits. With FILE, make that call again."
+    add = parser.add_argument
     add("results", type=Path, metavar="RESULTS", help="what `grade --out` wrote")
     add("student", metavar="STUDENT")
     add("check", metavar="CHECK", help="the name of the check, as in results.jsonl")

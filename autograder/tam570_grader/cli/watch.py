@@ -7,7 +7,7 @@ import re
 from pathlib import Path
 
 from tam570_grader.cli.grade import warn_of_isolation
-from tam570_grader.cli.options import Commands, add_command, positive
+from tam570_grader.cli.options import positive
 from tam570_grader.course import course_config
 from tam570_grader.errors import UsageError, say, writing
 from tam570_grader.grading import seeds
@@ -19,19 +19,19 @@ from tam570_grader.results.store import ResultStore
 UNITS = {"s": 1, "m": 60, "h": 3600, "d": 86400}
 
 
-def add_watch(commands: Commands) -> None:
-    """Add the command `watch`."""
-    add = add_command(
-        commands,
-        "watch",
-        _watch,
-        help="grade submissions when they arrive",
-        description="Grade submissions when they arrive in a folder, or in a course of nbgrader's exchange, and put "
+def add_watch(parser: argparse.ArgumentParser) -> None:
+    """Add the options of `watch`."""
+    parser.set_defaults(command=_watch)
+    parser.description = (
+        "Grade submissions when they arrive in a folder, or in a course of nbgrader's exchange, and put "
         "the page of feedback back: beside the work, or where `nbgrader fetch_feedback` finds it. Each attempt has "
-        "hidden inputs of its own.",
-        epilog="DIR/status.html shows who waits and who has which score, and reloads itself. If the command ends, give "
-        "it again: it goes on from there.",
-    ).add_argument
+        "hidden inputs of its own."
+    )
+    parser.epilog = (
+        "DIR/status.html shows who waits and who has which score, and reloads itself. If the command ends, give "
+        "it again: it goes on from there."
+    )
+    add = parser.add_argument
     add("source", type=Path, metavar="SOURCE", help="a tree of submissions, or a course in nbgrader's exchange")
     add("--out", type=Path, metavar="DIR", required=True, help="write results, copies, the status page there")
     add("--attempts", type=positive, metavar="N", help="of a student in an assignment (default: no limit)")

@@ -34,9 +34,8 @@ Example = Json
 
 def write(course: Path, names: Sequence[str]) -> int:
     """Write the examples of these assignments, or of all; the exit code."""
-    slugs = assignments.slugs(course)
     with sandboxes():
-        for slug in assignments.match_slugs(names, slugs) if names else slugs:
+        for slug in assignments.match_slugs(names, assignments.slugs(course)):
             path = course / "assignments" / slug / FILE
             written(path, examples_of(course, slug))
             say(f"{path} written", error=True)
