@@ -1,5 +1,6 @@
 """What ends a command or a submission, and what an instructor is told: no traceback, nothing that moves the cursor."""
 
+import shutil
 import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
@@ -54,10 +55,10 @@ def progress(items: Iterable[T], total: int, unit: str, delay: float = 0.0) -> I
 
 @contextmanager
 def writing(path: Path) -> Iterator[None]:
-    """Tell what cannot be written to a path that was asked for is bad usage."""
+    """Raise UsageError for what cannot be written to a path that was asked for."""
     try:
         yield
     except OSError as error:
-        raise UsageError(
-            f"cannot write to {path}: {error.strerror or error}; name another path, or make its folder first"
-        ) from None
+        why = error.args[0][0][2] if isinstance(error, shutil.Error) else error.strerror or error  # the first of many
+        remedy = "make its folder, or room on the disk, or name another path"
+        raise UsageError(f"cannot write to {path}: {why}; {remedy}") from None

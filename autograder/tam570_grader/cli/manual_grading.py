@@ -7,7 +7,7 @@ from pathlib import Path
 from tam570_grader.checks import assignments
 from tam570_grader.cli.options import natural
 from tam570_grader.course import course_config
-from tam570_grader.errors import UsageError, say
+from tam570_grader.errors import UsageError, say, writing
 from tam570_grader.grading.submissions import submissions
 from tam570_grader.lms.manual_grading import Desk, StudentWork, serve
 from tam570_grader.reports import feedback
@@ -56,6 +56,6 @@ def _mark(arguments: argparse.Namespace) -> int:
         pass
     finally:
         server.server_close()
-    with contextlib.closing(ResultStore(folder)) as store:
+    with writing(folder), contextlib.closing(ResultStore(folder)) as store:
         feedback.write_pages(folder / "feedback", store, course)
     return 0

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from tam570_grader.checks import assignments
 from tam570_grader.course import course_config, late_policy
-from tam570_grader.errors import UsageError, counted, say, warn
+from tam570_grader.errors import UsageError, counted, say, warn, writing
 from tam570_grader.lms.points import checked_rows, write_template
 from tam570_grader.reports import feedback
 from tam570_grader.results import manual_points
@@ -59,7 +59,7 @@ def _points(arguments: argparse.Namespace) -> int:
             return write_template(arguments.table, graded, rubrics, manual_points.read(folder))
         new = list(checked_rows(arguments.table, graded, manual, checks)) if arguments.table else []
     feedback.must_write_pages()
-    with contextlib.closing(ResultStore(folder)) as book:  # nobody else adds rows meanwhile
+    with writing(folder), contextlib.closing(ResultStore(folder)) as book:  # nobody else adds rows meanwhile
         adjustments, open_, notes = late_policy.apply_late_policy(
             manual_points.read(folder).with_(new), policies, book, arguments.collected
         )

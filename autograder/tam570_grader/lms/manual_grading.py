@@ -17,8 +17,9 @@ from threading import Lock
 
 from tam570.values import Json
 from tam570_grader.checks.rubric import ManualPart
-from tam570_grader.errors import UsageError
+from tam570_grader.errors import UsageError, writing
 from tam570_grader.grading.submissions import CannotRead, Submission, entries, read
+from tam570_grader.lms.archives import is_beside
 from tam570_grader.reports.feedback import environment
 from tam570_grader.results import manual_points
 from tam570_grader.results.manual_points import EVERYONE, Entry
@@ -26,7 +27,6 @@ from tam570_grader.results.store import ResultStore
 from tam570_grader.sandbox.notebooks import Unshown, cells_of
 
 SHOWN = (".png", ".jpg", ".jpeg", ".gif", ".svg")
-HANDED_IN = (*SHOWN, ".pdf", ".md", ".txt", ".docx", ".tex")
 HEADERS = {
     "Content-Security-Policy": "default-src 'none'; img-src 'self' data:; style-src 'unsafe-inline'; "
     "script-src 'nonce-{nonce}'; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
@@ -77,7 +77,7 @@ class Desk:
             Entry(sheet.student, sheet.slug, part, earned, rubric.points, text),
             *(Entry(EVERYONE, sheet.slug, letter, None, entry.points) for letter, entry in sheet.parts.items()),
         ]
-        with self._lock, contextlib.closing(ResultStore(self.folder)):  # which writes grades.csv at its end
+        with self._lock, writing(self.folder), contextlib.closing(ResultStore(self.folder)):
             manual_points.write(self.folder, manual_points.read(self.folder).with_(rows))
         return earned
 
@@ -87,7 +87,7 @@ class Desk:
         if work is None or work.path is None:
             return []
         held = [path for path, is_folder in entries(work.path.parent) if not is_folder and not path.is_symlink()]
-        return [path for path in held if path.suffix.lower() in HANDED_IN and path.is_file()]
+        return [path for path in held if is_beside(path.name) and path.is_file()]
 
     def code(self, number: int) -> list[tuple[str, str]]:
         """Return the text of the work: the module, or a notebook's cells by kind."""

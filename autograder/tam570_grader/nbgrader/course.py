@@ -17,16 +17,17 @@ TEMPLATES = Path(__file__).parent / "templates"
 
 def run(course: Path, folder: Path, slugs: Sequence[str]) -> int:
     """Write the course into the folder; what a teacher may have changed there stays. The exit code."""
-    for slug in slugs:
-        _write_assignment(course, slug, folder / "source" / slug)
-    checkout = (
-        course.parents[1] if course.parent.name == course_config.ADAPTED_COURSES else course
-    )  # where course.toml is, it is looked at anew
-    fields = {"checkout": repr(str(checkout)), "modules": _modules(assignments.slugs(course)), "first": slugs[0]}
-    for name, template in (("nbgrader_config.py", "nbgrader_config.txt"), ("README.md", "course.txt")):
-        text = Template((TEMPLATES / template).read_text(encoding="utf-8")).substitute(fields)
-        if not _is_the_teachers(folder / name, text.encode()):
-            written(folder / name, text)
+    # where course.toml is, it is looked at anew
+    checkout = course.parents[1] if course.parent.name == course_config.ADAPTED_COURSES else course
+    modules = "".join(f'    "{slug}": ["{slug}.py"],\n' for slug in assignments.slugs(course))  # that students edit
+    fields = {"checkout": repr(str(checkout)), "modules": modules, "first": slugs[0]}
+    with writing(folder):
+        for slug in slugs:
+            _write_assignment(course, slug, folder / "source" / slug)
+        for name, template in (("nbgrader_config.py", "nbgrader_config.txt"), ("README.md", "course.txt")):
+            text = Template((TEMPLATES / template).read_text(encoding="utf-8")).substitute(fields)
+            if not _is_the_teachers(folder / name, text.encode()):
+                written(folder / name, text)
     say(f"{folder}: {counted(len(slugs), 'assignment')}; README.md there says how to go on", error=True)
     return 0
 
@@ -50,13 +51,7 @@ def _write_assignment(course: Path, slug: str, folder: Path) -> None:
         for name in (*names, *(path.name for path in released.glob("figure.svg"))):
             shutil.copyfile(released / name, Path(draft) / name)
         write_notebook(course, slug, Path(draft))
-        with writing(folder):
-            folder.mkdir(parents=True, exist_ok=True)
-            for new in sorted(Path(draft).iterdir()):
-                if not _is_the_teachers(folder / new.name, new.read_bytes()):
-                    shutil.copyfile(new, folder / new.name)
-
-
-def _modules(slugs: Sequence[str]) -> str:
-    """Return the files that students edit, by assignment, as Python."""
-    return "".join(f'    "{slug}": ["{slug}.py"],\n' for slug in slugs)
+        folder.mkdir(parents=True, exist_ok=True)
+        for new in sorted(Path(draft).iterdir()):
+            if not _is_the_teachers(folder / new.name, new.read_bytes()):
+                shutil.copyfile(new, folder / new.name)

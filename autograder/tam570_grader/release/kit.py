@@ -24,17 +24,17 @@ TEMPLATES = Path(__file__).parent / "templates"
 
 def run(course: Path, folder: Path) -> int:
     """Put the kit into the folder; the exit code."""
+    text = (TEMPLATES / "kit.md").read_text(encoding="utf-8")
+    slugs = assignments.slugs(course)
+    if EXAMPLE not in slugs:
+        function = next(iter(assignments.assignment(course, slugs[0]).results))
+        text = text.replace(EXAMPLE, slugs[0]).replace(EXAMPLE[:4], slugs[0][:4]).replace("rotation_matrix", function)
+    held = "\n".join(f"- {slug[:4]}: {assignments.title(course, slug)}" for slug in slugs)
     with writing(folder):
         folder.mkdir(parents=True, exist_ok=True)
-    wheel = _wheel(course, folder.resolve())
-    text = (TEMPLATES / "kit.md").read_text(encoding="utf-8")
-    first = assignments.slugs(course)[0]
-    if EXAMPLE not in assignments.slugs(course):
-        function = next(iter(assignments.assignment(course, first).results))
-        text = text.replace(EXAMPLE, first).replace(EXAMPLE[:4], first[:4]).replace("rotation_matrix", function)
-    held = "\n".join(f"- {slug[:4]}: {assignments.title(course, slug)}" for slug in assignments.slugs(course))
-    written(folder / "README.md", text.replace("{wheel}", wheel.name).replace("{assignments}", held))
-    shutil.copyfile(course / "NOTATION.md", folder / "NOTATION.md")
+        wheel = _wheel(course, folder.resolve())
+        written(folder / "README.md", text.replace("{wheel}", wheel.name).replace("{assignments}", held))
+        shutil.copyfile(course / "NOTATION.md", folder / "NOTATION.md")
     say(f"{folder}: {wheel.name}, README.md and NOTATION.md, for your students", error=True)
     return 0
 
