@@ -157,15 +157,19 @@ def _lms(arguments: argparse.Namespace) -> int:
     lacking = []
     if arguments.pages:
         pages = grades.parent / "feedback"
-        names = (arguments.collected, arguments.to, arguments.pages, arguments.only, arguments.roster)
+        names = arguments.collected, arguments.to, arguments.pages, arguments.only, arguments.roster
         lacking = feedback_export.run(pages, *names)
     for line in filter(None, [*lacking, stale]):
         warn(line)
-    columns = course_toml.columns(course, arguments.to)
     options = score_export.ExportOptions(
-        arguments.roster, arguments.identity, columns, arguments.new, arguments.overwrite
+        arguments.to,
+        arguments.roster,
+        arguments.identity,
+        course_toml.columns(course, arguments.to),
+        arguments.new,
+        arguments.overwrite,
     )
-    code = score_export.run(grades, arguments.to, arguments.out, options, arguments.only, arguments.absent)
+    code = score_export.run(grades, arguments.out, options, arguments.only, arguments.absent)
     return code or bool(lacking)
 
 

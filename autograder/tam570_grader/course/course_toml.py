@@ -55,4 +55,4 @@ def columns(course: Path, system: str) -> dict[str, str]:
     """Return the heading, or id, that each assignment's column has in the gradebook of a system."""
     path = course / COPY
     tables = by_slug(path, toml(path), assignments.slugs(course)) if path.is_file() else {}
-    return {slug: str(table[system]) for slug, (_, table) in tables.items() if system in table}
+    return {slug: str(table[system]) for slug, (_, table) in tables.items() if table.get(system)}

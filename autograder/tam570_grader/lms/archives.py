@@ -16,7 +16,7 @@ from tam570_grader.results.collected import form
 MOST = 100_000  # files in a download
 MOST_INSIDE = 1000  # files of a student, in zip files of their own too
 MOST_UNPACKED = 2 * LARGEST  # bytes of all work of a student: every student's is held until all are read
-TABLE, LARGEST_TABLE = "submission_metadata.yml", 200 * 2**20  # Gradescope's, of bytes: it holds every output
+METADATA, LARGEST_METADATA = "submission_metadata.yml", 200 * 2**20  # Gradescope's, of bytes: it holds every output
 LONGEST_PATH = 1000  # characters
 ENTRY = 46  # bytes that a zip file's directory has for a file, at least
 METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)  # the others unpack a piece whole, however large it becomes
@@ -143,8 +143,8 @@ def _regular(source: Path) -> list[Path]:
 
 def _most(name: str) -> int:
     """Bytes that a file may have; a folder's name before it is a student's, so the outermost table alone is large."""
-    if name.rsplit("/", 1)[-1] == TABLE and "submission_" not in name.removesuffix(TABLE):
-        return LARGEST_TABLE
+    if name.rsplit("/", 1)[-1] == METADATA and "submission_" not in name.removesuffix(METADATA):
+        return LARGEST_METADATA
     return LARGEST_WITH_OUTPUTS if form(name) == ".ipynb" else LARGEST
 
 

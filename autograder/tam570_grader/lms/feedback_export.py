@@ -20,9 +20,7 @@ from tam570_grader.results.tables import written
 NEEDED = ("student", "assignment", "file", "from")  # columns of collected.csv
 
 
-def run(
-    pages: Path, collected: Path, system: str, out: Path, only: Sequence[str] = (), roster: Path | None = None
-) -> list[str]:
+def run(pages: Path, collected: Path, system: str, out: Path, only: Sequence[str], roster: Path | None) -> list[str]:
     """Write the zip file; a sentence for each of whom there is no page.
 
     pages     : the folder of feedback, which `grade --out` wrote

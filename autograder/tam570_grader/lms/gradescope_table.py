@@ -10,9 +10,8 @@ import yaml
 
 from tam570.notebooks import LARGEST
 from tam570_grader.errors import UsageError
-from tam570_grader.lms.archives import File
+from tam570_grader.lms.archives import METADATA, File
 
-NAME = "submission_metadata.yml"
 FOLDER = re.compile(r"submission_[0-9]+")  # of one submission
 WANTED = (b"  :submitters:", b"  :created_at:")
 AGAIN = "export the submissions again in Gradescope"
@@ -28,7 +27,7 @@ class Table:
 
     def of(self, file: File) -> tuple[People, str]:
         """Return whose a file of the export is, and when it came; nobody's if it lies in no folder of the table."""
-        beside = self.file.path.removesuffix(NAME)
+        beside = self.file.path.removesuffix(METADATA)
         folder = file.path.removeprefix(beside).split("/")[0] if file.path.startswith(beside) else ""
         return self.submissions.get(folder, ((), ""))
 
@@ -37,7 +36,7 @@ def table_in(files: Iterable[File]) -> Table:
     """Return the class's table: the outermost of that name, for a student may hand in another."""
     file = min(filter(_may_be_it, files), key=lambda file: file.path.count("/"), default=None)
     if file is None:
-        raise UsageError(f"the export holds no {NAME} beside its submissions: choose Export Submissions in Gradescope")
+        raise UsageError(f"the export holds no {METADATA} beside its submissions: {AGAIN}, by Export Submissions")
     if file.refused:
         raise UsageError(f"{file.path} cannot be read: {file.refused}; {AGAIN}")
     entries = _read(file if len(file.data) <= LARGEST else replace(file, data=_without_results(file.data)))
@@ -66,7 +65,7 @@ def _without_results(data: bytes) -> bytes:
 def _may_be_it(file: File) -> bool:
     """Return whether it has the name, and lies in nobody's submission."""
     *folders, name = file.path.split("/")
-    return name == NAME and not any(map(FOLDER.fullmatch, folders))
+    return name == METADATA and not any(map(FOLDER.fullmatch, folders))
 
 
 def _read(file: File) -> object:

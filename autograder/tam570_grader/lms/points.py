@@ -4,6 +4,7 @@ import difflib
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
+from tam570_grader.checks.assignments import slug_of
 from tam570_grader.checks.rubric import ManualPart
 from tam570_grader.errors import UsageError, say, writing
 from tam570_grader.results import manual_points
@@ -35,8 +36,6 @@ def checked_rows(
     path: Path, results: Results, manual: Mapping[str, Manual], checks: Mapping[str, Checks]
 ) -> Iterator[Entry]:
     """Yield the entries of a table, each part with its most; UsageError for the first row that is wrong."""
-    from tam570_grader.checks.assignments import slug_of
-
     students = {student for student, _ in results} | {EVERYONE}
     touched = set()
     for line, entry in manual_points.rows_of(path):

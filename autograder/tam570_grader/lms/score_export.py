@@ -22,6 +22,7 @@ KEPT = (EX, "N/A")  # in Canvas's gradebook: excused, and not assigned to this s
 class ExportOptions:
     """What an instructor chooses of a table.
 
+    system    : a name of SYSTEMS that has a table
     roster    : the gradebook or the participants that the system exported: students are joined by their ids
     identity  : what Moodle shall know students by: username, idnumber or email
     columns   : the heading, or id, of an assignment's column in the gradebook, by course.toml
@@ -29,11 +30,12 @@ class ExportOptions:
     overwrite : put our scores in the place of others that the gradebook has
     """
 
-    roster: Path | None = None
-    identity: str = "username"
-    columns: Mapping[str, str] = field(default_factory=dict)
-    new: bool = False
-    overwrite: bool = False
+    system: str
+    roster: Path | None
+    identity: str
+    columns: Mapping[str, str]
+    new: bool
+    overwrite: bool
 
 
 @dataclass
@@ -45,21 +47,18 @@ class Export:
     troubles: list[str] = field(default_factory=list)
 
 
-def run(
-    grades: Path, system: str, out: Path | None, options: ExportOptions, only: Sequence[str] = (), absent: str = "zero"
-) -> int:
-    """Write the table for a system; the exit code.
+def run(grades: Path, out: Path | None, options: ExportOptions, only: Sequence[str], absent: str) -> int:
+    """Write the table for a system, or print it; the exit code.
 
     grades : grades.csv, of `tam570-grader grade --out` or of `nbgrader export`
-    only   : names of assignments, hw07 say; default: all
+    only   : names of assignments, hw07 say; none: all
     absent : zero, or blank, for who did not hand in what others did
 
     With a roster the exit code is 1 if a score belongs to nobody on it, or somebody on it has no score.
     """
-    scores = _only(read_scores(grades, absent), only)
-    layout = SYSTEMS[system].table
-    assert layout is not None
-    result = export(scores, layout, options)
+    scores = read_scores(grades, absent)
+    chosen = match_slugs(only, sorted({slug for _, slug in scores}))
+    result = export({key: score for key, score in scores.items() if key[1] in chosen}, options)
     if out:
         with writing(out):
             write_table(out, result.rows, exact=True)
@@ -70,8 +69,10 @@ def run(
     return 1 if result.troubles else 0
 
 
-def export(scores: Scores, layout: Table, options: ExportOptions) -> Export:
+def export(scores: Scores, options: ExportOptions) -> Export:
     """Return the table of these scores, for the rows of a roster, else for whoever has a score."""
+    layout = SYSTEMS[options.system].table
+    assert layout is not None
     slugs = sorted({slug for _, slug in scores})
     keys = (layout.identities[options.identity],) if layout.identities else layout.keys
     roster = options.roster
@@ -83,7 +84,7 @@ def export(scores: Scores, layout: Table, options: ExportOptions) -> Export:
     if not own_keys or (layout.identities and keys[0] not in heading):
         choose = ", or choose another --identity" if layout.identities else ""
         raise UsageError(f"the roster has no column {' or '.join(keys)}: export it with that column{choose}")
-    headings = {slug: _column(layout, heading, slug, options.columns.get(slug, ""), new=options.new) for slug in slugs}
+    headings = {slug: _column(layout, heading, slug, options) for slug in slugs}
     everyone = Directory(rosters.people(roster))
     result = Export([[*own_keys, *headings.values(), *_end(layout, 0)]])
     if layout.possible:
@@ -124,15 +125,15 @@ def _end(layout: Table, which: int) -> list[str]:
     return [layout.end[which]] if layout.end else []
 
 
-def _column(layout: Table, heading: Sequence[str], slug: str, wanted_heading: str, *, new: bool) -> str:
+def _column(layout: Table, heading: Sequence[str], slug: str, options: ExportOptions) -> str:
     """Return the heading of an assignment's column: by course.toml, or named as we name it.
 
     UsageError if there is none.
     """
+    wanted = options.columns.get(slug, slug)
     if not layout.must_match:
-        return wanted_heading or slug
+        return wanted
     others = [name for name in heading if name not in layout.keys and layout.column.fullmatch(name)]
-    wanted = wanted_heading or slug
     fits = [name for name in others if wanted in (name, *_tells(layout, name))]
     if len(fits) == 1:
         return fits[0]
@@ -141,11 +142,11 @@ def _column(layout: Table, heading: Sequence[str], slug: str, wanted_heading: st
         raise UsageError(
             f"{len(fits)} columns of the gradebook fit {slug}: write the id of one into course.toml: {listed}"
         )
-    if new and not wanted_heading:
+    if options.new and slug not in options.columns:
         return layout.heading.format(slug=slug)
     raise UsageError(
         f"the gradebook has no column {wanted}. Its columns: {listed}. Write which one is {slug}'s into course.toml, "
-        f'as [{slug[:4]}] canvas = "Title (id)", or make a new assignment with --new'
+        f'as [{slug[:4]}] {options.system} = "...", or make a new assignment with --new'
     )
 
 
@@ -224,12 +225,6 @@ def _number(text: str) -> float | str:
 
 def _possible(scores: Scores, slug: str) -> str:
     return next(largest for (_, assignment), (_, largest) in scores.items() if assignment == slug)
-
-
-def _only(scores: Scores, names: Sequence[str]) -> Scores:
-    """Return the scores of the assignments that are named; all if there are no names."""
-    chosen = match_slugs(names, sorted({slug for _, slug in scores}))
-    return {key: score for key, score in scores.items() if key[1] in chosen}
 
 
 def read_scores(grades: Path, absent: str) -> Scores:

@@ -9,7 +9,7 @@ from tam570_grader.errors import UsageError, counted, say, warn, writing
 from tam570_grader.grading import roster as rosters
 from tam570_grader.grading.roster import Directory, Person
 from tam570_grader.grading.submissions import GIVEN, folder_of, of_folder, of_name
-from tam570_grader.lms.archives import File, Quota, is_beside, members, unpack_zip
+from tam570_grader.lms.archives import METADATA, File, Quota, is_beside, members, unpack_zip
 from tam570_grader.lms.downloads import Handed, read, time_of
 from tam570_grader.lms.systems import SYSTEMS
 from tam570_grader.results.collected import COLUMNS, TABLE, form, listed
@@ -68,14 +68,7 @@ class Students:
     teams: Mapping[str, Sequence[Person]]
 
 
-def run(
-    source: Path,
-    system: str,
-    out: Path,
-    slugs: Sequence[str],
-    slug_given: str | None = None,
-    lists: Lists = Lists(),  # noqa: B008  it is frozen
-) -> int:
+def run(source: Path, system: str, out: Path, slugs: Sequence[str], slug_given: str | None, lists: Lists) -> int:
     """Collect a download; the exit code is 1 if anything is left that needs the instructor.
 
     slug_given : the assignment, where names of files do not tell; a download is of one
@@ -96,15 +89,16 @@ def run(
     rows = _with_work(_newest(_told_apart(rows, everyone)))
     rows = _timed(rows, lists.times, everyone)
     replaced = _write(rows, out)
-    troubles = [(row.student, _told(row)) for row in rows if row.reason and row.reason not in (OLDER, RELEASED)]
+    troubles = [
+        (row.student, f"{row.handed.file.path} of {row.student} is not collected: {row.reason}")
+        for row in rows
+        if row.reason not in ("", OLDER, RELEASED)
+    ]
     troubles += [(row.student, message) for row, message in _newer_notebooks(rows, out)]
-    why = (
-        "is nobody's by submission_metadata.yml"
-        if system == "gradescope"
-        else f"is not named as {system} names submissions"
-    )
+    why = "is nobody's by " + METADATA if system == "gradescope" else f"is not named as {system} names submissions"
     troubles += [("", f"{stray.path} {stray.refused or why}") for stray in strays]
-    troubles += [(row.student, f"{row.student} ({row.handed.name}) {STRANGER}") for row in _strangers(rows, everyone)]
+    strangers = {row.student: row for row in rows if everyone.people and row.person is None and row.target}
+    troubles += [(who, f"{who} ({row.handed.name}) {STRANGER}") for who, row in strangers.items()]
     _warn(troubles)
     for line in replaced:
         say(line)
@@ -114,17 +108,12 @@ def run(
 
 def _assignment_of(unpacked: Sequence[Handed], slugs: Sequence[str]) -> str:
     """Return the assignment that a download is of: the one that most names of files tell; empty if none does."""
-    titled = {(handed.who, slug) for handed in unpacked if (slug := of_name(_title(handed), slugs))}
+    titled = {(handed.who, slug) for handed in unpacked if (slug := of_name(handed.title, slugs))}
     ranked = Counter(slug for _, slug in titled).most_common(2)
     if len(ranked) == 2 and ranked[0][1] == ranked[1][1]:
         names = " and ".join(slug for slug, _ in ranked)
         raise UsageError(f"as many names tell {names}; a download is of one: give it with --assignment")
     return ranked[0][0] if ranked else ""
-
-
-def _title(handed: Handed) -> str:
-    title = handed.title
-    return title[:-4] if title.lower().endswith(".py.txt") else title
 
 
 def _unpacked(handed: Sequence[Handed]) -> list[Handed]:
@@ -153,13 +142,13 @@ def _unpack(handed: Handed, quota: Quota) -> list[Handed]:
 def _taken(handed: Handed, students: Students, slug: str, slugs: Sequence[str], slug_given: str | None) -> list[Taken]:
     """Return a row for the student, or for each member of the group, to whom a file goes."""
     owners, why = _owners(handed, students)
-    title = _title(handed)
+    title = handed.title
     other = of_name(title, slugs)
     if handed.file.refused:
         target, reason = "", handed.file.refused
     elif not (ending := form(title)):
         target, reason = ("", NOT_WORK) if why or not is_beside(title) else (_plain(title), "")
-    elif GIVEN.fullmatch(Path(title).stem):
+    elif GIVEN.fullmatch(title.split(".")[0]):
         target, reason = "", RELEASED
     elif not (other or slug_given):
         target, reason = "", NAMELESS
@@ -182,11 +171,14 @@ def _with_work(rows: Sequence[Taken]) -> list[Taken]:
     """Return the rows; drawings and words have a place where work has one, else they are all that came."""
     working = {row.student for row in rows if form(row.target)}
     return [
-        replace(row, target="", reason=NOT_WORK)
-        if row.target and not form(row.target) and row.student not in working
-        else row
+        _left(row, NOT_WORK) if row.target and not form(row.target) and row.student not in working else row
         for row in rows
     ]
+
+
+def _left(row: Taken, reason: str) -> Taken:
+    """Return the row without a place, and why."""
+    return replace(row, target="", reason=reason)
 
 
 def _owners(handed: Handed, students: Students) -> tuple[Sequence[Person], str]:
@@ -214,7 +206,7 @@ def _told_apart(rows: Sequence[Taken], everyone: Directory) -> list[Taken]:
             return TAKEN
         return TWO if len(who[row.student]) > 1 else ""
 
-    return [replace(row, target="", reason=reason(row)) if row.target and reason(row) else row for row in rows]
+    return [_left(row, reason(row)) if row.target and reason(row) else row for row in rows]
 
 
 def _newest(rows: Sequence[Taken]) -> list[Taken]:
@@ -224,20 +216,19 @@ def _newest(rows: Sequence[Taken]) -> list[Taken]:
         key = row.student, row.target
         if row.target and (key not in best or _rank(row) >= _rank(best[key])):
             best[key] = row
-    ranked = [_passed_over(row, best[row.student, row.target]) if row.target else row for row in rows]
-    return sorted(ranked, key=lambda row: (row.student, row.slug, row.handed.order))
+
+    def placed(row: Taken) -> Taken:
+        winner = best.get((row.student, row.target), row)
+        if winner is row:
+            return row
+        return _left(row, OLDER if row.handed.order < winner.handed.order else OTHER)
+
+    return sorted(map(placed, rows), key=lambda row: (row.student, row.slug, row.handed.order))
 
 
 def _rank(row: Taken) -> tuple[bool, tuple[object, ...]]:
-    """Return a file that is named after its assignment goes before scratch, then the newest."""
-    return of_name(_title(row.handed), [row.slug]) is not None, row.handed.order
-
-
-def _passed_over(row: Taken, best: Taken) -> Taken:
-    """Return the row, without its place where another has it."""
-    if row is best:
-        return row
-    return replace(row, target="", reason=OLDER if row.handed.order < best.handed.order else OTHER)
+    """Rank a file that is named after its assignment before scratch, then the newest."""
+    return of_name(row.handed.title, [row.slug]) is not None, row.handed.order
 
 
 def _timed(rows: Sequence[Taken], path: Path | None, everyone: Directory) -> list[Taken]:
@@ -276,10 +267,7 @@ def _times(path: Path, everyone: Directory) -> dict[str, str]:
 
 
 def _write(rows: Sequence[Taken], out: Path) -> list[str]:
-    """Return the files in their folders, and the table of who, what and when.
-
-    A sentence for each file that is replaced.
-    """
+    """Write the files into their folders, and the table of who, what and when; name each file that is replaced."""
     path, replaced = out.parent / TABLE, []
     with writing(out):
         for row in rows:
@@ -306,10 +294,6 @@ def _row(row: Taken) -> tuple[str, ...]:
     handed = row.handed
     late = "LATE" if handed.late else ""
     return row.student, handed.name, row.slug, row.target, handed.when, late, handed.file.path, row.reason
-
-
-def _told(row: Taken) -> str:
-    return f"{row.handed.file.path} of {row.student} is not collected: {row.reason}"
 
 
 def _warn(troubles: Iterable[tuple[str, str]]) -> None:
@@ -339,11 +323,6 @@ def _newer_notebooks(rows: Iterable[Taken], out: Path) -> list[tuple[Taken, str]
                 (row, f"{row.handed.file.path} of {row.student} is newer than {counts}, which counts: {remedy}")
             )
     return notebooks
-
-
-def _strangers(rows: Iterable[Taken], everyone: Directory) -> list[Taken]:
-    """Return a row of each student who is on no row of the roster."""
-    return list({row.student: row for row in rows if everyone.people and row.person is None and row.target}.values())
 
 
 def _say(rows: Sequence[Taken], out: Path, everyone: Directory, slug: str) -> None:
