@@ -2,7 +2,7 @@
 
 import io
 import zipfile
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from string import Template
 
@@ -60,14 +60,13 @@ def run(course: Path, folder: Path, slugs: Sequence[str]) -> int:
 
 def _write_archive(course: Path, slug: str, path: Path) -> None:
     """setup.sh and run_autograder at the top, as Gradescope wants them, and what they need of the course."""
-    fields = {"slug": slug}
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
         for name in ("setup.sh", "run_autograder"):
             text = (TEMPLATES / name).read_text(encoding="utf-8")
             entry = zipfile.ZipInfo(name)
             entry.external_attr = EXECUTABLE
-            archive.writestr(entry, Template(text).substitute(fields))
+            archive.writestr(entry, Template(text).substitute(slug=slug))
         # one seed in an archive, the same inputs for the class; for the eyes of its root alone, and on no command line
         entry = zipfile.ZipInfo("seed")
         entry.external_attr = PRIVATE
@@ -82,8 +81,5 @@ def _files(course: Path, slug: str) -> Iterator[Path]:
     """Yield the engine, and of the assignments this one."""
     places = [*ENGINE, COPY, f"assignments/{slug}", f"solutions/{slug}.py", f"autograder/checks/{slug}"]
     for path in map(course.joinpath, places):
-        yield from sorted(_kept(path.rglob("*") if path.is_dir() else [path]))
-
-
-def _kept(paths: Iterable[Path]) -> Iterator[Path]:
-    return (path for path in paths if path.is_file() and "__pycache__" not in path.parts)
+        files = path.rglob("*") if path.is_dir() else [path]
+        yield from sorted(file for file in files if file.is_file() and "__pycache__" not in file.parts)

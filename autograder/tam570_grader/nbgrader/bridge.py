@@ -33,7 +33,7 @@ from tam570_grader.grading.submissions import MOST_FILES, BadPath, CannotRead, S
 from tam570_grader.nbgrader.cells import Notebook, grade_id, marked, node, pictures_only, rebuilt, remark, safe
 from tam570_grader.nbgrader.gradebook import OpenGradebook, keep_gradebooks_open
 from tam570_grader.release.notebook import FORMAT, part_of, part_points, text_cell
-from tam570_grader.reports.feedback import AssignmentInfo, load_assignment_info
+from tam570_grader.reports.feedback import load_assignment_info
 from tam570_grader.results.store import Record, ResultStore
 from tam570_grader.sandbox.notebooks import Unshown, cells_of
 
@@ -52,7 +52,6 @@ class ForgivingExporter(NotebookExporter):
 
     optimistic_validation = Bool(True, help="look at the notebook once, after the last preprocessor").tag(config=True)
     results = Dict(help="(assignment, student) -> submission and result")
-    sheets = Dict(help="assignment -> what its page says, whoever handed it in")
     books = Dict(help="assignment -> its results, which no other command writes before this one ends")
 
     def __init__(self, **kwargs: Any) -> None:
@@ -76,16 +75,14 @@ class ForgivingExporter(NotebookExporter):
         coursedir: Any = self.parent.coursedir  # type: ignore[union-attr]
         return str(coursedir.format_path(coursedir.submitted_directory, "*", "*"))
 
-    def _is_submitted(self, filename: str) -> bool:
-        return fnmatch.fnmatch(str(Path(filename).parent), self._submitted())
-
     def from_filename(self, filename: str, resources: Resources = None, **kwargs: Any) -> Outcome:
-        notebook = _students(Path(filename)) if self._is_submitted(filename) else _notebook(filename)
+        path = Path(filename)
+        is_submitted = fnmatch.fnmatch(str(path.parent), self._submitted())
+        notebook = _students(path) if is_submitted else _notebook(filename)
         if isinstance(notebook, str):
             self.log.warning("%s cannot be read (%s): its module is graded", filename, notebook)
             cells = [text_cell("broken", BROKEN.format(why=notebook))]
             notebook = node({**FORMAT, "metadata": {}, "cells": cells})
-        path = Path(filename)
         resources = {**(resources or {}), "metadata": {"name": path.stem, "path": str(path.parent)}}
         outcome: Outcome = self.from_notebook_node(notebook, resources, **kwargs)  # type: ignore[no-untyped-call]
         return outcome
@@ -187,7 +184,8 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
         submission, record = self._graded(slug, student)
         if record["score"] is None:
             raise NbGraderException(f"the grader failed on {student} {slug}: see {self.results}/{slug}/results.jsonl")
-        sheet, graded = self._sheet(slug), part_points(assignments.assignment(self.found_checkout(), slug))
+        checkout = self.found_checkout()
+        sheet, graded = load_assignment_info(checkout, slug), part_points(assignments.assignment(checkout, slug))
         for cell in nb.cells:
             part = part_of(grade_id(cell))
             if part in graded:
@@ -197,12 +195,6 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
 
     def found_checkout(self) -> Path:
         return course_config.course(self.checkout or None)
-
-    def _sheet(self, slug: str) -> AssignmentInfo:
-        sheets: dict[str, AssignmentInfo] = self.parent.sheets
-        if slug not in sheets:
-            sheets[slug] = load_assignment_info(self.found_checkout(), slug)
-        return sheets[slug]
 
     def _graded(self, slug: str, student: str) -> tuple[Submission, Record]:
         """Return a submission and its result.
@@ -219,12 +211,10 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
         return graded[slug, student]
 
     def _plan(self, coursedir: Any, book: ResultStore, everyone: Sequence[Submission]) -> RunConfig:
-        seed = new_seed() if book.seed is None else book.seed
-        mine = {"memory": self.memory, "cpu": self.cpu, "call": self.call}
-        limits = course_config.resource_limits(self.found_checkout(), **mine)
-        jobs = self.jobs or cores()
-        hidden = [self.found_checkout(), Path(coursedir.root).resolve()]
-        return RunConfig(self.found_checkout(), everyone, seed, jobs, limits, hidden)
+        checkout, seed = self.found_checkout(), new_seed() if book.seed is None else book.seed
+        limits = course_config.resource_limits(checkout, memory=self.memory, cpu=self.cpu, call=self.call)
+        hidden = [checkout, Path(coursedir.root).resolve()]
+        return RunConfig(checkout, everyone, seed, self.jobs or cores(), limits, hidden)
 
 
 def _class(coursedir: Any, slug: str) -> list[Submission]:

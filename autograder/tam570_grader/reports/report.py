@@ -18,10 +18,9 @@ from tam570_grader.errors import UsageError, say, writing
 from tam570_grader.reports.feedback import AssignmentInfo, load_assignment_info, template
 from tam570_grader.reports.scenes import wrong_and_right
 from tam570_grader.reports.sentences import points
-from tam570_grader.results import manual_points, store
+from tam570_grader.results import manual_points, shared, store
 from tam570_grader.results.manual_points import EX, EXCUSED, GradeRow
 from tam570_grader.results.records import CheckResult, Result
-from tam570_grader.results.shared import Notes
 from tam570_grader.results.store import Key
 from tam570_grader.results.tables import written
 
@@ -33,6 +32,7 @@ SCRIPT = Path(__file__).parent / "templates" / "report.js"
 Everyone = Callable[[Collection[str]], Iterable[str]]
 Class = Mapping[Key, Result]  # the newest result of every student and assignment, in order
 Examples = dict[tuple[str, str], Failure]  # by assignment and what went wrong
+Signs = dict[Key, list[shared.Sign]]
 
 
 @dataclass(frozen=True)
@@ -57,8 +57,8 @@ def run(
     course: Path,
     everyone: Everyone | None,
     out: Path | None,
-    names: Mapping[str, str] | None = None,
-    hand_ins: Sequence[Json] = (),
+    names: Mapping[str, str],
+    hand_ins: Sequence[Json],
 ) -> int:
     """Write the report on the results in the folder; the exit code.
 
@@ -66,8 +66,8 @@ def run(
     names    : of the students, by what the results call them
     hand_ins : how often and when work came, a row for each assignment
     """
-    notes, examples = Notes(), Examples()
-    class_results = results(folder, notes, examples)
+    signs, examples = Signs(), Examples()
+    class_results = results(folder, signs, examples)
     page = out or folder / "report.html"
     roster = everyone({student for student, _ in class_results}) if everyone else ()
     slugs, adjustments = _slugs(class_results), manual_points.read(folder)
@@ -76,9 +76,11 @@ def run(
         class_results,
         infos,
         roster,
-        dropped=_dropped(class_results, adjustments),
-        shared=notes.groups(),
-        names=names or {},
+        dropped=adjustments.dropped(
+            GradeRow(*key, result.status, result.score, result.max_score) for key, result in class_results.items()
+        ),
+        shared=shared.groups(signs),
+        names=names,
         claims=_claims(adjustments, course, slugs),
         scenes=_scenes(course, _suspects(class_results.values(), infos)[:SCENES], examples),
         hand_ins=hand_ins,
@@ -89,32 +91,35 @@ def run(
     return 0
 
 
-def results(folder: Path, notes: Notes | None = None, examples: Examples | None = None) -> Class:
-    """Return the newest results in a folder. The notes see each pass by."""
+def results(folder: Path, signs: Signs | None = None, examples: Examples | None = None) -> Class:
+    """Return the newest results in a folder, with what is done by hand; `newest` says what it collects beside them."""
     with contextlib.closing(store.results(folder)) as lines:
-        class_results = newest((notes or Notes()).passing(map(lines.result, lines)), examples)
+        class_results = newest(map(lines.result, lines), signs, examples)
     if not class_results:
         raise UsageError(f"{folder / 'results.jsonl'} is empty; nothing has been graded yet")
     adjustments = manual_points.read(folder)
     return {key: adjustments.applied(result) for key, result in class_results.items()}
 
 
-def newest(results: Iterable[Result], examples: Examples | None = None) -> Class:
+def newest(results: Iterable[Result], signs: Signs | None = None, examples: Examples | None = None) -> Class:
     """Return the newest results, without what the page does not show; of equal marks one alone is kept.
 
+    signs    : gets what tells who shares a wrong result
     examples : gets a failure for each thing that went wrong
     """
-    shared = dict[CheckResult, CheckResult]()
+    equal = dict[CheckResult, CheckResult]()
     class_results = dict[Key, Result]()
     for result in results:
         checks = []
         for check_result in result.checks:
             failure = check_result.failure
             bare = replace(check_result, message=failure.hint if failure and failure.hint else "", failure=None)
-            checks.append(shared.setdefault(bare, bare))
+            checks.append(equal.setdefault(bare, bare))
             if failure and examples is not None:
                 examples.setdefault((result.assignment, _what_went_wrong(bare)), failure)
         key = result.student, result.assignment
+        if signs is not None:
+            signs[key] = [*shared.signs_of(result)]
         class_results[key] = replace(result, checks=tuple(checks), speed=None, digest="")
     return dict(sorted(class_results.items()))
 
@@ -197,12 +202,6 @@ def _scores(class_results: Class, students: Sequence[str], dropped: Container[Ke
         counting = [result.score or 0 for slug, result in results.items() if result and (student, slug) not in dropped]
         shown = [f"({cell})" if cell and (student, slug) in dropped else cell for slug, cell in cells.items()]
         yield {"student": student, "cells": shown, "total": points(sum(counting))}
-
-
-def _dropped(class_results: Class, adjustments: manual_points.ManualAdjustments) -> set[Key]:
-    """Return the lowest results that a course drops, as in the table of grades."""
-    rows = [GradeRow(*key, result.status, result.score, result.max_score) for key, result in class_results.items()]
-    return adjustments.dropped(rows)
 
 
 def _scenes(course: Path, suspects: Iterable[Json], examples: Examples) -> list[Json]:

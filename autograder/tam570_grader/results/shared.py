@@ -6,7 +6,7 @@ numbers that anybody may come by: zeros, NaN, numbers of few digits, and simple 
 
 import hashlib
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -31,32 +31,21 @@ class Shared:
     checks: tuple[str, ...]
 
 
-class Notes:
-    """What is noted of results as they pass by."""
-
-    def __init__(self) -> None:
-        self._signs = dict[tuple[str, str], list[Sign]]()
-
-    def passing(self, results: Iterable[Result]) -> Iterator[Result]:
-        """Yield the same results; the newest of a student and assignment counts."""
-        for result in results:
-            self._signs[result.student, result.assignment] = list(_signs(result))
-            yield result
-
-    def groups(self) -> list[Shared]:
-        """Return those who share, with the checks in which they do."""
-        who = defaultdict[Sign, list[str]](list)
-        for (student, _), signs in sorted(self._signs.items()):
-            for sign in signs:
-                who[sign].append(student)
-        checks = defaultdict[tuple[str, tuple[str, ...]], list[str]](list)
-        for (slug, check, *_), names in who.items():
-            if len(names) > 1:
-                checks[slug, tuple(names)].append(check)
-        return [Shared(slug, names, tuple(failed)) for (slug, names), failed in sorted(checks.items())]
+def groups(signs: Mapping[tuple[str, str], Iterable[Sign]]) -> list[Shared]:
+    """Return those who share, with the checks in which they do, of the signs of each student and assignment."""
+    who = defaultdict[Sign, list[str]](list)
+    for (student, _), each in sorted(signs.items()):
+        for sign in each:
+            who[sign].append(student)
+    checks = defaultdict[tuple[str, tuple[str, ...]], list[str]](list)
+    for (slug, check, *_), names in who.items():
+        if len(names) > 1:
+            checks[slug, tuple(names)].append(check)
+    return [Shared(slug, names, tuple(failed)) for (slug, names), failed in sorted(checks.items())]
 
 
-def _signs(result: Result) -> Iterator[Sign]:
+def signs_of(result: Result) -> Iterator[Sign]:
+    """Yield what tells a wrong result that no known mistake explains, of each check."""
     for check_result in result.checks:
         failure = check_result.failure
         unknown = failure and not (check_result.suspect or failure.suspect or failure.follows_from or failure.near_miss)

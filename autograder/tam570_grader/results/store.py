@@ -15,7 +15,7 @@ from tam570_grader.errors import UsageError
 from tam570_grader.results import manual_points, records
 from tam570_grader.results.manual_points import GradeRow
 from tam570_grader.results.records import Result
-from tam570_grader.results.tables import table_text, written
+from tam570_grader.results.tables import write_table, written
 
 Key = tuple[str, str]  # student, assignment
 Record = Json  # a result line, with "digest": of all that the result depends on
@@ -138,10 +138,8 @@ class ResultStore(Results):
         """Write the table of grades; put the lines in order, and drop those that newer ones have replaced."""
         self._look()  # an interrupt may have come between a line and its record
         adjustments = manual_points.read(self._folder)
-        written(
-            self._folder / "grades.csv",
-            grades(adjustments.table(adjustments.row(self.lines[key].graded, self.earned(key)) for key in self)),
-        )
+        graded = adjustments.table(adjustments.row(self.lines[key].graded, self.earned(key)) for key in self)
+        write_table(self._folder / "grades.csv", [GradeRow._fields, *graded])
         starts = [self.lines[key].start for key in self]
         if self._count > len(self) or starts != sorted(starts):  # last: the lock is on the file that goes
             written(self._folder / "results.jsonl", (self.text(key).decode() for key in self))
@@ -215,7 +213,7 @@ def _record(line: bytes, path: Path, number: int) -> Record:
     except (ValueError, TypeError, AttributeError):
         is_whole = False
     if not is_whole:
-        raise _not_a_result(path, number)
+        raise UsageError(f"{path} holds a line that is not a result (line {number}); move the file away")
     if record.get("format") != records.FORMAT:
         raise UsageError(
             f"{path} holds a result of another version of the grader (line {number}); grade again, into a new folder"
@@ -223,18 +221,9 @@ def _record(line: bytes, path: Path, number: int) -> Record:
     return record
 
 
-def _not_a_result(path: Path, number: int) -> UsageError:
-    return UsageError(f"{path} holds a line that is not a result (line {number}); move the file away")
-
-
 def _kept_once(value: Any) -> Any:
     """Return the same, but of equal texts one alone is kept: a class has few names, and many results."""
     return sys.intern(value) if type(value) is str else value
-
-
-def grades(rows: Iterable[GradeRow]) -> str:
-    """Return a table for a spreadsheet: a row for each student and assignment."""
-    return table_text([GradeRow._fields, *rows])
 
 
 def key_of(record: Record) -> Key:

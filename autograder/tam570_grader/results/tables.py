@@ -47,18 +47,12 @@ def write_table(path: Path | None, rows: Iterable[Iterable[object]], *, exact: b
             "import the table without opening it in a spreadsheet, which may take these for formulas: "
             f"{', '.join(map(repr, odd[:20]))}"
         )
-    text = table_text(rows, exact=exact)
-    if path is None:
-        say(text.replace("\r\n", "\n").removesuffix("\n"))
-    else:
-        written(path, text)
-
-
-def table_text(rows: Iterable[Iterable[object]], *, exact: bool = False) -> str:
-    """Return the text of a table of cells."""
     text = io.StringIO()
     csv.writer(text).writerows(rows if exact else ([cell(value) for value in row] for row in rows))  # noqa: TID251
-    return text.getvalue()
+    if path is None:
+        say(text.getvalue().replace("\r\n", "\n").removesuffix("\n"))
+    else:
+        written(path, text.getvalue())
 
 
 def cell(value: V) -> V:
@@ -74,9 +68,9 @@ def name_in(cell: str) -> str:
     return QUOTED.sub(r"\1", cell)
 
 
-def table(path: Path, errors: str = "strict") -> list[list[str]]:
+def table(path: Path) -> list[list[str]]:
     """Return the rows of a CSV file that are not empty, whatever separates its cells."""
-    return [row for _, row in lines(path, errors)]
+    return [row for _, row in lines(path)]
 
 
 def by_column(

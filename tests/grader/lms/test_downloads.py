@@ -17,7 +17,8 @@ from tam570_grader.diagnosis.mistakes import overlays
 from tam570_grader.gradescope import autograder
 from tam570_grader.grading.run_checks import failed_by_us
 from tam570_grader.release.stubs import stub
-from tam570_grader.results import store, tables
+from tam570_grader.results import tables
+from tam570_grader.results.manual_points import GradeRow
 
 FORMATS = {"text", "html", "simple_format", "md", "ansi"}
 VISIBLE = {"hidden", "after_due_date", "after_published", "visible"}
@@ -156,7 +157,8 @@ def test_a_cell_is_no_formula_and_tells_the_name(name):
 
 
 def test_a_login_that_could_be_a_formula_is_matched_as_it_is_and_warned_of(desk):
-    desk.write("grades.csv", store.grades((name, "hw07_x", "graded", 9.5, 10.0) for name in ("+1", "ann")))
+    graded = [(name, "hw07_x", "graded", 9.5, 10.0) for name in ("+1", "ann")]
+    tables.write_table(desk.folder / "grades.csv", [GradeRow._fields, *graded])
     desk.write("roster.csv", [*ROSTER[:2], ["Lee, Ann", "17", "A1", "+1", "570", "", ""]])
     code, said = desk("lms", "grades.csv", "--to", "canvas", "--roster", "roster.csv")
     assert code == 1 and '"Lee, Ann",17,A1,+1,570,9.5' in said and "formulas: '+1'" in said  # ann is on no row

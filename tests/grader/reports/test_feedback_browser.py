@@ -42,7 +42,7 @@ def folder(tmp_path_factory, course, zygotes):
     (folder / "results.jsonl").write_text("".join(json.dumps(item) + "\n" for item in records))
     with contextlib.closing(store.results(folder)) as results:
         feedback.write_pages(folder / "feedback", results, course)
-    assert report.run(folder, course, None, None) == 0
+    assert report.run(folder, course, None, None, {}, ()) == 0
     return folder
 
 

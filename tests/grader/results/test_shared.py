@@ -6,7 +6,7 @@ from classes import HW08, check_result, hand_in, result
 
 from tam570_grader import cli
 from tam570_grader.checks.failure import Failure
-from tam570_grader.results.shared import Notes
+from tam570_grader.results.shared import groups, signs_of
 
 ODD = np.array([0.123456789012345, -2.0, 0.7])
 
@@ -16,21 +16,20 @@ def sharer(student, actual, *, cause=None, near_miss=False, checks=("skew_is_the
     return result(student, *(check_result(name, suspect=cause, failure=failure) for name in checks))
 
 
-def groups(*results):
-    notes = Notes()
-    assert len(list(notes.passing(results))) == len(results)
-    return [(item.students, item.checks) for item in notes.groups()]
+def sharers(*results):
+    signs = {(each.student, each.assignment): [*signs_of(each)] for each in results}  # the newest counts
+    return [(group.students, group.checks) for group in groups(signs)]
 
 
 def test_two_with_the_same_numbers_are_named():
-    observed = groups(sharer("ann", ODD), sharer("ben", ODD * (1 + 1e-14)), sharer("cas", ODD * (1 + 1e-10)))
+    observed = sharers(sharer("ann", ODD), sharer("ben", ODD * (1 + 1e-14)), sharer("cas", ODD * (1 + 1e-10)))
     assert observed == [(("ann", "ben"), ("skew_is_the_cross_product",))]
 
 
 def test_the_newest_result_counts_and_checks_of_one_group_stand_together():
     both = [sharer(student, ODD, checks=("x", "y")) for student in "ab"]
-    assert groups(*both) == [(("a", "b"), ("x", "y"))]
-    assert groups(*both, sharer("b", ODD * 2)) == []
+    assert sharers(*both) == [(("a", "b"), ("x", "y"))]
+    assert sharers(*both, sharer("b", ODD * 2)) == []
 
 
 @pytest.mark.parametrize(
@@ -48,7 +47,7 @@ def test_the_newest_result_counts_and_checks_of_one_group_stand_together():
     ],
 )
 def test_what_anybody_may_come_by_is_not_told(actual, more):
-    assert groups(sharer("ann", actual, **more), sharer("ben", actual, **more)) == []
+    assert sharers(sharer("ann", actual, **more), sharer("ben", actual, **more)) == []
 
 
 def test_the_report_names_them(tmp_path, solution_text, capsys):
