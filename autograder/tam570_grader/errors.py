@@ -1,5 +1,6 @@
 """What ends a command or a submission, and what an instructor is told: no traceback, nothing that moves the cursor."""
 
+import errno
 import shutil
 import sys
 from collections.abc import Iterable, Iterator
@@ -8,6 +9,7 @@ from pathlib import Path
 from typing import TypeVar
 
 T = TypeVar("T")
+REMEDIES = {errno.ENOENT: "make its folder first", errno.ENOSPC: "make room on the disk"}
 
 
 class UsageError(Exception):
@@ -60,5 +62,6 @@ def writing(path: Path) -> Iterator[None]:
         yield
     except OSError as error:
         why = error.args[0][0][2] if isinstance(error, shutil.Error) else error.strerror or error  # the first of many
-        remedy = "make its folder, or room on the disk, or name another path"
-        raise UsageError(f"cannot write to {path}: {why}; {remedy}") from None
+        raise UsageError(
+            f"cannot write to {path}: {why}; {REMEDIES.get(error.errno or 0, 'name another path')}"
+        ) from None

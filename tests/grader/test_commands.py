@@ -2,6 +2,7 @@
 
 import itertools
 import json
+import shutil
 import subprocess
 import sys
 
@@ -10,6 +11,7 @@ from classes import HW08 as SLUG
 from classes import result
 
 from tam570_grader import cli as grader
+from tam570_grader.errors import UsageError, writing
 
 HEAVY = {"scipy", "matplotlib", "sympy", "pytest", "llvmlite", "nbgrader", "tqdm", "hatchling", "IPython"}
 
@@ -77,6 +79,11 @@ def test_what_cannot_be_written_is_named(graded, capsys, command, path):
     assert grader.main([*command.split(), path]) == 2
     err = capsys.readouterr().err
     assert f"tam570-grader: error: cannot write to {path}" in err and len(err.splitlines()) == 2
+
+
+def test_of_many_files_that_cannot_be_copied_the_first_is_named(tmp_path):
+    with pytest.raises(UsageError, match="cannot write to .*: no room; "), writing(tmp_path):
+        raise shutil.Error([("a", "b", "no room"), ("c", "d", "no room for this one")])
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "tcsh"])

@@ -42,17 +42,13 @@ def main(argv: list[str] | None = None) -> int:
     """Run the command; the exit code is 0 (done), 1 (the grader failed), 2 (bad usage) or 130 (interrupted)."""
     argv = sys.argv[1:] if argv is None else argv
     grades_here = "grade" in argv and not any(option.startswith("--cl") for option in argv)
-    with launched_early() if grades_here else contextlib.nullcontext():
-        return _run(argv)
-
-
-def _run(argv: list[str]) -> int:
-    arguments = _parser().parse_args(argv)
-    command: Callable[[argparse.Namespace], int] = arguments.command
     with contextlib.suppress(ValueError):  # not the main thread
         signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
-        return command(arguments)
+        with launched_early() if grades_here else contextlib.nullcontext():
+            arguments = _parser().parse_args(argv)
+            command: Callable[[argparse.Namespace], int] = arguments.command
+            return command(arguments)
     except KeyboardInterrupt as ended:
         signal.signal(signal.SIGINT, signal.SIG_DFL)  # a second one ends what is still being put away
         say("", error=True)

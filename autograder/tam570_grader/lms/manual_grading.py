@@ -106,7 +106,11 @@ class Desk:
 def serve(desk: Desk, port: int = 0) -> tuple[ThreadingHTTPServer, str]:
     """Return a server on this machine alone, and the address of the first page; nothing answers without its secret."""
     token = secrets.token_urlsafe(24)
-    server = ThreadingHTTPServer(("127.0.0.1", port), type("Handler", (_Handler,), {"desk": desk, "token": token}))
+    handler = type("Handler", (_Handler,), {"desk": desk, "token": token})
+    try:
+        server = ThreadingHTTPServer(("127.0.0.1", port), handler)
+    except (OSError, OverflowError) as error:
+        raise UsageError(f"--port {port}: {error}; leave it out for any that is free") from None
     server.daemon_threads = True
     return server, f"http://127.0.0.1:{server.server_address[1]}/{token}/0"
 

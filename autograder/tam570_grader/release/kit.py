@@ -45,12 +45,14 @@ def _wheel(course: Path, folder: Path) -> Path:
         from hatchling.builders.wheel import WheelBuilder
     except ImportError:
         raise UsageError("building the wheel needs hatchling: pip install 'tam570[grader]'") from None
-    for old in folder.glob("tam570-*.whl"):
-        old.unlink()
     with tempfile.TemporaryDirectory() as stage:
         version = _staged(course, Path(stage))
         builder = WheelBuilder(stage, config=_project(course, version))
-        return Path(next(iter(builder.build(directory=str(folder), versions=["standard"]))))
+        wheel = Path(next(iter(builder.build(directory=str(folder), versions=["standard"]))))
+    for old in folder.glob("tam570-*.whl"):
+        if old != wheel:
+            old.unlink()
+    return wheel
 
 
 def _staged(course: Path, stage: Path) -> str:

@@ -214,7 +214,7 @@ def _days(items: Mapping[str, float]) -> int:
     return math.ceil(max(0.0, items.get(LATE, 0.0) - items.get(EXTENSION, 0.0)))
 
 
-def _late(earned: float | None, items: Mapping[str, float], slip_days: float = 0.0) -> tuple[float | None, list[str]]:
+def _late(earned: float | None, items: Mapping[str, float], slip_days: float) -> tuple[float | None, list[str]]:
     """Return what days beyond the extension and the slip days leave of a score, and the sentence that tells it."""
     off = min(items.get(MOST, 1.0), (_days(items) - slip_days) * items.get(OFF, 0.0))
     if not items.get(LATE):

@@ -10,6 +10,7 @@ import pytest
 
 from tam570_grader import cli
 from tam570_grader.checks.rubric import ManualPart
+from tam570_grader.errors import UsageError
 from tam570_grader.grading.submissions import submissions
 from tam570_grader.lms.manual_grading import Desk, StudentWork, serve
 from tam570_grader.results import manual_points
@@ -82,6 +83,13 @@ def test_points_are_rows_of_the_table(desk):
     assert 'value="1" checked' in text and 'value="0" checked' not in text and ">Well drawn.</textarea>" in text
     assert ask(address, {**reported, "points": "1.75"})[0] == 200
     assert manual_points.read(built.folder).entries["ann", SLUG, "c"].points == 1.75
+
+
+def test_a_port_that_is_taken_is_named(desk):
+    built, address = desk
+    for port in (int(address.split("/")[2].partition(":")[2]), 99999):
+        with pytest.raises(UsageError, match=f"--port {port}"):
+            serve(built, port)
 
 
 @pytest.mark.parametrize(

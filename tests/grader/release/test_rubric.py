@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from tam570_grader.checks.rubric import load_rubric, rubric_table, with_rubric, without_rubric
+from tam570_grader.checks.rubric import load_rubric, rubric_table
 from tam570_grader.release.notebook import problem, write_notebook
 
 
@@ -19,14 +19,6 @@ def test_every_claim_has_points_and_every_part_is_one_of_the_problem(released):
     for part in rubric.values():
         assert len({text for _, text in part.claims}) == len(part.claims) >= 2
         assert all(points > 0 for points, _ in part.claims)
-
-
-def test_a_readme_holds_its_rubric_once(released):
-    rubric, readme = load_rubric(released), (released / "README.md").read_text()
-    assert with_rubric(readme, rubric) == readme
-    assert with_rubric(readme, {}) == without_rubric(readme) + "\n"
-    for part in rubric.values():
-        assert readme.count(rubric_table(part)) == 1
 
 
 def test_a_notebook_asks_for_the_prediction_above_the_picture_and_shows_the_claims(course, slug, released, tmp_path):
