@@ -17,7 +17,7 @@ from tam570.integrate.compiled import loops, taylor, taylor_loop
 from tam570.integrate.compiled.ir import Operand
 from tam570.integrate.compiled.llvm import function
 from tam570.integrate.compiled.recurrences import NotAnalytic, Recurrences, recurrences
-from tam570.integrate.compiled.series import LANES, layout, padded_size
+from tam570.integrate.compiled.series import LANES, layout, padded_size, series_module
 from tam570.integrate.dop853 import rates, rounding, sampling, stepping
 from tam570.integrate.error_scale import NO_SCALE, SHARE
 from tam570.integrate.fixed_step import FixedState
@@ -47,7 +47,9 @@ def analytic(graph: Graph) -> tuple[Recurrences, tuple[float, ...]] | None:
 @lru_cache(maxsize=256)
 def _taylor(laws: Recurrences, lanes: int = 1) -> Operand:
     effort = EFFORT if lanes == 1 else 2
-    return function(repr((laws, lanes)), lambda: taylor.taylor_text(laws, lanes), "advance", taylor.KINDS, effort)
+    loop = taylor.loop_of(laws, lanes)
+    series = {repr((laws, lanes)): lambda: series_module(laws, lanes)}
+    return function({**series, repr(loop): lambda: taylor.loop_module(loop)}, "advance", taylor.KINDS, effort)
 
 
 class Memory(NamedTuple):
@@ -297,7 +299,8 @@ def _loop(
 ) -> Function:
     """Return a loop of the Python engine, compiled, that takes and gives what it does in Python."""
     key = repr((loop.__name__, generated, constants))
-    march = function(key, lambda: loops.loop_text(loop, generated, entry, like, constants, handed), entry, loops.KINDS)
+    modules = {key: lambda: loops.loop_text(loop, generated, entry, like, constants, handed)}
+    march = function(modules, entry, loops.KINDS)
 
     def run(origin: float, times: Array, out: Array, state: Operand, c: Operand, x: float, *rest: float) -> Operand:
         numbers, call_arguments = np.array(loops.flat(state)), np.array(c, dtype=float)

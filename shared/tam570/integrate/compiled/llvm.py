@@ -5,7 +5,7 @@ import hashlib
 import os
 import re
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any, TypeAlias
@@ -50,23 +50,27 @@ def _machine(binding: Binding, effort: int) -> Binding:
     return binding.Target.from_default_triple().create_target_machine(name, features, opt=effort, jit=True)
 
 
-def function(key: str, text: Callable[[], str], entry: str, kinds: tuple[type, ...], effort: int = 2) -> Binding:
+def function(modules: Mapping[str, Callable[[], str]], entry: str, kinds: tuple[type, ...], effort: int = 2) -> Binding:
     """Return `entry` as a function from Python; other threads run while it does.
 
-    key    : what the text follows from, together with the source of this package; it is written if it is not kept
-    effort : of the code generator, 0 to 3
+    modules : texts that call each other, each by what it follows from, together with the source of this package; a
+              text is written if its code is not kept
+    effort  : of the code generator, 0 to 3
     """
     binding, who = _binding()
-    name = hashlib.sha256(f"{_source()}\n{who}\n{effort}\n{key}".encode()).hexdigest()
     owner = binding.create_mcjit_compiler(binding.parse_assembly(""), _machine(binding, effort))
-    code = _kept(name)
-    if code is None:
-        code = _compiled(binding, text(), effort)
-        _keep(name, code)
-    owner.add_object_file(binding.ObjectFileRef.from_data(code))
+    codes = []
+    for key, text in modules.items():
+        name = hashlib.sha256(f"{_source()}\n{who}\n{effort}\n{key}".encode()).hexdigest()
+        code = _kept(name)
+        if code is None:
+            code = _compiled(binding, text(), effort)
+            _keep(name, code)
+        owner.add_object_file(binding.ObjectFileRef.from_data(code))
+        codes.append(code)
     owner.finalize_object()
     compiled_function = ctypes.CFUNCTYPE(None, *kinds)(owner.get_function_address(entry))
-    _LOADED.append((owner.detach(), code))  # never disposed of: its memory is read to the end, and somebody may run it
+    _LOADED.append((owner.detach(), codes))  # never disposed of: its memory is read to the end, and somebody may run it
     return compiled_function
 
 

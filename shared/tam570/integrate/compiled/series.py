@@ -14,11 +14,12 @@ from functools import lru_cache, partial
 from typing import NamedTuple
 
 from tam570.integrate.compiled.ir import Value, Writer, number
+from tam570.integrate.compiled.llvm import assembled
 from tam570.integrate.compiled.recurrences import Recurrence, Recurrences
 from tam570.integrate.dop853 import REACH
 from tam570.integrate.formulas import SATURATING
 
-__all__ = ["FAST", "HIGHEST", "LANES", "exponents", "layout", "padded_size", "series_text", "vector_width"]
+__all__ = ["FAST", "HIGHEST", "LANES", "exponents", "layout", "padded_size", "series_module", "strides", "vector_width"]
 
 UNIT_ROUNDOFF = 2.0**-53
 LANES = 8
@@ -52,6 +53,11 @@ class Layout:
     along: int
     rows: dict[Factor, int]
     doubles: int
+
+
+def strides(size: int, lanes: int) -> tuple[int, int]:
+    """Return `across` and `along` of a layout."""
+    return (1, padded_size(size)) if lanes == 1 else ((HIGHEST + 1) * lanes, lanes)
 
 
 class Order(NamedTuple):
@@ -491,18 +497,16 @@ def layout(laws: Recurrences, lanes: int) -> Layout:
     factors = [factor for i, r in enumerate(laws.series) for pair in sums_of(i, r) for factor in pair]
     for factor in factors if lanes > 1 else []:
         rows.setdefault(factor, len(rows))
-    if lanes == 1:
-        along = padded_size(len(laws.rates))
-        return Layout(1, 1, along, rows, (HIGHEST + 1) * along)
-    return Layout(lanes, (HIGHEST + 1) * lanes, lanes, rows, max(1, len(rows)) * (HIGHEST + 1) * lanes)
+    across, along = strides(len(laws.rates), lanes)
+    return Layout(lanes, across, along, rows, (HIGHEST + 1) * along if lanes == 1 else max(1, len(rows)) * across)
 
 
-def series_text(laws: Recurrences, memory_layout: Layout) -> list[str]:
+def series_module(laws: Recurrences, lanes: int) -> str:
     """Return the functions `coefficients`, `rates`, `roundoff` of (work, constants, time, order), order 0 in work."""
-    sums_class = OfOne if memory_layout.lanes == 1 else OfEight
+    memory_layout, sums_class = layout(laws, lanes), OfOne if lanes == 1 else OfEight
     names = ["coefficients", "rates", "roundoff", *(["reach"] if exponents(laws) else [])]
     seldom = '!0 = !{!"branch_weights", i32 1, i32 1000}'
-    return [*(line for name in names for line in _written(sums_class(laws, memory_layout), name)), seldom]
+    return assembled([*(line for name in names for line in _written(sums_class(laws, memory_layout), name)), seldom])
 
 
 @lru_cache(maxsize=256)
@@ -537,5 +541,5 @@ def _written(series: Coefficients, name: str) -> list[str]:
         values = series.first if name == "rates" else series.bounds()
         for component, rate in enumerate(series.laws.rates):
             series.keep(component, 1, values[rate])
-    signature = f"define internal void @{name}(ptr %work, ptr %c, ptr %t, i64 %order) alignstack(64) {{"
+    signature = f"define void @{name}(ptr %work, ptr %c, ptr %t, i64 %order) alignstack(64) {{"
     return [signature, "entry:", *series.allocations, *series.lines, "  ret void", "}"]

@@ -6,16 +6,17 @@ import inspect
 import math
 import struct
 from functools import lru_cache
+from typing import NamedTuple
 
 from tam570.integrate.compiled import taylor_loop
 from tam570.integrate.compiled.ir import Array, Operand, Value, number
 from tam570.integrate.compiled.llvm import assembled
 from tam570.integrate.compiled.recurrences import Recurrences
-from tam570.integrate.compiled.series import FAST, HIGHEST, exponents, layout, padded_size, series_text, vector_width
+from tam570.integrate.compiled.series import FAST, HIGHEST, exponents, padded_size, strides, vector_width
 from tam570.integrate.compiled.translate import Translator, functions_of
 from tam570.values import Json
 
-__all__ = ["CALL", "KINDS", "order_for", "taylor_text"]
+__all__ = ["CALL", "KINDS", "loop_module", "loop_of", "order_for"]
 
 KINDS = (ctypes.c_void_p,)  # one address: converting thirteen arguments takes longer than many a run
 ARGUMENTS = {
@@ -37,26 +38,34 @@ def order_for(rtol: float, lanes: int = 1) -> int:
     return min(HIGHEST, max(LOWEST, math.ceil(1 - (1.2 if lanes == 1 else 0.6) * math.log(rtol))) | 1)
 
 
-@lru_cache(maxsize=256)
-def taylor_text(laws: Recurrences, lanes: int = 1) -> str:
-    """Return the module: the series, and the loop over the steps."""
-    memory_layout, size = layout(laws, lanes), len(laws.rates)
+class Loop(NamedTuple):
+    """What the loop over the steps depends on; right-hand sides that share it share its code."""
+
+    size: int
+    lanes: int
+    saturates: bool
+    timed: bool
+
+
+def loop_of(laws: Recurrences, lanes: int) -> Loop:
+    """Return that of these recurrences."""
+    return Loop(len(laws.rates), lanes, bool(exponents(laws)), any(law.rule == "time" for law in laws.series))
+
+
+def loop_module(loop: Loop) -> str:
+    """Return the loop over the steps; it calls the functions of a series."""
+    size, lanes = loop.size, loop.lanes
     padded = padded_size(size) if lanes == 1 else size
-    integers = {
-        "SIZE": size,
-        "PADDED": padded,
-        "ORDER": "%order",
-        "ACROSS": memory_layout.across,
-        "ALONG": memory_layout.along,
-    }
+    across, along = strides(size, lanes)
+    integers = {"SIZE": size, "PADDED": padded, "ORDER": "%order", "ACROSS": across, "ALONG": along}
     names: Json = {
         **{name: value for name, value in vars(taylor_loop).items() if name.isupper()},
         **{name: Value("i64", str(value)) for name, value in integers.items()},
         **{name: _call_of(name) for name in ("coefficients", "rates", "roundoff", "reach")},
         "LANES": lanes if lanes == 1 else Value("i64", str(lanes)),
         "MEMORY": taylor_loop.memory(size),
-        "SATURATES": bool(exponents(laws)),
-        "TIMED": any(law.rule == "time" for law in laws.series),
+        "SATURATES": loop.saturates,
+        "TIMED": loop.timed,
         **{"wide": _wide, "largest": _largest, "summed": _summed, "logarithm": _logarithm, "power_of_2": _power_of_2},
         "shifted": lambda writer, array, k: Array(writer.element(array.text, k), array.row, array.length),
     }
@@ -68,8 +77,8 @@ def taylor_text(laws: Recurrences, lanes: int = 1) -> str:
     several = [] if lanes == 1 else [Array("%members", 1 + size, Value("i64", "%several"))]
     arguments += [*several, Value("double", "%origin"), Value("double", "%rtol"), Value("i64", "%budget")]
     translator.call(translator.globals["advance" if lanes == 1 else "advance_all"], arguments)
-    loop = [*_head(), *translator.allocations, *translator.lines, "  ret void", "}"]
-    return assembled([*series_text(laws, memory_layout), *translator.constants(), *loop])
+    lines = [*_head(), *translator.allocations, *translator.lines, "  ret void", "}"]
+    return assembled([*translator.constants(), *lines])
 
 
 def _head() -> list[str]:

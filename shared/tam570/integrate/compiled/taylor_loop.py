@@ -242,7 +242,7 @@ def begin(
     start_motion(z, out)
 
 
-def settle(  # noqa: C901  one function, for it is compiled as a whole
+def settle(
     z: Numbers,
     work: Numbers,
     time: Numbers,
@@ -259,40 +259,42 @@ def settle(  # noqa: C901  one function, for it is compiled as a whole
         reach(work, c, time, ORDER)
         limit = work[coefficient(0, 1, lane)]
         rates(work, c, time, ORDER)
-    if z[H] > 0.0:
-        if z[H] > 2.0 * limit or refused(z, work, time, c, lane, rtol):
-            z[REFUSALS] += 1.0
-            z[TRIES] += 1.0
-            attempt(z, work, times, lane, z[H] / 2.0 if z[TRIES] < 3.0 else z[H] / 8.0)
-            return
-        take_step(z, times, out)
-    if z[STATUS] == RUNNING:
-        h = longest(z, work, lane, pace)
-        if z[STEPS] == 0.0:
-            if (
-                z[SIZED] != 1.0
-                and lacking(z, work, lane)
-                and not sized(z, work, time, c, lane, h if h < inf else z[LONGEST])
-            ):
-                z[STATUS] = LACKING
-            elif h < inf:
-                for i in range(SIZE):  # what is small yet and moves fast
-                    if z[SIZED] == 0.0 or (z[SIZED] == 2.0 and z[at(M, i)] <= NO_SCALE):
-                        z[at(M, i)] = max(z[at(M, i)], h * abs(work[coefficient(i, 1, lane)]))
+    h = 0.0
+    if z[H] > 0.0 and (z[H] > 2.0 * limit or refused(z, work, time, c, lane, rtol)):
+        z[REFUSALS] += 1.0
+        z[TRIES] += 1.0
+        h = z[H] / 2.0 if z[TRIES] < 3.0 else z[H] / 8.0
+    else:
+        if z[H] > 0.0:
+            take_step(z, times, out)
+        if z[STATUS] == RUNNING:
+            h = longest(z, work, lane, pace)
+            if z[STEPS] == 0.0:
+                scale_start(z, work, time, c, lane, h)
                 h = longest(z, work, lane, pace)
-        if not h < inf:
-            h = GROWTH * z[LONGEST]
-        if z[STEPS] == 0.0:
-            h = min(h, z[FIRST])
-        h = min(h, z[MAXIMUM])
-        h = min(h, limit)
-        if not h > 0.0:
-            z[STATUS] = SINGULAR
+            if not h < inf:
+                h = GROWTH * z[LONGEST]
+            if z[STEPS] == 0.0:
+                h = min(h, z[FIRST])
+            h = min(h, z[MAXIMUM])
+            h = min(h, limit)
+            for n in range(ORDER + 1):
+                for i in components():
+                    z[at(POLYNOMIAL, i) + n * PADDED] = work[coefficient(i, n, lane)]
+            if not h > 0.0:
+                z[STATUS] = SINGULAR
     if z[STATUS] == RUNNING:
-        for n in range(ORDER + 1):
-            for i in components():
-                z[at(POLYNOMIAL, i) + n * PADDED] = work[coefficient(i, n, lane)]
         attempt(z, work, times, lane, h)
+
+
+def scale_start(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, h: Numbers) -> None:
+    """Give a size to what has none at the start, in a first step of about h; z[STATUS] tells where none follows."""
+    if z[SIZED] != 1.0 and lacking(z, work, lane) and not sized(z, work, time, c, lane, h if h < inf else z[LONGEST]):
+        z[STATUS] = LACKING
+    elif h < inf:
+        for i in range(SIZE):  # what is small yet and moves fast
+            if z[SIZED] == 0.0 or (z[SIZED] == 2.0 and z[at(M, i)] <= NO_SCALE):
+                z[at(M, i)] = max(z[at(M, i)], h * abs(work[coefficient(i, 1, lane)]))
 
 
 def refused(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, rtol: Numbers) -> Numbers:

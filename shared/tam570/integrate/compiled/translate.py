@@ -431,4 +431,11 @@ BRANCHING = ast.If | ast.For | ast.While
 
 def functions_of(source: str) -> dict[str, ast.FunctionDef]:
     """Return the functions that a source defines, those inside of others too, by name."""
-    return {node.name: node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.FunctionDef)}
+    found: dict[str, ast.FunctionDef] = {}
+    bodies: list[Sequence[ast.stmt]] = [ast.parse(source).body]
+    for body in bodies:
+        for node in body:
+            if isinstance(node, ast.FunctionDef):
+                found[node.name] = node
+            bodies.append(getattr(node, "body", ()))
+    return found
