@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 
 from tam570.values import Numbers
 
-__all__ = ["REMEDIES", "form_of", "strangers", "values_at"]
+__all__ = ["REMEDIES", "form_of", "unknown_symbols", "values_at"]
 
 STAND_INS = 1.25, 3.75  # for symbols that may cancel
 CANCELLED = 1e-13  # of a value: it has 25 digits before it is rounded
@@ -44,7 +44,7 @@ def form_of(result: Numbers) -> str:
     return "a function" if callable(result) else "an object"
 
 
-def strangers(expression: Numbers, symbols: Sequence[str], points: Sequence[Mapping[str, float]]) -> list[str]:
+def unknown_symbols(expression: Numbers, symbols: Sequence[str], points: Sequence[Mapping[str, float]]) -> list[str]:
     """Return the other symbols and functions in an expression; none if they cancel at these points."""
     from sympy.core.function import AppliedUndef
 

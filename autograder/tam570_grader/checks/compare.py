@@ -10,12 +10,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tam570.values import Function, Json, Numbers
+from tam570.values import Function, Numbers
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.check import Memory
 from tam570_grader.checks.expect import Failed, NotWritten, distance, expect, expect_that, fail, get_context
 from tam570_grader.checks.expected import expected_result
-from tam570_grader.checks.returns import Description, Scale
+from tam570_grader.checks.returns import Scale
 from tam570_grader.checks.student import StudentFunction
 
 
@@ -43,8 +43,6 @@ PLACED, ARGUMENTS, KEYWORDS = (  # f(name, *args, **known)
 NEARLY = 1e-4  # of the largest number: a wrong term is off by more, a simulation at a loose tolerance by less
 SINGLE = 1e-6  # of the largest number; single precision loses 6e-8
 
-DESCRIPTIONS = ("quantity", "unit", "scale")  # of a result, in `Assignment.returns`
-
 MOST_BATCHES = 1000  # that are remembered; the fourteen assignments have some 600
 
 Array = NDArray[np.float64]
@@ -55,15 +53,30 @@ Reference = Function | ModuleType
 HintOfCase = str | Callable[[Case, Numbers, Numbers], str]  # of a case, the result and the right one
 
 
+@dataclass(frozen=True)
+class Part:
+    """Numbers of a result that are compared at once, beside the right ones."""
+
+    actual: Numbers
+    expected: Numbers
+    quantity: str
+    unit: str
+    size: Numbers  # what an error is relative to
+    member: int | None = None  # of a tuple
+    columns: Sequence[int] | None = None
+    t: Numbers = None  # times of its rows
+
+
+Parts = Callable[[Case, Numbers, Numbers], Iterable[Part]]  # of a case, the result and the right one
+
+
 def compare(  # noqa: PLR0913  what a check says of a comparison, each by its name
     function: StudentFunction,
     reference: Reference,
     cases: Iterable[Case],
     *,
     tolerance: float,
-    quantity: str | Sequence[str] | None = None,
-    unit: str | Sequence[str] | None = None,
-    scale: Scale | Sequence[Scale] | None = None,
+    scale: Scale | None = None,
     hint: HintOfCase = "",
     partial: Mapping[float, float] | None = None,
     only: Only = None,
@@ -73,34 +86,56 @@ def compare(  # noqa: PLR0913  what a check says of a comparison, each by its na
 
     reference : the right function, or the module in which it has the name of the student's
     tolerance : of the scale, by default the largest number of the right result
-    quantity, unit, scale : one for each member where the result is a tuple; left out, as `Assignment.returns` has them
+    scale  : left out, as `Assignment.returns` has it
     hint   : where to look; a function of the case, the result and the right one is asked on failure alone
     only   : the member of a tuple that is judged, or several
     near_miss_credit : False where an error of a few limits is no sign that the physics is right
     """
-    overrides = zip(DESCRIPTIONS, (quantity, unit, scale), strict=True)
-    words = [describe(function, name) if override is None else override for name, override in overrides]
-    batch = Batch.of(find_reference(reference, function), cases).distinct
-    results: list[Numbers] = function.many(batch.cases)
+    batch, descriptions = Batch.of(find_reference(reference, function), cases).distinct, function.returns.description
+    several = isinstance(descriptions, list)
+    descriptions = descriptions if several else [descriptions]
+    scales = [scale or description.scale or largest for description in descriptions]
+
+    def parts(case: Case, actual: Numbers, expected: Numbers) -> Iterator[Part]:
+        pairs = zip(actual, expected, strict=True) if several else [(actual, expected)]
+        for index, (numbers, right_numbers) in enumerate(pairs):
+            if only is None or index in np.atleast_1d(only):
+                size = scales[index](case, right_numbers)
+                size = np.where(np.asarray(size) == 0, 1.0, size) if np.ndim(size) else size or 1.0
+                words = descriptions[index].quantity, descriptions[index].unit
+                yield Part(numbers, right_numbers, *words, size, index if several else None)
 
     def members(case: Case, expected: Numbers) -> Iterator[tuple[Numbers, ...]]:
-        return ((member[0], member[2], member[5]) for member in _members(expected, expected, words, case, only))
+        return ((part.member, part.expected, part.size) for part in parts(case, expected, expected))
 
-    scales = words[2] if isinstance(words[2], list | tuple) else [words[2]]
-    if not get_context().listens and batch.includes(results, tolerance, (str(only), *scales), members):
-        return results
-    for case, result, expected in batch.compared(function, results):
-        for member, part, right_part, what, its_unit, size in _members(result, expected, words, case, only):
-            ask = functools.partial(_hint, hint, case, result, expected, part, right_part)
-            limits = _limits(size, tolerance, partial or {}) | {"near_miss_credit": near_miss_credit}
-            get_context().add_example(
-                function, case, member, None, right_part, quantity=what, scale=size, tolerance=tolerance
-            )
-            few_or_many = "many" if np.size(part) > np.size(right_part) else "few"
-            expect_that(np.shape(part) == np.shape(right_part), f"{what}: you return too {few_or_many} numbers")
-            _infinite_alike(part, right_part, what, ask)
-            expect(part, right_part, quantity=what, unit=its_unit, hint=ask, **limits)
+    results: list[Numbers] = function.many(batch.cases)
+    if get_context().listens or not batch.includes(results, tolerance, (str(only), *scales), members):
+        _compare_parts(function, batch, results, parts, tolerance, hint, partial or {}, near_miss_credit)
     return results
+
+
+def _compare_parts(  # noqa: PLR0913  as `compare`
+    function: StudentFunction,
+    batch: "Batch",
+    results: Sequence[Numbers],
+    parts: Parts,
+    tolerance: float,
+    hint: HintOfCase,
+    partial: Mapping[float, float],
+    near_miss_credit: bool,
+) -> None:
+    """Fail unless every part of every result is right."""
+    for case, result, expected in batch.compared(function, results):
+        for part in parts(case, result, expected):
+            ask = functools.partial(_hint, hint, case, result, expected, part)
+            words = {"quantity": part.quantity, "scale": part.size, "tolerance": tolerance}
+            get_context().add_example(function, case, part.member, part.columns, part.expected, **words)
+            few_or_many = "many" if np.size(part.actual) > np.size(part.expected) else "few"
+            alike = np.shape(part.actual) == np.shape(part.expected)
+            expect_that(alike, f"{part.quantity}: you return too {few_or_many} numbers")
+            _infinite_alike(part, ask)
+            limits = _limits(part.size, tolerance, partial) | {"near_miss_credit": near_miss_credit}
+            expect(part.actual, part.expected, quantity=part.quantity, unit=part.unit, t=part.t, hint=ask, **limits)
 
 
 def compare_with(
@@ -128,12 +163,11 @@ def _limits(size: Numbers, tolerance: float, partial: Mapping[float, float]) -> 
     return {"tolerance": tolerance * size, "partial": {limit * size: share for limit, share in partial.items()}}
 
 
-def _infinite_alike(result: Numbers, expected: Numbers, what: str, hint: Callable[[], str]) -> None:
+def _infinite_alike(part: Part, hint: Callable[[], str]) -> None:
     """Of infinity nothing is wrong by some limit."""
-    if np.isfinite(result).all() and np.isfinite(expected).all():
-        return
-    message = f"{what} is not infinite" if np.isinf(expected).any() else f"{what} is infinite"
-    expect_that(np.array_equal(np.isinf(result), np.isinf(expected)), message, hint=hint)
+    actual, expected = np.isinf(part.actual), np.isinf(part.expected)
+    message = f"{part.quantity} is {'not ' if expected.any() else ''}infinite"
+    expect_that(np.array_equal(actual, expected), message, hint=hint)
 
 
 def absolute(*_: Numbers) -> float:
@@ -297,15 +331,10 @@ def _trimmed(reference: Function, case: Case) -> Case:
 _signature = functools.lru_cache(maxsize=256)(inspect.signature)
 
 
-def describe(function: StudentFunction, name: str) -> Numbers:
-    """One of the words in which `Assignment.returns` speaks of a result, or of each member of a tuple."""
-    words = getattr(getattr(function, "returns", None), "description", Description())
-    return [getattr(word, name) for word in words] if isinstance(words, list) else getattr(words, name)
-
-
-def _hint(hint: HintOfCase, case: Case, actual: Numbers, reference: Numbers, member: Numbers, expected: Numbers) -> str:
+def _hint(hint: HintOfCase, case: Case, actual: Numbers, expected: Numbers, part: Part) -> str:
     """Return what right numbers have lost, else the hint of the case, else that of the check."""
-    return digits_lost(member, expected) or case.hint or (hint(case, actual, reference) if callable(hint) else hint)
+    lost = digits_lost(part.actual, part.expected)
+    return lost or case.hint or (hint(case, actual, expected) if callable(hint) else hint)
 
 
 def digits_lost(actual: Numbers, expected: Numbers) -> str:
@@ -338,7 +367,13 @@ def compare_columns(  # noqa: PLR0913  as `compare`
     columns : left out, as `Assignment.returns` has them
     """
     columns, batch = columns or function.returns.columns, Batch.of(find_reference(reference, function), cases).distinct
-    results = function.many(batch.cases)
+
+    def parts(case: Case, actual: Numbers, expected: Numbers) -> Iterator[Part]:
+        expected, t = np.asarray(expected, float), case.args[0] if actual.ndim == 2 else None
+        for column in columns:
+            where = np.arange(expected.shape[-1])[column.where].tolist()
+            words = column.quantity, column.unit, column.size(case, expected)
+            yield Part(actual[..., column.where], expected[..., column.where], *words, columns=where, t=t)
 
     def members(case: Case, expected: Numbers) -> Iterator[tuple[Numbers, ...]]:
         expected = np.asarray(expected, float)
@@ -347,50 +382,9 @@ def compare_columns(  # noqa: PLR0913  as `compare`
             sizes[..., column.where] = column.size(case, expected)
         yield None, expected, sizes
 
-    if not get_context().listens and batch.includes(results, tolerance, ("columns", *map(id, columns)), members):
-        return
-    for case, result, expected in batch.compared(function, results):
-        expected, t = np.asarray(expected, float), case.args[0] if result.ndim == 2 else None
-        for column in columns:
-            numbers, right_numbers = result[..., column.where], expected[..., column.where]
-            size = column.size(case, expected)
-            where = np.arange(expected.shape[-1])[column.where].tolist()
-            limits = {"quantity": column.quantity, "scale": size, "tolerance": tolerance}
-            get_context().add_example(function, case, None, where, right_numbers, **limits)
-            words: Json = {
-                "quantity": column.quantity,
-                "unit": column.unit,
-                "t": t,
-                "hint": functools.partial(_hint, hint, case, result, expected, numbers, right_numbers),
-                "near_miss_credit": near_miss_credit,
-            }
-            expect(numbers, right_numbers, tolerance=tolerance * size, **words)
-
-
-def _members(
-    actual: Numbers, expected: Numbers, words: Numbers, case: Case, only: Only
-) -> Iterable[tuple[Numbers, ...]]:
-    """(member, found, expected, of, unit, scale) of each member of a result."""
-    several = isinstance(actual, tuple)
-    pairs = list(zip(actual, expected, strict=True)) if several else [(actual, expected)]
-    for index, (part, other) in enumerate(pairs):
-        if only is not None and index not in np.atleast_1d(only):
-            continue
-        what, its_unit, its_scale = (_of(index, said) for said in words)
-        size = (its_scale or largest)(case, other)
-        member = index if several else None
-        yield (
-            member,
-            part,
-            other,
-            what,
-            its_unit,
-            np.where(np.asarray(size) == 0, 1.0, size) if np.ndim(size) else size or 1.0,
-        )
-
-
-def _of(index: int, said: Numbers) -> Numbers:
-    return said[index] if isinstance(said, list | tuple) else said
+    results = function.many(batch.cases)
+    if get_context().listens or not batch.includes(results, tolerance, ("columns", *map(id, columns)), members):
+        _compare_parts(function, batch, results, parts, tolerance, hint, {}, near_miss_credit)
 
 
 def check_raises(function: StudentFunction, cases: Iterable[Case], *, hint: str = "") -> None:

@@ -111,8 +111,22 @@ def compare_trajectory(  # noqa: PLR0913  as `compare`
         get_context().set_call(function.name, motion.case)
         if not chaotic:
             _note(motion, columns, tolerance)
-        ask = partial(_hint, motion, motions, turns, near_miss, hint, own_rates)
-        _compare(motion, columns, _Limits(tolerance, keeps, near_miss_credit, loose_tolerance_credit), ask)
+        # the column that is off most, in its own unit
+        column = max(columns, key=lambda column: np.max(motion.errors[:, column.where], initial=0.0))
+        size = float(np.max(motion.scales[column.where]))
+        has_shares = near_miss_credit and loose_tolerance_credit
+        expect(
+            motion.actual[:, column.where],
+            motion.expected[:, column.where],
+            tolerance=tolerance * size,
+            quantity=column.quantity,
+            unit=column.unit,
+            t=motion.case.args[0],
+            partial=partial(loose_tolerance_share, motion, tolerance, size) if has_shares else None,
+            near_miss_credit=near_miss_credit,
+            hint=partial(_hint, motion, motions, turns, near_miss, hint, own_rates),
+            keeps=partial(_along, keeps, motion) if keeps else None,
+        )
     return motions
 
 
@@ -122,7 +136,7 @@ def check_conserved(  # noqa: PLR0913  as `compare`
     cases: Iterable[Case],
     *invariants: Invariant,
     columns: Sequence[Column] = (),
-    coarsely: float = 1e-2,
+    coarsely: float,
     partial: dict[float, float] | None = None,
     hint: str = TIGHTEN,
     own_rates: OwnRates | None = None,
@@ -219,36 +233,6 @@ def _scales(columns: Sequence[Column], case: Case, expected: Array) -> Array:
     for column in columns:
         scales[column.where] = column.size(case, expected)
     return scales
-
-
-@dataclass(frozen=True)
-class _Limits:
-    """What is allowed of a motion, and what is left of the points beyond."""
-
-    tolerance: float
-    keeps: Invariant | None
-    near_miss_credit: bool
-    loose_tolerance_credit: bool
-
-
-def _compare(motion: Motion, columns: Sequence[Column], limits: _Limits, hint: Callable[[], str]) -> None:
-    """Judge the column that is off most, in its own unit."""
-    where = [column.where for column in columns]
-    worst = int(np.argmax([np.max(motion.errors[:, indices], initial=0.0) for indices in where]))
-    size, column = float(np.max(motion.scales[where[worst]])), columns[worst]
-    has_shares = limits.near_miss_credit and limits.loose_tolerance_credit
-    expect(
-        motion.actual[:, column.where],
-        motion.expected[:, column.where],
-        tolerance=limits.tolerance * size,
-        quantity=column.quantity,
-        unit=column.unit,
-        t=motion.case.args[0],
-        partial=partial(loose_tolerance_share, motion, limits.tolerance, size) if has_shares else None,
-        near_miss_credit=limits.near_miss_credit,
-        hint=hint,
-        keeps=partial(_along, limits.keeps, motion) if limits.keeps else None,
-    )
 
 
 def loose_tolerance_share(motion: Motion, tolerance: float, size: float, error: float) -> float:

@@ -10,7 +10,7 @@ import numpy.polynomial  # before the fork, as the next: NumPy puts it off until
 import numpy.random
 
 from tam570.bans import IN_ONE, Change, Unusable, everywhere, refused
-from tam570.formulas import form_of, strangers, values_at
+from tam570.formulas import form_of, unknown_symbols, values_at
 from tam570.values import Function, Json, Numbers
 
 from .picture import picture
@@ -111,7 +111,7 @@ def _formula(function: Function, args: list[Numbers], kwargs: Json, request: Jso
     if form := form_of(expression):
         return {"form": form}
     expression = sympy.sympify(expression).doit()
-    if names := strangers(expression, request["symbols"], request["points"]):
+    if names := unknown_symbols(expression, request["symbols"], request["points"]):
         return {"strangers": names}
     return [portable(value) for value in values_at(expression, request["points"])]
 

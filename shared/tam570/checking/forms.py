@@ -10,7 +10,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from tam570.formulas import REMEDIES, form_of, strangers
+from tam570.formulas import REMEDIES, form_of, unknown_symbols
 from tam570.values import Json, Numbers
 
 __all__ = ["Form", "WrongForm", "conform", "fits", "is_sequence"]
@@ -154,7 +154,7 @@ def _must_be_formula(value: Numbers, symbols: Sequence[str], name: str) -> None:
 
     if form := form_of(value):
         raise WrongForm(f"{name} returned {form} in place of a SymPy expression", REMEDIES.get(form, ""))
-    if names := strangers(sympy.sympify(value).doit(), symbols, [dict.fromkeys(symbols, 0.7)]):
+    if names := unknown_symbols(sympy.sympify(value).doit(), symbols, [dict.fromkeys(symbols, 0.7)]):
         message = f"{name} does not return a SymPy expression in {', '.join(symbols)} alone"
         raise WrongForm(message, f"It has {', '.join(names)} in it.")
 
