@@ -20,22 +20,6 @@ def test_methods_converge_with_their_order_by_both_equations(method, expected):
     assert by_rates.shape == wrong.shape == (3,) and (np.diff(by_rates) < 0).all() and (np.diff(wrong) < 0).all()
 
 
-def test_the_rods_keep_their_lengths():
-    """The angular accelerations are those of particles on which only weights and tensions along the rods act."""
-    (m1, m2), (l1, l2), g = (1.0, 0.6), (1.0, 0.8), 9.81
-    th1, th2, om1, om2 = state = (0.7, -1.9, 1.3, 2.1)
-    _, _, al1, al2 = convergence.rates(0.0, state, **convergence.EXAMPLE)
-    along, across = (
-        np.array([[math.sin(th), -math.cos(th)] if out else [math.cos(th), math.sin(th)] for th in (th1, th2)])
-        for out in (True, False)
-    )
-    a1 = l1 * (al1 * across[0] - om1**2 * along[0])
-    a2 = a1 + l2 * (al2 * across[1] - om2**2 * along[1])
-    rest2 = m2 * (a2 + [0.0, g])  # what rod 2 does to particle 2
-    rest1 = m1 * (a1 + [0.0, g]) + rest2  # and rod 1 to particle 1
-    assert rest2 @ across[1] == pytest.approx(0.0, abs=1e-12) and rest1 @ across[0] == pytest.approx(0.0, abs=1e-12)
-
-
 def test_the_rebound_is_that_of_the_solved_motion():
     for stiffness, gravity in ((50.0, 9.81), (3000.0, 9.81), (40.0, 0.0)):
         expected = {"mass": 0.7, "stiffness": stiffness, "gravity": gravity}

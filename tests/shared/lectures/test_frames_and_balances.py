@@ -16,17 +16,6 @@ def table():
     return {"mass": DRAW.uniform(0.5, 3), "stiffness": DRAW.uniform(0, 5), "spin": DRAW.uniform(-3, 3)}
 
 
-def test_seen_from_space_only_the_spring_acts():
-    """The state's rate, carried to space by differences, is F = m a with the spring alone."""
-    for _ in range(10):
-        turntable, t, state, h = table(), DRAW.uniform(-2, 2), DRAW.normal(size=4), 1e-6
-        rate = np.array(frames.rates(t, state, **turntable))
-        before, after = (frames.to_space(t + s, state + s * rate, spin=turntable["spin"]) for s in (-h, h))
-        r, v = np.split(frames.to_space(t, state, spin=turntable["spin"]), 2)
-        expected = [*v, *(-turntable["stiffness"] / turntable["mass"] * r)]
-        assert (after - before) / (2 * h) == pytest.approx(expected, abs=1e-7)
-
-
 def test_the_observer_on_the_table_adds_two_forces():
     for _ in range(5):
         turntable, state = table(), DRAW.normal(size=4)

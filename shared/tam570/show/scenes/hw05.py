@@ -30,12 +30,9 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
     energy = {name: parameters[name] for name in ("mass", "gravity")}
     rod = student.each("wireframe", states, length=length, shape=(1, 2, 2))[:, 0]
     shapes = [
-        Shape("path", length * unit_circle(121), GREY, "the circle", width=1.5),
-        Shape("lines", rod, GREY, "rod", width=2),
+        *_draw(rod, length),
         *force_shapes(student, states, **parameters, size=0.3 * length),
         *(shape for pair in student.make_each(lambda: _forces(student, states, parameters)) for shape in pair),
-        Shape("dot", np.zeros((1, 2)), INK, width=5),
-        Shape("dot", rod[:, 1:], 1, "particle", width=10),
     ]
     return Scene(
         "Pendulum as a constrained particle",
@@ -58,15 +55,6 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float]) -> L
     def rates(t: float, state: Numbers, **parameters: Numbers) -> list[Numbers]:
         return [*state[2:], *acceleration(state, **parameters)]
 
-    def drawing(states: Numbers, parameters: Parameters) -> list[Shape]:
-        particle = states[:, :2]
-        return [
-            Shape("path", parameters["length"] * unit_circle(121), GREY, "the circle", width=1.5),
-            Shape("lines", moving(np.zeros(2), particle), GREY, "rod", width=2),
-            Shape("dot", np.zeros((1, 2)), INK, width=5),
-            Shape("dot", particle[:, None], 1, "particle", width=10),
-        ]
-
     def grab(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numbers]:
         angle = np.arctan2(point[0], point[1])
         return [parameters["length"] * np.sin(angle), parameters["length"] * np.cos(angle), 0.0, 0.0]
@@ -74,8 +62,21 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float]) -> L
     def total(state: Numbers, *, mass: Numbers, length: Numbers, gravity: Numbers) -> Numbers:
         return energy(state, mass=mass, gravity=gravity)
 
+    def drawing(states: Numbers, parameters: Parameters) -> list[Shape]:
+        return _draw(moving(np.zeros(2), states[:, :2]), parameters["length"])
+
     handle = Handle(lambda state, **arguments: state[:2], grab)
     return Live(rates, parameters, STATE, start, drawing, [handle], energies(total, 2))
+
+
+def _draw(rod: Array, length: Numbers) -> list[Shape]:
+    """Draw the rod, (n, 2, 2) from the hinge to the particle, and the circle."""
+    return [
+        Shape("path", length * unit_circle(121), GREY, "the circle", width=1.5),
+        Shape("lines", rod, GREY, "rod", width=2),
+        Shape("dot", np.zeros((1, 2)), INK, width=5),
+        Shape("dot", rod[:, 1:], 1, "particle", width=10),
+    ]
 
 
 def _forces(student: Student, states: Array, parameters: Parameters) -> list[Shape]:

@@ -1,6 +1,7 @@
 """hw12: the bead on the parabolic wire."""
 
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -25,13 +26,11 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
     times = frame_times(seconds)
     wire = {name: parameters[name] for name in ("curvature", "gravity")}
     states = student("simulate", times, *start, **wire, shape=(len(times), 2))
-    bead = _on_wire(states[:, 0], parameters["curvature"])
     reach = max(1.15 * abs(start[0]), 1.02 * float(np.abs(states[:, 0]).max()))
     shapes = [
-        Shape("path", _on_wire(np.linspace(-reach, reach, 161), parameters["curvature"]), GREY, "wire", width=3),
+        *_draw(reach, states, parameters),
         *(shape for three in student.make_each(lambda: _forces(student, states, parameters)) for shape in three),
         *force_shapes(student, states[:, 0], size=ARROW, **parameters),
-        Shape("dot", bead[:, None], 0, "bead", width=8),
     ]
 
     def energy(rows: Array) -> Array:
@@ -48,28 +47,29 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
             value_plot("x and v", times, {"x (m)": states[:, 0], "v (m/s)": states[:, 1]}, ""),
         ],
         still_time=0.03,
-        live=live_if_written(lambda: _live(student, parameters, start)),
+        live=live_if_written(lambda: _live(student, parameters, start, reach)),
     )
 
 
-def _live(student: Student, parameters: Parameters, start: Sequence[float]) -> Live:
+def _live(student: Student, parameters: Parameters, start: Sequence[float], reach: float) -> Live:
     acceleration, energy = student.function("acceleration_newton"), student.function("energy")
-    xs = np.linspace(-1.15 * abs(start[0]), 1.15 * abs(start[0]), 81)
 
     def rates(t: float, state: Numbers, *, mass: Numbers, curvature: Numbers, gravity: Numbers) -> list[Numbers]:
         return [state[1], acceleration(*state, curvature=curvature, gravity=gravity)]
-
-    def drawing(states: Numbers, parameters: Parameters) -> list[Shape]:
-        bead = _on_wire(states[:, 0], parameters["curvature"])
-        wire = Shape("path", _on_wire(xs, parameters["curvature"]), GREY, "wire", width=3)
-        return [wire, Shape("dot", bead[:, None], 0, "bead", width=8)]
 
     handle = Handle(
         lambda state, **arguments: [state[0], arguments["curvature"] * state[0] ** 2],
         lambda point, state, **arguments: [point[0], 0.0],
     )
     measures = energies(lambda state, **arguments: energy(*state, **arguments), 1)
-    return Live(rates, parameters, STATE, start, drawing, [handle], measures)
+    return Live(rates, parameters, STATE, start, partial(_draw, reach), [handle], measures)
+
+
+def _draw(reach: float, states: Array, parameters: Parameters) -> list[Shape]:
+    """Draw the bead on its wire, which reaches so far to both sides, m."""
+    bead = _on_wire(states[:, 0], parameters["curvature"])
+    wire = _on_wire(np.linspace(-reach, reach, 81), parameters["curvature"])
+    return [Shape("path", wire, GREY, "wire", width=3), Shape("dot", bead[:, None], 0, "bead", width=8)]
 
 
 def _forces(student: Student, states: Array, parameters: Parameters) -> list[Shape]:
