@@ -9,7 +9,7 @@ import numpy as np
 from tam570.show.diagrams import force_shapes
 from tam570.show.drawing import unit_circle
 from tam570.show.live import Handle, Live, energies, live_if_written
-from tam570.show.plots import drift_note, plot_samples, state_energy_plot, value_plot
+from tam570.show.plots import drift_note, state_energy_plot, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student
 from tam570.values import Numbers, Parameters
@@ -29,10 +29,11 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
     states = student("simulate", times, np.array(start), **parameters, shape=(len(times), 4))
     energy = {name: parameters[name] for name in ("mass", "gravity")}
     rod = student.each("wireframe", states, length=length, shape=(1, 2, 2))[:, 0]
+    forces = student.make_each(lambda: student.each("constraint_force", states, **parameters, shape=(2,)))
     shapes = [
         *_draw(rod, length),
         *force_shapes(student, states, **parameters, size=0.3 * length),
-        *(shape for pair in student.make_each(lambda: _forces(student, states, parameters)) for shape in pair),
+        *(shape for force in forces for shape in _arrows(force, states[:, :2], parameters)),
     ]
     return Scene(
         "Pendulum as a constrained particle",
@@ -40,10 +41,10 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
         "the top and returns. An arrow shows the force of the rod.",
         times,
         [Panel(shapes)],
-        student.make_each(
-            lambda: state_energy_plot(times, states, 2, partial(student.each, "energy", **energy)),
-            lambda: _rod(student, times, states, parameters),
-        ),
+        [
+            *student.make_each(lambda: state_energy_plot(times, states, 2, partial(student.each, "energy", **energy))),
+            *(_pull(times, force, states[:, :2], length) for force in forces),
+        ],
         still_time=0.13,
         live=live_if_written(lambda: _live(student, parameters, start)),
     )
@@ -79,22 +80,19 @@ def _draw(rod: Array, length: Numbers) -> list[Shape]:
     ]
 
 
-def _forces(student: Student, states: Array, parameters: Parameters) -> list[Shape]:
+def _arrows(force: Array, particle: Array, parameters: Parameters) -> list[Shape]:
     """Return the force of the rod, and the weight beside it."""
     weight = parameters["mass"] * parameters["gravity"] * np.array([0.0, -1.0])
-    force = student.each("constraint_force", states, **parameters, shape=(2,))
-    unit, point = ARROW * parameters["length"] / (np.linalg.norm(weight) or 1.0), states[:, :2]  # m/N
+    unit = ARROW * parameters["length"] / (np.linalg.norm(weight) or 1.0)  # m/N
     return [
-        Shape("arrow", moving(point, point + unit * weight), 2, "weight", width=3),
-        Shape("arrow", moving(point, point + unit * force), 3, "force of the rod", width=4),
+        Shape("arrow", moving(particle, particle + unit * weight), 2, "weight", width=3),
+        Shape("arrow", moving(particle, particle + unit * force), 3, "force of the rod", width=4),
     ]
 
 
-def _rod(student: Student, times: Array, states: Array, parameters: Parameters) -> TimePlot:
+def _pull(times: Array, force: Array, particle: Array, length: float) -> TimePlot:
     """Return the pull of the rod, below 0 where it pushes; and whether the particle stays on its circle."""
-    shown = plot_samples(times)
-    force = student.each("constraint_force", states[shown], **parameters, shape=(2,))
-    distance = np.hypot(*states[shown, :2].T)
-    pull = -np.einsum("ni,ni->n", force, states[shown, :2]) / distance
-    note = drift_note(distance, parameters["length"], "the length", "distance from the hinge: ")
-    return value_plot("pull of the rod", times[shown], {"": pull}, "N", *note)
+    distance = np.hypot(*particle.T)
+    pull = -np.einsum("ni,ni->n", force, particle) / distance
+    note = drift_note(distance, length, "the length", "distance from the hinge: ")
+    return value_plot("pull of the rod", times, {"": pull}, "N", *note)

@@ -5,7 +5,7 @@ import numpy as np
 from tam570.arguments import array
 from tam570.invariants import rotation_defect
 from tam570.show.drawing import axes
-from tam570.show.plots import gap_note, plot_samples, value_plot
+from tam570.show.plots import gap_note, value_plot
 from tam570.show.scene import Array, Panel, Scene, Shape, TimePlot, frame_times
 from tam570.show.student import Student
 from tam570.values import Parameters
@@ -26,6 +26,8 @@ def film(student: Student, parameters: Parameters) -> Scene:
     rotations = student.each("rotation_matrix", [axis] * len(times), angles, shape=(3, 3))
     corners = SIZE / 2 * np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
     turned = corners @ np.swapaxes(rotations, 1, 2)
+    around = [corners[-1]] * len(times), [axis] * len(times), angles
+    paths = student.make_each(lambda: student.each("rotate", *around, shape=(3,)))
     ends = [(i, i | bit) for i in range(8) for bit in (1, 2, 4) if not i & bit]
     n = axis / np.linalg.norm(axis)
     shapes = [
@@ -33,24 +35,15 @@ def film(student: Student, parameters: Parameters) -> Scene:
         Shape("lines", 1.3 * np.array([-n, n]), 3, "axis", width=2.5),
         Shape("fill", turned[:, [1, 3, 7, 5]], 0, faint=True),
         Shape("lines", turned[:, np.ravel(ends)], 0, "box by rotation_matrix()", width=2.5),
-        *student.make_each(lambda: _corner(student, corners[-1], axis, angles)),
+        *(Shape("trail", path[:, None], 1, "a corner by rotate()", width=2.5) for path in paths),
     ]
     return Scene(
         "Axis and angle",
         "A box turns once about a fixed axis through its centre; one of its corners draws a circle.",
         times,
         [Panel(shapes, ruler=False)],
-        [
-            _defect(times, rotations),
-            *student.make_each(lambda: _apart(student, times, axis, turned[:, -1], corners[-1])),
-        ],
+        [_defect(times, rotations), *(_apart(times, path, turned[:, -1]) for path in paths)],
     )
-
-
-def _corner(student: Student, corner: Array, axis: Array, angles: Array) -> Shape:
-    count = len(angles)
-    path = student.each("rotate", [corner] * count, [axis] * count, angles, shape=(3,))
-    return Shape("trail", path[:, None], 1, "a corner by rotate()", width=2.5)
 
 
 def _defect(times: Array, rotations: Array) -> TimePlot:
@@ -59,11 +52,8 @@ def _defect(times: Array, rotations: Array) -> TimePlot:
     return value_plot("on the diagonal of R", times, entries, "", *note)
 
 
-def _apart(student: Student, times: Array, axis: Array, by_matrix: Array, corner: Array) -> TimePlot:
-    shown = plot_samples(times)
-    count = len(shown)
-    path = student.each("rotate", [corner] * count, [axis] * count, RATE * times[shown], shape=(3,))
-    largest = float(np.linalg.norm(path - by_matrix[shown], axis=1).max())
+def _apart(times: Array, path: Array, by_matrix: Array) -> TimePlot:
+    largest = float(np.linalg.norm(path - by_matrix, axis=1).max())
     caption = f"{'not' if largest > LARGE else 'as'} by rotation_matrix(): {largest:.2g} m apart"
     curves = dict(zip("xyz", path.T, strict=True))
-    return value_plot("the corner by rotate()", times[shown], curves, "m", caption, largest > LARGE)
+    return value_plot("the corner by rotate()", times, curves, "m", caption, largest > LARGE)

@@ -31,7 +31,10 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
     if not spin.any():
         raise Trouble("start: a body at rest shows nothing; set start.omega_b, say")
     omegas, rotations = _motion(student, times, spin, inertia)
-    box = _box(student, rotations, omegas, inertia, np.array(parameters["size"]))
+    momenta = student.make_each(
+        lambda: student.each("angular_momentum", rotations, omegas, inertia=inertia, shape=(3,))
+    )
+    box = _box(student, rotations, omegas, momenta, np.array(parameters["size"]))
     panels = [Panel(box, "box in space", ruler=False)]
     panels += student.make_each(lambda: _ellipsoids(student, omegas, inertia), lambda: _disk(student, times))
     return Scene(
@@ -42,10 +45,10 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
         "two points of its rim run on tilted circles.",
         times,
         panels,
-        student.make_each(
-            lambda: _energy(student, times, omegas, inertia),
-            lambda: _momentum(student, times, omegas, rotations, inertia),
-        ),
+        [
+            *student.make_each(lambda: _energy(student, times, omegas, inertia)),
+            *(_momentum(times, H, inertia * omegas) for H in momenta),
+        ],
         view=(0.6, 0.3),
         still_time=0.34,
         live=live_if_written(lambda: _live(student, inertia, np.array(parameters["size"]), spin)),
@@ -97,21 +100,19 @@ def _motion(student: Student, times: Array, omega: Array, inertia: Array) -> lis
     return student.group("simulate", times, _attitude(omega, inertia), omega, inertia=inertia, shapes=shapes)
 
 
-def _box(student: Student, rotations: Array, omegas: Array, inertia: Array, size: Array) -> list[Shape]:
+def _box(student: Student, rotations: Array, omegas: Array, momenta: list[Array], size: Array) -> list[Shape]:
     edges = student.each("wireframe", rotations, size=size, shape=(12, 2, 3)).reshape(-1, 24, 3)
     reach = 1.5 / np.linalg.norm(omegas[0])  # m per rad/s
     return [
         Shape("fill", box_face(rotations, size), 0, faint=True),
         Shape("lines", edges, 0, "box", width=2.5),
-        *student.make_each(lambda: _momentum_arrow(student, rotations, omegas, inertia)),
+        *(
+            Shape("arrow", moving(np.zeros(3), 1.7 * H / np.linalg.norm(H[0])), 2, "angular momentum", width=3)
+            for H in momenta
+        ),
         Shape("arrow", moving(np.zeros(3), reach * in_space(rotations, omegas)), 1, "angular velocity", width=2.5),
         Shape("trail", moving(rotations[:, :, 1] * size[1] / 2), 4, "end of the middle axis", width=1.2),
     ]
-
-
-def _momentum_arrow(student: Student, rotations: Array, omegas: Array, inertia: Array) -> Shape:
-    H = student.each("angular_momentum", rotations, omegas, inertia=inertia, shape=(3,))
-    return Shape("arrow", moving(np.zeros(3), 1.7 * H / np.linalg.norm(H[0])), 2, "angular momentum", width=3)
 
 
 def _ellipsoids(student: Student, omegas: Array, inertia: Array) -> Panel:
@@ -207,9 +208,7 @@ def _energy(student: Student, times: Array, omegas: Array, inertia: Array) -> Ti
     return value_plot("angular velocity in the body", times, curves, "rad/s", *drift_note(energy, about="energy: "))
 
 
-def _momentum(student: Student, times: Array, omegas: Array, rotations: Array, inertia: Array) -> TimePlot:
-    shown = plot_samples(times)
-    H = student.each("angular_momentum", rotations[shown], omegas[shown], inertia=inertia, shape=(3,))
-    curves = {f"H {name}": part for name, part in zip("ABC", (inertia * omegas[shown]).T, strict=True)}
-    note = drift_note(H, about="in space: ")
-    return value_plot("angular momentum in the body", times[shown], curves, "kg m²/s", *note)
+def _momentum(times: Array, in_space: Array, in_body: Array) -> TimePlot:
+    curves = {f"H {name}": part for name, part in zip("ABC", in_body.T, strict=True)}
+    note = drift_note(in_space, about="in space: ")
+    return value_plot("angular momentum in the body", times, curves, "kg m²/s", *note)
