@@ -10,7 +10,6 @@ import subprocess
 import sys
 import warnings
 import zlib
-from functools import cache
 
 import hypothesis
 import numpy as np
@@ -200,14 +199,6 @@ def open_tab(browser):
     for context in contexts:
         context.close()
     assert not complaints
-
-
-@pytest.fixture(scope="session")
-def scenes():
-    """`scenes(slug)` -> the scene of the reference solution, made once."""
-    from tam570.show import load_student, scene_of
-
-    return cache(lambda slug: scene_of(load_student(COURSE / "solutions" / f"{slug}.py", slug), slug))
 
 
 @pytest.fixture(scope="session")

@@ -1,8 +1,13 @@
 """A student's desk, with a folder to work in and the command as a student gives it; pages in a browser."""
 
+from functools import cache
+
 import pytest
 
 from tam570 import cli
+from tam570.lectures import load, names
+from tam570.show import load_student, scene_of
+from tam570.show.lecture import filmed
 
 HW08 = "hw08_axis_angle"
 
@@ -49,6 +54,19 @@ def hw08(desk, solution_text):
         return file
 
     return hw08
+
+
+@pytest.fixture(scope="session")
+def scenes(course):
+    """`scenes(name)` -> the scene of an assignment, by its reference solution, or of a lecture, made once."""
+
+    @cache
+    def scene(name):
+        if name in names():
+            return filmed(load(name))
+        return scene_of(load_student(course / "solutions" / f"{name}.py", name), name)
+
+    return scene
 
 
 @pytest.fixture

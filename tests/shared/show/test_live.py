@@ -7,36 +7,25 @@ from parameters import first
 from tam570.course import assignments
 from tam570.integrate import solve
 from tam570.lectures import load, names
-from tam570.show import load_student, scene_of, show
+from tam570.show import load_student, scene_of
 from tam570.show.live import program
 from tam570.show.page import page
 
 HOMEWORK = [slug for slug in assignments() if slug[:4] in {f"hw{n:02}" for n in (1, 4, 5, 6, 7, 10, 12, 13, 14)}]
 LECTURES = [name for name in names() if hasattr(load(name), "START") and name != "rocket"]  # which asks for its mass
-LARGEST = 250_000  # bytes of a page
 SECONDS = 1.0
 SIZES = [(1280, 720), (390, 844)]
 
 
 @pytest.fixture
 def tab(open_page):
-    """`tab(scene, size)` -> its small page."""
-
-    def tab(scene, size=SIZES[0], **options):
-        assert len(page(scene).encode()) < LARGEST
-        return open_page(page(scene), size, **options)
-
-    return tab
-
-
-@pytest.fixture
-def scene_named(scenes):
-    return lambda name: scenes(name) if name in assignments() else show(load(name)).scene
+    """`tab(scene, size)` -> its page."""
+    return lambda scene, size=SIZES[0]: open_page(page(scene), size)
 
 
 @pytest.mark.parametrize("name", first(8, [*HOMEWORK, *LECTURES]))
-def test_the_page_moves_as_solve_does(tab, scene_named, name):
-    scene = scene_named(name)
+def test_the_page_moves_as_solve_does(tab, scenes, name):
+    scene = scenes(name)
     opened, live = tab(scene), scene.live
     piece = SECONDS / 60  # as the page does it: a call takes so many steps at most
     result = opened.evaluate(
@@ -52,9 +41,9 @@ def test_the_page_moves_as_solve_does(tab, scene_named, name):
 
 
 @pytest.mark.parametrize("name", [*HOMEWORK, *LECTURES])
-def test_what_a_hand_holds_is_where_the_hand_is(scene_named, name):
+def test_what_a_hand_holds_is_where_the_hand_is(scenes, name):
     """By the functions themselves: grab the place where it is already, and it stays there."""
-    live = scene_named(name).live
+    live = scenes(name).live
     state = np.array(live.start)
     for handle in live.handles:
         position = np.ravel(handle.point(state, **live.parameters)).astype(float)

@@ -1,13 +1,14 @@
-"""Laws over all scenes: nothing jumps from frame to frame, and no body is where another one is."""
+"""Laws over all scenes: nothing jumps from frame to frame, no body is where another one is, the page is small."""
 
+import re
 from itertools import combinations
 
 import numpy as np
 import pytest
 
 from tam570.course import assignments
-from tam570.lectures import load, names
-from tam570.show import show
+from tam570.lectures import names
+from tam570.show.page import page
 
 STEP, QUICKER = 0.02, 4.0  # of its panel's size, and of the steps before and after it: a jump is larger than both
 JUMPS = {  # what the physics has, by scene and shape
@@ -18,11 +19,21 @@ JUMPS = {  # what the physics has, by scene and shape
     ("hw06_braking", "arrow"): "friction ends with the motion",
 }
 DEPTH = 1e-3  # of a panel's size, of a touch: half a pixel
+LARGEST = 250_000  # bytes of a page
 
 
 @pytest.fixture(params=[*assignments(), *names()])
 def scene(request, scenes):
-    return scenes(request.param) if request.param in assignments() else show(load(request.param)).scene
+    return scenes(request.param)
+
+
+def test_its_laws_hold_on_a_small_page_that_needs_nothing_else(scene):
+    for film in scene.slider.scenes if scene.slider else [scene]:
+        assert not film.notes and not any(time_plot.alarm for time_plot in film.time_plots)
+    document = page(scene)
+    assert len(scene.alt_text) > 60 and len(document.encode()) < LARGEST
+    assert not re.search(r"https?://|\bsrc=|\bhref=|@import|url\(", document)
+    assert ("azimuth" in document) == scene.in_space
 
 
 def size(panel):
