@@ -1,6 +1,6 @@
 """The jail of one submission: namespaces of its own, limits, another user, no capabilities.
 
-    guard    unshares namespaces, forks the prisoner, holds the leash
+    guard    forks one prisoner after another, each into namespaces of its own, and holds the leash
     prisoner confines itself, then serves calls to the student's functions; process 1 of its namespace
 
 Where namespaces are not to be had, the limits and the process group remain.
@@ -9,6 +9,7 @@ Where namespaces are not to be had, the limits and the process group remain.
 import contextlib
 import ctypes
 import os
+import platform
 import resource
 import select
 import signal
@@ -19,8 +20,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from .refusals import LIBC, refuse_calls
+from .refusals import CALLS, LIBC, refuse_calls
 
+HELD = ctypes.PyDLL(None, use_errno=True)  # the C library, whose calls keep Python's lock: a fork must
+NO = (ctypes.c_long(0),) * 4  # stack, and places for numbers, of a clone that is a fork
 NEW_MOUNTS, NEW_IPC, NEW_USER, NEW_PROCESSES = 0x20000, 0x8000000, 0x10000000, 0x20000000
 # mount flags; private is recursive
 PRIVATE, BIND, REMOUNT, NO_PROGRAMS, NO_DEVICES, NO_SUID, READ_ONLY = 0x44000, 0x1000, 32, 8, 4, 2, 1
@@ -31,6 +34,7 @@ SCRATCH = "/scratch"  # the prisoner's own folder; not /tmp, where Python and it
 CHANNEL = 3  # the prisoner's only file besides /dev/null
 
 
+ORDERS = b"cek"  # that a guard gets about its prisoner
 POLL = 0.02  # s between looks at a prisoner that may have ended
 MOMENT = 0.5  # s, in which one that was killed has ended: its memory is given back before its channel is closed
 BY_TICKS, EXACT = 0, 2  # clocks of a process
@@ -41,7 +45,7 @@ class Limits:
     """What one submission may use."""
 
     cpu: int  # s
-    memory: int  # bytes, beyond what the worker itself has
+    memory: int  # bytes, with what the worker itself has
     file_size: int  # bytes, of a file and of all files together
     processes: int
     namespaces: bool
@@ -55,18 +59,37 @@ class Limits:
 
 
 def secede(limits: Limits) -> None:
-    """Leave the worker's namespaces; without root, as root of a user namespace of our own."""
-    flags = NEW_MOUNTS | NEW_IPC | NEW_PROCESSES
+    """Leave the worker's namespaces; without root, as root of a user namespace of our own. No process is seen there."""
+    flags = NEW_MOUNTS | NEW_IPC
     if limits.user is not None:
         _must(LIBC.unshare(flags), "unshare")
-        return
-    user, group = os.getuid(), os.getgid()
-    LIBC.prctl(DUMPABLE, 1, 0, 0, 0)  # the maps below belong to root while we are not dumpable
-    _must(LIBC.unshare(flags | NEW_USER), "unshare")
-    for name, line in (("setgroups", "deny"), ("uid_map", f"{user} {user} 1"), ("gid_map", f"{group} {group} 1")):
-        with open(f"/proc/self/{name}", "w") as file:
-            file.write(line)
-    hidden_from_debuggers()
+    else:
+        user, group = os.getuid(), os.getgid()
+        LIBC.prctl(DUMPABLE, 1, 0, 0, 0)  # the maps below belong to root while we are not dumpable
+        _must(LIBC.unshare(flags | NEW_USER), "unshare")
+        for name, line in (("setgroups", "deny"), ("uid_map", f"{user} {user} 1"), ("gid_map", f"{group} {group} 1")):
+            with open(f"/proc/self/{name}", "w") as file:
+                file.write(line)
+        hidden_from_debuggers()
+    _must(LIBC.mount(b"none", b"/", None, PRIVATE, None), "mount /")
+    _must(LIBC.mount(b"empty", b"/proc", b"tmpfs", READ_ONLY, b"size=0"), "mount /proc")
+    _protect("/dev")
+
+
+def fork(limits: Limits) -> int:
+    """Fork as os.fork does; where there are namespaces, into new ones."""
+    if not limits.namespaces:
+        return os.fork()
+    clone = ctypes.c_long(CALLS[platform.machine()].clone)
+    flags = ctypes.c_ulong(NEW_MOUNTS | NEW_IPC | NEW_PROCESSES | signal.SIGCHLD)
+    ctypes.pythonapi.PyOS_BeforeFork()
+    child: int = HELD.syscall(clone, flags, *NO)
+    if child == 0:
+        ctypes.pythonapi.PyOS_AfterFork_Child()
+    else:
+        ctypes.pythonapi.PyOS_AfterFork_Parent()
+        _must(min(child, 0), "clone")
+    return child
 
 
 def confine(limits: Limits, channel: int, folder: str) -> None:
@@ -165,12 +188,9 @@ def _cpu_seconds(pid: int, clock: int = EXACT) -> float:
 
 
 def _own_files(limits: Limits) -> None:
-    """Enter a scratch folder of our own, and no view of any process."""
-    _must(LIBC.mount(b"none", b"/", None, PRIVATE, None), "mount /")
+    """Enter a scratch folder of our own, without sight of what is off limits."""
     scratch = f"size={limits.file_size},nr_inodes=1000,mode=1777".encode()
     _must(LIBC.mount(b"scratch", SCRATCH.encode(), b"tmpfs", NO_SUID | NO_DEVICES, scratch), f"mount {SCRATCH}")
-    _must(LIBC.mount(b"empty", b"/proc", b"tmpfs", READ_ONLY, b"size=0"), "mount /proc")
-    _protect("/dev")
     for name in limits.hidden:
         _hide(name)
     os.chdir(SCRATCH)
@@ -211,7 +231,7 @@ def _limit(limits: Limits) -> None:
         _at_most(what, most)
     _at_most(resource.RLIMIT_CORE, 0)
     if sys.platform == "linux":  # elsewhere address space is not limited, or far beyond what is used
-        _at_most(resource.RLIMIT_AS, limits.memory + _address_space(), "bytes of memory")
+        _at_most(resource.RLIMIT_AS, limits.memory, "bytes of memory")
     if limits.namespaces or limits.user is not None:  # else all processes of the teacher would count
         _at_most(resource.RLIMIT_NPROC, limits.processes)
 
@@ -230,7 +250,7 @@ def _at_most(what: int, most: int, expected: str = "") -> None:
         resource.setrlimit(what, (hard, hard))
 
 
-def _address_space() -> int:
+def address_space() -> int:
     """Bytes of address space in use; 0 where the system does not tell."""
     try:
         with open("/proc/self/statm") as file:

@@ -1,7 +1,7 @@
-"""The warm worker: imports once what the assignments need, then forks a guard and a prisoner for each submission.
+"""The warm worker: imports once what the assignments need, then forks guards, which fork a prisoner a submission.
 
-It is told of a submission only by two sockets, the channel to the prisoner and the leash of the guard; the
-submission itself goes through the channel, so that no later fork can find an earlier student's work in memory.
+They are told of a submission only by a socket, the channel to its prisoner; the submission itself goes through that,
+so that no later fork can find an earlier student's work in memory.
 """
 
 import builtins
@@ -10,6 +10,7 @@ import gc
 import importlib
 import json
 import os
+import select
 import shutil
 import signal
 import socket
@@ -50,6 +51,7 @@ def main() -> None:
     for name in settings["preload"]:
         importlib.import_module(name)
     _warm_up(settings["preload"])
+    settings["limits"]["memory"] += jail.address_space()
     program(**jail.Limits(cpu=0, user=None, **settings["limits"]).refusals)
     jail.hidden_from_debuggers()
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # guards are reaped by the kernel
@@ -59,18 +61,14 @@ def main() -> None:
     lifeline, held = os.pipe()
     control.sendall(b"ready")
     while True:
-        order, files, _, _ = socket.recv_fds(control, LONGEST_ORDER, 2)
+        order, leashes, _, _ = socket.recv_fds(control, 1, 1)
         if not order:
             return
-        of_submission = json.loads(order)
-        for size in of_submission.pop("states"):
-            _compile_step(size)
         if os.fork() == 0:
             control.close()
             os.close(held)
-            _monitor(files, lifeline, jail.Limits(**settings["limits"], **of_submission))
-        for file in files:
-            os.close(file)
+            _watch_all(socket.socket(fileno=leashes[0]), lifeline, settings["limits"])
+        os.close(leashes[0])
 
 
 def _warm_up(preload: list[str]) -> None:
@@ -91,30 +89,47 @@ def _compile_step(size: int) -> None:
         gc.freeze()
 
 
-def _monitor(files: list[int], lifeline: int, limits: jail.Limits) -> None:
-    """Fork the prisoner and watch it; never returns."""
-    channel, leash = (socket.socket(fileno=file) for file in files)
+def _watch_all(leash: socket.socket, lifeline: int, settings: Json) -> None:
+    """Fork a prisoner at each order on the leash, and watch it to its end; never returns."""
     signal.signal(signal.SIGCHLD, signal.SIG_DFL)
-    folder = jail.SCRATCH if limits.namespaces else tempfile.mkdtemp(prefix="tam570-")
+    has_seceded = not settings["namespaces"]
     try:
-        if limits.namespaces:
-            jail.secede(limits)
-        elif limits.user is not None:
-            os.chown(folder, limits.user, limits.user)
-        child = os.fork()
-        if child == 0:
-            _serve(channel, limits, folder)
-        channel.close()
-        jail.watch(child, leash, lifeline, limits)
+        while lifeline not in select.select([leash, lifeline], [], [])[0]:
+            order, channels, _, _ = socket.recv_fds(leash, LONGEST_ORDER, 1)
+            if not order:
+                break
+            if not channels:  # it is about a prisoner that has ended
+                continue
+            of_submission = json.loads(order.lstrip(jail.ORDERS))
+            for size in of_submission.pop("states"):
+                _compile_step(size)
+            limits = jail.Limits(**settings, **of_submission)
+            if not has_seceded:
+                jail.secede(limits)
+                has_seceded = True
+            _watch(channels[0], leash, lifeline, limits)
     except Exception:
         traceback.print_exc()
     finally:
-        if not limits.namespaces:
-            shutil.rmtree(folder, ignore_errors=True)
         os._exit(0)
 
 
-def _serve(channel: socket.socket, limits: jail.Limits, folder: str) -> None:
+def _watch(channel: int, leash: socket.socket, lifeline: int, limits: jail.Limits) -> None:
+    """Fork a prisoner and watch it to its end."""
+    folder = jail.SCRATCH if limits.namespaces else tempfile.mkdtemp(prefix="tam570-")
+    try:
+        if not limits.namespaces and limits.user is not None:
+            os.chown(folder, limits.user, limits.user)
+        if (child := jail.fork(limits)) == 0:
+            _serve(channel, limits, folder)
+        os.close(channel)
+        jail.watch(child, leash, lifeline, limits)
+    finally:
+        if not limits.namespaces:
+            shutil.rmtree(folder, ignore_errors=True)
+
+
+def _serve(channel: int, limits: jail.Limits, folder: str) -> None:
     """Be the prisoner: load the submission, then answer calls; never returns."""
     try:
         _confined(limits, channel, folder)
@@ -138,10 +153,10 @@ def _serve(channel: socket.socket, limits: jail.Limits, folder: str) -> None:
         os._exit(0)
 
 
-def _confined(limits: jail.Limits, channel: socket.socket, folder: str) -> None:
+def _confined(limits: jail.Limits, channel: int, folder: str) -> None:
     """Confine this process and say so before it is sent a submission; or say what was in the way, and end."""
     try:
-        jail.confine(limits, channel.detach(), folder)
+        jail.confine(limits, channel, folder)
     except Exception as error:
         _send({"confined": str(error)})
         os._exit(0)

@@ -34,10 +34,10 @@ class SandboxProcess:
     """One submission's prisoner: requests in, replies out, each with a limit."""
 
     def __init__(self, channel: socket.socket, leash: socket.socket, call_limit: float) -> None:
-        self._channel, self._leash, self.limit = channel, leash, call_limit
+        self._channel, self.leash, self.limit = channel, leash, call_limit
         self._ended = False  # the prisoner has closed its end
         self._channel.setblocking(False)
-        self._leash.settimeout(60)  # s; the guard answers within a few hundredths where the machine is not busy
+        self.leash.settimeout(60)  # s; the guard answers within a few hundredths where the machine is not busy
         self._received = bytearray()
         self._budget, self._room = ItemBudget(), LARGEST_REPLY  # for the replies to the request before us
         self._waited = 0.0  # s, in earlier calls: no less than the CPU time they took
@@ -121,18 +121,28 @@ class SandboxProcess:
         """Kill the prisoner; the CPU seconds it has used. A guard that does not answer has died with its worker."""
         try:
             self._order(b"e" if self._ended else b"k")
-            while not self._last_words:
-                self._heard()  # the answer to an earlier question
+            self.outlast()
             self._cpu, self.killed_from_outside = float(self._last_words[0]), self._last_words[1] == "1"
         except OSError:
             self.monitored, self._cpu = False, max(self._cpu, self._waited)
-        self.drop()
+            self.leash.close()
+        self._channel.close()
         return self._cpu
 
     def drop(self) -> None:
         """Let the guard kill the prisoner, without waiting for it."""
+        self._order(b"k")
         self._channel.close()
-        self._leash.close()
+
+    @property
+    def over(self) -> bool:
+        """Whether it was dropped or has been ended."""
+        return self._channel.fileno() < 0
+
+    def outlast(self) -> None:
+        """Wait until the prisoner has ended; OSError if its guard has gone."""
+        while not self._last_words:
+            self._heard()  # the answer to an earlier question
 
     def _ready(self, event: int, seconds: float) -> bool:
         """Whether it can be read or written within these seconds of our clock, which stands where a wait ends late."""
@@ -195,13 +205,13 @@ class SandboxProcess:
     def _order(self, order: bytes) -> None:
         """Send the guard an order. It may have gone with its prisoner, and its last words are still to be read."""
         with suppress(ConnectionError):
-            self._leash.sendall(order)
+            self.leash.sendall(order)
 
     def _heard(self) -> list[str]:
         """Return what the guard says next; after its last words, these."""
         line = b""
         while not self._last_words and not line.endswith(b"\n"):
-            chunk = self._leash.recv(1)
+            chunk = self.leash.recv(1)
             if not chunk:
                 raise OSError("the guard has gone")
             line += chunk

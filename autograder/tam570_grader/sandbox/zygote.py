@@ -64,6 +64,7 @@ class Zygote:
         with suppress(OSError):  # that it has ended is noticed when it is waited for
             self._control.sendall(json.dumps({"limits": _limits(limits), "preload": list(preload)}).encode())
         self._ready = False
+        self._holder, self._processes = os.getpid(), list[SandboxProcess]()  # the last one of each guard
 
     @property
     def user(self) -> int | None:
@@ -85,22 +86,40 @@ class Zygote:
 
     def _opened(self, cpu: float, hidden: Sequence[str] = (), states: Sequence[int] = ()) -> SandboxProcess:
         channel, prisoner_end = socket.socketpair()
-        leash, guard_end = socket.socketpair()
-        ends = [prisoner_end.fileno(), guard_end.fileno()]
         most = max(1, math.ceil(cpu))
         order = {"cpu": most, "hidden": list(hidden), "user": self.user, "states": list(states)}
         try:
-            socket.send_fds(self._control, [json.dumps(order).encode()], ends)
+            leash = self._free_leash()
+            socket.send_fds(leash, [json.dumps(order).encode()], [prisoner_end.fileno()])
         except OSError:
             channel.close()
-            leash.close()
             raise ZygoteLost("the worker died") from None
         finally:
             prisoner_end.close()
-            guard_end.close()
         process = SandboxProcess(channel, leash, self.limits.call)
+        self._processes.append(process)
         self._must_be_confined(process)
         return process
+
+    def _free_leash(self) -> socket.socket:
+        """Return the leash of a guard whose prisoner is over, or of a new one."""
+        if self._holder != os.getpid():  # the guards are those of the process that this one was forked from
+            self._let_go()
+        for process in [process for process in self._processes if process.over]:
+            self._processes.remove(process)
+            with suppress(OSError):  # a guard that has gone
+                process.outlast()
+                return process.leash
+            process.leash.close()
+        leash, guard_end = socket.socketpair()
+        with guard_end:
+            socket.send_fds(self._control, [b"g"], [guard_end.fileno()])
+        return leash
+
+    def _let_go(self) -> None:
+        for process in self._processes:
+            process.leash.close()
+        self._holder, self._processes = os.getpid(), []
 
     def _must_be_confined(self, process: SandboxProcess) -> None:
         """Wait until it says so: one that ends before has not seen a submission, whose fault it cannot be."""
@@ -145,6 +164,7 @@ class Zygote:
 
     def close(self) -> None:
         """End the worker and everything in it, if this process started it; else others may still need it."""
+        self._let_go()
         self._launched.close()
 
     def kill(self) -> None:

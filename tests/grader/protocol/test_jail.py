@@ -52,8 +52,9 @@ def test_the_supervisor_hears_the_last_word_of_a_monitor_that_has_gone(word, ask
     process = SandboxProcess(channel, leash, call_limit=1.0)
     monitors_end.sendall(f"0.25\n0.5 {word}\n".encode())
     monitors_end.close()
-    assert not asks_first or [process.seconds(), process.seconds()] == [0.25, 0.5]
-    assert process.end() == 0.5
+    with leash:
+        assert not asks_first or [process.seconds(), process.seconds()] == [0.25, 0.5]
+        assert process.end() == 0.5
     assert process.monitored and process.killed_from_outside == (word == "1")
 
 

@@ -50,6 +50,21 @@ def test_a_submission_has_a_process_group_of_its_own(grade, solution_text):
     assert grade(SLUG, text).score == 10
 
 
+def test_the_libraries_of_a_zygote_are_not_a_submissions_memory(grade, solution_text):
+    text = solution_text(SLUG) + "\nblock = bytearray(200 * 2**20)\n"
+    assert grade(SLUG, text, limits=ResourceLimits(memory=2**28)).score == 10
+
+
+def test_a_monitor_watches_one_process_after_another(zygotes):
+    zygote = zygotes(SLUG, ResourceLimits())
+    first, second = zygote.process(5), zygote.process(5)
+    assert first.leash is not second.leash
+    first.drop()
+    third = zygote.process(5)
+    assert third.leash is first.leash
+    assert second.end() > 0 and third.end() > 0 and third.monitored
+
+
 def test_one_that_is_tried_again_is_not_quoted(course, zygotes):
     source = Source(b"1 / 0")
     assignment, zygote = assignments.assignment(course, SLUG), zygotes(SLUG, ResourceLimits())
