@@ -94,7 +94,7 @@ def _watch_all(leash: socket.socket, lifeline: int, settings: Json) -> None:
     signal.signal(signal.SIGCHLD, signal.SIG_DFL)
     has_seceded = not settings["namespaces"]
     try:
-        while lifeline not in select.select([leash, lifeline], [], [])[0]:
+        while lifeline not in select.select([leash.fileno(), lifeline], [], [])[0]:
             order, channels, _, _ = socket.recv_fds(leash, LONGEST_ORDER, 1)
             if not order:
                 break
