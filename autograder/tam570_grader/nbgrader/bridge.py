@@ -34,6 +34,7 @@ from tam570_grader.nbgrader.cells import Notebook, grade_id, marked, node, pictu
 from tam570_grader.nbgrader.gradebook import OpenGradebook, keep_gradebooks_open
 from tam570_grader.release.notebook import FORMAT, part_of, part_points, text_cell
 from tam570_grader.reports.feedback import load_assignment_info
+from tam570_grader.results.records import read as as_result
 from tam570_grader.results.store import Record, ResultStore
 from tam570_grader.sandbox.notebooks import Unshown, cells_of
 
@@ -186,11 +187,11 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
             raise NbGraderException(f"the grader failed on {student} {slug}: see {self.results}/{slug}/results.jsonl")
         checkout = self.found_checkout()
         sheet, graded = load_assignment_info(checkout, slug), part_points(assignments.assignment(checkout, slug))
+        result = as_result(record)
         for cell in nb.cells:
             part = part_of(grade_id(cell))
             if part in graded:
-                marks = [result for result in record["checks"] if result["part"] == part]
-                cell.outputs = marked(marks, sheet, remark(submission, record))
+                cell.outputs = marked(result, part, sheet, remark(submission, result))
         return nb, resources
 
     def found_checkout(self) -> Path:

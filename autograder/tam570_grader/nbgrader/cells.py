@@ -10,8 +10,8 @@ from tam570.values import Json
 from tam570_grader.errors import printable
 from tam570_grader.grading.submissions import Submission
 from tam570_grader.release.notebook import FORMAT
-from tam570_grader.reports.feedback import SIGNS, AssignmentInfo, overall, pictures, template
-from tam570_grader.results.store import Record
+from tam570_grader.reports.feedback import SIGNS, AssignmentInfo, overall, shown, template
+from tam570_grader.results.records import Result
 
 Notebook = Any  # nbformat's own types say no more
 
@@ -40,46 +40,31 @@ def _cell(number: int, cell: Json) -> Json:
     return {**fields, "attachments": cell["attachments"]} if cell["attachments"] else fields
 
 
-def remark(submission: Submission, record: Record) -> str:
+def remark(submission: Submission, result: Result) -> str:
     """Return what is to say of the submission as a whole."""
     slug, path = submission.slug, submission.path
     elsewhere = path is not None and path.name != f"{slug}.py"
     sentence = NO_MODULE.format(slug=slug, name=printable(path.name)) if elsewhere and path else ""
-    return " ".join(filter(None, (sentence, overall(record["status"], record.get("message", "")))))
+    return " ".join(filter(None, (sentence, overall(result.status, result.message))))
 
 
-def marked(marks: Iterable[Json], sheet: AssignmentInfo, sentence: str) -> list[Notebook]:
-    """Return the messages and pictures of a part, and its points as nbgrader reads them.
-
-    The number that a cell ends with.
-    """
-    shown = [_shown(check_result, sheet) for check_result in marks]
-    earned = round(sum(check_result["points"] for check_result in shown), 6)
-    page = template("part.html").render(marks=shown, remark=sentence)
-    plain = "\n".join([*([sentence] if sentence else []), *map(_plain, shown)])
+def marked(result: Result, part: str, info: AssignmentInfo, sentence: str) -> list[Notebook]:
+    """Return the messages and pictures of a part, and its points as nbgrader reads them: the number at a cell's end."""
+    checks = [check_result for check_result in result.checks if check_result.part == part]
+    marks = [shown(check_result, info, result.message) for check_result in checks]
+    earned = round(sum(check_result.points or 0.0 for check_result in checks), 6)
+    page = template("part.html").render(slug=result.assignment, marks=marks, remark=sentence)
+    plain = "\n".join([*([sentence] if sentence else []), *map(_plain, marks)])
     return [
         _output("display_data", data={"text/html": page, "text/plain": plain}, metadata={}),
         _output("execute_result", data={"text/plain": repr(earned)}, metadata={}, execution_count=1),
     ]
 
 
-def _shown(check_result: Json, sheet: AssignmentInfo) -> Json:
-    """Return a mark without its detail, which is the instructor's."""
-    return {
-        "name": check_result["name"],
-        "outcome": check_result["outcome"],
-        "line": sheet.lines.get(check_result["name"], check_result["name"]),
-        "points": check_result["points"],
-        "max_points": check_result["max_points"],
-        "message": "" if check_result["outcome"] == "passed" else check_result["message"],
-        "pictures": pictures((check_result.get("failure") or {}).get("curve")),
-    }
-
-
-def _plain(check_result: Json) -> str:
-    message = f"\n  {check_result['message']}" if check_result["message"] else ""
-    points = f"{check_result['points']:g}/{check_result['max_points']:g}"
-    return f"{SIGNS[check_result['outcome']]} {points} {check_result['line']}{message}"
+def _plain(mark: Json) -> str:
+    messages = [mark["message"], mark["suspect"]] if mark["outcome"] != "passed" else []
+    first = f"{SIGNS[mark['outcome']]} {mark['points']}/{mark['max_points']} {mark['line']}"
+    return "\n  ".join([first, *filter(None, messages)])
 
 
 def safe(output: Notebook) -> Notebook | None:

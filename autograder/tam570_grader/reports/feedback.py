@@ -126,15 +126,12 @@ def _part(letter: str, result: Result, info: AssignmentInfo) -> Json:
         "points": points(earned, most),
         "max_points": points(most),
         "share": round(100 * (earned or 0) / most, 1) if most else 0,
-        "marks": [_shown(check_result, info, result.message) for check_result in check_results],
+        "marks": [shown(check_result, info, result.message) for check_result in check_results],
     }
 
 
-def _shown(check_result: CheckResult, info: AssignmentInfo, overall_message: str) -> Json:
-    """Return a mark as the page shows it, but for what the note says of all.
-
-    Never its detail, which is the instructor's.
-    """
+def shown(check_result: CheckResult, info: AssignmentInfo, overall_message: str) -> Json:
+    """Return a mark as a page shows it, without what is said of all; never its detail, which is the instructor's."""
     failure, is_stuck = check_result.failure, check_result.outcome == "failed" or bool(check_result.unwritten)
     function = (failure and failure.function) or check_result.unwritten or info.functions.get(check_result.name)
     message = "" if check_result.message == overall_message else check_result.message

@@ -94,10 +94,10 @@ class ManualAdjustments:
         """Return the rows of a result: a student's own go before everybody's, an assignment's before the term's."""
         return {item: entry for layer in _layers(key) for item, entry in self._of.get(layer, {}).items()}
 
-    def points_of(self, student: str, slug: str, item: str) -> float | None:
-        """Return what a row gives; None where there is no row, or one without points."""
-        entry = self.entries.get((student, slug, item))
-        return entry.points if entry else None
+    def lacks(self, key: Key, part: str) -> bool:
+        """Return whether nobody has graded a part by hand, of a result whose score depends on it."""
+        points = {item: row.points for item, row in self._rows(key).items()}
+        return points.get(part) is None and TOTAL not in points and not points.get(EXCUSED)
 
     def counts_parts(self, slug: str) -> bool:
         """Return whether everybody's score is of a most that has the parts by hand."""

@@ -174,6 +174,12 @@ def test_rows_of_the_term_hold_in_every_assignment(rows, rest):
     assert [row[3] for row in table] == [score if score == "EX" else pytest.approx(score) for score in rest]
 
 
+@pytest.mark.parametrize(("row", "code"), [("adjust,1", 1), ("total,9", 0), ("excused,1", 0), ("c,2", 0)])
+def test_lms_stops_for_a_part_that_nobody_graded_where_the_score_depends_on_it(results, row, code):
+    assert points(results, "ann,hw07,c,1,", f"ben,hw07,{row},why") == 0
+    assert cli.main(["lms", str(results), "--to", "moodle"]) == code
+
+
 @pytest.mark.parametrize("item", [*manual_points.WORDS, "skew_is_the_cross_product"])
 def test_a_row_without_points_takes_back_what_there_was(tmp_path, item):
     lines = [",".join(manual_points.COLUMNS), f"ada,{SLUG},{item},1,,why", f"ada,{SLUG},{item},,,why"]
