@@ -194,14 +194,14 @@ def page(desk: Desk, number: int, nonce: str) -> str:
 def _part(entry: Entry | None, letter: str, rubric: ManualPart) -> Json:
     """Return the claims of a part, those that were given ticked, what else it is worth, and the rest of the comment."""
     lines, texts = entry.comment.split("\n") if entry else [], {f"+ {claim}" for _, claim in rubric.claims}
-    given = entry.points if entry else None
+    points = entry.points if entry else None
     ticked = [f"+ {claim}" in lines for _, claim in rubric.claims]
     of_claims = round(sum(worth for (worth, _), is_ticked in zip(rubric.claims, ticked, strict=True) if is_ticked), 6)
     return {
         "letter": letter,
         "rubric": rubric,
         "claims": [(worth, claim, is_ticked) for (worth, claim), is_ticked in zip(rubric.claims, ticked, strict=True)],
-        "given": given,
-        "typed": "" if given is None or given == of_claims else f"{given:g}",
+        "given": points,
+        "typed": "" if points is None or points == of_claims else f"{points:g}",
         "comment": "\n".join(line for line in lines if line not in texts),
     }

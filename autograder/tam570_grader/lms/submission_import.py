@@ -97,8 +97,8 @@ def run(source: Path, system: str, out: Path, slugs: Sequence[str], slug_given: 
     troubles += [(row.student, message) for row, message in _newer_notebooks(rows, out)]
     why = "is nobody's by " + METADATA if system == "gradescope" else f"is not named as {system} names submissions"
     troubles += [("", f"{stray.path} {stray.refused or why}") for stray in strays]
-    strangers = {row.student: row for row in rows if everyone.people and row.person is None and row.target}
-    troubles += [(who, f"{who} ({row.handed.name}) {STRANGER}") for who, row in strangers.items()]
+    unmatched = {row.student: row for row in rows if everyone.people and row.person is None and row.target}
+    troubles += [(who, f"{who} ({row.handed.name}) {STRANGER}") for who, row in unmatched.items()]
     _warn(troubles)
     for line in replaced:
         say(line)

@@ -61,9 +61,9 @@ def marked(result: Result, part: str, info: AssignmentInfo, sentence: str) -> li
     ]
 
 
-def _plain(mark: Json) -> str:
-    messages = [mark["message"], mark["suspect"]] if mark["outcome"] != "passed" else []
-    first = f"{SIGNS[mark['outcome']]} {mark['points']}/{mark['max_points']} {mark['line']}"
+def _plain(check: Json) -> str:
+    messages = [check["message"], check["suspect"]] if check["outcome"] != "passed" else []
+    first = f"{SIGNS[check['outcome']]} {check['points']}/{check['max_points']} {check['line']}"
     return "\n  ".join([first, *filter(None, messages)])
 
 
