@@ -21,7 +21,7 @@ from tam570_grader.checks.assignments import ADDITIONS, OVERRIDES, LoadedAssignm
 from tam570_grader.checks.rubric import with_rubric
 from tam570_grader.course import late_policy
 from tam570_grader.course.contract import contract, with_points
-from tam570_grader.course.course_toml import COLUMNS, COPY, FILE, by_slug, must, no_other, toml
+from tam570_grader.course.course_toml import COLUMNS, COPY, FILE, by_slug, is_number, must, no_other, toml
 from tam570_grader.errors import UsageError, warn, writing
 from tam570_grader.results.tables import written
 from tam570_grader.sandbox.zygote import ResourceLimits
@@ -242,8 +242,7 @@ def _part(path: Path, key: str, table: Json) -> Changes:
     points, checks = table.get("points", {}), table.get("checks", "")
     must(path, isinstance(points, dict), f"[{key}] points is a table of checks: write [{key}.points]")
     for check, value in points.items():
-        good = isinstance(value, int | float) and not isinstance(value, bool) and 0 <= value < 1e6
-        must(path, good, f"[{key}.points] {check} is {value!r}; write a number from 0 on")
+        must(path, is_number(value, 1e6), f"[{key}.points] {check} is {value!r}; write a number from 0 on")
     exists = isinstance(checks, str) and (not checks or (path.parent / checks).is_file())
     must(path, exists, f"[{key}] checks names {checks!r}, and there is no such file beside it")
     points = {name: float(value) for name, value in points.items()}

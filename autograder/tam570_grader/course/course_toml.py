@@ -1,6 +1,7 @@
 """course.toml as it stands in the file, and the sentences that name what does not fit."""
 
 import difflib
+import math
 import tomllib
 from collections.abc import Iterable, Sequence
 from pathlib import Path
@@ -27,6 +28,13 @@ def must(path: Path, holds: bool, problem: str) -> None:
     """UsageError, with the file, unless it holds."""
     if not holds:
         raise UsageError(f"{path}: {problem}")
+
+
+def is_number(value: object, most: float = math.inf) -> bool:
+    """Return whether a value is a finite number from 0 to `most`."""
+    if not isinstance(value, int | float) or isinstance(value, bool):
+        return False
+    return 0 <= value <= most and math.isfinite(value)
 
 
 def no_other(path: Path, where: str, names: Iterable[str], allowed: Iterable[str]) -> None:

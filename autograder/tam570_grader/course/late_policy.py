@@ -14,7 +14,7 @@ from zoneinfo import ZoneInfo
 
 from tam570.values import Json
 from tam570_grader.checks import assignments
-from tam570_grader.course.course_toml import COPY, FILE, by_slug, must, no_other, toml
+from tam570_grader.course.course_toml import COPY, FILE, by_slug, is_number, must, no_other, toml
 from tam570_grader.errors import UsageError, counted
 from tam570_grader.results.collected import form, listed
 from tam570_grader.results.manual_points import EVERYONE, EXTENSION, LATE, MOST, OFF, Entry, ManualAdjustments
@@ -52,8 +52,11 @@ def policies(path: Path, table: Json, slugs: Sequence[str]) -> dict[str, LatePol
     must(path, isinstance(rules, dict), "late must be a table: write [late] above its lines")
     no_other(path, "[late] ", rules, (*RULES, "zone"))
     for name, largest in zip(RULES, (1, 1, 24 * 60), strict=True):
-        good = _is_number(rules.get(name, 0)) and 0 <= rules.get(name, 0) <= largest
-        must(path, good, f"[late] {name} is {rules.get(name)!r}; write a number from 0 to {largest}")
+        must(
+            path,
+            is_number(rules.get(name, 0), largest),
+            f"[late] {name} is {rules.get(name)!r}; write a number from 0 to {largest}",
+        )
     off, most, grace = rules.get("off_a_day", 0.0), rules.get("most_off", 1.0), timedelta(minutes=rules.get("grace", 0))
     tables = by_slug(path, table, slugs)
     terms_of = {slug: _of_assignment(path, *tables[slug]) if slug in tables else (None, {}) for slug in slugs}
@@ -77,15 +80,10 @@ def _of_assignment(path: Path, key: str, table: Json) -> tuple[datetime | None, 
     must(path, good, f"[{key}] due is {due!r}; write a date and a time, 2026-09-14T23:59:00 say")
     must(path, isinstance(days, dict), f"[{key}] extension is a table of students: write [{key}.extension]")
     for who, number in days.items():
-        good = _is_number(number) and number >= 0
-        must(path, good, f"[{key}.extension] {who} is {number!r}; write days, from 0 on")
+        must(path, is_number(number), f"[{key}.extension] {who} is {number!r}; write days, from 0 on")
     if due is not None and not isinstance(due, datetime):
         due = datetime.combine(due, time(23, 59, 59))
     return due, days
-
-
-def _is_number(value: object) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
 
 
 def apply_late_policy(

@@ -20,7 +20,7 @@ from tam570_grader.checks.rubric import ManualPart
 from tam570_grader.errors import UsageError, writing
 from tam570_grader.grading.submissions import CannotRead, Submission, entries, read
 from tam570_grader.lms.archives import is_beside
-from tam570_grader.reports.feedback import environment
+from tam570_grader.reports.feedback import template
 from tam570_grader.results import manual_points
 from tam570_grader.results.manual_points import EVERYONE, Entry
 from tam570_grader.results.store import ResultStore
@@ -177,8 +177,7 @@ class _Handler(BaseHTTPRequestHandler):
 def page(desk: Desk, number: int, nonce: str) -> str:
     """One student's page."""
     sheet, last = desk.sheets[number], len(desk.sheets) - 1
-    template = environment(Path(__file__).parent / "templates").get_template("mark.html")
-    return template.render(
+    return template("mark.html").render(
         title=f"{desk.name(number)}, {sheet.slug}",
         count=f"{number + 1} of {last + 1}",
         previous=max(0, number - 1),

@@ -23,8 +23,9 @@ from tam570_grader.results.store import Key, Record, Results
 from tam570_grader.results.tables import written
 
 if TYPE_CHECKING:
-    from jinja2 import Environment, Template
+    from jinja2 import Template
 
+TEMPLATES = Path(__file__).parent / "templates"
 SIGNS = {"passed": "+", "failed": "-", "not_run": "o", "grader_error": "!"}
 HEADINGS: tuple[str, ...] = ("student", "assignment", "score", "status", "time", "what to look at first")
 NOTES = {
@@ -99,21 +100,16 @@ def must_write_pages() -> None:
 
 
 @functools.cache
-def environment(folder: Path) -> "Environment":
-    """Return the templates of a folder; whatever is put into one is escaped."""
+def template(name: str) -> "Template":
+    """Return a page's template; whatever is put into it is escaped."""
     import jinja2
 
-    loader = jinja2.FileSystemLoader(folder)
+    loader = jinja2.FileSystemLoader(TEMPLATES)
     pages = jinja2.Environment(
         loader=loader, autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True
     )
     pages.filters |= {"typeset": typeset, "points": points}
-    return pages
-
-
-def template(name: str) -> "Template":
-    """Return a page's template."""
-    return environment(Path(__file__).parent / "templates").get_template(name)
+    return pages.get_template(name)
 
 
 def _part(letter: str, result: Result, info: AssignmentInfo) -> Json:
@@ -240,8 +236,7 @@ def _info_digest(course: Path, slug: str, version: int) -> int:
 
 def _version() -> int:
     """Of all that makes a page of a result."""
-    templates = sorted((Path(__file__).parent / "templates").iterdir())
-    return zlib.crc32(assignments.engine_digest() + b"".join(path.read_bytes() for path in templates if path.is_file()))
+    return zlib.crc32(assignments.engine_digest() + b"".join(path.read_bytes() for path in sorted(TEMPLATES.iterdir())))
 
 
 def table(rows: Sequence[tuple[str, ...]]) -> str:

@@ -12,6 +12,7 @@ from tam570_grader import cli
 from tam570_grader.checks import assignments
 from tam570_grader.checks.failure import WHOLE
 from tam570_grader.diagnosis.mistakes import overlays
+from tam570_grader.reports.sentences import typeset
 
 IN_CI = {  # assignment: the mistake in what the second student hands in
     "hw07_double_pendulum": "too_few_steps",
@@ -153,7 +154,7 @@ def assert_the_feedback_says_what_was_lost(term):
         ben = next(r for r in map(json.loads, results) if r["student"] == "ben")
         lost = [check for check in ben["checks"] if check["outcome"] == "failed"]
         assert lost, ben
-        assert all(check["message"][:40] in pages[1] for check in lost)
+        assert all(typeset(check["message"])[:40] in pages[1] for check in lost)
         details = json.dumps([check["failure"].get(key) for check in lost for key in WHOLE])
         hidden = [number for number in re.findall(r"[\d.e-]+", details) if len(number) >= TELLS]
         assert not [text for text in hidden for page in pages if text in page], slug
