@@ -23,7 +23,7 @@ Vector = NDArray[np.float64]
 
 WIDTH = 520  # px
 HEAD, SLIM = 11.0, 0.3  # px, length of an arrowhead; half its width over its length
-HATCH, COIL = 9.0, 7.0  # px
+HATCH, COIL, TURNS = 9.0, 7.0, 9  # px, px, of a spring
 SUBSCRIPT = re.compile(r"_(\S+)")
 STYLE = (
     ":root{--ink:#1c2024;--soft:#6a737d;--paper:#fff;--body:#1f5fbf;--fill:#1f5fbf22;--vector:#c0392b;--angle:#1a7f4b}"
@@ -134,14 +134,14 @@ class Figure:
         """Write a text."""
         self._text(self._on_paper([at])[0], text, by, style)
 
-    def spring(self, a: ArrayLike, b: ArrayLike, turns: int = 9) -> None:
+    def spring(self, a: ArrayLike, b: ArrayLike) -> None:
         """Draw a spring from a to b."""
         start, end = self._on_paper([a, b])
         along = (end - start) / math.dist(start, end)
         side = COIL * np.array([-along[1], along[0]])
-        stops = np.linspace(0.12, 0.88, 2 * turns + 1)
+        stops = np.linspace(0.12, 0.88, 2 * TURNS + 1)
         zigzag = [
-            start + s * (end - start) + side * (0 if i in (0, 2 * turns) else (-1) ** i) for i, s in enumerate(stops)
+            start + s * (end - start) + side * (0 if i in (0, 2 * TURNS) else (-1) ** i) for i, s in enumerate(stops)
         ]
         self._path([start, *zigzag, end], "body")
 
@@ -158,9 +158,9 @@ class Figure:
         ]
         self._parts.append(f'<path class="soft" d="{"".join(lines)}"/>')
 
-    def axes(self, origin: ArrayLike, length: float, names: Sequence[str] = ("x", "y"), turned: float = 0.0) -> None:
-        """Draw two axes, turned by an angle in rad."""
-        for name, way in zip(names, (turned, turned + math.pi / 2), strict=True):
+    def axes(self, origin: ArrayLike, length: float, turned: float = 0.0) -> None:
+        """Draw the axes of x and y, turned by an angle in rad."""
+        for name, way in {"x": turned, "y": turned + math.pi / 2}.items():
             tip = np.asarray(origin) + length * np.array([math.cos(way), math.sin(way)])
             self.arrow(origin, tip, name, "thin")
 
