@@ -41,16 +41,21 @@ def test_of_an_import_the_interpreters_own_words_are_told_about_words_of_the_fil
 @pytest.mark.parametrize(
     ("text", "status", "words"),
     [
+        ("def skew(v:", "unreadable", "SyntaxError"),
+        (bytes(range(256)) * 40, "unreadable", "cannot be"),
+        ("{" * 100_000, "unreadable", ""),
         ("import tam570.rotations", "unreadable", "it imports tam570.rotations, which is off limits"),
         ("class Forbidden(Exception): pass\nraise Forbidden('1.25')", "unreadable", "was not graded: it imports"),
         ("x = 1\nimport sys\nsys.exit()", "crashed", "ends itself at line 3"),
         ("\nx = input('x')", "unreadable", "calls input() at line 2"),
         ("import os\nos._exit(0)", "crashed", "ended its process at import"),
+        ("while True: pass", "timeout", ""),
     ],
 )
-def test_what_a_file_does_at_import_is_named(grade, text, status, words):
-    result = grade(HW08, text)
-    assert result.status == status and words in result.message and "1.25" not in result.message
+def test_what_a_file_does_at_import_is_named_and_scores_nothing(grade, text, status, words):
+    result = grade(HW08, text, limits=ResourceLimits(call=1), notebook=text[0] == "{")
+    assert (result.status, result.score) == (status, 0.0) and words in result.message and result.message
+    assert "1.25" not in result.message and all(check.outcome == "not_run" for check in result.checks)
 
 
 @confined
