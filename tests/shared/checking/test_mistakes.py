@@ -3,52 +3,31 @@
 import pytest
 from parameters import first
 
-HW08 = {
-    "rotation_matrix": {
-        "kept(axis, angle).T": "The result of rotation_matrix is transposed.",
-        "kept(axis, np.radians(angle))": "In rotation_matrix, angle is read as degrees.",
-        "2 * kept(axis, angle)": "The result of rotation_matrix is twice as large as the right one.",
-        "-kept(axis, angle)": "The result of rotation_matrix has the opposite sign.",
-    },
-    "skew": {"kept(v).T": "The result of skew has the opposite sign."},
-}
-CASES = [(name, body, remedy) for name, bodies in HW08.items() for body, remedy in bodies.items()]
-
-
-def changed(hw08, name, body):
-    arguments = {"skew": "v", "rotation_matrix": "axis, angle"}[name]
-    return hw08(f"kept = {name}\n\n\ndef {name}({arguments}):\n    return {body}\n")
-
-
-@pytest.mark.parametrize(("name", "body", "remedy"), CASES)
-def test_a_known_mistake_is_named(hw08, tam570, name, body, remedy):
-    changed(hw08, name, body)
-    code, said = tam570("check")
-    assert code == 1 and f"Your numbers match this mistake: {remedy}" in " ".join(said.split())
-
-
-ORDER = "The results of power_balance are exchanged."
-OTHERS = {
-    "hw13_rolling_cylinder": (
-        "energy",
-        "kept(*args, **how) / how['mass']",
-        "The result of energy should be multiplied by mass.",
+HW08 = "hw08_axis_angle"
+NAMED = [  # a function of an assignment, what it returns instead, and what is said of it
+    (HW08, "rotation_matrix", "kept(axis, angle).T", "The result of rotation_matrix is transposed."),
+    (HW08, "rotation_matrix", "kept(axis, np.radians(angle))", "In rotation_matrix, angle is read as degrees."),
+    (
+        HW08,
+        "rotation_matrix",
+        "2 * kept(axis, angle)",
+        "The result of rotation_matrix is twice as large as the right one.",
     ),
-    "hw07_double_pendulum": (
-        "gravity_terms",
-        "-kept(*args, **how)",
-        "The result of gravity_terms has the opposite sign.",
-    ),
-    "hw01_simple_pendulum": ("power_balance", "kept(*args, **how)[::-1]", ORDER),
-}
+    (HW08, "rotation_matrix", "-kept(axis, angle)", "The result of rotation_matrix has the opposite sign."),
+    (HW08, "skew", "kept(v).T", "The result of skew has the opposite sign."),
+    ("hw13_rolling_cylinder", "energy", "kept(*args, **how) / how['mass']", "should be multiplied by mass."),
+    ("hw07_double_pendulum", "gravity_terms", "-kept(*args, **how)", "gravity_terms has the opposite sign."),
+    ("hw01_simple_pendulum", "power_balance", "kept(*args, **how)[::-1]", "results of power_balance are exchanged."),
+]
 
 
-@pytest.mark.parametrize("slug", first(3, OTHERS))
-def test_factors_signs_and_orders_are_named(desk, tam570, solution_text, slug):
-    name, body, remedy = OTHERS[slug]
-    text = f"{solution_text(slug)}\n\nkept = {name}\n\n\ndef {name}(*args, **how):\n    return {body}\n"
-    (desk / f"{slug}.py").write_text(text)
-    assert f"Your numbers match this mistake: {remedy}" in " ".join(tam570("check", f"{slug}.py")[1].split())
+@pytest.mark.parametrize(("slug", "name", "body", "remedy"), NAMED)
+def test_a_known_mistake_is_named(desk, tam570, solution_text, slug, name, body, remedy):
+    arguments = {"skew": "v", "rotation_matrix": "axis, angle"}.get(name, "*args, **how")
+    changed = f"\n\nkept = {name}\n\n\ndef {name}({arguments}):\n    return {body}\n"
+    (desk / f"{slug}.py").write_text(solution_text(slug) + changed)
+    code, said = tam570("check", f"{slug}.py")
+    assert code == 1 and "Your numbers match this mistake: " in said and remedy in " ".join(said.split())
 
 
 CARELESS = """
