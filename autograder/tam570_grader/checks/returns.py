@@ -20,7 +20,6 @@ from tam570.checking.forms import Form, WrongForm, conform, fits, is_sequence
 from tam570.values import Numbers
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed
-from tam570_grader.protocol.wire import Foreign
 
 Scale = Callable[[Case, Numbers], Numbers]  # scale(case, right result) -> what an error is relative to
 
@@ -153,21 +152,10 @@ def form(returns: ReturnSpec) -> Form:
 def result(returns: ReturnSpec, value: object, name: str, call: Case) -> Numbers:
     """Return the student's result as `conform` does, the forces of a diagram as arrows; else Failed."""
     try:
-        numbers = conform(form(returns), value, name, call.args, _kind)
+        numbers = conform(form(returns), value, name, call.args)
     except WrongForm as wrong:
         raise Failed(str(wrong), hint=wrong.hint, actual=wrong.actual) from None
     return tuple(Arrow(*force) for force in numbers) if isinstance(returns, FreeBodyDiagram) else numbers
-
-
-def _kind(value: object) -> str:
-    """Say what a student's value is, and nothing that it holds."""
-    if isinstance(value, Foreign):
-        return value.type_name
-    if value is None:
-        return "None"
-    if isinstance(value, bool | int | float | np.ndarray):
-        return "a single number"
-    return "a list that holds something other than numbers"
 
 
 def results_alike(returns: ReturnSpec, values: Sequence[Numbers]) -> list[Numbers] | None:
