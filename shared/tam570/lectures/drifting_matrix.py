@@ -15,7 +15,7 @@ from tam570.arguments import numbers, positives, sequence
 from tam570.integrate import solve, solve_rotation
 from tam570.invariants import rotation_defect
 from tam570.show.drawing import brick
-from tam570.show.plots import drift_plot, value_plot, values
+from tam570.show.plots import drift_note, value_plot, values
 from tam570.show.scene import Array, Panel, Scene, frame_times
 from tam570.show.turning import box_size, in_space, live_body, spin_arrow
 from tam570.values import Numbers, Parameters
@@ -103,8 +103,8 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
     size, title = box_size(moments), f"drift drawn {enlarged:.0e} times"
     defects = {"rotations": rotation_defect(rotations), "nine numbers": np.abs(strain).max(axis=(1, 2))}
     H, omega = (in_space(rotations, vectors) for vectors in (moments * turning, turning))
-    beside = {"nine": values(angular_momentum, states, **parameters)}
-    scale = float(np.linalg.norm(H[0]))
+    both = {"rotations": H, "nine numbers": values(angular_momentum, states, **parameters)}
+    changes = {name: np.linalg.norm(momenta - momenta[0], axis=1) for name, momenta in both.items()}
     text = f"at the end {defects['nine numbers'][-1]:.1e}, and {defects['rotations'][-1]:.0e} by rotations"
     return Scene(
         "Drifting matrix",
@@ -117,7 +117,7 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
         ],
         [
             value_plot("RᵀR - I, largest element", times, defects, "", text),
-            drift_plot("angular momentum, change", times, {"rotations": H}, scale, "itself", beside=beside),
+            value_plot("angular momentum, change", times, changes, "kg m²/s", *drift_note(H, about="by rotations: ")),
         ],
         still_time=1.0,
         live=live_body(rates, energy, parameters, STATE, start, in_body=False),

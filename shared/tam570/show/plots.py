@@ -1,4 +1,4 @@
-"""Curves over time beside a motion: values as they are, energies, and how far what must not change has drifted."""
+"""Curves over time beside a motion: values, energies; and what a caption tells of what must not change."""
 
 from collections.abc import Callable, Mapping
 
@@ -9,19 +9,9 @@ from tam570.show.scene import Array, TimePlot
 from tam570.show.student import Trouble
 from tam570.values import Function, Numbers
 
-__all__ = [
-    "drift_note",
-    "drift_plot",
-    "energy_plot",
-    "gap_note",
-    "plot_samples",
-    "state_energy_plot",
-    "value_plot",
-    "values",
-]
+__all__ = ["drift_note", "energy_plot", "gap_note", "plot_samples", "state_energy_plot", "value_plot", "values"]
 
 PLOT_SAMPLES = 400  # of a time plot, which is about as many pixels wide
-LEAST_SPAN = 0.01  # of a time plot of deviations: what is conserved to a pixel in it looks flat, whatever the rounding
 LARGEST = 1e200  # of what is drawn: its square is a number
 LARGE = 1e-3  # a deviation that no careful integration has; 1e-6 is a careless one
 
@@ -76,28 +66,6 @@ def state_energy_plot(times: Array, states: Array, positions: int, energy: Calla
 def values(function: Function, states: Array, **parameters: Numbers) -> Array:
     """(m, ...) what `function(state, **parameters)` returns for the states (n, k) that a time plot needs."""
     return np.array([function(state, **parameters) for state in states[plot_samples(states)]])
-
-
-def drift_plot(
-    title: str,
-    times: Array,
-    curves: Mapping[str, ArrayLike],
-    scale: float,
-    of: str,
-    *,
-    beside: Mapping[str, ArrayLike] | None = None,
-) -> TimePlot:
-    """Plot how far each of the quantities that must not change is from its first value, in percent of a scale.
-
-    curves : by name, (m,) numbers or (m, k) vectors
-    scale  : what the deviations are measured by; 1 where it is 0
-    of     : its name, as in "the largest kinetic energy"
-    beside : curves that are shown, and need not be constant
-    """
-    shown = {name: 100.0 * _deviation(values, scale) for name, values in {**curves, **(beside or {})}.items()}
-    half = 1.1 * max(100.0 * LEAST_SPAN / 1.1, *(float(np.abs(curve).max()) for curve in shown.values()))
-    caption, alarm = drift_note(curves, scale, of)
-    return _drawable(TimePlot(title, _sampled(times), shown, (-half, half), "%", caption, alarm))
 
 
 def drift_note(

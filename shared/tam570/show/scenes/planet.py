@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tam570.integrate import solve
 from tam570.show.live import Handle, Live, energies
-from tam570.show.plots import drift_plot
+from tam570.show.plots import drift_note, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, drawable_rate, frame_times, moving, with_slider
 from tam570.values import Numbers, Parameters
 
@@ -63,6 +63,9 @@ def _one(times: Array, states: Array, period: float, count: int, gm: float) -> S
     last = part.astype(int)
     newton = corners[last] + share[:, None] * (corners[last + 1] - corners[last])
     orbit = states[:, :2]
+    swept = {"attracted": _swept(orbit), "polygon": _swept(newton)}
+    rate = float(states[0, 0] * states[0, 3] - states[0, 1] * states[0, 2]) / 2  # m^2/s
+    off, total = {name: area - rate * times for name, area in swept.items()}, abs(rate) * times[-1] or 1.0
     passed = np.column_stack([np.interp(step * np.arange(last[-1] + 1), times, x) for x in orbit.T])
     return Scene(
         "Planet, and Newton's polygon of impulses",
@@ -74,7 +77,7 @@ def _one(times: Array, states: Array, period: float, count: int, gm: float) -> S
             Panel(_scene(passed, count, last, orbit, 0, "planet"), "attracted at all times"),
             Panel(_scene(corners[:-1], count, last, newton, 1, "planet of the polygon"), "by impulses"),
         ],
-        [_areas(times, orbit, newton, states)],
+        [value_plot("area swept", times, swept, "m²", *drift_note(off, total, "all of it", "from equal areas: "))],
         still_time=0.3,
     )
 
@@ -104,14 +107,6 @@ def _scene(corners: Array, count: int, last: NDArray[np.int64], planet: Array, c
 
 def _planet(path: Array, color: int, name: str) -> list[Shape]:
     return [Shape("trail", path[:, None], color, width=2), Shape("dot", path[:, None], color, name, width=7)]
-
-
-def _areas(times: Array, orbit: Array, newton: Array, states: Array) -> Numbers:
-    swept = {name: _swept(path) for name, path in {"attracted": orbit, "polygon": newton}.items()}
-    rate = float(states[0, 0] * states[0, 3] - states[0, 1] * states[0, 2]) / 2
-    total = abs(rate) * times[-1] or 1.0
-    off = {name: area - rate * times for name, area in swept.items()}
-    return drift_plot("area swept, less equal areas", times, off, total, "all of it")
 
 
 def _swept(path: Array) -> Array:
