@@ -3,6 +3,7 @@
 import argparse
 import io
 import os
+import shutil
 import sys
 import textwrap
 import tomllib
@@ -14,7 +15,7 @@ from typing import Any
 from tam570 import __version__, releases, work
 from tam570.course import Unknown, assignments, contract, folder, title
 from tam570.handin import HOW, hand_in
-from tam570.lectures import commands as lectures
+from tam570.lectures import catalogue, is_lecture
 from tam570.predictions import ask_for_predictions
 from tam570.progress import hints_given, recalled, remember_hints
 from tam570.values import Json
@@ -136,7 +137,9 @@ def _add_help(commands: Commands) -> None:
 
 def _list(arguments: argparse.Namespace) -> int:
     if arguments.lectures:
-        return lectures.print_list()
+        for lecture in catalogue().values():
+            print(f"{lecture.date:<15} {lecture.name:<18} {lecture.title}")
+        return 0
     points = most = 0.0
     for slug in assignments():
         file = work.work_of(slug)
@@ -160,8 +163,8 @@ def _state(file: Path | None, recalled_progress: tuple[Json, bool] | None) -> st
 
 def _start(arguments: argparse.Namespace) -> int:
     where = arguments.into or work.beside()
-    if lectures.is_lecture(arguments.assignment):
-        return lectures.start(arguments.assignment, where)
+    if arguments.assignment in catalogue():
+        return _start_lecture(catalogue()[arguments.assignment].file, where)
     copied = releases.start(arguments.assignment, where, notebook=arguments.notebook)
     for name in copied.new:
         print(copied.work / name)
@@ -174,6 +177,18 @@ def _start(arguments: argparse.Namespace) -> int:
     print(f"Read {copied.work / 'README.md'}, fill in {copied.work / f'{slug}.py'},")
     print(f"and try: tam570 check {slug[:4]}")
     print(_fitted(HOW.format(name=slug[:4])))
+    return 0
+
+
+def _start_lecture(source: Path, where: Path) -> int:
+    """Copy a lecture, as a file to play with; one that is there already stays."""
+    copy = where / source.name
+    if copy.exists():
+        print(f"{copy} is there already and stays as it is; see it with: tam570 show {copy}")
+        return 0
+    where.mkdir(parents=True, exist_ok=True)
+    shutil.copyfile(source, copy)
+    print(f"{copy}\nChange it as you like and see what it does: tam570 show {copy}")
     return 0
 
 
@@ -219,17 +234,18 @@ def _handin(arguments: argparse.Namespace) -> int:
 
 
 def _show(arguments: argparse.Namespace) -> int:
-    if arguments.what and arguments.file is None and lectures.is_lecture(arguments.what):
-        return lectures.show(arguments.what, arguments.set, arguments.save)
     from tam570.show import load_student, present, scene_of
-    from tam570.show.lecture import settings
+    from tam570.show.lecture import filmed, lecture_module, settings
 
+    what = arguments.what
+    if what and arguments.file is None and is_lecture(what):
+        return present(lambda: filmed(lecture_module(what), settings(arguments.set)), arguments.save, Path(what).stem)
     if arguments.file:
-        file, slug = arguments.file, folder(arguments.assignment or arguments.what, or_lecture=True).name
+        file, slug = arguments.file, folder(arguments.assignment or what, or_lecture=True).name
         if not file.is_file():
             raise Unknown(f"there is no file {file}")
     else:
-        file, slug = work.single(arguments.what, arguments.assignment)
+        file, slug = work.single(what, arguments.assignment)
     notes = ask_for_predictions(file.parent, slug)
     return present(
         lambda: scene_of(load_student(file, slug), slug, settings(arguments.set)), arguments.save, slug, notes

@@ -13,7 +13,7 @@ from types import ModuleType
 
 from tam570.course import Unknown
 
-__all__ = ["Lecture", "heading", "catalogue", "load", "names"]
+__all__ = ["Lecture", "catalogue", "heading", "is_lecture", "load", "names"]
 
 HEADING = re.compile(r'"""((\d+).*?(Aug|Sept|Oct|Nov)\b.*?): (.*?)\.?"*$')
 MONTHS = ("Aug", "Sept", "Oct", "Nov")
@@ -81,6 +81,11 @@ def catalogue() -> dict[str, Lecture]:
     """
     lectures = [lecture for file in Path(__file__).parent.glob("*.py") if (lecture := heading(file))]
     return {lecture.name: lecture for lecture in sorted(lectures, key=lambda lecture: (lecture.day, lecture.name))}
+
+
+def is_lecture(what: str) -> bool:
+    """Return whether a name or a file means a lecture or a copy of one, and not an assignment."""
+    return what in catalogue() or Path(what).is_file() and heading(Path(what)) is not None
 
 
 def heading(file: Path) -> Lecture | None:

@@ -10,7 +10,7 @@ from pathlib import Path
 from types import ModuleType, SimpleNamespace
 
 from tam570.course import folder, slug_of
-from tam570.lectures.commands import is_lecture
+from tam570.lectures import is_lecture
 from tam570.show.lecture import filmed, lecture_module
 from tam570.show.patience import patience
 from tam570.show.scene import Scene
