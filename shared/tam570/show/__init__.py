@@ -9,7 +9,7 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType, SimpleNamespace
 
-from tam570.course import folder, slug_of
+from tam570.course import contract, folder, slug_of
 from tam570.lectures import is_lecture
 from tam570.show.lecture import filmed, lecture_module
 from tam570.show.patience import patience
@@ -110,7 +110,7 @@ def scene_of(module: ModuleType, slug: str, numbers: Parameters | None = None) -
         if error.name != name:
             raise
         raise Trouble(f"{slug} has no scene; write shared/tam570/show/scenes/{slug[:4]}.py") from None
-    student = Student(module)
+    student = Student(module, contract(slug)["results"])
     return replace(filmed(scene, numbers, student), notes=student.notes)
 
 

@@ -1,6 +1,6 @@
 """The student's free body diagrams, drawn on what moves."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,7 +13,6 @@ __all__ = ["force_shapes"]
 
 NAME = "free_body_diagram"
 COLOR = 4  # of the palette
-Forces = list[tuple[Array, Array | None]]
 
 
 def force_shapes(
@@ -35,32 +34,18 @@ def force_shapes(
     dim = np.shape(origin)[-1]
     turn = np.eye(dim) if axes is None else np.asarray(axes)
     try:
-        diagrams = [_read(diagram, dim) for diagram in student.returned(NAME, *rows, **parameters)]
+        diagrams = student.one_by_one(NAME, *rows, **parameters)
     except Trouble as trouble:
         student.notes.append(str(trouble))
         return []
     arrows, unknown = list[list[Array]](), list[list[Array]]()
     for forces, start in zip(diagrams, np.broadcast_to(origin, (len(diagrams), dim)), strict=True):
         placed = [(start + at @ turn, along) for at, along in forces]
-        arrows.append([np.array([at, at + size * along @ turn]) for at, along in placed if along is not None])
+        drawn = [(at, size * along / np.linalg.norm(along)) for at, along in placed if along is not None]
+        arrows.append([np.array([at, at + way @ turn]) for at, way in drawn])
         unknown.append([at[None] for at, along in placed if along is None])
     shapes = [Shape("arrow", places, color, label, width=2.5) for places in _steady(arrows)]
     return shapes + [Shape("dot", places, color, "of unknown direction", width=7) for places in _steady(unknown)]
-
-
-def _read(diagram: Iterable[Numbers], dim: int) -> Forces:
-    """Return the pairs of a diagram, directions of length one; an arrow of no length draws nothing."""
-    try:
-        pairs = [(np.array(point, float), None if way is None else np.array(way, float)) for point, way in diagram]
-    except (TypeError, ValueError):
-        raise Trouble(f"{NAME} gives no list of pairs (point, direction)") from None
-    if any(
-        arrow is not None and (arrow.shape != (dim,) or not np.isfinite(arrow).all())
-        for pair in pairs
-        for arrow in pair
-    ):
-        raise Trouble(f"{NAME} gives a point or a direction that is not {dim} finite numbers")
-    return [(at, way if way is None else way / np.linalg.norm(way)) for at, way in pairs if way is None or way.any()]
 
 
 def _steady(frames: Sequence[Sequence[Array]]) -> list[Array]:

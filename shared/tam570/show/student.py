@@ -2,7 +2,7 @@
 
 import sys
 import traceback
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from types import ModuleType
 from typing import TypeVar
@@ -10,11 +10,12 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from tam570.checking.forms import Form, WrongForm, conform
 from tam570.loading import Trouble, said
 from tam570.loading import loaded as load_file
 from tam570.values import Function, Numbers
 
-__all__ = ["Student", "Trouble", "load_student", "numbers", "rows_missing"]
+__all__ = ["Student", "Trouble", "load_student"]
 
 Array = NDArray[np.float64]
 Made = TypeVar("Made")
@@ -29,13 +30,14 @@ def load_student(file: Path, slug: str) -> ModuleType:
 
 
 class Student:
-    """`student(name, ...)` calls the function of that name and gives its numbers.
+    """`student(name, ...)` calls the function of that name and gives its result in the form that the contract has.
 
+    forms : of the results, by function
     notes : what could not be shown, and why
     """
 
-    def __init__(self, module: ModuleType) -> None:
-        self._module = module
+    def __init__(self, module: ModuleType, forms: Mapping[str, Form]) -> None:
+        self._module, self._forms = module, forms
         self._file = str(getattr(module, "__file__", None) or "")
         self.notes: list[str] = []
 
@@ -56,38 +58,27 @@ class Student:
             raise Trouble(f"there is no function {name}{f' in {self._file}' if self._file else ''}")
         return function  # type: ignore[no-any-return]
 
-    def __call__(
-        self, name: str, *arguments: Numbers, shape: Sequence[int] | None = None, **parameters: Numbers
-    ) -> Array:
-        """Return what the function returns, as an array of this shape. Trouble if it does not, or is not finite."""
-        return self._finite(name, numbers(name, self._raw(name, *arguments, **parameters), shape))
+    def __call__(self, name: str, *arguments: Numbers, **parameters: Numbers) -> Numbers:
+        """Return what the function returns. Trouble if it has another form, or is not finite."""
+        result = self._guarded(name, lambda function: function(*arguments, **parameters))
+        return _conformed(self._forms[name], result, name, arguments)
 
-    def group(
-        self, name: str, *arguments: Numbers, shapes: Sequence[Sequence[int]], **parameters: Numbers
-    ) -> list[Array]:
-        """Return the arrays that the function returns together, each of its shape."""
-        result = self._raw(name, *arguments, **parameters)
-        if not isinstance(result, Sequence | np.ndarray) or len(result) != len(shapes):
-            raise Trouble(f"{name} gives {_short(result)}; {len(shapes)} results are asked for")
-        return [self._finite(name, numbers(name, part, shape)) for part, shape in zip(result, shapes, strict=True)]
-
-    def _raw(self, name: str, *arguments: Numbers, **parameters: Numbers) -> Numbers:
-        """Return what the function returns, whatever it is."""
-        return self._guarded(name, lambda function: function(*arguments, **parameters))
-
-    def each(self, name: str, *rows: Numbers, shape: Sequence[int] = (), **parameters: Numbers) -> Array:
-        """(n, *shape) of the function called with row i of every argument in turn."""
-        results = self.returned(name, *rows, **parameters)
+    def each(self, name: str, *rows: Numbers, **parameters: Numbers) -> Array:
+        """(n, ...) of the function called with row i of every argument in turn."""
+        form, results = self._forms[name], self._results(name, *rows, **parameters)
+        sizes = form["array"] if "array" in form else [len(form["group"])]
         try:  # all at once: one by one takes longer than the student's function
-            values = np.array(results)
-        except ValueError:  # of different shapes
-            values = np.array([numbers(name, result, shape) for result in results])
-        if values.shape[1:] != tuple(shape):
-            numbers(name, results[0], shape)
-        return self._finite(name, numbers(name, values, (len(results), *shape)))
+            return np.asarray(conform({"array": ["n", *sizes]}, results, name, (results,)))
+        except WrongForm as error:
+            if where := _first_row(error.actual):
+                raise Trouble(f"{error}{where}") from None
+            return np.array([_conformed(form, result, name) for result in results])
 
-    def returned(self, name: str, *rows: Numbers, **parameters: Numbers) -> list[Numbers]:
-        """Return what the function returns for row i of every argument in turn, whatever it is."""
+    def one_by_one(self, name: str, *rows: Numbers, **parameters: Numbers) -> list[Numbers]:
+        """Return what the function returns for row i of every argument in turn, as it is."""
+        return [_conformed(self._forms[name], result, name) for result in self._results(name, *rows, **parameters)]
+
+    def _results(self, name: str, *rows: Numbers, **parameters: Numbers) -> list[Numbers]:
         calls = [*zip(*rows, strict=True)]
         return [*self._guarded(name, lambda function: [function(*row, **parameters) for row in calls])]
 
@@ -101,38 +92,17 @@ class Student:
         except (Exception, SystemExit) as error:
             raise Trouble(f"{name} raises an exception\n{said(error, self._file)}") from error
 
-    def _finite(self, name: str, values: Array) -> Array:
-        if np.isfinite(values).all():
-            return values
-        if values.ndim < 2 or len(values) < 2:
-            raise Trouble(f"{name} gives numbers that are not finite: {values}")
-        rows = np.all(np.isfinite(values.reshape(len(values), -1)), axis=1, keepdims=True)
-        raise Trouble(f"{name} gives numbers that are not finite, first in row {rows.argmin()} of {len(rows)}")
 
-
-def numbers(name: str, result: Numbers, shape: Sequence[int] | None) -> Array:
-    """Return a result as an array of this shape, any if None. Trouble if it is not one, in words for a student."""
+def _conformed(form: Form, result: Numbers, name: str, arguments: Numbers = ()) -> Numbers:
     try:
-        values = np.asarray(result)
-        if values.dtype.kind == "O":  # of SymPy, say
-            values = np.reshape([float(value) for value in values.ravel()], values.shape)
-        if values.dtype.kind not in "biuf":
-            raise TypeError
-        values = values.astype(float)
-    except (TypeError, ValueError):
-        raise Trouble(f"{name} gives no numbers but {_short(result)}") from None
-    if shape is not None and values.shape != tuple(shape):
-        missing = rows_missing(values, shape)
-        raise Trouble(f"{name} gives an array of shape {values.shape}; {tuple(shape)} is asked for{missing}")
-    return values
+        return conform(form, result, name, arguments)
+    except WrongForm as error:
+        raise Trouble(f"{error}{_first_row(error.actual) or (error.hint and f'. {error.hint}')}") from None
 
 
-def rows_missing(values: Array, shape: Sequence[int | None]) -> str:
-    """Ask where the rows are, if there are some and too few; else ""."""
-    is_short = len(shape) == values.ndim > 1 and 0 < len(values) < (shape[0] or 0)
-    return ". Rows are missing: did the integration stop early?" if is_short else ""
-
-
-def _short(result: object) -> str:
-    text = repr(result)
-    return text if len(text) <= 60 else f"{text[:57]}..."
+def _first_row(values: Numbers) -> str:
+    """Return where the first number is that is not finite, of a table of numbers."""
+    if np.ndim(values) < 2 or np.isfinite(values).all():
+        return ""
+    rows = np.isfinite(values).reshape(len(values), -1).all(axis=1)
+    return f", first in row {rows.argmin()} of {len(rows)}"

@@ -14,7 +14,11 @@ DRAWN = [slug for slug in assignments() if NAME in contract(slug)["results"]]
 
 
 def shapes(diagram, **how):
-    return force_shapes(Student(SimpleNamespace(free_body_diagram=diagram)), [0.0, 1.0, 2.0], size=0.5, **how)
+    return force_shapes(student_with(diagram), [0.0, 1.0, 2.0], size=0.5, **how)
+
+
+def student_with(diagram):
+    return Student(SimpleNamespace(free_body_diagram=diagram), {NAME: {"diagram": 2}})
 
 
 def test_arrows_are_where_they_act_and_along_their_direction():
@@ -47,7 +51,7 @@ def test_every_scene_draws_the_diagram(scenes, slug):
         assert (weight[:, -1] < 0).all() and np.abs(weight[:, :-1]).max() < 1e-12
 
 
-@pytest.mark.parametrize("drawn", [None, 3, [1, 2], [((0, 0), "up")], [((0, 0, 0), None)], [((0, np.nan), None)]])
+@pytest.mark.parametrize("drawn", [None, 3, [1, 2], [((0, 0), "up")], [((0, 0, 1), None)], [((0, np.nan), None)]])
 def test_what_is_no_diagram_is_said(drawn):
-    student = Student(SimpleNamespace(free_body_diagram=lambda x: drawn))
-    assert force_shapes(student, [0.0], size=0.5) == [] and student.notes[0].startswith("free_body_diagram gives")
+    student = student_with(lambda x: drawn)
+    assert force_shapes(student, [0.0], size=0.5) == [] and student.notes[0].startswith("free_body_diagram ")

@@ -25,9 +25,8 @@ MASS = 1.0  # kg
 def film(student: Student, rod: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Both let go from the same angle."""
     times = frame_times(seconds)
-    shape = (len(times), 2)
-    full = student("simulate", times, *start, **rod, shape=shape)
-    small = student("small_angle_solution", times, *start, **rod, shape=shape)
+    full = student("simulate", times, *start, **rod)
+    small = student("small_angle_solution", times, *start, **rod)
     length = rod["length"]
     shapes = [
         Shape("lines", np.array([[-0.3, 0.0], [0.3, 0.0]]) * length, GREY, width=3),
@@ -92,5 +91,5 @@ def _phase_plane(full: Array, small: Array) -> list[Shape]:
 
 def _energy(student: Student, times: Array, states: Array, rod: Parameters) -> TimePlot:
     shown = plot_samples(times)
-    _, kinetic, potential = student.each("energy_balance", *states[shown].T, mass=MASS, **rod, shape=(3,)).T
+    _, kinetic, potential = student.each("energy_balance", *states[shown].T, mass=MASS, **rod).T
     return energy_plot(times[shown], kinetic + potential, potential, "energy of the full motion")

@@ -22,9 +22,9 @@ LARGE = 1e-3  # of the range: a pixel
 def film(student: Student, parameters: Parameters) -> Scene:
     """Return each ball flies until it is back at launch height."""
     speed, ball = parameters["speed"], {name: parameters[name] for name in ("mass", "drag", "gravity")}
-    best = float(student("best_angle", speed, **ball, shape=()))
+    best = student("best_angle", speed, **ball)
     angles = sorted([*map(math.radians, ANGLES), best])
-    flights = [float(student("flight_time", speed, angle, **ball, shape=())) for angle in angles]
+    flights = [student("flight_time", speed, angle, **ball) for angle in angles]
     times = frame_times(1.1 * max(flights))
     motions = [_both(student, times, angle, flight, speed, ball) for angle, flight in zip(angles, flights, strict=True)]
     pairs = [(numerical[:, :2], closed[:, :2]) for numerical, closed in motions]
@@ -51,10 +51,8 @@ def _both(
         raise Trouble(f"flight_time gives {flight} s at {math.degrees(angle):.0f} degrees and {speed} m/s")
     flown = np.append(times[times < flight], flight)
     landed = np.minimum(np.arange(len(times)), len(flown) - 1)
-    shape = (len(flown), 4)
-    parameters: Parameters = {**ball, "shape": shape}
-    numerical = student("simulate", flown, speed, angle, **parameters)
-    closed = student("trajectory", flown, speed, angle, **parameters)
+    numerical = student("simulate", flown, speed, angle, **ball)
+    closed = student("trajectory", flown, speed, angle, **ball)
     return numerical[landed], closed[landed]
 
 

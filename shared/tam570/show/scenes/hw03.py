@@ -26,11 +26,9 @@ def film(student: Student, parameters: Parameters) -> Scene:
     times, mass = frame_times(SECONDS), parameters["mass"]
     motion = [*_moves(P, times), *_moves(C, times)]
     r_p, v_p, a_p, r_c, v_c, _ = motion
-    momenta = {
-        d: student.each("angular_momentum", [d] * len(times), r_p, v_p, r_c, v_c, mass=mass, shape=(3,)) for d in "bc"
-    }
-    rates = {d: student.each("rate", [d] * len(times), *motion, mass=mass, shape=(3,)) for d in DEFINITIONS}
-    moment = student.each("moment", r_p, a_p, r_c, mass=mass, shape=(3,))
+    momenta = {d: student.each("angular_momentum", [d] * len(times), r_p, v_p, r_c, v_c, mass=mass) for d in "bc"}
+    rates = {d: student.each("rate", [d] * len(times), *motion, mass=mass) for d in DEFINITIONS}
+    moment = student.each("moment", r_p, a_p, r_c, mass=mass)
     names = {"b": "(a) and (b): r_P/C × m v_P", "c": "(c): r_P/C × m v_P/C"}
     momentum_arrows = [_arrow(r_c, momenta[d], momenta, COLORS[d], names[d]) for d in "bc"]
     moment_arrows = [_arrow(r_c, moment, rates, INK, "moment about C", width=6)]
@@ -87,7 +85,7 @@ def _discrepancies(student: Student, times: Array, motion: list[Array], mass: fl
     shown = plot_samples(times)
     sizes = {
         f"({d})": np.linalg.norm(
-            student.each("discrepancy", [d] * len(shown), *(x[shown] for x in motion), mass=mass, shape=(3,)), axis=1
+            student.each("discrepancy", [d] * len(shown), *(x[shown] for x in motion), mass=mass), axis=1
         )
         for d in DEFINITIONS
     }
@@ -114,7 +112,7 @@ def _differences(student: Student, definition: str, times: Array, mass: float) -
     def momentum(shift: float) -> Array:
         r_p, v_p, _ = _moves(P, times + shift)
         r_c, v_c, _ = _moves(C, times + (0.0 if definition == "a" else shift))
-        moments = student.each("angular_momentum", [definition] * len(times), r_p, v_p, r_c, v_c, mass=mass, shape=(3,))
+        moments = student.each("angular_momentum", [definition] * len(times), r_p, v_p, r_c, v_c, mass=mass)
         return moments
 
     return (momentum(STEP) - momentum(-STEP)) / (2 * STEP)

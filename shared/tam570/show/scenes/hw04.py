@@ -27,7 +27,7 @@ def film(student: Student, spring: Parameters, start: Sequence[float], seconds: 
     """Return the mass in space, and two projections of it at right angles."""
     times = frame_times(seconds)
     r, v = np.array(start[:3]), np.array(start[3:])
-    states = student("simulate", times, r, v, **spring, shape=(len(times), 6))
+    states = student("simulate", times, r, v, **spring)
     shapes = [
         *student.make_each(lambda: _ellipse(student, r, v, spring)),
         *_draw(states, spring),
@@ -64,13 +64,13 @@ def _draw(states: Numbers, spring: Parameters) -> list[Shape]:
 
 
 def _ellipse(student: Student, r: Array, v: Array, spring: Parameters) -> Shape:
-    centre, semi_axes = student.group("orbit", r, v, **spring, shapes=((3,), (2, 3)))
+    centre, semi_axes = student("orbit", r, v, **spring)
     return Shape("path", circle(centre, *semi_axes), GREY, "ellipse of orbit()", width=5, faint=True)
 
 
 def _projected(student: Student, mass: Array, title: str) -> Panel:
-    path = student("project", mass, *VIEWS[title], shape=(len(mass), 2))
-    hook = student("project", np.zeros((1, 3)), *VIEWS[title], shape=(1, 2))
+    path = student("project", mass, *VIEWS[title])
+    hook = student("project", np.zeros((1, 3)), *VIEWS[title])
     shapes = [
         Shape("trail", path[:, None], 2, width=2),
         Shape("lines", moving(hook[0], path), 0, width=3),

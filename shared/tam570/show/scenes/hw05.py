@@ -26,10 +26,10 @@ ARROW = 0.15  # of the length, for the weight
 def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Let go at rest next to the top."""
     times, length = frame_times(seconds), parameters["length"]
-    states = student("simulate", times, np.array(start), **parameters, shape=(len(times), 4))
+    states = student("simulate", times, np.array(start), **parameters)
     energy = {name: parameters[name] for name in ("mass", "gravity")}
-    rod = student.each("wireframe", states, length=length, shape=(1, 2, 2))[:, 0]
-    forces = student.make_each(lambda: student.each("constraint_force", states, **parameters, shape=(2,)))
+    rod = student.each("wireframe", states, length=length)[:, 0]
+    forces = student.make_each(lambda: student.each("constraint_force", states, **parameters))
     shapes = [
         *_draw(rod, length),
         *force_shapes(student, states, **parameters, size=0.3 * length),

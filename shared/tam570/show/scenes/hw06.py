@@ -33,10 +33,8 @@ HALF_WIDTH, OVERHANG, WHEEL, ARROW = 0.8, 0.7, 0.32, 2.0  # m
 def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Both go straight ahead at the same speed, but for the same small yaw rate."""
     times = frame_times(seconds)
-    shape, car = (len(times), 5), {name: parameters[name] for name in CAR}
-    motions = {
-        locked: student("simulate", times, np.array(start), locked, **parameters, shape=shape) for locked in LANES
-    }
+    car = {name: parameters[name] for name in CAR}
+    motions = {locked: student("simulate", times, np.array(start), locked, **parameters) for locked in LANES}
     ends = max(float(states[:, 0].max()) for states in motions.values()) + 4.0
     shapes = [Shape("lines", np.array([[-4.0, y], [ends, y]]), GREY, width=1, faint=True) for y in LANES.values()]
     for locked, states in motions.items():
@@ -126,7 +124,7 @@ def _energy(student: Student, times: Array, motions: dict[str, Array], parameter
 def _work(student: Student, states: Array, locked: str, parameters: Parameters) -> Array:
     """(n,) J, of friction up to each time, by the trapezoidal rule along the path of the axle."""
     car = {name: parameters[name] for name in CAR}
-    force = student.each("friction_force", states, [locked] * len(states), **car, shape=(2,))
+    force = student.each("friction_force", states, [locked] * len(states), **car)
     c, s = np.cos(states[:, 2]), np.sin(states[:, 2])
     in_space = np.column_stack([c * force[:, 0] - s * force[:, 1], s * force[:, 0] + c * force[:, 1]])
     at = parameters["front"] if locked == "front" else -parameters["rear"]

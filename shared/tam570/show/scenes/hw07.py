@@ -26,8 +26,8 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
     times = frame_times(seconds)
     arguments = _as_arrays(**parameters)
     theta, omega = np.array(start[:2]), np.array(start[2:])
-    states = student("simulate", times, theta, omega, **arguments, shape=(len(times), 4))
-    bars = student.each("wireframe", states[:, :2], lengths=arguments["lengths"], shape=(2, 2, 2))
+    states = student("simulate", times, theta, omega, **arguments)
+    bars = student.each("wireframe", states[:, :2], lengths=arguments["lengths"])
 
     def energy(rows: Array) -> Array:
         return student.each("energy", rows[:, :2], rows[:, 2:], **arguments)

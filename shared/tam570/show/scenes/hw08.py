@@ -23,11 +23,11 @@ def film(student: Student, parameters: Parameters) -> Scene:
     """One full turn."""
     times, axis = frame_times(SECONDS), array((3,), axis=parameters["axis"])
     angles = RATE * times
-    rotations = student.each("rotation_matrix", [axis] * len(times), angles, shape=(3, 3))
+    rotations = student.each("rotation_matrix", [axis] * len(times), angles)
     corners = SIZE / 2 * np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
     turned = corners @ np.swapaxes(rotations, 1, 2)
     around = [corners[-1]] * len(times), [axis] * len(times), angles
-    paths = student.make_each(lambda: student.each("rotate", *around, shape=(3,)))
+    paths = student.make_each(lambda: student.each("rotate", *around))
     ends = [(i, i | bit) for i in range(8) for bit in (1, 2, 4) if not i & bit]
     n = axis / np.linalg.norm(axis)
     shapes = [

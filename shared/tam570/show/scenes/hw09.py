@@ -26,10 +26,10 @@ def film(student: Student, parameters: Parameters) -> Scene:
     """Both orders side by side; the axes are fixed in space."""
     times, size = frame_times(SECONDS), np.array(positives(3, size=parameters["size"]))
     turned = {title: _turns(student, times, order) for title, order in ORDERS.items()}
-    before = student("book_edges", np.eye(3), size=size, shape=(12, 2, 3)).reshape(24, 3)
+    before = student("book_edges", np.eye(3), size=size).reshape(24, 3)
     panels = []
     for i, (title, rotations) in enumerate(turned.items()):
-        edges = student.each("book_edges", rotations, size=size, shape=(12, 2, 3)).reshape(-1, 24, 3)
+        edges = student.each("book_edges", rotations, size=size).reshape(-1, 24, 3)
         shapes = [
             *axes(1.3),
             Shape("lines", before, GREY, "before", width=1.5),
@@ -53,7 +53,7 @@ def _turns(student: Student, times: Array, order: str) -> Array:
     """(n, 3, 3) rotations: one axis after the other."""
     angles = [math.pi / 2 * _gently((times - begin) / LASTS) for begin in BEGINS]
     steps = [list(zip(order, pair, strict=True)) for pair in zip(*angles, strict=True)]
-    return student.each("space_sequence", steps, shape=(3, 3))
+    return student.each("space_sequence", steps)
 
 
 def _gently(share: Array) -> Array:
@@ -64,7 +64,7 @@ def _gently(share: Array) -> Array:
 
 
 def _axis(student: Student, R: Array) -> Shape:
-    n, _ = student.group("axis_angle", R, shapes=((3,), ()))
+    n, _ = student("axis_angle", R)
     return Shape("arrow", 1.4 * np.array([-n, n]), 2, "axis of the whole turn, by axis_angle()", width=2.5)
 
 

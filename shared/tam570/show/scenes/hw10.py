@@ -31,9 +31,7 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
     if not spin.any():
         raise Trouble("start: a body at rest shows nothing; set start.omega_b, say")
     omegas, rotations = _motion(student, times, spin, inertia)
-    momenta = student.make_each(
-        lambda: student.each("angular_momentum", rotations, omegas, inertia=inertia, shape=(3,))
-    )
+    momenta = student.make_each(lambda: student.each("angular_momentum", rotations, omegas, inertia=inertia))
     box = _box(student, rotations, omegas, momenta, np.array(parameters["size"]))
     panels = [Panel(box, "box in space", ruler=False)]
     panels += student.make_each(lambda: _ellipsoids(student, omegas, inertia), lambda: _disk(student, times))
@@ -95,13 +93,12 @@ def _attitude(omega: Array, inertia: Array) -> Array:
     return np.array([first, np.cross(third, first), third])
 
 
-def _motion(student: Student, times: Array, omega: Array, inertia: Array) -> list[Array]:
-    shapes = ((len(times), 3), (len(times), 3, 3))
-    return student.group("simulate", times, _attitude(omega, inertia), omega, inertia=inertia, shapes=shapes)
+def _motion(student: Student, times: Array, omega: Array, inertia: Array) -> Numbers:
+    return student("simulate", times, _attitude(omega, inertia), omega, inertia=inertia)
 
 
 def _box(student: Student, rotations: Array, omegas: Array, momenta: list[Array], size: Array) -> list[Shape]:
-    edges = student.each("wireframe", rotations, size=size, shape=(12, 2, 3)).reshape(-1, 24, 3)
+    edges = student.each("wireframe", rotations, size=size).reshape(-1, 24, 3)
     reach = 1.5 / np.linalg.norm(omegas[0])  # m per rad/s
     return [
         Shape("fill", box_face(rotations, size), 0, faint=True),

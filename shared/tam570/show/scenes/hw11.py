@@ -62,15 +62,15 @@ def film(student: Student, parameters: Parameters) -> Scene:
 
 
 def _rolling(student: Student, lean: float, track_radius: float, parameters: Parameters) -> Circling:
-    precession = float(student("rolling_precession", lean, track_radius, **parameters, shape=()))
-    spin = float(student("rolling_spin", lean, precession, **parameters, shape=()))
+    precession = student("rolling_precession", lean, track_radius, **parameters)
+    spin = student("rolling_spin", lean, precession, **parameters)
     return Circling(lean, track_radius, precession, spin, f"rolling, lean {lean:g}")
 
 
 def _settling(student: Student, lean: float, parameters: Parameters) -> Circling:
-    precession = float(student("common_precession", lean, **parameters, shape=()))
-    spin = float(student("sliding_spin", lean, precession, **parameters, shape=()))
-    track_radius = float(student("sliding_track_radius", lean, radius=parameters["radius"], shape=()))
+    precession = student("common_precession", lean, **parameters)
+    spin = student("sliding_spin", lean, precession, **parameters)
+    track_radius = student("sliding_track_radius", lean, radius=parameters["radius"])
     return Circling(lean, track_radius, precession, spin, f"rolling and sliding, lean {lean:g}")
 
 
@@ -107,5 +107,5 @@ def _residuals(student: Student, times: Array, coins: list[Circling], parameters
 def _residual(student: Student, coin: Circling, parameters: Parameters) -> float:
     disk = {name: parameters[name] for name in COIN}
     motion = coin.lean, coin.precession, coin.spin
-    inward, normal = student("contact_force", *motion, **disk, gravity=parameters["gravity"], shape=(2,))
-    return float(student("moment_residual", *motion, inward, normal, **disk, inertia=parameters["inertia"], shape=()))
+    inward, normal = student("contact_force", *motion, **disk, gravity=parameters["gravity"])
+    return float(student("moment_residual", *motion, inward, normal, **disk, inertia=parameters["inertia"]))

@@ -25,7 +25,7 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
     """Return the bead, and the forces on it as a polygon that closes with m a."""
     times = frame_times(seconds)
     wire = {name: parameters[name] for name in ("curvature", "gravity")}
-    states = student("simulate", times, *start, **wire, shape=(len(times), 2))
+    states = student("simulate", times, *start, **wire)
     reach = max(1.15 * abs(start[0]), 1.02 * float(np.abs(states[:, 0]).max()))
     shapes = [
         *_draw(reach, states, parameters),
@@ -74,7 +74,7 @@ def _draw(reach: float, states: Array, parameters: Parameters) -> list[Shape]:
 
 def _forces(student: Student, states: Array, parameters: Parameters) -> list[Shape]:
     weight = parameters["mass"] * parameters["gravity"] * np.array([0.0, -1.0])
-    force = student.each("constraint_force", *states.T, **parameters, shape=(2,))
+    force = student.each("constraint_force", *states.T, **parameters)
     unit = ARROW / (np.linalg.norm(weight) or 1.0)  # m/N
     bead = _on_wire(states[:, 0], parameters["curvature"])
     return [

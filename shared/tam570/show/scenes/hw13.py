@@ -32,7 +32,7 @@ SECONDS = 2.5
 def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Pushed off with the centre of mass lowest."""
     times = frame_times(seconds)
-    correct = student("simulate", times, *start, **parameters, shape=(len(times), 2))
+    correct = student("simulate", times, *start, **parameters)
     wrong = student.make_each(lambda: _naive(student, times, start, parameters))
     farthest = max(float(np.abs(states[:, 0]).max()) for states in (correct, *wrong))
     shapes = _rolling(correct[:, 0], 0, farthest, parameters) + _forces(student, correct[:, 0], parameters)
@@ -78,7 +78,7 @@ def _naive(student: Student, times: Array, start: Sequence[float], parameters: P
     """(n, 2) the motion by the student's naive acceleration."""
 
     def rates(t: float, state: Array) -> tuple[float, float]:
-        return state[1], float(student("naive_contact_acceleration", state[0], **parameters, shape=()))
+        return state[1], float(student("naive_contact_acceleration", state[0], **parameters))
 
     try:
         return solve(rates, times, start, rtol=1e-8)

@@ -11,7 +11,7 @@ from tam570.show.drawing import circle, floor, solid
 from tam570.show.live import Handle, Live, energies, live_if_written
 from tam570.show.plots import gap_note, state_energy_plot, value_plot
 from tam570.show.scene import Array, Panel, Scene, Shape, TimePlot, frame_times, moving
-from tam570.show.student import Student
+from tam570.show.student import Student, Trouble
 from tam570.values import Numbers, Parameters
 
 __all__ = ["film"]
@@ -36,8 +36,10 @@ LARGE = 1e-3  # of the radius, between the two simulations
 def film(student: Student, disk: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return a disk that is rolled off with a lean."""
     times = frame_times(seconds)
-    states = student("simulate_euler", times, np.array(start), **disk, shape=(len(times), 8))
-    frame = student.each("wireframe", states, radius=disk["radius"], sides=SIDES, shape=(SIDES + 2, 2, 3))
+    states = student("simulate_euler", times, np.array(start), **disk)
+    frame = student.each("wireframe", states, radius=disk["radius"], sides=SIDES)
+    if frame.shape[1] != SIDES + 2:
+        raise Trouble(f"wireframe gives {frame.shape[1]} lines for {SIDES} sides; {SIDES + 2} are asked for")
     rim, diameters = frame[:, :SIDES, 0], frame[:, SIDES:].reshape(-1, 4, 3)
     contact = np.column_stack([states[:, :2], 0.0 * times])
     parameters = {name: disk[name] for name in ("mass", "radius", "gravity")}
@@ -99,8 +101,8 @@ def _disk(contact: Array, rim: Array, diameters: Array) -> list[Shape]:
 
 def _tilt(student: Student, times: Array, states_by_angles: Array, frame: Array, disk: Parameters) -> TimePlot:
     """Return the tilt; and the centre by the matrices beside that by the Euler angles, the middle of a diameter."""
-    first = student("matrix_state", states_by_angles[0], radius=disk["radius"], shape=(15,))
-    states = student("simulate_matrix", times, first, **disk, shape=(len(times), 15))
+    first = student("matrix_state", states_by_angles[0], radius=disk["radius"])
+    states = student("simulate_matrix", times, first, **disk)
     off = np.linalg.norm(states[:, :3] - frame[:, -1].mean(axis=1), axis=1)
     note = gap_note(float(off.max()) / disk["radius"], LARGE, " of the radius", "by matrices and by Euler angles: ")
     return value_plot("tilt", times, {"": np.degrees(states_by_angles[:, 3])}, "°", *note)
