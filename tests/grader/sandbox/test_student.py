@@ -17,13 +17,6 @@ from tam570_grader.sandbox.zygote import ResourceLimits, Zygote
 SLUG = "hw08_axis_angle"
 
 
-def test_a_function_that_hangs_fails_alone(grade, solution_text):
-    text = solution_text(SLUG) + "\ndef rotate(r, axis, angle):\n    while True: pass\n"
-    outcome = grade(SLUG, text, limits=ResourceLimits(call=1))
-    assert outcome.score == 6.0 and outcome.status == "graded"
-    assert any("did not return within 1 s" in check.message for check in outcome.checks)
-
-
 def test_one_that_sleeps_through_its_calls_is_ended(grade, solution_text, monkeypatch):
     monkeypatch.setattr("tam570_grader.sandbox.student.PATIENCE", 1)
     received, receive = [], SandboxProcess.receive
