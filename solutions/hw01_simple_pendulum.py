@@ -144,7 +144,7 @@ def lagrange_equation():
     theta, omega = sympy.symbols("theta omega")
     momentum = sympy.diff(lagrangian(), omega)
     force = sympy.diff(lagrangian(), theta) - sympy.diff(momentum, theta) * omega
-    return sympy.cancel(force / sympy.diff(momentum, omega))
+    return force / sympy.diff(momentum, omega)
 
 
 def action(theta, step, *, mass, length, gravity):
@@ -209,7 +209,7 @@ def simulate(t, theta0, omega0, *, length, gravity):
     turns, since = np.divmod(t - t[0], turn)
     times, rows = np.unique([*since, min(turn, t[-1] - t[0])], return_inverse=True)
     parameters = {"length": length, "gravity": gravity}
-    states = solve(_state_derivative, times, (theta0, omega0), parameters=parameters, rtol=1e-15)[rows[:-1]]
+    states = solve(_state_derivative, times, (theta0, omega0), parameters=parameters, rtol=1e-13)[rows[:-1]]
     return states + np.outer(turns, (math.copysign(2 * math.pi, omega0), 0.0))
 
 

@@ -56,10 +56,11 @@ def lagrange_equation():
     """
     import sympy
 
-    x, v = sympy.symbols("x v")
-    momentum = sympy.diff(lagrangian(), v)
-    force = sympy.diff(lagrangian(), x) - sympy.diff(momentum, x) * v
-    return sympy.factor(force / sympy.diff(momentum, v))
+    x, v, mass = sympy.symbols("x v m")
+    per_mass = lagrangian().subs(mass, 1)  # the mass is a factor of every term, and cancels
+    momentum = sympy.diff(per_mass, v)
+    force = sympy.diff(per_mass, x) - sympy.diff(momentum, x) * v
+    return force / sympy.diff(momentum, v)
 
 
 def acceleration_newton(x, v, *, curvature, gravity):
@@ -116,7 +117,7 @@ def simulate(t, x, v, *, curvature, gravity):
     # The speed along the wire varies gently where v jumps, at the bottom of a steep wire; and it makes the energy.
     parameters = {"curvature": curvature, "gravity": gravity}
     start = (x, v * _stretch(x, curvature))
-    position, speed = np.transpose(solve(_sliding, t, start, parameters=parameters, rtol=1e-15))
+    position, speed = np.transpose(solve(_sliding, t, start, parameters=parameters, rtol=5e-14))
     states = np.column_stack([position, speed / _stretch(position, curvature)])
     states[0] = x, v
     return states

@@ -56,8 +56,8 @@ def at_rest(rng):
 
 
 def symbols(rng):
-    """The same values for symbols."""
-    return in_symbols(states(rng) + at_rest(rng), *SYMBOLS)
+    """Some such values for symbols; each takes as long as ten calls with numbers."""
+    return in_symbols(states(rng)[::2] + at_rest(rng)[::2], *SYMBOLS)
 
 
 # Motions

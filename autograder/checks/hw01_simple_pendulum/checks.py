@@ -158,7 +158,7 @@ def lagrangian_is_kinetic_less_potential(student, rng):
 def lagrange_gives_the_acceleration(student, rng):
     """alpha in theta, l, g alone."""
     calls = cases.symbols(rng)
-    hint = from_own_lagrangian(student, calls[:5], "It is the alpha of the other balances.")
+    hint = from_own_lagrangian(student, calls[:2], "It is the alpha of the other balances.")
     compare(student.lagrange_equation, calls, hint=hint)
 
 

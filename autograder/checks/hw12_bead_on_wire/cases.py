@@ -4,9 +4,10 @@ import math
 
 import numpy as np
 
-from tam570_grader import Case, repeated_calls, uneven
+from tam570_grader import Case, in_symbols, repeated_calls, uneven
 
 ANY = "a random bead and wire"
+SYMBOLS = ("x", "v", "m", "c", "g")
 NEXT_TO_BOTTOM = 1e-5  # times 1/c: whoever takes the wire for level there leaves a term out
 
 
@@ -23,6 +24,11 @@ def usual(rng):
     """Random ones and whole numbers; nothing is zero, for a right formula may be 0/0 there."""
     ones = Case(1.0, 1.0, mass=1.0, curvature=1.0, gravity=1.0).labelled(ANY)
     return [*(bead(rng) for _ in range(4)), ones, ones.replace(-1.0), ones.replace(1.0, -1.0)]
+
+
+def symbols(rng):
+    """Values for symbols, two random ones; each takes as long as ten calls with numbers."""
+    return in_symbols(usual(rng)[::2], *SYMBOLS)
 
 
 def beads(rng):

@@ -1,6 +1,7 @@
 """Hidden checks of hw12."""
 
 import math
+from itertools import islice
 
 import numpy as np
 
@@ -15,7 +16,6 @@ from tam570_grader import (
     compare_with,
     expect,
     from_own_lagrangian,
-    in_symbols,
 )
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.returns import array, formula, free_body_diagram, number, rows
@@ -54,7 +54,6 @@ def pace(case, states):
 
 MOTION = (Column("x", "m", [0], scale=size), Column("v", "m/s", [1], scale=pace))
 KEPT = Invariant("the energy", "of its start", reference.energy_of_rows, None, ENERGY)
-SYMBOLS = ("x", "v", "m", "c", "g")
 
 
 @check("free_body_diagram", points=0.5)
@@ -66,10 +65,11 @@ def forces_on_the_bead(student, rng):
 @check("lagrangian", points=1)
 def lagrangian_is_kinetic_less_potential(student, rng):
     """T - V in x, v, m, c, g, V up to a constant."""
-    calls = in_symbols(cases.usual(rng), *SYMBOLS)
-    levels = student.lagrangian.at([{**case.kwargs, "x": 0.0, "v": 0.0} for case in calls])
+    calls = cases.symbols(rng)
+    values = student.lagrangian.each([*(case.replace(x=0.0, v=0.0) for case in calls), *calls])
+    levels = [level for _, level in islice(values, len(calls))]
     words = {"quantity": "the Lagrangian", "unit": "J", "hint": "How fast is the bead along the wire, and how high?"}
-    for level, (case, value) in zip(levels, student.lagrangian.each(calls), strict=True):
+    for level, (case, value) in zip(levels, values, strict=True):
         tolerance = FORMULA * (reference.energy(*case.kwargs.values()) or 1.0)
         expect(value - level, reference.lagrangian(**case.kwargs), tolerance=tolerance, **words)
 
@@ -77,8 +77,8 @@ def lagrangian_is_kinetic_less_potential(student, rng):
 @check("lagrange_equation", points=1.5)
 def lagrange_gives_the_acceleration(student, rng):
     """x'' in x, v, c, g alone."""
-    calls = in_symbols(cases.usual(rng), *SYMBOLS)
-    hint = from_own_lagrangian(student, calls[:4], "dT/dv depends on x: its rate has a term with v. dT/dx is not zero.")
+    calls = cases.symbols(rng)
+    hint = from_own_lagrangian(student, calls, "dT/dv depends on x: its rate has a term with v. dT/dx is not zero.")
     compare(student.lagrange_equation, calls, hint=hint)
 
 
@@ -225,7 +225,7 @@ def period_of_small_and_of_huge_amplitudes(student, rng):
 
 ASSIGNMENT = Assignment(
     returns={
-        "lagrangian": formula(*SYMBOLS),
+        "lagrangian": formula(*cases.SYMBOLS),
         "lagrange_equation": formula("x", "v", "c", "g").described("x''", "m/s^2", largest_term),
         "acceleration_newton": number.described("x''", "m/s^2", largest_term),
         "constraint_force": array(2).described("the force", "N", lambda _, force: math.hypot(*force)),
