@@ -65,7 +65,7 @@ def simulate(t, position, velocity, *, mass, stiffness, gravity):
     from tam570.integrate import solve
 
     parameters = {"mass": mass, "stiffness": stiffness, "gravity": gravity}
-    return solve(state_derivative, t, (*position, *velocity), parameters=parameters, rtol=1e-15)
+    return solve(state_derivative, t, (*position, *velocity), parameters=parameters, rtol=1e-13)
 
 
 def solution(t, position, velocity, *, mass, stiffness, gravity):

@@ -123,7 +123,7 @@ def simulate(t, state, locked, *, mass, yaw_inertia, front, rear, friction, grav
         return np.tile(np.asarray(state, float), (len(t), 1))
     brink = min(since[-1], (1 - _LAST) * stop)
     times = np.append(since[since < brink], brink)
-    numbers = solve(_rates, times, state, parameters=car, rtol=1e-15)
+    numbers = solve(_rates, times, state, parameters=car, rtol=1e-13)
     rows = numbers[np.minimum(np.arange(len(t)), len(times) - 1)]
     rows[:, 3:] *= _share_of_speed(since, stop)[:, None]
     return rows
@@ -263,7 +263,7 @@ def _time_at_rest(motion, slowed_time, car):
     from tam570.integrate import solve
 
     start = (*motion, 0.0)
-    return float(solve(_slowed_rates, (0.0, slowed_time), start, parameters=car, rtol=1e-15)[-1, 2])
+    return float(solve(_slowed_rates, (0.0, slowed_time), start, parameters=car, rtol=1e-13)[-1, 2])
 
 
 def _slowed_rates(_, state, *, arm, **car):

@@ -155,7 +155,7 @@ def simulate(t, phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
 
     cylinder = {"mass": mass, "radius": radius, "offset": offset, "inertia": inertia}
     parameters = {**cylinder, "slope": slope, "gravity": gravity}
-    return solve(_state_derivative, t, (phi, phi_dot), parameters=parameters, rtol=1e-15)
+    return solve(_state_derivative, t, (phi, phi_dot), parameters=parameters, rtol=1e-13)
 
 
 def _state_derivative(t, state, **parameters):
