@@ -92,7 +92,7 @@ def a_motion(rng, span, samples):
 
 
 def long_motion(rng):
-    return a_motion(rng, 6.0, 5)
+    return a_motion(rng, 4.5, 4)
 
 
 def stays_up(t, state, disk):
@@ -109,7 +109,7 @@ def simulated(rng):
     t = rng.uniform(0.5, 3) + np.array([0.0, 0.2, 0.6]) / reference.usual(disk)
     flat = Case(t, a_state(rng, disk, 0.2, (0, 0, 0)), **disk).labelled("few times, a disk let go at rest, nearly flat")
     other_times, _, other_disk = repeated_calls(rng, flat, gravity=0.0)
-    return [*a_motion(rng, 3.0, 25), flat, other_times, other_disk]
+    return [*a_motion(rng, 2.0, 16), flat, other_times, other_disk]
 
 
 # Steady and nearly upright

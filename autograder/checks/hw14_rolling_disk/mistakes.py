@@ -161,7 +161,7 @@ def simulate_euler(reference, t, state, **disk):
         rates[6] -= 1e-3 * math.sqrt(disk["gravity"] / disk["radius"]) * state[6]
         return rates
 
-    long = disk["gravity"] * (t[-1] - t[0]) ** 2 > 25 * disk["radius"]
+    long = disk["gravity"] * (t[-1] - t[0]) ** 2 > 16 * disk["radius"]
     return _states(damped, t, state, **disk) if long else reference(t, state, **disk)
 
 
