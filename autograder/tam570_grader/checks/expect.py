@@ -1,7 +1,7 @@
 """What a check says of a result: `expect` compares numbers, `expect_that` takes any condition.
 
-Both speak to the trial that is running: it knows the input at hand and its kind, so that a check need not repeat them,
-and it goes on behind an error that leaves a share of the points, for the smallest share of all cases counts.
+Both write to the context of the check that is running. It knows the input at hand and its label, so that a check need
+not repeat them. An error that leaves a share of the points does not end the check: the smallest of all cases counts.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -23,9 +23,7 @@ from tam570_grader.errors import Over
 
 NEAR_MISS = 10  # limits: wrong physics lies further off, a loose tolerance is often nearer
 NEAR_MISS_SHARE = 0.9  # of the points, for what is right but for a loose tolerance
-UNLOCKING_SHARE = (
-    0.5  # the share from which on a function has told that the physics is right: what builds on it is judged
-)
+UNLOCKING_SHARE = 0.5  # from which on a function has shown that the physics is right: what builds on it is judged
 LONGEST_FAULT = 400  # characters of an exception of ours
 Hint = str | Callable[[], str]
 
@@ -94,17 +92,17 @@ class CheckContext:
         return failed
 
 
-_current: ContextVar[CheckContext] = ContextVar("trial")
+_current: ContextVar[CheckContext] = ContextVar("context")
 
 
 def get_context() -> CheckContext:
-    """Return the trial that is running; one of its own for a check that is called by hand."""
+    """Return the context of the check that is running; a new one for a check that is called by hand."""
     return _current.get(None) or CheckContext()
 
 
 @contextmanager
 def check_context(**fields: Any) -> Iterator[CheckContext]:
-    """Run a check; at its end the smallest share of the points counts. `known` are fields of the Trial."""
+    """Run a check in a context with these fields; at its end the smallest share of the points counts."""
     running = CheckContext(**fields)
     token = _current.set(running)
     try:

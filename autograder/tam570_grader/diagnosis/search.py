@@ -47,14 +47,20 @@ def general(solution: str, calls: Sequence[Call]) -> Cause | None:
         return None
 
 
-def _general(solution: str, calls: Sequence[Call]) -> Cause | None:
+def _compared(solution: str, calls: Sequence[Call]) -> list[ComparedCall]:
+    """Return the calls beside the right answers; nothing where one failed, or has a formula or no right answer."""
     if any(call.result is None or _symbolic(call) for call in calls):
-        return None
+        return []
     expected = [right_answer(solution, call) for call in calls]
     compared = [compared_call(call, value) for call, value in zip(calls, expected, strict=True)]
+    return [] if any(value is None for value in expected) else compared
+
+
+def _general(solution: str, calls: Sequence[Call]) -> Cause | None:
+    compared = _compared(solution, calls)
     wrong = [call for call in compared if not call.fits(call.expected)]
     names = {call.name for call in wrong}
-    if len(names) != 1 or any(value is None for value in expected):
+    if len(names) != 1:
         return None
     (name,) = names
     its_calls = [call for call in compared if call.name == name]
@@ -128,12 +134,11 @@ def wrong_arguments(solution: str, calls: Sequence[Call]) -> Iterator[Cause]:
 
     There may be several, of which one was made before.
     """
-    if not calls or any(call.result is None or _symbolic(call) for call in calls):
+    compared = _compared(solution, calls)
+    if len({call.name for call in compared}) != 1:
         return
-    name, reference = calls[0].name, getattr(solution_with(solution, ""), calls[0].name)
-    compared = [compared_call(call, right_answer(solution, call)) for call in calls]
-    if any(call.name != name or call.expected is None for call in compared):
-        return
+    name = compared[0].name
+    reference = getattr(solution_with(solution, ""), name)
     for words, transform in other_arguments(name, reference, compared[0]):
         if isinstance(transform, WrongArgument) and _explains(transform, compared):
             yield Cause(name, words, "transform", _with_variant(solution, name, transform), tuple(calls))

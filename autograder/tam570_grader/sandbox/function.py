@@ -54,7 +54,7 @@ class SandboxFunction:
         return self.many([Case(*args, **kwargs)])[0]
 
     def each(self, calls: Iterable[Case]) -> Iterator[tuple[Case, Any]]:
-        """Yield every call with its result; the one at hand is the trial's case, for what `expect` says of it."""
+        """Yield every call with its result; the one at hand is the context's case, for what `expect` says of it."""
         calls = list(calls)
         for call, value in zip(calls, self.many(calls), strict=True):
             get_context().set_call(self.name, call)
