@@ -82,6 +82,8 @@ def _grade(arguments: argparse.Namespace) -> int:
     atexit.register(gc.freeze)  # and at the end, where all memory is given back anyway
     course = course_config.course_of(arguments.root, arguments.paths)
     chosen = _submissions(arguments, assignments.slugs(course))
+    if arguments.format == "gradescope" and len(chosen) != 1:
+        raise UsageError(f"--format gradescope is for one submission; there are {len(chosen)} at these paths")
     prove(course, sorted({submission.slug for submission in chosen}))
     if arguments.vary and arguments.seed is not None:
         raise UsageError("--seed and --vary: a seed is for the whole class, a key varies it; give one of them")
@@ -174,8 +176,6 @@ def _missing_points(summary: RunSummary, config: RunConfig) -> str:
 
 def _print_gradescope(course: Path, summary: RunSummary) -> int:
     """results.json of the one submission, or nothing if the grader failed on it; the exit code."""
-    if len(summary.rows) != 1:
-        raise UsageError(f"--format gradescope is for one submission; there are {len(summary.rows)} at these paths")
     if code := _warn_of_faults(summary):
         return code
     checks = assignments.assignment(course, summary.last["assignment"]).checks
