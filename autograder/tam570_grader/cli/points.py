@@ -67,7 +67,7 @@ def _points(arguments: argparse.Namespace) -> int:
         failed = feedback.write_pages(folder / "feedback", book, course)
     for line in [*open_, *notes]:
         warn(line)
-    count = sum(assignment.item == LATE for assignment in adjustments.entries.values())
-    rows = counted(len({assignment.key for assignment in new if assignment.student != EVERYONE}), "row")
+    count = sum(entry.item == LATE for entry in adjustments.entries.values())
+    rows = counted(len({entry.key for entry in new if entry.student != EVERYONE}), "row")
     say(f"{folder}: {rows} added by hand, {count} late")
     return 1 if open_ or failed else 0

@@ -101,5 +101,5 @@ def _gone(old: Results, config: RunConfig, arguments: argparse.Namespace) -> lis
 def _faults(record: Record) -> list[str]:
     if record["score"] is not None:
         return []
-    errors = {check_result["error"] for check_result in record["checks"] if check_result["outcome"] == "grader_error"}
+    errors = {check["error"] for check in record["checks"] if check["outcome"] == "grader_error"}
     return [f"the grader failed on {record['student']} {record['assignment']}: {'; '.join(errors)}"]

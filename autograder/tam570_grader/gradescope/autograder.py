@@ -30,18 +30,18 @@ def results(record: Record, lines: Mapping[str, str]) -> Json:
         "output": overall(record["status"], record.get("message", "")),
         "output_format": "text",
         "stdout_visibility": "hidden",
-        "tests": [_test(check_result, lines) for check_result in record["checks"]],
+        "tests": [_test(check, lines) for check in record["checks"]],
     }
 
 
-def _test(check_result: Json, lines: Mapping[str, str]) -> Json:
-    passed = check_result["outcome"] == "passed"
+def _test(check: Json, lines: Mapping[str, str]) -> Json:
+    passed = check["outcome"] == "passed"
     return {
-        "score": check_result["points"],
-        "max_score": check_result["max_points"],
+        "score": check["points"],
+        "max_score": check["max_points"],
         "status": "passed" if passed else "failed",
-        "name": f"({check_result['part']}) {lines.get(check_result['name'], check_result['name'])}",
-        "output": "" if passed else f"{check_result['outcome'].replace('_', ' ')}: {check_result['message']}",
+        "name": f"({check['part']}) {lines.get(check['name'], check['name'])}",
+        "output": "" if passed else f"{check['outcome'].replace('_', ' ')}: {check['message']}",
         "output_format": "text",
         "visibility": "visible",
     }

@@ -68,7 +68,7 @@ class Desk:
         """Write down the points of a part: those of the claims that are ticked, or others that somebody typed."""
         sheet = self.sheets[number]
         rubric = sheet.parts[part]
-        ticked = [rubric.claims[entry] for entry in sorted({*claims})]
+        ticked = [rubric.claims[claim] for claim in sorted({*claims})]
         earned = round(sum(worth for worth, _ in ticked), 6) if points is None else points
         if not 0 <= earned <= rubric.points:
             raise ValueError(f"part ({part}) has from 0 to {rubric.points:g} points")

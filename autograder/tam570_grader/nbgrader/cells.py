@@ -50,9 +50,9 @@ def remark(submission: Submission, result: Result) -> str:
 
 def marked(result: Result, part: str, info: AssignmentInfo, sentence: str) -> list[Notebook]:
     """Return the messages and pictures of a part, and its points as nbgrader reads them: the number at a cell's end."""
-    checks = [check_result for check_result in result.checks if check_result.part == part]
-    marks = [shown(check_result, info, result.message) for check_result in checks]
-    earned = round(sum(check_result.points or 0.0 for check_result in checks), 6)
+    checks = [check for check in result.checks if check.part == part]
+    marks = [shown(check, info, result.message) for check in checks]
+    earned = round(sum(check.points or 0.0 for check in checks), 6)
     page = template("part.html").render(slug=result.assignment, marks=marks, remark=sentence)
     plain = "\n".join([*([sentence] if sentence else []), *map(_plain, marks)])
     return [

@@ -49,12 +49,10 @@ def examples_of(course: Path, slug: str) -> str:
     candidates = list(_fair(course, assignment, _candidates(assignment)))
     answers = [_answers(assignment, mistake, candidates) for mistake in compared]
     chosen = _chosen(candidates, answers)
-    fingerprints = [
-        _fingerprints(mistake, answer, chosen, candidates) for mistake, answer in zip(compared, answers, strict=True)
-    ]
-    lines = [json.dumps(candidates[k], allow_nan=False) for k in chosen]
-    encoded = [json.dumps(mistake) for mistake in fingerprints if mistake]
-    return '{"examples": [\n' + ",\n".join(lines) + '\n], "mistakes": [\n' + ",\n".join(encoded) + "\n]}\n"
+    fingerprints = [_fingerprints(*both, chosen, candidates) for both in zip(compared, answers, strict=True)]
+    examples = ",\n".join(json.dumps(candidates[k], allow_nan=False) for k in chosen)
+    told = ",\n".join(json.dumps(fingerprint) for fingerprint in fingerprints if fingerprint)
+    return f'{{"examples": [\n{examples}\n], "mistakes": [\n{told}\n]}}\n'
 
 
 def caught(examples: Examples, module: ModuleType) -> bool:
@@ -166,10 +164,10 @@ def _fingerprints(
     for number, k in enumerate(chosen):
         if k in answers and candidates[k]["function"] == function and answers[k] is not None:
             compare = candidates[k]["compare"]
-            numbers = [fingerprint(part(answers[k], example)) for example in compare if not example.get("raises")]
+            numbers = [fingerprint(part(answers[k], each)) for each in compare if not each.get("raises")]
             if not np.isfinite(numbers).all():
                 return None
-            results[str(number)] = [float(f"{example:.9g}") for example in numbers]
+            results[str(number)] = [float(f"{x:.9g}") for x in numbers]
     if not results:
         return None
     return {"function": function, "message": closed(mistake.message), "results": results}

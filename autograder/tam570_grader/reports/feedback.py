@@ -66,10 +66,10 @@ def page(result: Result, info: AssignmentInfo, adjusted: AdjustedScore | None = 
     adjusted : the score with what was added by hand
     """
     adjusted = adjusted or AdjustedScore(result.score, result.max_score)
-    parts = [_part(letter, result, info) for letter in sorted({check_result.part for check_result in result.checks})]
-    check_results = [check_result for part in parts for check_result in part["marks"]]
-    wrong = [check_result for check_result in check_results if check_result["stuck"]]
-    wrong.sort(key=lambda check_result: (not check_result["suspect"], check_result["outcome"] != "failed"))
+    parts = [_part(letter, result, info) for letter in sorted({check.part for check in result.checks})]
+    checks = [check for part in parts for check in part["marks"]]
+    wrong = [check for check in checks if check["stuck"]]
+    wrong.sort(key=lambda check: (not check["suspect"], check["outcome"] != "failed"))
     return template("feedback.html").render(
         slug=result.assignment,
         student=result.student,
@@ -113,33 +113,33 @@ def template(name: str) -> "Template":
 
 
 def _part(letter: str, result: Result, info: AssignmentInfo) -> Json:
-    check_results = [check_result for check_result in result.checks if check_result.part == letter]
-    each = [check_result.points for check_result in check_results]
+    checks = [check for check in result.checks if check.part == letter]
+    each = [check.points for check in checks]
     earned = None if None in each else sum(filter(None, each))
-    most = sum(check_result.max_points for check_result in check_results)
+    most = sum(check.max_points for check in checks)
     return {
         "letter": letter,
         "points": points(earned, most),
         "max_points": points(most),
         "share": round(100 * (earned or 0) / most, 1) if most else 0,
-        "marks": [shown(check_result, info, result.message) for check_result in check_results],
+        "marks": [shown(check, info, result.message) for check in checks],
     }
 
 
-def shown(check_result: CheckResult, info: AssignmentInfo, overall_message: str) -> Json:
+def shown(check: CheckResult, info: AssignmentInfo, overall_message: str) -> Json:
     """Return a mark as a page shows it, without what is said of all; never its detail, which is the instructor's."""
-    failure, is_stuck = check_result.failure, check_result.outcome == "failed" or bool(check_result.unwritten)
-    function = (failure and failure.function) or check_result.unwritten or info.functions.get(check_result.name)
-    message = "" if check_result.message == overall_message else check_result.message
+    failure, is_stuck = check.failure, check.outcome == "failed" or bool(check.unwritten)
+    function = (failure and failure.function) or check.unwritten or info.functions.get(check.name)
+    message = "" if check.message == overall_message else check.message
     return {
-        "name": check_result.name,
-        "outcome": check_result.outcome,
-        "line": info.lines.get(check_result.name, check_result.name),
+        "name": check.name,
+        "outcome": check.outcome,
+        "line": info.lines.get(check.name, check.name),
         "stuck": is_stuck,
-        "points": points(check_result.points, check_result.max_points),
-        "max_points": points(check_result.max_points),
+        "points": points(check.points, check.max_points),
+        "max_points": points(check.max_points),
         "message": describe_failure(failure) if failure else message,
-        "suspect": check_result.suspect and known_mistake(check_result.suspect),
+        "suspect": check.suspect and known_mistake(check.suspect),
         "sketch": sketch(failure.sketch) if failure and failure.sketch else None,
         "pictures": pictures(failure.curve if failure else None),
         "hint": function if is_stuck else None,
@@ -269,14 +269,12 @@ def row(record: Record) -> tuple[str, ...]:
 
 def _remark(record: Record) -> str:
     """Return the most telling thing about a result: the known mistake, else the first failure."""
-    check_results = [
-        check_result for check_result in record["checks"] if check_result["outcome"] not in ("passed", "not_run")
-    ]
-    suspected = next((check_result["suspect"] for check_result in check_results if check_result["suspect"]), None)
+    checks = [check for check in record["checks"] if check["outcome"] not in ("passed", "not_run")]
+    suspected = next((check["suspect"] for check in checks if check["suspect"]), None)
     if suspected:
         return f"numbers match: {sentence(suspected)}"
-    unwritten = [check_result["message"] for check_result in record["checks"] if check_result.get("unwritten")]
-    first = [f"{check_result['name']}: {check_result['message']}" for check_result in check_results]
+    unwritten = [check["message"] for check in record["checks"] if check.get("unwritten")]
+    first = [f"{check['name']}: {check['message']}" for check in checks]
     return _short(record.get("message") or next(iter([*first, *unwritten]), ""))
 
 

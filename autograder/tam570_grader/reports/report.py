@@ -111,9 +111,9 @@ def newest(results: Iterable[Result], signs: Signs | None = None, examples: Exam
     class_results = dict[Key, Result]()
     for result in results:
         checks = []
-        for check_result in result.checks:
-            failure = check_result.failure
-            bare = replace(check_result, message=failure.hint if failure and failure.hint else "", failure=None)
+        for check in result.checks:
+            failure = check.failure
+            bare = replace(check, message=failure.hint if failure and failure.hint else "", failure=None)
             checks.append(equal.setdefault(bare, bare))
             if failure and examples is not None:
                 examples.setdefault((result.assignment, _what_went_wrong(bare)), failure)
@@ -147,12 +147,7 @@ def report(
         tallies=_tallies(everything, infos),
         suspects=_suspects(everything, infos),
         slowest=heapq.nlargest(SLOWEST, everything, key=lambda result: result.seconds),
-        faults=[
-            (result, check_result)
-            for result in everything
-            for check_result in result.checks
-            if check_result.outcome == "grader_error"
-        ],
+        faults=[(result, check) for result in everything for check in result.checks if check.outcome == "grader_error"],
         absent=_absent(class_results, students),
         script=script,
         script_hash=base64.b64encode(hashlib.sha256(script.encode()).digest()).decode(),
@@ -223,23 +218,23 @@ def _cell(result: Result | None) -> str:
 def _tallies(results: Iterable[Result], infos: Mapping[str, AssignmentInfo]) -> list[Tally]:
     """Of every check, in the order of the assignments, how many passed it, of those who handed in."""
     counts: dict[tuple[str, str], dict[str, int]] = defaultdict(lambda: dict.fromkeys(OUTCOMES, 0))
-    check_results, results = dict[tuple[str, str], CheckResult](), list(results)
+    checks, results = dict[tuple[str, str], CheckResult](), list(results)
     upper = _discrimination(results)
     for result in filter(_here, results):
-        for check_result in result.checks:
-            key = result.assignment, check_result.name
-            counts[key][check_result.outcome] += 1
-            check_results[key] = check_result
+        for check in result.checks:
+            key = result.assignment, check.name
+            counts[key][check.outcome] += 1
+            checks[key] = check
     return [
         Tally(
             slug,
-            check_result.part,
+            check.part,
             infos[slug].lines.get(name, name),
-            points(check_result.max_points),
+            points(check.max_points),
             counts[slug, name],
             upper.get((slug, name)),
         )
-        for (slug, name), check_result in sorted(check_results.items(), key=lambda item: item[0][0])
+        for (slug, name), check in sorted(checks.items(), key=lambda item: item[0][0])
     ]
 
 

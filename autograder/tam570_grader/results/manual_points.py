@@ -167,7 +167,7 @@ class ManualAdjustments:
         key = result.student, result.assignment
         if not self.touches(key):
             return result
-        earned = {check_result.name: check_result.points for check_result in result.checks}
+        earned = {check.name: check.points for check in result.checks}
         adjusted = self.adjust(key, result.score, result.max_score, lambda: earned)
         status = EXCUSED if adjusted.excused else result.status
         return replace(result, status=status, score=adjusted.score, max_score=adjusted.most)
@@ -206,7 +206,7 @@ def _checks(
     message = [
         f"{item.replace('_', ' ')}: {entry.points:g} points, by hand: {entry.comment}" for item, entry in here.items()
     ]
-    return None if None in points else sum(entry for entry in points if entry is not None), message
+    return None if None in points else sum(filter(None, points)), message
 
 
 def _days(items: Mapping[str, float]) -> int:

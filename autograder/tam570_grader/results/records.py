@@ -70,7 +70,7 @@ class Result:
 
     def record(self) -> Json:
         """Return the result line as plain data; what is empty is left out where it may be."""
-        line = {**vars(self), "checks": [check_result.record() for check_result in self.checks]}
+        line = {**vars(self), "checks": [check.record() for check in self.checks]}
         return {key: value for key, value in line.items() if value or key not in (*MAY_LACK, "message")}
 
 

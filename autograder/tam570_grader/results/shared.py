@@ -46,11 +46,11 @@ def groups(signs: Mapping[tuple[str, str], Iterable[Sign]]) -> list[Shared]:
 
 def signs_of(result: Result) -> Iterator[Sign]:
     """Yield what tells a wrong result that no known mistake explains, of each check."""
-    for check_result in result.checks:
-        failure = check_result.failure
-        unknown = failure and not (check_result.suspect or failure.suspect or failure.follows_from or failure.near_miss)
+    for check in result.checks:
+        failure = check.failure
+        unknown = failure and not (check.suspect or failure.suspect or failure.follows_from or failure.near_miss)
         if unknown and (digest := _digest(failure)):
-            yield result.assignment, check_result.name, result.seed, digest
+            yield result.assignment, check.name, result.seed, digest
 
 
 def _digest(failure: Failure | None) -> bytes:

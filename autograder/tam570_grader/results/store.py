@@ -81,7 +81,7 @@ class Results(Mapping[Key, Record]):
 
     def earned(self, key: Key) -> manual_points.Earned:
         """Return the points of each check of a result, read when they are asked for."""
-        return lambda: {check_result["name"]: check_result["points"] for check_result in self[key]["checks"]}
+        return lambda: {check["name"]: check["points"] for check in self[key]["checks"]}
 
     @property
     def seed(self) -> int | None:
@@ -207,9 +207,7 @@ def _record(line: bytes, path: Path, number: int) -> Record:
     """
     try:
         record: Record = json.loads(line)
-        is_whole = record.keys() >= RESULT_FIELDS and all(
-            check_result.keys() >= CHECK_FIELDS for check_result in record["checks"]
-        )
+        is_whole = record.keys() >= RESULT_FIELDS and all(check.keys() >= CHECK_FIELDS for check in record["checks"])
     except (ValueError, TypeError, AttributeError):
         is_whole = False
     if not is_whole:
