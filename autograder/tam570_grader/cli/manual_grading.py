@@ -42,13 +42,11 @@ def _mark(arguments: argparse.Namespace) -> int:
         keys = sorted((record["assignment"], record["student"]) for record in graded.values())
     chosen = assignments.match_slugs(arguments.only, sorted({slug for slug, _ in keys}))
     rubrics = {slug: assignments.assignment(course, slug).rubric for slug in chosen if slug in slugs}
-    work = (
-        {(submission.student, submission.slug): submission for submission in submissions(tree, slugs)} if tree else {}
-    )
-    sheets = [StudentWork(who, slug, rubrics[slug], work.get((who, slug))) for slug, who in keys if rubrics.get(slug)]
-    if not sheets:
+    by_key = {(submission.student, submission.slug): submission for submission in submissions(tree, slugs)}
+    works = [StudentWork(who, slug, rubrics[slug], by_key.get((who, slug))) for slug, who in keys if rubrics.get(slug)]
+    if not works:
         raise UsageError(f"no assignment in {folder} has a part that is graded by hand")
-    server, address = serve(Desk(folder, sheets, anonymous=arguments.anonymous), arguments.port)
+    server, address = serve(Desk(folder, works, anonymous=arguments.anonymous), arguments.port)
     say(f"open {address}\nCtrl-C ends it; what you gave is in {folder / manual_points.FILE}")
     try:
         server.serve_forever()

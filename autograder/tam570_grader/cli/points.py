@@ -59,12 +59,12 @@ def _points(arguments: argparse.Namespace) -> int:
             return write_template(arguments.table, graded, rubrics, manual_points.read(folder))
         new = list(checked_rows(arguments.table, graded, manual, checks)) if arguments.table else []
     feedback.must_write_pages()
-    with writing(folder), contextlib.closing(ResultStore(folder)) as book:  # nobody else adds rows meanwhile
+    with writing(folder), contextlib.closing(ResultStore(folder)) as store:  # nobody else adds rows meanwhile
         adjustments, open_, notes = late_policy.apply_late_policy(
-            manual_points.read(folder).with_(new), policies, book, arguments.collected
+            manual_points.read(folder).with_(new), policies, store, arguments.collected
         )
         manual_points.write(folder, adjustments)
-        failed = feedback.write_pages(folder / "feedback", book, course)
+        failed = feedback.write_pages(folder / "feedback", store, course)
     for line in [*open_, *notes]:
         warn(line)
     count = sum(entry.item == LATE for entry in adjustments.entries.values())

@@ -57,7 +57,7 @@ def _watch(arguments: argparse.Namespace) -> int:
         raise UsageError(f"{arguments.source} is not a folder: name the one into which work is handed in")
     with writing(arguments.out):
         (arguments.out / COPIES).mkdir(parents=True, exist_ok=True)
-    with contextlib.closing(ResultStore(arguments.out)) as store, executor(arguments.jobs) as executor_of_jobs:
+    with contextlib.closing(ResultStore(arguments.out)) as store, executor(arguments.jobs) as jobs:
         policy = Policy(arguments.attempts or math.inf, arguments.every, arguments.count)
         queue = Queue(arguments.out, policy)
         secret = seeds.key(arguments.out / KEY, bool(queue.graded))
@@ -66,7 +66,7 @@ def _watch(arguments: argparse.Namespace) -> int:
             course,
             queue,
             store,
-            executor_of_jobs,
+            jobs,
             secret,
             assignment=arguments.assignment,
             jobs=arguments.jobs,

@@ -35,6 +35,7 @@ HEADERS = {
     "Cache-Control": "no-store",
 }
 LARGEST = 100_000  # bytes of a request
+NOT_AT_HAND = "The work is not at hand: name its tree with --submitted."
 
 
 @dataclass(frozen=True)
@@ -44,38 +45,38 @@ class StudentWork:
     student: str
     slug: str
     parts: Mapping[str, ManualPart]
-    work: Submission | None = None
+    submission: Submission | None = None
 
 
 class Desk:
     """All that is to be graded by hand in a folder of results."""
 
-    def __init__(self, folder: Path, sheets: Sequence[StudentWork], *, anonymous: bool = False) -> None:
-        self.folder, self.sheets, self.anonymous = folder, list(sheets), anonymous
+    def __init__(self, folder: Path, works: Sequence[StudentWork], *, anonymous: bool = False) -> None:
+        self.folder, self.works, self.anonymous = folder, list(works), anonymous
         if anonymous:
-            random.SystemRandom().shuffle(self.sheets)
+            random.SystemRandom().shuffle(self.works)
         self._lock = Lock()
 
     def name(self, number: int) -> str:
-        return f"Student {number + 1}" if self.anonymous else self.sheets[number].student
+        return f"Student {number + 1}" if self.anonymous else self.works[number].student
 
     def entry(self, number: int, part: str) -> Entry | None:
         """Return what was given for a part before."""
-        sheet = self.sheets[number]
-        return manual_points.read(self.folder).entries.get((sheet.student, sheet.slug, part))
+        work = self.works[number]
+        return manual_points.read(self.folder).entries.get((work.student, work.slug, part))
 
     def save(self, number: int, part: str, claims: Sequence[int], points: float | None, comment: str) -> float:
         """Write down the points of a part: those of the claims that are ticked, or others that somebody typed."""
-        sheet = self.sheets[number]
-        rubric = sheet.parts[part]
+        work = self.works[number]
+        rubric = work.parts[part]
         ticked = [rubric.claims[claim] for claim in sorted({*claims})]
         earned = round(sum(worth for worth, _ in ticked), 6) if points is None else points
         if not 0 <= earned <= rubric.points:
             raise ValueError(f"part ({part}) has from 0 to {rubric.points:g} points")
         text = "\n".join([*(f"+ {claim}" for _, claim in ticked), *([comment.strip()] if comment.strip() else [])])
         rows = [
-            Entry(sheet.student, sheet.slug, part, earned, rubric.points, text),
-            *(Entry(EVERYONE, sheet.slug, letter, None, entry.points) for letter, entry in sheet.parts.items()),
+            Entry(work.student, work.slug, part, earned, rubric.points, text),
+            *(Entry(EVERYONE, work.slug, letter, None, entry.points) for letter, entry in work.parts.items()),
         ]
         with self._lock, writing(self.folder), contextlib.closing(ResultStore(self.folder)):
             manual_points.write(self.folder, manual_points.read(self.folder).with_(rows))
@@ -83,19 +84,19 @@ class Desk:
 
     def files(self, number: int) -> list[Path]:
         """Drawings and words beside the work, links left out."""
-        work = self.sheets[number].work
-        if work is None or work.path is None:
+        submission = self.works[number].submission
+        if submission is None or submission.path is None:
             return []
-        held = [path for path, is_folder in entries(work.path.parent) if not is_folder and not path.is_symlink()]
+        held = [path for path, is_folder in entries(submission.path.parent) if not is_folder and not path.is_symlink()]
         return [path for path in held if is_beside(path.name) and path.is_file()]
 
     def code(self, number: int) -> list[tuple[str, str]]:
         """Return the text of the work: the module, or a notebook's cells by kind."""
-        work = self.sheets[number].work
-        if work is None or work.path is None:
-            return [("note", work.reason if work else "The work is not at hand: name its tree with --submitted.")]
+        submission = self.works[number].submission
+        if submission is None or submission.path is None:
+            return [("note", submission.reason if submission else NOT_AT_HAND)]
         try:
-            source = read(work)
+            source = read(submission)
             if not source.notebook:
                 return [("code", source.text.decode("utf-8", "replace"))]
             return [(str(cell["kind"]), str(cell["source"])) for cell in cells_of(source.text)]
@@ -158,7 +159,7 @@ class _Handler(BaseHTTPRequestHandler):
         rest = [part for part in rest if part]
         host = f"127.0.0.1:{self.server.server_port}"
         ours = secrets.compare_digest(token.encode(), self.token.encode()) and self.headers.get("Host") == host
-        is_student = bool(rest) and rest[0].isdecimal() and int(rest[0]) < len(self.desk.sheets)
+        is_student = bool(rest) and rest[0].isdecimal() and int(rest[0]) < len(self.desk.works)
         return rest if ours and is_student else None
 
     def _send(self, code: int, mime_type: str, body: bytes, nonce: str = "") -> None:
@@ -176,13 +177,13 @@ class _Handler(BaseHTTPRequestHandler):
 
 def page(desk: Desk, number: int, nonce: str) -> str:
     """One student's page."""
-    sheet, last = desk.sheets[number], len(desk.sheets) - 1
+    work, last = desk.works[number], len(desk.works) - 1
     return template("mark.html").render(
-        title=f"{desk.name(number)}, {sheet.slug}",
+        title=f"{desk.name(number)}, {work.slug}",
         count=f"{number + 1} of {last + 1}",
         previous=max(0, number - 1),
         following=min(last, number + 1),
-        parts=[_part(desk.entry(number, letter), letter, rubric) for letter, rubric in sheet.parts.items()],
+        parts=[_part(desk.entry(number, letter), letter, rubric) for letter, rubric in work.parts.items()],
         number=number,
         code=desk.code(number),
         files=[(file.name, file.suffix.lower() in SHOWN) for file in desk.files(number)],

@@ -53,7 +53,7 @@ class ForgivingExporter(NotebookExporter):
 
     optimistic_validation = Bool(True, help="look at the notebook once, after the last preprocessor").tag(config=True)
     results = Dict(help="(assignment, student) -> submission and result")
-    books = Dict(help="assignment -> its results, which no other command writes before this one ends")
+    stores = Dict(help="assignment -> its results, which no other command writes before this one ends")
 
     def __init__(self, **kwargs: Any) -> None:
         super().__init__(**kwargs)  # type: ignore[no-untyped-call]
@@ -66,8 +66,8 @@ class ForgivingExporter(NotebookExporter):
         slugs = fnmatch.filter(assignments.slugs(grades.found_checkout()), coursedir.assignment_id)
         with contextlib.ExitStack() as still:
             for slug in slugs:
-                book = ResultStore(Path(coursedir.root) / grades.results / slug, self.log.warning)
-                self.books[slug] = still.enter_context(contextlib.closing(book))
+                store = ResultStore(Path(coursedir.root) / grades.results / slug, self.log.warning)
+                self.stores[slug] = still.enter_context(contextlib.closing(store))
             still.enter_context(_copying(functools.partial(_own_files, self._submitted())))
             convert()
 
@@ -186,12 +186,12 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
         if record["score"] is None:
             raise NbGraderException(f"the grader failed on {student} {slug}: see {self.results}/{slug}/results.jsonl")
         checkout = self.found_checkout()
-        sheet, graded = load_assignment_info(checkout, slug), part_points(assignments.assignment(checkout, slug))
+        info, graded = load_assignment_info(checkout, slug), part_points(assignments.assignment(checkout, slug))
         result = as_result(record)
         for cell in nb.cells:
             part = part_of(grade_id(cell))
             if part in graded:
-                cell.outputs = marked(result, part, sheet, remark(submission, result))
+                cell.outputs = marked(result, part, info, remark(submission, result))
         return nb, resources
 
     def found_checkout(self) -> Path:
@@ -206,13 +206,15 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
         if (slug, student) not in graded:
             coursedir = self.parent.parent.coursedir
             everyone = _class(coursedir, slug)
-            book: ResultStore = self.parent.books[slug]
-            by_student = {record["student"]: record for record in records(self._plan(coursedir, book, everyone), book)}
+            store: ResultStore = self.parent.stores[slug]
+            by_student = {
+                record["student"]: record for record in records(self._plan(coursedir, store, everyone), store)
+            }
             graded.update({(slug, record.student): (record, by_student[record.student]) for record in everyone})
         return graded[slug, student]
 
-    def _plan(self, coursedir: Any, book: ResultStore, everyone: Sequence[Submission]) -> RunConfig:
-        checkout, seed = self.found_checkout(), new_seed() if book.seed is None else book.seed
+    def _plan(self, coursedir: Any, store: ResultStore, everyone: Sequence[Submission]) -> RunConfig:
+        checkout, seed = self.found_checkout(), new_seed() if store.seed is None else store.seed
         limits = course_config.resource_limits(checkout, memory=self.memory, cpu=self.cpu, call=self.call)
         hidden = [checkout, Path(coursedir.root).resolve()]
         return RunConfig(checkout, everyone, seed, self.jobs or cores(), limits, hidden)

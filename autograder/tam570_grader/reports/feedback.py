@@ -51,7 +51,7 @@ class AssignmentInfo:
 
 
 def load_assignment_info(course: Path, slug: str) -> AssignmentInfo:
-    """Return the sheet of an assignment; of one that is no longer in the course, its name."""
+    """Return what a page says of an assignment; of one that is no longer in the course, its name."""
     if slug not in assignments.slugs(course):
         return AssignmentInfo(slug, {}, {}, {})
     assignment = assignments.assignment(course, slug)
@@ -230,7 +230,7 @@ def _known(notes: Path) -> dict[str, str]:
 
 
 def _info_digest(course: Path, slug: str, version: int) -> int:
-    """Of all that a sheet is made of, which is not loaded for that."""
+    """Of all that `load_assignment_info` reads; nothing of it is loaded."""
     return zlib.crc32(assignments.title(course, slug).encode() + assignments.checks_digest(course, slug), version)
 
 
@@ -250,10 +250,8 @@ def with_hand(
     rows: Iterable[tuple[str, ...]], results: Results, adjustments: ManualAdjustments
 ) -> list[tuple[str, ...]]:
     """Return the rows with the scores that points by hand made of theirs."""
-    scores = {key: _score(row_shown.score, row_shown.most) for key, row_shown in _settled(adjustments, results).items()}
-    return [
-        (*row_shown[:2], scores.get((row_shown[0], row_shown[1]), row_shown[2]), *row_shown[3:]) for row_shown in rows
-    ]
+    scores = {key: _score(it.score, it.most) for key, it in _settled(adjustments, results).items()}
+    return [(*row[:2], scores.get((row[0], row[1]), row[2]), *row[3:]) for row in rows]
 
 
 def _score(score: float | None, most: float) -> str:
