@@ -15,9 +15,8 @@ import numpy as np
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE / "run_time"))
 
-import literature  # noqa: E402
-import public  # noqa: E402
 import record  # noqa: E402
+import scenes  # noqa: E402
 
 from tam570.integrate import solve  # noqa: E402
 
@@ -44,7 +43,7 @@ def main():
         "error / rtol / sensitivity: {command}, {machine}, {date}".format(**record.facts()),
         f"{'':24}" + "".join(f"{f'{r:g}':>16}" for r in TOLERANCES),
     ]
-    for name, (rhs, start, end) in {**public.PROBLEMS, **literature.PROBLEMS}.items():
+    for name, (rhs, start, end) in scenes.OTHERS.items():
         both = [errors(rhs, start, end, method) for method in ("compiled", "python")]
         lines.append(f"{name:24}" + "".join(f"{f'{a:.2g} / {b:.2g}':>16}" for a, b in zip(*both, strict=True)))
         print(lines[-1], flush=True)

@@ -1,4 +1,4 @@
-"""Run time against error: every method and every peer installed, on the assignments' scenes and on public problems.
+"""Run time against error: every method and every peer installed, on the assignments' scenes and on other problems.
 
 The error is that of the state at the end, its largest component over the largest of the state, against a reference
 to 30 digits. Times are processor time: warm ones the least of repeated runs, the methods in turn; compiling is what
@@ -6,7 +6,7 @@ the first run of a right-hand side took more; cold ones are those of a new proce
 at the first tolerance that reaches an error of 1e-9.
 
     python benchmarks/run_time_against_error.py            all methods; writes results/run_time_against_error.json
-    python benchmarks/run_time_against_error.py --peers    compiled, public problems too; run_time_against_peers.json
+    python benchmarks/run_time_against_error.py --peers    compiled, all problems; run_time_against_peers.json
     python benchmarks/run_time_against_error.py --quick    three scenes, four tolerances, no cold processes
     python benchmarks/run_time_against_error.py --methods "tam570, prepared" heyoka CyRK --sets public --out FILE
 """
@@ -177,7 +177,7 @@ def report(results):
     print("\ncompiling, processor s: median, largest")
     for method, (median, largest) in results["compiling"].items():
         print(f"  {method:22} {median:8.3f} {largest:8.3f}")
-    for group, rows in results["against"].items():
+    for group, rows in ((group, rows) for group, rows in results["against"].items() if rows):
         print(f"\nover a peer at the same error: {group}")
         for ours, peer, target, row in rows:
             print(
@@ -217,7 +217,7 @@ def summary(results):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true", help="three scenes, four tolerances, no cold processes")
-    parser.add_argument("--peers", action="store_true", help="compiled methods alone, on the public problems too")
+    parser.add_argument("--peers", action="store_true", help="compiled methods alone, on all problems")
     parser.add_argument("--scenes", nargs="+", choices=ALL, metavar="NAME", help="these alone; --out keeps its others")
     parser.add_argument("--sets", nargs="+", choices=scenes.SETS, help="the scenes of these sets alone")
     parser.add_argument("--methods", nargs="+", choices=methods.METHODS, help="these alone")
@@ -226,7 +226,7 @@ def main():
     parser.add_argument("--out", type=Path, help="JSON to write, also for a part of the scenes or methods")
     options = parser.parse_args()
     sets = [name for group in options.sets or () for name in scenes.SETS[group]]
-    usual = [*scenes.SETS["scenes"], *(scenes.SETS["public"] if options.peers else ())]
+    usual = [*scenes.SETS["scenes"], *(scenes.OTHERS if options.peers else ())]
     names = options.scenes or sets or (QUICK_SCENES if options.quick else usual)
     tolerances = options.tolerances or (QUICK_TOLERANCES if options.quick else TOLERANCES)
     is_part = options.scenes or sets or options.methods or options.tolerances

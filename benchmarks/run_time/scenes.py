@@ -1,9 +1,16 @@
-"""What the reference solution of every assignment that simulates hands to the integrator; public problems, lectures."""
+"""What the reference solution of every assignment that simulates hands to the integrator; other sets of problems."""
 
 import importlib.util
+import sys
 from pathlib import Path
 
 import tam570.integrate
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+import lectures  # noqa: E402
+import literature  # noqa: E402
+import public  # noqa: E402
 
 SOLUTIONS = Path(__file__).parents[2] / "solutions"
 
@@ -117,11 +124,15 @@ SCENES = {
 }
 
 
-public = _loaded(Path(__file__).with_name("public.py"))
-lectures = _loaded(Path(__file__).with_name("lectures.py"))
 SMOOTH = [name for name in lectures.PROBLEMS if name != "rocket"]  # no reference by series past its burnout
+OTHERS = {**public.PROBLEMS, **literature.PROBLEMS}
 # another set is one more row
-SETS = {"scenes": list(SCENES), "public": list(public.PROBLEMS), "lectures": SMOOTH}
+SETS = {
+    "scenes": list(SCENES),
+    "public": list(public.PROBLEMS),
+    "literature": list(literature.PROBLEMS),
+    "lectures": SMOOTH,
+}
 
 
 def scene(name):
@@ -130,5 +141,5 @@ def scene(name):
         return SCENES[name]()
     if name in lectures.PROBLEMS:
         return lectures.PROBLEMS[name]
-    rhs, start, end = public.PROBLEMS[name]
+    rhs, start, end = OTHERS[name]
     return rhs, start, {}, end

@@ -82,6 +82,17 @@ def _sine_and_cosine(a):
     return sine, cosine
 
 
+def _exponential(a):
+    def rule(k):
+        a.upto(k)
+        if k == 0:
+            return mpmath.exp(a.coefficients[0])
+        return mpmath.fdot((j * a.coefficients[j], e.coefficients[k - j]) for j in range(1, k + 1)) / k
+
+    e = Series(rule)
+    return e
+
+
 def _added(a, b, sign):
     return Series(lambda k: a.upto(k)[k] + sign * b.upto(k)[k])
 
@@ -108,6 +119,8 @@ def _called(name, arguments, pairs, key):
         if key not in pairs:
             pairs[key] = _sine_and_cosine(arguments[0])
         return pairs[key][name == "cos"]
+    if name == "exp":
+        return _exponential(arguments[0])
     if name == "sqrt":
         return _root(arguments[0])
     if name == "hypot":
