@@ -111,12 +111,16 @@ def _drawn(axes: Artist) -> Iterator[tuple[Artist, list[Numbers], bool]]:
             yield collection, [_real(piece) for piece in _joined(collection.get_segments())[:MOST_LINES]], False
         elif isinstance(collection, PathCollection):
             yield collection, [_real(collection.get_offsets())], True
+    for patch in axes.patches[:MOST_LINES]:
+        path = patch.get_path()
+        if not patch.get_fill() and (path.codes is None or np.all(path.codes <= path.LINETO)):
+            yield patch, [_real(patch.get_patch_transform().transform(path.vertices))], False
 
 
 def _joined(pieces: list[Numbers]) -> list[Numbers]:
     """One line of pieces that each begin where the last one ends, as a line of many colours has them."""
-    compare_trajectory = zip(pieces[1:], pieces, strict=False)
-    if len(pieces) < 2 or not all(len(b) and len(a) and np.array_equal(b[0], a[-1]) for b, a in compare_trajectory):
+    neighbours = zip(pieces, pieces[1:], strict=False)
+    if len(pieces) < 2 or not all(len(a) and len(b) and np.array_equal(a[-1], b[0]) for a, b in neighbours):
         return pieces
     return [np.concatenate([pieces[0], *(piece[1:] for piece in pieces[1:])])]
 

@@ -15,7 +15,7 @@ FEWEST = 10  # points of a curve; fewer are a marker, a line for reference or an
 
 
 def curves(axes: "Axes") -> list[NDArray[np.float64]]:
-    """Return the points (n, 2) of each line or scatter, each point once, without NaN (a lift of the pen)."""
+    """Return the points (n, 2) of each line, scatter or open path, each once, without NaN (a lift of the pen)."""
     from matplotlib.collections import LineCollection, PathCollection
 
     drawn = [line.get_xydata() for line in axes.lines if line.get_visible()]
@@ -23,6 +23,10 @@ def curves(axes: "Axes") -> list[NDArray[np.float64]]:
         np.vstack([np.empty((0, 2)), *c.get_segments()]) for c in axes.collections if isinstance(c, LineCollection)
     ]
     drawn += [c.get_offsets() for c in axes.collections if isinstance(c, PathCollection)]
+    for patch in axes.patches:
+        path = patch.get_path()
+        if not patch.get_fill() and (path.codes is None or np.all(path.codes <= path.LINETO)):
+            drawn.append(patch.get_patch_transform().transform(path.vertices))
     finite = [curve[np.isfinite(curve).all(axis=1)] for curve in (np.asarray(curve, float) for curve in drawn)]
     points = [np.unique(curve, axis=0) for curve in finite]
     return [curve for curve in points if len(curve) >= FEWEST]
