@@ -51,8 +51,12 @@ def rate(definition, r_p, v_p, a_p, r_c, v_c, a_c, *, mass):
     Returns (3,), N m.
     Raises ValueError for another definition.
     """
-    motion = r_p, v_p, a_p, r_c, v_c, a_c
-    return moment(r_p, a_p, r_c, mass=mass) + discrepancy(definition, *motion, mass=mass)
+    _check(definition)
+    if definition == "a":  # C' does not move, and v_P x m v_P = 0
+        return np.cross(r_p - r_c, mass * a_p)
+    if definition == "b":
+        return np.cross(v_p - v_c, mass * v_p) + np.cross(r_p - r_c, mass * a_p)
+    return np.cross(r_p - r_c, mass * (a_p - a_c))
 
 
 def discrepancy(definition, r_p, v_p, a_p, r_c, v_c, a_c, *, mass):
@@ -65,12 +69,9 @@ def discrepancy(definition, r_p, v_p, a_p, r_c, v_c, a_c, *, mass):
     Returns (3,), N m.
     Raises ValueError for another definition.
     """
-    _check(definition)
-    if definition == "a":  # C' does not move, and v_P x m v_P = 0
-        return np.zeros(3)
-    if definition == "b":  # (v_P - v_C) x m v_P
-        return -np.cross(v_c, mass * v_p)
-    return -np.cross(r_p - r_c, mass * a_c)
+    # What is left: nothing for a, -v_C x m v_P for b, -r_{P/C} x m a_C for c.
+    motion = r_p, v_p, a_p, r_c, v_c, a_c
+    return rate(definition, *motion, mass=mass) - moment(r_p, a_p, r_c, mass=mass)
 
 
 def special_motion(definition):

@@ -61,10 +61,8 @@ def acceleration(state, *, mass, length, gravity):
     gravity: m/s^2, may be 0
     Returns (2,), m/s^2.
     """
-    x, y, vx, vy = state
-    centripetal = (vx**2 + vy**2) / length**2
-    fall = gravity * x / length**2  # what is left of the weight, along (y, -x)
-    return np.array([fall * y - centripetal * x, -fall * x - centripetal * y])
+    force = constraint_force(state, mass=mass, length=length, gravity=gravity)
+    return force / mass - np.array([0.0, gravity])
 
 
 def consistent_state(state, *, length):

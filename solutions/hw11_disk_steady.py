@@ -140,8 +140,9 @@ def settling_energy(lean, *, mass, radius, inertia, gravity):
     lean : rad
     Returns J; the potential is 0 with G on the ground.
     """
-    # Half the potential comes on top: A (Omega cos(lean))^2 / 2 with the Omega of common_precession.
-    return 1.5 * mass * gravity * radius * math.cos(lean)
+    # G is at rest, and the disk turns about e2 alone; the kinetic energy is half of the potential.
+    precession = common_precession(lean, mass=mass, radius=radius, inertia=inertia, gravity=gravity)
+    return inertia[0] * (precession * math.cos(lean)) ** 2 / 2 + mass * gravity * radius * math.cos(lean)
 
 
 def _spin_angular_momentum(lean, precession, mass, radius, inertia, gravity):

@@ -76,7 +76,7 @@ def _check(reference, definition, letters="abc"):
 
 
 @mistake(first_fails=checks.rate_about_a_fixed_point)
-def discrepancy(reference, definition, *vectors, mass):
+def rate(reference, definition, *vectors, mass):
     """In definition a you use the rate of b; C' does not move."""
     return reference("b" if definition == "a" else definition, *vectors, mass=mass)
 
@@ -94,26 +94,26 @@ def rate(reference, definition, r_p, v_p, a_p, r_c, v_c, a_c, *, mass):
 
 
 @mistake(first_fails=checks.rate_with_the_velocity_in_F)
-def discrepancy(reference, definition, *vectors, mass):
+def rate(reference, definition, *vectors, mass):
     """In definition b you use the term of c, -r_{P/C} x m a_C."""
     return reference("c" if definition == "b" else definition, *vectors, mass=mass)
 
 
 @mistake(first_fails=checks.rate_with_the_velocity_relative_to_C)
-def discrepancy(reference, definition, *vectors, mass):
+def rate(reference, definition, *vectors, mass):
     """In definition c you use the term of b, -v_C x m v_P."""
     return reference("b" if definition == "c" else definition, *vectors, mass=mass)
 
 
 @mistake(first_fails=checks.rate_with_the_velocity_relative_to_C)
-def discrepancy(reference, definition, *vectors, mass):
+def rate(reference, definition, *vectors, mass):
     """In definition c you add the term of b, -v_C x m v_P."""
     result = reference(definition, *vectors, mass=mass)
-    return result + reference("b", *vectors, mass=mass) if definition == "c" else result
+    return result - np.cross(vectors[4], mass * vectors[1]) if definition == "c" else result
 
 
 @mistake(first_fails=checks.rate_refuses_other_definitions, compared=False)
-def discrepancy(reference, definition, *vectors, mass):
+def rate(reference, definition, *vectors, mass):
     """You treat any other letter as a; raise ValueError for it."""
     return reference(definition if definition in ("b", "c") else "a", *vectors, mass=mass)
 

@@ -28,6 +28,10 @@ LONGEST_FAULT = 400  # characters of an exception of ours
 Hint = str | Callable[[], str]
 
 
+class FollowsFrom(str):
+    """In the place of a hint: the student's own wrong function, whose results the failed one rightly continues."""
+
+
 class Failed(Exception):
     """The student's result is wrong; a share of the points may be left."""
 
@@ -88,7 +92,8 @@ class CheckContext:
     def _explained(self, failed: Failed, hint: Hint) -> Failed:
         """Return the one failure that is told, with its hint, which may take long to find."""
         said, fault = _said(hint, self)
-        failed.failure = replace(failed.failure, hint=said, fault=fault)
+        source = said if isinstance(said, FollowsFrom) else ""
+        failed.failure = replace(failed.failure, hint="" if source else said, follows_from=str(source), fault=fault)
         return failed
 
 

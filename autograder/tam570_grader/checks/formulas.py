@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from tam570.values import Numbers
 from tam570_grader.checks.case import Case
-from tam570_grader.checks.expect import Failed, NotWritten
+from tam570_grader.checks.expect import Failed, FollowsFrom, NotWritten
 from tam570_grader.checks.student import StudentFunction, StudentModule
 
 Point = Mapping[str, float]
@@ -40,7 +40,7 @@ def from_own_lagrangian(student: StudentModule, cases: Sequence[Case], otherwise
         except (Failed, NotWritten):
             return otherwise
         follows = np.max(np.abs(values - accelerations) / np.abs(accelerations)) <= FOLLOWS
-        return "It follows from your Lagrangian, which is wrong." if follows else otherwise
+        return FollowsFrom(lagrangian.name) if follows else otherwise
 
     return hint
 

@@ -72,10 +72,10 @@ class Motion:
         actual, tolerance = self.actual if quantity is None else quantity, min(ALIKE, BETTER * self.error)
         return np.shape(rows) == actual.shape and bool(np.max(np.abs(rows - actual) / self.scales) <= tolerance)
 
-    def repeated_at(self, t: Array) -> Array | None:
-        """Return the student's rows when other times are asked for; None where there are none."""
+    def repeated_at(self, t: Array, *start: Numbers) -> Array | None:
+        """Return the student's rows at other times, or from another start; None where there are none."""
         try:
-            return flat(self.function.aside(self.case.replace(t)))
+            return flat(self.function.aside(self.case.replace(t, *start)))
         except (Failed, NotWritten):
             return None
 
@@ -310,6 +310,32 @@ def _apart(motion: Motion, starts: Sequence[tuple[float, Array]], instant: float
         off = np.diff((result - motion.truly(t, *start)) / motion.scales, axis=0)
         rates.append(float(np.max(np.abs(off)) / np.ptp(t)))
     return max(rates)
+
+
+def has_rates(motion: Motion, rates: Callable[[float, Array], Numbers]) -> bool:
+    """Return whether the student's own wrong rates make the motion: nothing else is wrong with it.
+
+    rates : of the first or of the last columns, at a time and a row; the others have the right ones
+    """
+    left, wrong = np.zeros(2), np.zeros(2)
+    try:
+        for row in _some(motion, ASKED):
+            led = motion.repeated_at(motion.t[row : row + 2], *_restart(motion, motion.actual[row]))
+            t = motion.t[row] + (motion.t[-1] - motion.t[0]) * np.array([0, INSTANTS[-1]])
+            start = _restart(motion, motion.expected[row])
+            instant = motion.repeated_at(t, *start)
+            if led is None or instant is None:
+                return False
+            if not np.max(np.abs(led[-1] - motion.actual[row + 1]) / motion.scales) <= ALIKE:
+                return False
+            made, right = (np.diff(states, axis=0)[0] / np.ptp(t) for states in (instant, motion.truly(t, *start)))
+            own, models = np.ravel(rates(t[0], motion.expected[row])), np.array([right, right])
+            models[0, : own.size] = models[1, -own.size :] = own
+            left = np.maximum(left, np.max(np.abs(made - models) / motion.scales, axis=1))
+            wrong = np.maximum(wrong, np.max(np.abs(models - right) / motion.scales, axis=1))
+    except (Failed, NotWritten, ValueError, ArithmeticError, Exhausted):
+        return False
+    return bool(np.any((left <= EXPLAINED * wrong) & (wrong > 0)))
 
 
 def _restart(motion: Motion, row: Array) -> tuple[Numbers, ...]:

@@ -12,8 +12,8 @@ from tam570.values import Numbers
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.compare import Batch, Column, Reference, find_reference, is_right
 from tam570_grader.checks.curves import Curve, conserved_curve
-from tam570_grader.checks.expect import NEAR_MISS, NEAR_MISS_SHARE, UNLOCKING_SHARE, expect, get_context
-from tam570_grader.checks.motions import ROUGHLY, Motion, Restart, diagnosed, flat, obeys
+from tam570_grader.checks.expect import NEAR_MISS, NEAR_MISS_SHARE, UNLOCKING_SHARE, FollowsFrom, expect, get_context
+from tam570_grader.checks.motions import ROUGHLY, Motion, Restart, diagnosed, flat, has_rates, obeys
 from tam570_grader.checks.student import StudentFunction
 
 Array = NDArray[np.float64]
@@ -54,16 +54,20 @@ class OwnRates:
     def are_right(self, motion: Motion) -> bool:
         """Return whether they are right at some rows of the right motion."""
         rows = list(zip(motion.t, motion.expected, strict=True))[:: max(1, len(motion.t) // ASKED)]
-        words = [word for word in motion.case.args if isinstance(word, str)]
-        cases = [Case(*self.arguments(t, row), *words, **motion.case.kwargs) for t, row in rows]
-        return is_right(self.function, self.reference, cases)
+        return is_right(self.function, self.reference, [self._case(motion, t, row) for t, row in rows])
 
     def hint(self, motion: Motion) -> str:
         """Say where to look."""
         name = self.function.name
         if self.are_right(motion):
             return f"{name} is right along this motion: integrate it, with the given parameters, from t[0] on"
+        if has_rates(motion, lambda t, row: self.function.aside(self._case(motion, t, row))):
+            return FollowsFrom(name)
         return f"{name} is wrong along this motion, too: look there first"
+
+    def _case(self, motion: Motion, t: float, row: Array) -> Case:
+        words = [word for word in motion.case.args if isinstance(word, str)]
+        return Case(*self.arguments(t, row), *words, **motion.case.kwargs)
 
 
 def compare_trajectory(  # noqa: PLR0913  as `compare`

@@ -7,16 +7,20 @@ from functools import partial
 
 import numpy as np
 
+from tam570.values import Numbers
 from tam570_grader.checks import assignments
 from tam570_grader.checks.assignments import LoadedAssignment
-from tam570_grader.checks.case import Call
+from tam570_grader.checks.case import Call, Case
 from tam570_grader.checks.check import Check
 from tam570_grader.checks.effort import Exhausted
 from tam570_grader.checks.expect import LONGEST_FAULT, Failed, NotWritten, check_context
 from tam570_grader.checks.failure import Failure
 from tam570_grader.checks.returns import FreeBodyDiagram
+from tam570_grader.checks.student import StudentFunction
 from tam570_grader.diagnosis.cause import Cause
 from tam570_grader.diagnosis.diagnose import diagnose, follows
+from tam570_grader.diagnosis.mistakes import computed, explains, is_motion, solution_with
+from tam570_grader.diagnosis.mutants import reached
 from tam570_grader.errors import Over
 from tam570_grader.grading.budget import budget
 from tam570_grader.grading.seeds import derive
@@ -149,6 +153,8 @@ def _check_result(run: _Run, check: Check) -> CheckResult:
         return _not_run(check, student.describe_missing(str(unwritten)), unwritten=str(unwritten))
     except Failed as failed:
         cause, fault = _cause(run, check) if options.naming else (None, "")
+        if not (cause and cause.follows_from):
+            cause = _own_source(run, failed) or cause
         if cause:
             run.causes[check.name] = cause
         return _failed(check, failed, cause, fault)
@@ -183,6 +189,40 @@ def _cause(run: _Run, check: Check) -> tuple[Cause | None, str]:
         raise
     except Exception as error:  # a mistake without a name is no reason to lose a grade
         return None, repr(error)[:LONGEST_FAULT]
+
+
+def _own_source(run: _Run, failed: Failed) -> Cause | None:
+    """Return the student's own wrong function from which the result follows, whatever is wrong in that.
+
+    The check has found it, or the solution gives the same numbers with the student's functions in the place of its own.
+    """
+    calls, solution = run.student.calls, run.assignment.solution
+    if source := failed.failure.follows_from:
+        return Cause(failed.failure.function, "", "own", follows_from=source)
+    if len({call.name for call in calls}) != 1 or any(_is_drawn(run.assignment, call) for call in calls):
+        return None
+    name = calls[0].name
+    used = (reached(solution)[name] & run.assignment.results.keys()) - {name}
+    failures = (check.function for check in run.assignment.checks if _has_failed(run.results.get(check.name)))
+    wrong = next((function for function in failures if function in used), "")
+    if not wrong or any(is_motion(call) for call in calls):
+        return None
+    module = solution_with.__wrapped__(solution, "")  # its own
+    for function in used:
+        setattr(module, function, partial(_asked, getattr(run.student, function)))
+    try:
+        follows_from_own = explains(solution, partial(computed, module), calls)
+    except (Failed, NotWritten, Exhausted, TypeError):
+        return None
+    return Cause(name, "", "own", follows_from=wrong) if follows_from_own else None
+
+
+def _asked(function: StudentFunction, *args: Numbers, **kwargs: Numbers) -> Numbers:
+    return function.aside(Case(*args, **kwargs))
+
+
+def _has_failed(result: CheckResult | None) -> bool:
+    return result is not None and result.outcome == "failed" and not result.unlocks_dependents
 
 
 def _earlier(causes: Mapping[str, Cause]) -> list[Cause]:
@@ -228,7 +268,7 @@ def _consequence(run: _Run, check: Check, functions: Container[str]) -> CheckRes
     try:
         run.perform(check)
     except Failed as failed:
-        cause = _following(run, check, _earlier(run.causes))
+        cause = _following(run, check, _earlier(run.causes)) or _own_source(run, failed)
         if cause is None or cause.function in functions:
             return None
         run.causes[check.name] = cause
