@@ -207,7 +207,7 @@ def the_path_is_drawn(student, rng):
     picture = student.plot_projection.drawn(case)
     (line,) = curves_seen(picture, 1)
     others = {"These are x and y, not right and up.": places[:, :2]}
-    wrong_source = first_wrong(reference, case, student.simulate)
+    wrong_source = first_wrong(reference, case, student.simulate, student.solution)
     path = reference.project(places, *view)
     path_drawn(line, path, tolerance=DRAWN, quantity="the curve", others=others, wrong_source=wrong_source)
     judge_axes_of_lengths(picture, "right horizontal", "up vertical")

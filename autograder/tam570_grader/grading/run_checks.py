@@ -153,7 +153,7 @@ def _check_result(run: _Run, check: Check) -> CheckResult:
         return _not_run(check, student.describe_missing(str(unwritten)), unwritten=str(unwritten))
     except Failed as failed:
         cause, fault = _cause(run, check) if options.naming else (None, "")
-        if not (cause and cause.follows_from):
+        if options.naming and not (cause and cause.follows_from):
             cause = _own_source(run, failed) or cause
         if cause:
             run.causes[check.name] = cause
@@ -205,14 +205,18 @@ def _own_source(run: _Run, failed: Failed) -> Cause | None:
     used = (reached(solution)[name] & run.assignment.results.keys()) - {name}
     failures = (check.function for check in run.assignment.checks if _has_failed(run.results.get(check.name)))
     wrong = next((function for function in failures if function in used), "")
-    if not wrong or any(is_motion(call) for call in calls):
+    zeros = {cause.function for cause in run.causes.values() if cause.source == "transform" and not cause.answers}
+    if not wrong or used & zeros or any(is_motion(call) for call in calls):
         return None
     module = solution_with.__wrapped__(solution, "")  # its own
     for function in used:
         setattr(module, function, partial(_asked, getattr(run.student, function)))
     try:
-        follows_from_own = explains(solution, partial(computed, module), calls)
-    except (Failed, NotWritten, Exhausted, TypeError):
+        with budget():
+            follows_from_own = explains(solution, partial(computed, module), calls)
+    except Over:
+        raise
+    except Exception:  # whatever a wrong function returns in the place of a right one
         return None
     return Cause(name, "", "own", follows_from=wrong) if follows_from_own else None
 

@@ -52,6 +52,14 @@ def test_the_energy_follows_from_the_mass_matrix(checked, wrong):
     assert following(actual) == {("energy", "mass_matrix"), ("angular_momentum", "mass_matrix")}
 
 
+def test_what_follows_from_a_mistake_without_a_name_keeps_its_share_too(checked):
+    actual = checked("hw13_rolling_cylinder", ("turned = inertia + mass *", "turned = 1.2 * inertia + 0.7 * mass *"))
+    assert not by_name(actual)
+    assert following(actual) == {(name, "acceleration") for name in ("contact_force", "simulate")}
+    actual = checked("hw12_bead_on_wire", ("v**2 / 2 - mass", "v**2 - mass"))
+    assert following(actual) == {("lagrange_equation", "lagrangian")}
+
+
 @pytest.mark.slow
 def test_one_wrong_argument_in_all_functions_is_told_once(checked):
     moment = "    return _weight_moment(phi, mass, radius, {}offset,"
