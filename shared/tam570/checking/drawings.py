@@ -25,7 +25,7 @@ def curves(axes: "Axes") -> list[NDArray[np.float64]]:
     drawn += [c.get_offsets() for c in axes.collections if isinstance(c, PathCollection)]
     for patch in axes.patches:
         path = patch.get_path()
-        if not patch.get_fill() and (path.codes is None or np.all(path.codes <= path.LINETO)):
+        if not patch.get_fill() and (path.codes is None or np.all(np.asarray(path.codes) <= path.LINETO)):
             drawn.append(patch.get_patch_transform().transform(path.vertices))
     finite = [curve[np.isfinite(curve).all(axis=1)] for curve in (np.asarray(curve, float) for curve in drawn)]
     points = [np.unique(curve, axis=0) for curve in finite]
