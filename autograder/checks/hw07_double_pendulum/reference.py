@@ -51,16 +51,12 @@ def on_the_fly(theta, omega, masses, lengths, gravity):
     return alpha, np.array([[force.real, force.imag] for force in (moved.sum(), moved[1])])
 
 
-def energy(theta, omega, masses, lengths, gravity):
-    places, M = kinematics(theta, omega, lengths)[0], mass_matrix(theta, masses, lengths)
-    return omega @ M @ omega / 2 + gravity * masses @ places.imag
+def energy(theta, omega, **bars):
+    return energies(np.append(theta, omega)[None], **bars)[0]
 
 
 def angular_momentum(theta, omega, masses, lengths):
-    """Sum of r x m v and I omega."""
-    places, levers, _ = kinematics(theta, omega, lengths)
-    orbital = (places.conj() * (levers @ omega)).imag
-    return masses @ (orbital + lengths**2 * omega / 12)
+    return momenta(np.append(theta, omega)[None], 0.0, masses, lengths)[0]
 
 
 def rates(_, state, masses, lengths, gravity):
@@ -92,12 +88,22 @@ def wireframe(theta, lengths):
     return np.array([[[0, 0], [elbow.real, elbow.imag]], [[elbow.real, elbow.imag], [tip.real, tip.imag]]])
 
 
-def energies(rows, **bars):
-    return np.array([energy(row[:2], row[2:], **bars) for row in rows])
+def mass_centres(rows, lengths):
+    """(n, 2) the angular velocities, the places of both mass centres, and their velocities."""
+    bars = -1j * lengths * np.exp(1j * rows[:, :2])
+    return rows[:, 2:], bars @ REACH.T, (1j * rows[:, 2:] * bars) @ REACH.T
 
 
-def momenta(rows, gravity, **bars):
-    return np.array([angular_momentum(row[:2], row[2:], **bars) for row in rows])
+def energies(rows, masses, lengths, gravity):
+    """Of what moves, what turns about its mass centre, and what is high."""
+    omega, places, velocities = mass_centres(rows, lengths)
+    return (np.abs(velocities) ** 2 / 2 + (lengths * omega) ** 2 / 24 + gravity * places.imag) @ masses
+
+
+def momenta(rows, gravity, masses, lengths):
+    """Sum of r x m v and I omega."""
+    omega, places, velocities = mass_centres(rows, lengths)
+    return ((places.conj() * velocities).imag + lengths**2 * omega / 12) @ masses
 
 
 OF_THE_CEILING = "You drew the force of the ceiling on bar 2. The ceiling touches only bar 1."
