@@ -219,9 +219,8 @@ def plot_tip_path(ax, t, theta, omega, *, masses, lengths, gravity):
     lengths : (2,) m
     gravity : m/s^2, may be 0
     """
-    motion = simulate(t, theta, omega, masses=masses, lengths=lengths, gravity=gravity)
-    tips = np.array([wireframe(state[:2], lengths=lengths)[1, 1] for state in motion])
-    ax.plot(tips[:, 0], tips[:, 1], linewidth=0.8, label="tip of bar 2")
+    angles = simulate(t, theta, omega, masses=masses, lengths=lengths, gravity=gravity)[:, :2]
+    ax.plot(np.sin(angles) @ lengths, -np.cos(angles) @ lengths, linewidth=0.8, label="tip of bar 2")
     ax.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
 
 
