@@ -22,6 +22,7 @@ MOST_FORCES = 8  # of a diagram; the largest right one has five
 LONGEST_TOLD = 2000  # elements of a result: no check asks for more rows
 LONGEST = 100_000  # rows of a result whose length is the student's choice
 MOST_DIMENSIONS = 3  # of a shape that is told
+NO_NUMBERS = {"c": "complex numbers", "U": "an array of strings"}  # by the kind of the array
 
 
 class WrongForm(Exception):
@@ -133,7 +134,7 @@ def _numbers(value: Numbers, name: str) -> Numbers:
         if numbers.dtype.kind not in "fiub":
             raise TypeError
     except (TypeError, ValueError, ArithmeticError):
-        came = "complex numbers" if numbers.dtype.kind == "c" else _kind(value)
+        came = (not isinstance(value, str) and NO_NUMBERS.get(numbers.dtype.kind)) or _kind(value)
         raise WrongForm(f"{name} returned {came}, not real numbers", _remedy(value)) from None
     return numbers.astype(np.float64)
 

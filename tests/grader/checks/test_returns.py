@@ -11,7 +11,8 @@ from tam570.formulas import REMEDIES
 from tam570_grader.checks import assignments
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed, expect
-from tam570_grader.checks.returns import array, group, number, result, rows
+from tam570_grader.checks.returns import array, form, free_body_diagram, group, number, result, rows
+from tam570_grader.protocol.wire import packed, portable, unpacked
 from tam570_grader.reports.sentences import describe_failure
 from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.zygote import ResourceLimits
@@ -43,17 +44,27 @@ def symbolic(course, zygotes):
         (number, None, "None"),
         (array(3), np.ones((3, 1)), "shape (3, 1)"),
         (array(3), [1.0, [2.0, 3.0]], "differ in length"),
+        (array(2), [1.0, "2"], "an array of strings"),
+        (array(2), [1.0, None], "not real numbers"),
+        (array(2), np.array([1.0, None]), "not real numbers"),
+        (array(2, 2), [[1.0, 2.0], np.array([1.0, 1j])], "complex numbers"),
         (array(None, 2), np.ones((0, 2)), "shape (k, 2)"),
         (rows(2), np.ones((4, 2)), "not an array of shape (5, 2)"),
         (rows(2), np.ones((2, 2)), "shape (5, 2). Rows are missing: did the integration stop early?"),
         (group(number, array(2)), 1.0, "tuple of 2"),
         (group(number, array(2)), [1.0, [2.0]], "result 2"),
+        (group(number, array(2)), (1.0, None), "Is a `return` missing?"),
+        (free_body_diagram(2), [((0, 0), None), ((0, 0, 1), None)], "force 2"),
     ],
 )
-def test_a_result_that_breaks_its_promise_says_how(returns, value, fragment):
+def test_a_result_of_another_form_says_how_here_and_at_home(returns, value, fragment):
+    """Here it has crossed the sandbox's border."""
     with pytest.raises(Failed) as failed:
-        result(returns, value, "f", Case(np.zeros(5)))
+        result(returns, unpacked(packed(portable(value))), "f", Case(np.zeros(5)))
     assert fragment in describe_failure(failed.value.failure)
+    with pytest.raises(WrongForm) as wrong:
+        conform(form(returns), value, "f", (np.zeros(5),))
+    assert (str(wrong.value), wrong.value.hint) == (str(failed.value), failed.value.failure.hint)
 
 
 def test_infinity_is_a_number_where_it_is_promised():
