@@ -174,7 +174,7 @@ def _lms(arguments: argparse.Namespace) -> int:
 
 
 def _open_questions(folder: Path, course: Path, only: Sequence[str] = ()) -> tuple[str, list[str]]:
-    """Return what to say if course.toml has other terms for late work than the results in a folder, else "".
+    """Return a warning if course.toml has other terms for late work than the results, else "".
 
     And a sentence for each part by hand, of assignments with results, that somebody has yet to grade.
     """

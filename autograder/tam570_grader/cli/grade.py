@@ -175,7 +175,7 @@ def _missing_points(summary: RunSummary, config: RunConfig) -> str:
 
 
 def _print_gradescope(course: Path, summary: RunSummary) -> int:
-    """results.json of the one submission, or nothing if the grader failed on it; the exit code."""
+    """Print results.json of the one submission, or nothing if the grader failed on it; the exit code."""
     if code := _warn_of_faults(summary):
         return code
     checks = assignments.assignment(course, summary.last["assignment"]).checks
@@ -184,12 +184,12 @@ def _print_gradescope(course: Path, summary: RunSummary) -> int:
 
 
 def _shard_of(student: str, parts: int) -> int:
-    """Return the part of the class, from 1 on, that a student is in on every machine."""
+    """Return the part of the class that a student is in, from 1 on: the same on every machine."""
     return zlib.crc32(student.encode()) % parts + 1
 
 
 def _shard(text: str) -> tuple[int, int]:
-    """Of "2/5" the numbers 2 and 5."""
+    """Convert "2/5" to the numbers 2 and 5."""
     k, _, n = text.partition("/")
     if not (k.isdecimal() and n.isdecimal() and 1 <= int(k) <= int(n)):
         raise argparse.ArgumentTypeError(f"{text!r} is not K/N with K from 1 to N")

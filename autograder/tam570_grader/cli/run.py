@@ -40,7 +40,7 @@ class RunSummary:
 def whole_run(
     arguments: argparse.Namespace, course: Path, config_of: Callable[[list[Results]], RunConfig], summary: RunSummary
 ) -> RunConfig:
-    """Grade all, write the pages, and note what the end of the run needs; the plan, made of earlier results."""
+    """Grade all submissions, write the pages, and fill the summary; return the configuration."""
     with contextlib.ExitStack() as stack:
         earlier = [*arguments.join, *filter(None, [arguments.against])]
         old = [stack.enter_context(contextlib.closing(results(folder, feedback.row))) for folder in earlier]
@@ -68,7 +68,7 @@ def whole_run(
 def _run(
     config: RunConfig, store: ResultStore | None, old: list[Results], summary: RunSummary, arguments: argparse.Namespace
 ) -> None:
-    """Grade, and note of each result what the end of the run will need."""
+    """Grade, and fill the summary."""
     is_read = arguments.json or arguments.against or arguments.format == "gradescope"
     for outcome in _with_bar(outcomes(config, store, old), len(config.submissions)):
         if isinstance(outcome, CachedResult) and not is_read:

@@ -58,7 +58,7 @@ def course_of(root: str | Path | None, graded: Iterable[Path] = ()) -> Path:
 
 
 def course(root: str | Path | None = None) -> Path:
-    """Find a course without a command line: at `given`, else as `course_of` does."""
+    """Find a course without a command line: `root`, else as `course_of` does."""
     folder, _ = _located(root, [])
     return _adapted_root(folder, _base_of(folder))
 
@@ -139,10 +139,7 @@ def _adapted_root(folder: Path, base: Path) -> Path:
 
 
 def root_of(path: Path, base: Path) -> Path:
-    """Return the course that `path`, a course.toml, makes of the checkout `base`.
-
-    Another folder whenever either changes.
-    """
+    """Return the course that `path`, a course.toml, makes of the checkout `base`; a new folder if either changes."""
     parts = _parts(path, toml(path), assignments.slugs(base))
     root = path.parent / ADAPTED_COURSES / _digest(path, base, parts)
     if not root.is_dir():
@@ -177,7 +174,7 @@ def resource_limits(root: Path, processes: int = 1, **chosen: int | None) -> Res
 
 
 def _digest(path: Path, base: Path, parts: Mapping[str, Changes]) -> str:
-    """Of course.toml, the checks that it names, how a course is made, and the times of all that is copied."""
+    """Return a digest of course.toml, its checks, how a course is made, and the times of all that is copied."""
     digest = hashlib.sha256(path.read_bytes() + str(base).encode() + Path(__file__).read_bytes())
     for checks in sorted({part.checks for part in parts.values() if part.checks}):
         digest.update((path.parent / checks).read_bytes())

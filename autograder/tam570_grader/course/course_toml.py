@@ -25,7 +25,7 @@ def toml(path: Path) -> Json:
 
 
 def must(path: Path, holds: bool, problem: str) -> None:
-    """UsageError, with the file, unless it holds."""
+    """Raise UsageError, with the file, unless it holds."""
     if not holds:
         raise UsageError(f"{path}: {problem}")
 
@@ -38,7 +38,7 @@ def is_number(value: object, most: float = math.inf) -> bool:
 
 
 def no_other(path: Path, where: str, names: Iterable[str], allowed: Iterable[str]) -> None:
-    """UsageError for a name that is not known, with the nearest one that is."""
+    """Raise UsageError for an unknown name, with the nearest known one."""
     allowed = [*allowed]
     for name in sorted({*names} - {*allowed}):
         near = difflib.get_close_matches(name, allowed, 1) or [", ".join(allowed) or "none"]

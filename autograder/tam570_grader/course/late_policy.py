@@ -163,10 +163,7 @@ def _days(
     table: Sequence[Mapping[str, str]],
     collected: Path | None,
 ) -> tuple[list[Entry], list[str]]:
-    """Rows with the days of whom collected.csv shows late, and a sentence for each whose time it does not tell.
-
-    Who is not marked late, and has no time, is not late.
-    """
+    """Return the days of everyone whom collected.csv shows late, and a sentence for each late one without a time."""
     late, open_, answered = dict[tuple[str, str], float](), [], _late_rows(adjustments)
     for cells in table:
         student, slug, when = cells["student"], cells["assignment"], cells["when"]
@@ -189,7 +186,7 @@ def _late_rows(adjustments: ManualAdjustments) -> set[tuple[str, str]]:
 
 
 def days_between(due: datetime, when: datetime, policy: LatePolicy) -> float:
-    """Days by the calendar and the clock on the wall, so that a day with 25 hours is one."""
+    """Return days by the calendar and the clock on the wall, so that a day with 25 hours is one."""
     return (on_the_wall(when, policy.zone) - on_the_wall(due, policy.zone) - policy.grace) / DAY
 
 
@@ -220,7 +217,7 @@ def _source(entry: Entry) -> str:
 
 
 def _unknown_students(policies: Mapping[str, LatePolicy], graded: Collection[tuple[str, str]]) -> list[str]:
-    """Students with more time who have no results, a slip in a name perhaps."""
+    """Name students with an extension who have no results, perhaps misspelt."""
     students, slugs = {student for student, _ in graded}, {slug for _, slug in graded}
     listed = {(who, slug) for slug, policy in policies.items() if slug in slugs for who in policy.extension}
     return [

@@ -41,7 +41,7 @@ class Quota:
     data: int = MOST_UNPACKED
 
     def takes(self, files: Sequence[zipfile.ZipInfo | File]) -> str:
-        """Take the room for these; why there is too little."""
+        """Reserve room for these files; return why there is too little, or ""."""
         sizes = (len(file.data) if isinstance(file, File) else file.file_size for file in files)
         size = sum(min(size, LARGEST) for size in sizes)  # of a notebook with large outputs no more is held
         if len(files) > self.files:
@@ -89,12 +89,12 @@ def is_beside(name: str) -> bool:
 
 
 def shortened(text: str) -> str:
-    """Return a text that is no longer than the path of a file may be."""
+    """Cut a text to the longest path of a file."""
     return text if len(text) <= LONGEST_PATH else f"{text[: LONGEST_PATH // 5]}..."
 
 
 def _size_of_directory(data: bytes) -> int:
-    """Bytes of a zip file's directory, by its end, before any of it is read: each entry costs time."""
+    """Return the bytes of a zip file's directory, by its end, before any of it is read: each entry costs time."""
     end = data.rfind(b"PK\5\6")
     return int.from_bytes(data[end + 12 : end + 16], "little") if end >= 0 else 0
 
@@ -107,7 +107,7 @@ def _files(archive: zipfile.ZipFile, most: int, name: str) -> list[zipfile.ZipIn
 
 
 def _member(archive: zipfile.ZipFile, info: zipfile.ZipInfo) -> File:
-    """One file, of which no more is ever unpacked than may be handed in, or than the zip file says it has."""
+    """Return one file, unpacked no further than a student may hand in, or than the zip file claims."""
     parts = info.filename.replace("\\", "/").split("/")
     if len(info.filename) > LONGEST_PATH:
         return File(shortened(info.filename), b"", f"its name has more than {LONGEST_PATH} characters")
@@ -142,7 +142,7 @@ def _regular(source: Path) -> list[Path]:
 
 
 def _most(name: str) -> int:
-    """Bytes that a file may have; a folder's name before it is a student's, so the outermost table alone is large."""
+    """Return how many bytes a file may have. Below a folder `submission_...` the table's name is a student's own."""
     if name.rsplit("/", 1)[-1] == METADATA and "submission_" not in name.removesuffix(METADATA):
         return LARGEST_METADATA
     return LARGEST_WITH_OUTPUTS if form(name) == ".ipynb" else LARGEST

@@ -34,7 +34,7 @@ class Handed:
 
 
 def read(files: Iterable[File], name: str) -> Iterator[Handed | File]:
-    """Return who handed in what, as a system of SYSTEMS tells it; what it tells of nobody is given back."""
+    """Yield each file with who handed it in, as the system's names or table tell; a file of nobody as it is."""
     system, held = SYSTEMS[name], list(files)
     if name == "gradescope":
         return _of_table(held, system)
@@ -42,10 +42,7 @@ def read(files: Iterable[File], name: str) -> Iterator[Handed | File]:
 
 
 def fields_of(path: str, system: System) -> dict[str, str] | None:
-    """Return what the first folder or file of a path tells that is named as the system names submissions.
-
-    A student may name what is behind it like anybody's.
-    """
+    """Return the fields of the first name in a path that has the system's form; later ones are the student's own."""
     for part in path.split("/"):
         if system.download and (match := system.download.fullmatch(part)):
             fields = {key.rstrip("2"): text or "" for key, text in match.groupdict().items() if text is not None}
@@ -72,17 +69,14 @@ def _of_names(files: Sequence[File], system: System) -> Iterator[Handed | File]:
 
 
 def _moment(text: str) -> str:
-    """Return a time in a name, `2026-09-14-23-59-00` or `Sep 14, 2026 1159 PM`, as ISO has it.
-
-    Empty for none that exists.
-    """
+    """Convert a time in a name, `2026-09-14-23-59-00` or `Sep 14, 2026 1159 PM`, to ISO's form; "" for no time."""
     plain = re.sub(r"^(\d{4}-\d\d-\d\d)-(\d\d)-(\d\d)-(\d\d)$", r"\1 \2:\3:\4", text)
     plain = re.sub(r"(\d{4}) (\d{1,2}):?(\d\d) ([AP]M)$", r"\1 \2:\3 \4", plain)
     return time_of(plain)
 
 
 def time_of(text: str) -> str:
-    """Return a time as a table has it, in ISO's form; empty for what is none, in another language say."""
+    """Convert a time in a table to ISO's form; "" for another text, in another language say."""
     try:
         moment: datetime = dates.parse(text, dayfirst=not re.match(r"\d{4}", text))
     except (ValueError, OverflowError):
@@ -91,17 +85,14 @@ def time_of(text: str) -> str:
 
 
 def _unwrapped(files: Sequence[File], system: System) -> Sequence[File]:
-    """Return the files without one folder around them all, whose name and date may look like a student's.
-
-    `hw_2026_09_14`.
-    """
+    """Strip a folder around all files; its name, `hw_2026_09_14` say, may look like a student's."""
     inner = [replace(file, path=file.path.partition("/")[2]) for file in files]
     wrapped = len({file.path.partition("/")[0] for file in files}) == 1
     return inner if wrapped and any(fields_of(file.path, system) for file in inner) else files
 
 
 def _of_repositories(files: Sequence[File], system: System) -> Iterator[Handed | File]:
-    """Work in folders `assignment-user`: what all their names begin with is the assignment's."""
+    """Yield the work in folders `assignment-user`: the beginning that all names share is the assignment."""
     parts = [file.path.split("/") for file in files]
     if len({path[0] for path in parts}) == 1 and all(len(path) > 2 for path in parts):
         parts = [path[1:] for path in parts]  # the folder that the program made around them
@@ -117,7 +108,7 @@ def _of_repositories(files: Sequence[File], system: System) -> Iterator[Handed |
 
 
 def _of_table(files: Sequence[File], system: System) -> Iterator[Handed | File]:
-    """By Gradescope's table of submissions; a group's file is each member's."""
+    """Yield the files by Gradescope's table of submissions; a group's file is each member's."""
     from tam570_grader.lms.gradescope_table import table_in
 
     table = table_in(files)

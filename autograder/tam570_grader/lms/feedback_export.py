@@ -54,9 +54,9 @@ def run(pages: Path, collected: Path, system: str, out: Path, only: Sequence[str
 def _named(
     rows: Sequence[Mapping[str, str]], system: str, everyone: rosters.Directory
 ) -> dict[tuple[str, str], tuple[str, bool]]:
-    """Of student and assignment the name of their page in the zip file, and whether work was collected.
+    """Map student and assignment to the name of their page, and to whether work was collected.
 
-    Who handed in nothing but a PDF has a page that says so, and gets it by the name of that.
+    Who handed in only a PDF has a page that says so, under the name of the PDF.
     """
     names: dict[tuple[str, str], tuple[str, bool]] = {}
     for cells in sorted(rows, key=lambda cells: not form(cells["file"])):

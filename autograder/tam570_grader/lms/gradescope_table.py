@@ -47,10 +47,7 @@ def table_in(files: Iterable[File]) -> Table:
 
 
 def _without_results(data: bytes) -> bytes:
-    """Return the lines of a long table that tell whose a submission is and when it came.
-
-    Its outputs are passed over.
-    """
+    """Return the lines of a long table that tell submitters and times, without its outputs."""
     lines, is_wanted = list[bytes](), False
     for line in io.BytesIO(data):
         if not line.startswith(b" "):
@@ -63,7 +60,7 @@ def _without_results(data: bytes) -> bytes:
 
 
 def _may_be_it(file: File) -> bool:
-    """Return whether it has the name, and lies in nobody's submission."""
+    """Return whether a file has the table's name, outside of all submissions."""
     *folders, name = file.path.split("/")
     return name == METADATA and not any(map(FOLDER.fullmatch, folders))
 

@@ -83,7 +83,7 @@ class Desk:
         return earned
 
     def files(self, number: int) -> list[Path]:
-        """Drawings and words beside the work, links left out."""
+        """Return drawings and texts beside the work, without links."""
         submission = self.works[number].submission
         if submission is None or submission.path is None:
             return []
@@ -122,7 +122,7 @@ class _Handler(BaseHTTPRequestHandler):
     server: ThreadingHTTPServer
 
     def do_GET(self) -> None:
-        """Return a page, or a file that belongs to one."""
+        """Answer with a page, or with a file that belongs to one."""
         path = self._path()
         if path is None:
             return self._send(404, "text/plain", b"not found")
@@ -139,7 +139,7 @@ class _Handler(BaseHTTPRequestHandler):
         return self._send(404, "text/plain", b"not found")
 
     def do_POST(self) -> None:
-        """Return the points of a part."""
+        """Save the points of a part, and answer with them."""
         path = self._path()
         length = int(self.headers.get("Content-Length") or 0)
         if path is None or len(path) != 1 or length > LARGEST:
@@ -172,11 +172,11 @@ class _Handler(BaseHTTPRequestHandler):
         self.wfile.write(body)
 
     def log_message(self, format: str, *args: object) -> None:  # noqa: A002  its name is the library's
-        """Nothing: the address holds the secret."""
+        """Print nothing: the address holds the secret."""
 
 
 def page(desk: Desk, number: int, nonce: str) -> str:
-    """One student's page."""
+    """Return one student's page."""
     work, last = desk.works[number], len(desk.works) - 1
     return template("mark.html").render(
         title=f"{desk.name(number)}, {work.slug}",

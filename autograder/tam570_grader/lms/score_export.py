@@ -126,10 +126,7 @@ def _end(layout: Table, which: int) -> list[str]:
 
 
 def _column(layout: Table, heading: Sequence[str], slug: str, options: ExportOptions) -> str:
-    """Return the heading of an assignment's column: by course.toml, or named as we name it.
-
-    UsageError if there is none.
-    """
+    """Return the heading of an assignment's column, by course.toml or by our name; UsageError if there is none."""
     wanted = options.columns.get(slug, slug)
     if not layout.must_match:
         return wanted
@@ -228,11 +225,9 @@ def _possible(scores: Scores, slug: str) -> str:
 
 
 def read_scores(grades: Path, absent: str) -> Scores:
-    """Return the scores in our table or nbgrader's.
+    """Return the scores in our table or nbgrader's; "" where the grader failed or, if asked for, of the absent.
 
-    Empty where the grader itself failed, or, if asked for, of the absent.
-
-    nbgrader has zeros for everybody on what was released and not collected: nobody handed that in, and none is scored.
+    nbgrader gives everybody zero on what was released and not collected; such an assignment has no scores.
     """
     heading, *rows = table(grades)
     name = "student" if "student" in heading else "student_id"
@@ -253,6 +248,6 @@ def read_scores(grades: Path, absent: str) -> Scores:
 
 
 def _is_absent(row: Mapping[str, str]) -> bool:
-    """Return whether nothing was handed in, and nothing given by hand."""
+    """Return whether a student handed in nothing and has no points by hand."""
     nothing = row["status"] == "missing" if "status" in row else not row.get("timestamp", "unknown")
     return nothing and row["score"] != EX and not float(row["score"] or 0)

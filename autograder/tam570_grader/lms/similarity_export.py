@@ -50,7 +50,7 @@ def _numbers(students: Sequence[str]) -> dict[str, str]:
 def texts_of(
     everything: Iterable[Submission], form: Callable[[str], str] = str
 ) -> tuple[dict[str, dict[str, str]], list[str]]:
-    """Return the texts of submissions in some form, by assignment and student, and who is left out, which is told."""
+    """Return the texts of submissions in some form, by assignment and student, and who is left out; warn of each."""
     texts: dict[str, dict[str, str]] = defaultdict(dict)
     unread = []
     for submission in everything:
@@ -73,7 +73,7 @@ def code(submission: Submission) -> str:
 
 
 def _write(course: Path, slug: str, modules: Mapping[str, str], folder: Path, tool: str) -> None:
-    """One assignment: `submissions/<number>/<slug>.py`, and what was released in `base/`."""
+    """Write one assignment: `submissions/<number>/<slug>.py`, and what was released in `base/`."""
     (folder / "base").mkdir(parents=True)
     shutil.copyfile(course / "assignments" / slug / f"{slug}.py", folder / "base" / f"{slug}.py")
     for number, text in sorted(modules.items()):

@@ -194,7 +194,7 @@ def _owners(handed: Handed, students: Students) -> tuple[Sequence[Person], str]:
 
 
 def _told_apart(rows: Sequence[Taken], everyone: Directory) -> list[Taken]:
-    """Return the rows, none with a place where two people would be one student: a name may be anybody's."""
+    """Return the rows, without a place where two people would be one student: a name may be anybody's."""
     folders = {person.folder for person in everyone.people}
     who = defaultdict[str, set[tuple[object, ...]]](set)
     for row in rows:
@@ -243,10 +243,7 @@ def _timed(rows: Sequence[Taken], path: Path | None, everyone: Directory) -> lis
 
 
 def _times(path: Path, everyone: Directory) -> dict[str, str]:
-    """Return when each student's work came last, by folder, by Moodle's worksheet or its log.
-
-    UsageError for other tables.
-    """
+    """Return when each student's work came last, by folder, from Moodle's worksheet or its log; else UsageError."""
     heading, *rows = table(path)
     lower = [name.strip().lower() for name in heading]
     if rosters.WHEN in lower:
@@ -309,7 +306,7 @@ def _warn(troubles: Iterable[tuple[str, str]]) -> None:
 
 
 def _newer_notebooks(rows: Iterable[Taken], out: Path) -> list[tuple[Taken, str]]:
-    """Notebooks that came after the module that counts, with a sentence for each."""
+    """Return the notebooks that came after the module that counts, with a sentence for each."""
     work = [row for row in rows if row.target]
     modules = {(row.student, row.slug): row.handed.order for row in work if row.target.endswith(".py")}
     notebooks = []

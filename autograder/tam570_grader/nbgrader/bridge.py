@@ -239,7 +239,7 @@ def _of_folder(folder: Path, slug: str, student: str) -> Submission:
 
 @contextlib.contextmanager
 def _copying(find: Callable[..., list[str]]) -> Iterator[None]:
-    """nbgrader copies what `found` finds while this lasts; a server goes on afterwards, with other commands."""
+    """Let nbgrader copy what `find` returns, until this ends: a server goes on with other commands."""
     earlier, base.find_all_files = base.find_all_files, find
     try:
         yield
@@ -248,7 +248,7 @@ def _copying(find: Callable[..., list[str]]) -> Iterator[None]:
 
 
 def _own_files(submitted: str, folder: str, exclude: Any = None) -> list[str]:
-    """Return those in a folder; of a submission's, regular files alone: links lead to whatever the teacher may read."""
+    """Return the files in a folder; of a submission only regular ones: a link leads to what the teacher may read."""
     files: list[str] = find_all_files(folder, exclude)
     if not fnmatch.fnmatch(folder, submitted):
         return files

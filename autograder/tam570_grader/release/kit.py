@@ -56,7 +56,7 @@ def _wheel(course: Path, folder: Path) -> Path:
 
 
 def _staged(course: Path, stage: Path) -> str:
-    """Put together what the wheel holds; its version."""
+    """Assemble what the wheel holds; return its version."""
     package = stage / "tam570"
     shutil.copytree(course / "shared" / "tam570", package, ignore=NOT_FOR_STUDENTS)
     shutil.copytree(course / "assignments", package / "assignments", ignore=NOT_FOR_STUDENTS)
@@ -74,7 +74,7 @@ def _staged(course: Path, stage: Path) -> str:
 
 
 def _digest(folder: Path) -> str:
-    """Of all that is in a folder."""
+    """Return a digest of all files in a folder."""
     digest = hashlib.sha256()
     for path in sorted(path for path in folder.rglob("*") if path.is_file()):
         digest.update(f"{path.relative_to(folder).as_posix()}\0{path.stat().st_size}\0".encode() + path.read_bytes())

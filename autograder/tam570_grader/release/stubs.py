@@ -30,10 +30,7 @@ def run(course: Path, *, check: bool) -> int:
 
 
 def _generated(course: Path, slug: str) -> dict[Path, str]:
-    """Return what is derived of an assignment.
-
-    The README's rubric, the stub, and the contract for the students' `check`.
-    """
+    """Return what is derived of an assignment: the README's points and rubric, the stub, the contract, the figure."""
     released, solution = course / "assignments" / slug, course / "solutions" / f"{slug}.py"
     readme, rubric = released / "README.md", load_rubric(released)
     figure = assignments.figure(course, slug)

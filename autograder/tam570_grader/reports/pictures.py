@@ -200,7 +200,7 @@ def _picture(
 
 
 def _ticks(low: float, high: float) -> list[tuple[float, str]]:
-    """Three to eight round numbers from low to high, with their texts; low is less than high."""
+    """Return three to eight round numbers from low to high, with their texts; low is less than high."""
     rough = (high - low) / 7.5
     power = 10.0 ** math.floor(math.log10(rough))
     step = next(factor * power for factor in (1, 2, 5, 10) if factor * power >= rough)
@@ -220,7 +220,7 @@ def _up(value: float, low: float, high: float) -> float:
 
 
 def _course(curve: Curve) -> str:
-    """Begins and ends: a start that is wrong is another mistake than one that grows."""
+    """Tell how the error begins and ends: a wrong start is another mistake than one that grows."""
     finite = [value for value in curve["values"] if value is not None]
     first, last = (curve["tolerance"] * 10**value for value in (finite[0], finite[-1]))
     return f"It begins at about {first:.0e} and ends at about {last:.0e}."

@@ -216,7 +216,7 @@ def _cell(result: Result | None) -> str:
 
 
 def _tallies(results: Iterable[Result], infos: Mapping[str, AssignmentInfo]) -> list[Tally]:
-    """Of every check, in the order of the assignments, how many passed it, of those who handed in."""
+    """Count for every check, in the order of the assignments, how many of those who handed in passed it."""
     counts: dict[tuple[str, str], dict[str, int]] = defaultdict(lambda: dict.fromkeys(OUTCOMES, 0))
     checks, results = dict[tuple[str, str], CheckResult](), list(results)
     upper = _discrimination(results)
@@ -239,7 +239,7 @@ def _tallies(results: Iterable[Result], infos: Mapping[str, AssignmentInfo]) -> 
 
 
 def _discrimination(results: Sequence[Result]) -> dict[tuple[str, str], float]:
-    """Of every check the passes in the third with the best scores, less those in the worst third, in percent."""
+    """Return for every check the passes in the best third less those in the worst third, in percent."""
     handed_in: dict[str, list[Result]] = defaultdict(list)
     for result in results:
         if _here(result) and result.score is not None:
@@ -277,7 +277,7 @@ def _what_went_wrong(check: CheckResult) -> str:
 
 
 def _claims(adjustments: manual_points.ManualAdjustments, course: Path, slugs: Sequence[str]) -> list[Json]:
-    """Of each claim of a rubric to how many of those who are graded by hand it was given."""
+    """Count for each claim of a rubric to how many of those who are graded by hand it was given."""
     claims = []
     for slug in slugs:
         for letter, part in load_rubric(course / "assignments" / slug).items():
@@ -292,7 +292,7 @@ def _claims(adjustments: manual_points.ManualAdjustments, course: Path, slugs: S
 
 
 def _absent(class_results: Class, students: Sequence[str]) -> list[Json]:
-    """For each assignment, who has handed in nothing."""
+    """List for each assignment who has handed in nothing."""
     here = {key for key, result in class_results.items() if _here(result)}
     return [
         {"slug": slug, "who": [student for student in students if (student, slug) not in here]}

@@ -16,10 +16,7 @@ RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def describe_failure(failure: Failure) -> str:
-    """Return what a student reads of a failure, without the known mistake.
-
-    Where there is one, no hint, which is a guess.
-    """
+    """Return what a student reads of a failure; a hint is a guess, so a known mistake stands in its place."""
     if not failure.follows_from:
         hint = failure.hint
     elif failure.follows_from == failure.function:
@@ -57,7 +54,7 @@ def quantity(value: float, digits: int = DIGITS[0]) -> str:
 
 
 def points(earned: float | None, most: float = inf) -> str:
-    """Points with two decimals at most; all of them are shown for nothing less."""
+    """Return points with two decimals at most; nothing less than all of them reads like all of them."""
     if earned is None:
         return "?"
     shown = _hundredths(earned)
@@ -87,10 +84,7 @@ def _off(failure: Failure) -> str:
 
 
 def capitalized(text: str, words: str = "[a-z]+") -> str:
-    """Return the text with a capital, where it begins with one of these words.
-
-    A file's name, or a function's, is none.
-    """
+    """Capitalize the text if it begins with one of these words; the name of a file or a function stays."""
     return re.sub(f"^({words}) ", lambda match: match[0].capitalize(), text)
 
 

@@ -23,10 +23,7 @@ WORK = (".py", ".ipynb")
 
 
 def form(name: str) -> str:
-    """Return which of WORK a file is by its name, in any case and with the ending .txt that browsers add.
-
-    "" for none.
-    """
+    """Return the ending of WORK that a name has, in any case, also before the .txt that browsers add; else ""."""
     plain = name.lower()
     plain = plain.removesuffix(".txt") if plain.endswith(".py.txt") else plain
     return next((ending for ending in WORK if plain.endswith(ending)), "")

@@ -195,10 +195,7 @@ def _part(entry: Entry) -> str:
 def _checks(
     score: float | None, rows: Mapping[str, Entry], earned: Mapping[str, float | None]
 ) -> tuple[float | None, list[str]]:
-    """Return the score with these points for checks in the place of what they earned.
-
-    A check that is gone changes nothing.
-    """
+    """Replace the points of these checks by points given by hand; a check that no longer exists changes nothing."""
     here = {item: entry for item, entry in rows.items() if item in earned}
     if not here:
         return score, []
@@ -210,7 +207,7 @@ def _checks(
 
 
 def _days(items: Mapping[str, float]) -> int:
-    """Days beyond the extension; one that has begun counts."""
+    """Return the days beyond the extension; a day that has begun counts."""
     return math.ceil(max(0.0, items.get(LATE, 0.0) - items.get(EXTENSION, 0.0)))
 
 
@@ -227,10 +224,7 @@ def _late(earned: float | None, items: Mapping[str, float], slip_days: float) ->
 
 
 def read(folder: Path) -> ManualAdjustments:
-    """Return what was added by hand to the results in a folder, or in its `results.jsonl`.
-
-    Nothing where nothing was.
-    """
+    """Read the adjustments beside the results in a folder, or beside a `results.jsonl`; none if there is no table."""
     path = (folder.parent if folder.is_file() else folder) / FILE
     return ManualAdjustments().with_(entry for _, entry in rows_of(path)) if path.exists() else ManualAdjustments()
 

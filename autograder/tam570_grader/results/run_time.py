@@ -13,14 +13,14 @@ Speed = Json  # function, scene, seconds, error, machine: plain data
 
 @functools.cache
 def scenes() -> Json:
-    """By assignment: a call, the right end state, and the curves of the methods, (seconds, error)."""
+    """Return by assignment a call, the right end state, and the curves of the methods, (seconds, error)."""
     path = Path(__file__).with_name("run_time.json")
     table: Json = json.loads(path.read_text(encoding="utf-8"))
     return table
 
 
 def time_to(error: float, curve: Sequence[Sequence[float]]) -> float | None:
-    """Seconds to an error, between the two runs around it, in logarithms; None if the curve does not get there."""
+    """Interpolate the seconds to an error, in logarithms; None if the curve does not get there."""
     for (t1, e1), (t2, e2) in zip(curve, curve[1:], strict=False):
         if e1 > error >= e2:
             share = math.log(e1 / error) / math.log(e1 / e2)

@@ -54,7 +54,7 @@ def signs_of(result: Result) -> Iterator[Sign]:
 
 
 def _digest(failure: Failure | None) -> bytes:
-    """Of the numbers to twelve digits; empty where they tell nothing."""
+    """Return a digest of the numbers to twelve digits; b"" where they tell nothing."""
     if failure is None or failure.actual is None:
         return b""
     try:

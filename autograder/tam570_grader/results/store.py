@@ -201,10 +201,7 @@ def common_seed(seeds: Iterable[int]) -> int | None:
 
 
 def _record(line: bytes, path: Path, number: int) -> Record:
-    """Return the result in a line.
-
-    UsageError if it is none, or one of another format, whose fields mean something else.
-    """
+    """Return the result in a line; UsageError if it is none, or of another format, whose fields have other senses."""
     try:
         record: Record = json.loads(line)
         is_whole = record.keys() >= RESULT_FIELDS and all(check.keys() >= CHECK_FIELDS for check in record["checks"])

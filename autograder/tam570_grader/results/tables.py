@@ -56,10 +56,7 @@ def write_table(path: Path | None, rows: Iterable[Iterable[object]], *, exact: b
 
 
 def cell(value: V) -> V:
-    """Return a value that no spreadsheet takes for a formula, wherever it splits.
-
-    A quote stands before what could be one.
-    """
+    """Put a quote before whatever a spreadsheet would take for a formula, wherever it splits the cell."""
     return BEFORE_FORMULA.sub(r"\g<0>'", value) if isinstance(value, str) else value  # type: ignore[return-value]  # a str, too
 
 
