@@ -83,12 +83,13 @@ def advance(
     while row < len(times) and budget > 0 and halt == RUNNING:
         budget -= 1
         remaining = end - t
-        shortest = max(2.0**-50 * max(t, abs(origin + t)), 1e-30 * end)  # t + h would hardly differ from t
+        shortest = max(2.0**-50 * t, 2.0**-50 * abs(origin + t), 1e-30 * end)  # t + h would hardly differ from t
         shortest *= 1.0 + LONGER * refused  # one may meet 0/0, another does not
-        limit = reach(origin + t, h, y, f, c)
+        limit = reach(origin + t, h, y, f, c) if reach else inf
         pace = max(pace, h) if limit < h else pace
-        h = max(min(h, longest, limit), shortest)
+        h = min(h, longest, limit) if h > longest or h > limit else h
         at_last = h <= shortest
+        h = shortest if at_last else h
         if h >= remaining:
             h, new = remaining, end
         else:
@@ -105,17 +106,16 @@ def advance(
             if not _is_at_a_pole(measured, y, n):
                 fifth, third = error_norms(h, y, n, f, g, a, measured, part, part * rtol, stages)
                 error = _error(fifth, third, suspicious)
-        if error <= 1.0 and not at_last and h > 2.0 * reach(origin + new, h, n, g, c):
+        if reach and error <= 1.0 and not at_last and h > 2.0 * reach(origin + new, h, n, g, c):
             error = UNSEEN
-        sure = passed(origin + t, h, y, f, n, g, error, shortest, c) if fifth < inf else inf
-        error = _error_of_brief(error, h, min(BLURRED * shortest, BRIEF * end), n, g, a, rtol)
+        sure = passed(origin + t, h, y, f, n, g, error, shortest, c) if passed and fifth < inf else inf
+        is_brief = h < BLURRED * shortest and h < BRIEF * end
+        error = UNSEEN if is_brief and error <= 1.0 and _leaps(h, n, g, a, rtol, LEAP) else error
         is_cut = sure < h and not at_last
         crosses = at_last and sure <= h
-        largest = POLE if crosses else JUMP
-        jumps = at_last and fifth < inf and _finite(n) and _jump(h, y, n, f, g, a, rtol) <= largest
-        jumps = jumps and not (crosses and _leaps(h, n, g, a, rtol, JUMP))
+        jumps = at_last and fifth < inf and _finite(n) and _jumps(crosses, h, y, n, f, g, a, rtol)
         if ((error <= 1.0 and not crosses) or jumps) and not is_cut:
-            if jumps and _sets_in(y, n, a):
+            if at_last and ((jumps and _sets_in(y, n, a)) or (crosses and pace > 0.0 and _has_no_scale(a))):
                 halt = SETS_IN
             if times[row] <= new:
                 row = _sampled(dense, at, origin, times, out, row, t, new, h, (y, n, f, g, stages), c)
@@ -123,8 +123,6 @@ def advance(
             h = _longer(h, error, growth, may_be_rounding, end)
             if at_last and pace > 0.0:  # it may have gone across a switch
                 h, pace = max(h, pace), 0.0
-                if crosses and _has_no_scale(a):
-                    halt = SETS_IN
             growth, refused = LARGEST, 0
             steps += 1
         else:
@@ -142,7 +140,8 @@ def _longer(h: Numbers, error: Numbers, growth: Numbers, may_be_rounding: Number
     if may_be_rounding and error <= 1.0:  # an error that is the rounding's falls with no shorter step
         h = h * min(growth, DOUBLED)
     elif 0 < error <= 1:
-        h = h * min(growth, SAFETY * error**EXPONENT)
+        longer = SAFETY * error**EXPONENT
+        h = h * (longer if longer < growth else growth)
     else:
         h = max(h, min(growth * h, end / AT_REST))
     return h
@@ -171,7 +170,8 @@ def _error(fifth: Numbers, third: Numbers, suspicious: Numbers) -> Numbers:
     """Return the error of a step over what is allowed, from both estimates squared (Hairer, Norsett, Wanner, II.10)."""
     error = fifth / sqrt(fifth + 0.01 * third) if fifth > 0 else fifth
     if error < 1:  # the fifth may pass through zero
-        error = max(error, suspicious * third**1.125)
+        least = suspicious * third**1.125
+        error = least if least > error else error
     return error
 
 
@@ -202,14 +202,19 @@ def _sampled(
     return row
 
 
-def _jump(h: Numbers, y: Numbers, n: Numbers, f: Numbers, g: Numbers, a: Numbers, rtol: Numbers) -> Numbers:
-    """Return how far a change of the rates moves the state within h, relative to it; what starts from zero aside."""
+def _jumps(
+    crosses: Numbers, h: Numbers, y: Numbers, n: Numbers, f: Numbers, g: Numbers, a: Numbers, rtol: Numbers
+) -> Numbers:
+    """Return whether the shortest step goes across a jump of the rates, and no pole: they move the state by little.
+
+    Relative to it; what starts from zero aside.
+    """
     largest = 0.0
     for i in range(len(n)):
         w, x = a[i] / rtol + max(abs(y[i]), abs(n[i])), h * abs(g[i] - f[i])
         if (y[i] != 0.0 or a[i] > NO_SCALE) and not x <= largest * w:
             largest = x / w
-    return largest
+    return largest <= (POLE if crosses else JUMP) and not (crosses and _leaps(h, n, g, a, rtol, JUMP))
 
 
 def _sets_in(y: Numbers, n: Numbers, a: Numbers) -> Numbers:
@@ -227,15 +232,6 @@ def _leaps(h: Numbers, n: Numbers, g: Numbers, a: Numbers, rtol: Numbers, part: 
         if a[i] > NO_SCALE:
             moved, size = max(moved, h * abs(g[i])), max(size, abs(n[i]), a[i] / rtol)
     return moved > max(part, rtol) * size
-
-
-def _error_of_brief(
-    error: Numbers, h: Numbers, brief: Numbers, n: Numbers, g: Numbers, a: Numbers, rtol: Numbers
-) -> Numbers:
-    """Return the error of a step, too large to be taken where a brief one goes to or across a pole."""
-    if error <= 1.0 and h < brief and _leaps(h, n, g, a, rtol, LEAP):
-        error = UNSEEN
-    return error
 
 
 def _has_no_scale(a: Numbers) -> Numbers:

@@ -360,11 +360,12 @@ def compiled(formulas: Formulas, sampled: bool, called_function: Function | None
     """Return the functions by name; `given` is what formulas of `call_of` call.
 
     Steps call `rhs`: those of one size have the same code, which takes longer to compile than that of most rates.
+    What bounds no step is None.
     """
     namespace: dict[str, Numbers] = {**vars(math), "given": called_function, "dense": None, "at": None}
     exec(_code(rates, formulas), namespace)
     for write in (stepping, sampling)[: 1 + sampled]:
-        exec(_code(write, by_call(call_of(formulas.size))), namespace)
+        exec(_code(write, by_call(call_of(formulas.size, formulas.timed))), namespace)
     raw_rhs, nothing = namespace["rhs"], (math.nan,) * formulas.size
 
     def rhs(t: float, s: Numbers, c: Numbers) -> Numbers:
@@ -377,7 +378,8 @@ def compiled(formulas: Formulas, sampled: bool, called_function: Function | None
         exec(_code(rounding, formulas), namespace)  # most runs need none
         return namespace["roundoff"](*inputs)
 
-    return {**namespace, "rhs": rhs, "roundoff": roundoff}
+    reach = namespace["reach"] if formulas.exponents else None
+    return {**namespace, "rhs": rhs, "roundoff": roundoff, "reach": reach, "passed": None}
 
 
 @lru_cache(maxsize=256)

@@ -54,11 +54,11 @@ def halves(graph: Graph) -> tuple[Formulas, Formulas, tuple[float, ...]]:
     return first, second, tuple(constants)
 
 
-def call_of(size: int) -> Formulas:
-    """Return the right-hand side that is a call of the function `given`."""
+def call_of(size: int, timed: bool = True) -> Formulas:
+    """Return the right-hand side that is a call of the function `given`; `timed` if it depends on t."""
     rates = tuple(f"p{i}" for i in range(size))
     line = f"{tuple_of(rates)} = given(t, {tuple_of(names('s', size))})"
-    return Formulas((line,), rates, 0, frozenset(range(size)), timed=True)
+    return Formulas((line,), rates, 0, frozenset(range(size)), timed)
 
 
 def by_call(formulas: Formulas) -> Formulas:

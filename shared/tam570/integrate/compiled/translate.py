@@ -358,7 +358,8 @@ class Translator(Writer):
         slot, (after,) = self.allocated("i1"), self.labels("after")
         for part in node.values:
             test = self.value(names, part)
-            self.store(test if isinstance(test, Value) else bool(test), slot)
+            test = test if isinstance(test, Value) else bool(test)
+            self.store(test, slot)
             (more,) = self.labels("more")
             yes, no = (more, after) if isinstance(node.op, ast.And) else (after, more)
             self.branch(test, yes, no)
