@@ -6,6 +6,7 @@ time, or with an exact answer. The same call is made three times: no answer depe
 """
 
 import bisect
+import cmath
 import copy
 import functools
 import math
@@ -352,6 +353,47 @@ TRACES = {
 }
 
 
+def spiral(t, y):
+    z = complex(y[0], y[1])
+    rate = 2j * z - 0.1 * abs(z) ** 2 * z
+    return rate.real, rate.imag
+
+
+def limited(t, y):
+    z = y[0] + 1j * y[1]
+    rate = 2j * z if z.real > 0 else z.conjugate() - cmath.exp(1j * t)
+    return rate.real, rate.imag
+
+
+def modes(t, y):
+    psi = y[:2] + 1j * y[2:]
+    rates = -1j * (np.array([[1.0, 0.5j], [-0.5j, 2.0]]) @ psi + np.abs(psi) ** 2 * psi)
+    return np.concatenate([rates.real, rates.imag])
+
+
+def viewed(t, y):
+    z = y.view(complex)
+    return (1j * z - 0.1 * z * np.abs(z) ** 2).view(float)
+
+
+def vortices(t, y):
+    z = y[0::2] + 1j * y[1::2]
+    rates = np.zeros(len(z), dtype=complex)
+    for k in range(len(z)):
+        rates[k] = sum(1 / (z[k] - other) for i, other in enumerate(z) if i != k)
+    rates = np.conj(rates / 2j)
+    return np.column_stack([rates.real, rates.imag]).ravel()
+
+
+COMPLEX = {
+    "spiral": against(spiral, (0, 3), [1.0, 0.2]),
+    "limited": against(limited, (0, 3), [1.0, 0.2], longest=1e-4),
+    "modes": against(modes, (0, 3), [1.0, 0.2, 0.3, -0.4]),
+    "viewed": against(viewed, (0, 3), [1.0, 0.2]),
+    "vortices": against(vortices, (0, 3), [0.5, 0.3, -0.4, 0.2, 1.0, 0.9]),
+}
+
+
 def rooted(t, y):
     try:
         return (-math.sqrt(y[0]),)
@@ -384,7 +426,7 @@ EDGES = {
     "tiny beside large": against(lambda t, y: (y[1], -y[0], -y[2]), (0, 3), [1e6, 0.0, 1e-6], longest=0.01),
 }
 
-CASES = {**CONTACT, **FRICTION, **JUMPS, **PULSES, **PASSED, **TRACES, **EDGES}
+CASES = {**CONTACT, **FRICTION, **JUMPS, **PULSES, **PASSED, **TRACES, **COMPLEX, **EDGES}
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -399,6 +441,13 @@ def test_it_is_right_and_the_same_whatever_ran_before(name):
         return
     compiled = solve(rhs, span, start, rtol=RTOL, method="compiled", **options)[-1]
     assert compiled == pytest.approx(exact, rel=100 * RTOL, abs=100 * RTOL)
+
+
+@pytest.mark.parametrize("name", COMPLEX)
+def test_complex_numbers_inside_are_looked_into(name):
+    rhs, span, start, *_ = COMPLEX[name]
+    report = solve(rhs, span, start, rtol=RTOL, report=True).report
+    assert not report.unseen_reason and report.steps < 200
 
 
 EDGE = [1.0, 1.01]
@@ -457,6 +506,11 @@ WINDOWS = {
     "numpy.interp": (lambda x: np.interp(x, HAT.x, HAT.y), 0.0099, None),
     "interp1d": (lambda x: float(HAT(x)), 0.0099, None),
     "in an object": (Window(), 0.0099, None),
+    "complex": (lambda x: abs(complex(x, 0.003) - 1) < 0.005, 0.008, 0.004),
+    "parts": (lambda x: 1 < (np.array([x, 9.0]) * 1j + 2).imag[0] < 1.01, 0.01, 0.005),
+    "numpy.angle": (lambda x: math.atan2(1, 0.01) < np.angle(1j + (x - 1)) < math.pi / 2, 0.01, 0.005),
+    "cmath": (lambda x: math.atan2(1, 0.01) < cmath.phase(x - 1 + 1j) < math.pi / 2, 0.01, 0.005),
+    "view": (lambda x: 1 < np.array([0.0, x]).view(complex)[0].imag < 1.01, 0.01, 0.005),
     "a tooth of a spline": (lambda x: float(TOOTHED(x)), WIDE, None),
 }
 

@@ -15,7 +15,7 @@ import operator
 import sysconfig
 import types
 from collections.abc import Callable, Sequence
-from numbers import Real
+from numbers import Complex
 
 import numpy as np
 
@@ -53,10 +53,13 @@ class Course(Tape):
     def values(self, x: Symbol) -> Numbers:
         return self.slots[x.number]
 
+    def is_complex(self, x: Symbol) -> bool:
+        return np.iscomplexobj(self.values(x))
+
     def slot_of(self, value: Numbers) -> int:
         if isinstance(value, Symbol):
             return value.number
-        self.slots.append(float(value))
+        self.slots.append(value if np.iscomplexobj(value) else float(value))
         return len(self.slots) - 1
 
     def record(self, function: Numbers, *operands: Numbers) -> Symbol:
@@ -67,13 +70,14 @@ class Course(Tape):
         return Symbol(self, len(self.slots) - 1, "", ())
 
     def combine(self, name: str, *operands: Numbers) -> Numbers:
-        if name == "fabs":
-            return -operands[0] if self.sign(operands[0]) < 0 else operands[0]
-        result, first, last = self.record(name, *operands), operands[0], operands[-1]
-        if name == "/" and isinstance(last, Symbol):
+        first, last = operands[0], operands[-1]
+        if name == "fabs" and not self.is_complex(first):
+            return -first if self.sign(first) < 0 else first
+        result = self.record(np.abs if name == "fabs" else name, *operands)
+        if name == "/" and isinstance(last, Symbol) and not self.is_complex(last):
             self.denominators.append(last.number)
-        x = first if isinstance(first, Symbol) else last
-        if x.number in self.lines and name != "pow" and sum(isinstance(a, Symbol) for a in operands) == 1:
+        x, *others = [a for a in operands if isinstance(a, Symbol)]
+        if x.number in self.lines and not others and name != "pow" and not self.is_complex(result):
             self.lines.add(result.number)
             self.seen += [result.number] if name in "+-" else []
         return result
@@ -85,7 +89,9 @@ class Course(Tape):
         return _lifted(function)
 
     def sign(self, x: Symbol) -> float:
-        """Note a difference; return its sign on the path that the function takes."""
+        """Note a difference; return its sign on the path that the function takes. TypeError if it is complex."""
+        if self.is_complex(x):
+            raise TypeError("complex numbers have no order")
         self.seen.append(x.number)
         first = self.values(x)[0] or next((v for v in self.values(x) if v), 0.0)
         return math.copysign(1.0, first) if first else 0.0
@@ -142,7 +148,14 @@ def _fmod(a: Numbers, b: Numbers) -> Numbers:
     return a % b if a >= 0 else -(-a % b)
 
 
-# Functions that decide, by the name that they have in math or NumPy.
+def _part(part: Function, x: Numbers) -> Numbers:
+    if not isinstance(x, Symbol):
+        return part(x)
+    course: Numbers = x.tape
+    return course.record(part, x)
+
+
+# Functions that decide, and parts of complex numbers, by the name that they have in math or NumPy.
 DECIDING: dict[str, Function] = {
     "sign": lambda x: _sign(x),
     "copysign": lambda x, y: abs(x) * (_sign(y) or 1.0),
@@ -172,15 +185,58 @@ DECIDING: dict[str, Function] = {
     "isnan": lambda x: False,
     "isinf": lambda x: False,
     "nan_to_num": lambda x: x,
+    "real": functools.partial(_part, np.real),
+    "imag": functools.partial(_part, np.imag),
+    "angle": functools.partial(_part, np.angle),
+    "phase": functools.partial(_part, np.angle),
 }
+
+
+class Components(np.ndarray[tuple[int, ...], np.dtype[np.object_]]):
+    """An array of symbols. It has the parts of complex numbers, and the types, that an array of objects lacks."""
+
+    @property
+    def real(self) -> Numbers:
+        return self._parts("real")
+
+    @real.setter
+    def real(self, value: Numbers) -> None:
+        self[...] = value + 1j * self.imag
+
+    @property
+    def imag(self) -> Numbers:
+        return self._parts("imag")
+
+    @imag.setter
+    def imag(self, value: Numbers) -> None:
+        self[...] = self.real + 1j * value
+
+    def _parts(self, name: str) -> Numbers:
+        """Return the parts, not to be written to: the whole would not change."""
+        parts = np.frompyfunc(DECIDING[name], 1, 1)(self)
+        parts.flags.writeable = False
+        return parts
+
+    def astype(self, kind: Numbers, **_: Numbers) -> Numbers:  # type: ignore[override]
+        return self.copy() if _is_number_type(kind) else super().astype(kind)
+
+    def view(self, kind: Numbers) -> Numbers:  # type: ignore[override]
+        if not _is_number_type(kind):
+            return super().view(kind)
+        if _plain_type(kind) is complex:
+            view = self[..., 0::2] + 1j * self[..., 1::2]
+        else:
+            view = np.stack([self.real, self.imag], axis=-1).reshape(*self.shape[:-1], -1)
+        view.flags.writeable = False
+        return view
 
 
 def _parts(value: Numbers) -> Numbers:
     """Return the symbols in an argument."""
     if isinstance(value, Symbol):
         yield value
-    elif type(value) in (list, tuple) or type(value) is np.ndarray and value.dtype == object:
-        for part in value.ravel() if type(value) is np.ndarray else value:
+    elif type(value) in (list, tuple) or isinstance(value, np.ndarray) and value.dtype == object:
+        for part in value.ravel() if isinstance(value, np.ndarray) else value:
             yield from _parts(part)
 
 
@@ -190,12 +246,11 @@ def _replaced(value: Numbers, replace: Function) -> Numbers:
         return replace(value)
     if type(value) in (list, tuple):
         return type(value)(_replaced(part, replace) for part in value)
-    if type(value) is np.ndarray and value.dtype == object:
-        parts = np.empty(value.size, dtype=object)
-        parts[:] = [_replaced(part, replace) for part in value.ravel()]
+    if isinstance(value, np.ndarray) and value.dtype == object:
+        parts = [_replaced(part, replace) for part in value.ravel()]
         keeps_symbols = any(isinstance(part, Symbol) for part in parts)
-        return (parts if keeps_symbols else parts.astype(float)).reshape(value.shape)
-    return value.copy() if type(value) is np.ndarray else value
+        return np.array(parts, dtype=object if keeps_symbols else None).reshape(value.shape)
+    return value.copy() if isinstance(value, np.ndarray) else value
 
 
 def _lifted(function: Function) -> Function:
@@ -205,16 +260,18 @@ def _lifted(function: Function) -> Function:
 
     @functools.wraps(function, updated=())
     def lifted(*arguments: Numbers, **keywords: Numbers) -> Numbers:
-        arguments = tuple(float if a is _Float else a for a in arguments)
-        keywords = {key: float if a is _Float else a for key, a in keywords.items()}
+        if getattr(function, "__module__", "") == "cmath":
+            arguments = tuple(a + 0j if isinstance(a, Symbol) else a for a in arguments)
         symbols = [*_parts(arguments), *_parts(tuple(keywords.values()))]
         if not symbols:
-            result = function(*arguments, **keywords)
-            return result.astype(object) if name in FILLED and result.dtype == float else result
+            result = function(*map(_plain_type, arguments), **{k: _plain_type(a) for k, a in keywords.items()})
+            return result.astype(object).view(Components) if name in FILLED and result.dtype.kind in "fc" else result
         tape: Course = symbols[0].tape
-        scalars = all(isinstance(a, Symbol | Real) for a in arguments)
+        arguments = tuple(a for a in arguments if not _is_number_type(a))  # symbols have none
+        keywords = {key: a for key, a in keywords.items() if not _is_number_type(a)}
+        scalars = all(isinstance(a, Symbol | Complex) for a in arguments)
         if name in SATURATING:
-            tape.saturating += [s.number for s in symbols]
+            tape.saturating += [_part(np.real, s).number if tape.is_complex(s) else s.number for s in symbols]
         if name in DECIDING:
             decide = functools.partial(DECIDING[name], **keywords)
             return decide(*arguments) if scalars else np.frompyfunc(decide, len(arguments), 1)(*arguments)
@@ -225,7 +282,8 @@ def _lifted(function: Function) -> Function:
             return tape.record(smooth, *arguments)
         if not scalars and getattr(function, "__module__", "") == "numpy" or isinstance(function, np.ufunc):
             try:
-                return function(*arguments, **keywords)
+                result = function(*arguments, **keywords)
+                return result.view(Components) if type(result) is np.ndarray and result.dtype == object else result
             except (TypeError, ValueError, AttributeError):
                 pass
         return _joined(tape, _point_by_point(tape, function, symbols, arguments, keywords))
@@ -262,7 +320,7 @@ def _joined(tape: Course, results: Symbol) -> Numbers:
         return first
     joined = np.empty(array.size, dtype=object)
     for i in range(array.size):
-        joined[i] = tape.record(lambda r, i=i: np.array([np.ravel(a)[i] for a in r], float), results)
+        joined[i] = tape.record(lambda r, i=i: np.array([np.ravel(a)[i] for a in r]) + 0.0, results)
     return joined.reshape(array.shape) if array.ndim else joined[0]
 
 
@@ -293,7 +351,9 @@ def _substitute(value: Numbers) -> Numbers:
         return value if value.__module__ == "builtins" else _lifted(value)
     if isinstance(value, types.FunctionType):
         return _lifted(value) if _is_foreign(value) else value
-    if isinstance(value, type | functools.partial) or not callable(value):
+    if isinstance(value, type):
+        return TYPES.get(value, value)
+    if isinstance(value, functools.partial) or not callable(value):
         return value
     is_method = isinstance(value, types.MethodType)
     function = value.__func__ if is_method else type(value).__call__
@@ -334,13 +394,17 @@ def _is_foreign(function: types.FunctionType) -> bool:
     return module.partition(".")[0] != OURS and function.__code__.co_filename.startswith(FOREIGN)
 
 
-class _FloatType(type):
+class _Type(type):
+    """Of what stands in for a type of numbers; `plain` is that type."""
+
+    plain: type
+
     def __instancecheck__(cls, value: Numbers) -> bool:
-        return isinstance(value, float | Symbol)
+        return _isinstance(value, cls.plain)
 
 
-class _Float(metaclass=_FloatType):
-    """What stands in for float."""
+class _Float(metaclass=_Type):
+    plain = float
 
     def __new__(cls, value: Numbers = 0.0) -> Numbers:
         if isinstance(value, np.ndarray) and value.shape == () and value.dtype == object:
@@ -348,11 +412,33 @@ class _Float(metaclass=_FloatType):
         return value if isinstance(value, Symbol) else float(value)
 
 
+class _Complex(metaclass=_Type):
+    plain = complex
+
+    def __new__(cls, *parts: Numbers) -> Numbers:
+        if not any(isinstance(part, Symbol) for part in parts):
+            return complex(*parts)
+        real, imaginary = (*parts, 0.0)[:2]
+        return real + 1j * imaginary
+
+
 def _isinstance(value: Numbers, kinds: Numbers) -> bool:
-    return isinstance(1.0 if isinstance(value, Symbol) else value, kinds)
+    if isinstance(value, Symbol):
+        course: Numbers = value.tape
+        value = course.values(value)[0].item()
+    return isinstance(value, kinds)
 
 
-STAND_INS = {"float": _Float, "isinstance": _isinstance}
+TYPES = {float: _Float, np.float64: _Float, complex: _Complex, np.complex128: _Complex}
+STAND_INS = {"float": _Float, "complex": _Complex, "isinstance": _isinstance}
+
+
+def _is_number_type(value: Numbers) -> bool:
+    return isinstance(value, _Type) or isinstance(value, type) and value in TYPES
+
+
+def _plain_type(value: Numbers) -> Numbers:
+    return value.plain if isinstance(value, _Type) else value
 
 
 def along(rates: Function, size: int) -> Callable[[Array, Array], Course]:
@@ -362,7 +448,7 @@ def along(rates: Function, size: int) -> Callable[[Array, Array], Course]:
     def profile(t: Array, y: Array) -> Course:
         course = Course(t, y)
         time, *components = (Symbol(course, slot, "", ()) for slot in range(1 + size))
-        twin(time, np.array(components, dtype=object))
+        twin(time, np.array(components, dtype=object).view(Components))
         course.forget_results()
         return course
 

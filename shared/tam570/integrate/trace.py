@@ -14,7 +14,7 @@ import operator
 import types
 from collections.abc import Callable
 from dataclasses import dataclass
-from numbers import Real
+from numbers import Complex, Real
 
 import numpy as np
 
@@ -75,7 +75,7 @@ def _called(function: Function, *arguments: Numbers) -> Numbers:
 
 def _operator(name: str, swapped: bool = False) -> Numbers:
     def method(self: "Symbol", other: Numbers) -> Numbers:
-        if not isinstance(other, Symbol | Real):
+        if not isinstance(other, Symbol | Complex):
             return NotImplemented  # NumPy goes through the elements of an array
         return self.tape.combine(name, *((other, self) if swapped else (self, other)))
 
@@ -221,8 +221,9 @@ class Symbol:
         return self // period, self % period
 
     def __getattr__(self, name: str) -> Function:
-        """NumPy's functions ask an object for a method of their name."""
-        return functools.partial(self.tape.method(name), self)
+        """NumPy's functions ask an object for a method of their name, and complex numbers have parts."""
+        method = functools.partial(self.tape.method(name), self)
+        return method() if name in ("real", "imag") else method
 
 
 _NAMES = """sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh
