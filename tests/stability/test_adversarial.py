@@ -288,6 +288,17 @@ def by_exception(t, y):
         return y[1], -2.0
 
 
+def by_newton(t, y):
+    """Kepler's equation: how many iterations it takes, changes with time."""
+    angle = t
+    for _ in range(50):
+        change = (angle - 0.6 * math.sin(angle) - t) / (1 - 0.6 * math.cos(angle))
+        angle -= change
+        if abs(change) < 1e-12:
+            break
+    return (math.cos(angle) - 0.1 * y[0],)
+
+
 class Oscillator:
     def __init__(self, rate):
         self.rate = rate
@@ -347,6 +358,7 @@ TRACES = {
     "class": against(Oscillator(4.0), (0, 3), [1.0, 0.0], exact=[math.cos(6.0), -2 * math.sin(6.0)]),
     "closure": against(closure(), (0, 3), [1.0, 0.0]),
     "frompyfunc": against(lambda t, y: (y[1], float(BENT(y[0]))), (0, 3), [1.0, 0.0]),
+    "by Newton's iteration": against(by_newton, (0, 2), [0.0]),
     "by exception": against(by_exception, (0, 1.5), [1.0, 0.0], longest=1e-3),
     **{name: against(rhs, (0, 3), [1.0, 0.0], exact=SINE) for name, rhs in OSCILLATORS.items()},
     "empty cell": against(empty_cell(), (0, 3), [1.0, 0.0], exact=SINE),

@@ -29,6 +29,7 @@ UNSEEN = 1000.0  # steps at least of a run whose switches cannot be seen
 NOISE = 16.0  # times that change: what is less has no sign
 CHATTER = 60  # switches in a row
 LEAVING = 200  # points of a step from a switch
+SAME, SOON = 1e-6, 1e-5  # of a rate: what changes by less is no jump; of a run: so soon one switch follows another
 KEPT = 10_000  # steps refused in a row, all of them from where a switching function is zero
 NEAR = 1e-9  # of a state: what it changes in a switching function is zero
 MOVES_ON = 1e-4  # of the step that they cut, from one switch to the next: with less the motion does not move on
@@ -78,6 +79,7 @@ class Switches:
         self.leaving = 0.0  # s, until the state is another than at a start at a switch
         self.refusals = 0  # steps refused since a switching function is zero
         self.crossings: list[float] = []  # times, each soon after the one before
+        self.idle: list[float] = []  # times of switches at which the rates do not jump
 
     def reach(self, start: float, h: float, y: Numbers, f: Numbers, c: Numbers) -> float:
         """Return the longest step from here that ends before the next switch, as far as it is known."""
@@ -119,7 +121,7 @@ class Switches:
         is_at_switch = h <= 2.0 * shortest
         self.leaving *= error > 1.0
         if is_at_switch and part <= 1.0:
-            self._count(start, y)
+            self._count(start, y, f, g)
         elif self.refusals or error > 1.0:
             self.refusals = self.refusals + (error > 1.0) if self._is_at_zero(start, np.array(y)[:, None]) else 0
             if self.refusals == KEPT:
@@ -136,8 +138,17 @@ class Switches:
             return h
         return _just_before(part * h, 1.0, shortest)
 
-    def _count(self, start: float, y: Numbers) -> None:
-        """Count a step at a switch. Raises ArithmeticError where the motion does not leave it."""
+    def _count(self, start: float, y: Numbers, f: Numbers, g: Numbers) -> None:
+        """Count a step at a switch. Raises ArithmeticError where the motion does not leave it.
+
+        Where the rates stay the same across many, they are asked no more: whether an iteration has converged, it
+        decides anew all the time.
+        """
+        if all(abs(a - b) <= SAME * max(abs(a), abs(b)) for a, b in zip(f, g, strict=True)):
+            self.idle.append(start)
+            if len(self.idle) > CHATTER and start - self.idle[-CHATTER] < CHATTER * SOON * self.span:
+                self.reason = f"it switches all the time, from t = {self.sign * start:.9g}, and its rates stay the same"
+            return
         if not self.crossings or start - self.crossings[-1] > self.pace / CHATTER:
             self.crossings, self.pace, self.longest = [], self.longest, 0.0
         self.crossings.append(start)
