@@ -13,14 +13,14 @@ import numpy as np
 from tam570.rotations._evaluate import Array
 
 ENTRIES = np.array(  # of R, one a line, from the rows of products
-    [  # ww  xx  yy  zz  wx  xy  yz  zw  wy  xz
+    [  # ww  xx  yy  zz  wx  xy  yz  wy  xz  wz
         [1, 1, -1, -1, 0, 0, 0, 0, 0, 0],
-        [0, 0, 0, 0, 0, 2, 0, -2, 0, 0],
-        [0, 0, 0, 0, 0, 0, 0, 0, 2, 2],
-        [0, 0, 0, 0, 0, 2, 0, 2, 0, 0],
+        [0, 0, 0, 0, 0, 2, 0, 0, 0, -2],
+        [0, 0, 0, 0, 0, 0, 0, 2, 2, 0],
+        [0, 0, 0, 0, 0, 2, 0, 0, 0, 2],
         [1, -1, 1, -1, 0, 0, 0, 0, 0, 0],
         [0, 0, 0, 0, -2, 0, 2, 0, 0, 0],
-        [0, 0, 0, 0, 0, 0, 0, 0, -2, 2],
+        [0, 0, 0, 0, 0, 0, 0, -2, 2, 0],
         [0, 0, 0, 0, 2, 0, 2, 0, 0, 0],
         [1, -1, -1, 1, 0, 0, 0, 0, 0, 0],
     ],
@@ -74,11 +74,11 @@ def _matrix_of_tangent(t: Array, workspace: Array, results: Array) -> None:
 
 def _matrix(workspace: Array, square: Array, results: Array) -> None:
     """Of the quaternions in the first four rows, whose squared lengths go to a row that is not theirs."""
-    Q, products = workspace[:5], workspace[5:15]
-    np.einsum("kn,kn->n", Q[:4], Q[:4], out=square)
-    Q[4] = Q[0]  # x, y, z, w in a run
-    over_square = np.divide(Q[:4], square, out=products[:4])
-    np.multiply(over_square, Q[1:], out=products[4:8])
-    np.multiply(over_square[:2], Q[2:4], out=products[8:])
-    np.multiply(over_square, Q[:4], out=over_square)
+    Q, products = workspace[:4], workspace[4:14]
+    np.einsum("kn,kn->n", Q, Q, out=square)
+    over_square = np.divide(Q, square, out=products[:4])
+    np.multiply(over_square[:3], Q[1:], out=products[4:7])
+    np.multiply(over_square[:2], Q[2:], out=products[7:9])
+    np.multiply(over_square[0], Q[3], out=products[9])
+    np.multiply(over_square, Q, out=over_square)
     np.matmul(products.T, ENTRIES, out=results)
