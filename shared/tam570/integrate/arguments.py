@@ -1,6 +1,7 @@
 """What a caller gives, checked: each error names the argument."""
 
 import math
+from numbers import Real
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -35,7 +36,7 @@ def sample_times(t: ArrayLike) -> tuple[Array, float]:
 
     ValueError unless they are finite, two or more, and increase or decrease.
     """
-    times = np.array(t, dtype=float)
+    times = _array("t", t, "a list of numbers")
     if times.ndim != 1 or len(times) < 2:
         raise ValueError(f"t: need a list of two or more times, got shape {times.shape}; try np.linspace(0, 10, 101)")
     sign = -1.0 if times[1] < times[0] else 1.0
@@ -54,14 +55,22 @@ def _wrong_with(times: Array, steps: Array, sign: float) -> str:
     return f"must {verb}, but t[{where + 1}] = {times[where + 1]:g} does not {relation} t[{where}]"
 
 
+def _array(name: str, value: ArrayLike, numbers: str) -> Array:
+    try:
+        return np.array(value, dtype=float)
+    except (TypeError, ValueError) as problem:
+        raise ValueError(f"{name}: must be {numbers} ({problem})") from problem
+
+
 def initial_state(y0: ArrayLike) -> Array:
     """(k,) or (m, k) as floats. ValueError if empty, not finite or of another shape."""
     try:
-        if np.iscomplexobj(y0) or np.iscomplexobj(np.array(y0)):
-            raise ValueError("it is complex; give real and imaginary parts as components of their own")
-        state = np.array(y0, dtype=float)
-    except (TypeError, ValueError) as problem:
-        raise ValueError(f"y0: must be a flat list of real numbers ({problem})") from problem
+        is_complex = np.iscomplexobj(np.asarray(y0))
+    except ValueError:  # rows of several lengths
+        is_complex = False
+    if is_complex:
+        raise ValueError("y0: is complex; give real and imaginary parts as components of their own")
+    state = _array("y0", y0, "a flat list of real numbers")
     if state.ndim == 2 and state.shape[1] == 1 and state.shape[0] > 1:
         raise ValueError(
             f"y0: a column of shape {state.shape} is one component of {len(state)} starts; for one start give "
@@ -76,7 +85,7 @@ def initial_state(y0: ArrayLike) -> Array:
 
 def tolerance(rtol: float) -> float:
     """Return the tolerance as a number. ValueError unless 0 < rtol < 1."""
-    if not 0 < rtol < 1:
+    if not isinstance(rtol, Real) or not 0 < rtol < 1:
         raise ValueError(f"rtol: need 0 < rtol < 1, got {rtol!r}; 1e-10 is a good start")
     return float(rtol)
 
@@ -90,10 +99,7 @@ def allowed_error(atol: ArrayLike | None, size: int) -> tuple[float, ...]:
     """k errors allowed in any case, none at all if left out. ValueError unless one or k numbers, none negative."""
     if atol is None:
         return ()
-    try:
-        allowed = np.array(atol, dtype=float)
-    except (TypeError, ValueError) as problem:
-        raise ValueError(f"atol: must be one number, or one a component ({problem})") from problem
+    allowed = _array("atol", atol, "one number, or one a component")
     if allowed.shape not in ((), (size,)):
         raise ValueError(f"atol: need one number, or {size}, one a component; got shape {allowed.shape}")
     if not (np.isfinite(allowed).all() and (allowed >= 0).all()):

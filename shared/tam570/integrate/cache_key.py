@@ -10,7 +10,7 @@ import functools
 import math
 import operator
 import types
-from collections.abc import Callable, Hashable, Iterable
+from collections.abc import Callable, Hashable, Iterable, Mapping
 from functools import lru_cache
 from typing import Any, TypeAlias
 
@@ -117,6 +117,8 @@ def call_key(rhs: Function, parameters: Parameters | None) -> Hashable:
     key = of_rhs = cache_key(rhs, reach)
     is_fixed = reach.is_fixed
     if parameters:
+        if not isinstance(parameters, Mapping):
+            raise Changeable("parameters that are no mapping")
         key = of_rhs, cache_key(tuple(parameters.items()), reach)
     if reach.changes and reach.has_lists:
         raise Changeable("it may change what it keeps")

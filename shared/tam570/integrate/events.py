@@ -255,9 +255,10 @@ def function_of_time(steps: Sequence[StepInterpolant], sign: float) -> Callable[
         return step((t - step.t) / step.h)
 
     def at(times: ArrayLike) -> Array:
-        """(k,) the state at a time, or (n, k) at times; ValueError outside of the run."""
+        """(..., k) the states at an array of times, or (k,) at one; ValueError outside of the run."""
         listed = np.asarray(times, dtype=float)
-        return state(float(listed)) if listed.ndim == 0 else np.array([state(float(time)) for time in listed])
+        states = np.array([state(time) for time in listed.ravel().tolist()])
+        return states.reshape(*listed.shape, len(steps[0](0.0)))
 
     return at
 

@@ -7,7 +7,7 @@ a jump of the rates, and does not count.
 
 import inspect
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache
 
 import numpy as np
@@ -32,6 +32,8 @@ def bound(rhs: Function, parameters: Parameters | None, name: str = "rhs") -> Ra
     """rhs(t, y) with the parameters in place. ValueError, with the name, where they do not fit its signature."""
     if not callable(rhs):
         raise ValueError(f"{name}: must be a function of (t, y, **parameters), got {type(rhs).__name__}")
+    if parameters is not None and not isinstance(parameters, Mapping):
+        raise ValueError(f"parameters: must be a mapping of names to values, got {type(parameters).__name__}")
     fixed = dict(parameters or {})
     problem = _misfit(rhs, tuple(fixed))
     if problem:
@@ -149,7 +151,10 @@ def is_same(rates: Rates, written: Function, constants: tuple[float, ...], times
 
 
 def _checked(value: Numbers, size: int) -> Array:
-    rates_array = np.asarray(value)
+    try:
+        rates_array = np.asarray(value)
+    except ValueError as problem:  # rows of several lengths
+        raise RhsError(f"rhs: must return {size} numbers, got {value!r}") from problem
     if rates_array.shape != (size,):
         raise RhsError(f"rhs: must return {size} numbers, as many as y0 has, got shape {rates_array.shape}")
     if np.iscomplexobj(rates_array):
