@@ -69,7 +69,7 @@ def initial_state(y0: ArrayLike) -> Array:
     except ValueError:  # rows of several lengths
         is_complex = False
     if is_complex:
-        raise ValueError("y0: is complex; give real and imaginary parts as components of their own")
+        raise ValueError("y0: must be real; it is complex: give real and imaginary parts as components of their own")
     state = _array("y0", y0, "a flat list of real numbers")
     if state.ndim == 2 and state.shape[1] == 1 and state.shape[0] > 1:
         raise ValueError(
