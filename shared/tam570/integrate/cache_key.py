@@ -10,7 +10,7 @@ import functools
 import math
 import operator
 import types
-from collections.abc import Callable, Hashable, Iterable, Mapping
+from collections.abc import Callable, Hashable, Iterable
 from functools import lru_cache
 from typing import Any, TypeAlias
 
@@ -105,6 +105,8 @@ def cache_key(value: Captured, reach: Reach | None = None) -> Hashable:
 
 def call_key(rhs: Function, parameters: Parameters | None) -> Hashable:
     """Return the key of a right-hand side with its parameters. Raises `Changeable`."""
+    if parameters and not hasattr(parameters, "values"):
+        raise Changeable("parameters that are no mapping")
     last = _last.get(rhs) if isinstance(rhs, types.FunctionType) else None
     if last is not None and last.is_same():
         if not parameters:
@@ -117,8 +119,6 @@ def call_key(rhs: Function, parameters: Parameters | None) -> Hashable:
     key = of_rhs = cache_key(rhs, reach)
     is_fixed = reach.is_fixed
     if parameters:
-        if not isinstance(parameters, Mapping):
-            raise Changeable("parameters that are no mapping")
         key = of_rhs, cache_key(tuple(parameters.items()), reach)
     if reach.changes and reach.has_lists:
         raise Changeable("it may change what it keeps")
