@@ -280,7 +280,7 @@ def start_state(run: Run, a: Sequence[float] = ()) -> State:
         h = max(h, _first_step(rhs, origin + h, span, onward, g, c))
     if not control.atol and min(a, default=0.0) <= NO_SCALE:
         later = _doubling(origin, h, span) if engine.formulas.timed else ()
-        sizes = error_scale(rhs, origin, h, y, g, [0.0] * len(y), c, later)
+        sizes = error_scale(rhs, origin, h, y, g, c, later)
         fresh = (max(SHARE * control.rtol * size, NO_SCALE) for size in sizes)
         a = tuple(new if old <= NO_SCALE else old for new, old in zip(fresh, a or [0.0] * len(y), strict=True))
     h = control.first_step or h

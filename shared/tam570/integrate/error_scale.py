@@ -29,17 +29,10 @@ Rates = Callable[[float, Numbers, Numbers], Sequence[float]]
 
 
 def error_scale(
-    rhs: Rates,
-    t: float,
-    h: float,
-    y: Sequence[float],
-    f: Sequence[float],
-    m: Sequence[float],
-    c: Numbers,
-    later: Numbers = (),
+    rhs: Rates, t: float, h: float, y: Sequence[float], f: Sequence[float], c: Numbers, later: Numbers = ()
 ) -> tuple[float, ...]:
-    """(k,) sizes at the start; `m` holds those known, or zeros; `later` are times at which a force may set in."""
-    own_sizes = [max(size, abs(value), _finite(h * rate)) for size, value, rate in zip(m, y, f, strict=True)]
+    """(k,) sizes at the start; `later` are times at which a force may set in."""
+    own_sizes = [max(abs(value), _finite(h * rate)) for value, rate in zip(y, f, strict=True)]
     if min(own_sizes) <= NO_SCALE:
         driven = _driven_sizes(rhs, t, h, y, f, own_sizes, c, later)
         own_sizes = [max(size, own_size) for size, own_size in zip(driven, own_sizes, strict=True)]
