@@ -121,7 +121,7 @@ class SandboxProcess:
         """Kill the prisoner; the CPU seconds it has used. A guard that does not answer has died with its worker."""
         try:
             self._order(b"e" if self._ended else b"k")
-            self.outlast()
+            self._hear_last_words()
             self._cpu, self.killed_from_outside = float(self._last_words[0]), self._last_words[1] == "1"
         except OSError:
             self.monitored, self._cpu = False, max(self._cpu, self._waited)
@@ -134,13 +134,19 @@ class SandboxProcess:
         self._order(b"k")
         self._channel.close()
 
-    @property
-    def over(self) -> bool:
-        """Whether it was dropped or has been ended."""
-        return self._channel.fileno() < 0
+    def has_ended(self) -> bool:
+        """Whether it was dropped, and its guard has seen it end; OSError if the guard has gone."""
+        if self._channel.fileno() >= 0:
+            return False
+        if self.monitored and not self._last_words:
+            said = select.poll()
+            said.register(self.leash, select.POLLIN)
+            if not said.poll(0):
+                return False
+        self._hear_last_words()
+        return True
 
-    def outlast(self) -> None:
-        """Wait until the prisoner has ended; OSError if its guard has gone."""
+    def _hear_last_words(self) -> None:
         while not self._last_words:
             self._heard()  # the answer to an earlier question
 

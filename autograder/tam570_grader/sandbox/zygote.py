@@ -102,15 +102,17 @@ class Zygote:
         return process
 
     def _free_leash(self) -> socket.socket:
-        """Return the leash of a guard whose prisoner is over, or of a new one."""
+        """Return the leash of a guard whose prisoner has ended, or of a new one."""
         if self._holder != os.getpid():  # the guards are those of the process that this one was forked from
             self._let_go()
-        for process in [process for process in self._processes if process.over]:
-            self._processes.remove(process)
-            with suppress(OSError):  # a guard that has gone
-                process.outlast()
-                return process.leash
-            process.leash.close()
+        for process in list(self._processes):
+            try:
+                if process.has_ended():
+                    self._processes.remove(process)
+                    return process.leash
+            except OSError:  # its guard has gone
+                self._processes.remove(process)
+                process.leash.close()
         leash, guard_end = socket.socketpair()
         with guard_end:
             socket.send_fds(self._control, [b"g"], [guard_end.fileno()])
