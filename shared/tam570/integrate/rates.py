@@ -20,7 +20,7 @@ __all__ = ["TRIAL_ERRORS", "CalledRates", "Rates", "RhsError", "bound", "check_s
 
 Rates = Callable[[float, Numbers], Numbers]
 ROUNDED = 4.0  # units in the last place: the time of two calls is rounded in two ways
-PLAIN = (float, int, np.float64)
+PLAIN = {float, int, np.float64}
 TRIAL_ERRORS = (ArithmeticError, ValueError, LookupError)  # a step that is too long may leave the domain
 
 
@@ -116,10 +116,11 @@ def _floats(value: Numbers, size: int) -> Sequence[float]:
     if type(value) is np.ndarray and value.dtype == float and value.shape == (size,):
         return value.tolist()  # type: ignore[no-any-return]
     if type(value) in (tuple, list) and len(value) == size:
-        if all(type(v) is float for v in value):
+        types = {*map(type, value)}
+        if types == {float}:
             return value  # type: ignore[no-any-return]
-        if all(type(v) in PLAIN for v in value):
-            return [float(v) for v in value]
+        if types <= PLAIN:
+            return [*map(float, value)]
     return _checked(value, size).tolist()  # type: ignore[no-any-return]
 
 
