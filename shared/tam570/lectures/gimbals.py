@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from tam570.arguments import numbers, one_of, positive
 from tam570.rotations import euler_from_matrix, matrix_from_axis_angle
 from tam570.show.drawing import circle, solid
-from tam570.show.plots import drift_note, plot_samples, value_plot
+from tam570.show.plots import drift_note, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Parameters
 
@@ -67,9 +67,9 @@ def film(parameters: Parameters) -> Scene:
     upright = matrix_from_axis_angle([1.0, 0.0, 0.0], np.pi / 2 if sequence == "312" else 0.0)  # last axis to z
     R = aside @ matrix_from_axis_angle([1.0, 0.0, 0.0], SPEED * (times - SECONDS / 2)) @ upright
     angles = np.unwrap(euler_from_matrix(sequence, R), axis=0)
-    shown, omega = plot_samples(times), SPEED * aside[:, 0]
-    rates = np.array([euler_rates(row, omega, sequence) for row in angles[shown]])
-    rebuilt = np.array([angular_velocity(*row, sequence) for row in zip(angles[shown], rates, strict=True)])
+    omega = SPEED * aside[:, 0]
+    rates = np.array([euler_rates(row, omega, sequence) for row in angles])
+    rebuilt = np.array([angular_velocity(*row, sequence) for row in zip(angles, rates, strict=True)])
     curves = dict(zip(("psi", "theta", "phi"), rates.T, strict=True))
     largest = f"up to {np.abs(rates).max():.3g} rad/s, while the body turns at {SPEED:g} rad/s"
     sums = dict(zip("xyz", rebuilt.T, strict=True))
@@ -80,10 +80,8 @@ def film(parameters: Parameters) -> Scene:
         times,
         [Panel(_gimbal(np.array([rings(row, sequence) for row in angles]), sequence), ruler=False)],
         [
-            value_plot("rates of the angles", times[shown], curves, "rad/s", largest),
-            value_plot(
-                "their sum along the axes of the rings", times[shown], sums, "rad/s", *drift_note(rebuilt, SPEED)
-            ),
+            value_plot("rates of the angles", times, curves, "rad/s", largest),
+            value_plot("their sum along the axes of the rings", times, sums, "rad/s", *drift_note(rebuilt, SPEED)),
         ],
         view=(0.9, 0.35),
         still_time=0.44,

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 
 from tam570.arguments import array, numbers, positives
 from tam570.integrate import solve
-from tam570.show.plots import drift_note, plot_samples, value_plot
+from tam570.show.plots import drift_note, value_plot, values
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Parameters
 
@@ -95,9 +95,8 @@ def film(parameters: Parameters) -> Scene:
     times = frame_times(SECONDS)
     states = solve(rates, times, np.concatenate([r, v]).ravel(), rtol=1e-9)
     places = states[:, : 3 * n].reshape(-1, n, 3)[..., :2]
-    shown = plot_samples(times)
-    of_G, about_G = np.array([kinetic(state, masses=masses) for state in states[shown]]).T
-    origin = np.array([angular_momentum(state, np.zeros(3), masses=masses) for state in states[shown]])[..., 2]
+    of_G, about_G = values(kinetic, states, masses=masses).T
+    origin = np.array([angular_momentum(state, np.zeros(3), masses=masses) for state in states])[..., 2]
     momenta = {"of G": origin[:, 0], "about G": origin[:, 1], "about the origin": origin.sum(axis=1)}
     scale = float(np.abs(momenta["about the origin"]).max())
     drift = drift_note(momenta["about the origin"], scale)
@@ -108,8 +107,8 @@ def film(parameters: Parameters) -> Scene:
         times,
         [Panel(_drawn(places, m))],
         [
-            value_plot("kinetic energy", times[shown], {"of G": of_G, "about G": about_G}, "J"),
-            value_plot("angular momentum", times[shown], momenta, "kg m²/s", *drift),
+            value_plot("kinetic energy", times, {"of G": of_G, "about G": about_G}, "J"),
+            value_plot("angular momentum", times, momenta, "kg m²/s", *drift),
         ],
         still_time=0.3,
     )

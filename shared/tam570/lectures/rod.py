@@ -10,7 +10,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from tam570.arguments import numbers
-from tam570.show.plots import plot_samples, value_plot
+from tam570.show.plots import value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.values import Numbers, Parameters
 
@@ -82,10 +82,9 @@ def film(parameters: Parameters) -> Scene:
 
 
 def _tension(times: Array, parameters: Parameters) -> TimePlot:
-    shown = times[plot_samples(times)]
-    forces: Numbers = np.outer(np.cos(2 * np.pi * shown / (SECONDS / 2)), parameters["forces"])
+    forces: Numbers = np.outer(np.cos(2 * np.pi * times / (SECONDS / 2)), parameters["forces"])
     tension = {
         name: np.array([way(pair, masses=parameters["masses"])[1] for pair in forces])
         for name, way in {"by constraint": by_constraint, "by elimination": by_elimination}.items()
     }
-    return value_plot("tension", shown, tension, "N", "the two curves are one")
+    return value_plot("tension", times, tension, "N", "the two curves are one")

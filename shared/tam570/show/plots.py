@@ -9,17 +9,17 @@ from tam570.show.scene import Array, TimePlot
 from tam570.show.student import Trouble
 from tam570.values import Function, Numbers
 
-__all__ = ["drift_note", "energy_plot", "gap_note", "plot_samples", "state_energy_plot", "value_plot", "values"]
+__all__ = ["drift_note", "energy_plot", "gap_note", "state_energy_plot", "value_plot", "values"]
 
 PLOT_SAMPLES = 400  # of a time plot, which is about as many pixels wide
 LARGEST = 1e200  # of what is drawn: its square is a number
 LARGE = 1e-3  # a deviation that no careful integration has; 1e-6 is a careless one
 
 
-def plot_samples(times: Array) -> NDArray[np.int64]:
-    """Return which of the times, or of the values at them, a time plot needs."""
-    count = min(len(times), PLOT_SAMPLES + 1)
-    return np.rint(np.linspace(0, len(times) - 1, count)).astype(np.int64)
+def _samples(values: Array) -> NDArray[np.int64]:
+    """Return which of the values at all times a time plot needs."""
+    count = min(len(values), PLOT_SAMPLES + 1)
+    return np.rint(np.linspace(0, len(values) - 1, count)).astype(np.int64)
 
 
 def value_plot(
@@ -58,14 +58,14 @@ def state_energy_plot(times: Array, states: Array, positions: int, energy: Calla
     positions : of the state's numbers the first that say where everything is; the rest are rates
     energy    : energy(states (m, k)) -> (m,) J
     """
-    shown = plot_samples(times)
+    shown = _samples(times)
     moving, at_rest = states[shown], states[shown] * (np.arange(states.shape[1]) < positions)
     return energy_plot(times[shown], np.asarray(energy(moving)), np.asarray(energy(at_rest)))
 
 
 def values(function: Function, states: Array, **parameters: Numbers) -> Array:
     """(m, ...) what `function(state, **parameters)` returns for the states (n, k) that a time plot needs."""
-    return np.array([function(state, **parameters) for state in states[plot_samples(states)]])
+    return np.array([function(state, **parameters) for state in states[_samples(states)]])
 
 
 def drift_note(
@@ -93,7 +93,7 @@ def gap_note(
 
 def _sampled(curve: ArrayLike) -> Array:
     array = np.asarray(curve, dtype=float)
-    return array[plot_samples(array)]
+    return array[_samples(array)]
 
 
 def _deviation(values: ArrayLike, scale: float) -> Array:

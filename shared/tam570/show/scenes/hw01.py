@@ -7,7 +7,7 @@ import numpy as np
 from tam570.show.diagrams import force_shapes
 from tam570.show.drawing import graph, unit_circle
 from tam570.show.live import Live, live_if_written
-from tam570.show.plots import energy_plot, plot_samples, value_plot
+from tam570.show.plots import energy_plot, value_plot
 from tam570.show.rods import rod_handles
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student
@@ -90,6 +90,5 @@ def _phase_plane(full: Array, small: Array) -> list[Shape]:
 
 
 def _energy(student: Student, times: Array, states: Array, rod: Parameters) -> TimePlot:
-    shown = plot_samples(times)
-    _, kinetic, potential = student.each("energy_balance", *states[shown].T, mass=MASS, **rod).T
-    return energy_plot(times[shown], kinetic + potential, potential, "energy of the full motion")
+    _, kinetic, potential = student.each("energy_balance", *states.T, mass=MASS, **rod).T
+    return energy_plot(times, kinetic + potential, potential, "energy of the full motion")

@@ -3,7 +3,7 @@
 import numpy as np
 
 from tam570.show.drawing import axes
-from tam570.show.plots import gap_note, plot_samples, value_plot
+from tam570.show.plots import gap_note, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student
 from tam570.values import Numbers, Parameters
@@ -82,28 +82,24 @@ def _arrow(tail: Array, vector: Array, all_of_them: dict[str, Array], color: int
 
 
 def _discrepancies(student: Student, times: Array, motion: list[Array], mass: float) -> TimePlot:
-    shown = plot_samples(times)
     sizes = {
-        f"({d})": np.linalg.norm(
-            student.each("discrepancy", [d] * len(shown), *(x[shown] for x in motion), mass=mass), axis=1
-        )
+        f"({d})": np.linalg.norm(student.each("discrepancy", [d] * len(times), *motion, mass=mass), axis=1)
         for d in DEFINITIONS
     }
-    return value_plot("rate less moment, size", times[shown], sizes, "N m")
+    return value_plot("rate less moment, size", times, sizes, "N m")
 
 
 def _checked(student: Student, times: Array, rates: dict[str, Array], mass: float) -> TimePlot:
     """Return the rates beside differences of the student's own angular momentum."""
-    shown = plot_samples(times)
     scale = max(float(np.linalg.norm(rate, axis=1).max()) for rate in rates.values()) or 1.0
     off = {
-        f"({d})": 100 * np.linalg.norm(rates[d][shown] - _differences(student, d, times[shown], mass), axis=1) / scale
+        f"({d})": 100 * np.linalg.norm(rates[d] - _differences(student, d, times, mass), axis=1) / scale
         for d in DEFINITIONS
     }
     largest = max(float(rate.max()) for rate in off.values()) / 100
     note = gap_note(largest, LARGE, " of the largest rate", "dH/dt by differences: ")
-    sizes = {f"({d})": np.linalg.norm(rates[d][shown], axis=1) for d in DEFINITIONS}
-    return value_plot("rate(), size", times[shown], sizes, "N m", *note)
+    sizes = {f"({d})": np.linalg.norm(rates[d], axis=1) for d in DEFINITIONS}
+    return value_plot("rate(), size", times, sizes, "N m", *note)
 
 
 def _differences(student: Student, definition: str, times: Array, mass: float) -> Array:

@@ -7,7 +7,7 @@ import numpy as np
 from tam570.show.diagrams import force_shapes
 from tam570.show.drawing import placed, solid
 from tam570.show.live import Handle, Live, live_if_written
-from tam570.show.plots import drift_note, plot_samples, value_plot
+from tam570.show.plots import drift_note, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times
 from tam570.show.student import Student, Trouble
 from tam570.values import Numbers, Parameters
@@ -108,17 +108,16 @@ def _car(states: Array, locked: str, y: float, parameters: Parameters) -> list[S
 def _energy(student: Student, times: Array, motions: dict[str, Array], parameters: Parameters) -> TimePlot:
     """Kinetic energy, and whether with what friction has taken along the way of the locked axle it stays."""
     arguments = {name: parameters[name] for name in ("mass", "yaw_inertia", "front", "rear")}
-    shown = plot_samples(times)
     energies, sums = {}, {}
     for locked, states in motions.items():
-        energy = student.each("kinetic_energy", states[shown], [locked] * len(shown), **arguments)
+        energy = student.each("kinetic_energy", states, [locked] * len(states), **arguments)
         energies[f"{locked} locked"] = energy / 1000
-        sums[locked] = energy - _work(student, states, locked, parameters)[shown]
+        sums[locked] = energy - _work(student, states, locked, parameters)
     scale = max(abs(float(values[0])) for values in sums.values())
     if not scale:
         raise Trouble("kinetic_energy gives 0 for a car that moves")
     note = drift_note(sums, scale, "the energy at the start", "less work of friction: ")
-    return value_plot("kinetic energy", times[shown], energies, "kJ", *note)
+    return value_plot("kinetic energy", times, energies, "kJ", *note)
 
 
 def _work(student: Student, states: Array, locked: str, parameters: Parameters) -> Array:
