@@ -134,5 +134,5 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
         [Panel(drawing(states, parameters))],
         [state_energy_plot(times, states, 3 * n, lambda rows: values(energy, rows, **parameters))],
         still_time=0.2,
-        live=Live(rates, parameters, STATE, start, drawing, handles, energies(energy, 3 * n)),
+        live=Live(rates, parameters, start, drawing, handles, energies(energy, 3 * n)),
     )

@@ -120,5 +120,5 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
             value_plot("angular momentum, change", times, changes, "kg m²/s", *drift_note(H, about="by rotations: ")),
         ],
         still_time=1.0,
-        live=live_body(rates, energy, parameters, STATE, start, in_body=False),
+        live=live_body(rates, energy, parameters, start, in_body=False),
     )

@@ -88,7 +88,7 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
             value_plot("m v v + k r r, a tensor", times, parts, "J", *drift_note(tensors)),
         ],
         still_time=0.25,
-        live=Live(rates, parameters, STATE, start, _draw, [drag(0, 3)], energies(energy, 3), backdrop=cross),
+        live=Live(rates, parameters, start, _draw, [drag(0, 3)], energies(energy, 3), backdrop=cross),
     )
 
 

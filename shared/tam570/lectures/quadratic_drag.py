@@ -87,7 +87,7 @@ def _one(parameters: Mapping[str, float], start: Sequence[float], seconds: float
         [Panel([ground, *_flights(paths, colors, labelled=True)], "as far as they go"), *_shapes(paths, colors)],
         [value_plot("speed through air", times, {"": np.hypot(*states[:, 2:].T)}, "m/s", caption)],
         still_time=0.45,
-        live=Live(rates, parameters, STATE, start, _draw, [drag(0, 2)], measures, conserved=False, backdrop=[ground]),
+        live=Live(rates, parameters, start, _draw, [drag(0, 2)], measures, conserved=False, backdrop=[ground]),
     )
 
 

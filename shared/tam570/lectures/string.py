@@ -121,7 +121,7 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
         ],
         view=(0.6, 0.25),
         still_time=0.35,
-        live=Live(rates, parameters, STATE, start, drawing, [HANDLE], energies(energy, 2), backdrop=table),
+        live=Live(rates, parameters, start, drawing, [HANDLE], energies(energy, 2), backdrop=table),
     )
 
 

@@ -101,7 +101,7 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
         [value_plot("kinetic energy", times, kinetic, "J", *drift)],
         view=(0.9, 0.5),
         still_time=0.4,
-        live=Live(rates, parameters, STATE, start, _draw, [HANDLE], energies(energy, 2), backdrop=net),
+        live=Live(rates, parameters, start, _draw, [HANDLE], energies(energy, 2), backdrop=net),
     )
 
 

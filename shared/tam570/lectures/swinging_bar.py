@@ -115,7 +115,7 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
         [Panel(shapes)],
         [state_energy_plot(times, states, 1, lambda rows: values(energy, rows, **parameters))],
         still_time=0.06,
-        live=Live(rates, parameters, STATE, start, _draw, handles, energies(energy, 1)),
+        live=Live(rates, parameters, start, _draw, handles, energies(energy, 1)),
     )
 
 

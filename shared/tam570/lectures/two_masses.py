@@ -109,9 +109,7 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
             value_plot("x", times, places, "m"),
             state_energy_plot(times, states, 2, lambda rows: values(energy, rows, **parameters)),
         ],
-        live=Live(
-            rates, parameters, STATE, start, _draw, [*map(_handle, (0, 1))], energies(energy, 2), backdrop=ground
-        ),
+        live=Live(rates, parameters, start, _draw, [*map(_handle, (0, 1))], energies(energy, 2), backdrop=ground),
     )
 
 

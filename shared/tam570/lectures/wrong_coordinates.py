@@ -100,5 +100,5 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
             ),
         ],
         still_time=0.35,
-        live=live_body(rates, energy, parameters, STATE, start, in_body=True),
+        live=live_body(rates, energy, parameters, start, in_body=True),
     )

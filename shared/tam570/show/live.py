@@ -54,7 +54,6 @@ class Live:
 
     rates: Function
     parameters: Parameters
-    state: Mapping[str, str]
     start: Sequence[float]
     drawing: Callable[[Numbers, Parameters], Sequence[Shape]]
     handles: Sequence[Handle] = ()
@@ -171,7 +170,6 @@ class _Writer:
         dim = count // max(len(self.live.handles), 1)
         has_first = measures[:1] == list(self.live.measures)[:1] != []
         return {
-            "state": list(self.live.state),
             "start": [float(number) for number in self.live.start],
             "parameters": [
                 {"name": name if i is None else f"{name} {i + 1}", "value": value, "range": _range(value)}

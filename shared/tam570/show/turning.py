@@ -1,6 +1,6 @@
 """A free body by its rotation matrix: its box, and a hand that takes the tip of its angular velocity."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -35,18 +35,11 @@ def _reach(size: Array, omega: Sequence[float]) -> float:
 
 
 def live_body(
-    rates: Function,
-    energy: Function,
-    parameters: Parameters,
-    names: Mapping[str, str],
-    start: Sequence[float],
-    *,
-    in_body: bool,
+    rates: Function, energy: Function, parameters: Parameters, start: Sequence[float], *, in_body: bool
 ) -> Live:
     """Return a free body as equations; its state is R (9, row by row) and omega (3).
 
-    names    : and units, of the state's numbers
-    in_body  : whether omega has components in the body, or in space
+    in_body : whether omega has components in the body, or in space
     """
     size = box_size(np.array(parameters["inertia"]))
     hand = spin_handle(_reach(size, start[9:]), in_body)
@@ -59,7 +52,7 @@ def live_body(
             Shape("arrow", moving(np.zeros(3), tip(states[0])[None]), 1, "angular velocity", width=2.5),
         ]
 
-    return Live(rates, parameters, names, start, drawing, [hand], energies(energy))
+    return Live(rates, parameters, start, drawing, [hand], energies(energy))
 
 
 def spin_handle(reach: float, in_body: bool) -> Handle:

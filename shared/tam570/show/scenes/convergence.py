@@ -46,7 +46,7 @@ def film(lecture: SimpleNamespace, parameters: Parameters, start: Sequence[float
         ],
         [value_plot("energy", times, totals, "J", *drift)],
         still_time=0.22,
-        live=Live(lecture.rates, parameters, lecture.STATE, start, _draw, handles, energies(lecture.energy, 2)),
+        live=Live(lecture.rates, parameters, start, _draw, handles, energies(lecture.energy, 2)),
     )
 
 

@@ -52,7 +52,7 @@ def film(frames: SimpleNamespace, parameters: Mapping[str, float], start: Sequen
             ),
         ],
         still_time=0.4,
-        live=Live(frames.rates, parameters, frames.STATE, start, drawing, [drag(0, 2)], measures),
+        live=Live(frames.rates, parameters, start, drawing, [drag(0, 2)], measures),
     )
 
 

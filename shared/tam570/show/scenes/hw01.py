@@ -67,7 +67,7 @@ def _live(student: Student, rod: Parameters, start: Sequence[float]) -> Live:
 
     measures = {"total E": total, "kinetic T": measure(1), "potential V": measure(2)}
     handles = rod_handles(1, lambda parameters: [parameters["length"]])
-    return Live(rates, rod, STATE, start, _draw, handles, measures)
+    return Live(rates, rod, start, _draw, handles, measures)
 
 
 def _draw(states: Numbers, rod: Parameters) -> list[Shape]:

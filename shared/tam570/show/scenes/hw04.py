@@ -49,7 +49,7 @@ def film(student: Student, spring: Parameters, start: Sequence[float], seconds: 
 
 def _live(student: Student, spring: Parameters, start: Sequence[float]) -> Live:
     measures = energies(student.function("energy"), 3)
-    return Live(student.function("state_derivative"), spring, STATE, start, _draw, [drag(0, 3)], measures)
+    return Live(student.function("state_derivative"), spring, start, _draw, [drag(0, 3)], measures)
 
 
 def _draw(states: Numbers, spring: Parameters) -> list[Shape]:

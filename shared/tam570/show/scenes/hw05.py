@@ -67,7 +67,7 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float]) -> L
         return _draw(moving(np.zeros(2), states[:, :2]), parameters["length"])
 
     handle = Handle(lambda state, **arguments: state[:2], grab)
-    return Live(rates, parameters, STATE, start, drawing, [handle], energies(total, 2))
+    return Live(rates, parameters, start, drawing, [handle], energies(total, 2))
 
 
 def _draw(rod: Array, length: Numbers) -> list[Shape]:

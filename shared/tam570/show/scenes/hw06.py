@@ -82,9 +82,7 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float], road
 
     handles = [Handle(lambda state, **arguments: [state[0], state[1] + lane], move), Handle(nose, turn)]
     measures = {"kinetic": kinetic}
-    return Live(
-        rates, parameters, STATE, start, drawing, handles, measures, conserved=False, rests=True, backdrop=roads
-    )
+    return Live(rates, parameters, start, drawing, handles, measures, conserved=False, rests=True, backdrop=roads)
 
 
 def _car(states: Array, locked: str, y: float, parameters: Parameters) -> list[Shape]:

@@ -78,7 +78,7 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float]) -> L
         return energy(np.array(state[:2]), np.array(state[2:]), **_as_arrays(**parameters))
 
     handles = rod_handles(2, lambda parameters: parameters["lengths"])
-    return Live(rates, parameters, STATE, start, drawing, handles, energies(total, 2))
+    return Live(rates, parameters, start, drawing, handles, energies(total, 2))
 
 
 def _bars(first: Array, second: Array) -> list[Shape]:

@@ -59,7 +59,6 @@ def _live(student: Student, inertia: Array, size: Array, spin: Array) -> Live:
     reach = 1.5 / float(np.linalg.norm(spin))  # m per rad/s
     hand = spin_handle(reach, in_body=True)
     tip = hand.point
-    names = [f"R{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
     start = (*_attitude(spin, inertia).ravel().tolist(), *spin.tolist())
 
     def rates(t: float, state: Numbers, *, inertia: Numbers) -> list[Numbers]:
@@ -80,8 +79,7 @@ def _live(student: Student, inertia: Array, size: Array, spin: Array) -> Live:
         return energy(np.array(state[9:]), inertia=np.array(inertia))
 
     arguments = {"inertia": tuple(inertia.tolist())}
-    state = {**dict.fromkeys(names, "1"), **STATE}
-    return Live(rates, arguments, state, start, drawing, [hand], {"energy": kinetic})
+    return Live(rates, arguments, start, drawing, [hand], {"energy": kinetic})
 
 
 def _attitude(omega: Array, inertia: Array) -> Array:

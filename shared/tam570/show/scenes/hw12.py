@@ -62,7 +62,7 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float], reac
         lambda point, state, **arguments: [point[0], 0.0],
     )
     measures = energies(lambda state, **arguments: energy(*state, **arguments), 1)
-    return Live(rates, parameters, STATE, start, partial(_draw, reach), [handle], measures)
+    return Live(rates, parameters, start, partial(_draw, reach), [handle], measures)
 
 
 def _draw(reach: float, states: Array, parameters: Parameters) -> list[Shape]:

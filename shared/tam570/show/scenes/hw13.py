@@ -71,7 +71,7 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float], fart
         return [(point[0] * np.cos(slope) - point[1] * np.sin(slope)) / radius, state[1]]
 
     measures = energies(lambda state, **arguments: energy(*state, **arguments), 1)
-    return Live(rates, parameters, STATE, start, drawing, [Handle(centre, grab)], measures)
+    return Live(rates, parameters, start, drawing, [Handle(centre, grab)], measures)
 
 
 def _naive(student: Student, times: Array, start: Sequence[float], parameters: Parameters) -> Array:

@@ -87,7 +87,7 @@ def _live(student: Student, disk: Parameters, start: Sequence[float], still: lis
         return [x, y, yaw, np.arctan2(point[2], aside), *state[4:]]
 
     rates, measures = student.function("euler_state_derivative"), energies(student.function("energy"), 5)
-    return Live(rates, disk, STATE, start, drawing, [Handle(top, grab)], measures, backdrop=still)
+    return Live(rates, disk, start, drawing, [Handle(top, grab)], measures, backdrop=still)
 
 
 def _disk(contact: Array, rim: Array, diameters: Array) -> list[Shape]:

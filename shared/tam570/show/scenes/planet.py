@@ -41,7 +41,7 @@ def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Seque
         scene = _one(times, flat, period, int(count), parameters["gm"])
         handle = Handle(lambda state, **parameters: plane @ np.array(state[:3]), grab)
         still = [shape for shape in scene.panels[0].shapes if shape.points.ndim == 2]
-        live = Live(lecture.rates, parameters, lecture.STATE, start, drawing, [handle], measures, backdrop=still)
+        live = Live(lecture.rates, parameters, start, drawing, [handle], measures, backdrop=still)
         return replace(scene, live=live)
 
     return with_slider(scene_with, "impulses", "", IMPULSES, FIRST)

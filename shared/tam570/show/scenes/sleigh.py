@@ -32,7 +32,7 @@ def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Seque
         share = speed / start[3] if start[3] else 1.0
         begin = (*start[:3], speed, share * start[4])
         states = solve(lecture.rates, times, begin, parameters=parameters, rtol=1e-8)
-        live = Live(lecture.rates, parameters, lecture.STATE, begin, drawing, handles, measures)
+        live = Live(lecture.rates, parameters, begin, drawing, handles, measures)
         note = drift_note(values(lecture.energy, states, **parameters), of="the energy")
         return replace(_one(times, states, offset, k, note), live=live)
 

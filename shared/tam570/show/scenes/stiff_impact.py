@@ -47,7 +47,7 @@ def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Seque
             value_plot("push of the floor", times, {"": values(lecture.push, states, **parameters)}, "N"),
         ],
         still_time=0.04,
-        live=Live(lecture.rates, parameters, lecture.STATE, start, _draw, [HANDLE], measures, backdrop=floor),
+        live=Live(lecture.rates, parameters, start, _draw, [HANDLE], measures, backdrop=floor),
     )
 
 

@@ -26,7 +26,7 @@ def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Seque
 
     def make(spin: float) -> Scene:
         begin, measures = (*start[:5], spin), energies(lecture.energy, 3)
-        live = Live(lecture.rates, parameters, lecture.STATE, begin, _draw, [HANDLE], measures)
+        live = Live(lecture.rates, parameters, begin, _draw, [HANDLE], measures)
         return replace(_tops(lecture, parameters, begin, seconds), live=live)
 
     return with_slider(make, "rate of phi", "rad/s", SPINS, start[5])

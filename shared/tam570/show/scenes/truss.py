@@ -28,7 +28,7 @@ def film(lecture: SimpleNamespace, parameters: Parameters, start: Sequence[float
         arguments = {**parameters, "stiffness": value}
         states = solve(lecture.rates, times, start, parameters=arguments, rtol=1e-6)
         measures = energies(lecture.energy, half)
-        live = Live(lecture.rates, arguments, lecture.STATE, start, _draw, handles, measures)
+        live = Live(lecture.rates, arguments, start, _draw, handles, measures)
         return replace(_one(times, states, body, arguments), live=live)
 
     return with_slider(scene_with, "stiffness", "N/m", [share * stiffness for share in SHARES], stiffness)
