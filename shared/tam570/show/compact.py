@@ -49,10 +49,7 @@ def _packed(scene: Scene, frames: Sequence["_Frame"]) -> Json:
     samples = kept_samples(np.concatenate(points.tracks, axis=1)) if points.tracks else np.array([0])
     samples = np.union1d(samples, [0, len(scene.times) - 1])
     return {
-        "title": scene.title,
-        "alt_text": scene.alt_text,
         "view": scene.view,
-        "still_time": scene.still_time,
         "start": _figures(scene.times[0]),
         "step": _figures(scene.times[1] - scene.times[0], 12),
         "keys": _differences(samples),
