@@ -6,7 +6,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.show.scene import GREY, Array, Shape
-from tam570.values import Numbers
 
 TINY = 1e-300  # whose root is small beside every length, and not 0
 
@@ -38,22 +37,22 @@ def coil(start: Array, end: Array, width: float, turns: int = 8) -> Array:
     return path
 
 
-def axes(length: float, *, origin: ArrayLike = (0.0, 0.0, 0.0)) -> list[Shape]:
+def axes(length: float) -> list[Shape]:
     """Return the axes x, y, z of space, from the origin."""
-    start, ends = np.asarray(origin, dtype=float), length * np.eye(3)
-    tails = np.stack([np.broadcast_to(start, (3, 3)), start + ends], axis=1).reshape(6, 3)
-    names = [Shape("text", (start + end)[None], GREY, words=name) for name, end in zip("xyz", ends, strict=True)]
-    return [Shape("arrow", tails, GREY, width=1.2), *names]
+    ends = length * np.eye(3)
+    arrows = np.stack([np.zeros((3, 3)), ends], axis=1).reshape(6, 3)
+    names = [Shape("text", end[None], GREY, words=name) for name, end in zip("xyz", ends, strict=True)]
+    return [Shape("arrow", arrows, GREY, width=1.2), *names]
 
 
-def floor(low: ArrayLike, high: ArrayLike, step: float, **look: Numbers) -> Shape:
+def floor(low: ArrayLike, high: ArrayLike, step: float) -> Shape:
     """Lines of a square grid on z = 0 that covers the rectangle from low to high."""
     first, last = np.floor(np.divide(low, step)), np.ceil(np.divide(high, step))
     (x0, y0), (x1, y1) = first * step, last * step
     xs = np.arange(first[0], last[0] + 1) * step
     ys = np.arange(first[1], last[1] + 1) * step
     lines = [((x, y0, 0.0), (x, y1, 0.0)) for x in xs] + [((x0, y, 0.0), (x1, y, 0.0)) for y in ys]
-    return Shape("lines", np.array(lines).reshape(-1, 3), GREY, width=1, faint=True, **look)
+    return Shape("lines", np.array(lines).reshape(-1, 3), GREY, width=1, faint=True)
 
 
 def box_face(rotations: Array, size: ArrayLike) -> Array:
@@ -78,7 +77,7 @@ def placed(outline: Array, at: Array, heading: Array) -> Array:
     return points
 
 
-def brick(rotations: Array, size: ArrayLike, color: int, name: str = "") -> list[Shape]:
+def brick(rotations: Array, size: ArrayLike, color: int, name: str) -> list[Shape]:
     """Two opposite faces of a box about the origin, one of them filled, and the edges between them."""
     top, bottom = box_face(rotations, size), -box_face(rotations, size)[:, [2, 3, 0, 1]]
     around = np.concatenate([top, top[:, :1], bottom, bottom[:, :1]], axis=1)

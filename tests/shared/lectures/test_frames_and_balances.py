@@ -142,8 +142,8 @@ def test_the_balances_are_the_rates_of_the_momenta():
     assert power == pytest.approx((kinetic[1] - kinetic[0]) / (2 * h) - tensions, abs=1e-6)
 
 
-def cloud(n=6):
-    return DRAW.normal(size=(n, 3)), DRAW.uniform(0.2, 2, n)
+def cloud():
+    return DRAW.normal(size=(6, 3)), DRAW.uniform(0.2, 2, 6)
 
 
 def test_kinetic_energy_and_angular_momentum_of_a_turning_cloud():
