@@ -70,8 +70,8 @@ def _sine_and_cosine(a):
             if k == 0:
                 return start(a.coefficients[0])
             other[0].upto(k - 1)
-            terms = ((j * a.coefficients[j], other[0].coefficients[k - j]) for j in range(1, k + 1))
-            return sign * mpmath.fdot(terms) / k
+            products = ((j * a.coefficients[j], other[0].coefficients[k - j]) for j in range(1, k + 1))
+            return sign * mpmath.fdot(products) / k
 
         return Series(rule)
 

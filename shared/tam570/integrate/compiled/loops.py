@@ -76,8 +76,8 @@ def _loaded(writer: Writer, like: Operand, places: Operand) -> Operand:
             parts.append(_loaded(writer, part, places))
             continue
         number = writer.emit("double", f"load double, ptr {writer.element('%state', next(places))}")
-        tuple_type = isinstance(part, int)
-        parts.append(writer.emit("i64", f"fptosi double {number.text} to i64") if tuple_type else number)
+        is_integer = isinstance(part, int)
+        parts.append(writer.emit("i64", f"fptosi double {number.text} to i64") if is_integer else number)
     return tuple(parts)
 
 
@@ -88,8 +88,8 @@ def _leaves(value: Operand) -> list[Operand]:
 def _call_of_rhs(writer: Operand, t: Operand, state: tuple[Operand, ...], _: Operand) -> tuple[Value, ...]:
     ir_type = f"{{{', '.join(['double'] * len(state))}}}"
     arguments = ", ".join(f"double {writer.text(x, 'double')}" for x in (t, *state))
-    tuple_type = writer.emit(ir_type, f"call {ir_type} @rhs({arguments}, ptr %c)").text
-    return tuple(writer.emit("double", f"extractvalue {ir_type} {tuple_type}, {i}") for i in range(len(state)))
+    rates = writer.emit(ir_type, f"call {ir_type} @rhs({arguments}, ptr %c)").text
+    return tuple(writer.emit("double", f"extractvalue {ir_type} {rates}, {i}") for i in range(len(state)))
 
 
 def _rhs_text(rhs: ast.FunctionDef, size: int, constants: int) -> list[str]:
@@ -97,15 +97,14 @@ def _rhs_text(rhs: ast.FunctionDef, size: int, constants: int) -> list[str]:
     c = tuple(writer.emit("double", f"load double, ptr {writer.element('%c', i)}") for i in range(constants))
     state = tuple(Value("double", f"%s{i}") for i in range(size))
     rates = writer.call(writer.globals["rhs"], [Value("double", "%t"), state, c])
-    ir_type, tuple_type = f"{{{', '.join(['double'] * size)}}}", "poison"
+    ir_type, result = f"{{{', '.join(['double'] * size)}}}", "poison"
     for i, rate in enumerate(rates):
-        tuple_type = writer.emit(
-            ir_type, f"insertvalue {ir_type} {tuple_type}, double {writer.text(rate, 'double')}, {i}"
-        ).text
+        text = writer.text(rate, "double")
+        result = writer.emit(ir_type, f"insertvalue {ir_type} {result}, double {text}, {i}").text
     arguments = ", ".join(f"double %s{i}" for i in range(size))
     return [
         f"define internal {ir_type} @rhs(double %t, {arguments}, ptr %c) {{",
         *writer.lines,
-        f"  ret {ir_type} {tuple_type}",
+        f"  ret {ir_type} {result}",
         "}",
     ]

@@ -77,15 +77,15 @@ class _Making:
     def constant(self, value: float) -> int:
         return -1 - self.constants.setdefault(value, len(self.constants))
 
-    def constant_at(self, index_of: int) -> float:
-        return list(self.constants)[-1 - index_of]
+    def constant_at(self, index: int) -> float:
+        return list(self.constants)[-1 - index]
 
     def add(self, rule: str, *of: int, value: str = "", arguments: tuple[int, ...] = ()) -> int:
-        listed = Recurrence(rule, of, value, arguments)
-        index_of = self.series.setdefault(listed, len(self.series))
-        if index_of == len(self.listed):
-            self.listed.append(listed)
-        return index_of
+        recurrence = Recurrence(rule, of, value, arguments)
+        index = self.series.setdefault(recurrence, len(self.series))
+        if index == len(self.listed):
+            self.listed.append(recurrence)
+        return index
 
     def function(self, name: str, of: tuple[int, ...]) -> int:
         if not of:
@@ -120,9 +120,9 @@ class _Making:
     def quotient(self, a: int, b: int) -> int:
         """Take a factor out of a / b: two bodies that pull at each other share the quotient."""
         if b >= 0:
-            listed = self.listed[a] if a >= 0 else None
-            if listed and listed.rule == "scale":
-                return self.product(self.quotient(listed.of[0], b), listed.of[1])
+            numerator = self.listed[a] if a >= 0 else None
+            if numerator and numerator.rule == "scale":
+                return self.product(self.quotient(numerator.of[0], b), numerator.of[1])
             return self.add("/", a, b)
         if not self.constant_at(b):
             raise NotAnalytic("a division by zero")

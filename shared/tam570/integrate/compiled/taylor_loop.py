@@ -207,7 +207,7 @@ def advance_all(
     Memory behind all z: how many motions were begun, and how many have not ended.
     """
     pace = pace_of(rtol)
-    begun, running = LANES * MEMORY, LANES * MEMORY + 1
+    next_member, running = LANES * MEMORY, LANES * MEMORY + 1
     while z[running] > 0.0 and budget > 0:
         budget -= 1
         coefficients(work, c, time, ORDER)
@@ -219,10 +219,10 @@ def advance_all(
                 if motion[STATUS] != RUNNING:
                     members[who, 0] = motion[STATUS]
                     z[running] -= 1.0
-            if motion[STATUS] != RUNNING and int(z[begun]) < len(members):
-                who = int(z[begun])
+            if motion[STATUS] != RUNNING and int(z[next_member]) < len(members):
+                who = int(z[next_member])
                 begin(motion, work, times, shifted(out, who * len(times) * SIZE), members, who, lane)
-                z[begun] += 1.0
+                z[next_member] += 1.0
             time[lane] = origin + motion[NEW]
 
 

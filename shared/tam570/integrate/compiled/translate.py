@@ -305,20 +305,20 @@ class Translator(Writer):
         return self.element(array.text, index), f"<{self.width} x double>" if is_vector else "double"
 
     def of_BinOp(self, names: Names, node: ast.BinOp) -> Operand:
-        left, right = self.value(names, node.left), self.value(names, node.right)
+        a, b = self.value(names, node.left), self.value(names, node.right)
         if isinstance(node.op, ast.Pow):
-            fold = not isinstance(left, Value) and not isinstance(right, Value)
-            return left**right if fold else self.call("pow", [left, right])
-        return self.arithmetic(node.op, left, right)
+            fold = not isinstance(a, Value) and not isinstance(b, Value)
+            return a**b if fold else self.call("pow", [a, b])
+        return self.arithmetic(node.op, a, b)
 
-    def arithmetic(self, sign: ast.operator, left: Operand, right: Operand) -> Operand:
+    def arithmetic(self, sign: ast.operator, a: Operand, b: Operand) -> Operand:
         name, fold = ARITHMETIC[type(sign)]
-        if not isinstance(left, Value) and not isinstance(right, Value):
-            return fold(left, right)
-        items = _whole(left) and _whole(right) and name != "div"
-        ir_type, instruction = ("i64", name) if items else (_number(left, right), f"f{name}{self.flags}")
-        result = self.emit(ir_type, f"{instruction} {ir_type} {self.text(left, ir_type)}, {self.text(right, ir_type)}")
-        is_lanes = items and any(isinstance(part, Value) and part.ir_type == "lanes" for part in (left, right))
+        if not isinstance(a, Value) and not isinstance(b, Value):
+            return fold(a, b)
+        is_integer = _whole(a) and _whole(b) and name != "div"
+        ir_type, instruction = ("i64", name) if is_integer else (_number(a, b), f"f{name}{self.flags}")
+        result = self.emit(ir_type, f"{instruction} {ir_type} {self.text(a, ir_type)}, {self.text(b, ir_type)}")
+        is_lanes = is_integer and any(isinstance(part, Value) and part.ir_type == "lanes" for part in (a, b))
         return Value("lanes", result.text) if is_lanes else result
 
     def of_UnaryOp(self, names: Names, node: ast.UnaryOp) -> Operand:
@@ -341,16 +341,15 @@ class Translator(Writer):
             result = self.emit("i1", f"and i1 {self.text(result, 'i1')}, {self.text(test, 'i1')}")
         return result
 
-    def compared(self, sign: ast.cmpop, left: Operand, right: Operand) -> Operand:
+    def compared(self, sign: ast.cmpop, a: Operand, b: Operand) -> Operand:
         floats, integers, fold = ORDER[type(sign)]
-        if not isinstance(left, Value) and not isinstance(right, Value):
-            return fold(left, right)
-        if _whole(left) and _whole(right):
-            return self.emit("i1", f"icmp {integers} i64 {self.text(left, 'i64')}, {self.text(right, 'i64')}")
-        ir_type = _number(left, right)
+        if not isinstance(a, Value) and not isinstance(b, Value):
+            return fold(a, b)
+        if _whole(a) and _whole(b):
+            return self.emit("i1", f"icmp {integers} i64 {self.text(a, 'i64')}, {self.text(b, 'i64')}")
+        ir_type = _number(a, b)
         return self.emit(
-            ir_type.replace("double", "i1"),
-            f"fcmp {floats} {ir_type} {self.text(left, ir_type)}, {self.text(right, ir_type)}",
+            ir_type.replace("double", "i1"), f"fcmp {floats} {ir_type} {self.text(a, ir_type)}, {self.text(b, ir_type)}"
         )
 
     def of_BoolOp(self, names: Names, node: ast.BoolOp) -> Operand:
@@ -432,11 +431,11 @@ BRANCHING = ast.If | ast.For | ast.While
 
 def functions_of(source: str) -> dict[str, ast.FunctionDef]:
     """Return the functions that a source defines, those inside of others too, by name."""
-    found: dict[str, ast.FunctionDef] = {}
+    functions: dict[str, ast.FunctionDef] = {}
     bodies: list[Sequence[ast.stmt]] = [ast.parse(source).body]
     for body in bodies:
         for node in body:
             if isinstance(node, ast.FunctionDef):
-                found[node.name] = node
+                functions[node.name] = node
             bodies.append(getattr(node, "body", ()))
-    return found
+    return functions
