@@ -19,7 +19,15 @@ from types import CodeType, ModuleType
 
 import numpy as np
 
-from tam570.checking.transforms import WrongArgument, other_arguments, other_forms, other_products, other_results, parts
+from tam570.checking.transforms import (
+    WrongArgument,
+    other_arguments,
+    other_forms,
+    other_products,
+    other_results,
+    other_words,
+    parts,
+)
 from tam570.values import Function, Numbers
 from tam570_grader.checks.case import Call, Case
 from tam570_grader.checks.effort import Exhausted, compile_counted, count, limited
@@ -79,7 +87,12 @@ def _general(solution: str, calls: Sequence[Call]) -> Cause | None:
     results = other_results(name, wrong[0], vary=len(known_for) >= FEWEST or not wrong[0].case.kwargs)
     if first := next(_explaining(results, its_calls), None):
         return transformed(*first)
-    for family in (other_arguments(name, reference, its_calls[0]), other_products(name, reference, its_calls[0])):
+    families = (
+        other_arguments(name, reference, its_calls[0]),
+        other_products(name, reference, its_calls[0]),
+        other_words(name, reference, its_calls),
+    )
+    for family in families:
         if len(explaining := [*_explaining(family, its_calls)]) == 1:
             return transformed(*explaining[0])
     if one_word := _for_one_word(name, reference, compared):
@@ -139,7 +152,7 @@ def wrong_arguments(solution: str, calls: Sequence[Call]) -> Iterator[Cause]:
         return
     name = compared[0].name
     reference = getattr(solution_with(solution, ""), name)
-    for words, transform in other_arguments(name, reference, compared[0]):
+    for words, transform in (*other_arguments(name, reference, compared[0]), *other_words(name, reference, compared)):
         if isinstance(transform, WrongArgument) and _explains(transform, compared):
             yield Cause(name, words, "transform", _with_variant(solution, name, transform), tuple(calls))
 
@@ -225,7 +238,7 @@ def _mutant(
         return None
     ((words, by_term),) = texts.items()
     if len(factors) == 1 and (factor := factors.pop()):
-        return f"In {name}, the factor {factor}", list(by_term.values())
+        return f"In {name}, {factor}", list(by_term.values())
     (term,) = by_term if len(by_term) == 1 else ("",)
     return f"In {name}, {words.format(f' with {term}' if term else '')}", list(by_term.values())
 
@@ -259,7 +272,7 @@ def _with_mutant(module: ModuleType, helper: str, code: CodeType) -> Iterator[No
 
 @functools.cache
 def _mutants(solution: str) -> list[tuple[str, str, set[str], str, str]]:
-    """Of each mutant that has words: the function, the words, the names in the term, a missing factor, its text."""
+    """Of each mutant that has words: the function, the words, the names in the term, the factor it lacks, its text."""
     parameters, locals_of = _unpacked(solution), _locals(solution)
     return [
         (
@@ -269,7 +282,7 @@ def _mutants(solution: str) -> list[tuple[str, str, set[str], str, str]]:
                 parameters.get(name, name)
                 for name in names_used(mutant.product if isinstance(term, ast.Constant) else term)
             },
-            _missing(term, mutant.product, locals_of[function]) if mutant.operator == "a missing factor" else "",
+            _missing(mutant, term, locals_of[function]) if mutant.operator == "a missing factor" else "",
             mutant.text,
         )
         for function, mutants in mutants_of(solution).items()
@@ -306,11 +319,13 @@ def _locals(solution: str) -> dict[str, dict[str, ast.expr]]:
     return assigned
 
 
-def _missing(factor: ast.expr, product: ast.expr, quantities: Mapping[str, ast.expr]) -> str:
+def _missing(mutant: Mutant, factor: ast.expr, quantities: Mapping[str, ast.expr]) -> str:
     """Return what is missing, and beside which parameters; "" if it has no short name."""
-    words, names = _in_parameters(factor, quantities), names_used(product) - names_used(factor)
-    beside = ", ".join(sorted(name for name in names if ast.unparse(quantities.get(name, product)) == name))
-    return words and f"{words} is missing{beside and f' beside {beside}'}"
+    words, names = _in_parameters(factor, quantities), names_used(mutant.product) - names_used(factor)
+    beside = ", ".join(sorted(name for name in names if ast.unparse(quantities.get(name, mutant.product)) == name))
+    divides = isinstance(mutant.was, ast.BinOp) and isinstance(mutant.was.op, ast.Div)
+    what = "division by" if divides else "factor"
+    return words and f"the {what} {words} is missing{beside and f' beside {beside}'}"
 
 
 def _in_parameters(term: ast.expr, quantities: Mapping[str, ast.expr]) -> str:

@@ -7,7 +7,7 @@ import functools
 import inspect
 import math
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import combinations, permutations, product
@@ -25,6 +25,7 @@ __all__ = [
     "other_forms",
     "other_products",
     "other_results",
+    "other_words",
     "parts",
     "undone",
 ]
@@ -155,6 +156,20 @@ def other_arguments(name: str, reference: Function, example: Compared) -> Iterat
         yield words, WrongArgument(reference, "gravity", lambda value: GRAVITY)
     yield from _other_points(name, reference, values)
     yield from _exchanges(name, reference, values)
+
+
+def other_words(name: str, reference: Function, calls: Iterable[Compared]) -> Iterator[Transform]:
+    """Yield an argument in which two words are exchanged, of those that the calls have there."""
+    values = [_named(reference, call.case) for call in calls]
+    for key in _parameters(reference):
+        told = sorted({value[key] for value in values if isinstance(value.get(key), str)})
+        for first, other in combinations(told, 2):
+            words = f"In {name}, {key} = {first!r} and {key} = {other!r} are exchanged"
+            yield words, WrongArgument(reference, key, partial(_other_word, first, other))
+
+
+def _other_word(first: str, other: str, word: str) -> str:
+    return {first: other, other: first}.get(word, word)
 
 
 def undone(name: str, function: Function, example: Compared, is_quick: bool) -> Iterator[Transform]:

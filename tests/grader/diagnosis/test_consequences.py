@@ -60,6 +60,15 @@ def test_what_follows_from_a_mistake_without_a_name_keeps_its_share_too(checked)
     assert following(actual) == {("lagrange_equation", "lagrangian")}
 
 
+def test_an_exchanged_word_is_one_mistake(checked):
+    swapped = 'locked = {"front": "rear", "rear": "front"}.get(locked, locked)'
+    actual = checked("hw06_braking", ('    if locked not in ("front"', f'    {swapped}\n    if locked not in ("front"'))
+    assert by_name(actual) == ["axle_load_balances_the_weight"]
+    assert {"friction_force", "state_derivative", "kinetic_energy", "simulate"} <= {
+        name for name, _ in following(actual)
+    }
+
+
 @pytest.mark.slow
 def test_one_wrong_argument_in_all_functions_is_told_once(checked):
     moment = "    return _weight_moment(phi, mass, radius, {}offset,"
