@@ -50,12 +50,8 @@ def by_slug(path: Path, tables: Json, slugs: Sequence[str]) -> dict[str, tuple[s
     tables_by_slug: dict[str, tuple[str, Any]] = {}
     for key, table in tables.items():
         if (slug := assignments.slug_of(key, slugs)) is not None:
-            must(
-                path,
-                slug not in tables_by_slug,
-                f"[{tables_by_slug.get(slug, [''])[0]}] and [{key}] are the same assignment: keep one",
-            )
-            tables_by_slug[slug] = key, table
+            first, _ = tables_by_slug.setdefault(slug, (key, table))
+            must(path, first == key, f"[{first}] and [{key}] are the same assignment: keep one")
     return tables_by_slug
 
 

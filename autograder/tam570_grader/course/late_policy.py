@@ -52,11 +52,8 @@ def policies(path: Path, table: Json, slugs: Sequence[str]) -> dict[str, LatePol
     must(path, isinstance(rules, dict), "late must be a table: write [late] above its lines")
     no_other(path, "[late] ", rules, (*RULES, "zone"))
     for name, largest in zip(RULES, (1, 1, 24 * 60), strict=True):
-        must(
-            path,
-            is_number(rules.get(name, 0), largest),
-            f"[late] {name} is {rules.get(name)!r}; write a number from 0 to {largest}",
-        )
+        value = rules.get(name, 0)
+        must(path, is_number(value, largest), f"[late] {name} is {value!r}; write a number from 0 to {largest}")
     off, most, grace = rules.get("off_a_day", 0.0), rules.get("most_off", 1.0), timedelta(minutes=rules.get("grace", 0))
     tables = by_slug(path, table, slugs)
     terms_of = {slug: _of_assignment(path, *tables[slug]) if slug in tables else (None, {}) for slug in slugs}

@@ -148,7 +148,7 @@ def _taken(handed: Handed, students: Students, slug: str, slugs: Sequence[str], 
         target, reason = "", handed.file.refused
     elif not (ending := form(title)):
         target, reason = ("", NOT_WORK) if why or not is_beside(title) else (_plain(title), "")
-    elif GIVEN.fullmatch(title.split(".")[0]):
+    elif GIVEN.fullmatch(Path(title.removesuffix(".txt")).stem):
         target, reason = "", RELEASED
     elif not (other or slug_given):
         target, reason = "", NAMELESS
