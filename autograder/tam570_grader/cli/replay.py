@@ -100,10 +100,8 @@ def _again(arguments: argparse.Namespace, slug: str, why: Failure) -> str:
 
 def _result(function: SandboxFunction, at: Json) -> str:
     """Return what a function gives: numbers, the values of a formula, or the curves of a drawing."""
-    args, kwargs = (
-        [_numbers(value) for value in at["args"]],
-        {name: _numbers(value) for name, value in at["kwargs"].items()},
-    )
+    args = [_numbers(value) for value in at["args"]]
+    kwargs = {name: _numbers(value) for name, value in at["kwargs"].items()}
     if isinstance(function.returns, Formula):
         return _digits(function.at(args[0] if args else [kwargs]))
     if isinstance(function.returns, Drawing):

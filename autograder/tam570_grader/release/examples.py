@@ -87,10 +87,8 @@ def _candidates(assignment: LoadedAssignment) -> list[Example]:
             count[label] = count.get(label, 0) + 1
             if count[label] > MOST_OF_A_LABEL or _size(case.args, case.kwargs.values()) > MOST_NUMBERS:
                 continue
-            args, kwargs = (
-                [plain(value) for value in case.args],
-                {name: plain(value) for name, value in case.kwargs.items()},
-            )
+            args = [plain(value) for value in case.args]
+            kwargs = {name: plain(value) for name, value in case.kwargs.items()}
             examples[key] = {"function": key[0], "label": case.label, "args": args, "kwargs": kwargs, "compare": []}
         compare = {name: plain(_rounded(value)) for name, value in collected["compare"].items()}
         if compare not in examples[key]["compare"]:
