@@ -41,11 +41,11 @@ def main():
     options = parser.parse_args()
     lines = [
         "error / rtol / sensitivity: {command}, {machine}, {date}".format(**record.facts()),
-        f"{'':24}" + "".join(f"{f'{r:g}':>16}" for r in TOLERANCES),
+        f"{'':24}" + "".join(f"{f'{r:g}':>18}" for r in TOLERANCES),
     ]
     for name, (rhs, start, end) in scenes.OTHERS.items():
         both = [errors(rhs, start, end, method) for method in ("compiled", "python")]
-        lines.append(f"{name:24}" + "".join(f"{f'{a:.2g} / {b:.2g}':>16}" for a, b in zip(*both, strict=True)))
+        lines.append(f"{name:24}" + "".join(f"{f'{a:.2g} / {b:.2g}':>18}" for a, b in zip(*both, strict=True)))
         print(lines[-1], flush=True)
     if options.write:
         (record.RESULTS / "error_against_tolerance.txt").write_text("\n".join(lines) + "\n")
