@@ -264,9 +264,7 @@ def _general(body: FreeBody, missing: Sequence[Force], extra: Sequence[Arrow], n
 def _instead(force: Force, arrow: Arrow, near: float) -> str:
     """Return what is wrong with an arrow, if it is meant to be a force that is missing."""
     if not _at(force, arrow, near):
-        return (
-            f"You drew {force.name} at the wrong point; it acts at {force.where}." if _same_line(force, arrow) else ""
-        )
+        return _elsewhere(force) if _same_line(force, arrow) else ""
     if force.along is None:
         return f"You drew a part of {force.name}; no component of it is known. Write None for its direction."
     if arrow.direction is None:

@@ -1,6 +1,7 @@
 """Free body diagrams: every right way to draw one passes, and what is wrong with another is named."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -99,22 +100,15 @@ def test_what_is_no_diagram_fails_with_a_message(drawn):
     assert failed.value.failure.message
 
 
-class Drawn:
+def student(drawn):
     """A student's function that draws one diagram."""
-
-    name = "free_body_diagram"
-
-    def __init__(self, drawn):
-        self.drawn = drawn
-
-    def many(self, calls):
-        return [arrows(self.drawn) for _ in calls]
+    return SimpleNamespace(name="free_body_diagram", many=lambda calls: [arrows(drawn) for _ in calls])
 
 
 @pytest.mark.parametrize("far", [0.5, 1e6, 1e308])
 def test_a_failure_has_a_picture_of_what_was_drawn_and_of_nothing_else(far):
     with pytest.raises(Failed) as failed:
-        compare_diagrams(Drawn([(G, DOWN), ((far, -far), (3, 3.1)), (C, None)]), lambda: CYLINDER, [Case()])
+        compare_diagrams(student([(G, DOWN), ((far, -far), (3, 3.1)), (C, None)]), lambda: CYLINDER, [Case()])
     drawn = numbers(failed.value.failure.sketch)
     assert failure({"sketch": drawn}).sketch == drawn
     assert {arrow[2] for arrow in drawn["arrows"]} == {-70, 50, None}  # to ten degrees, from which it is 46
@@ -127,7 +121,7 @@ def test_a_picture_tells_at_most_80_bits():
     rng = np.random.default_rng(4)
     drawn = [(tuple(rng.normal(size=2)), tuple(rng.normal(size=2))) for _ in range(8)]
     with pytest.raises(Failed) as failed:
-        compare_diagrams(Drawn(drawn), lambda: CYLINDER, [Case()])
+        compare_diagrams(student(drawn), lambda: CYLINDER, [Case()])
     shown = failed.value.failure.sketch["arrows"]
     assert len(shown) == 5 and shown == sorted(shown, key=str)  # their order tells nothing
     places, angles = 21**2, 360 // 10 + 1 + 1  # -180 and 180 are two, and one is unknown

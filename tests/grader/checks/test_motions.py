@@ -1,6 +1,7 @@
 """A chaotic motion with small errors has followed its equations; one that leaves them in a single row has not."""
 
 from functools import partial
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -85,19 +86,10 @@ def swings(t, start, tolerance=1e-10, damping=0.0):
     return solve_ivp(rate, (t[0], t[-1]), start, "RK45", t, rtol=tolerance, atol=tolerance).y.T
 
 
-class Asked:
-    """A student's function that is asked aside, which may be another than the rows are of."""
-
-    def __init__(self, simulate):
-        self.simulate = simulate
-
-    def aside(self, case):
-        return self.simulate(*case.args)
-
-
-def reported(simulate, t=T, start=RESTED, reference=swings, rows=None, near_miss=0.0):
-    actual = simulate(t, start) if rows is None else rows
-    item = Motion(Case(t, start), actual, reference(t, start), np.ones(actual.shape[1]), Asked(simulate), reference)
+def reported(simulate, t=T, near_miss=0.0):
+    actual = simulate(t, RESTED)
+    asked = SimpleNamespace(aside=lambda case: simulate(*case.args))  # it may be another than the rows are of
+    item = Motion(Case(t, RESTED), actual, swings(t, RESTED), np.ones(2), asked, swings)
     return diagnosed(item, [item], [], near_miss)
 
 

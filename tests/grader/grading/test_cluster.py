@@ -70,9 +70,9 @@ class Net:
         self.folder, self._file = folder, folder / "scheduler.json"
         self._options = ["--certificates", keys]
 
-    def scheduler(self, port=0):
+    def scheduler(self):
         self._file.unlink(missing_ok=True)
-        address = ["--host", "127.0.0.1", "--port", port, "--protocol", "tls", "--no-dashboard"]
+        address = ["--host", "127.0.0.1", "--port", 0, "--protocol", "tls", "--no-dashboard"]
         return started("dask", "scheduler", *address, "--scheduler-file", self._file, *self._tls)
 
     @property
