@@ -20,7 +20,7 @@ from tqdm import tqdm
 
 from tam570_grader.nbgrader.course import run as make_course
 
-OWN = ("Execute", "IgnorePattern", "LimitOutput", "SaveAutoGrades", "AssignLatePenalties", "CheckCellMetadata")
+STEPS = ("Execute", "IgnorePattern", "LimitOutput", "SaveAutoGrades", "AssignLatePenalties", "CheckCellMetadata")
 HANGS = """
 
 def _for_ever(*args, **kwargs):
@@ -34,7 +34,7 @@ WAYS = {  # and what the course's nbgrader_config.py says more
     "our preprocessors": "",
     "our preprocessors, 2 s a call": "c.SandboxGrades.call = 2",
     "nbgrader's own, the same notebooks": "c.Autograde.autograde_preprocessors = "
-    f"{[f'nbgrader.preprocessors.{name}' for name in OWN]}",
+    f"{[f'nbgrader.preprocessors.{name}' for name in STEPS]}",
 }
 OURS, TIGHTER, PEER = WAYS
 RUNS = [(slug, way, False) for slug in ("hw08_axis_angle", "hw07_double_pendulum") for way in (OURS, PEER)]

@@ -50,8 +50,8 @@ def by_matplotlib(folder):
     writer = HTMLWriter(fps=30, embed_frames=True)
     writer._bytes_limit = 1e9
     save_frames(scene, where, writer, every=2)
-    taken = time.perf_counter() - started
-    return {"scene": f"{PENDULUM}, matplotlib HTMLWriter", "seconds": taken, "bytes": where.stat().st_size}
+    duration = time.perf_counter() - started
+    return {"scene": f"{PENDULUM}, matplotlib HTMLWriter", "seconds": duration, "bytes": where.stat().st_size}
 
 
 def main():

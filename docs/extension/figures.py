@@ -37,12 +37,9 @@ def _draw():
         text = make(_results(name))
         (INTO / f"{name}.md").write_text(f"{text}\n\n{_origin(name)}\n", encoding="utf-8")
     for name in PICTURES:
-        if not (INTO / f"{name}.webp").exists() or _newer(RESULTS / f"{name}.json", INTO / f"{name}.webp"):
+        picture, results = INTO / f"{name}.webp", RESULTS / f"{name}.json"
+        if not picture.exists() or results.stat().st_mtime > picture.stat().st_mtime:
             _picture(name)
-
-
-def _newer(file, other):
-    return file.stat().st_mtime > other.stat().st_mtime
 
 
 def _results(name):

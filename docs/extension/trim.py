@@ -51,8 +51,8 @@ def trimmed(sheet, words):
 
 def _kept(rule, words):
     if rule.type == "at-rule" and rule.lower_at_keyword in ("media", "supports") and rule.content is not None:
-        inside = "".join(_kept(rule, words) for rule in tinycss2.parse_rule_list(rule.content, True, True))
-        return f"@{rule.at_keyword}{tinycss2.serialize(rule.prelude)}{{{inside}}}" if inside else ""
+        body = "".join(_kept(rule, words) for rule in tinycss2.parse_rule_list(rule.content, True, True))
+        return f"@{rule.at_keyword}{tinycss2.serialize(rule.prelude)}{{{body}}}" if body else ""
     if rule.type == "at-rule" and rule.lower_at_keyword == "font-face":
         return ""
     if rule.type != "qualified-rule":

@@ -43,13 +43,13 @@ class Student:
 
     def make_each(self, *makers: Callable[[], Made]) -> list[Made]:
         """Return what can be made of what a scene shows beside the motion; the notes tell why the rest cannot."""
-        shapes = []
+        results = []
         for maker in makers:
             try:
-                shapes.append(maker())
+                results.append(maker())
             except Trouble as trouble:
                 self.notes.append(str(trouble))
-        return shapes
+        return results
 
     def function(self, name: str) -> Function:
         """Return the student's function itself. Trouble if there is none."""

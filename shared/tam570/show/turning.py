@@ -42,8 +42,8 @@ def live_body(
     in_body : whether omega has components in the body, or in space
     """
     size = box_size(np.array(parameters["inertia"]))
-    hand = spin_handle(_reach(size, start[9:]), in_body)
-    tip = hand.point
+    handle = spin_handle(_reach(size, start[9:]), in_body)
+    tip = handle.point
 
     def drawing(states: Array, parameters: Parameters) -> list[Shape]:
         return [
@@ -52,7 +52,7 @@ def live_body(
             Shape("arrow", moving(np.zeros(3), tip(states[0])[None]), 1, "angular velocity", width=2.5),
         ]
 
-    return Live(rates, parameters, start, drawing, [hand], energies(energy))
+    return Live(rates, parameters, start, drawing, [handle], energies(energy))
 
 
 def spin_handle(reach: float, in_body: bool) -> Handle:

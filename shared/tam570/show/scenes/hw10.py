@@ -57,8 +57,8 @@ def _live(student: Student, inertia: Array, size: Array, spin: Array) -> Live:
     """Return the state is R, row by row, and omega in the body; a hand takes the tip of omega."""
     euler, attitude, energy = (student.function(name) for name in ("euler_equations", "attitude_rate", "energy"))
     reach = 1.5 / float(np.linalg.norm(spin))  # m per rad/s
-    hand = spin_handle(reach, in_body=True)
-    tip = hand.point
+    handle = spin_handle(reach, in_body=True)
+    tip = handle.point
     start = (*_attitude(spin, inertia).ravel().tolist(), *spin.tolist())
 
     def rates(t: float, state: Numbers, *, inertia: Numbers) -> list[Numbers]:
@@ -79,7 +79,7 @@ def _live(student: Student, inertia: Array, size: Array, spin: Array) -> Live:
         return energy(np.array(state[9:]), inertia=np.array(inertia))
 
     arguments = {"inertia": tuple(inertia.tolist())}
-    return Live(rates, arguments, start, drawing, [hand], {"energy": kinetic})
+    return Live(rates, arguments, start, drawing, [handle], {"energy": kinetic})
 
 
 def _attitude(omega: Array, inertia: Array) -> Array:
