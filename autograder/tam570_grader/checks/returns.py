@@ -16,7 +16,7 @@ from typing import Self
 
 import numpy as np
 
-from tam570.checking.forms import Form, WrongForm, conform, fits, is_sequence
+from tam570.forms import Form, WrongForm, conform, fits, is_sequence
 from tam570.values import Numbers
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed

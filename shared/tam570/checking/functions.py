@@ -10,9 +10,9 @@ from types import ModuleType
 
 from tam570.bans import HERE, Change, Forbidden, Unusable, refused
 from tam570.checking.deadline import CALL, TooLong, limited
-from tam570.checking.forms import Form, WrongForm, conform
 from tam570.checking.mistakes import Arguments, Mistake, ObservedCall, tightened
 from tam570.checking.trail import Trail
+from tam570.forms import Form, WrongForm, conform
 from tam570.loading import replaced, said
 from tam570.values import Function, Numbers
 

@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tam570.checking.forms import Form
 from tam570.checking.transforms import undone
+from tam570.forms import Form
 from tam570.values import Function, Json, Numbers, Parameters
 
 __all__ = ["ObservedCall", "Mistake", "candidates", "tightened"]

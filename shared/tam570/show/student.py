@@ -10,7 +10,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from tam570.checking.forms import Form, WrongForm, conform
+from tam570.forms import Form, WrongForm, conform
 from tam570.loading import Trouble, said
 from tam570.loading import loaded as load_file
 from tam570.values import Function, Numbers

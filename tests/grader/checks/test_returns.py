@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import sympy
 
-from tam570.checking.forms import WrongForm, conform
+from tam570.forms import WrongForm, conform
 from tam570.formulas import REMEDIES
 from tam570_grader.checks import assignments
 from tam570_grader.checks.case import Case

@@ -1,4 +1,4 @@
-"""Whether a result has the form that the assignment asks for: `check` and the grader judge it here, in the same words.
+"""Whether a result has the form that the assignment asks for: judged here by `check`, `show` and the grader alike.
 
 A form is plain data, as `contract.json` has it: {"array": [3, 3]}, {"array": ["n", 2]} with a row for each element of
 the first argument, {"array": [null], "infinite": true} of any length but zero, {"group": [...]} of arrays,
