@@ -114,7 +114,7 @@ def outcomes(
         users.update(imported(text))
         held += len(text)
         fresh.append((submission, task if held < HELD else None))
-    # a worker's import of a package pays off from the second submission that uses it
+    # a zygote's import of a package pays off from the second submission that uses it
     preload = [name for name, count in users.items() if count > 1]
     tasks = (task or _task(config, code, submission) for submission, task in fresh)
     slugs = sorted({submission.slug for submission, _ in fresh if submission.path})

@@ -57,7 +57,7 @@ def prepare(course: Path, slugs: Collection[str], conditions: WorkerConfig) -> N
 
 
 def _sandbox(course: Path, slug: str, conditions: WorkerConfig) -> tuple[list[str], ResourceLimits, list[Path]]:
-    """Return what its worker imports, the limits, and what it must not see."""
+    """Return what its zygote imports, the limits, and what it must not see."""
     needs, forbidden = assignments.sandbox_imports(course, slug)
     preload = sorted({*needs, *conditions.preload}.difference(forbidden))
     return preload, conditions.limits, [*dict.fromkeys([course, *conditions.hidden])]

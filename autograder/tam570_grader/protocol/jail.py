@@ -1,7 +1,7 @@
 """The jail of one submission: namespaces of its own, limits, another user, no capabilities.
 
-    guard    forks one prisoner after another, each into namespaces of its own, and holds the leash
-    prisoner confines itself, then serves calls to the student's functions; process 1 of its namespace
+    monitor          forks one sandbox process after another, each into namespaces of its own, and holds the leash
+    sandbox process  confines itself, then serves calls to the student's functions; process 1 of its namespace
 
 Where namespaces are not to be had, the limits and the process group remain.
 """
@@ -30,12 +30,12 @@ PRIVATE, BIND, REMOUNT, NO_PROGRAMS, NO_DEVICES, NO_SUID, READ_ONLY = 0x44000, 0
 DIE_WITH_PARENT, DUMPABLE, SUBREAPER, NO_NEW_PRIVILEGES = 1, 4, 36, 38  # prctl options
 CAPABILITY_VERSION = 0x20080522
 MOST_FILES = 2**16  # that the supervisor may have open; the limit itself is endless on some systems
-SCRATCH = "/scratch"  # the prisoner's own folder; not /tmp, where Python and its packages may be
-CHANNEL = 3  # the prisoner's only file besides /dev/null
+SCRATCH = "/scratch"  # the sandbox process's own folder; not /tmp, where Python and its packages may be
+CHANNEL = 3  # its only file besides /dev/null
 
 
-ORDERS = b"cek"  # that a guard gets about its prisoner
-POLL = 0.02  # s between looks at a prisoner that may have ended
+ORDERS = b"cek"  # that a monitor gets about its process
+POLL = 0.02  # s between looks at a process that may have ended
 MOMENT = 0.5  # s, in which one that was killed has ended: its memory is given back before its channel is closed
 BY_TICKS, EXACT = 0, 2  # clocks of a process
 
@@ -45,7 +45,7 @@ class Limits:
     """What one submission may use."""
 
     cpu: int  # s
-    memory: int  # bytes, with what the worker itself has
+    memory: int  # bytes, with what the zygote itself has
     file_size: int  # bytes, of a file and of all files together
     processes: int
     namespaces: bool
@@ -59,7 +59,7 @@ class Limits:
 
 
 def secede(limits: Limits) -> None:
-    """Leave the worker's namespaces; without root, as root of a user namespace of our own. No process is seen there."""
+    """Leave the zygote's namespaces; without root, as root of a user namespace of our own. No process is seen there."""
     flags = NEW_MOUNTS | NEW_IPC
     if limits.user is not None:
         _must(LIBC.unshare(flags), "unshare")
@@ -93,9 +93,9 @@ def fork(limits: Limits) -> int:
 
 
 def confine(limits: Limits, channel: int, folder: str) -> None:
-    """Make this process the prisoner: its own file system, one channel, limits, no privilege."""
+    """Make this the sandbox process: its own file system, one channel, limits, no privilege."""
     _only(channel)
-    os.setsid()  # a signal to one's own process group would reach the worker
+    os.setsid()  # a signal to one's own process group would reach the zygote
     if limits.namespaces:
         _own_files(limits)
     else:
@@ -120,12 +120,12 @@ def hidden_from_debuggers() -> None:
 
 
 def watch(child: int, leash: socket.socket, lifeline: int, limits: Limits) -> None:
-    """Until the prisoner ends: answer b"c" with its CPU seconds; kill it on b"k" or when the leash is dropped.
+    """Until the sandbox process ends: answer b"c" with its CPU seconds; kill it on b"k" or when the leash is dropped.
 
     On b"e" it is killed where it does not end by itself in a moment: it has closed its channel, and may have died.
-    It is killed too when the lifeline, a pipe that the worker holds the other end of, says that the worker has died.
+    It is killed too when the lifeline, a pipe that the zygote holds the other end of, says that the zygote has died.
 
-    The last message on the leash is "cpu stranger": the CPU seconds used, and 1 if it was killed with its worker, or
+    The last message on the leash is "cpu stranger": the CPU seconds used, and 1 if it was killed with its zygote, or
     neither by us nor by its own limit. The kernel keeps that limit by ticks: who sleeps between them is charged whole
     ones for a little of each.
     """
@@ -161,7 +161,7 @@ def _kill(child: int, group: bool) -> None:
 
 
 def _reap(group: bool) -> None:
-    """Kill what the prisoner left behind; in a process namespace the kernel has done so."""
+    """Kill what the sandbox process left behind; in a process namespace the kernel has done so."""
     while group:
         try:
             children = Path(f"/proc/self/task/{os.getpid()}/children").read_text().split()

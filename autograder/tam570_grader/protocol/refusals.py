@@ -60,7 +60,7 @@ X86_64 = Calls(
         **{"add_key": 248, "request_key": 249, "keyctl": 250, "syslog": 103},
         # memory that no limit counts
         **{"shmget": 29, "shmat": 30, "semget": 64, "msgget": 68, "mq_open": 240, "memfd_create": 319, "io_setup": 206},
-        # the ports of a worker's network are remembered
+        # the ports of a zygote's network are remembered
         "socket": 41,
         # a note on a file that all may read: a lock, a watch of who opens it
         **{"flock": 73, "inotify_init": 253, "inotify_init1": 294, "inotify_add_watch": 254, "fanotify_init": 300},
@@ -150,7 +150,7 @@ def refuse_calls(*, signals: bool = False, forks: bool = False) -> None:
 
 @cache
 def program(*, signals: bool, forks: bool) -> bytes:
-    """Return the filter as the kernel reads it, or nothing; a worker has it made before it forks for a submission."""
+    """Return the filter as the kernel reads it, or nothing; a zygote has it made before it forks for a submission."""
     if sys.platform != "linux" or sys.maxsize < 2**32 or platform.machine() not in CALLS:  # 32 bits: others
         return b""
     calls = CALLS[platform.machine()]

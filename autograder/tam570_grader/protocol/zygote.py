@@ -1,6 +1,6 @@
-"""The warm worker: imports once what the assignments need, then forks guards, which fork a prisoner a submission.
+"""The zygote imports once what the assignments need, then forks monitors, which fork a process for each submission.
 
-They are told of a submission only by a socket, the channel to its prisoner; the submission itself goes through that,
+They are told of a submission only by a socket, the channel to its process; the submission itself goes through that,
 so that no later fork can find an earlier student's work in memory.
 """
 
@@ -54,7 +54,7 @@ def main() -> None:
     settings["limits"]["memory"] += jail.address_space()
     program(**jail.Limits(cpu=0, user=None, **settings["limits"]).refusals)
     jail.hidden_from_debuggers()
-    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # guards are reaped by the kernel
+    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # monitors are reaped by the kernel
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the supervisor decides what an interrupt ends
     gc.freeze()
     gc.enable()
@@ -90,7 +90,7 @@ def _compile_step(size: int) -> None:
 
 
 def _watch_all(leash: socket.socket, lifeline: int, settings: Json) -> None:
-    """Fork a prisoner at each order on the leash, and watch it to its end; never returns."""
+    """Fork a sandbox process at each order on the leash, and watch it to its end; never return."""
     signal.signal(signal.SIGCHLD, signal.SIG_DFL)
     has_seceded = not settings["namespaces"]
     try:
@@ -98,7 +98,7 @@ def _watch_all(leash: socket.socket, lifeline: int, settings: Json) -> None:
             order, channels, _, _ = socket.recv_fds(leash, LONGEST_ORDER, 1)
             if not order:
                 break
-            if not channels:  # it is about a prisoner that has ended
+            if not channels:  # it is about a process that has ended
                 continue
             of_submission = json.loads(order.lstrip(jail.ORDERS))
             for size in of_submission.pop("states"):
@@ -115,7 +115,7 @@ def _watch_all(leash: socket.socket, lifeline: int, settings: Json) -> None:
 
 
 def _watch(channel: int, leash: socket.socket, lifeline: int, limits: jail.Limits) -> None:
-    """Fork a prisoner and watch it to its end."""
+    """Fork a sandbox process and watch it to its end."""
     folder = jail.SCRATCH if limits.namespaces else tempfile.mkdtemp(prefix="tam570-")
     try:
         if not limits.namespaces and limits.user is not None:
@@ -130,7 +130,7 @@ def _watch(channel: int, leash: socket.socket, lifeline: int, limits: jail.Limit
 
 
 def _serve(channel: int, limits: jail.Limits, folder: str) -> None:
-    """Be the prisoner: load the submission, then answer calls; never returns."""
+    """Be the sandbox process: load the submission, then answer calls; never returns."""
     try:
         _confined(limits, channel, folder)
         seed_generators()

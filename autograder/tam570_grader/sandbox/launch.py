@@ -1,4 +1,4 @@
-"""How a worker is started: in bubblewrap, seeing Python and the course's utilities alone, or as a plain process."""
+"""How a zygote is started: in bubblewrap, seeing Python and the course's utilities alone, or as a plain process."""
 
 import compileall
 import contextlib
@@ -134,7 +134,7 @@ def write_bytecode() -> None:
 
 
 def environment() -> dict[str, str]:
-    """Return the worker's environment; what it writes while it starts goes to a folder that no submission sees."""
+    """Return the zygote's environment; what it writes while it starts goes to a folder that no submission sees."""
     folder = SCRATCH if isolation() == "bubblewrap" else tempfile.gettempdir()
     return {**VARIABLES, "HOME": folder, "TMPDIR": folder, "MPLCONFIGDIR": f"{folder}/matplotlib"}
 

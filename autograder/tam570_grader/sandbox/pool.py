@@ -1,4 +1,4 @@
-"""The warm workers of this process, one for each thread and kind of submission; one that dies is replaced."""
+"""The zygotes of this process, one for each thread and kind of submission; one that dies is replaced."""
 
 import threading
 from collections.abc import Callable, Iterator, Sequence
@@ -9,8 +9,8 @@ from typing import Any, TypeVar
 
 from tam570_grader.sandbox.zygote import ResourceLimits, Zygote, ZygoteLost
 
-TRIES = 3  # workers, or supervisors, that a submission may see die under it before we give up
-MOST = 12  # workers of a thread that are kept
+TRIES = 3  # zygotes, or supervisors, that a submission may see die under it before we give up
+MOST = 12  # zygotes of a thread that are kept
 T = TypeVar("T")
 _warm: dict[tuple[Any, ...], Zygote] = {}
 
@@ -19,7 +19,7 @@ _warm: dict[tuple[Any, ...], Zygote] = {}
 class Attempt:
     """One try of a submission.
 
-    forgiving : another one follows: WorkerLost where the submission is killed from outside, as for want of memory
+    forgiving : another one follows: ZygoteLost where the submission is killed from outside, as for want of memory
     is_retry     : one went before: the submission may know hidden inputs, and what it says at import is not quoted
     """
 
@@ -34,7 +34,7 @@ ATTEMPTS = tuple(Attempt(forgiving=number < TRIES, is_retry=number > 1) for numb
 def tried(
     work: Callable[[Zygote, Attempt], T], preload: Sequence[str], limits: ResourceLimits, hidden: Sequence[Path] = ()
 ) -> T:
-    """work(worker, attempt) on a warm worker, on another where that one is lost; WorkerLost from the last attempt."""
+    """work(zygote, attempt) on a warm zygote, on another where that one is lost; ZygoteLost from the last attempt."""
     for attempt in ATTEMPTS:
         key = start(preload, limits, hidden)
         try:
@@ -47,7 +47,7 @@ def tried(
 
 
 def start(preload: Sequence[str], limits: ResourceLimits, hidden: Sequence[Path] = ()) -> tuple[Any, ...]:
-    """Start a worker where none is warm, without waiting for it; the key of the warm one."""
+    """Start a zygote where none is warm, without waiting for it; the key of the warm one."""
     key = (threading.get_ident(), *preload, limits, *hidden)
     if key not in _warm:
         _make_room(key[0])
@@ -63,7 +63,7 @@ def _make_room(thread: Any) -> None:
 
 @contextmanager
 def sandboxes() -> Iterator[None]:
-    """End the workers of this process."""
+    """End the zygotes of this process."""
     try:
         yield
     finally:

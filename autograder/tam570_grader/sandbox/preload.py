@@ -1,4 +1,4 @@
-"""The libraries that submissions import by themselves, which a worker may import for all of them."""
+"""The libraries that submissions import by themselves, which a zygote may import for all of them."""
 
 import re
 

@@ -23,7 +23,7 @@ T = TypeVar("T")
 
 
 class ProcessLost(Exception):
-    """The prisoner ended in the middle of a call, or sent what is no reply."""
+    """The process ended in the middle of a call, or sent what is no reply."""
 
 
 class ProcessTimeout(Exception):
@@ -31,13 +31,13 @@ class ProcessTimeout(Exception):
 
 
 class SandboxProcess:
-    """One submission's prisoner: requests in, replies out, each with a limit."""
+    """One submission's process: requests in, replies out, each with a limit."""
 
     def __init__(self, channel: socket.socket, leash: socket.socket, call_limit: float) -> None:
         self._channel, self.leash, self.limit = channel, leash, call_limit
-        self._ended = False  # the prisoner has closed its end
+        self._ended = False  # the process has closed its end
         self._channel.setblocking(False)
-        self.leash.settimeout(60)  # s; the guard answers within a few hundredths where the machine is not busy
+        self.leash.settimeout(60)  # s; the monitor answers within a few hundredths where the machine is not busy
         self._received = bytearray()
         self._budget, self._room = ItemBudget(), LARGEST_REPLY  # for the replies to the request before us
         self._waited = 0.0  # s, in earlier calls: no less than the CPU time they took
@@ -47,12 +47,12 @@ class SandboxProcess:
         # when we last asked for the CPU time to see whether it grows, and what it was
         self._looked_at = (0.0, 0.0)
         self._stood_still = 0.0  # s, in which this process was not run: suspended, or the whole machine was
-        self.monitored = True  # until the guard does not answer
-        self.killed_from_outside = False  # at the end, by its guard's word
-        self._last_words: list[str] = []  # of the guard, once the prisoner has ended
+        self.monitored = True  # until the monitor does not answer
+        self.killed_from_outside = False  # at the end, by its monitor's word
+        self._last_words: list[str] = []  # of the monitor, once the process has ended
 
     def send(self, request: Any) -> None:
-        """Send a request, of bytes or to be packed, or raise CellLost or CellTimeout."""
+        """Send a request, of bytes or to be packed, or raise ProcessLost or ProcessTimeout."""
         data = request if isinstance(request, bytes) else packed(request)
         self._budget, self._room = ItemBudget(), LARGEST_REPLY
         unsent = memoryview(LENGTH.pack(len(data)) + data)
@@ -70,7 +70,7 @@ class SandboxProcess:
         self._waited += time.monotonic() - sent_at
 
     def receive(self, form: Callable[[Any], T]) -> T:
-        """Return the next reply in its form, or raise CellLost or CellTimeout.
+        """Return the next reply in its form, or raise ProcessLost or ProcessTimeout.
 
         What it costs us to read it is counted as the submission's own time: a class waits for no forged reply.
         """
@@ -107,9 +107,9 @@ class SandboxProcess:
         return data
 
     def seconds(self) -> float:
-        """Return the CPU seconds that the prisoner has used so far, by the kernel's clock.
+        """Return the CPU seconds that the process has used so far, by the kernel's clock.
 
-        CellLost if its guard has gone.
+        ProcessLost if its monitor has gone.
         """
         try:
             self._order(b"c")
@@ -118,7 +118,7 @@ class SandboxProcess:
             raise ProcessLost from None
 
     def end(self) -> float:
-        """Kill the prisoner; the CPU seconds it has used. A guard that does not answer has died with its worker."""
+        """Kill the process; the CPU seconds it has used. A monitor that does not answer has died with its zygote."""
         try:
             self._order(b"e" if self._ended else b"k")
             self._hear_last_words()
@@ -130,12 +130,12 @@ class SandboxProcess:
         return self._cpu
 
     def drop(self) -> None:
-        """Let the guard kill the prisoner, without waiting for it."""
+        """Let the monitor kill the process, without waiting for it."""
         self._order(b"k")
         self._channel.close()
 
     def has_ended(self) -> bool:
-        """Whether it was dropped, and its guard has seen it end; OSError if the guard has gone."""
+        """Whether it was dropped, and its monitor has seen it end; OSError if the monitor has gone."""
         if self._channel.fileno() >= 0:
             return False
         if self.monitored and not self._last_words:
@@ -209,17 +209,17 @@ class SandboxProcess:
         return idle or cpu - self._waited >= self.limit or now - started > PATIENCE * self.limit
 
     def _order(self, order: bytes) -> None:
-        """Send the guard an order. It may have gone with its prisoner, and its last words are still to be read."""
+        """Send the monitor an order. It may have gone with its process, and its last words are still to be read."""
         with suppress(ConnectionError):
             self.leash.sendall(order)
 
     def _heard(self) -> list[str]:
-        """Return what the guard says next; after its last words, these."""
+        """Return what the monitor says next; after its last words, these."""
         line = b""
         while not self._last_words and not line.endswith(b"\n"):
             chunk = self.leash.recv(1)
             if not chunk:
-                raise OSError("the guard has gone")
+                raise OSError("the monitor has gone")
             line += chunk
         words = line.decode().split()
         self._last_words = self._last_words or (words if len(words) > 1 else [])

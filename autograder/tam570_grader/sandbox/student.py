@@ -47,7 +47,7 @@ class Student:
         self._broken: dict[str, Json] = {}  # functions that hung or crashed, and how
         self.worked: set[str] = set()  # functions that have returned what was promised: it depends on the input
         self._asides = 0  # blocks of `aside` that are open
-        self._cpu, self._lasted = 0.0, 0.0  # s of CPU and on the wall's clock, of the cells that have ended
+        self._cpu, self._lasted = 0.0, 0.0  # s of CPU and on the wall's clock, of the processes that have ended
 
     def __getattr__(self, name: str) -> "Function":
         if name not in self._assignment.results:
@@ -129,7 +129,7 @@ class Student:
     def _must_end(self) -> None:
         """Raise BudgetSpent for one that costs us its time to read, or sleeps through its calls and holds up the class.
 
-        The processor time of a call is its cell's to limit.
+        The processor time of a call is its process's to limit.
         """
         read = self._cpu + sum(process.read for process in self._processes.values())
         if read > (most := self._zygote.limits.cpu):
@@ -139,7 +139,7 @@ class Student:
             raise BudgetSpent(f"the submission has taken {most:g} s, and used little processor time")
 
     def _end(self, uncallable: tuple[str, ...], name: str, message: str, call: Case) -> None:
-        """End a cell: the function fails from now on, the others get a new cell while there is CPU time."""
+        """End a process: the function fails from now on, the others get a new process while there is CPU time."""
         self._end_process(self._processes.pop(uncallable))
         label = call.label if name in self.worked else ""
         why: Json = {"message": message, "label": label, "at": call, "function": name}
@@ -150,7 +150,7 @@ class Student:
         raise Failed(**why)
 
     def _end_process(self, process: SandboxProcess) -> None:
-        """End a cell and count its CPU time; WorkerLost if it died with its worker, or by another's hand."""
+        """End a process and count its CPU time; ZygoteLost if it died with its zygote, or by another's hand."""
         self._cpu += process.end() + process.read
         self._lasted += process.lasted
         if not process.monitored:
@@ -159,7 +159,7 @@ class Student:
             raise ZygoteLost("the submission was killed by another process")
 
     def _process(self, uncallable: tuple[str, ...]) -> SandboxProcess:
-        """Return the cell for functions that may not call these modules, with the submission loaded."""
+        """Return the process for functions that may not call these modules, with the submission loaded."""
         if uncallable not in self._processes:
             hidden = [*self._assignment.forbidden.get("*", ()), *uncallable]
             process = self._zygote.process(self._zygote.limits.cpu - self._cpu, hidden, self._assignment.states)

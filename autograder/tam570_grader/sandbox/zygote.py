@@ -1,4 +1,4 @@
-"""The supervisor's side of the sandbox: starts a warm worker, tries it out, opens a cell for a submission."""
+"""The supervisor's side of the sandbox: start a zygote, try it out, open a process for a submission."""
 
 import functools
 import itertools
@@ -45,15 +45,15 @@ class ResourceLimits:
 
 
 class ZygoteLost(Over):
-    """The worker itself has died, through no fault of a submission."""
+    """The zygote itself has died, through no fault of a submission."""
 
 
 class NotConfined(ZygoteLost):
-    """The worker works, and cannot do with a submission what it must; the message says what."""
+    """The zygote works, and cannot do with a submission what it must; the message says what."""
 
 
 class Zygote:
-    """A warm process, in bubblewrap where there is one, that forks a cell for each submission.
+    """A warm process, in bubblewrap where there is one, from which each submission has a fork.
 
     Processes that are forked from the one that started it share it: a message with files is read by itself.
     """
@@ -64,17 +64,17 @@ class Zygote:
         with suppress(OSError):  # that it has ended is noticed when it is waited for
             self._control.sendall(json.dumps({"limits": _limits(limits), "preload": list(preload)}).encode())
         self._ready = False
-        self._holder, self._processes = os.getpid(), list[SandboxProcess]()  # the last one of each guard
+        self._holder, self._processes = os.getpid(), list[SandboxProcess]()  # the last one of each monitor
 
     @property
     def user(self) -> int | None:
-        """The id of the user that a submission becomes under root: another one for each supervisor and worker."""
+        """The id of the user that a submission becomes under root: another one for each supervisor and zygote."""
         if os.geteuid() or not _maps_users():
             return None
         return LOWEST_USER + (16 * os.getpid() + self._serial) % USERS
 
     def process(self, cpu: float, hidden: Sequence[str] = (), states: Sequence[int] = ()) -> SandboxProcess:
-        """Return a new cell with nothing loaded, for so many seconds of CPU, without sight of the hidden modules.
+        """Return a new process with nothing loaded, for so many seconds of CPU, without sight of the hidden modules.
 
         states : see `Assignment`
         """
@@ -93,7 +93,7 @@ class Zygote:
             socket.send_fds(leash, [json.dumps(order).encode()], [prisoner_end.fileno()])
         except OSError:
             channel.close()
-            raise ZygoteLost("the worker died") from None
+            raise ZygoteLost("the zygote died") from None
         finally:
             prisoner_end.close()
         process = SandboxProcess(channel, leash, self.limits.call)
@@ -102,15 +102,15 @@ class Zygote:
         return process
 
     def _free_leash(self) -> socket.socket:
-        """Return the leash of a guard whose prisoner has ended, or of a new one."""
-        if self._holder != os.getpid():  # the guards are those of the process that this one was forked from
+        """Return the leash of a monitor whose process has ended, or of a new one."""
+        if self._holder != os.getpid():  # the monitors serve the supervisor that this one was forked from
             self._let_go()
         for process in list(self._processes):
             try:
                 if process.has_ended():
                     self._processes.remove(process)
                     return process.leash
-            except OSError:  # its guard has gone
+            except OSError:  # its monitor has gone
                 self._processes.remove(process)
                 process.leash.close()
         leash, guard_end = socket.socketpair()
@@ -151,31 +151,31 @@ class Zygote:
         stopped = as_it_must and _is_stopped(process)
         process.end()
         if not process.monitored or process.killed_from_outside:
-            raise ZygoteLost("the worker was killed while it was tried out")
+            raise ZygoteLost("the zygote was killed while it was tried out")
         if not as_it_must:
             raise NotConfined("a right submission does not get through")
         if not stopped:
             raise NotConfined("a call that does not end is not stopped")
 
     def must_live(self) -> None:
-        """Raise ZygoteLost if the worker is ending or has ended."""
+        """Raise ZygoteLost if the zygote is ending or has ended."""
         hung_up = select.poll()
         hung_up.register(self._control, 0)
         if hung_up.poll(1000):
-            raise ZygoteLost("the worker died")
+            raise ZygoteLost("the zygote died")
 
     def close(self) -> None:
-        """End the worker and everything in it, if this process started it; else others may still need it."""
+        """End the zygote and everything in it, if this process started it; else others may still need it."""
         self._let_go()
         self._launched.close()
 
     def kill(self) -> None:
-        """Kill the worker at once."""
+        """Kill the zygote at once."""
         self._launched.kill()
 
     def _await_ready(self) -> None:
         try:
-            said = self._control.recv(5, socket.MSG_PEEK)  # who shares the worker waits for it, too
+            said = self._control.recv(5, socket.MSG_PEEK)  # who shares the zygote waits for it, too
         except OSError:
             said = b""
         if said != b"ready":
@@ -184,7 +184,7 @@ class Zygote:
 
 
 def _limits(limits: ResourceLimits) -> Json:
-    """inside.jail.Limits, but for what comes with each cell."""
+    """protocol.jail.Limits, but for what comes with each process."""
     return {
         "memory": limits.memory,
         "file_size": FILE_SIZE,
