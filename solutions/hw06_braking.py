@@ -97,7 +97,11 @@ def state_derivative(t, state, locked, *, mass, yaw_inertia, front, rear, fricti
     Returns (5,).
     Raises ValueError for another `locked`.
     """
-    return np.array(_rates(t, state, **_car(locked, mass, yaw_inertia, front, rear, friction, gravity)))
+    surface = {"friction": friction, "gravity": gravity}
+    forward, sideways = friction_force(state, locked, mass=mass, front=front, rear=rear, **surface)
+    car = _car(locked, mass, yaw_inertia, front, rear, 0.0, gravity)  # it glides, but for that force
+    force = np.array([0.0, 0.0, 0.0, forward / mass, car["arm"] * sideways / car["inertia"]])
+    return _rates(t, state, **car) + force
 
 
 def simulate(t, state, locked, *, mass, yaw_inertia, front, rear, friction, gravity):

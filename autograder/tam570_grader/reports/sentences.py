@@ -22,7 +22,7 @@ def describe_failure(failure: Failure) -> str:
     elif failure.follows_from == failure.function:
         hint = "You make the same mistake as before"
     else:
-        hint = f"Your {failure.function} follows from {failure.follows_from}"
+        hint = f"Your {failure.function} uses or repeats the mistake in {failure.follows_from}"
     message = failure.message or _off(failure)
     where = f" at t = {failure.time:g} s" if failure.time is not None else ""
     label = f" for {failure.label}" if failure.label else ""
