@@ -14,7 +14,8 @@ from tam570_grader.checks.failure import WHOLE
 from tam570_grader.diagnosis.mistakes import overlays
 from tam570_grader.reports.sentences import typeset
 
-IN_CI = {  # assignment: the mistake in what the second student hands in
+pytestmark = pytest.mark.slow  # minutes of nbgrader
+MISTAKES = {  # assignment: the mistake in what the second student hands in
     "hw07_double_pendulum": "too_few_steps",
     "hw08_axis_angle": "transposed_skew",
     "hw12_bead_on_wire": "motion_kept_for_other_wires",
@@ -42,25 +43,25 @@ def regraded(course, checkout, slug, out):
 class Term:
     """A course with two students: ann hands in the solution, ben the same with a mistake."""
 
-    def __init__(self, checkout, folder, nbgrader, made_course, wrong_works):
-        self.checkout, self.nbgrader, self.wrong_works = checkout, nbgrader, wrong_works
-        self.course, config = made_course(folder, list(wrong_works))
+    def __init__(self, checkout, folder, nbgrader, made_course):
+        self.checkout, self.nbgrader = checkout, nbgrader
+        self.course, config = made_course(folder, list(MISTAKES))
         self.homes = {name: folder / name for name in ("ann", "ben")}
         for home in self.homes.values():
             home.mkdir()
             (home / "nbgrader_config.py").write_text(config)
 
     def released(self):
-        for slug in self.wrong_works:
+        for slug in MISTAKES:
             self.nbgrader(self.course, "generate_assignment", slug)
             self.nbgrader(self.course, "release_assignment", slug)
 
     def handed_in(self, name, home):
         """List, fetch, work, validate (ann: what is right must pass), submit."""
         listed = self.nbgrader(home, "list")
-        assert all(slug in listed for slug in self.wrong_works)
-        self.nbgrader(home, "fetch_assignment", *self.wrong_works)
-        for slug, mistake in self.wrong_works.items():
+        assert all(slug in listed for slug in MISTAKES)
+        self.nbgrader(home, "fetch_assignment", *MISTAKES)
+        for slug, mistake in MISTAKES.items():
             wrong = overlays(assignments.checks_folder(self.checkout, slug))[mistake] if name == "ben" else ""
             solution = (self.checkout / "solutions" / f"{slug}.py").read_text()
             (home / slug / f"{slug}.py").write_text(f"{solution}\n\n{wrong}")
@@ -69,18 +70,18 @@ class Term:
                 assert "Success" in self.nbgrader(home / slug, "validate", f"{slug}.ipynb")
             self.nbgrader(home, "submit", slug, "--student", name)
         cached = self.nbgrader(home, "list", "--cached")
-        assert all(slug in cached for slug in self.wrong_works)
+        assert all(slug in cached for slug in MISTAKES)
 
     def graded(self):
         """Collect, autograde, the parts that are graded by hand, feedback, and the table."""
-        for slug in self.wrong_works:
+        for slug in MISTAKES:
             self.nbgrader(self.course, "collect", slug)
             self.nbgrader(self.course, "autograde", slug)
             grade_by_hand(self.course, slug)
             self.nbgrader(self.course, "generate_feedback", slug)
             self.nbgrader(self.course, "release_feedback", slug)
         for name, home in self.homes.items():
-            for slug in self.wrong_works:
+            for slug in MISTAKES:
                 self.nbgrader(home, "fetch_feedback", slug, "--student", name)
         self.nbgrader(self.course, "export")
 
@@ -111,29 +112,25 @@ def grade_by_hand(course, slug):
             book.db.commit()
 
 
-@pytest.fixture
-def a_whole_term(course, tmp_path, nbgrader, made_course):
-    """`a_whole_term(wrong_works)` -> the term from release to fetched feedback and exported table."""
-
-    def a_whole_term(wrong_works):
-        term = Term(course, tmp_path, nbgrader, made_course, wrong_works)
-        term.released()
-        for name, home in term.homes.items():
-            term.handed_in(name, home)
-        term.graded()
-        return term
-
-    return a_whole_term
+@pytest.fixture(scope="module")
+def term(course, tmp_path_factory, nbgrader, made_course):
+    """The term from release to fetched feedback and exported table."""
+    term = Term(course, tmp_path_factory.mktemp("term"), nbgrader, made_course)
+    term.released()
+    for name, home in term.homes.items():
+        term.handed_in(name, home)
+    term.graded()
+    return term
 
 
-def assert_the_same_scores(term, grades, out):
+def test_scores_are_those_of_the_grader(term, nbgrader_grades, tmp_path):
     """nbgrader's gradebook and its export hold the points of `tam570-grader grade`, part by part."""
-    actual, fractions = grades(term.course), 0
+    actual, fractions = nbgrader_grades(term.course), 0
     rows = csv.DictReader((term.course / "grades.csv").read_text().splitlines())
     exported = {(row["student_id"], row["assignment"]): row for row in rows}
-    for slug in term.wrong_works:
+    for slug in MISTAKES:
         manual = sum(points for points, _ in assignments.assignment(term.checkout, slug).manual.values())
-        for record in regraded(term.course, term.checkout, slug, out / slug):
+        for record in regraded(term.course, term.checkout, slug, tmp_path / slug):
             who, parts = (record["student"], slug), by_part(record)
             automatic = {cell: auto for (*at, cell), (auto, _) in actual.items() if tuple(at) == who and auto}
             assert automatic == pytest.approx({f"part-{p}": points for p, points in parts.items() if points})
@@ -145,10 +142,10 @@ def assert_the_same_scores(term, grades, out):
     assert fractions  # scores that are no whole numbers came through, too
 
 
-def assert_the_feedback_says_what_was_lost(term):
+def test_the_feedback_says_what_was_lost(term):
     """Every message and picture of ben's failures, nothing hidden, and none of it to ann."""
     pictures, secrets = 0, 0
-    for slug in term.wrong_works:
+    for slug in MISTAKES:
         pages = [html.unescape(term.page(name, slug)) for name in term.homes]
         results = (term.course / "tam570_results" / slug / "results.jsonl").read_text().splitlines()
         ben = next(r for r in map(json.loads, results) if r["student"] == "ben")
@@ -164,10 +161,3 @@ def assert_the_feedback_says_what_was_lost(term):
         assert pages[1].count("</svg>") - pages[0].count("</svg>") == sum(drawn)
         pictures += len(drawn)
     assert pictures and secrets
-
-
-@pytest.mark.slow
-def test_three_assignments_by_nbgraders_commands(a_whole_term, nbgrader_grades, tmp_path):
-    term = a_whole_term(IN_CI)
-    assert_the_same_scores(term, nbgrader_grades, tmp_path / "out")
-    assert_the_feedback_says_what_was_lost(term)
