@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tam570.integrate.error_scale import NO_SCALE, PART
-from tam570.integrate.formulas import Formulas, by_call, call_of, names, tuple_of, unpacked
+from tam570.integrate.formulas import Formulas, call_of, names, tuple_of, unpacked
 from tam570.values import Function, Numbers
 
 __all__ = ["ESTIMATE_ROUNDOFF", "NODES", "REACH", "ROWS", "compiled", "rates", "rounding", "sampling", "stepping"]
@@ -357,15 +357,16 @@ def _at(formulas: Formulas) -> list[str]:
 
 
 def compiled(formulas: Formulas, sampled: bool, called_function: Function | None = None) -> dict[str, Numbers]:
-    """Return the functions by name; `given` is what formulas of `call_of` call.
+    """Return the functions by name; `called_function` is the right-hand side where it is called as it stands.
 
     Steps call `rhs`: those of one size have the same code, which takes longer to compile than that of most rates.
     What bounds no step is None.
     """
-    namespace: dict[str, Numbers] = {**vars(math), "given": called_function, "dense": None, "at": None}
-    exec(_code(rates, formulas), namespace)
+    namespace: dict[str, Numbers] = {**vars(math), "rhs": called_function, "dense": None, "at": None}
+    if called_function is None:
+        exec(_code(rates, formulas), namespace)
     for write in (stepping, sampling)[: 1 + sampled]:
-        exec(_code(write, by_call(call_of(formulas.size, formulas.timed))), namespace)
+        exec(_code(write, call_of(formulas.size, formulas.timed)), namespace)
     raw_rhs, nothing = namespace["rhs"], (math.nan,) * formulas.size
 
     def rhs(t: float, s: Numbers, c: Numbers) -> Numbers:

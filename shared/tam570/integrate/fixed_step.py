@@ -237,6 +237,6 @@ def _code(source: str) -> Numbers:
 
 
 def _leap(source: str, engine: Engine) -> Numbers:
-    namespace = {**vars(math), "given": engine.functions["given"]}
+    namespace = {**vars(math), "rhs": engine.called_rates}
     exec(_code(source), namespace)
     return namespace["leap"]

@@ -55,9 +55,9 @@ def halves(graph: Graph) -> tuple[Formulas, Formulas, tuple[float, ...]]:
 
 
 def call_of(size: int, timed: bool = True) -> Formulas:
-    """Return the right-hand side that is a call of the function `given`; `timed` if it depends on t."""
+    """Return the right-hand side that is a call of `rhs`; `timed` if it depends on t."""
     rates = tuple(f"p{i}" for i in range(size))
-    line = f"{tuple_of(rates)} = given(t, {tuple_of(names('s', size))})"
+    line = f"{tuple_of(rates)} = rhs({'t' if timed else '0.0'}, {tuple_of(names('s', size))}, c)"
     return Formulas((line,), rates, 0, frozenset(range(size)), timed)
 
 

@@ -78,7 +78,8 @@ class CalledRates:
         self.rates, self.size = rates, size
         self.error: Exception | None = None
 
-    def __call__(self, t: float, y: Sequence[float]) -> Sequence[float]:
+    def __call__(self, t: float, y: Sequence[float], c: Sequence[float] = ()) -> Sequence[float]:
+        """Return the rates; there are no constants c."""
         try:
             value = self.rates(t, np.array(y))
         except TRIAL_ERRORS as error:
