@@ -541,6 +541,9 @@ def test_a_start_has_its_answer_whatever_started_before():
     starts = np.linspace([-1.0, 0.1], [1.0, -0.4], 5)
     passed = functools.partial(solve, lambda t, y: (y[1], 1.0 if 0.2 < y[0] < 0.5 else -y[0]), [0, 4])
     assert (passed(starts) == [passed(start) for start in starts]).all()
+    iterated = functools.partial(solve, lambda t, y: (*(by_newton(t, y) if y[1] > 0 else -y[:1]), 0.0), [0, 1])
+    starts = [[0.0, 1.0], [0.3, -1.0]]  # of the first nobody can see where it switches
+    assert (iterated(starts) == [iterated(start) for start in starts]).all()
 
 
 def test_what_a_function_keeps_are_numbers():

@@ -64,12 +64,12 @@ class Switches:
     def __init__(self, rates: Rates, size: int, span: float, sign: float) -> None:
         self.span, self.sign = span, sign
         self.profile = along(rates, size)
-        self.reason = ""
-        self.is_smooth = False  # whether it decides nothing
         self.begin()
 
     def begin(self) -> None:
         """Forget the run before."""
+        self.reason = ""
+        self.is_smooth = False  # whether it decides nothing
         self.time, self.distance = math.nan, math.inf  # from the end of the last step to the next switch
         self.pace = self.longest = 0.0  # s, of steps before the last switches, and since
         self.decisions: Course | None = None  # what it decided by last
