@@ -148,7 +148,8 @@ def _fmod(a: Numbers, b: Numbers) -> Numbers:
     return a % b if a >= 0 else -(-a % b)
 
 
-def _part(part: Function, x: Numbers) -> Numbers:
+def _recorded(part: Function, x: Numbers) -> Numbers:
+    """Return a part of a complex number, known or not."""
     if not isinstance(x, Symbol):
         return part(x)
     course: Numbers = x.tape
@@ -185,10 +186,10 @@ DECIDING: dict[str, Function] = {
     "isnan": lambda x: False,
     "isinf": lambda x: False,
     "nan_to_num": lambda x: x,
-    "real": functools.partial(_part, np.real),
-    "imag": functools.partial(_part, np.imag),
-    "angle": functools.partial(_part, np.angle),
-    "phase": functools.partial(_part, np.angle),
+    "real": functools.partial(_recorded, np.real),
+    "imag": functools.partial(_recorded, np.imag),
+    "angle": functools.partial(_recorded, np.angle),
+    "phase": functools.partial(_recorded, np.angle),
 }
 
 
@@ -197,7 +198,7 @@ class Components(np.ndarray[tuple[int, ...], np.dtype[np.object_]]):
 
     @property
     def real(self) -> Numbers:
-        return self._parts("real")
+        return self._by_component("real")
 
     @real.setter
     def real(self, value: Numbers) -> None:
@@ -205,13 +206,13 @@ class Components(np.ndarray[tuple[int, ...], np.dtype[np.object_]]):
 
     @property
     def imag(self) -> Numbers:
-        return self._parts("imag")
+        return self._by_component("imag")
 
     @imag.setter
     def imag(self, value: Numbers) -> None:
         self[...] = self.real + 1j * value
 
-    def _parts(self, name: str) -> Numbers:
+    def _by_component(self, name: str) -> Numbers:
         """Return the parts, not to be written to: the whole would not change."""
         parts = np.frompyfunc(DECIDING[name], 1, 1)(self)
         parts.flags.writeable = False
@@ -271,7 +272,7 @@ def _lifted(function: Function) -> Function:
         keywords = {key: a for key, a in keywords.items() if not _is_number_type(a)}
         scalars = all(isinstance(a, Symbol | Complex) for a in arguments)
         if name in SATURATING:
-            tape.saturating += [_part(np.real, s).number if tape.is_complex(s) else s.number for s in symbols]
+            tape.saturating += [_recorded(np.real, s).number if tape.is_complex(s) else s.number for s in symbols]
         if name in DECIDING:
             decide = functools.partial(DECIDING[name], **keywords)
             return decide(*arguments) if scalars else np.frompyfunc(decide, len(arguments), 1)(*arguments)
