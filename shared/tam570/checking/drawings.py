@@ -19,9 +19,10 @@ def curves(axes: "Axes") -> list[NDArray[np.float64]]:
     from matplotlib.collections import LineCollection, PathCollection
 
     drawn = [line.get_xydata() for line in axes.lines if line.get_visible()]
-    drawn += [
-        np.vstack([np.empty((0, 2)), *c.get_segments()]) for c in axes.collections if isinstance(c, LineCollection)
-    ]
+    for collection in (c for c in axes.collections if isinstance(c, LineCollection)):
+        pieces = [np.asarray(piece, float) for piece in collection.get_segments()]
+        many = [piece for piece in pieces if len(piece) >= FEWEST]  # else the pieces of one line of many colours
+        drawn += many or [np.vstack([np.empty((0, 2)), *pieces])]
     drawn += [c.get_offsets() for c in axes.collections if isinstance(c, PathCollection)]
     for patch in axes.patches:
         path = patch.get_path()

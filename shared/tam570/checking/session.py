@@ -243,6 +243,7 @@ def _explained(outcomes: Outcomes, used: Mapping[str, set[str]], reached: Progre
         alone = [
             test for test, functions in used.items() if functions == {name} and outcomes.passed.get(test) == PASSED
         ]
+        its_own = {test for test in failed if used[test] == {name}}  # all explained by its one mistake
         best: list[str] = []
         if not failed or name not in functions.observed:
             continue
@@ -252,7 +253,11 @@ def _explained(outcomes: Outcomes, used: Mapping[str, set[str]], reached: Progre
             if budget < 0:
                 break
             mended = [test for test in failed if _passes(outcomes, mistake, test)]
-            if len(mended) > len(best) and all(_passes(outcomes, mistake, test) for test in alone):
+            if (
+                len(mended) > len(best)
+                and its_own <= {*mended}
+                and all(_passes(outcomes, mistake, test) for test in alone)
+            ):
                 best = mended
                 explanations |= dict.fromkeys(mended, mistake.message)
     return explanations

@@ -48,6 +48,8 @@ RIGHT = {
     "a scatter": "ax.lines[-1].remove(); ax.scatter(x, y)",
     "a scatter from its end": "ax.lines[-1].remove(); ax.scatter(x[::-1], y[::-1])",
     "a shuffled scatter": "ax.lines[-1].remove(); ax.scatter(*mixed)",
+    "all curves in one collection": "from matplotlib.collections import LineCollection; lines = list(ax.lines);"
+    " ax.add_collection(LineCollection([line.get_xydata() for line in lines])); [line.remove() for line in lines]",
     "an open path": "from matplotlib.patches import Circle, Polygon; ax.add_patch(Circle((0, 0), x.std(), fill=False));"
     " ax.lines[-1].remove(); ax.add_patch(Polygon(np.transpose([x, y]), closed=False, fill=False))",
     "a lift of the pen": "ax.lines[-1].set_data(*(np.concatenate([c[:30], [np.nan], c[29:]]) for c in (x, y)))",
