@@ -145,6 +145,9 @@ TOOTH = np.where(np.arange(801) == 403, 100.0, 0.0)
 HALVES = tuple(np.arange(0.5, 6, 0.5))
 RAMP = (0, 6.4, 7.2, 8.8)
 JUMPS = {
+    "narrow peaks of a sine": against(
+        lambda t, y: (1.0 if math.cos(40 * t) > 0.99999 else 0.0,), (0, 2), [0.0], exact=[25 * math.acos(0.99999) / 40]
+    ),
     "step": against(forced(lambda t: 1.0 if t > 1 else 0.0), (0, 3), [0.0, 0.0], stops=(1,)),
     "short": against(forced(lambda t: 20.0 if 1 <= t <= 1.05 else 0.0), (0, 6), [0.0, 0.0], stops=(1, 1.05)),
     "very short": against(

@@ -7,7 +7,7 @@ no step is longer than a thousandth of the run.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 
 import numpy as np
@@ -20,7 +20,7 @@ from tam570.values import Numbers
 
 __all__ = ["Switches", "chatter"]
 
-POINTS = 17  # of a step
+POINTS, ZOOMS = 17, 5  # of a step; how often a part of it is looked at closer
 X = np.linspace(0.0, 1.0, POINTS)
 SHORT = 1e-3  # of the way to a switch: so much shorter is the next step
 AT_HAND = 2.5  # times the shortest step: by no whole number of them, lest one end at the switch itself
@@ -175,10 +175,10 @@ class Switches:
         part, differences = _first_zero(X, positive), positive @ DIFFERENCES
         if 0.0 < part < X[1] or self.is_near:
             near = np.append(0.0, np.geomspace(min(shortest / h, 0.1 * X[1]), X[1], POINTS - 1))
-            part = min(_first_zero(near, look(near, _basis(near))[0]), part)
-        elif math.isinf(part) and (turn := _first_turn(positive, differences[:, :-1])):
-            x = np.linspace(X[turn - 1], X[turn + 1], POINTS)
-            part = _first_zero(x, look(x, _basis(x))[0])
+            closer = _first_zero(near, look(near, _basis(near))[0])
+            part = closer if closer < math.inf else part
+        if math.isinf(part):
+            part = _first_dip(positive, look)
         zeros = zip(positive[:, -1].tolist(), differences[:, -1].tolist(), strict=True)
         return min(part, saturated), min((-end / rate for end, rate in zeros if rate < 0), default=math.inf)
 
@@ -246,15 +246,35 @@ def _first_zero(x: Array, positive: Array) -> float:
     return float(x[k - 1] + (x[k] - x[k - 1]) * (rows[:, 0] / (rows[:, 0] - rows[:, 1])).min())
 
 
-def _first_turn(positive: Array, curvature: Array) -> int | None:
-    """Return the number of a point near which one of them comes down to zero and turns back, by a parabola."""
+def _first_dip(positive: Array, look: Callable[[Array, Array], tuple[Array, float]]) -> float:
+    """Return where the first of them passes zero between two of the points X, to come back before the next.
+
+    It is looked at ever closer to where it may turn, until it has passed or no parabola reaches zero.
+    """
+    for turn in _turns(positive):
+        x, turns = X, [turn]
+        for _ in range(ZOOMS):
+            if not turns:
+                break
+            x = np.linspace(x[turns[0] - 1], x[turns[0] + 1], POINTS)
+            nearby = look(x, _basis(x))[0]
+            if (part := _first_zero(x, nearby)) < math.inf:
+                return part
+            turns = _turns(nearby)
+    return math.inf
+
+
+def _turns(positive: Array) -> list[int]:
+    """Return the numbers of the points near which one of them comes down to zero and turns back, by a parabola."""
+    curvature = positive @ DIFFERENCES[:, :-1]
     a, b, c = positive[:, :-2], positive[:, 1:-1], positive[:, 2:]
     if (b > 0.225 * curvature).all():
-        return None
+        return []
     with np.errstate(all="ignore"):
         lowest = b - (a - c) ** 2 / (8 * curvature)
     points = np.flatnonzero(((b <= a) & (b <= c) & (curvature > 0) & (lowest < 0.1 * curvature)).any(axis=0))
-    return int(points[0]) + 1 if len(points) else None
+    turns: list[int] = (points + 1).tolist()
+    return turns
 
 
 def _saturated(arguments: Sequence[Array]) -> float:
