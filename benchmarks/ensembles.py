@@ -33,8 +33,8 @@ SEED = 570
 
 def starts(scene, members):
     """(members, n) starts about that of the problem."""
-    own = np.array(scene[1], dtype=float)
-    return own + SPREAD * np.random.default_rng(SEED).normal(size=(members, len(own)))
+    start = np.array(scene[1], dtype=float)
+    return start + SPREAD * np.random.default_rng(SEED).normal(size=(members, len(start)))
 
 
 def seconds(run):

@@ -100,7 +100,7 @@ def takes_times(slug, name):
 
 
 def _passing(look, method):
-    return lambda *args, **named: look(args[0], method, *args[1:], **named)
+    return lambda *args, **kwargs: look(args[0], method, *args[1:], **kwargs)
 
 
 WATCHED = (SandboxProcess, "send"), (SandboxProcess, "receive"), (Student, "replies"), (Student, "leave")
@@ -172,8 +172,8 @@ def print_peers(slug, runs, peers):
     """How many times as fast as nbgrader the run with the most jobs is, its start included."""
     most = runs[max(runs)]
     for peer in peers:
-        whole, late = (peer["seconds_each"] / most[name] for name in ("seconds_each", "steady_seconds_each"))
-        print(f"{slug:26} {whole:.1f} times as fast as {peer['grader']}, {late:.1f} times once all have started")
+        ratio, steady = (peer["seconds_each"] / most[name] for name in ("seconds_each", "steady_seconds_each"))
+        print(f"{slug:26} {ratio:.1f} times as fast as {peer['grader']}, {steady:.1f} times once all have started")
 
 
 def one_file(slug):

@@ -70,8 +70,8 @@ def bars():
                 yield lagrangian[k], expected[k], size
                 yield free[k], expected[k], 10 * size
             M[0, 1] = M[1, 0] = m2 * l1 * l2 / 2
-            terms = [M[0, 0] * M[1, 1] - M[0, 1] ** 2, -(M[0, 0] * k2 + M[1, 1] * k1), k1 * k2]
-            squares = sorted(map(mp.re, mp.polyroots(terms, maxsteps=200, extraprec=200)))
+            coefficients = [M[0, 0] * M[1, 1] - M[0, 1] ** 2, -(M[0, 0] * k2 + M[1, 1] * k1), k1 * k2]
+            squares = sorted(map(mp.re, mp.polyroots(coefficients, maxsteps=200, extraprec=200)))
             for result, square in zip(hw.small_oscillation_frequencies(**both), squares, strict=True):
                 yield result, mp.sqrt(square), 0
 

@@ -475,10 +475,10 @@ class Window:
     """A window that keeps where it is, and what it was asked."""
 
     def __init__(self):
-        self.table, self.asked = HAT, []
+        self.table, self.inputs = HAT, []
 
     def __call__(self, x):
-        self.asked.append(x)
+        self.inputs.append(x)
         return self.looked_up(x)
 
     def pole(self, x):
@@ -550,7 +550,7 @@ def test_a_start_has_its_answer_whatever_started_before():
 
 
 def test_what_a_function_keeps_are_numbers():
-    assert {type(x) for x in WINDOWS["in an object"][0].asked} <= {float}
+    assert {type(x) for x in WINDOWS["in an object"][0].inputs} <= {float}
     times = []
 
     def rates(t, y):

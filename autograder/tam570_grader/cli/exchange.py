@@ -186,7 +186,7 @@ def _open_questions(folder: Path, course: Path, only: Sequence[str] = ()) -> tup
         here = [key for key, line in sorted(graded.lines.items()) if line.graded.status != "missing"]
     for slug in assignments.match_slugs(only, sorted({slug for _, slug in here})):
         for part in assignments.manual_parts(course, slug) if slug in slugs else ():
-            waiting = [key[0] for key in here if key[1] == slug and adjustments.lacks(key, part)]
+            waiting = [key[0] for key in here if key[1] == slug and adjustments.is_missing(key, part)]
             if waiting:
                 everybody = "nobody has" if len(waiting) == sum(which == slug for _, which in here) else "these lack"
                 names = ", ".join(waiting[:5]) + (", ..." if len(waiting) > 5 else "")

@@ -154,8 +154,8 @@ def _check_result(run: _Run, check: Check) -> CheckResult:
     except Failed as failed:
         cause, fault = _cause(run, check) if options.naming else (None, "")
         if options.naming and not (cause and cause.follows_from):
-            own = _own_source(run, failed)
-            cause = replace(own, answers=cause.answers, calls=cause.calls) if own and cause else own or cause
+            source = _own_source(run, failed)
+            cause = replace(source, answers=cause.answers, calls=cause.calls) if source and cause else source or cause
         if cause:
             run.causes[check.name] = cause
         return _failed(check, failed, cause, fault)

@@ -51,8 +51,8 @@ def examples_of(course: Path, slug: str) -> str:
     chosen = _chosen(candidates, answers)
     fingerprints = [_fingerprints(*both, chosen, candidates) for both in zip(compared, answers, strict=True)]
     examples = ",\n".join(json.dumps(candidates[k], allow_nan=False) for k in chosen)
-    told = ",\n".join(json.dumps(fingerprint) for fingerprint in fingerprints if fingerprint)
-    return f'{{"examples": [\n{examples}\n], "mistakes": [\n{told}\n]}}\n'
+    distinguishing = ",\n".join(json.dumps(fingerprint) for fingerprint in fingerprints if fingerprint)
+    return f'{{"examples": [\n{examples}\n], "mistakes": [\n{distinguishing}\n]}}\n'
 
 
 def caught(examples: Examples, module: ModuleType) -> bool:

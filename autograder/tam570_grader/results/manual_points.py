@@ -94,7 +94,7 @@ class ManualAdjustments:
         """Return the rows of a result: a student's own go before everybody's, an assignment's before the term's."""
         return {item: entry for layer in _layers(key) for item, entry in self._of.get(layer, {}).items()}
 
-    def lacks(self, key: Key, part: str) -> bool:
+    def is_missing(self, key: Key, part: str) -> bool:
         """Return whether nobody has graded a part by hand, of a result whose score depends on it."""
         points = {item: row.points for item, row in self._rows(key).items()}
         return points.get(part) is None and TOTAL not in points and not points.get(EXCUSED)

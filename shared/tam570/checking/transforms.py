@@ -162,10 +162,10 @@ def other_words(name: str, reference: Function, calls: Iterable[Compared]) -> It
     """Yield an argument in which two words are exchanged, of those that the calls have there."""
     values = [_named(reference, call.case) for call in calls]
     for key in _parameters(reference):
-        told = sorted({value[key] for value in values if isinstance(value.get(key), str)})
-        for first, other in combinations(told, 2):
-            words = f"In {name}, {key} = {first!r} and {key} = {other!r} are exchanged"
-            yield words, WrongArgument(reference, key, partial(_other_word, first, other))
+        words = sorted({value[key] for value in values if isinstance(value.get(key), str)})
+        for first, other in combinations(words, 2):
+            message = f"In {name}, {key} = {first!r} and {key} = {other!r} are exchanged"
+            yield message, WrongArgument(reference, key, partial(_other_word, first, other))
 
 
 def _other_word(first: str, other: str, word: str) -> str:

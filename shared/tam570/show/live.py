@@ -203,14 +203,14 @@ class _Writer:
     def _compare(self, graph: Graph) -> None:
         """Untraceable if the graph gives other numbers than the function that it is a trace of."""
         formulas, constants = written(graph)
-        known = {**vars(math), "t": 0.0, **{f"c{i}": number for i, number in enumerate(constants)}}
+        names = {**vars(math), "t": 0.0, **{f"c{i}": number for i, number in enumerate(constants)}}
         for share in (1.0, 1.05):
             state = [share * number + (share - 1.0) for number in self.live.start]
             values = [value for _, _, value in self.sliders]
             wanted = np.array([float(rate) for rate in self.live.rates(0.0, np.array(state), **self.live.parameters)])
-            known |= {f"s{i}": number for i, number in enumerate([*state, *values])}
-            exec("\n".join(formulas.lines), known)
-            result = np.array([eval(rate, known) for rate in formulas.rates])
+            names |= {f"s{i}": number for i, number in enumerate([*state, *values])}
+            exec("\n".join(formulas.lines), names)
+            result = np.array([eval(rate, names) for rate in formulas.rates])
             if not np.abs(result - wanted).max() <= CLOSE * (1.0 + np.abs(wanted).max()):
                 raise Untraceable("its formulas as traced give other numbers than it does")
 
@@ -255,5 +255,5 @@ def _body(graph: Graph, k: int, m: int) -> str:
     numbers = [NAMED.get(repr(number), repr(number)) for number in constants]
     inputs = [f"s{i}={places[i]}" for i in sorted(formulas.reads)]
     declared = [*inputs, *(f"c{i}={number}" for i, number in enumerate(numbers)), *formulas.lines]
-    head = f"const {','.join(declared)};" if declared else ""
-    return f"{head}return[{','.join(formulas.rates)}];"
+    declarations = f"const {','.join(declared)};" if declared else ""
+    return f"{declarations}return[{','.join(formulas.rates)}];"

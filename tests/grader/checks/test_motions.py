@@ -88,8 +88,8 @@ def swings(t, start, tolerance=1e-10, damping=0.0):
 
 def reported(simulate, t=T, near_miss=0.0):
     actual = simulate(t, RESTED)
-    asked = SimpleNamespace(aside=lambda case: simulate(*case.args))  # it may be another than the rows are of
-    item = Motion(Case(t, RESTED), actual, swings(t, RESTED), np.ones(2), asked, swings)
+    function = SimpleNamespace(aside=lambda case: simulate(*case.args))  # it may be another than the rows are of
+    item = Motion(Case(t, RESTED), actual, swings(t, RESTED), np.ones(2), function, swings)
     return diagnosed(item, [item], [], near_miss)
 
 
