@@ -8,7 +8,7 @@ import os
 import select
 import socket
 from collections.abc import Sequence
-from contextlib import suppress
+from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -88,14 +88,14 @@ class Zygote:
         channel, prisoner_end = socket.socketpair()
         most = max(1, math.ceil(cpu))
         order = {"cpu": most, "hidden": list(hidden), "user": self.user, "states": list(states)}
-        try:
-            leash = self._free_leash()
-            socket.send_fds(leash, [json.dumps(order).encode()], [prisoner_end.fileno()])
-        except OSError:
-            channel.close()
-            raise ZygoteLost("the zygote died") from None
-        finally:
-            prisoner_end.close()
+        with prisoner_end, ExitStack() as opened:
+            opened.enter_context(channel)
+            try:
+                leash = opened.enter_context(self._free_leash())
+                socket.send_fds(leash, [json.dumps(order).encode()], [prisoner_end.fileno()])
+            except OSError:
+                raise ZygoteLost("the zygote died") from None
+            opened.pop_all()
         process = SandboxProcess(channel, leash, self.limits.call)
         self._processes.append(process)
         self._must_be_confined(process)
@@ -113,9 +113,11 @@ class Zygote:
             except OSError:  # its monitor has gone
                 self._processes.remove(process)
                 process.leash.close()
-        leash, guard_end = socket.socketpair()
-        with guard_end:
-            socket.send_fds(self._control, [b"g"], [guard_end.fileno()])
+        leash, monitor_end = socket.socketpair()
+        with monitor_end, ExitStack() as opened:
+            opened.enter_context(leash)
+            socket.send_fds(self._control, [b"g"], [monitor_end.fileno()])
+            opened.pop_all()
         return leash
 
     def _let_go(self) -> None:

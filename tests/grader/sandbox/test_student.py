@@ -1,5 +1,7 @@
 """What a submission's process may do with time, what it says, and what happens when it dies."""
 
+import gc
+
 import numpy as np
 import pytest
 
@@ -12,7 +14,7 @@ from tam570_grader.sandbox.launch import isolation
 from tam570_grader.sandbox.pool import ATTEMPTS, sandboxes
 from tam570_grader.sandbox.process import SandboxProcess
 from tam570_grader.sandbox.student import Source, Student
-from tam570_grader.sandbox.zygote import ResourceLimits, Zygote
+from tam570_grader.sandbox.zygote import ResourceLimits, Zygote, ZygoteLost
 
 SLUG = "hw08_axis_angle"
 
@@ -86,6 +88,17 @@ def test_a_worker_that_dies_is_replaced(solution_text, course, cold):
         patch.setattr("tam570_grader.sandbox.pool.Zygote", Mortal)
         outcome = result(GradeTask(course, "ada", SLUG, 1, Source(solution_text(SLUG).encode())))
     assert outcome.score == 10.0 and len(started) == 3
+
+
+def test_a_zygote_that_has_died_leaves_no_socket_open():
+    zygote = Zygote(["numpy"], ResourceLimits())
+    zygote.process(cpu=1.0).drop()
+    zygote.kill()
+    zygote._launched.wait()
+    with pytest.raises(ZygoteLost):
+        zygote.process(cpu=1.0)
+    zygote.close()
+    gc.collect()  # what is left open warns, and a warning is an error
 
 
 @pytest.mark.parametrize("body", ["raise ValueError", "return float('nan')", "return None", "v[0] = 0.0"])
