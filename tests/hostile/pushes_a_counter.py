@@ -1,6 +1,6 @@
 """Reads a counter of the whole kernel, the cookies of sockets, and wakes who waits on a page of a library's file.
 
-The next prisoner would read the counter; a prisoner of another worker would be woken, at once or when this one ends.
+The next sandbox process would read the counter; one of another zygote would be woken, at once or when this one ends.
 
 deserves: 10
 """

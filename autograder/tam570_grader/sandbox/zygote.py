@@ -85,14 +85,14 @@ class Zygote:
         return self._opened(cpu, hidden, states)
 
     def _opened(self, cpu: float, hidden: Sequence[str] = (), states: Sequence[int] = ()) -> SandboxProcess:
-        channel, prisoner_end = socket.socketpair()
+        channel, process_end = socket.socketpair()
         most = max(1, math.ceil(cpu))
         order = {"cpu": most, "hidden": list(hidden), "user": self.user, "states": list(states)}
-        with prisoner_end, ExitStack() as opened:
+        with process_end, ExitStack() as opened:
             opened.enter_context(channel)
             try:
                 leash = opened.enter_context(self._free_leash())
-                socket.send_fds(leash, [json.dumps(order).encode()], [prisoner_end.fileno()])
+                socket.send_fds(leash, [json.dumps(order).encode()], [process_end.fileno()])
             except OSError:
                 raise ZygoteLost("the zygote died") from None
             opened.pop_all()
