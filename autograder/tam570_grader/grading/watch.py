@@ -6,14 +6,13 @@ a copy of what arrived, then its result. Whatever ends the command, the next one
 
 import contextlib
 import hashlib
-import html
 import json
 import math
 import os
 import pwd
 import re
 import time
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 
@@ -351,7 +350,8 @@ class Desk:
         for event in sorted(done, key=lambda event: float(event["at"]), reverse=True):
             waited, attempt = f"{event['waited']:.1f} s", str(event["attempt"])
             rows.append((event["student"], event["slug"], _clock(event["at"]), waited, attempt, _points(event)))
-        written(self.queue.folder / STATUS, _page(rows, self.summary()))
+        page = feedback.template("arrivals.html").render(rows=rows, summary=self.summary())
+        written(self.queue.folder / STATUS, page)
 
     def summary(self) -> str:
         graded = sum(map(len, self.queue.graded.values()))
@@ -398,17 +398,3 @@ def _clock(moment: float) -> str:
 def _points(event: Json) -> str:
     record = event["record"]
     return "the grader failed" if record["score"] is None else f"{record['score']:g} / {record['max_score']:g}"
-
-
-def _page(rows: Iterable[Sequence[str]], summary: str) -> str:
-    """Return a page that reloads itself."""
-    heading = ("student", "assignment", "arrived", "waited", "attempt", "score")
-    lines = [heading, *rows]
-    cells = ["".join(f"<td>{html.escape(text)}</td>" for text in line) for line in lines]
-    table = "\n".join(f"<tr>{line}</tr>" for line in cells)
-    return (
-        '<!doctype html><html lang="en"><meta charset="utf-8"><meta http-equiv="refresh" content="2">'
-        "<title>Arrivals</title><style>body{font:15px sans-serif;margin:2em}td{padding:.2em 1em .2em 0}"
-        f"tr:first-child{{font-weight:bold}}</style><h1>Arrivals</h1><p>{html.escape(summary)}</p>"
-        f"<table>{table}</table></html>\n"
-    )
