@@ -5,6 +5,7 @@ import pytest
 
 from tam570_grader import cli
 from tam570_grader.audit import mutation
+from tam570_grader.audit.gradings import Grading
 from tam570_grader.audit.mutate import mutants
 
 SLUG = "hw08_axis_angle"
@@ -36,3 +37,13 @@ def test_a_function_without_a_check_of_its_own_is_a_hole(hole, capsys, monkeypat
     monkeypatch.setattr(mutation, "_is_shared", lambda function, *of: function == "skew")
     assert cli.main(["audit", "hw08", "--function", "skew", "--jobs", "1"]) == hole
     assert ("SURVIVES" in capsys.readouterr().out) == hole
+
+
+@pytest.mark.parametrize("suspects", [{"skew_is_the_cross_product"}, {"matrix_refuses_what_is_no_axis"}, set()])
+def test_a_mutant_is_caught_with_another_seed_whichever_check_is_asked_first(suspects, course, solution_text):
+    correct = solution_text(SLUG)
+    texts = [correct, *(item.text for item in mutants(SLUG, correct) if item.function == "skew")]
+    gradings = [Grading(course, SLUG, "", text, seed=3, enough=2) for text in texts]
+    correct_result, *wrong = [mutation._judged((grading, frozenset(suspects))) for grading in gradings]
+    assert correct_result.score == correct_result.max_score
+    assert wrong and all(result.score < result.max_score for result in wrong)
