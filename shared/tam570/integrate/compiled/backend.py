@@ -225,7 +225,7 @@ def taylor_runs(graph: Graph, times: Array, out: Array, starts: Array, control: 
     per_lane = taylor_loop.memory(size)
     memory = _memory(LANES * per_lane + 2, memory_layout.doubles, LANES, constants)
     z = memory.z
-    z[taylor_loop.STATUS : LANES * per_lane : per_lane] = taylor_loop.DONE
+    z[LANES * taylor_loop.STATUS : LANES * (taylor_loop.STATUS + 1)] = taylor_loop.IDLE
     z[-1], memory.time[:] = len(starts), origin
     members = np.hstack([np.zeros((len(starts), 1)), starts])
     ends = address_of(times), len(times), address_of(out), address_of(members), len(starts)

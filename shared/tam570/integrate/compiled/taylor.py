@@ -60,18 +60,23 @@ def loop_module(loop: Loop) -> str:
     integers = {"SIZE": size, "PADDED": padded, "ORDER": "%order", "ACROSS": across, "ALONG": along}
     names: Json = {
         **{name: value for name, value in vars(taylor_loop).items() if name.isupper()},
+        **{name: place * lanes for place, name in enumerate(taylor_loop.PLACES)},
         **{name: Value("i64", str(value)) for name, value in integers.items()},
         **{name: _call_of(name) for name in ("coefficients", "rates", "roundoff", "reach")},
         "LANES": lanes if lanes == 1 else Value("i64", str(lanes)),
         "MEMORY": taylor_loop.memory(size),
         "SATURATES": loop.saturates,
         "TIMED": loop.timed,
-        **{"wide": _wide, "largest": _largest, "summed": _summed, "logarithm": _logarithm, "power_of_2": _power_of_2},
+        **{"wide": _wide, "logarithm": _logarithm, "power_of_2": _power_of_2},
+        **{"largest": _largest if lanes == 1 else _same, "summed": _summed if lanes == 1 else _same},
+        "largest_of_all": _same if lanes == 1 else _largest,
+        "each": _same if lanes == 1 else lambda writer, k: Value("lanes", writer.text(k, "i64")),
         "shifted": lambda writer, array, k: Array(writer.element(array.text, k), array.row, array.length),
     }
     translator = Translator(functions_of(inspect.getsource(taylor_loop)), names)
     translator.flags, translator.components = " contract", padded
-    translator.width = vector_width(size) if lanes == 1 else 1
+    translator.width = vector_width(size) if lanes == 1 else lanes
+    translator.together = translator.width if lanes == 1 else 1
     arguments: list[Operand] = [Array(f"%{name}") for name in ("z", "work", "time", "c")]
     arguments += [Array("%times", None, Value("i64", "%rows")), Array("%out", size)]
     several = [] if lanes == 1 else [Array("%members", 1 + size, Value("i64", "%several"))]
@@ -95,6 +100,10 @@ def _call_of(name: str) -> Operand:
         return 0
 
     return call
+
+
+def _same(_: Operand, x: Operand) -> Operand:
+    return x
 
 
 def _wide(writer: Operand, x: Operand) -> Operand:
@@ -128,13 +137,17 @@ def _logarithm(writer: Operand, x: Value) -> Value:
 def _power_of_2(writer: Operand, x: Value) -> Value:
     """Two to a number between -1000 and 1000: its whole part is the exponent, a parabola serves the rest."""
     limited = writer.extreme("max", [writer.extreme("min", [x, 1000.0]), -1000.0])
-    floor = writer.emit("double", f"call double @llvm.floor.f64(double {limited.text})")
-    integer = writer.emit("i64", f"fptosi double {floor.text} to i64").text
-    exponent = writer.emit("i64", f"shl i64 {writer.emit('i64', f'add i64 {integer}, 1023').text}, 52").text
+    ir_type, integers = x.ir_type, x.ir_type.replace("double", "i64")
+    floor = writer.call("floor", [limited])
+    integer = writer.emit(integers, f"fptosi {ir_type} {floor.text} to {integers}").text
+    bias, bits = (writer.text(Value("i64", str(k)), integers) for k in (1023, 52))
+    exponent = writer.emit(
+        integers, f"shl {integers} {writer.emit(integers, f'add {integers} {integer}, {bias}').text}, {bits}"
+    ).text
     power, rest = (
-        writer.emit("double", f"bitcast i64 {exponent} to double"),
+        writer.emit(ir_type, f"bitcast {integers} {exponent} to {ir_type}"),
         writer.arithmetic(ast.Sub(), limited, floor),
     )
     slope = writer.arithmetic(ast.Add(), writer.arithmetic(ast.Mult(), rest, 0.34), 0.66)
     factor = writer.arithmetic(ast.Add(), writer.arithmetic(ast.Mult(), rest, slope), 1.0)
-    return Value("double", writer.arithmetic(ast.Mult(), power, factor).text)
+    return Value(ir_type, writer.arithmetic(ast.Mult(), power, factor).text)

@@ -6,8 +6,9 @@ happens to be zero deceives it. What is zero at the start, and has a rate of zer
 it, as in `error_scale`.
 
 The memory of one motion is `z`: NUMBERS first, then seven numbers a component, then the polynomial, order by order. One
-motion alone has its components side by side, in vectors, with zeros up to PADDED. Names put in place for one right-hand
-side: SIZE components, ORDER of the run, ACROSS, ALONG and LANES of `series.Layout`.
+motion alone has its components side by side, in vectors, with zeros up to PADDED. Several motions have each number side
+by side, LANES of them: a vector serves what all do at every step, a loop over the lanes what few do. Names put in place
+for one right-hand side: SIZE components, ORDER of the run, ACROSS, ALONG and LANES of `series.Layout`.
 """
 
 from math import inf, log2
@@ -16,10 +17,12 @@ from tam570.integrate.compiled.series import HIGHEST
 from tam570.integrate.error_scale import CALM, COARSE, NO_SCALE, PART, SHARE
 from tam570.values import Numbers
 
-__all__ = ["DONE", "FRESH", "NUMBERS", "RUNNING", "STATUS", "advance", "advance_all", "memory"]
+__all__ = ["DONE", "FRESH", "IDLE", "NUMBERS", "PLACES", "RUNNING", "STATUS", "advance", "advance_all", "memory"]
 
 NUMBERS = 16
-ROW, T, H, NEW, STATUS, STEPS, REFUSALS, TRIES, LONGEST, SIZED, WHO, MAXIMUM, FIRST = range(13)  # where in z
+_PLACES = "ROW T H NEW STATUS STEPS REFUSALS TRIES LONGEST SIZED WHO MAXIMUM FIRST ACCEPTED AHEAD"  # in z
+PLACES = tuple(_PLACES.split(" "))
+ROW, T, H, NEW, STATUS, STEPS, REFUSALS, TRIES, LONGEST, SIZED, WHO, MAXIMUM, FIRST, ACCEPTED, AHEAD = range(15)
 Y, REST, M, SLOPE, NEXT, BASE, NOISE, POLYNOMIAL = range(8)
 # of a component: at the end of the step tried; what rounding took from its start; its size at the start; the
 # polynomial's derivative at the end; what rounding takes from the end; the derivative there; what a rounding does to it
@@ -27,7 +30,7 @@ Y, REST, M, SLOPE, NEXT, BASE, NOISE, POLYNOMIAL = range(8)
 SIZE = PADDED = ORDER = ACROSS = ALONG = LANES = MEMORY = 0
 TIMED = False  # whether the right-hand side depends on time
 SATURATES = False  # whether it has exp, tanh or their like of the state
-RUNNING, DONE, VANISHED, SINGULAR, LACKING, FRESH = 0.0, 1.0, 2.0, 3.0, 4.0, 5.0
+RUNNING, DONE, VANISHED, SINGULAR, LACKING, FRESH, IDLE = 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0
 LEFT_OUT = 0.4  # of the tolerance, by the terms that a step leaves out
 FINEST = 1e-14  # tolerance of a step, below which they fall as its square: in long runs they add up, rounding does not
 TOLERATED = 1.0  # the derivative may be off by so many times (ORDER + 1) of the tolerance in a step
@@ -46,9 +49,11 @@ roundoff: Numbers = None  # the same: in their place, a bound of their rounding
 
 
 components: Numbers = None  # components(): their indices; of one motion alone as many at a time as fit in a vector
+each: Numbers = None  # each(k): the index of number k of all motions
 wide: Numbers = None  # wide(x): as many of it
-largest: Numbers = None  # largest(x): of a vector
-summed: Numbers = None  # summed(x): of a vector
+largest: Numbers = None  # largest(x): of the components in a vector
+summed: Numbers = None  # summed(x): of the components in a vector
+largest_of_all: Numbers = None  # largest_of_all(x): of the motions
 
 
 def memory(size: int) -> int:
@@ -58,7 +63,7 @@ def memory(size: int) -> int:
 
 def at(part: Numbers, i: Numbers) -> Numbers:
     """Return where in z that part of component i is, or the first coefficient of its polynomial."""
-    return NUMBERS + part * PADDED + i
+    return (NUMBERS + part * PADDED + i) * LANES
 
 
 def coefficient(i: Numbers, n: Numbers, lane: Numbers) -> Numbers:
@@ -164,7 +169,7 @@ def advance(
             rates(work, c, time, ORDER)
         else:
             coefficients(work, c, time, ORDER)
-        settle(z, work, time, c, times, out, 0, rtol, pace)
+        settle(z, work, time, c, times, out, rtol, pace)
 
 
 def pace_of(rtol: Numbers) -> Numbers:
@@ -210,20 +215,40 @@ def advance_all(
     next_member, running = LANES * MEMORY, LANES * MEMORY + 1
     while z[running] > 0.0 and budget > 0:
         budget -= 1
-        coefficients(work, c, time, ORDER)
+        is_new = False
         for lane in range(LANES):
-            motion = shifted(z, lane * MEMORY)
-            if motion[STATUS] == RUNNING:
-                who = int(motion[WHO])
-                settle(motion, work, time, c, times, shifted(out, who * len(times) * SIZE), lane, rtol, pace)
-                if motion[STATUS] != RUNNING:
-                    members[who, 0] = motion[STATUS]
+            motion = shifted(z, lane)
+            if motion[STATUS] != RUNNING:
+                if motion[STATUS] != IDLE:
+                    members[int(motion[WHO]), 0] = motion[STATUS]
+                    motion[STATUS] = IDLE
                     z[running] -= 1.0
-            if motion[STATUS] != RUNNING and int(z[next_member]) < len(members):
-                who = int(z[next_member])
-                begin(motion, work, times, shifted(out, who * len(times) * SIZE), members, who, lane)
-                z[next_member] += 1.0
+                if int(z[next_member]) < len(members):
+                    who = int(z[next_member])
+                    begin(motion, work, times, shifted(out, who * len(times) * SIZE), members, who, lane)
+                    z[next_member] += 1.0
+                    is_new = True
             time[lane] = origin + motion[NEW]
+        coefficients(work, c, time, ORDER)
+        limit = wide(inf)
+        if SATURATES:
+            reach(work, c, time, ORDER)
+            limit = work[coefficient(each(0), 1, 0)]
+            rates(work, c, time, ORDER)
+        judge(z, refused(z, work, time, c, rtol), limit)
+        for lane in range(LANES):
+            motion = shifted(z, lane)
+            if motion[ACCEPTED] > 0.0:
+                sample(motion, times, shifted(out, int(motion[WHO]) * len(times) * SIZE))
+        take_steps(z)
+        z[each(AHEAD)] = longest(z, work, pace)
+        if is_new:
+            for lane in range(LANES):
+                motion = shifted(z, lane)
+                if motion[H] == 0.0 and motion[STATUS] == RUNNING:
+                    scale_start(motion, work, time, c, lane, motion[AHEAD])
+            z[each(AHEAD)] = longest(z, work, pace)
+        attempt_all(z, work, times, limit)
 
 
 def begin(
@@ -231,7 +256,7 @@ def begin(
 ) -> None:
     """Put a member's start where it belongs."""
     for k in range(NUMBERS + 7 * SIZE):
-        z[k] = 0.0
+        z[k * LANES] = 0.0
     z[ROW] = 1.0
     z[WHO] = float(who)
     z[MAXIMUM] = z[FIRST] = inf
@@ -242,25 +267,72 @@ def begin(
     start_motion(z, out)
 
 
+def judge(z: Numbers, wrong: Numbers, limit: Numbers) -> None:
+    """Note which of all motions accept the step that they tried."""
+    h = z[each(H)]
+    accepted = wide(1.0) if h > 0.0 else wide(0.0)
+    accepted = accepted if z[each(STATUS)] == RUNNING else wide(0.0)
+    accepted = wide(0.0) if wrong > 0.0 else accepted
+    z[each(ACCEPTED)] = wide(0.0) if h > 2.0 * limit else accepted
+
+
+def take_steps(z: Numbers) -> None:
+    """Take the steps of all motions that accept theirs; count the refusals of the others."""
+    accepted, h = z[each(ACCEPTED)], z[each(H)]
+    for i in components():
+        m = z[at(M, i)]
+        unsized = wide(1.0) if m <= NO_SCALE else wide(0.0)
+        unsized = wide(0.0) if z[each(SIZED)] == 1.0 else unsized
+        z[at(M, i)] = abs(z[at(Y, i)]) if accepted * unsized > 0.0 else m
+        z[at(REST, i)] = z[at(NEXT, i)] if accepted > 0.0 else z[at(REST, i)]
+    z[each(T)] = z[each(NEW)] if accepted > 0.0 else z[each(T)]
+    z[each(LONGEST)] = h if accepted > 0.0 else z[each(LONGEST)]
+    z[each(STEPS)] = z[each(STEPS)] + accepted
+    refusals = wide(1.0) - accepted if h > 0.0 else wide(0.0)
+    z[each(REFUSALS)] = z[each(REFUSALS)] + refusals
+    z[each(TRIES)] = (z[each(TRIES)] + 1.0) * refusals
+
+
+def attempt_all(z: Numbers, work: Numbers, times: Numbers, limit: Numbers) -> None:
+    """Try the next steps of all motions."""
+    tries = z[each(TRIES)]
+    h = z[each(AHEAD)]
+    h = h if h < inf else GROWTH * z[each(LONGEST)]
+    h = min(h, limit)
+    again = z[each(H)] * (wide(0.5) if tries < 3.0 else wide(0.125))
+    h = again if tries > 0.0 else h
+    status = wide(RUNNING) if h > 0.0 else wide(SINGULAR)
+    t = z[each(T)]
+    end = times[len(times) - 1]
+    remaining = end - t
+    new = t + (h if 2.0 * h < remaining else remaining / 2.0)
+    new = new if h < remaining else wide(end)
+    h = new - t
+    vanishing = wide(VANISHED) if h <= 2.0**-50 * t else status
+    vanishing = wide(VANISHED) if h < 1e-17 * end else vanishing
+    status = vanishing if status == RUNNING else status
+    before = z[each(STATUS)]
+    z[each(STATUS)] = status if before == RUNNING else before
+    z[each(H)] = h
+    z[each(NEW)] = new
+    for i in components():
+        for n in range(ORDER + 1):
+            was = z[at(POLYNOMIAL + n, i)]
+            z[at(POLYNOMIAL + n, i)] = was if tries > 0.0 else work[coefficient(i, n, 0)]
+    extrapolate(z, work, h)
+
+
 def settle(
-    z: Numbers,
-    work: Numbers,
-    time: Numbers,
-    c: Numbers,
-    times: Numbers,
-    out: Numbers,
-    lane: Numbers,
-    rtol: Numbers,
-    pace: Numbers,
+    z: Numbers, work: Numbers, time: Numbers, c: Numbers, times: Numbers, out: Numbers, rtol: Numbers, pace: Numbers
 ) -> None:
     """Judge the step that was tried, and try the next: `work` holds the coefficients at the state in z."""
     limit = inf
     if SATURATES:
         reach(work, c, time, ORDER)
-        limit = work[coefficient(0, 1, lane)]
+        limit = work[coefficient(0, 1, 0)]
         rates(work, c, time, ORDER)
     h = 0.0
-    if z[H] > 0.0 and (z[H] > 2.0 * limit or refused(z, work, time, c, lane, rtol)):
+    if z[H] > 0.0 and (z[H] > 2.0 * limit or refused(z, work, time, c, rtol) > 0.0):
         z[REFUSALS] += 1.0
         z[TRIES] += 1.0
         h = z[H] / 2.0 if z[TRIES] < 3.0 else z[H] / 8.0
@@ -268,10 +340,10 @@ def settle(
         if z[H] > 0.0:
             take_step(z, times, out)
         if z[STATUS] == RUNNING:
-            h = longest(z, work, lane, pace)
+            h = longest(z, work, pace)
             if z[STEPS] == 0.0:
-                scale_start(z, work, time, c, lane, h)
-                h = longest(z, work, lane, pace)
+                scale_start(z, work, time, c, 0, h)
+                h = longest(z, work, pace)
             if not h < inf:
                 h = GROWTH * z[LONGEST]
             if z[STEPS] == 0.0:
@@ -280,11 +352,11 @@ def settle(
             h = min(h, limit)
             for n in range(ORDER + 1):
                 for i in components():
-                    z[at(POLYNOMIAL, i) + n * PADDED] = work[coefficient(i, n, lane)]
+                    z[at(POLYNOMIAL + n, i)] = work[coefficient(i, n, 0)]
             if not h > 0.0:
                 z[STATUS] = SINGULAR
     if z[STATUS] == RUNNING:
-        attempt(z, work, times, lane, h)
+        attempt(z, work, times, h)
 
 
 def scale_start(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, h: Numbers) -> None:
@@ -297,62 +369,67 @@ def scale_start(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numb
                 z[at(M, i)] = max(z[at(M, i)], h * abs(work[coefficient(i, 1, lane)]))
 
 
-def refused(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, rtol: Numbers) -> Numbers:
-    """Return whether the derivative at the end of the step is not the polynomial's; what is but rounding passes."""
+def refused(z: Numbers, work: Numbers, time: Numbers, c: Numbers, rtol: Numbers) -> Numbers:
+    """Return 1 where the derivative at the end of the step is not the polynomial's; what is but rounding passes."""
     limit = TOLERATED * (ORDER + 1) * max(rtol, 2.0**-52)
-    if not off(z, work, lane, limit, 0.0):
-        return False
-    roundoff(work, c, time, ORDER)
-    for i in components():
-        z[at(NOISE, i)] = work[coefficient(i, 1, lane)]
-    rates(work, c, time, ORDER)
-    return off(z, work, lane, limit, ROUNDINGS)
+    wrong = off(z, work, limit, 0.0)
+    if largest_of_all(wrong) > 0.0:
+        roundoff(work, c, time, ORDER)
+        for i in components():
+            z[at(NOISE, i)] = work[coefficient(i, 1, 0)]
+        rates(work, c, time, ORDER)
+        wrong = off(z, work, limit, ROUNDINGS)
+    return wrong
 
 
-def off(z: Numbers, work: Numbers, lane: Numbers, limit: Numbers, roundings: Numbers) -> Numbers:
-    """Return whether an error of a derivative times the step is more than is allowed, or not a number."""
-    h = z[H]
+def off(z: Numbers, work: Numbers, limit: Numbers, roundings: Numbers) -> Numbers:
+    """Return 1 where an error of a derivative times the step is more than is allowed, or not a number."""
+    h = z[each(H)]
     wrong = wide(0.0)
     for i in components():
         slope = z[at(SLOPE, i)]
         size = SHARE * z[at(M, i)] + max(abs(z[at(POLYNOMIAL, i)]), abs(z[at(Y, i)]))
         noise = roundings * z[at(NOISE, i)] if roundings > 0.0 else wide(0.0)
         allowed = limit * size + h * ((noise if noise < inf else wide(0.0)) + 2.0**-51 * abs(slope))
-        wrong = wrong if h * abs(work[coefficient(i, 1, lane)] - slope) <= allowed else wide(1.0)
-    return largest(wrong) > 0.0
+        wrong = wrong if h * abs(work[coefficient(i, 1, 0)] - slope) <= allowed else wide(1.0)
+    return largest(wrong)
 
 
-def take_step(z: Numbers, times: Numbers, out: Numbers) -> None:
-    """Write the samples in the step, which proved right; what had no scale has one now."""
+def sample(z: Numbers, times: Numbers, out: Numbers) -> None:
+    """Write the samples in the step, which proved right."""
     row = int(z[ROW])
     while row < len(times) and times[row] <= z[NEW]:
         x = times[row] - z[T]
         for i in range(SIZE):
             out[row, i] = z[at(Y, i)] if times[row] == z[NEW] else evaluate(z, i, x)
         row += 1
-    for i in components():
-        if z[SIZED] != 1.0:  # what has no size yet moves: by as much within a step that proved right
-            z[at(M, i)] = abs(z[at(Y, i)]) if z[at(M, i)] <= NO_SCALE else z[at(M, i)]
-        z[at(REST, i)] = z[at(NEXT, i)]
     z[ROW] = float(row)
-    z[T] = z[NEW]
-    z[LONGEST] = z[H]
-    z[STEPS] += 1.0
-    z[TRIES] = 0.0
     if row >= len(times):
         z[STATUS] = DONE
 
 
+def take_step(z: Numbers, times: Numbers, out: Numbers) -> None:
+    """Write the samples in the step; what had no scale has one now."""
+    sample(z, times, out)
+    for i in components():
+        if z[SIZED] != 1.0:  # what has no size yet moves: by as much within a step that proved right
+            z[at(M, i)] = abs(z[at(Y, i)]) if z[at(M, i)] <= NO_SCALE else z[at(M, i)]
+        z[at(REST, i)] = z[at(NEXT, i)]
+    z[T] = z[NEW]
+    z[LONGEST] = z[H]
+    z[STEPS] += 1.0
+    z[TRIES] = 0.0
+
+
 def evaluate(z: Numbers, i: Numbers, x: Numbers) -> Numbers:
     """Component i at x, s after the start of the step."""
-    first = at(POLYNOMIAL, i)
     value = 0.0
     for n in range(ORDER):
-        value = value * x + z[first + (ORDER - n) * PADDED]
-    return z[first] + (z[at(REST, i)] + value * x)
+        value = value * x + z[at(POLYNOMIAL + ORDER - n, i)]
+    return z[at(POLYNOMIAL, i)] + (z[at(REST, i)] + value * x)
 
 
-def longest(z: Numbers, work: Numbers, lane: Numbers, pace: Numbers) -> Numbers:
+def longest(z: Numbers, work: Numbers, pace: Numbers) -> Numbers:
     """Return the step from the last coefficients, the whole state together.
 
     Infinite where all are zero, 0 if none will do.
@@ -363,22 +440,20 @@ def longest(z: Numbers, work: Numbers, lane: Numbers, pace: Numbers) -> Numbers:
     total = wide(0.0)
     for i in components():
         size = SHARE * z[at(M, i)] + abs(z[at(Y, i)])
-        first = abs(work[coefficient(i, 1, lane)])  # where it has no size it is its scale
+        first = abs(work[coefficient(i, 1, 0)])  # where it has no size it is its scale
         scale = 1.0 / size if size > NO_SCALE else (1.0 / first if first > NO_SCALE else wide(0.0))
         for before in (0, 1, 2, 3):
-            part = abs(work[coefficient(i, ORDER - before, lane)]) * scale
+            part = abs(work[coefficient(i, ORDER - before, 0)]) * scale
             total = total + part
             nearest = max(nearest, logarithm(part) * pace[1 + before])
     parts = summed(total)
-    if not parts < inf:
-        return 0.0
-    if not parts > 0.0:
-        return inf
-    return power_of_2(pace[0] - largest(nearest))
+    h = power_of_2(pace[0] - largest(nearest))
+    h = h if parts > 0.0 else inf
+    return h if parts < inf else 0.0
 
 
-def attempt(z: Numbers, work: Numbers, times: Numbers, lane: Numbers, h: Numbers) -> None:
-    """Write the state and the polynomial's derivative at the end of a step of about h."""
+def attempt(z: Numbers, work: Numbers, times: Numbers, h: Numbers) -> None:
+    """Try a step of about h."""
     t = z[T]
     end = times[len(times) - 1]
     remaining = end - t
@@ -393,19 +468,23 @@ def attempt(z: Numbers, work: Numbers, times: Numbers, lane: Numbers, h: Numbers
         return
     z[H] = h
     z[NEW] = new
+    extrapolate(z, work, h)
+
+
+def extrapolate(z: Numbers, work: Numbers, h: Numbers) -> None:
+    """Write the state and the polynomial's derivative at the end of a step of h."""
     for i in components():
-        first = at(POLYNOMIAL, i)
         value = wide(0.0)
         slope = wide(0.0)
         for n in range(ORDER):
             slope = slope * h + value
-            value = value * h + z[first + (ORDER - n) * PADDED]
+            value = value * h + z[at(POLYNOMIAL + ORDER - n, i)]
         slope = slope * h + value
         z[at(SLOPE, i)] = slope
-        y = z[first]
+        y = z[at(POLYNOMIAL, i)]
         change = value * h + z[at(REST, i)]
         total = y + change
         part = total - y
         z[at(Y, i)] = total
-        work[coefficient(i, 0, lane)] = total
+        work[coefficient(i, 0, 0)] = total
         z[at(NEXT, i)] = (y - (total - part)) + (change - part)

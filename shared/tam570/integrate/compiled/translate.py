@@ -20,7 +20,7 @@ Names = Json
 _LIBM = "sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh exp exp2 expm1 log log1p log2 log10 cbrt erf erfc"
 LIBM = frozenset(_LIBM.split(" "))
 LIBM_OF_TWO = frozenset(("atan2", "hypot", "pow"))
-ROOTS = {"sqrt": "llvm.sqrt", "fabs": "llvm.fabs", "abs": "llvm.fabs"}
+ROOTS = {"sqrt": "llvm.sqrt", "fabs": "llvm.fabs", "abs": "llvm.fabs", "floor": "llvm.floor"}
 ARITHMETIC: dict[type[ast.operator], tuple[str, Callable[[Operand, Operand], Operand]]] = {
     ast.Add: ("add", operator.add),
     ast.Sub: ("sub", operator.sub),
@@ -46,6 +46,7 @@ class Translator(Writer):
         super().__init__()
         self.globals = {**KNOWN, **{name: self._inlined(node) for name, node in functions.items()}, **names}
         self.width = 1  # of vectors
+        self.together = 1  # components in a vector
         self.flags = ""  # of additions and products: none, so that both give Python's bits
         self.components = 0  # with what fills up the last vector
         self.tables: dict[tuple[float, ...], str] = {}
@@ -195,12 +196,12 @@ class Translator(Writer):
         if self.width == 1:
             bounds = 0, self.globals["SIZE"]
             return self._counted(names, node.body, bounds, lambda i: self.assign(names, node.target, i))
-        if self.components == self.width:
+        if self.components == self.together:
             self.bind(names, node.target, Value("lanes", "0"))
             return self.body(names, node.body)
         bounds = 0, Value("i64", str(self.components))
         return self._counted(
-            names, node.body, bounds, lambda i: self.bind(names, node.target, Value("lanes", i.text)), self.width
+            names, node.body, bounds, lambda i: self.bind(names, node.target, Value("lanes", i.text)), self.together
         )
 
     def _bounds(self, names: Names, node: ast.expr) -> tuple[Operand, ...]:
