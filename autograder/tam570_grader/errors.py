@@ -61,7 +61,8 @@ def writing(path: Path) -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        why = error.args[0][0][2] if isinstance(error, shutil.Error) else error.strerror or error  # the first of many
+        many = isinstance(error, shutil.Error) and isinstance(error.args[0], list)
+        why = error.args[0][0][2] if many else error.strerror or error  # the first of many
         raise UsageError(
             f"cannot write to {path}: {why}; {REMEDIES.get(error.errno or 0, 'name another path')}"
         ) from None

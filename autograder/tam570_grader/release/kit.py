@@ -24,6 +24,8 @@ TEMPLATES = Path(__file__).parent / "templates"
 
 def run(course: Path, folder: Path) -> int:
     """Put the kit into the folder; the exit code."""
+    if (folder / "README.md").exists() and not any(folder.glob("tam570-*.whl")):
+        raise UsageError(f"the README.md in {folder} is not a kit's; name another folder")
     text = (TEMPLATES / "kit.md").read_text(encoding="utf-8")
     slugs = assignments.slugs(course)
     if EXAMPLE not in slugs:

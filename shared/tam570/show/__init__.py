@@ -156,4 +156,4 @@ def save(scene: Scene, file: Path) -> None:
 
         write(scene, file)
     else:
-        raise Trouble(f"{file.name} is to end in {', '.join(SAVED_AS)}")
+        raise Trouble(f"cannot save {file.name}; choose a name that ends in {', '.join(SAVED_AS)}")

@@ -40,10 +40,11 @@ def write(scene: Scene, file: Path) -> None:
 def save_frames(scene: Scene, file: Path, writer: AbstractMovieWriter, every: int) -> None:
     """Save what moves by a writer of Matplotlib, a frame every so many samples."""
     figure, update = _drawn(scene)
-    with writer.saving(figure, str(file), DPI):
-        for sample in range(0, len(scene.times), every):
-            update(sample)
-            writer.grab_frame()
+    writer.setup(figure, str(file), DPI)
+    for sample in range(0, len(scene.times), every):
+        update(sample)
+        writer.grab_frame()
+    writer.finish()  # not `with writer.saving`, which writes the frames so far after a Ctrl-C
 
 
 def _writer(suffix: str) -> AbstractMovieWriter:

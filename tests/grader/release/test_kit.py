@@ -10,6 +10,7 @@ import zipfile
 import pytest
 
 from tam570_grader.checks import assignments
+from tam570_grader.errors import UsageError
 from tam570_grader.release.kit import run as make_kit
 
 SLUG = "hw08_axis_angle"
@@ -64,6 +65,13 @@ def test_its_version_says_its_content(kit, course, tmp_path):
     assert make_kit(tmp_path, tmp_path / "kit") == 0
     (after,) = (tmp_path / "kit").glob("*.whl")
     assert after.name != before.name
+
+
+def test_it_overwrites_no_other_page(course, tmp_path):
+    (tmp_path / "README.md").write_text("of a course, say")
+    with pytest.raises(UsageError):
+        make_kit(course, tmp_path)
+    assert [path.read_text() for path in tmp_path.iterdir()] == ["of a course, say"]
 
 
 def test_the_command_works_from_the_wheel_alone(unpacked, tmp_path):

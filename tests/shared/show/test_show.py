@@ -4,6 +4,7 @@ import importlib
 import json
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -203,6 +204,15 @@ def test_a_picture_has_the_frames_of_the_film(short, suffix, frames, tmp_path):
     save(short, tmp_path / f"a{suffix}")
     with Image.open(tmp_path / f"a{suffix}") as picture:
         assert picture.n_frames == frames and len(picture.convert("RGB").getcolors(1 << 20)) > 20
+
+
+def test_an_interrupted_picture_leaves_no_file(short, tmp_path, monkeypatch):
+    monkeypatch.setattr(
+        "matplotlib.animation.PillowWriter.grab_frame", lambda writer: signal.raise_signal(signal.SIGINT)
+    )
+    with pytest.raises(KeyboardInterrupt):
+        save(short, tmp_path / "film.gif")
+    assert not list(tmp_path.iterdir())
 
 
 def test_a_video_is_written_and_without_ffmpeg_refused_with_another_way(short, tmp_path, monkeypatch):
