@@ -215,14 +215,15 @@ def _roundoff(formulas: Formulas) -> list[str]:
     its own rounding to the one that its arguments carry; time and state are known to half a unit in the last place.
     It is taken half way through the step: at its start too many things may be exactly zero.
     """
+    bounds = formulas.bounds
     lines = ["def roundoff(start, h, y, f, b, c):", *unpacked(formulas, y="y", f="f", b="b")]
     lines += [f"s{i} = y{i} + 0.5 * h * f{i}" for i in sorted(formulas.reads)]
-    lines += ["t = start + 0.5 * h", f"b_t = {UNIT_ROUNDOFF!r} * abs(t)", *formulas.values]
+    lines += ["t = start + 0.5 * h", f"b_t = {UNIT_ROUNDOFF!r} * abs(t)", *bounds.values]
     lines += [f"b_s{i} = {UNIT_ROUNDOFF!r} * abs(s{i})" for i in sorted(formulas.reads)]
     lines += [f"x{i} = 0.0" for i in formulas.moving]
     if formulas.moving:
-        lines += [f"for sweep in {SWEEPS!r}:", *(f"    {line}" for line in formulas.bounds)]
-    lines += [f"    x{i} = h * ({formulas.rate_bounds[i]})" for i in formulas.moving]
+        lines += [f"for sweep in {SWEEPS!r}:", *(f"    {line}" for line in bounds.lines)]
+    lines += [f"    x{i} = h * ({bounds.rates[i]})" for i in formulas.moving]
     for i in sorted(formulas.reads & set(formulas.moving)):
         lines.append(f"    b_s{i} = {UNIT_ROUNDOFF!r} * abs(s{i}) + x{i}")
     for i in formulas.moving:
@@ -238,10 +239,10 @@ def _reach(formulas: Formulas) -> list[str]:
     lines = ["def reach(start, h, y, f, c):"]
     if not formulas.exponents:
         return [*lines, "return inf"]
-    reads = sorted(formulas.reads)
-    lines += [*unpacked(formulas, y="y", f="f"), *(f"s{i} = y{i}" for i in reads), "t = start", *formulas.values]
+    reads, values = sorted(formulas.reads), formulas.bounds.values
+    lines += [*unpacked(formulas, y="y", f="f"), *(f"s{i} = y{i}" for i in reads), "t = start", *values]
     lines += [f"x{k} = {argument}" for k, argument in enumerate(formulas.exponents)]
-    lines += [f"d = {PART!r} * h", *(f"s{i} = y{i} + d * f{i}" for i in reads), "t = start + d", *formulas.values]
+    lines += [f"d = {PART!r} * h", *(f"s{i} = y{i} + d * f{i}" for i in reads), "t = start + d", *values]
     lines.append("longest = inf")
     for k, argument in enumerate(formulas.exponents):
         lines += [f"w = abs({argument} - x{k})", f"x = d * max(0.5 * abs(x{k}), {REACH!r})"]

@@ -1,15 +1,26 @@
 """A recorded right-hand side as source: assignments from t, s0, s1, ... and c0, c1, ... to one expression a rate."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field
+from functools import cached_property
 
 from tam570.integrate.trace import Graph, Symbol, Value
 
-__all__ = ["Formulas", "by_call", "call_of", "halves", "names", "tuple_of", "unpacked", "written"]
+__all__ = ["Bounds", "Formulas", "by_call", "call_of", "halves", "names", "tuple_of", "unpacked", "written"]
 
 UNIT_ROUNDOFF = 2.0**-53
 SATURATING = {"exp", "expm1", "tanh", "erf", "erfc", "sinh", "cosh"}  # whose change takes place at arguments near zero
 LONGEST = 200  # characters of one expression: brackets in brackets have a limit
+
+
+@dataclass(frozen=True)
+class Bounds:
+    """A running error bound of a right-hand side, as source."""
+
+    values: tuple[str, ...]  # lines that set z0, z1, ... to the result of each operation
+    lines: tuple[str, ...]  # lines that set b0, b1, ... to a bound of its rounding, from b_s0, b_s1, ... and b_t
+    rates: tuple[str, ...]  # the bounds of the rates
+    exponents: tuple[str, ...]  # arguments of exp, tanh and their like that depend on the state, by `values`
 
 
 @dataclass(frozen=True)
@@ -21,10 +32,10 @@ class Formulas:
     constants: int = 0
     reads: frozenset[int] = frozenset()  # the components of the state that occur at all
     timed: bool = False
-    values: tuple[str, ...] = ()  # lines that set z0, z1, ... to the result of each operation
-    bounds: tuple[str, ...] = ()  # lines that set b0, b1, ... to a bound of its rounding, from b_s0, b_s1, ... and b_t
-    rate_bounds: tuple[str, ...] = ()  # the bounds of the rates
-    exponents: tuple[str, ...] = ()  # arguments of exp, tanh and their like that depend on the state, by `values`
+    saturates: bool = False  # whether exp, tanh or their like occur
+    # what they were written from; equal formulas have equal bounds
+    graph: Graph = field(default=Graph((), ()), compare=False, repr=False)
+    constant_names: dict[float, str] = field(default_factory=dict, compare=False, repr=False)  # of the constants
 
     @property
     def size(self) -> int:
@@ -35,22 +46,30 @@ class Formulas:
         """The components that change: a derivative of plain zero needs no stages."""
         return [i for i, rate in enumerate(self.rates) if rate != "0.0"]
 
+    @cached_property
+    def bounds(self) -> Bounds:
+        """The running error bound, which most runs need not."""
+        return _bounds(self.graph, self.constant_names)
+
+    @property
+    def exponents(self) -> tuple[str, ...]:
+        """Arguments of exp, tanh and their like that depend on the state, by the values of the bounds."""
+        return self.bounds.exponents if self.saturates else ()
+
 
 def written(graph: Graph) -> tuple[Formulas, tuple[float, ...]]:
     """Return the whole right-hand side, and the constants in it."""
     constants: dict[float, str] = {}
-    formulas = _written(graph.operations, graph.rates, constants)
-    return _bounded(formulas, graph, constants), tuple(constants)
+    return _written(graph, constants), tuple(constants)
 
 
 def halves(graph: Graph) -> tuple[Formulas, Formulas, tuple[float, ...]]:
     """Return the rates of the first half of the state and those of the second, and the constants of both."""
     constants: dict[float, str] = {}
-    _written(graph.operations, graph.rates, constants)
+    _written(graph, constants)
     middle = len(graph.rates) // 2
-    first, second = (
-        _written(graph.operations, part, constants) for part in (graph.rates[:middle], graph.rates[middle:])
-    )
+    parts = (Graph(graph.operations, part) for part in (graph.rates[:middle], graph.rates[middle:]))
+    first, second = (_written(part, constants) for part in parts)
     return first, second, tuple(constants)
 
 
@@ -113,20 +132,19 @@ def _text(value: Value, texts: dict[int, str], constants: dict[float, str]) -> s
     return constants.setdefault(value, f"c{len(constants)}") if value else "0.0"
 
 
-def _written(operations: Sequence[Symbol], rates: Sequence[Value], constants: dict[float, str]) -> Formulas:
-    uses = _uses(operations, rates)
-    lines, texts = _texts(operations, uses, constants, "v", LONGEST)
-    expressions = tuple(_text(rate, texts, constants) for rate in rates)
-    used = [symbol.name for symbol in operations if uses[symbol.number] and not symbol.arguments]
-    reads = frozenset(int(name[1:]) for name in used if name != "t")
-    return Formulas(tuple(lines), expressions, len(constants), reads, "t" in used)
+def _written(graph: Graph, constants: dict[float, str]) -> Formulas:
+    uses = _uses(graph.operations, graph.rates)
+    lines, texts = _texts(graph.operations, uses, constants, "v", LONGEST)
+    expressions = tuple(_text(rate, texts, constants) for rate in graph.rates)
+    used = [symbol for symbol in graph.operations if uses[symbol.number]]
+    read = {symbol.name for symbol in used if not symbol.arguments}
+    reads = frozenset(int(name[1:]) for name in read if name != "t")
+    saturates = any(symbol.name in SATURATING for symbol in used)
+    return Formulas(tuple(lines), expressions, len(constants), reads, "t" in read, saturates, graph, constants)
 
 
-def _bounded(formulas: Formulas, graph: Graph, constants: dict[float, str]) -> Formulas:
-    """Return the formulas with a running error bound.
-
-    Of each operation, what it makes of its arguments' and its own.
-    """
+def _bounds(graph: Graph, constants: dict[float, str]) -> Bounds:
+    """Bound the rounding: of each operation, what it makes of its arguments' and its own."""
     uses = _uses(graph.operations, graph.rates)
     values, texts = _texts(graph.operations, uses, constants, "z", 0)
     bounds: list[str] = []
@@ -142,12 +160,11 @@ def _bounded(formulas: Formulas, graph: Graph, constants: dict[float, str]) -> F
             bounds.append(f"{bound(symbol)} = {_bound_of(symbol.name, texts[symbol.number], arguments)}")
     exponents = [s.arguments[0] for s in graph.operations if uses[s.number] and s.name in SATURATING]
     exponents = [a for a in exponents if isinstance(a, Symbol) and _moves_with_state(a)]
-    return replace(
-        formulas,
-        values=tuple(values),
-        bounds=tuple(bounds),
-        rate_bounds=tuple(bound(rate) or "0.0" for rate in graph.rates),
-        exponents=tuple(dict.fromkeys(texts[a.number] for a in exponents)),
+    return Bounds(
+        tuple(values),
+        tuple(bounds),
+        tuple(bound(rate) or "0.0" for rate in graph.rates),
+        tuple(dict.fromkeys(texts[a.number] for a in exponents)),
     )
 
 
