@@ -125,8 +125,11 @@ def _with_agg(choose: Callable[[str], object]) -> Callable[..., None]:
 
 
 def _replace(name: str, module: ModuleType) -> None:
-    """Put the module where every other way of reaching the real one ends."""
-    for loaded in [other for other in sys.modules if other.startswith(name + ".")]:
+    """Put the module where every other way of reaching the real one ends.
+
+    A package that is not there has no modules: to look at all names would copy a page of memory for most.
+    """
+    for loaded in [other for other in sys.modules if other.startswith(name + ".")] if name in sys.modules else ():
         del sys.modules[loaded]
     sys.modules[name] = module
     parent, _, last = name.rpartition(".")
