@@ -49,14 +49,13 @@ def picture(function: Function, args: list[Numbers], kwargs: Json, *, looked_at:
     labels = {"xlabel": _text(axes.get_xlabel()), "ylabel": _text(axes.get_ylabel())}
     names = [_text(artist.get_label()) for artist, _, _ in drawn]
     curves = [artist for artist, pieces, _ in drawn if _is_curve(pieces)]
-    prints = _prints(axes, curves) if looked_at else {}
-    empty = prints.get(None)
+    inks = _inks(axes, curves) if looked_at else {}
     lines = [
-        {"points": points, "label": name, "scatter": scatter, **_shown(axes, points, prints.get(artist), empty)}
+        {"points": points, "label": name, "scatter": scatter, **_shown(axes, points, inks.get(artist))}
         for name, (artist, pieces, scatter) in zip(names, drawn, strict=True)
         for points in pieces
     ]
-    return {"lines": lines, **labels, "labels_show": _labels_show(axes, prints), **_scales(axes)}
+    return {"lines": lines, **labels, "labels_show": _labels_show(axes, inks), **_scales(axes)}
 
 
 class BlankAxes:
@@ -137,8 +136,8 @@ def _text(text: Artist) -> str:
     return str(text)[:LONGEST_TEXT]
 
 
-def _prints(axes: Artist, curves: list[Artist]) -> dict[Artist, Numbers]:
-    """Print the picture by its axes, of the same without curves and labels by None, of a curve alone by it."""
+def _inks(axes: Artist, curves: list[Artist]) -> dict[Artist, Numbers]:
+    """Return the ink of curves and labels together by the axes, and of each curve alone by it."""
     from matplotlib import rc_context
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
@@ -147,17 +146,18 @@ def _prints(axes: Artist, curves: list[Artist]) -> dict[Artist, Numbers]:
     _without_words(figure, labels)
     canvas = FigureCanvasAgg(figure)
     with rc_context({"agg.path.chunksize": 10_000}), np.errstate(all="ignore"):
-        prints = {axes: _printed(canvas)}
+        full = _printed(canvas).copy()
         figure.set_layout_engine("none")  # what is drawn later stays where it is
         visible = {artist: artist.get_visible() for artist in curves}
         for artist in (*curves, *labels):
             artist.set_visible(False)
-        prints[None] = _printed(canvas)
+        empty = _printed(canvas).copy()
+        inks = {axes: _ink(full, empty)}
         for artist in [artist for artist in curves if visible[artist]][:MOST_PRINTED]:
             artist.set_visible(True)
-            prints[artist] = _printed(canvas)
+            inks[artist] = _ink(_printed(canvas), empty)
             artist.set_visible(False)
-    return prints
+    return inks
 
 
 def _without_words(figure: Artist, labels: tuple[Artist, Artist]) -> None:
@@ -181,8 +181,9 @@ def _without_words(figure: Artist, labels: tuple[Artist, Artist]) -> None:
 
 
 def _printed(canvas: Artist) -> Numbers:
+    """Return a print, in memory that the next one takes."""
     canvas.draw()
-    colours = np.array(canvas.buffer_rgba())
+    colours = np.asarray(canvas.buffer_rgba())
     opaque = colours[..., 3:]
     if opaque.min() < 255:
         colours[..., :3] = 255 + (colours[..., :3].astype(np.int16) - 255) * (opaque / 255)
@@ -197,12 +198,12 @@ def _ink(first: Numbers, other: Numbers) -> Numbers:
     return ink
 
 
-def _shown(axes: Artist, points: Numbers, alone: Numbers, empty: Numbers) -> dict[str, float]:
+def _shown(axes: Artist, points: Numbers, ink: Numbers) -> dict[str, float]:
     """Of the points, or of every kth: the shares that have ink near them and that lie within the limits, the extent."""
     points = points[np.isfinite(points).all(axis=1)]
     points = points[:: max(1, len(points) // LOOKED_AT)]
     nothing = {"shows": 0.0, "within": 0.0, "extent": 0.0}
-    if alone is None or not len(points):
+    if ink is None or not len(points):
         return nothing
     with np.errstate(all="ignore"):
         places = axes.transData.transform(points)
@@ -212,7 +213,7 @@ def _shown(axes: Artist, points: Numbers, alone: Numbers, empty: Numbers) -> dic
     visible = places[is_inside.all(axis=1)]
     if not len(visible):
         return nothing
-    near = _near(_ink(alone, empty), visible)
+    near = _near(ink, visible)
     extent = np.ptp(visible, axis=0).max() / PRINTED
     return {"shows": float(near.sum() / len(points)), "within": len(visible) / len(points), "extent": float(extent)}
 
@@ -232,11 +233,11 @@ def _near(ink: Numbers, places: Numbers) -> Numbers:
     return near[row + 1, column + 1]
 
 
-def _labels_show(axes: Artist, prints: dict[Artist, Numbers]) -> list[bool]:
+def _labels_show(axes: Artist, inks: dict[Artist, Numbers]) -> list[bool]:
     """Of the labels of x and of y."""
-    if not prints:
+    if not inks:
         return [False, False]
-    shown, ink = [], _ink(prints[axes], prints[None])
+    shown, ink = [], inks[axes]
     for label in (axes.xaxis.label, axes.yaxis.label):
         label.set_visible(True)
         box = label.get_window_extent().get_points()
