@@ -1,15 +1,20 @@
-"""Whatever a student hands in has a row, or a warning that names the file and the remedy."""
+"""Whatever a student hands in, under whatever name, has a row, or a warning that names the file and the remedy."""
+
+import shutil
+import unicodedata
 
 import pytest
+from classes import HW08, hand_in
+from parameters import first
 
+from tam570_grader.grading.roster import Directory, people, students
 from tam570_grader.grading.skipped_files import skipped_files
 from tam570_grader.grading.submissions import submissions
 
-SLUG = "hw08_axis_angle"
-SLUGS = ["hw07_double_pendulum", SLUG]
+SLUGS = ["hw07_double_pendulum", HW08]
 GRADED = (
-    f"ada/{SLUG}/{SLUG}.py",
-    f"ben/{SLUG}/solution.py",
+    f"ada/{HW08}/{HW08}.py",
+    f"ben/{HW08}/solution.py",
     "cho/HW8.py",
     "dan/axis_angle.py",
     "eve/homework8/hw08_final.py",
@@ -36,7 +41,7 @@ def class_of(tmp_path):
 def test_files_are_known_by_number_by_title_and_alone(class_of):
     actual = {item.student: item for item in submissions([class_of(GRADED)], SLUGS)}
     assert sorted(actual) == sorted(name.split("/")[0] for name in GRADED)
-    assert all(item.path and item.slug == SLUG for item in actual.values())
+    assert all(item.path and item.slug == HW08 for item in actual.values())
 
 
 def test_what_cannot_be_told_is_one_row_that_says_why_and_holds_up_nobody(class_of, run):
@@ -72,7 +77,7 @@ def test_a_file_beside_a_graded_one_is_warned_of(class_of):
 
 def test_a_named_assignment_takes_lone_files_and_leaves_those_of_others(class_of):
     tree = class_of(["ada/work.py", "ben/hw07.py", "cho/hw08.py"])
-    actual = submissions([tree], SLUGS, SLUG)
+    actual = submissions([tree], SLUGS, HW08)
     assert {item.student for item in actual} == {"ada", "cho"} and all(item.path for item in actual)
 
 
@@ -84,3 +89,76 @@ def test_the_roster_gives_everyone_a_row_and_no_login_leads_out_of_the_results(c
     (name,) = {line["student"] for line in lines if line["status"] == "missing"}
     assert code == 0 and name.isprintable() and not (tmp_path / "up").exists() and (name == login) == (login == "zoe")
     assert {path.name for path in (tmp_path / "results" / "feedback").iterdir()} == {"ada", name}
+
+
+OTHER = "hw03_angular_momentum_rate"
+ODD = ["hw7", "HW08", "homework 3", "juan@pol.una.py", "hw07_double_pendulum", "notes.ipynb", "jos\u0065\u0301"]
+
+
+@pytest.mark.parametrize("file", ["{0}/{0}.py", "{0}.py", "hw08.PY", "hw08/hw08.py.txt"])
+def test_an_odd_login_among_others(run, tmp_path, solution_text, scores, file):
+    tree = hand_in(tmp_path / "submitted", dict.fromkeys(["ann", *ODD], solution_text(HW08)), file=file)
+    code, lines, _ = run(tree, "--seed", 1, "--jobs", 1)
+    assert code == 0 and scores(lines) == {unicodedata.normalize("NFC", item): 10.0 for item in ("ann", *ODD)}
+    assert {line["assignment"] for line in lines} == {HW08}
+
+
+@pytest.mark.parametrize("login", first(3, ODD))
+def test_an_odd_login_alone_and_with_a_roster(run, tmp_path, solution_text, login):
+    tree = hand_in(tmp_path / "submitted", {login: solution_text(HW08)}, file="{0}.py")
+    (tmp_path / "roster.csv").write_text(f"Username,Name\n{login},A B\nann,Ann Lee\n")
+    for path in (tree, tree / login):
+        code, lines, _ = run(path, "--roster", tmp_path / "roster.csv", "--seed", 1)
+        rows = {(line["student"], line["assignment"], line["score"]) for line in lines}
+        assert code == 0 and rows == {(unicodedata.normalize("NFC", login), HW08, 10.0), ("ann", HW08, 0.0)}
+
+
+def test_the_assignments_of_one_student_are_no_students(run, tmp_path, solution_text):
+    for slug in (HW08, OTHER):
+        tree = hand_in(tmp_path / "submitted", {"ann": solution_text(slug)}, slug)
+    shutil.copytree(tree / "ann" / HW08, tree / "ann" / "old")
+    _, lines, _ = run(tree / "ann", "--seed", 1)
+    assert {("ann", HW08), ("ann", OTHER)} <= {(line["student"], line["assignment"]) for line in lines}
+
+
+CANVAS = """Student,ID,SIS User ID,SIS Login ID,Section,hw07_double_pendulum (4711),Final Score
+,,,,,Manual Posting,
+    Points Possible,,,,,10,(read only)
+"Adams, Ann",17,A1,aadams,570,,
+"Brown, Bo",18,A2,bbrown,"570, evening",,
+"Student, Test",99,,f00,570,,
+"""
+MOODLE = """"First name",Surname,Username,"ID number","Email address"
+Ann,Adams,aadams,A1,ann@x.edu
+Bo,Brown,bbrown,A2,bo@x.edu
+"""
+WORKSHEET = """Identifier;"Full name";"Email address";Status;Grade
+"Participant 17";"Ann Adams";aadams;Submitted;
+"Participant 18";"Bo Brown";bbrown;Submitted;
+"""
+GRADESCOPE = (
+    "First Name,Last Name,SID,Email,Role\nAnn,Adams,aadams,ann@x.edu,Student\nBo,Brown,bbrown,bo@x.edu,Student\n"
+)
+NBGRADER = "id,first_name,last_name,email\naadams,Ann,Adams,a@x\nbbrown,Bo,Brown,b@x\n"
+
+
+@pytest.mark.parametrize(
+    "text", [CANVAS, MOODLE, WORKSHEET, GRADESCOPE, NBGRADER, "aadams\nbbrown\n", "student\naadams\nbbrown\n"]
+)
+def test_students_are_rows_and_nobody_else_is(tmp_path, text):
+    (tmp_path / "roster.csv").write_text("\ufeff" + text, encoding="utf-8")
+    assert students(tmp_path / "roster.csv") == ["aadams", "bbrown"]
+
+
+def test_a_worksheet_is_joined_by_participant(tmp_path):
+    (tmp_path / "roster.csv").write_text(WORKSHEET)
+    actual = Directory(people(tmp_path / "roster.csv"))
+    assert actual.owner([("participant", "18")], "Bo Brown", must_agree=True).name == "Bo Brown"
+    assert "whose name is another" in actual.owner([("participant", "18")], "Team 18", must_agree=True)
+
+
+def test_what_two_share_tells_neither(tmp_path):
+    (tmp_path / "roster.csv").write_text("Username,First name,Surname\nli1,Li,Wu\nli2,Li,Wu\n")
+    actual = Directory(people(tmp_path / "roster.csv"))
+    assert actual.owner([("participant", "5")], "Li Wu", must_agree=True) == ""
+    assert actual.owner([("login", "li2")], "Li Wu", must_agree=True).folder == "li2"

@@ -1,15 +1,17 @@
-"""Grading again: `--against` says whose score changes and why, `--vary` gives each student inputs of its own."""
+"""Grading again: whose score changes and why, inputs of each student's own, and parts of a class that are joined."""
 
 import json
 import shutil
 from itertools import pairwise
 
 import pytest
-from classes import HW08, hand_in, results
+from classes import HW08, hand_in, outcome, results
 
 from tam570_grader import cli
 from tam570_grader.checks import assignments
+from tam570_grader.cli.grade import _shard_of
 from tam570_grader.grading import batch
+from tam570_grader.grading.seeds import BITS, derive, new_seed, seed
 
 OTHER = "hw03_angular_momentum_rate"
 WRONG = "def skew(v): return [[0.0] * 3] * 3\n"
@@ -120,3 +122,38 @@ def test_a_varied_run_needs_its_key_which_nobody_else_may_read(tree, tmp_path, c
     assert grade(tree, "--out", out) == 2 and "--vary" in capsys.readouterr().err
     key.unlink()
     assert grade(tree, "--vary", key, "--out", out) == 2 and not key.exists()
+
+
+def test_a_seed_has_all_its_bits():
+    seeds = {new_seed() for _ in range(100)}
+    assert len(seeds) == 100 and 2 ** (BITS - 12) < max(seeds) < 2**BITS
+    assert seed(None, [], None) != seed(None, [], None) and seed(570, [], None) == 570
+
+
+def test_what_is_derived_depends_on_every_name_and_on_the_whole_secret():
+    derived = [
+        derive(1, "hw07", "a"),
+        derive(2, "hw07", "a"),
+        derive(1 + 2**127, "hw07", "a"),
+        derive(b"key", "hw07", "a"),
+    ]
+    derived += [derive(1, "hw08", "a"), derive(1, "hw07", "b"), derive(1, "hw07a", ""), derive(1, "hw07", "a", "")]
+    assert len(set(derived)) == len(derived) and max(derived) < 2**BITS
+    assert derive(1, "hw07", "a") == derived[0]
+
+
+def test_parts_that_are_joined_are_the_whole_and_nothing_is_graded_twice(run, solution_text, tmp_path, graded_works):
+    ends = ("", "\ndef skew(v): return v\n")
+    tree = hand_in(tmp_path / "submitted", {f"s{k}": solution_text(HW08) + ends[k % 2] for k in range(6)})
+    options = ["--seed", 5, "--jobs", 1]
+    parts = [tmp_path / f"part{k}" for k in (1, 2)]
+    for k, part in enumerate(parts, start=1):
+        code, lines, _ = run(tree, "--out", part, "--shard", f"{k}/2", *options)
+        assert code == 0 and {_shard_of(line["student"], 2) for line in lines} == {k}
+    assert sorted(graded_works) == [(f"s{k}", HW08) for k in range(6)]
+    assert run(tree, "--out", tmp_path / "all", "--join", *parts, "--jobs", 1)[0] == 0
+    assert len(graded_works) == 6
+    assert run(tree, "--out", tmp_path / "alone", *options)[0] == 0
+    assert outcome(tmp_path / "all") == outcome(tmp_path / "alone")
+    with pytest.raises(SystemExit):
+        run(tree, "--shard", "3/2")

@@ -1,9 +1,9 @@
-"""Shared code is found behind other names and comments, in notebooks too; right work of one's own is not accused."""
+"""Shared code is found behind other names, right work is not accused; Dolos, JPlag and Moss get numbers for names."""
 
 import re
 
 import pytest
-from classes import hand_in, notebook
+from classes import HW08, hand_in, notebook
 
 from tam570_grader import cli
 from tam570_grader.checks import assignments
@@ -54,3 +54,39 @@ def test_a_long_sum_is_compared_and_what_is_not_is_told_at_the_end(compare, solu
     text = solution_text(SLUG) + "\n\nLONG = " + " + ".join(f"x{n}" for n in range(2000)) + "\n"
     code, (first, *_, last) = compare({"ann": text, "ben": renamed(text), "eve": "(" * 1000})
     assert code == 1 and "ann" in first and "ben" in first and last.endswith(f"eve {SLUG}")
+
+
+TEXT = "def skew(v): return v\n"
+
+
+@pytest.fixture
+def exported(desk, tree):
+    """`exported(tool)` -> exit code, number by student, what was printed."""
+    (tree / "ada" / HW08 / f"{HW08}.py").unlink()
+    (tree / "ada" / HW08 / f"{HW08}.ipynb").write_text(notebook("import numpy as np", TEXT))
+
+    def exported(tool):
+        code, printed = desk("export", tree, "--for", tool, "--to", "out")
+        return code, {row["student"]: row["number"] for row in desk.rows("out/names.csv")}, printed
+
+    return exported
+
+
+@pytest.mark.parametrize("tool", ["dolos", "jplag", "moss"])
+def test_every_submission_is_a_module_under_a_number(exported, desk, course, tool):
+    code, numbers, printed = exported(tool)
+    folder = desk.folder / "out" / HW08
+    texts = {path.parent.name: path.read_text() for path in (folder / "submissions").glob(f"*/{HW08}.py")}
+    assert texts == {numbers["ada"]: f"import numpy as np\n\n{TEXT}\n", numbers["ben"]: "def skew(v): return None\n"}
+    stub = course / "assignments" / HW08 / f"{HW08}.py"
+    assert (folder / "base" / f"{HW08}.py").read_text() == stub.read_text()
+    assert code == 1 and f"cora {HW08} is left out" in printed and tool in printed  # cora handed in nothing
+
+
+def test_no_name_is_in_what_is_sent_and_the_names_are_the_instructors(exported, desk):
+    _, numbers, _ = exported("dolos")
+    folder = desk.folder / "out"
+    sent = [path.relative_to(folder).as_posix() for path in (folder / HW08).rglob("*")]
+    assert not any(name in path for path in sent for name in numbers)
+    assert (folder / "names.csv").stat().st_mode & 0o077 == 0
+    assert all((folder / HW08 / row["filename"]).is_file() for row in desk.rows(f"out/{HW08}/info.csv"))

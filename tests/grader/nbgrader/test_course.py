@@ -1,4 +1,4 @@
-"""The notebook that students work in: its cells, and what it says of the stub and of the solution."""
+"""The notebook that students work in: its cells, its claims, what it says of the stub and of the solution."""
 
 import json
 import re
@@ -14,7 +14,15 @@ from parameters import SLUGS, first
 
 from tam570_grader import cli
 from tam570_grader.checks import assignments
-from tam570_grader.release.notebook import functions_by_part, notebook, part_points, problem, visible_by_part
+from tam570_grader.checks.rubric import load_rubric, rubric_table
+from tam570_grader.release.notebook import (
+    functions_by_part,
+    notebook,
+    part_points,
+    problem,
+    visible_by_part,
+    write_notebook,
+)
 from tam570_grader.release.stubs import stub
 
 ONE = "hw08_axis_angle"
@@ -207,3 +215,27 @@ def test_a_table_that_is_not_finished_leaves_the_last_one(ending, tmp_path, monk
     with pytest.raises(ending.Lost):
         ending.WholeTable(to=str(tmp_path / "grades.csv")).export(None)
     assert [path.read_text() for path in tmp_path.iterdir()] == ["of the last time"]
+
+
+@pytest.fixture
+def released(course, slug):
+    return course / "assignments" / slug
+
+
+def test_every_claim_has_points_and_every_part_is_one_of_the_problem(released):
+    rubric = load_rubric(released)
+    assert {*rubric} <= {*problem((released / "README.md").read_text()).parts} | {"a"}
+    for part in rubric.values():
+        assert len({text for _, text in part.claims}) == len(part.claims) >= 2
+        assert all(points > 0 for points, _ in part.claims)
+
+
+def test_a_notebook_asks_for_the_prediction_above_the_picture_and_shows_the_claims(course, slug, released, tmp_path):
+    write_notebook(course, slug, tmp_path)
+    cells = {cell["id"]: cell for cell in json.loads((tmp_path / f"{slug}.ipynb").read_text())["cells"]}
+    order = list(cells)
+    for letter, part in load_rubric(released).items():
+        assert rubric_table(part) in cells[f"task-{letter}"]["source"]
+        assert cells[f"manual-{letter}"]["metadata"]["nbgrader"]["points"] == part.points
+        if part.before:
+            assert order.index(f"guess-{letter}") < order.index(f"picture-{letter}") < order.index(f"manual-{letter}")

@@ -1,4 +1,4 @@
-"""Laws of the lectures on particles: closed forms, limits, edges."""
+"""Laws of the lectures on particles and on bodies whose mass changes: closed forms, limits, edges."""
 
 import math
 
@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import quad
 
 from tam570.integrate import solve
-from tam570.lectures import bodies, oscillator, planet, two_masses
+from tam570.lectures import bodies, chains, oscillator, planet, rocket, two_masses
 
 DRAW = np.random.default_rng(829)
 
@@ -80,3 +80,86 @@ def test_the_springs_energy_is_the_work_of_its_tension():
         work, _ = quad(lambda x: two_masses.tension(x, **parameters), 0.4, length)
         assert two_masses.spring_energy(length, **parameters) == pytest.approx(work, abs=1e-12)
     assert two_masses.spring_energy(0.1, **parameters) > 0
+
+
+BURN = {"burn_rate": 3.0, "exhaust_speed": 900.0, "empty_mass": 40.0, "gravity": 9.81}
+START = [10.0, 20.0, 100.0]  # it burns for 20 s
+
+
+def test_momentum_of_rocket_and_exhaust_together():
+    """Without gravity; what left when the mass was m flies at v - u for ever."""
+    _, v, m = solve(rocket.rates, np.linspace(0.0, 15.0, 4001), START, parameters={**BURN, "gravity": 0.0}).T
+    thrown = np.concatenate([[0.0], np.cumsum(-np.diff(m) * ((v[1:] + v[:-1]) / 2 - 900.0))])
+    together = m * v + thrown
+    assert together == pytest.approx(np.full(4001, together[0]), abs=1e-6 * 900.0 * 60.0)  # the sum's steps squared
+
+
+@pytest.mark.parametrize("begin", [0.0, 7.0])
+def test_an_empty_tank_stops_the_burning(begin):
+    times = begin + np.array([0.0, 5.0, 19.999, 20.0, 20.001, 30.0])
+    exact, solved = rocket.exact(times, START, **BURN), solve(rocket.rates, times, START, parameters=BURN)
+    assert exact[3:, 2].tolist() == [40.0, 40.0, 40.0]
+    assert exact == pytest.approx(solved, rel=1e-8)
+    assert exact[5, 1] == pytest.approx(exact[3, 1] - 9.81 * 10)
+    after = rocket.exact([0.0, 10.0], exact[3], **BURN)[-1]
+    assert after == pytest.approx(exact[5], rel=1e-13)  # a tank that is empty from the beginning
+    assert rocket.rates(0.0, exact[3].tolist(), **BURN)[1:] == (-9.81, 0.0)
+
+
+def test_an_empty_tank_has_no_rounding():
+    for full, empty in zip(DRAW.uniform(2, 3, 50), DRAW.uniform(0.1, 2, 50), strict=True):
+        remaining = rocket.exact([0.0, 100.0], [0.0, 0.0, full], **{**BURN, "empty_mass": empty})[-1, 2]
+        assert remaining == empty
+
+
+def test_the_wrong_rocket_conserves_its_own_momentum_and_differs():
+    free = {**BURN, "gravity": 0.0}
+    _, v, m = solve(rocket.wrong_rates, np.linspace(0.0, 15.0, 30), START, parameters=free).T
+    assert m * v == pytest.approx(np.full(30, 100.0 * 20.0), rel=1e-9)
+    assert abs(rocket.wrong_rates(0, START, **BURN)[1] - rocket.rates(0, START, **BURN)[1]) > 20
+    assert rocket.wrong_rates(0, [0, 0, 100], **free)[1] == 0.0  # from rest it never starts
+
+
+def folded_energy(x, v, length, gravity):
+    """J for a density of 1 kg/m, of each half by itself: its length, and where its middle hangs."""
+    falling, hanging = (length - x) / 2, (length + x) / 2
+    return falling * v**2 / 2 - gravity * (falling * (x + falling / 2) + hanging**2 / 2)
+
+
+def test_the_folded_chain_keeps_energy_or_falls_freely():
+    for _ in range(5):
+        length, x, v, g = DRAW.uniform(1, 3), DRAW.uniform(0, 0.9), DRAW.uniform(0, 5), 9.81
+        by_energy, inelastic = chains.folded(x, v, length=length, gravity=g)
+        step = 1e-6
+        rise = (folded_energy(x + step * v, v + step * by_energy, length, g) - folded_energy(x, v, length, g)) / step
+        assert rise == pytest.approx(0.0, abs=1e-3) and inelastic == g
+        assert by_energy == pytest.approx(g + v**2 / (2 * (length - x)))
+
+
+@pytest.mark.parametrize("supplied", [0.0, 0.3, 0.5])
+def test_what_the_heap_supplies_is_not_lost(supplied):
+    """The power that lifts, less the rates of kinetic energy and of the weight's, is (1/2 - supplied) density v^3."""
+    v, density, g = 3.0, 0.5, 9.81
+    power = v * chains.lifted(1.2, v, density=density, gravity=g, supplied=supplied)
+    assert power - density * v**3 / 2 - density * g * 1.2 * v == pytest.approx((0.5 - supplied) * density * v**3)
+
+
+@pytest.mark.parametrize("supplied", [0.0, 0.3, 0.5])
+def test_the_scale_bears_what_momentum_balance_of_the_whole_chain_leaves(supplied):
+    """The part above falls by (length - x) v' = (length - x) g + supplied v^2; the reading is the weight less p'."""
+    length, density, g = 2.0, 0.4, 9.81
+
+    def fall(t, state):
+        x, v = state
+        return v, g + supplied * v * v / (length - x)
+
+    times = np.linspace(0.0, 0.45, 901)
+    x, v = solve(fall, times, [0.0, 0.0], rtol=1e-12).T
+    momentum = density * (length - x) * v
+    rate = (momentum[2:] - momentum[:-2]) / (times[2:] - times[:-2])
+    parameters = {"density": density, "gravity": g, "supplied": supplied, "length": length}
+    readings = [chains.poured(fallen, **parameters) for fallen in x[1:-1]]
+    assert readings == pytest.approx(density * length * g - rate, abs=1e-4)
+    long = chains.poured(0.3, density=density, gravity=g, supplied=supplied)
+    assert long == pytest.approx((3 - 2 * supplied) * density * g * 0.3)
+    assert chains.poured(0.3, **{**parameters, "length": 1e6}) == pytest.approx(long, rel=1e-5)

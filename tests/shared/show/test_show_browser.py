@@ -1,10 +1,13 @@
-"""The scenes in headless Chromium: played, scrubbed, turned, by mouse, keys and touch; wide, narrow, light, dark."""
+"""The scenes in headless Chromium: played, scrubbed, turned, by mouse, keys, touch and slider; wide and narrow."""
 
 import numpy as np
 import pytest
 from parameters import SLUGS, first
 
+from tam570.show.compact import packed
 from tam570.show.page import framed, page
+from tam570.show.plots import value_plot
+from tam570.show.scene import Panel, Scene, Shape, frame_times, with_slider
 
 PLANE, SPACE = "hw07_double_pendulum", "hw14_rolling_disk"
 SIZES = {"desktop": (1280, 720), "phone": (390, 844)}
@@ -152,3 +155,57 @@ def test_in_a_notebook_it_plays_in_its_frame(opened, scenes):
     until(tab.frames[1], "state.time > 0")
     frame.get_by_role("button", name="Pause").click()
     assert frame.locator("#clock").inner_text() != "0.00 s"
+
+
+# A film that is there for several values of a number
+
+
+def grown(size):
+    """A point that goes as far as it is told, in as many seconds."""
+    times = frame_times(size)
+    path = np.column_stack([size * times / times[-1], 0 * times])
+    return Scene(
+        f"goes {size:g}",
+        "",
+        times,
+        [Panel([Shape("dot", path[:, None], name=f"to {size:g}"), Shape("dot", np.zeros((1, 2)))])],
+        [value_plot(f"place of {size:g}", times, {"": path[:, 0]}, "m")],
+    )
+
+
+@pytest.fixture
+def film(open_page):
+    """The page of the film at 2, with a slider to 1 and 4."""
+    return open_page(page(with_slider(grown, "size", "m", [4.0, 1.0, 2.0], 2.0)), (390, 844))
+
+
+def test_all_films_of_a_slider_share_one_scale():
+    document = packed(with_slider(grown, "size", "m", [4.0, 1.0], 2.0))
+    assert document["slider"]["values"] == [1.0, 2.0, 4.0] and document["slider"]["chosen"] == 1
+    small, chosen, large = document["slider"]["scenes"]
+    assert chosen is None and {scene["panels"][0]["unit"] for scene in (small, document, large)} == {4.0 / 2000}
+    assert small["panels"][0]["size"] == large["panels"][0]["size"]
+
+
+def test_the_slider_begins_at_the_value_that_was_set(film):
+    assert film.get_by_label("size").is_visible()
+    assert film.locator("#chosen").inner_text() == "2 m"
+    assert film.locator("#legend").inner_text() == "to 2" and film.locator("figure").count() == 1
+    assert film.evaluate("document.documentElement.scrollWidth") <= 390
+
+
+def test_keys_change_the_value_the_length_and_what_is_shown(film):
+    film.keyboard.press("End")
+    assert film.evaluate("state.time") == pytest.approx(2.0)
+    film.keyboard.press("]")
+    assert film.locator("#chosen").inner_text() == "4 m" and film.evaluate("duration") == pytest.approx(4.0)
+    assert film.evaluate("state.time") == pytest.approx(2.0)  # the same moment of the other motion
+    assert "place of 4" in film.locator("figure").inner_text()
+    film.keyboard.press("]")
+    assert film.locator("#chosen").inner_text() == "4 m"
+    film.get_by_label("size").focus()
+    film.keyboard.press("ArrowLeft")
+    film.keyboard.press("ArrowLeft")
+    assert film.locator("#chosen").inner_text() == "1 m" and film.evaluate("state.time") == pytest.approx(1.0)
+    assert film.get_by_label("size").get_attribute("aria-valuetext") == "1 m"
+    assert film.locator("#legend").inner_text() == "to 1" and film.locator("figure").count() == 1

@@ -1,10 +1,12 @@
-"""hw03: which motions the hidden check takes for special, and which not."""
+"""Hidden checks of single assignments: what each takes for right, and what not."""
 
+import math
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from tam570_grader import Case
 from tam570_grader.checks import assignments
 from tam570_grader.checks.expect import Failed
 
@@ -110,3 +112,79 @@ def test_none_that_only_seems_special_is_taken(definition, p, c, flaw):
         run_check(definition, p, c)
     with pytest.raises(Failed, match=flaw):
         run_check(definition, *turned(p, c))
+
+
+ballistics = assignments.solution("hw02_ballistics")
+
+BALL = {"mass": 1.7, "gravity": 9.81}  # kg, m/s^2
+SPEED = 30.0  # m/s
+
+
+def test_the_size_of_a_flight_back_at_launch_height_is_that_of_its_path():
+    """At the ends alone it has none: no simulation would be right to a part of that."""
+    columns = assignments.assignment(assignments.find(), "hw02_ballistics").results["simulate"].columns
+    time = ballistics.flight_time(SPEED, math.pi / 2, drag=0.3, **BALL)
+    call = Case(np.array([2.0, 2.0 + time]), SPEED, math.pi / 2, drag=0.3, **BALL)
+    ends = ballistics.trajectory(call.args[0] - 2.0, *call.args[1:], **call.kwargs)
+    top = ballistics.trajectory(np.linspace(0.0, time, 101), *call.args[1:], **call.kwargs)[:, 1].max()
+    assert [column.scale(call, ends) for column in columns] == pytest.approx([top, top, SPEED, SPEED], rel=0.05)
+
+
+HW07 = "hw07_double_pendulum"
+TERMS = {
+    "M": "mass_matrix_makes_the_kinetic_energy",
+    "f": "velocity_terms_are_centripetal",
+    "g": "gravity_terms_are_moments_of_the_weights",
+}
+COMBINED = """
+lagranges = mass_matrix, velocity_terms, gravity_terms
+
+def W(theta):
+    return np.array({W})
+
+def mass_matrix(theta, **known):
+    return ({M}) @ lagranges[0](theta, **known)
+
+def velocity_terms(theta, omega, **known):
+    return ({f}) @ lagranges[1](theta, omega, **known)
+
+def gravity_terms(theta, **known):
+    return ({g}) @ lagranges[2](theta, **known)
+"""
+EQUATIONS = {
+    "about the ceiling and the elbow": "[[1, 1], [0, 1]]",
+    "about the elbow and the ceiling": "[[0, 1], [1, 1]]",
+    "their sum and a scaled row of the other side": "[[1, 2], [0, -1e-3]]",
+    "combined by the angles": "[[2 + math.sin(theta[0]), 1], [math.cos(theta[1]), -3]]",
+    "Lagrange's": "[[1, 0], [0, 1]]",
+}
+
+
+@pytest.fixture
+def failed_terms(grade, solution_text):
+    def failed_terms(W, **changed):
+        factors = dict.fromkeys("Mfg", "W(theta)") | changed
+        result = grade(HW07, solution_text(HW07) + COMBINED.format(W=W, **factors), naming=False)
+        lost = {check.name for check in result.checks if check.outcome == "failed"}
+        return {term for term, name in TERMS.items() if name in lost}
+
+    return failed_terms
+
+
+@pytest.mark.parametrize("W", EQUATIONS.values(), ids=EQUATIONS)
+def test_any_two_independent_equations_are_right_and_the_wrong_term_alone_fails(W, failed_terms):
+    assert failed_terms(W) == set()
+    for term in TERMS:
+        assert failed_terms(W, **{term: "W(theta) @ [[1, 0], [0.01, 1]]"}) == {term}
+
+
+def test_one_equation_twice_is_wrong(failed_terms):
+    assert failed_terms("[[1, 1], [2, 2]]") == set(TERMS)
+
+
+def test_lagranges_mass_matrix_does_not_belong_to_terms_of_the_other_side(failed_terms):
+    assert failed_terms("np.eye(2)", f="-W(theta)", g="-W(theta)") == {"f", "g"}
+
+
+def test_lagranges_term_is_right_and_those_of_other_equations_contradict_it(failed_terms):
+    assert failed_terms("[[1, 1], [0, 1]]", M="np.eye(2)") == {"f", "g"}
