@@ -22,7 +22,7 @@ from tam570_grader.grading import executor
 from tam570_grader.grading.run_checks import CheckOptions, graded
 from tam570_grader.sandbox.pool import sandboxes
 from tam570_grader.sandbox.preload import imported
-from tam570_grader.sandbox.student import Source
+from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.zygote import ResourceLimits, Zygote
 
 COURSE = assignments.find()
@@ -146,18 +146,32 @@ def zygotes():
         entry.close()
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def grade(zygotes):
-    """`grade(slug, text, seed=0)` -> the Result of a submission with this text; the names of mistakes if asked for."""
+    """`grade(slug, text, seed=0, **options)` -> the Result of a submission with this text."""
 
-    def grade(slug, text, seed=0, *, limits=None, notebook=False, naming=True):
+    def grade(slug, text, seed=0, *, limits=None, notebook=False, **options):
         source = Source(text.encode() if isinstance(text, str) else text, notebook)
         zygote = zygotes(slug, limits or ResourceLimits(), source.text)
         return graded(
-            "someone", source, assignments.assignment(COURSE, slug), zygote, seed, options=CheckOptions(naming=naming)
+            "someone", source, assignments.assignment(COURSE, slug), zygote, seed, options=CheckOptions(**options)
         )
 
     return grade
+
+
+@pytest.fixture
+def student_of(zygotes):
+    """`student_of(slug, text)` -> the Student whose submission has this text; it leaves at the end of the test."""
+    with contextlib.ExitStack() as stack:
+
+        def student_of(slug, text):
+            assignment = assignments.assignment(COURSE, slug)
+            student = Student(Source(text.encode()), assignment, zygotes(slug, ResourceLimits()))
+            stack.callback(student.leave)
+            return student
+
+        yield student_of
 
 
 @pytest.fixture(scope="session")

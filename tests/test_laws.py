@@ -16,7 +16,6 @@ from tam570_grader.checks.expect import check_context
 from tam570_grader.checks.returns import Array, Drawing, Formula, FreeBodyDiagram, Group
 from tam570_grader.diagnosis.mistakes import candidates, mistakes, named_mistake
 from tam570_grader.release.stubs import stub
-from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.zygote import ResourceLimits
 
 COURSE = assignments.find()
@@ -134,12 +133,11 @@ def test_every_check_has_a_mistake_that_it_catches(slug, check, grade, solution_
 
 
 @pytest.mark.parametrize(("slug", "check"), **first_of_each(CHECKS, lambda slug, _: slug))
-def test_the_inputs_of_a_check_tell_its_mistakes_from_the_truth(slug, check, zygotes, solution_text):
+def test_the_inputs_of_a_check_tell_its_mistakes_from_the_truth(slug, check, student_of, solution_text):
     assignment = assignments.assignment(COURSE, slug)
-    student = Student(Source(solution_text(slug).encode()), assignment, zygotes(slug, ResourceLimits()))
+    student = student_of(slug, solution_text(slug))
     with check_context():
         check.run(student, np.random.default_rng(5))
-    student.leave()
     names = {call.name for call in student.calls}
     compared = [call for call in student.calls if not isinstance(assignment.results[call.name], FreeBodyDiagram)]
     suspects = candidates(solution_text(slug), FOLDERS[slug], {call.name for call in compared})

@@ -13,8 +13,6 @@ from tam570_grader.checks.expect import Failed, check_context
 from tam570_grader.checks.plots import along, distances, judge_axes_of_lengths, readable
 from tam570_grader.checks.returns import Drawing, Line
 from tam570_grader.protocol.answer import MODES
-from tam570_grader.sandbox.student import Source, Student
-from tam570_grader.sandbox.zygote import ResourceLimits
 
 
 @pytest.mark.parametrize(("shape", "equal"), [(1, True), (0.5, False), (None, False)])
@@ -139,16 +137,11 @@ def redrawn(slug, code, text):
     return text + "\nimport numpy as np\n" + REDRAWN.format(name=DRAWN[slug][0], code=code)
 
 
-def graded(slug, text, course, zygotes):
+def judge(slug, student, course):
     """Judge the picture by the hidden check."""
-    assignment = assignments.assignment(course, slug)
-    (check,) = (check for check in assignment.checks if check.name == DRAWN[slug][1])
-    student = Student(Source(text.encode()), assignment, zygotes(slug, ResourceLimits()))
-    try:
-        with check_context():
-            check.run(student, np.random.default_rng(3))
-    finally:
-        student.leave()
+    (check,) = (check for check in assignments.assignment(course, slug).checks if check.name == DRAWN[slug][1])
+    with check_context():
+        check.run(student, np.random.default_rng(3))
 
 
 def tried(slug, text, course, monkeypatch):
@@ -170,17 +163,17 @@ def pictures(fields):
 
 
 @pytest.mark.parametrize(("what", "slug"), pictures(RIGHT))
-def test_a_right_picture_is_one_however_it_is_drawn(what, slug, course, zygotes, solution_text, monkeypatch):
+def test_a_right_picture_is_one_however_it_is_drawn(what, slug, course, student_of, solution_text, monkeypatch):
     text = redrawn(slug, RIGHT[what], solution_text(slug))
-    graded(slug, text, course, zygotes)
+    judge(slug, student_of(slug, text), course)
     tried(slug, text, course, monkeypatch)
 
 
 @pytest.mark.parametrize(("what", "slug"), pictures(WRONG))
-def test_a_curve_that_is_missing_or_one_too_many_is_seen(what, slug, course, zygotes, solution_text, monkeypatch):
+def test_a_curve_that_is_missing_or_one_too_many_is_seen(what, slug, course, student_of, solution_text, monkeypatch):
     text = redrawn(slug, WRONG[what], solution_text(slug))
     with pytest.raises(Failed):
-        graded(slug, text, course, zygotes)
+        judge(slug, student_of(slug, text), course)
     if what in SEEN:
         with pytest.raises(AssertionError):
             tried(slug, text, course, monkeypatch)

@@ -8,30 +8,24 @@ import sympy
 
 from tam570.forms import WrongForm, conform
 from tam570.formulas import REMEDIES
-from tam570_grader.checks import assignments
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed, expect
 from tam570_grader.checks.returns import array, form, free_body_diagram, group, number, result, rows
 from tam570_grader.protocol.wire import packed, portable, unpacked
 from tam570_grader.reports.sentences import describe_failure
-from tam570_grader.sandbox.student import Source, Student
-from tam570_grader.sandbox.zygote import ResourceLimits
+
+SYMBOLIC = """
+import sympy
+def lagrange_equation():
+    m, theta, l, g = sympy.symbols('m theta l g')
+    return {}
+"""
 
 
 @pytest.fixture
-def symbolic(course, zygotes):
+def symbolic(student_of):
     """`symbolic(expression)` -> a student whose lagrange_equation of hw01 returns it."""
-    slug, students = "hw01_simple_pendulum", []
-
-    def symbolic(expression):
-        lines = ["import sympy", "def lagrange_equation():", "    m, theta, l, g = sympy.symbols('m theta l g')"]
-        source = Source("\n".join([*lines, f"    return {expression}"]).encode())
-        students.append(Student(source, assignments.assignment(course, slug), zygotes(slug, ResourceLimits())))
-        return students[-1]
-
-    yield symbolic
-    for student in students:
-        student.leave()
+    return lambda expression: student_of("hw01_simple_pendulum", SYMBOLIC.format(expression))
 
 
 @pytest.mark.parametrize(

@@ -2,17 +2,16 @@
 
 import contextlib
 import json
+from dataclasses import replace
 
 import pytest
 
 from tam570_grader.checks import assignments
 from tam570_grader.diagnosis.mistakes import overlays
-from tam570_grader.grading.run_checks import CheckOptions, graded, not_graded
+from tam570_grader.grading.run_checks import not_graded
 from tam570_grader.grading.speed import Yardstick
 from tam570_grader.reports import feedback, report
 from tam570_grader.results import store
-from tam570_grader.sandbox.student import Source
-from tam570_grader.sandbox.zygote import ResourceLimits
 
 pytestmark = pytest.mark.slow  # half a minute of Chromium
 CHECKS = assignments.find() / "autograder" / "checks"
@@ -22,22 +21,16 @@ CONTRAST = 4.5  # of text, WCAG 2 AA
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory, course, zygotes):
+def folder(tmp_path_factory, course, grade):
     """The results of a small class with its pages and its report."""
     folder = tmp_path_factory.mktemp("class")
     records, yardstick = [], Yardstick(course)
     for slug, mistake in SHOWN.items():
         correct = (course / "solutions" / f"{slug}.py").read_text()
         wrong = overlays(CHECKS / slug)[mistake]
-        assignment = assignments.assignment(course, slug)
         for student, text in {"ada": correct, "ben": f"{correct}\n\n{wrong}", "cora": ""}.items():
-            source = Source(text.encode())
-            records.append(
-                graded(
-                    student, source, assignment, zygotes(slug, ResourceLimits()), 1, CheckOptions(yardstick=yardstick)
-                ).record()
-            )
-    for slug in ("hw03_angular_momentum_rate", assignment.slug):  # one with a long title
+            records.append(replace(grade(slug, text, 1, yardstick=yardstick), student=student).record())
+    for slug in ("hw03_angular_momentum_rate", "hw05_constrained_pendulum"):  # one with a long title
         records.append(not_graded("dan", assignments.assignment(course, slug), "missing", "no file", 1).record())
     (folder / "results.jsonl").write_text("".join(json.dumps(item) + "\n" for item in records))
     with contextlib.closing(store.results(folder)) as results:

@@ -9,34 +9,12 @@ from classes import hand_in
 
 from tam570_grader import cli
 from tam570_grader.checks import assignments
-from tam570_grader.grading.run_checks import CheckOptions, graded
 from tam570_grader.grading.speed import Yardstick
 from tam570_grader.reports.pictures import BOTTOM, LAST, LEFT, TOP, among
 from tam570_grader.results.run_time import scenes
-from tam570_grader.sandbox.student import Source
-from tam570_grader.sandbox.zygote import ResourceLimits
 
 SLUG = "hw07_double_pendulum"
 SPEED = {"function": "simulate", "scene": "double pendulum", "seconds": 0.1, "error": 1e-6, "machine": 0.5}
-
-
-@pytest.fixture(scope="module")
-def measured(course, zygotes):
-    """`measured(slug, text)` -> the result with its speed."""
-    yardstick = Yardstick(course)
-
-    def measured(slug, text):
-        zygote = zygotes(slug, ResourceLimits())
-        return graded(
-            "someone",
-            Source(text.encode()),
-            assignments.assignment(course, slug),
-            zygote,
-            1,
-            CheckOptions(yardstick=yardstick),
-        )
-
-    return measured
 
 
 def test_what_the_pages_know_of_run_times_is_made_from_the_benchmark(course):
@@ -48,9 +26,9 @@ def test_what_the_pages_know_of_run_times_is_made_from_the_benchmark(course):
 
 
 @pytest.mark.parametrize("what", ["return t", "raise NotImplementedError", "import os; os._exit(0)"])
-def test_a_simulation_that_is_none_has_no_point(measured, solution_text, what):
+def test_a_simulation_that_is_none_has_no_point(grade, course, solution_text, what):
     text = solution_text(SLUG) + f"\n\ndef simulate(t, *args, **kwargs):\n    {what}\n"
-    assert measured(SLUG, text).speed is None
+    assert grade(SLUG, text, 1, yardstick=Yardstick(course)).speed is None
 
 
 @pytest.mark.parametrize(("seconds", "error"), [(1e-4, 1e-15), (0.1, 1e-6), (30.0, 9e-3)])

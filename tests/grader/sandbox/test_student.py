@@ -5,15 +5,13 @@ import gc
 import numpy as np
 import pytest
 
-from tam570_grader.checks import assignments
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed, check_context, expect
-from tam570_grader.grading.run_checks import CheckOptions, graded
 from tam570_grader.grading.supervisor import GradeTask, result
 from tam570_grader.sandbox.launch import isolation
 from tam570_grader.sandbox.pool import ATTEMPTS, sandboxes
 from tam570_grader.sandbox.process import SandboxProcess
-from tam570_grader.sandbox.student import Source, Student
+from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.zygote import ResourceLimits, Zygote, ZygoteLost
 
 SLUG = "hw08_axis_angle"
@@ -60,12 +58,8 @@ def test_a_monitor_watches_one_process_after_another(zygotes):
     assert second.end() > 0 and third.end() > 0 and third.monitored
 
 
-def test_one_that_is_tried_again_is_not_quoted(course, zygotes):
-    source = Source(b"1 / 0")
-    assignment, zygote = assignments.assignment(course, SLUG), zygotes(SLUG, ResourceLimits())
-    first, second = (
-        graded("dan", source, assignment, zygote, 1, CheckOptions(attempt=attempt)) for attempt in ATTEMPTS[:2]
-    )
+def test_one_that_is_tried_again_is_not_quoted(grade):
+    first, second = (grade(SLUG, "1 / 0", attempt=attempt) for attempt in ATTEMPTS[:2])
     assert "division" in first.message and "second time" in second.message and "division" not in second.message
 
 
@@ -102,9 +96,9 @@ def test_a_zygote_that_has_died_leaves_no_socket_open():
 
 
 @pytest.mark.parametrize("body", ["raise ValueError", "return float('nan')", "return None", "v[0] = 0.0"])
-def test_a_call_that_fails_says_which_it_was_and_of_what_kind_where_another_works(body, course, zygotes):
+def test_a_call_that_fails_says_which_it_was_and_of_what_kind_where_another_works(body, student_of):
     text = f"def skew(v):\n    if v[0] != 1: return [[0.0] * 3] * 3\n    {body}\n"
-    student = Student(Source(text.encode()), assignments.assignment(course, SLUG), zygotes(SLUG, ResourceLimits()))
+    student = student_of(SLUG, text)
     call = Case(np.ones(3)).labelled("a short v")
     with pytest.raises(Failed) as failed:
         student.skew.many([call])
@@ -114,13 +108,12 @@ def test_a_call_that_fails_says_which_it_was_and_of_what_kind_where_another_work
         student.skew.many([call])
     assert (failed.value.failure.label, failed.value.failure.at) == ("a short v", call)
     assert failed.value.failure.function == "skew"
-    student.leave()
 
 
-def test_what_is_called_for_the_words_ends_no_function_and_is_not_judged(course, zygotes):
+def test_what_is_called_for_the_words_ends_no_function_and_is_not_judged(student_of):
     """A function that exits for two times, of which a hint asks, is still judged at three."""
     text = "import os\ndef skew(v):\n    return np.zeros((3, 3)) if v[0] else os._exit(1)\nimport numpy as np\n"
-    student = Student(Source(text.encode()), assignments.assignment(course, SLUG), zygotes(SLUG, ResourceLimits()))
+    student = student_of(SLUG, text)
 
     def hint():
         return f"It gives {student.skew(np.zeros(3))}"
@@ -130,7 +123,6 @@ def test_what_is_called_for_the_words_ends_no_function_and_is_not_judged(course,
         expect(actual, np.ones((3, 3)), tolerance=1e-9, hint=hint)
     assert failed.value.failure.hint == "" and failed.value.failure.fault == ""
     assert len(student.calls) == 1 and student.skew(np.ones(3)).shape == (3, 3)
-    student.leave()
 
 
 WRAPPED = "def _kept(f): return lambda *given: f(*given)\n"
@@ -180,23 +172,16 @@ def ticks():
 @pytest.mark.slow
 @pytest.mark.skipif(isolation() != "bubblewrap", reason="a process can kill itself elsewhere")
 @pytest.mark.parametrize("death", DEATHS.values(), ids=DEATHS)
-def test_who_looks_as_if_killed_by_others_is_not_tried_again(death, course, zygotes, solution_text):
+def test_who_looks_as_if_killed_by_others_is_not_tried_again(death, grade, solution_text):
     """The kernel counts processor time by ticks of 4 ms where it ends a process for it."""
-    source = Source(f"{solution_text(SLUG)}{TICKS}\ndef skew(v):\n    {death}\n".encode())
-    zygote = zygotes(SLUG, ResourceLimits(cpu=2, call=1.5))
-    outcome = graded("eve", source, assignments.assignment(course, SLUG), zygote, 1, CheckOptions(attempt=ATTEMPTS[0]))
-    assert outcome.score < 10
+    text = f"{solution_text(SLUG)}{TICKS}\ndef skew(v):\n    {death}\n"
+    assert grade(SLUG, text, limits=ResourceLimits(cpu=2, call=1.5), attempt=ATTEMPTS[0]).score < 10
 
 
-def test_what_chooses_words_leaves_half_of_the_time(course, zygotes, solution_text, monkeypatch):
-    zygote = zygotes(SLUG, ResourceLimits())
-    student = Student(Source(solution_text(SLUG).encode()), assignments.assignment(course, SLUG), zygote)
-    vector = Case(np.ones(3))
-    try:
-        assert student.skew.aside(vector).shape == (3, 3)
-        monkeypatch.setattr(student, "seconds", lambda: 0.6 * zygote.limits.cpu)
-        with pytest.raises(Failed):
-            student.skew.aside(vector)
-        assert student.skew(np.ones(3)).shape == (3, 3) and len(student.calls) == 1
-    finally:
-        student.leave()
+def test_what_chooses_words_leaves_half_of_the_time(student_of, solution_text, monkeypatch):
+    student, vector = student_of(SLUG, solution_text(SLUG)), Case(np.ones(3))
+    assert student.skew.aside(vector).shape == (3, 3)
+    monkeypatch.setattr(student, "seconds", lambda: 0.6 * ResourceLimits().cpu)
+    with pytest.raises(Failed):
+        student.skew.aside(vector)
+    assert student.skew(np.ones(3)).shape == (3, 3) and len(student.calls) == 1
