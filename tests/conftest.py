@@ -14,7 +14,7 @@ import zlib
 import hypothesis
 import numpy as np
 import pytest
-from parameters import SLUGS, first
+from parameters import SLUGS
 
 from tam570_grader import cli
 from tam570_grader.checks import assignments
@@ -34,7 +34,6 @@ WHOLE = (
     "test_site_browser.py",
 )  # fixtures of up to a minute
 LONGEST_ID = 80  # characters
-SEEDS = {"seed": range(10), "input_seed": range(1, 4)}  # the first is not slow
 NBGRADER = """
 import json, os, sys, warnings
 from nbgrader.apps import NbGraderApp
@@ -80,17 +79,10 @@ def pytest_make_parametrize_id(val):
 
 
 def pytest_generate_tests(metafunc):
-    """A test with `slug` runs for every assignment, one with `seed` or `input_seed` for every one of these."""
-    if "slug" in metafunc.fixturenames and not _parametrized(metafunc, "slug"):
+    """A test with `slug` runs for every assignment."""
+    parameters = [mark.args[0] for mark in metafunc.definition.iter_markers("parametrize")]
+    if "slug" in metafunc.fixturenames and not any(names == "slug" or "slug" in names for names in parameters):
         metafunc.parametrize("slug", SLUGS)
-    for name, seeds in SEEDS.items():
-        if name in metafunc.fixturenames:
-            metafunc.parametrize(name, first(1, seeds))
-
-
-def _parametrized(metafunc, name):
-    marks = metafunc.definition.iter_markers("parametrize")
-    return any(name == check.args[0] or name in check.args[0] for check in marks)
 
 
 @pytest.fixture(autouse=True)

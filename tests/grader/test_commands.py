@@ -9,6 +9,7 @@ import sys
 import pytest
 from classes import HW08 as SLUG
 from classes import result
+from processes import imported_modules
 
 from tam570_grader import cli as grader
 from tam570_grader.errors import UsageError, writing
@@ -24,24 +25,17 @@ def desk(tmp_path, monkeypatch):
     return tmp_path
 
 
-def imported(code):
-    """The top-level modules that a fresh interpreter has loaded after running the code."""
-    text = f"import sys\n{code}\nprint(*{{name.partition('.')[0] for name in sys.modules}}, file=sys.stderr)"
-    process = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, check=True)
-    return set(process.stderr.split())
-
-
 def test_grading_hw08_imports_numpy_and_nothing_heavier(desk, course):
     path = course / "solutions" / f"{SLUG}.py"
     code = f"from tam570_grader.cli import main\nassert main(['--root', {str(course)!r}, 'grade', {str(path)!r}]) == 0"
-    modules = imported(code)
+    modules = imported_modules(code)
     assert "numpy" in modules and not modules & HEAVY
 
 
 @pytest.mark.parametrize("arguments", [["grade", "--help"], ["--help", "grade"]])
 def test_the_help_of_the_grader_imports_nothing_heavy(desk, arguments):
     code = f"from tam570_grader.cli import main\ntry: main({arguments})\nexcept SystemExit: pass"
-    assert not imported(code) & HEAVY
+    assert not imported_modules(code) & HEAVY
 
 
 def test_the_help_lists_every_command_whatever_follows(capsys):

@@ -1,12 +1,21 @@
-"""The processes below another one, by Linux's /proc."""
+"""Other processes: what a fresh interpreter imports, and those below another one, by Linux's /proc."""
 
 import contextlib
+import subprocess
+import sys
 import time
 from pathlib import Path
 
 import pytest
 
-__all__ = ["await_end", "children", "descendants", "is_running"]
+__all__ = ["await_end", "children", "descendants", "imported_modules", "is_running"]
+
+
+def imported_modules(code):
+    """Return the top-level modules that a fresh interpreter has loaded after running the code."""
+    text = f"import sys\n{code}\nprint(*{{name.partition('.')[0] for name in sys.modules}}, file=sys.stderr)"
+    process = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, check=True)
+    return set(process.stderr.split())
 
 
 def children(pid):

@@ -5,12 +5,12 @@ import runpy
 
 import numpy as np
 import pytest
+from systems import EPS
 
 from tam570.integrate import solve
 from tam570.invariants import drift, growth_exponent
 from tam570_grader.checks import assignments
 
-EPS = 2.0**-52
 G = 9.81  # m/s^2
 
 

@@ -121,13 +121,6 @@ def test_the_assignments_of_one_student_are_no_students(run, tmp_path, solution_
     assert {("ann", HW08), ("ann", OTHER)} <= {(line["student"], line["assignment"]) for line in lines}
 
 
-CANVAS = """Student,ID,SIS User ID,SIS Login ID,Section,hw07_double_pendulum (4711),Final Score
-,,,,,Manual Posting,
-    Points Possible,,,,,10,(read only)
-"Adams, Ann",17,A1,aadams,570,,
-"Brown, Bo",18,A2,bbrown,"570, evening",,
-"Student, Test",99,,f00,570,,
-"""
 MOODLE = """"First name",Surname,Username,"ID number","Email address"
 Ann,Adams,aadams,A1,ann@x.edu
 Bo,Brown,bbrown,A2,bo@x.edu
@@ -143,18 +136,11 @@ NBGRADER = "id,first_name,last_name,email\naadams,Ann,Adams,a@x\nbbrown,Bo,Brown
 
 
 @pytest.mark.parametrize(
-    "text", [CANVAS, MOODLE, WORKSHEET, GRADESCOPE, NBGRADER, "aadams\nbbrown\n", "student\naadams\nbbrown\n"]
+    "text", [MOODLE, WORKSHEET, GRADESCOPE, NBGRADER, "aadams\nbbrown\n", "student\naadams\nbbrown\n"]
 )
 def test_students_are_rows_and_nobody_else_is(tmp_path, text):
     (tmp_path / "roster.csv").write_text("\ufeff" + text, encoding="utf-8")
     assert students(tmp_path / "roster.csv") == ["aadams", "bbrown"]
-
-
-def test_a_worksheet_is_joined_by_participant(tmp_path):
-    (tmp_path / "roster.csv").write_text(WORKSHEET)
-    actual = Directory(people(tmp_path / "roster.csv"))
-    assert actual.owner([("participant", "18")], "Bo Brown", must_agree=True).name == "Bo Brown"
-    assert "whose name is another" in actual.owner([("participant", "18")], "Team 18", must_agree=True)
 
 
 def test_what_two_share_tells_neither(tmp_path):

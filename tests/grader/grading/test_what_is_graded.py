@@ -19,26 +19,15 @@ def test_a_tree_is_graded(run, tree, scores):
     assert set(line["checks"][0]) >= {"name", "part", "points", "max_points", "outcome", "message", "suspect"}
 
 
-@pytest.mark.parametrize("name", ["hw08.py", "HW08_final.py", f"{HW08}.py", "ada.py"])
-def test_a_file_is_known_by_its_name(run, tmp_path, solution_text, name):
-    path = tmp_path / name
-    path.write_text(solution_text(HW08))
-    code, (line,), _ = run(path, *(["--assignment", "hw08"] if name == "ada.py" else []))
-    assert (code, line["assignment"], line["student"], line["score"]) == (0, HW08, path.stem, 10.0)
-
-
 # Notebooks
 
 
 @pytest.mark.parametrize(
     "cell",
     [
-        "%matplotlib inline\n!pip list\n",
-        "%%bash\nrm -rf /",
         "text = '''\n%kept\n'''",
         "if 'google.colab' in str(get_ipython()):\n    !pip install tam570 \\\n        numpy\nassert True",
         "%precision 3\nassert (4\n    % 3\n    != 2)",
-        "%time two = 2\nabs?\nassert two == 2",
         "display(3, metadata={})\nget_ipython().run_line_magic('matplotlib', 'inline')",
         "from IPython import get_ipython\nif 'IPKernelApp' in get_ipython().config:\n    1 / 0",
         pytest.param("import matplotlib\nmatplotlib.use('TkAgg')\nmatplotlib.pyplot.figure()", marks=pytest.mark.slow),

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -47,7 +48,8 @@ def test_its_only_command_is_the_students(unpacked):
     (entry_points,) = unpacked.glob("*.dist-info/entry_points.txt")
     assert entry_points.read_text().split() == ["[console_scripts]", "tam570", "=", "tam570.cli:main"]
     (metadata,) = unpacked.glob("*.dist-info/METADATA")
-    assert "msgpack" not in metadata.read_text().partition("\n\n")[0]
+    required = re.findall("^Requires-Dist: ([a-z]+)", metadata.read_text().partition("\n\n")[0], re.MULTILINE)
+    assert {"numpy", "scipy", "matplotlib", "sympy", "pytest"} <= set(required) and "msgpack" not in required
 
 
 def test_its_version_says_its_content(kit, course, tmp_path):
@@ -88,17 +90,3 @@ def test_the_command_works_from_the_wheel_alone(unpacked, tmp_path):
     assert "nothing is written yet" in tam570("check", "hw08", fails=True)
     book = json.loads((tmp_path / SLUG / f"{SLUG}.ipynb").read_text())
     assert any("lab.tests" in "".join(cell["source"]) for cell in book["cells"])
-
-
-@pytest.mark.slow
-def test_a_student_installs_the_kit_in_an_empty_environment_and_works(kit, tmp_path):
-    (wheel,) = kit.glob("*.whl")
-    python = tmp_path / "env" / "bin" / "python"
-    for command in (
-        [sys.executable, "-m", "venv", tmp_path / "env"],
-        [python, "-m", "pip", "install", "-q", wheel],
-        [python, "-m", "tam570", "start", "hw08"],
-    ):
-        subprocess.run(command, check=True, cwd=tmp_path)
-    process = subprocess.run([python, "-m", "tam570", "check", "hw08"], cwd=tmp_path, capture_output=True, text=True)
-    assert process.returncode == 1 and "nothing is written yet" in process.stdout

@@ -35,19 +35,6 @@ def test_points_have_two_decimals_and_all_are_shown_for_nothing_less(earned, mos
     assert points(earned, most) == message
 
 
-@pytest.mark.parametrize(
-    ("error", "limit", "message"),
-    [
-        (0.03, 1e-4, "is wrong by 0.03 m (limit 1e-4)"),
-        (2.9e-4, 2.6e-4, "is wrong by 2.9e-4 m (limit 2.6e-4)"),
-        (2.63e-4, 2.6e-4, "is wrong by 2.63e-4 m (limit 2.6e-4)"),
-        (1.00004, 1.0, "is wrong by 1.00004 m (limit 1)"),
-    ],
-)
-def test_an_error_is_seen_to_be_larger_than_its_limit(error, limit, message):
-    assert describe_failure(Failure(quantity="x", unit="m", error=error, limit=limit)) == f"x {message}."
-
-
 @pytest.mark.parametrize("error", np.random.default_rng(1).lognormal(-5, 9, 50))
 def test_no_error_reads_as_its_limit_or_less(error):
     for limit in error / (1 + 10.0 ** -np.arange(1, 9)):

@@ -45,23 +45,18 @@ def test_scores_do_not_depend_on_jobs(run, tree, monkeypatch):
     assert item == three
 
 
-def test_a_foreign_results_file_is_not_overwritten(run, tree, tmp_path):
-    path = tmp_path / "results.jsonl"
-    path.write_text("my notes\n")
-    assert run(tree, "--out", tmp_path)[0] == 2
-    assert path.read_text() == "my notes\n"
+OTHERS = [json.dumps({**result("ada").record(), "format": form}) for form in (None, 1, records.FORMAT + 1)]
 
 
-@pytest.mark.parametrize("form", [None, 1, records.FORMAT + 1])
-def test_results_of_another_format_are_refused_and_stay(run, tree, tmp_path, capsys, form):
-    line = {**result("ada").record(), "format": form}
+@pytest.mark.parametrize("line", ["my notes", *OTHERS])
+def test_results_of_another_format_are_refused_and_stay(run, tree, tmp_path, capsys, line):
     path = tmp_path / "old" / "results.jsonl"
     path.parent.mkdir()
-    path.write_text(json.dumps(line) + "\n")
+    path.write_text(f"{line}\n")
     assert run(tree, "--out", tmp_path / "old")[0] == run(tree, "--join", tmp_path / "old")[0] == 2
     assert cli.main(["report", str(tmp_path / "old")]) == 2
-    assert "another version of the grader (line 1)" in capsys.readouterr().err
-    assert path.read_text() == json.dumps(line) + "\n"
+    assert ("another version of the grader (line 1)" in capsys.readouterr().err) == (line in OTHERS)
+    assert path.read_text() == f"{line}\n"
 
 
 def strict(text):

@@ -1,9 +1,9 @@
-"""`check` and the grader agree on what is wrong: in honest files of every sort, and in all known mistakes."""
+"""`check` and the grader agree on what is wrong in all known mistakes."""
 
 import json
 
 import pytest
-from parameters import SLUGS, first
+from parameters import SLUGS
 
 from tam570.checking import deadline, session
 from tam570.checking.examples import FILE, closed
@@ -11,36 +11,6 @@ from tam570.checking.trail import Trail
 from tam570.progress import recalled
 from tam570_grader.checks import assignments
 from tam570_grader.diagnosis.mistakes import mistakes
-from tam570_grader.sandbox.zygote import ResourceLimits
-
-HW08 = "hw08_axis_angle"
-ROTATE = "\n\n_right = rotate\n\n\ndef rotate(r, axis, angle):\n    "
-OUTPUT = {"output_type": "display_data", "data": {"image/png": "A" * 11 * 2**20}, "metadata": {}}
-
-
-def as_notebook(text):
-    cells = [{"cell_type": "code", "source": "%matplotlib inline\n!pip install numpy\n" + text, "outputs": [OUTPUT]}]
-    return json.dumps({"cells": cells, "nbformat": 4})
-
-
-HONEST = {  # what is made of the solution, and the functions that are wrong then
-    "is a notebook with pictures": (as_notebook, []),
-    "prints and plots": (lambda text: text + "\nimport matplotlib.pyplot as plt\nplt.plot([1])\nplt.show()", []),
-    "is missing": (lambda text: text + "\n\ndel rotate", ["rotate"]),
-    "is slow": (lambda text: text + ROTATE + "sum(range(10**6)); return _right(r, axis, angle)", []),
-}
-
-
-@pytest.mark.parametrize("name", first(2, HONEST))
-def test_an_honest_file_is_judged_alike(desk, tam570, grade, solution_text, name):
-    make, wrong = HONEST[name]
-    text = make(solution_text(HW08))
-    file = desk / f"{HW08}{'.ipynb' if make is as_notebook else '.py'}"
-    file.write_text(text)
-    code, said = tam570("check", file)
-    assert (code, recalled(file)[0]["missing"]) == (int(bool(wrong)), wrong), said
-    result = grade(HW08, text, notebook=make is as_notebook, limits=ResourceLimits(call=2))
-    assert sorted(faulted(result)) == wrong
 
 
 def faulted(result):

@@ -47,6 +47,7 @@ CALLS = {
         "rotation_matrix is off limits in rotate"
     ),
     "raise NotImplementedError": "not written yet: rotate",
+    "return r\n\ndel rotate": "not written yet: rotate",
     "return open('data.csv').read()": "FileNotFoundError",
 }
 HW08 = "hw08_axis_angle"

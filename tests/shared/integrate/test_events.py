@@ -4,11 +4,9 @@ import math
 
 import numpy as np
 import pytest
-from systems import oscillator
+from systems import EPS, oscillator
 
 from tam570.integrate import solve
-
-EPS = 2.0**-52
 
 
 def thrown(t, y):

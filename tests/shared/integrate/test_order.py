@@ -5,15 +5,13 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from systems import clock, pendulum
+from systems import EPS, clock, pendulum
 
 from tam570.integrate import dop853, solve
 from tam570.integrate.dop853 import compiled
 from tam570.integrate.formulas import written
 from tam570.integrate.trace import traced
 from tam570.invariants import observed_order
-
-EPS = 2.0**-52
 
 
 def test_tableau_satisfies_the_order_conditions():
