@@ -10,8 +10,8 @@ import os
 import re
 import subprocess
 import sys
-from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
 
@@ -30,21 +30,14 @@ MODULES = sorted(
 )
 
 
-@dataclass(frozen=True)
-class Block:
-    """A block of a page.
+class Block(NamedTuple):
+    """A block of a page."""
 
-    language : sh, python, or pycon
-    code     : the exit code that it should have
-    reason   : why it is not run, or empty
-    prepared : commands that stand for what a reader does by hand before
-    """
-
-    language: str
+    language: str  # sh, python, or pycon
     text: str
-    code: int = 0
-    reason: str = ""
-    prepared: str = ""
+    code: int  # the exit code that it should have
+    reason: str  # why it is not run, or empty
+    prepared: str  # commands that stand for what a reader does by hand before
 
 
 def blocks(text):

@@ -1,4 +1,4 @@
-"""Faults of the machine: kills at any moment, of any process, and a clock that jumps, change no result."""
+"""Faults of the machine: kills at any moment, a clock that jumps, load that slows it, change no result."""
 
 import contextlib
 import fcntl
@@ -14,6 +14,7 @@ from classes import HW08, hand_in, outcome, result
 from processes import await_end, descendants
 
 from tam570_grader import cli
+from tam570_grader.audit.gradings import submissions
 from tam570_grader.results import store
 
 SHARES = ("", "def skew(v): return v\n", "def rotate(r, axis, angle):\n    raise ValueError\n")  # of the class
@@ -24,8 +25,8 @@ def class_of(count, folder, text):
     return hand_in(folder, {f"s{i:03}": f"{text}\n# {i}\n{SHARES[i % len(SHARES)]}" for i in range(count)})
 
 
-def grading(tree, out):
-    command = [sys.executable, "-m", "tam570_grader", "grade", tree, "--out", out, "--seed", "5", "--jobs", "2"]
+def grading(tree, out, jobs="2"):
+    command = [sys.executable, "-m", "tam570_grader", "grade", tree, "--out", out, "--seed", "5", "--jobs", jobs]
     return subprocess.Popen(
         list(map(str, command)), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, start_new_session=True
     )
@@ -97,3 +98,28 @@ def test_a_clock_that_jumps_changes_no_result(tmp_path, solution_text, monkeypat
     monkeypatch.setattr(time, "time", lambda: real() + (3600 if next(jumps) % 2 else -86400))
     assert cli.main([*command, str(tmp_path / "jumped")]) == 0
     assert outcome(tmp_path / "jumped") == outcome(tmp_path / "calm")
+
+
+BUSY = 3  # loops for each processor: the grader has a quarter of it, at most
+
+
+@contextlib.contextmanager
+def busy_machine():
+    loops = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(BUSY * os.cpu_count())]
+    try:
+        yield
+    finally:
+        for loop in loops:
+            loop.kill()
+            loop.wait()
+
+
+@pytest.mark.slow
+def test_every_mistake_is_told_in_the_same_words_on_a_busy_machine(slug, course, solution_text, tmp_path):
+    wrong = submissions(course, slug, "mistakes")
+    texts = {name: f"{solution_text(slug)}\n\n{text}" for name, text in wrong.items()}
+    tree = hand_in(tmp_path / "submitted", {**texts, **submissions(course, slug, "alternatives")}, slug)
+    run_to_end(grading(tree, tmp_path / "calm", jobs="1"))
+    with busy_machine():
+        run_to_end(grading(tree, tmp_path / "busy"))
+    assert outcome(tmp_path / "busy") == outcome(tmp_path / "calm")

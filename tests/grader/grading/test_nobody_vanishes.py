@@ -79,6 +79,7 @@ def test_a_named_assignment_takes_lone_files_and_leaves_those_of_others(class_of
     tree = class_of(["ada/work.py", "ben/hw07.py", "cho/hw08.py"])
     actual = submissions([tree], SLUGS, HW08)
     assert {item.student for item in actual} == {"ada", "cho"} and all(item.path for item in actual)
+    assert [item.slug for item in submissions([tree / "ada" / "work.py"], SLUGS, HW08)] == [HW08]
 
 
 @pytest.mark.parametrize("login", ["zoe", "../../up", "\x1b[2J", "a\0b", "z" * 300])

@@ -31,12 +31,6 @@ def page(course):
     return lambda result: feedback.page(read(result.record()), feedback.load_assignment_info(course, result.assignment))
 
 
-def failing(slug, grade, solution_text, count=None):
-    """Results of wrong submissions of an assignment."""
-    for text in list(overlays(CHECKS / slug).values())[:count]:
-        yield grade(slug, solution_text(slug) + "\n\n" + text, seed=1)
-
-
 def wrong(slug, name, grade, solution_text):
     return grade(slug, solution_text(slug) + "\n\n" + overlays(CHECKS / slug)[name], seed=1)
 
@@ -49,7 +43,8 @@ def texts(page):
 def test_a_page_says_every_line_message_and_suspect_and_no_detail(slug, page, grade, solution_text, course):
     lines = feedback.load_assignment_info(course, slug).lines
     shown = 0
-    for result in failing(slug, grade, solution_text, 3):
+    for name in list(overlays(CHECKS / slug))[:3]:
+        result = wrong(slug, name, grade, solution_text)
         text = texts(page(result))
         for check in result.checks:
             message = describe_failure(check.failure) if check.failure else check.message

@@ -9,6 +9,7 @@ import pytest
 from parameters import first
 
 from tam570 import cli
+from tam570.course import Unknown
 from tam570.integrate import solve
 from tam570.lectures import load, names
 
@@ -50,6 +51,11 @@ def wandered(invariant, states):
     worth = [np.ravel(invariant(states[0] * (1 - 0.1 * unit))) - values[0] for unit in np.eye(states.shape[1])]
     size = max(np.linalg.norm(values, axis=1).max(), 10 * np.linalg.norm(worth, axis=1).max())
     return np.linalg.norm(values - values[0], axis=1).max() / size
+
+
+def test_a_wrong_name_is_refused():
+    with pytest.raises(Unknown, match="'tpo'.*oscillator"):
+        load("tpo")
 
 
 def test_one_is_loaded_without_the_others():
