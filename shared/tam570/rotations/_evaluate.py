@@ -145,18 +145,15 @@ def _tables(
 ) -> tuple[tuple[int, ...], list[Array]]:
     """Return the batch's shape, and each argument as rows (n, k)."""
     batches = list(map(_batch, names, requirements, values))
-    try:
-        batch = batches[0] if len(set(batches)) == 1 else np.broadcast_shapes(*batches)
-    except ValueError as error:
-        raise ValueError(f"{' and '.join(names)} do not broadcast: {error}") from None
-    return batch, [
-        _rows(value, batch, requirement.shape) for value, requirement in zip(values, requirements, strict=True)
-    ]
-
-
-def _rows(value: Array, batch: tuple[int, ...], shape: tuple[int, ...]) -> Array:
-    spread = value if value.shape == batch + shape else np.broadcast_to(value, batch + shape)
-    return spread.reshape(math.prod(batch), math.prod(shape))
+    batch = batches[0]
+    if batches.count(batch) < len(batches):
+        try:
+            batch = np.broadcast_shapes(*batches)
+        except ValueError as error:
+            raise ValueError(f"{' and '.join(names)} do not broadcast: {error}") from None
+        values = [np.broadcast_to(v, batch + r.shape) for v, r in zip(values, requirements, strict=True)]
+    count = math.prod(batch)
+    return batch, [v.reshape(count, math.prod(r.shape)) for v, r in zip(values, requirements, strict=True)]
 
 
 def _batch(name: str, requirement: Requirement, value: Array) -> tuple[int, ...]:
