@@ -7,7 +7,7 @@ from tam570_grader.checks.figures import Figure
 from . import reference
 
 
-def figure(x=0.75, curvature=1.0, v=-0.45):
+def figure(x=0.75, curvature=1.0, v=0.45):
     """The bottom of the wire is the origin."""
     places = np.linspace(-1.15, 1.15, 41)
     # the height by the potential energy of 1 kg at g = 1
@@ -25,11 +25,11 @@ def figure(x=0.75, curvature=1.0, v=-0.45):
     shown.label((places[0], height[0]), "y = c x²", by=(50, 10))
     shown.line([bead, (x, 0)], "dash")
     shown.dimension((0, 0), (x, 0), "x", aside=-24)
-    shown.arrow(bead, bead + [v, 0], "v = dx/dt", by=(40, 15))
+    shown.arrow(bead, bead + [v, 0], "v = dx/dt", by=(10, -15))
     slope = 2 * curvature * x
     along = bead + v * np.array([1.0, slope])
     shown.arrow(bead, along, "", "soft")
     shown.line([along, along * [1, 0] + bead * [0, 1]], "dash")
-    shown.point("m", bead, by=(20, -4), size=8)
-    shown.arrow((1.4, 0.8), (1.4, 0.5), "g", "thin")
+    shown.point("m", bead, by=(-18, -4), size=8)
+    shown.arrow((1.4, 1.4), (1.4, 1.1), "g", "thin")
     return shown

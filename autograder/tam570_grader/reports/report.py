@@ -15,7 +15,7 @@ from tam570.values import Json
 from tam570_grader.checks.failure import Failure
 from tam570_grader.checks.rubric import load_rubric
 from tam570_grader.errors import UsageError, say, writing
-from tam570_grader.reports.feedback import AssignmentInfo, load_assignment_info, template
+from tam570_grader.reports.feedback import STOPPED, AssignmentInfo, load_assignment_info, template
 from tam570_grader.reports.scenes import wrong_and_right
 from tam570_grader.reports.sentences import points
 from tam570_grader.results import manual_points, shared, store
@@ -146,6 +146,7 @@ def report(
         scores=_scores(class_results, students, sections.get("dropped", ())),
         tallies=_tallies(everything, infos),
         suspects=_suspects(everything, infos),
+        stopped=[result for result in everything if result.status in STOPPED],
         slowest=heapq.nlargest(SLOWEST, everything, key=lambda result: result.seconds),
         faults=[(result, check) for result in everything for check in result.checks if check.outcome == "grader_error"],
         absent=_absent(class_results, students),

@@ -166,7 +166,12 @@ def _arrows(points: Array, longest: float) -> Array:
 def _time_plot(ax: Axes, time_plot: TimePlot, scene: Scene) -> Update:
     for color, (name, curve) in zip(_palette(), time_plot.curves.items(), strict=False):
         ax.plot(time_plot.times, curve, color=color, linewidth=1.2, label=name or "_")
-    ax.set(xlim=scene.times[[0, -1]], ylim=time_plot.span, xlabel="t (s)", ylabel=f"({time_plot.unit})")
+    ax.set(
+        xlim=scene.times[[0, -1]],
+        ylim=time_plot.span,
+        xlabel="t (s)",
+        ylabel=f"({time_plot.unit})" if time_plot.unit else "",
+    )
     ax.set_title(
         f"{time_plot.title}\n{time_plot.caption}",
         fontsize=8,

@@ -66,6 +66,16 @@ def test_mistakes_are_counted_by_students_and_checks_by_those_who_handed_in(rows
     }
 
 
+def test_a_class_whose_files_do_not_run_is_not_said_to_fail_nothing():
+    ada = result("ada", check("first"), slug=SLUGS[0])
+    fallen = result("ben", check("first", "not_run"), slug=SLUGS[0], status="unreadable")
+    pages = [report.report(report.newest(results), INFOS) for results in ([ada], [ada, fallen])]
+    assert [("Nobody failed" in page, "ben hw07 (unreadable)" in page) for page in pages] == [
+        (True, False),
+        (False, True),
+    ]
+
+
 def test_everybody_has_a_row_and_who_handed_in_nothing_is_named(rows):
     scores = {"ada": ["10", "5", "15"], "ben": ["5", "0", "5"], "cora": ["error", "", "0"]}
     assert {row[0]: row[1:] for row in rows["scores"]} == scores | dict.fromkeys(("dan", "eve"), ["", "", "0"])
