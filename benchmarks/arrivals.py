@@ -78,7 +78,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         outcome = in_a_minute(Path(folder), options.submissions, options.seconds)
     print(json.dumps(outcome, indent=1))
-    record.write(record.RESULTS / "arrivals.json", **outcome)
+    record.write(record.FOLDER / "arrivals.json", **outcome)
 
 
 if __name__ == "__main__":

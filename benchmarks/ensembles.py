@@ -23,7 +23,7 @@ import methods  # noqa: E402
 import record  # noqa: E402
 import scenes  # noqa: E402
 
-RESULTS = record.RESULTS / "ensembles.json"
+OUTPUT = record.FOLDER / "ensembles.json"
 PROBLEMS = ("double pendulum, points", "Duffing", "heavy top", "Lorenz", "Euler's top", "figure eight")
 TOLERANCES = (1e-6, 1e-9, 1e-12)
 SPREAD = 0.05  # of the starts about the problem's own
@@ -59,7 +59,7 @@ def compared(name, members, tolerance):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--members", type=int, default=10_000, metavar="M", help="a multiple of eight")
-    parser.add_argument("--out", type=Path, default=RESULTS)
+    parser.add_argument("--out", type=Path, default=OUTPUT)
     options = parser.parse_args()
     if options.members % 8 or options.members < 8:
         parser.error(f"--members {options.members}: give a multiple of eight")

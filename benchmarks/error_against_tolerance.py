@@ -48,7 +48,7 @@ def main():
         lines.append(f"{name:24}" + "".join(f"{f'{a:.2g} / {b:.2g}':>18}" for a, b in zip(*both, strict=True)))
         print(lines[-1], flush=True)
     if options.write:
-        (record.RESULTS / "error_against_tolerance.txt").write_text("\n".join(lines) + "\n")
+        (record.FOLDER / "error_against_tolerance.txt").write_text("\n".join(lines) + "\n")
 
 
 if __name__ == "__main__":

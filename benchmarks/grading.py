@@ -33,7 +33,7 @@ from tam570_grader.sandbox.process import SandboxProcess
 from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.zygote import ResourceLimits
 
-RESULTS, COST = record.RESULTS / "grading.json", record.RESULTS / "grading_cost.json"
+OUTPUT, COST = record.FOLDER / "grading.json", record.FOLDER / "grading_cost.json"
 COURSE = assignments.find(Path(__file__).parents[1])
 SLUGS = assignments.slugs(COURSE)
 TOGETHER = 2e-3  # s, in which results of one chunk are read
@@ -41,8 +41,8 @@ ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "PYT
 WORKS = {"stub": "assignments/{0}/{0}.py", "solution": "solutions/{0}.py"}  # what everybody in a class hands in
 
 
-def work(slug, kind="solution"):
-    return COURSE / WORKS[kind].format(slug)
+def work(slug, work_name="solution"):
+    return COURSE / WORKS[work_name].format(slug)
 
 
 def class_of(slug, count, folder):
@@ -106,20 +106,20 @@ def _passing(look, method):
 WATCHED = (SandboxProcess, "send"), (SandboxProcess, "receive"), (Student, "replies"), (Student, "leave")
 
 
-def cost(slug, kind, count):
+def cost(slug, work_name, count):
     """What a submission costs, the references at hand: medians of so many, in ms, and counts of one."""
-    source = Source(work(slug, kind).read_bytes())
-    task = GradeTask(COURSE, kind, slug, 570, source, conditions=WorkerConfig(ResourceLimits(), (COURSE,)))
+    source = Source(work(slug, work_name).read_bytes())
+    task = GradeTask(COURSE, work_name, slug, 570, source, conditions=WorkerConfig(ResourceLimits(), (COURSE,)))
     with sandboxes():
         with Counter() as counter:
             done = result(task)
         counts = {name: counter.count[name] for name in ("round trips", "calls", "simulations")}
         times = [_timed(task) for _ in range(count)]
-    assert done.score == (done.max_score if kind == "solution" else 0)
+    assert done.score == (done.max_score if work_name == "solution" else 0)
     wall, ours, waited = (1000 * statistics.median(column) for column in zip(*times, strict=True))
     student = 1000 * counter.student  # its import too
     times = {"wall": wall, "ours": ours, "waited": waited, "student": student}
-    return {"assignment": slug, "work": kind, **times, **counts}
+    return {"assignment": slug, "work": work_name, **times, **counts}
 
 
 def _timed(task):
@@ -245,7 +245,7 @@ def _notebook(path, slug):
 
 def costs(slugs, count):
     """Print and write what submissions cost."""
-    rows = [cost(slug, kind, count) for slug in tqdm(slugs, leave=False, disable=None) for kind in WORKS]
+    rows = [cost(slug, work_name, count) for slug in tqdm(slugs, leave=False, disable=None) for work_name in WORKS]
     print("ms a submission: on the wall, ours (processor), waited; student (processor, import too); then counts")
     for row in rows:
         times = "".join(f"{row[name]:9.1f}" for name in ("wall", "ours", "waited", "student"))
@@ -278,7 +278,7 @@ def main():
         print_jobs(slug, runs)
         print_peers(slug, runs, peers)
         if options.peers and not options.quick:
-            record.write(RESULTS, rows=rows)  # a run takes an hour
+            record.write(OUTPUT, rows=rows)  # a run takes an hour
 
 
 def print_row(row):

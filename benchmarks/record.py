@@ -7,7 +7,7 @@ import sys
 from datetime import date
 from pathlib import Path
 
-RESULTS = Path(__file__).parent / "results"
+FOLDER = Path(__file__).parent / "results"
 WIDTH = 120  # characters of a line; a list of numbers takes one line however long
 
 

@@ -19,7 +19,7 @@ from scipy.spatial.transform import Rotation
 
 from tam570 import rotations
 
-RESULTS = record.RESULTS / "rotations.json"
+OUTPUT = record.FOLDER / "rotations.json"
 
 
 def inputs(count, seed=570):
@@ -183,7 +183,7 @@ def errors(count):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--quick", action="store_true", help="no batches of 1e5, fewer matrices")
-    parser.add_argument("--output", type=Path, help=f"where the JSON goes (default {RESULTS.name}, none if quick)")
+    parser.add_argument("--output", type=Path, help=f"where the JSON goes (default {OUTPUT.name}, none if quick)")
     options = parser.parse_args()
     versions = {"numpy": np.__version__, "scipy": scipy.__version__}
     result = {"versions": versions, "timings": [], "errors": []}
@@ -197,7 +197,7 @@ def main():
         result["errors"].append(row)
         scipys = "" if row["scipy_eps"] is None else f"  SciPy {row['scipy_eps']:9.3g} eps"
         print(f"{row['scene']:14s} {row['round_trip']:16s} {row['eps']:5.2f} eps{scipys}")
-    output = options.output or (None if options.quick else RESULTS)
+    output = options.output or (None if options.quick else OUTPUT)
     if output:
         record.write(output, **result)
 

@@ -33,9 +33,9 @@ import methods  # noqa: E402
 import record  # noqa: E402
 import scenes  # noqa: E402
 
-RESULTS = record.RESULTS / "run_time_against_error.json"
-PEERS_RESULTS = record.RESULTS / "run_time_against_peers.json"
-REFERENCES = record.RESULTS / "run_time_references.json"
+OUTPUT = record.FOLDER / "run_time_against_error.json"
+PEERS_OUTPUT = record.FOLDER / "run_time_against_peers.json"
+REFERENCES = record.FOLDER / "run_time_references.json"
 
 TOLERANCES = [10.0**-k for k in range(3, 16)]
 QUICK_TOLERANCES = [1e-4, 1e-7, 1e-10, 1e-13]
@@ -231,7 +231,7 @@ def main():
     tolerances = options.tolerances or (QUICK_TOLERANCES if options.quick else TOLERANCES)
     is_part = options.scenes or sets or options.methods or options.tolerances
     is_complete = not (options.quick or is_part or options.no_cold)
-    out = options.out or ((PEERS_RESULTS if options.peers else RESULTS) if is_complete else None)
+    out = options.out or ((PEERS_OUTPUT if options.peers else OUTPUT) if is_complete else None)
     keep = (lambda results: record.write(out, **results)) if out else (lambda results: None)
     earlier = record.read(out).get("scenes", {}) if (options.scenes or sets) and out else {}
     requested = options.methods or (PEERS if options.peers else ())

@@ -50,8 +50,12 @@ def shared():
     pages = {}
     for name, scene in results["scenes"].items():
         slug, function, arguments, keywords = call(name)
-        row, right = end_row(slug, function, arguments, keywords), np.array(ends[name]["state"], float)
-        if row is None or row.shape != right.shape or np.abs(row - right).max() > SAME * np.abs(right).max():
+        row, reference = end_row(slug, function, arguments, keywords), np.array(ends[name]["state"], float)
+        if (
+            row is None
+            or row.shape != reference.shape
+            or np.abs(row - reference).max() > SAME * np.abs(reference).max()
+        ):
             continue
         curves = {
             method: [[_short(seconds), _short(error)] for _, seconds, error in scene["curves"][method] if error > 0]
@@ -60,7 +64,7 @@ def shared():
         pages[slug] = {
             "scene": name,
             "function": function,
-            "end": right.tolist(),
+            "end": reference.tolist(),
             "curves": curves,
             "arguments": [np.asarray(argument).tolist() for argument in arguments],
             "keywords": {key: np.asarray(argument).tolist() for key, argument in keywords.items()},

@@ -65,7 +65,7 @@ def main():
     for row in rows:
         print(f"{row['scene']:<44} {row['seconds']:6.2f} s {row['bytes'] / 1e3:8.1f} kB")
     if peers:
-        record.write(record.RESULTS / "show.json", rows=rows)
+        record.write(record.FOLDER / "show.json", rows=rows)
 
 
 if __name__ == "__main__":

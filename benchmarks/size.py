@@ -28,7 +28,7 @@ from tam570_grader.release.stubs import stub
 from tam570_grader.results.records import read
 from tam570_grader.sandbox.zygote import ResourceLimits
 
-RESULTS = record.RESULTS / "size.json"
+OUTPUT = record.FOLDER / "size.json"
 COURSE = assignments.find(Path(__file__).parents[1])
 SLUGS = assignments.slugs(COURSE)
 WORKS = 4  # on each assignment
@@ -102,16 +102,16 @@ def costs(size, results):
     with tempfile.TemporaryDirectory() as folder:
         handed_in, out = Path(folder) / "submitted", Path(folder) / "out"
         write_journal(class_of(size, handed_in), results, out)
-        journal = (out / "results.jsonl").read_bytes()
+        stored = (out / "results.jsonl").read_bytes()
         grade = "grade", handed_in, "--out", out, "--jobs", "1"
         commands = {"all pages": measured(*grade), "resume": measured(*grade)}
-        assert (out / "results.jsonl").read_bytes() == journal, "something was graded again"
+        assert (out / "results.jsonl").read_bytes() == stored, "something was graded again"
         late = handed_in / "late" / SLUGS[0] / f"{SLUGS[0]}.py"
         late.parent.mkdir(parents=True)
         late.write_text(works(SLUGS[0])[0])
         commands |= {"late file": measured(*grade), "report": measured("report", out)}
         megabytes = (out / "report.html").stat().st_size / 1e6
-    return {"submissions": size, "journal_mb": len(journal) / 1e6, "page_mb": megabytes, **commands}
+    return {"submissions": size, "journal_mb": len(stored) / 1e6, "page_mb": megabytes, **commands}
 
 
 def print_rows(rows):
@@ -132,7 +132,7 @@ def main():
     results, rows = graded(), []
     for size in tqdm(sorted(options.sizes), desc="classes", leave=False, disable=None):
         rows.append(costs(size, results))
-        record.write(RESULTS, rows=rows)
+        record.write(OUTPUT, rows=rows)
     print_rows(rows)
 
 

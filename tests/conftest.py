@@ -80,7 +80,7 @@ def pytest_make_parametrize_id(val):
 
 def pytest_generate_tests(metafunc):
     """A test with `slug` runs for every assignment."""
-    parameters = [mark.args[0] for mark in metafunc.definition.iter_markers("parametrize")]
+    parameters = [decorator.args[0] for decorator in metafunc.definition.iter_markers("parametrize")]
     if "slug" in metafunc.fixturenames and not any(names == "slug" or "slug" in names for names in parameters):
         metafunc.parametrize("slug", SLUGS)
 

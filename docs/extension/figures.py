@@ -12,7 +12,7 @@ from statistics import median
 __all__ = ["setup"]
 
 COURSE = Path(__file__).resolve().parents[2]
-RESULTS = COURSE / "benchmarks" / "results"
+RESULTS_FOLDER = COURSE / "benchmarks" / "results"
 INTO = COURSE / "docs" / "generated" / "figures"
 PICTURES = ("run_time_against_error", "run_time_against_peers")
 PANELS = 12  # of a picture; where there are more scenes, every second or third is drawn
@@ -37,13 +37,13 @@ def _draw():
         text = make(_results(name))
         (INTO / f"{name}.md").write_text(f"{text}\n\n{_origin(name)}\n", encoding="utf-8")
     for name in PICTURES:
-        picture, results = INTO / f"{name}.webp", RESULTS / f"{name}.json"
+        picture, results = INTO / f"{name}.webp", RESULTS_FOLDER / f"{name}.json"
         if not picture.exists() or results.stat().st_mtime > picture.stat().st_mtime:
             _picture(name)
 
 
 def _results(name):
-    return json.loads((RESULTS / f"{name}.json").read_text())
+    return json.loads((RESULTS_FOLDER / f"{name}.json").read_text())
 
 
 def _origin(name):
@@ -94,8 +94,8 @@ def _picture(name):
     few_colours.convert("RGB").save(INTO / f"{name}.webp", lossless=True, method=6)
 
 
-def _table(head, rows):
-    lines = [head, ["---"] * len(head), *rows]
+def _table(heading, rows):
+    lines = [heading, ["---"] * len(heading), *rows]
     return "\n".join("| " + " | ".join(line) + " |" for line in lines)
 
 

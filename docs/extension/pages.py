@@ -88,8 +88,8 @@ def _all_problems():
     ]
     pdf = '<p><a href="../problems.pdf">The problems as one PDF file</a>.</p>\n' if CHROMIUM else ""
     printing = f"Print this page: each problem begins on a new sheet. {pdf}\n"
-    head = "---\nhtml_theme.sidebar_secondary.remove: true\nnosearch: true\n---\n# All problems on one page\n"
-    return "\n".join([head, printing, *includes])
+    front_matter = "---\nhtml_theme.sidebar_secondary.remove: true\nnosearch: true\n---\n# All problems on one page\n"
+    return "\n".join([front_matter, printing, *includes])
 
 
 def _print_problems(app, exception):

@@ -54,7 +54,7 @@ HintOfCase = str | Callable[[Case, Numbers, Numbers], str]  # of a case, the res
 
 
 @dataclass(frozen=True)
-class Part:
+class Comparison:
     """Numbers of a result that are compared at once, beside the right ones."""
 
     actual: Numbers
@@ -67,7 +67,7 @@ class Part:
     t: Numbers = None  # times of its rows
 
 
-Parts = Callable[[Case, Numbers, Numbers], Iterable[Part]]  # of a case, the result and the right one
+Comparisons = Callable[[Case, Numbers, Numbers], Iterable[Comparison]]  # of a case, the result and the right one
 
 
 def compare(  # noqa: PLR0913  what a check says of a comparison, each by its name
@@ -96,14 +96,14 @@ def compare(  # noqa: PLR0913  what a check says of a comparison, each by its na
     descriptions = descriptions if several else [descriptions]
     scales = [scale or description.scale or largest for description in descriptions]
 
-    def parts(case: Case, actual: Numbers, expected: Numbers) -> Iterator[Part]:
+    def parts(case: Case, actual: Numbers, expected: Numbers) -> Iterator[Comparison]:
         pairs = zip(actual, expected, strict=True) if several else [(actual, expected)]
         for index, (numbers, right_numbers) in enumerate(pairs):
             if only is None or index in np.atleast_1d(only):
                 size = scales[index](case, right_numbers)
                 size = np.where(np.asarray(size) == 0, 1.0, size) if np.ndim(size) else size or 1.0
                 words = descriptions[index].quantity, descriptions[index].unit
-                yield Part(numbers, right_numbers, *words, size, index if several else None)
+                yield Comparison(numbers, right_numbers, *words, size, index if several else None)
 
     def members(case: Case, expected: Numbers) -> Iterator[tuple[Numbers, ...]]:
         return ((part.member, part.expected, part.size) for part in parts(case, expected, expected))
@@ -118,7 +118,7 @@ def _compare_parts(  # noqa: PLR0913  as `compare`
     function: StudentFunction,
     batch: "Batch",
     results: Sequence[Numbers],
-    parts: Parts,
+    parts: Comparisons,
     tolerance: float,
     hint: HintOfCase,
     partial: Mapping[float, float],
@@ -131,8 +131,8 @@ def _compare_parts(  # noqa: PLR0913  as `compare`
             words = {"quantity": part.quantity, "scale": part.size, "tolerance": tolerance}
             get_context().add_example(function, case, part.member, part.columns, part.expected, **words)
             few_or_many = "many" if np.size(part.actual) > np.size(part.expected) else "few"
-            alike = np.shape(part.actual) == np.shape(part.expected)
-            expect_that(alike, f"{part.quantity}: you return too {few_or_many} numbers")
+            has_shape = np.shape(part.actual) == np.shape(part.expected)
+            expect_that(has_shape, f"{part.quantity}: you return too {few_or_many} numbers")
             _infinite_alike(part, ask)
             limits = _limits(part.size, tolerance, partial) | {"near_miss_credit": near_miss_credit}
             expect(part.actual, part.expected, quantity=part.quantity, unit=part.unit, t=part.t, hint=ask, **limits)
@@ -163,7 +163,7 @@ def _limits(size: Numbers, tolerance: float, partial: Mapping[float, float]) -> 
     return {"tolerance": tolerance * size, "partial": {limit * size: share for limit, share in partial.items()}}
 
 
-def _infinite_alike(part: Part, hint: Callable[[], str]) -> None:
+def _infinite_alike(part: Comparison, hint: Callable[[], str]) -> None:
     """Of infinity nothing is wrong by some limit."""
     actual, expected = np.isinf(part.actual), np.isinf(part.expected)
     message = f"{part.quantity} is {'not ' if expected.any() else ''}infinite"
@@ -331,7 +331,7 @@ def _trimmed(reference: Function, case: Case) -> Case:
 _signature = functools.lru_cache(maxsize=256)(inspect.signature)
 
 
-def _hint(hint: HintOfCase, case: Case, actual: Numbers, expected: Numbers, part: Part) -> str:
+def _hint(hint: HintOfCase, case: Case, actual: Numbers, expected: Numbers, part: Comparison) -> str:
     """Return what right numbers have lost, else the hint of the case, else that of the check."""
     lost = digits_lost(part.actual, part.expected)
     return lost or case.hint or (hint(case, actual, expected) if callable(hint) else hint)
@@ -368,12 +368,12 @@ def compare_columns(  # noqa: PLR0913  as `compare`
     """
     columns, batch = columns or function.returns.columns, Batch.of(find_reference(reference, function), cases).distinct
 
-    def parts(case: Case, actual: Numbers, expected: Numbers) -> Iterator[Part]:
+    def parts(case: Case, actual: Numbers, expected: Numbers) -> Iterator[Comparison]:
         expected, t = np.asarray(expected, float), case.args[0] if actual.ndim == 2 else None
         for column in columns:
             where = np.arange(expected.shape[-1])[column.where].tolist()
             words = column.quantity, column.unit, column.size(case, expected)
-            yield Part(actual[..., column.where], expected[..., column.where], *words, columns=where, t=t)
+            yield Comparison(actual[..., column.where], expected[..., column.where], *words, columns=where, t=t)
 
     def members(case: Case, expected: Numbers) -> Iterator[tuple[Numbers, ...]]:
         expected = np.asarray(expected, float)

@@ -328,13 +328,13 @@ def has_rates(motion: Motion, rates: Callable[[float, Array], Numbers]) -> bool:
                 return False
             if not np.max(np.abs(led[-1] - motion.actual[row + 1]) / motion.scales) <= ALIKE:
                 return False
-            instant_rate, right = (
+            instant_rate, expected_rate = (
                 np.diff(states, axis=0)[0] / np.ptp(t) for states in (instant, motion.truly(t, *start))
             )
-            student_rates, models = np.ravel(rates(t[0], motion.expected[row])), np.array([right, right])
+            student_rates, models = np.ravel(rates(t[0], motion.expected[row])), np.array([expected_rate] * 2)
             models[0, : student_rates.size] = models[1, -student_rates.size :] = student_rates
             left = np.maximum(left, np.max(np.abs(instant_rate - models) / motion.scales, axis=1))
-            wrong = np.maximum(wrong, np.max(np.abs(models - right) / motion.scales, axis=1))
+            wrong = np.maximum(wrong, np.max(np.abs(models - expected_rate) / motion.scales, axis=1))
     except (Failed, NotWritten, ValueError, ArithmeticError, Exhausted):
         return False
     return bool(np.any((left <= EXPLAINED * wrong) & (wrong > 0)))

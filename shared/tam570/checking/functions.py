@@ -71,10 +71,10 @@ class Functions:
             arguments = Arguments(args, kwargs)
             if self.mistake is None or self.mistake.function != name:
                 return self._result(name, function, arguments)
-            if self.mistake.right is None:
+            if self.mistake.repair is None:
                 with tightened(vars(self.module)):
                     return self._result(name, function, arguments)
-            return self.mistake.right(ObservedCall(arguments, self._result(name, function, arguments)))
+            return self.mistake.repair(ObservedCall(arguments, self._result(name, function, arguments)))
 
         return wrapper
 
@@ -88,7 +88,7 @@ class Functions:
 
         Fault if it has not the form of the contract.
         """
-        tight = self.mistake is not None and self.mistake.right is None and self.mistake.function == name
+        tight = self.mistake is not None and self.mistake.repair is None and self.mistake.function == name
         key = (name, tight, _contents(arguments))
         if self.mistake is None or key not in self.cache:
             self.cache[key] = self._called(name, function, arguments)

@@ -68,12 +68,12 @@ class ObservedCall(NamedTuple):
 class Mistake:
     """What may be wrong with a function.
 
-    right : what the function gives where the mistake is undone; None: its integrators keep to TIGHT
+    repair : what the function gives where the mistake is undone; None: its integrators keep to TIGHT
     """
 
     function: str
     message: str
-    right: Callable[[ObservedCall], Numbers] | None
+    repair: Callable[[ObservedCall], Numbers] | None
 
 
 def candidates(
@@ -86,5 +86,5 @@ def candidates(
     if ["n"] in [member.get("array", [])[:1] for member in returns.get("group", [returns])]:
         yield Mistake(name, f"It would pass with the tolerances rtol=1e-9, atol=1e-9 in {name}.", None)
     if "array" in returns or "group" in returns:
-        for words, right in undone(name, function, example, seconds < QUICK):
-            yield Mistake(name, f"Your numbers match this mistake: {words}.", right)
+        for words, repair in undone(name, function, example, seconds < QUICK):
+            yield Mistake(name, f"Your numbers match this mistake: {words}.", repair)

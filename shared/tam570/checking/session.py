@@ -87,18 +87,18 @@ def check(
         return False
     report.imported(skipped, printed, not_utf8(file))
     before = remembered(file) if changed or functions else {}
-    current = {test: was for test, was in before.items() if was[0] == now.get(_function(test))}
-    tests = _chosen(tests, used, current if changed else {}, functions)
+    valid = {test: was for test, was in before.items() if was[0] == now.get(_function(test))}
+    tests = _chosen(tests, used, valid if changed else {}, functions)
     student.trail = trail
     student.hanging |= {name: (OUT_OF_TIME if slow else ENDED).format(name=name) for name, slow in lost.items()}
     outcomes = Outcomes(student, report.terminal())
     outcomes.run(tests)
     report.cleared(outcomes.terminal)
-    current |= {test: (now.get(_function(test), ""), outcome) for test, outcome in outcomes.passed.items()}
+    valid |= {test: (now.get(_function(test), ""), outcome) for test, outcome in outcomes.passed.items()}
     lasted = time.time() - file.stat().st_mtime
     since = f"      {len(tests)} tests run, {lasted:.2f} s after saving\n" if changed else ""
     examples = next((module.examples for module in modules if module.examples), None)
-    return _report(Work(file, slug, used, examples), current, outcomes, functions, since)
+    return _report(Work(file, slug, used, examples), valid, outcomes, functions, since)
 
 
 def _chosen(
@@ -113,13 +113,13 @@ def _chosen(
     return chosen
 
 
-def _report(work: Work, current: Remembered, outcomes: Outcomes, functions: Collection[str], since: str) -> bool:
+def _report(work: Work, valid: Remembered, outcomes: Outcomes, functions: Collection[str], since: str) -> bool:
     """Print and remember what became of the tests; whether all pass."""
-    results = {test: outcome for test, (_, outcome) in current.items()}
+    results = {test: outcome for test, (_, outcome) in valid.items()}
     calling = by_parameters(work.used, results)
     causes = {test: _cause(test, outcomes, calling, results) for test in outcomes.failures}
     reached = progress(work.slug, results, calling, causes)
-    remember(work.file, current, reached)
+    remember(work.file, valid, reached)
     explanations = _explained(outcomes, calling, reached)
     explanations |= _known_mistakes(outcomes, work.examples, calling) if work.examples else {}
     report.failures(outcomes, explanations)

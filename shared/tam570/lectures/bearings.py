@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from tam570.arguments import finite, symmetric
 from tam570.rotations import matrix_from_axis_angle
-from tam570.show.plots import drift_note, value_plot
+from tam570.show.plots import drift_caption, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Parameters
 
@@ -64,7 +64,9 @@ def film(parameters: Parameters) -> Scene:
         ],
         [
             value_plot("moment on the unbalanced body, in space", times, curves, "N m"),
-            value_plot("spin", times, {"": speeds}, "rad/s", *drift_note(across, about="size of the moment for it: ")),
+            value_plot(
+                "spin", times, {"": speeds}, "rad/s", *drift_caption(across, about="size of the moment for it: ")
+            ),
         ],
         view=(0.6, 0.35),
         still_time=0.3,

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from tam570.arguments import array, finite, positive
 from tam570.show.drawing import circle, cone
-from tam570.show.plots import drift_note, value_plot
+from tam570.show.plots import drift_caption, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving, with_slider
 
 __all__ = ["axis", "body_cone", "body_rate", "film", "omega", "precession_rate", "space_cone"]
@@ -102,7 +102,7 @@ def _film(parameters: Mapping[str, float]) -> Scene:
     space_rim = circle([0.0, 0.0, tip[0, 2]], [tip[0, 0], 0.0, 0.0], [0.0, tip[0, 0], 0.0], 37)
     H = transverse * turning + (axial - transverse) * np.einsum("ni,ni->n", turning, along)[:, None] * along
     omegas = dict(zip("xyz", turning.T, strict=True))
-    drift = drift_note(H, float(H[0, 2]), "the angular momentum")
+    drift = drift_caption(H, float(H[0, 2]), "the angular momentum")
     return Scene(
         "Free symmetric body",
         "A cone fixed in the body rolls without slip on a cone fixed in space. They touch along the angular velocity. "

@@ -15,7 +15,7 @@ from tam570.arguments import numbers, positives, sequence
 from tam570.integrate import solve, solve_rotation
 from tam570.invariants import rotation_defect
 from tam570.show.drawing import brick
-from tam570.show.plots import drift_note, value_plot, values
+from tam570.show.plots import drift_caption, value_plot, values
 from tam570.show.scene import Array, Panel, Scene, frame_times
 from tam570.show.turning import box_size, in_space, live_body, spin_arrow
 from tam570.values import Numbers, Parameters
@@ -117,7 +117,9 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
         ],
         [
             value_plot("RᵀR - I, largest element", times, defects, "", text),
-            value_plot("angular momentum, change", times, changes, "kg m²/s", *drift_note(H, about="by rotations: ")),
+            value_plot(
+                "angular momentum, change", times, changes, "kg m²/s", *drift_caption(H, about="by rotations: ")
+            ),
         ],
         still_time=1.0,
         live=live_body(rates, energy, parameters, start, in_body=False),

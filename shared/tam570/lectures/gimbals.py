@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from tam570.arguments import numbers, one_of, positive
 from tam570.rotations import euler_from_matrix, matrix_from_axis_angle
 from tam570.show.drawing import circle, solid
-from tam570.show.plots import drift_note, value_plot
+from tam570.show.plots import drift_caption, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Parameters
 
@@ -81,7 +81,7 @@ def film(parameters: Parameters) -> Scene:
         [Panel(_gimbal(np.array([rings(row, sequence) for row in angles]), sequence), ruler=False)],
         [
             value_plot("rates of the angles", times, curves, "rad/s", largest),
-            value_plot("their sum along the axes of the rings", times, sums, "rad/s", *drift_note(rebuilt, SPEED)),
+            value_plot("their sum along the axes of the rings", times, sums, "rad/s", *drift_caption(rebuilt, SPEED)),
         ],
         view=(0.9, 0.35),
         still_time=0.44,

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 
 from tam570.arguments import array, numbers, positives
 from tam570.integrate import solve
-from tam570.show.plots import drift_note, value_plot, values
+from tam570.show.plots import drift_caption, value_plot, values
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Parameters
 
@@ -99,7 +99,7 @@ def film(parameters: Parameters) -> Scene:
     origin = np.array([angular_momentum(state, np.zeros(3), masses=masses) for state in states])[..., 2]
     momenta = {"of G": origin[:, 0], "about G": origin[:, 1], "about the origin": origin.sum(axis=1)}
     scale = float(np.abs(momenta["about the origin"]).max())
-    drift = drift_note(momenta["about the origin"], scale)
+    drift = drift_caption(momenta["about the origin"], scale)
     return Scene(
         "Particles and their centre of mass",
         f"{n} particles joined by springs are thrown across a table. They turn and swing about their centre of mass, "

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from tam570.arguments import finite, positive, symmetric, whole_number
 from tam570.show.drawing import coil
-from tam570.show.plots import drift_note, value_plot
+from tam570.show.plots import drift_caption, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times
 from tam570.values import Parameters
 
@@ -84,7 +84,7 @@ def film(parameters: Parameters) -> Scene:
     one_by_one = (rate**2 + squares * (q @ M @ shapes) ** 2) / 2
     curves = {f"mode {j + 1}": one_by_one[:, j] for j in range(n)}
     places = {f"mass {j + 1}": q[:, j] for j in range(n)}
-    drift = drift_note(curves, float(one_by_one[0].sum()), "all of it")
+    drift = drift_caption(curves, float(one_by_one[0].sum()), "all of it")
     return Scene(
         "Modes of a chain",
         f"{n} masses between springs vibrate in each normal mode, one row for a mode. All masses keep time, from one "

@@ -15,7 +15,7 @@ from tam570.arguments import numbers, positive, sequence
 from tam570.integrate import solve
 from tam570.show.drawing import axes, circle
 from tam570.show.live import Live, drag, energies
-from tam570.show.plots import drift_note, state_energy_plot, value_plot, values
+from tam570.show.plots import drift_caption, state_energy_plot, value_plot, values
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 
 __all__ = ["angular_momentum", "energy", "exact", "film", "orbit_tensor", "rates"]
@@ -85,7 +85,7 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
         [Panel([*cross, *shapes])],
         [
             state_energy_plot(times, states, 3, lambda rows: values(energy, rows, **parameters)),
-            value_plot("m v v + k r r, a tensor", times, parts, "J", *drift_note(tensors)),
+            value_plot("m v v + k r r, a tensor", times, parts, "J", *drift_caption(tensors)),
         ],
         still_time=0.25,
         live=Live(rates, parameters, start, _draw, [drag(0, 3)], energies(energy, 3), backdrop=cross),

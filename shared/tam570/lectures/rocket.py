@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tam570.arguments import finite, nonnegative, numbers, positive, sequence
 from tam570.integrate import solve
-from tam570.show.plots import drift_note, value_plot, values
+from tam570.show.plots import drift_caption, value_plot, values
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
 
 __all__ = ["coasting_energy", "exact", "film", "rates", "wrong_rates"]
@@ -109,7 +109,7 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
         [Panel(shapes)],
         [
             value_plot("speed", times, {"right": correct[:, 1], "wrong": wrong[:, 1]}, "m/s"),
-            value_plot("mass", times, {"": correct[:, 2]}, "kg", *drift_note(energies, about="energy at its end: ")),
+            value_plot("mass", times, {"": correct[:, 2]}, "kg", *drift_caption(energies, about="energy at its end: ")),
         ],
         still_time=0.7,
     )

@@ -15,7 +15,7 @@ from tam570.arguments import finite, numbers, positive, positives, sequence
 from tam570.integrate import solve
 from tam570.show.drawing import solid, unit_circle
 from tam570.show.live import Handle, Live, energies
-from tam570.show.plots import drift_note, state_energy_plot, value_plot, values
+from tam570.show.plots import drift_caption, state_energy_plot, value_plot, values
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Numbers, Parameters
 
@@ -108,7 +108,7 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
         ]
 
     turning = values(angular_momentum, states, **parameters)
-    drift = drift_note(turning, about="angular momentum: ")
+    drift = drift_caption(turning, about="angular momentum: ")
     return Scene(
         "Two particles on a string",
         "A mass circles on a table. The string through the hole holds a second mass below the table. The circle's "

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from tam570.arguments import finite, numbers, one_of, positive, sequence
 from tam570.integrate import solve
 from tam570.show.live import Handle, Live, energies
-from tam570.show.plots import drift_note, value_plot, values
+from tam570.show.plots import drift_caption, value_plot, values
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Numbers, Parameters
 
@@ -90,7 +90,7 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
         totals[name] = values(energy, states, **arguments)
         kinetic[name] = totals[name] - values(energy, states * [1, 1, 0, 0], **arguments)
     largest = max(float(curve.max()) for curve in kinetic.values())
-    drift = drift_note(totals, largest, "the largest kinetic energy")
+    drift = drift_caption(totals, largest, "the largest kinetic energy")
     net = [shape for shape in panels[0].shapes if shape.points.ndim == 2]
     return Scene(
         "Particle on a surface",

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from tam570.arguments import numbers, positives, sequence
 from tam570.integrate import solve
 from tam570.show.drawing import brick
-from tam570.show.plots import drift_note, value_plot, values
+from tam570.show.plots import drift_caption, value_plot, values
 from tam570.show.scene import Array, Panel, Scene, Shape, frame_times, moving
 from tam570.show.turning import box_size, in_space, live_body, spin_arrow
 from tam570.values import Parameters
@@ -96,7 +96,7 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
         [
             value_plot("angular momentum from where it was", times, across, "°"),
             value_plot(
-                "spin about the body's third axis", times, spins, "rad/s", *drift_note(energies, about="energy: ")
+                "spin about the body's third axis", times, spins, "rad/s", *drift_caption(energies, about="energy: ")
             ),
         ],
         still_time=0.35,

@@ -9,7 +9,7 @@ from tam570.show.scene import Array, TimePlot
 from tam570.show.student import Trouble
 from tam570.values import Function, Numbers
 
-__all__ = ["drift_note", "energy_plot", "gap_note", "state_energy_plot", "value_plot", "values"]
+__all__ = ["drift_caption", "energy_plot", "gap_caption", "state_energy_plot", "value_plot", "values"]
 
 PLOT_SAMPLES = 400  # of a time plot, which is about as many pixels wide
 LARGEST = 1e200  # of what is drawn: its square is a number
@@ -48,7 +48,7 @@ def energy_plot(times: Array, total: Array, potential: Array, title: str = "ener
     kinetic = total - potential
     scale = float(np.abs(kinetic).max()) or float(np.abs(total).max())
     curves = {"kinetic T": kinetic, "potential V": potential, "total E": total}
-    return value_plot(title, times, curves, "J", *drift_note(total, scale, "the largest kinetic energy"))
+    return value_plot(title, times, curves, "J", *drift_caption(total, scale, "the largest kinetic energy"))
 
 
 def state_energy_plot(times: Array, states: Array, positions: int, energy: Callable[[Array], ArrayLike]) -> TimePlot:
@@ -68,7 +68,7 @@ def values(function: Function, states: Array, **parameters: Numbers) -> Array:
     return np.array([function(state, **parameters) for state in states[_samples(states)]])
 
 
-def drift_note(
+def drift_caption(
     constants: Mapping[str, ArrayLike] | ArrayLike, scale: float | None = None, of: str = "itself", about: str = ""
 ) -> tuple[str, bool]:
     """Tell the drift of what must not change as one number, and whether it is an alarm.
@@ -84,7 +84,7 @@ def drift_note(
     return f"{about}{'not conserved: ' if alarm else ''}relative drift {largest:.2g} of {of}", alarm
 
 
-def gap_note(
+def gap_caption(
     largest: float, limit: float, of: str = "", about: str = "", warning: str = "they differ: "
 ) -> tuple[str, bool]:
     """Tell the largest gap between what should agree, and whether it is an alarm: beyond the limit."""

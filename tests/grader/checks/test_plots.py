@@ -137,7 +137,7 @@ def redrawn(slug, code, text):
     return text + "\nimport numpy as np\n" + REDRAWN.format(name=DRAWN[slug][0], code=code)
 
 
-def judge(slug, student, course):
+def run_hidden_check(slug, student, course):
     """Judge the picture by the hidden check."""
     (check,) = (check for check in assignments.assignment(course, slug).checks if check.name == DRAWN[slug][1])
     with check_context():
@@ -165,7 +165,7 @@ def pictures(fields):
 @pytest.mark.parametrize(("what", "slug"), pictures(RIGHT))
 def test_a_right_picture_is_one_however_it_is_drawn(what, slug, course, student_of, solution_text, monkeypatch):
     text = redrawn(slug, RIGHT[what], solution_text(slug))
-    judge(slug, student_of(slug, text), course)
+    run_hidden_check(slug, student_of(slug, text), course)
     tried(slug, text, course, monkeypatch)
 
 
@@ -173,7 +173,7 @@ def test_a_right_picture_is_one_however_it_is_drawn(what, slug, course, student_
 def test_a_curve_that_is_missing_or_one_too_many_is_seen(what, slug, course, student_of, solution_text, monkeypatch):
     text = redrawn(slug, WRONG[what], solution_text(slug))
     with pytest.raises(Failed):
-        judge(slug, student_of(slug, text), course)
+        run_hidden_check(slug, student_of(slug, text), course)
     if what in SEEN:
         with pytest.raises(AssertionError):
             tried(slug, text, course, monkeypatch)

@@ -21,7 +21,7 @@ from tam570.show import Trouble, load_student, save, show
 from tam570.show.compact import PIXELS, STEPS, packed
 from tam570.show.page import page
 from tam570.show.patience import patience
-from tam570.show.plots import drift_note
+from tam570.show.plots import drift_caption
 from tam570.show.scene import Panel, Scene, Shape, frame_times
 from tam570_grader.checks import assignments
 from tam570_grader.diagnosis.mistakes import overlays
@@ -151,7 +151,7 @@ def test_no_wrong_file_breaks_a_page(edited, slug, capsys):
 
 
 def test_rounding_does_not_look_wrong():
-    assert not drift_note(1 + 1e-12 * np.sin(99 * frame_times(1.0)))[1]
+    assert not drift_caption(1 + 1e-12 * np.sin(99 * frame_times(1.0)))[1]
 
 
 def test_a_file_elsewhere_and_one_that_is_not_there(edited, tmp_path, monkeypatch, capsys):

@@ -10,7 +10,7 @@ import numpy as np
 
 from tam570.arguments import finite, positive
 from tam570.integrate import solve
-from tam570.show.plots import drift_note, value_plot
+from tam570.show.plots import drift_caption, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 
 __all__ = ["film"]
@@ -130,5 +130,7 @@ def _energy(times: Array, remaining: Array, lost: Array, parameters: Mapping[str
         return density * ((length - x) * v**2 - gravity * (2 * length * x - x**2)) / 4
 
     energies = {"by energy": energy(*remaining[falling].T), "inelastic": energy(*lost[falling].T)}
-    note = drift_note(energies["by energy"], density * gravity * length**2 / 4, "the potential energy", "by energy: ")
-    return value_plot("folded: energy", times[falling], energies, "J", *note)
+    caption = drift_caption(
+        energies["by energy"], density * gravity * length**2 / 4, "the potential energy", "by energy: "
+    )
+    return value_plot("folded: energy", times[falling], energies, "J", *caption)

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from tam570.show.drawing import solid, unit_circle
-from tam570.show.plots import drift_note, value_plot
+from tam570.show.plots import drift_caption, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Function
 
@@ -29,7 +29,7 @@ def film(lecture: SimpleNamespace, parameters: Mapping[str, float]) -> Scene:
     places, about_peg, energies = _rod(times, partial(lecture.collide, restitution=restitution))
     total = about_peg.sum(axis=1)
     momenta = {"of G": about_peg[:, 0], "about G": about_peg[:, 1], "sum": total}
-    caption = drift_note(total, float(np.abs(about_peg).max()), "its largest part")
+    caption = drift_caption(total, float(np.abs(about_peg).max()), "its largest part")
     of_cradle = (speeds**2 + GRAVITY * LENGTH * angles**2).sum(axis=1) / 2
     loss = {"cradle": 100 * of_cradle / of_cradle[0], "rod": 100 * energies / energies[0]}
     return Scene(

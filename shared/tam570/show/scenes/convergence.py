@@ -8,7 +8,7 @@ import numpy as np
 from tam570.integrate import solve
 from tam570.show.drawing import graph
 from tam570.show.live import Live, energies
-from tam570.show.plots import drift_note, value_plot, values
+from tam570.show.plots import drift_caption, value_plot, values
 from tam570.show.rods import joints, rod_handles
 from tam570.show.scene import INK, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Function, Parameters
@@ -32,7 +32,7 @@ def film(lecture: SimpleNamespace, parameters: Parameters, start: Sequence[float
         for name, states in (("right", correct), ("wrong", wrong))
     }
     scale = float(np.abs(totals["right equations"]).max())
-    drift = drift_note(totals["right equations"], scale, "itself, by the right")
+    drift = drift_caption(totals["right equations"], scale, "itself, by the right")
     handles = rod_handles(2, lambda parameters: parameters["lengths"])
     return Scene(
         "Convergence is not rightness",

@@ -7,7 +7,7 @@ import numpy as np
 
 from tam570.show.drawing import unit_circle
 from tam570.show.live import Live, drag
-from tam570.show.plots import drift_note, value_plot, values
+from tam570.show.plots import drift_caption, value_plot, values
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 
 __all__ = ["film"]
@@ -105,5 +105,5 @@ def _energies(frames: SimpleNamespace, times: Array, seen: Array, parameters: Ma
         "centrifugal": -mass * spin**2 * squares,
         "Jacobi's integral": values(frames.jacobi_integral, seen, **parameters),
     }
-    note = drift_note(curves["Jacobi's integral"], float(curves["kinetic"].max()), "the largest kinetic energy")
-    return value_plot("energies on the turntable", times, curves, "J", *note)
+    caption = drift_caption(curves["Jacobi's integral"], float(curves["kinetic"].max()), "the largest kinetic energy")
+    return value_plot("energies on the turntable", times, curves, "J", *caption)

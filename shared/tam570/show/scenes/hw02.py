@@ -6,7 +6,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from tam570.show.diagrams import force_shapes
-from tam570.show.plots import gap_note, value_plot
+from tam570.show.plots import gap_caption, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times
 from tam570.show.student import Student, Trouble
 from tam570.values import Parameters
@@ -68,6 +68,6 @@ def _throw(numerical: Array, closed: Array, best: bool) -> list[Shape]:
 
 def _heights(times: Array, angles: list[float], pairs: list[tuple[Array, Array]], farthest: float) -> TimePlot:
     gaps = np.max([np.linalg.norm(path - other, axis=1) for path, other in pairs], axis=0)
-    note = gap_note(float(gaps.max()) / farthest, LARGE, " of the range", "from the closed form: ")
+    caption = gap_caption(float(gaps.max()) / farthest, LARGE, " of the range", "from the closed form: ")
     heights = {f"{math.degrees(a):.0f}°": numerical[:, 1] for a, (numerical, _) in zip(angles, pairs, strict=True)}
-    return value_plot("height", times, heights, "m", *note)
+    return value_plot("height", times, heights, "m", *caption)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from tam570.show.drawing import axes
-from tam570.show.plots import gap_note, value_plot
+from tam570.show.plots import gap_caption, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student
 from tam570.values import Numbers, Parameters
@@ -97,9 +97,9 @@ def _checked(student: Student, times: Array, rates: dict[str, Array], mass: floa
         for d in DEFINITIONS
     }
     largest = max(float(rate.max()) for rate in off.values()) / 100
-    note = gap_note(largest, LARGE, " of the largest rate", "dH/dt by differences: ")
+    caption = gap_caption(largest, LARGE, " of the largest rate", "dH/dt by differences: ")
     sizes = {f"({d})": np.linalg.norm(rates[d], axis=1) for d in DEFINITIONS}
-    return value_plot("rate(), size", times, sizes, "N m", *note)
+    return value_plot("rate(), size", times, sizes, "N m", *caption)
 
 
 def _differences(student: Student, definition: str, times: Array, mass: float) -> Array:

@@ -9,7 +9,7 @@ import numpy as np
 from tam570.show.diagrams import force_shapes
 from tam570.show.drawing import unit_circle
 from tam570.show.live import Handle, Live, energies, live_if_written
-from tam570.show.plots import drift_note, state_energy_plot, value_plot
+from tam570.show.plots import drift_caption, state_energy_plot, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student
 from tam570.values import Numbers, Parameters
@@ -94,5 +94,5 @@ def _pull(times: Array, force: Array, particle: Array, length: float) -> TimePlo
     """Return the pull of the rod, below 0 where it pushes; and whether the particle stays on its circle."""
     distance = np.hypot(*particle.T)
     pull = -np.einsum("ni,ni->n", force, particle) / distance
-    note = drift_note(distance, length, "the length", "distance from the hinge: ")
-    return value_plot("pull of the rod", times, {"": pull}, "N", *note)
+    caption = drift_caption(distance, length, "the length", "distance from the hinge: ")
+    return value_plot("pull of the rod", times, {"": pull}, "N", *caption)

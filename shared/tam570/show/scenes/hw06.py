@@ -7,7 +7,7 @@ import numpy as np
 from tam570.show.diagrams import force_shapes
 from tam570.show.drawing import placed, solid
 from tam570.show.live import Handle, Live, live_if_written
-from tam570.show.plots import drift_note, value_plot
+from tam570.show.plots import drift_caption, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times
 from tam570.show.student import Student, Trouble
 from tam570.values import Numbers, Parameters
@@ -114,8 +114,8 @@ def _energy(student: Student, times: Array, motions: dict[str, Array], parameter
     scale = max(abs(float(values[0])) for values in sums.values())
     if not scale:
         raise Trouble("kinetic_energy gives 0 for a car that moves")
-    note = drift_note(sums, scale, "the energy at the start", "less work of friction: ")
-    return value_plot("kinetic energy", times, energies, "kJ", *note)
+    caption = drift_caption(sums, scale, "the energy at the start", "less work of friction: ")
+    return value_plot("kinetic energy", times, energies, "kJ", *caption)
 
 
 def _work(student: Student, states: Array, locked: str, parameters: Parameters) -> Array:

@@ -5,7 +5,7 @@ import numpy as np
 from tam570.arguments import array
 from tam570.invariants import rotation_defect
 from tam570.show.drawing import axes
-from tam570.show.plots import gap_note, value_plot
+from tam570.show.plots import gap_caption, value_plot
 from tam570.show.scene import Array, Panel, Scene, Shape, TimePlot, frame_times
 from tam570.show.student import Student
 from tam570.values import Parameters
@@ -47,9 +47,9 @@ def film(student: Student, parameters: Parameters) -> Scene:
 
 
 def _defect(times: Array, rotations: Array) -> TimePlot:
-    note = gap_note(float(rotation_defect(rotations).max()), LARGE, about="RᵀR - I is ", warning="not zero: ")
+    caption = gap_caption(float(rotation_defect(rotations).max()), LARGE, about="RᵀR - I is ", warning="not zero: ")
     entries = {f"R{i + 1}{i + 1}": rotations[:, i, i] for i in range(3)}
-    return value_plot("on the diagonal of R", times, entries, "", *note)
+    return value_plot("on the diagonal of R", times, entries, "", *caption)
 
 
 def _apart(times: Array, path: Array, by_matrix: Array) -> TimePlot:

@@ -8,7 +8,7 @@ import numpy as np
 from tam570.arguments import positives
 from tam570.invariants import rotation_defect
 from tam570.show.drawing import axes, box_face
-from tam570.show.plots import gap_note, value_plot
+from tam570.show.plots import gap_caption, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times
 from tam570.show.student import Student
 from tam570.values import Parameters
@@ -70,9 +70,9 @@ def _axis(student: Student, R: Array) -> Shape:
 
 def _angles(times: Array, turned: dict[str, Array]) -> TimePlot:
     largest = float(rotation_defect([*turned.values()]).max())
-    note = gap_note(largest, LARGE, about="RᵀR - I is ", warning="not zero: ")
+    caption = gap_caption(largest, LARGE, about="RᵀR - I is ", warning="not zero: ")
     angles = {
         title[:3]: np.degrees(np.arccos(np.clip((np.trace(R, axis1=1, axis2=2) - 1) / 2, -1.0, 1.0)))
         for title, R in turned.items()
     }
-    return value_plot("angle of the one turn that does the same", times, angles, "°", *note)
+    return value_plot("angle of the one turn that does the same", times, angles, "°", *caption)

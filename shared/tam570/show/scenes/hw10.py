@@ -7,7 +7,7 @@ import numpy as np
 from tam570.lectures.inertia import of_box
 from tam570.show.drawing import box_face, brick, circle, cone, solid
 from tam570.show.live import Live, live_if_written
-from tam570.show.plots import drift_note, value_plot
+from tam570.show.plots import drift_caption, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student, Trouble
 from tam570.show.turning import in_space, spin_handle
@@ -200,10 +200,10 @@ def _once_round(vectors: Array) -> Array:
 def _energy(student: Student, times: Array, omegas: Array, inertia: Array) -> TimePlot:
     energy = student.each("energy", omegas, inertia=inertia)
     curves = {f"omega {name}": part for name, part in zip("ABC", omegas.T, strict=True)}
-    return value_plot("angular velocity in the body", times, curves, "rad/s", *drift_note(energy, about="energy: "))
+    return value_plot("angular velocity in the body", times, curves, "rad/s", *drift_caption(energy, about="energy: "))
 
 
 def _momentum(times: Array, in_space: Array, in_body: Array) -> TimePlot:
     curves = {f"H {name}": part for name, part in zip("ABC", in_body.T, strict=True)}
-    note = drift_note(in_space, about="in space: ")
-    return value_plot("angular momentum in the body", times, curves, "kg m²/s", *note)
+    caption = drift_caption(in_space, about="in space: ")
+    return value_plot("angular momentum in the body", times, curves, "kg m²/s", *caption)

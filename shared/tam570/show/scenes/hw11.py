@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tam570.show.drawing import circle, floor, solid
-from tam570.show.plots import gap_note, value_plot
+from tam570.show.plots import gap_caption, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student
 from tam570.values import Parameters
@@ -99,8 +99,8 @@ def _residuals(student: Student, times: Array, coins: list[Circling], parameters
     weight = parameters["mass"] * parameters["gravity"] * parameters["radius"]
     off = {f"lean {c.lean:g}": np.full(2, 100.0 * _residual(student, c, parameters) / weight) for c in coins}
     largest = max(float(np.abs(residual).max()) for residual in off.values()) / 100.0
-    note = gap_note(largest, LARGE, " of m g a", warning="not steady: ")
-    return value_plot("moment_residual()", times[[0, -1]], off, "%", *note, least=1.0)
+    caption = gap_caption(largest, LARGE, " of m g a", warning="not steady: ")
+    return value_plot("moment_residual()", times[[0, -1]], off, "%", *caption, least=1.0)
 
 
 def _residual(student: Student, coin: Circling, parameters: Parameters) -> float:

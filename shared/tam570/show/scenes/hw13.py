@@ -9,7 +9,7 @@ from tam570.integrate import solve
 from tam570.show.diagrams import force_shapes
 from tam570.show.drawing import circle, solid
 from tam570.show.live import Handle, Live, energies, live_if_written
-from tam570.show.plots import drift_note, value_plot
+from tam570.show.plots import drift_caption, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student, Trouble
 from tam570.values import Numbers, Parameters
@@ -125,5 +125,5 @@ def _energy(student: Student, times: Array, correct: Array, wrong: list[Array], 
     total = {name: student.each("energy", *states.T, **parameters) for name, states in motions.items()}
     at_rest = student.each("energy", correct[:, 0], 0 * times, **parameters)
     largest = float(np.abs(total["by G"] - at_rest).max())
-    note = drift_note(total["by G"], largest, "the largest kinetic energy", "by G: ")
-    return value_plot("energy", times, total, "J", *note)
+    caption = drift_caption(total["by G"], largest, "the largest kinetic energy", "by G: ")
+    return value_plot("energy", times, total, "J", *caption)

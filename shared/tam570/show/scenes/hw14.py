@@ -9,7 +9,7 @@ import numpy as np
 from tam570.show.diagrams import force_shapes
 from tam570.show.drawing import circle, floor, solid
 from tam570.show.live import Handle, Live, energies, live_if_written
-from tam570.show.plots import gap_note, state_energy_plot, value_plot
+from tam570.show.plots import gap_caption, state_energy_plot, value_plot
 from tam570.show.scene import Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.show.student import Student, Trouble
 from tam570.values import Numbers, Parameters
@@ -104,5 +104,7 @@ def _tilt(student: Student, times: Array, states_by_angles: Array, frame: Array,
     first = student("matrix_state", states_by_angles[0], radius=disk["radius"])
     states = student("simulate_matrix", times, first, **disk)
     off = np.linalg.norm(states[:, :3] - frame[:, -1].mean(axis=1), axis=1)
-    note = gap_note(float(off.max()) / disk["radius"], LARGE, " of the radius", "by matrices and by Euler angles: ")
-    return value_plot("tilt", times, {"": np.degrees(states_by_angles[:, 3])}, "°", *note)
+    caption = gap_caption(
+        float(off.max()) / disk["radius"], LARGE, " of the radius", "by matrices and by Euler angles: "
+    )
+    return value_plot("tilt", times, {"": np.degrees(states_by_angles[:, 3])}, "°", *caption)

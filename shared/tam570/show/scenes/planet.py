@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tam570.integrate import solve
 from tam570.show.live import Handle, Live, energies
-from tam570.show.plots import drift_note, value_plot
+from tam570.show.plots import drift_caption, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, drawable_rate, frame_times, moving, with_slider
 from tam570.values import Numbers, Parameters
 
@@ -77,7 +77,7 @@ def _one(times: Array, states: Array, period: float, count: int, gm: float) -> S
             Panel(_scene(passed, count, last, orbit, 0, "planet"), "attracted at all times"),
             Panel(_scene(corners[:-1], count, last, newton, 1, "planet of the polygon"), "by impulses"),
         ],
-        [value_plot("area swept", times, swept, "m²", *drift_note(off, total, "all of it", "from equal areas: "))],
+        [value_plot("area swept", times, swept, "m²", *drift_caption(off, total, "all of it", "from equal areas: "))],
         still_time=0.3,
     )
 

@@ -9,7 +9,7 @@ import numpy as np
 from tam570.integrate import solve
 from tam570.show.drawing import graph, placed, solid, unit_circle
 from tam570.show.live import Handle, Live, drag, energies
-from tam570.show.plots import drift_note, value_plot, values
+from tam570.show.plots import drift_caption, value_plot, values
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, moving, with_slider
 from tam570.values import Numbers
 
@@ -33,14 +33,14 @@ def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Seque
         begin = (*start[:3], speed, share * start[4])
         states = solve(lecture.rates, times, begin, parameters=parameters, rtol=1e-8)
         live = Live(lecture.rates, parameters, begin, drawing, handles, measures)
-        note = drift_note(values(lecture.energy, states, **parameters), of="the energy")
-        return replace(_one(times, states, offset, k, note), live=live)
+        caption = drift_caption(values(lecture.energy, states, **parameters), of="the energy")
+        return replace(_one(times, states, offset, k, caption), live=live)
 
     speeds = [share * start[3] for share in SHARES] if start[3] else []
     return with_slider(scene_at, "push", "m/s", speeds, start[3])
 
 
-def _one(times: Array, states: Array, offset: float, k: float, note: tuple[str, bool]) -> Scene:
+def _one(times: Array, states: Array, offset: float, k: float, caption: tuple[str, bool]) -> Scene:
     speeds = {"speed": states[:, 3], "k yaw rate": k * states[:, 4]}
     return Scene(
         "Chaplygin's sleigh",
@@ -52,7 +52,7 @@ def _one(times: Array, states: Array, offset: float, k: float, note: tuple[str, 
             Panel(_sleigh(states, offset, offset or k)),
             Panel(_phase_plane(states, offset, k), "phase plane", ruler=False),
         ],
-        [_turn(times, states, offset, k), value_plot("speed, and k times yaw rate", times, speeds, "m/s", *note)],
+        [_turn(times, states, offset, k), value_plot("speed, and k times yaw rate", times, speeds, "m/s", *caption)],
         still_time=0.5,
     )
 

@@ -10,7 +10,7 @@ import numpy as np
 from tam570.integrate import solve
 from tam570.show.drawing import circle, solid
 from tam570.show.live import Handle, Live, energies
-from tam570.show.plots import drift_note, value_plot, values
+from tam570.show.plots import drift_caption, value_plot, values
 from tam570.show.scene import FASTEST, GREY, INK, Array, Panel, Scene, Shape, frame_times, moving, with_slider
 from tam570.values import Numbers, Parameters
 
@@ -51,7 +51,7 @@ def _tops(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Sequ
     ]
     constants = {name: values(law, free, **parameters) for name, law in lecture.INVARIANTS.items()}
     changes = {name: sizes / (abs(sizes[0]) or 1.0) for name, sizes in constants.items()}
-    drift = drift_note(changes, 1.0, "energy and both momenta")
+    drift = drift_caption(changes, 1.0, "energy and both momenta")
     return Scene(
         "Heavy top",
         "One top three times. Let go at rest it nods, and the end of its axis draws cusps. Started as it should be it "
