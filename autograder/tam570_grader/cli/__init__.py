@@ -12,7 +12,7 @@ from typing import Any
 
 from tam570 import __version__
 from tam570_grader.errors import UsageError, say, warn
-from tam570_grader.sandbox.launch import launched_early
+from tam570_grader.sandbox.launch import close_early, launch_early
 
 __all__ = ["main"]
 
@@ -40,15 +40,12 @@ COMMANDS = {  # the module and the help of each command, in the order of the hel
 
 def main(argv: list[str] | None = None) -> int:
     """Run the command; the exit code is 0 (done), 1 (the grader failed), 2 (bad usage) or 130 (interrupted)."""
-    argv = sys.argv[1:] if argv is None else argv
-    grades_here = "grade" in argv and not any(option.startswith("--cl") for option in argv)
     with contextlib.suppress(ValueError):  # not the main thread
         signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
-        with launched_early() if grades_here else contextlib.nullcontext():
-            arguments = _parser().parse_args(argv)
-            command: Callable[[argparse.Namespace], int] = arguments.command
-            return command(arguments)
+        arguments = _parser().parse_args(argv)
+        command: Callable[[argparse.Namespace], int] = arguments.command
+        return command(arguments)
     except KeyboardInterrupt as ended:
         signal.signal(signal.SIGINT, signal.SIG_DFL)  # a second one ends what is still being put away
         say("", error=True)
@@ -64,14 +61,19 @@ def main(argv: list[str] | None = None) -> int:
     except OSError as error:
         warn(str(error), "error: ")
         return 1
+    finally:
+        close_early()
 
 
 class _Command(argparse.ArgumentParser):
     """A command; when it is given, `load` imports its module, which takes time, and adds its options."""
 
     load: Callable[[], None]
+    grades = False  # launch a sandbox meanwhile
 
     def parse_known_args(self, *args: Any, **kwargs: Any) -> Any:
+        if self.grades:
+            launch_early()
         self.load()
         return super().parse_known_args(*args, **kwargs)
 
@@ -84,6 +86,7 @@ def _parser() -> argparse.ArgumentParser:
     for name, (module, text) in COMMANDS.items():
         command = commands.add_parser(name, help=text, description=f"{text[0].upper()}{text[1:]}.")
         command.load = partial(_load, command, module, name)
+        command.grades = name == "grade"
     completion = commands.add_parser("completion", help="print a script that completes commands in your shell")
     completion.load = lambda: None
     completion.add_argument("shell", choices=["bash", "zsh", "tcsh"])

@@ -25,7 +25,7 @@ from tam570_grader.grading.skipped_files import not_handed_in, skipped_files
 from tam570_grader.grading.submissions import Submission, handed_in, submissions
 from tam570_grader.reports import feedback
 from tam570_grader.results.store import Results
-from tam570_grader.sandbox.launch import hide_from_submissions, isolation
+from tam570_grader.sandbox.launch import close_early, hide_from_submissions, isolation
 
 
 def add_grade(parser: argparse.ArgumentParser) -> None:
@@ -89,7 +89,9 @@ def _grade(arguments: argparse.Namespace) -> int:
         raise UsageError("--seed and --vary: a seed is for the whole class, a key varies it; give one of them")
     if arguments.out:
         feedback.must_write_pages()
-    if not arguments.cluster:
+    if arguments.cluster:
+        close_early()
+    else:
         warn_of_isolation()
     summary = RunSummary()
     try:

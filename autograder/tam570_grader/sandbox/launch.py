@@ -15,7 +15,7 @@ import stat
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 import tam570
@@ -96,15 +96,10 @@ class LaunchedZygote:
 _early = list[LaunchedZygote]()  # launched before it is known what for
 
 
-@contextlib.contextmanager
-def launched_early() -> Iterator[None]:
+def launch_early() -> None:
     """Launch a zygote while this process imports what it needs itself; the first that is asked for is this one."""
     if isolation() == "bubblewrap":
         _early.append(LaunchedZygote(_command([])))
-    try:
-        yield
-    finally:
-        _close_early()
 
 
 def launch(hidden: Sequence[Path]) -> LaunchedZygote:
@@ -112,11 +107,12 @@ def launch(hidden: Sequence[Path]) -> LaunchedZygote:
     command = _command(hidden)
     if _early and _early[0].command == command:
         return _early.pop()
-    _close_early()
+    close_early()
     return LaunchedZygote(command)
 
 
-def _close_early() -> None:
+def close_early() -> None:
+    """End a zygote that was launched early, if nobody has asked for it."""
     while _early:
         _early.pop().close()
 
