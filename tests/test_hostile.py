@@ -67,7 +67,9 @@ def test_the_honest_part_keeps_its_points_and_the_next_student_notices_nothing(
         assert result.score is not None and result.score < result.max_score, said(result)
     after = grade(SLUG, solution_text(SLUG), seed=2, limits=BRIEF)
     assert after.score == after.max_score, said(after)
-    assert not processes(zygotes(SLUG, BRIEF).user), "left running"
+    zygote = zygotes(SLUG, BRIEF)
+    zygote.process(cpu=1.0).drop()  # with it goes the process that is ready for the next submission
+    assert not processes(zygote.user), "left running"
     assert not planted(), "left lying about"
 
 

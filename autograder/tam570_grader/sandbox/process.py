@@ -134,6 +134,11 @@ class SandboxProcess:
         self._order(b"k")
         self._channel.close()
 
+    def let_go(self) -> None:
+        """Close our ends: the process ends if nobody else holds them."""
+        self.leash.close()
+        self._channel.close()
+
     def has_ended(self) -> bool:
         """Whether it was dropped, and its monitor has seen it end; OSError if the monitor has gone."""
         if self._channel.fileno() >= 0:

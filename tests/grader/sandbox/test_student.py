@@ -1,5 +1,6 @@
 """What a submission's process may do with time, what it says, and what happens when it dies."""
 
+import contextlib
 import gc
 
 import numpy as np
@@ -48,14 +49,33 @@ def test_the_libraries_of_a_zygote_are_not_a_submissions_memory(grade, solution_
     assert grade(SLUG, text, limits=ResourceLimits(memory=2**28)).score == 10
 
 
-def test_a_monitor_watches_one_process_after_another(zygotes):
-    zygote = zygotes(SLUG, ResourceLimits())
-    first, second = zygote.process(5), zygote.process(5)
+@pytest.fixture(scope="module")
+def zygote():
+    with contextlib.closing(Zygote(["numpy"], ResourceLimits())) as zygote:
+        yield zygote
+
+
+def test_a_monitor_watches_one_process_after_another(zygote):
+    first, second = zygote.process(5), zygote.process(6)
     assert first.leash is not second.leash
     assert first.end() > 0
     third = zygote.process(5)
     assert third.leash is first.leash
     assert second.end() > 0 and third.end() > 0 and third.monitored
+
+
+@pytest.mark.skipif(isolation() != "bubblewrap", reason="each process sees the others")
+def test_the_next_process_of_a_kind_is_ready_when_it_is_asked_for(zygote):
+    first, second = zygote.process(7), zygote.process(7)
+    ready = zygote._spare
+    third = zygote.process(7)
+    assert third is ready and zygote._spare not in (None, first, second, third)
+    last = zygote._spare
+    fourth = zygote.process(8)
+    assert zygote._spare is None
+    for process in (first, second, third, last, fourth):
+        process.end()
+        assert process.monitored
 
 
 def test_one_that_is_tried_again_is_not_quoted(grade):
