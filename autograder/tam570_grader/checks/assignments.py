@@ -5,6 +5,7 @@ import functools
 import hashlib
 import importlib
 import importlib.util
+import os
 import re
 import sys
 from collections.abc import Iterable, Mapping, Sequence
@@ -237,8 +238,11 @@ def _digest(*folders: Path) -> bytes:
     """Of the names and contents of all Python files below these folders, stubs in an installed course aside."""
     digest = hashlib.sha256()
     for folder in folders:
-        for path in sorted(path for path in folder.rglob("*.py") if path.relative_to(folder).parts[0] != "assignments"):
-            digest.update(f"{path.relative_to(folder)}\0".encode() + path.read_bytes())
+        paths = (os.path.join(place, name) for place, _, names in os.walk(folder) for name in names)
+        for path in sorted(path.removeprefix(f"{folder}/") for path in paths if path.endswith(".py")):
+            if not path.startswith("assignments/"):
+                with open(folder / path, "rb", buffering=0) as file:
+                    digest.update(f"{path}\0".encode() + file.read())
     return digest.digest()
 
 

@@ -112,18 +112,18 @@ def once(compute: Callable[..., T]) -> Callable[..., T]:
     The generator is left as the computation left it, so a check draws the same numbers with and without it.
     Cases are shared between students; of arrays, which a function of cases may go on to change, each call has its own.
     """
-    memory = Memory[tuple[T, Mapping[str, object]]](MOST_KNOWN)
+    memory = Memory[tuple[T, bool, Mapping[str, object]]](MOST_KNOWN)
 
     @functools.wraps(compute)
     def remembered(rng: np.random.Generator, *args: Numbers, **keywords: Numbers) -> T:
-        def computed() -> tuple[T, Mapping[str, object]]:
+        def computed() -> tuple[T, bool, Mapping[str, object]]:
             value: Any = compute(rng, *args, **keywords)
             value = list(value) if isinstance(value, Iterator) else value
-            return value, rng.bit_generator.state
+            return value, _can_be_altered(value), rng.bit_generator.state
 
         key = (repr(rng.bit_generator.state), *args, *keywords.items())
-        value, rng.bit_generator.state = memory.value(key, computed) if _is_hashable(key) else computed()
-        return copy.deepcopy(value) if _can_be_altered(value) else value
+        value, is_mutable, rng.bit_generator.state = memory.value(key, computed) if _is_hashable(key) else computed()
+        return copy.deepcopy(value) if is_mutable else value
 
     return remembered
 

@@ -7,14 +7,12 @@ import resource
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
-from pathlib import Path
 
 from tam570_grader.checks.effort import limited
+from tam570_grader.protocol.jail import address_space
 
 STEPS = 20_000_000  # of a check, and of the search for what is wrong; an honest submission takes a hundredth
 MEMORY = 2**31  # bytes, besides what is there before; a reply of 64 MiB is held a few times
-SIZE = Path("/proc/self/statm")  # in pages
-IS_TOLD = SIZE.exists()
 LIMIT = threading.Lock()  # held by the thread that has set the process's limit of memory
 
 
@@ -31,12 +29,12 @@ def budget(steps: int = STEPS, memory: int = MEMORY) -> Iterator[None]:
 @contextmanager
 def _limited_memory(memory: int) -> Iterator[None]:
     """No more than so many bytes besides those that are there, where the system tells and keeps that."""
-    if not IS_TOLD or not LIMIT.acquire(blocking=False):
+    used = address_space()
+    if not used or not LIMIT.acquire(blocking=False):
         yield
         return
     before = resource.getrlimit(resource.RLIMIT_AS)
-    most = int(SIZE.read_bytes().split()[0]) * resource.getpagesize() + memory
-    limits = [limit for limit in (most, *before) if limit != resource.RLIM_INFINITY]
+    limits = [limit for limit in (used + memory, *before) if limit != resource.RLIM_INFINITY]
     try:
         resource.setrlimit(resource.RLIMIT_AS, (min(limits), before[1]))
         yield

@@ -253,10 +253,13 @@ def _at_most(what: int, most: int, expected: str = "") -> None:
 def address_space() -> int:
     """Bytes of address space in use; 0 where the system does not tell."""
     try:
-        with open("/proc/self/statm") as file:
-            return int(file.read().split()[0]) * resource.getpagesize()
+        size = os.open("/proc/self/statm", os.O_RDONLY)
     except OSError:
         return 0
+    try:
+        return int(os.read(size, 100).split()[0]) * resource.getpagesize()
+    finally:
+        os.close(size)
 
 
 class _Header(ctypes.Structure):

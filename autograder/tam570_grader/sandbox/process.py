@@ -59,9 +59,11 @@ class SandboxProcess:
         sent_at, started = time.monotonic(), self._clock()
         try:
             while unsent:
-                if not self._ready(select.POLLOUT, self.limit):
-                    raise ProcessTimeout
-                unsent = unsent[self._channel.send(unsent) :]
+                try:
+                    unsent = unsent[self._channel.send(unsent) :]
+                except BlockingIOError:
+                    if not self._ready(select.POLLOUT, self.limit):
+                        raise ProcessTimeout from None
         except OSError:
             self._ended = True
             raise ProcessLost from None
