@@ -1,4 +1,4 @@
-"""What messages call a result: RESULTS says it once, and a check may say it otherwise."""
+"""What messages call a result: RETURNS says it once, and a check may say it otherwise."""
 
 from types import SimpleNamespace
 

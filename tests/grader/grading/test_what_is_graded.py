@@ -1,12 +1,159 @@
-"""What is graded: trees, files and notebooks, by their names and by what they hold."""
+"""What is graded, by its name and by what it holds; what cannot be loaded or read costs its own student alone."""
 
 import json
+import os
 import shutil
 
 import pytest
-from classes import HW08, notebook
+from classes import HW08, hand_in, notebook, rows
 
+from tam570_grader import cli
+from tam570_grader.grading import submissions
 from tam570_grader.sandbox.launch import isolation
+
+NOTHING = "def skew(v): return None\n"
+
+
+def test_a_huge_file_is_not_read(run, tmp_path):
+    with open(tmp_path / "hw08.py", "wb") as file:
+        file.truncate(2**30)
+    _, (line,), _ = run(tmp_path / "hw08.py")
+    assert line["status"] == "unreadable" and "larger than 10 MiB" in line["message"]
+
+
+def test_a_link_to_a_neighbours_work_or_out_of_the_folder_is_not_followed(run, tree, course, scores):
+    """Links in the place of files and of folders: to others' work, to places outside, to themselves."""
+    (tree / "ben" / HW08 / f"{HW08}.py").unlink()
+    (tree / "cora" / HW08).rmdir()
+    links = {
+        f"ben/{HW08}/{HW08}.py": f"../../ada/{HW08}/{HW08}.py",
+        f"cora/{HW08}": f"../ada/{HW08}",
+        "dan": "ada",
+        "hw08_eve.py": f"ada/{HW08}/{HW08}.py",
+        f"fay/{HW08}/{HW08}.py": course / "solutions" / f"{HW08}.py",
+        f"dev/{HW08}": "/etc",
+        f"eli/{HW08}": HW08,
+        f"flo/{HW08}": "..",
+        f"gus/{HW08}/{HW08}.py": f"{HW08}.py",
+    }
+    for name, target in links.items():
+        (tree / name).parent.mkdir(parents=True, exist_ok=True)
+        (tree / name).symlink_to(target)
+    code, lines, err = run(tree, "--seed", 1)
+    said = {line["student"]: line.get("message", "") for line in lines}
+    others = ("ben", "cora", "dan", "hw08_eve", "fay", "dev", "eli", "flo", "gus")
+    assert code == 0 and scores(lines) == {"ada": 10.0, **dict.fromkeys(others, 0.0)} and "Traceback" not in err
+    assert all("link to a place outside" in said[student] for student in ("dev", "flo", "gus")), said
+    assert not any("holds" in said[student] for student in ("dev", "flo", "gus")), said
+
+
+def test_a_link_with_too_long_a_target_is_no_folder(run, tree, scores):
+    for folder in (tree, tree / "ada", tree / "ben" / HW08):
+        (folder / "notes").symlink_to("a" * 300)
+    os.mkfifo(tree / "cora" / HW08 / f"{HW08}.py")  # which nobody reads
+    code, lines, _ = run(tree)
+    assert (code, scores(lines)) == (0, {"ada": 10.0, "ben": 0.0, "cora": 0.0})
+
+
+def test_a_students_folder_that_is_closed_is_a_note(run, tree, monkeypatch, scores):
+    entries = submissions.entries
+
+    def closed(folder, most=None):
+        if folder.name == "dan":
+            raise submissions.BadPath("dan cannot be read")
+        return entries(folder, most)
+
+    monkeypatch.setattr(submissions, "entries", closed)
+    (tree / "dan").mkdir()
+    code, lines, _ = run(tree)
+    assert (code, scores(lines)) == (0, {"ada": 10.0, "ben": 0.0, "cora": 0.0, "dan": 0.0})
+    assert next(line for line in lines if line["student"] == "dan")["message"] == "dan cannot be read"
+
+
+def test_names_and_messages_that_are_no_text_are_escaped(tree, tmp_path, capsys):
+    for name in (b"\xffeve", b"x\nada  hw08_axis_angle  10", b"x\x1b[31m", "\u202emaet".encode()):
+        os.makedirs(os.path.join(os.fsencode(tree), name, HW08.encode()))
+    hand_in(tree, {"ben": "raise ValueError('\\x1b[1A\\x1b[2Kben  10 / 10\\n')"})
+    assert cli.main(["grade", str(tree), "--out", str(tmp_path / "out"), "--seed", "1"]) == 0
+    said = capsys.readouterr().out
+    assert all(line.isprintable() for line in said.splitlines()) and "2Kben" not in said
+    table = rows(tmp_path / "out" / "grades.csv")
+    assert {row["student"]: row["score"] for row in table if row["score"] != "0.0"} == {"ada": "10.0"}
+    assert len(table) == 7 and r"\udcffeve" in {row["student"] for row in table}
+
+
+def test_files_beside_a_module_are_not_run(run, tree, monkeypatch, scores, cold):
+    """A module shadowed by a file, start files, options of tools: published against nbgrader, issues 170 and 1842."""
+    folder = tree / "ada" / HW08
+    (folder / "numpy").mkdir()
+    beside = ("numpy/__init__.py", "inside.py", "msgpack.py", "sitecustomize.py", "conftest.py", "checks.py", "0.pth")
+    for name in beside:
+        (folder / name).write_text("raise SystemExit('shadowed')\n")
+    monkeypatch.chdir(folder)
+    assert scores(run(tree)[1])["ada"] == 10.0
+
+
+CELLS = [3], ["x"], [{}], [{"cell_type": "code"}], [{"cell_type": "code", "source": [1]}], {"a": 1}, None, "code", []
+
+
+@pytest.mark.parametrize("cells", CELLS)
+def test_a_notebook_with_strange_cells_scores_nothing(grade, cells):
+    assert grade(HW08, json.dumps({"cells": cells, "nbformat": 4}), notebook=True).score == 0.0
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        b"# -*- coding: rot13 -*-\nqrs f(): cnff",
+        b"# coding: no-such-codec\n",
+        b"# coding: utf-7\n+AGEAYgBj-\n",
+        b"x = 1\0\n",
+        b"\xff\xfea\0",
+        b"-" * 100_000 + b"1",
+        b"(" * 100_000,
+        b"x = " + b"9" * 100_000,
+        b"a = b" + b".c" * 100_000,
+    ],
+    ids=["rot13", "no codec", "utf-7", "null", "utf-16", "minus", "brackets", "digits", "dots"],
+)
+def test_a_text_that_breaks_parsers_harms_nobody_else(grade, solution_text, text):
+    assert [grade(HW08, item).score for item in (text, solution_text(HW08))] == [0.0, 10.0]
+
+
+NAMES = ("=cmd|'calc'!A0", "@sum", "+1", "<img src=x onerror=alert(1)>", "%2e%2e%2fada", "a'b\"c", "l" * 255)
+ALIKE = ("x\ny", r"x\ny", "\u200b" * 80, "\u200b" * 81)
+
+
+def test_a_name_is_a_name_and_nothing_else(run, tmp_path, solution_text, scores):
+    """Formulas, markup, paths and lengths in names of folders, which students or their systems choose."""
+    out = tmp_path / "out"
+    tree = hand_in(tmp_path / "submitted", dict.fromkeys((*NAMES, *ALIKE), solution_text(HW08)))
+    _, lines, _ = run(tree, "--out", out)
+    assert set(scores(lines).values()) == {10.0} and len(lines) == len(scores(lines)) == len(NAMES + ALIKE)
+    assert set(NAMES) <= set(scores(lines))
+    assert not any(row["student"].startswith(("=", "+", "-", "@", "\t")) for row in rows(out / "grades.csv"))
+    pages = list((out / "feedback").glob("*/*.html"))
+    assert len(pages) == len(lines) and {page.parent.name for page in pages} >= set(NAMES)
+    assert not any("<img" in page.read_text() for page in pages)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["nowhere"], "nowhere does not exist"),
+        (["x.py"], "cannot tell which assignment"),
+        (["hw08.py", "--only", "hw99"], "no assignment 'hw99'"),
+        (["hw08.txt"], "neither a Python module"),
+        (["hw08.py", "--out", "hw08.txt"], "cannot write results"),
+        (["hw08.py", "--root", "."], "does not hold a course"),
+    ],
+)
+def test_bad_usage_is_said_and_exits_2(tmp_path, monkeypatch, course, capsys, arguments, words):
+    monkeypatch.chdir(tmp_path)
+    for name in ("x.py", "hw08.py", "hw08.txt"):
+        (tmp_path / name).write_text(NOTHING)
+    assert cli.main(["--root", str(course), "grade", *arguments]) == 2
+    assert words in capsys.readouterr().err
 
 
 def test_a_tree_is_graded(run, tree, scores):
