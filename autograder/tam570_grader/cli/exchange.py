@@ -29,12 +29,12 @@ def add_collect(parser: argparse.ArgumentParser) -> None:
     parser.set_defaults(command=_collect)
     parser.description = (
         f"Put a download of {_titles(SYSTEMS)} into folders <student>/<assignment>/ that `grade` reads. A "
-        "download is of one assignment. Of modules, and of notebooks, the one that is named after the assignment goes "
-        "before others, then the newest. A module goes before a notebook."
+        "download is of one assignment. If a student uploaded several files, `collect` keeps one: a module before a "
+        "notebook, the one named after the assignment before others, else the newest."
     )
     parser.epilog = (
         "collected.csv, beside that folder, lists who handed in what and when, in all downloads. The exit code "
-        "is 1 if a file, or its student, could not be placed, or one that is newer does not count: each is named."
+        "is 1 if `collect` cannot place a file or its student, or skips a newer file; it names each."
     )
     add = parser.add_argument
     add("source", type=Path, metavar="ZIP", help="the zip file that you downloaded, or its folder")
@@ -42,7 +42,7 @@ def add_collect(parser: argparse.ArgumentParser) -> None:
     add("--roster", type=Path, metavar="CSV", help="the gradebook or participants: folders are named by login")
     add("--groups", type=Path, metavar="CSV", help="who is in which group: columns group, and login or another id")
     add("--times", type=Path, metavar="CSV", help="when work came: Moodle's grading worksheet or log")
-    add("--assignment", metavar="SLUG", help="which one it is, where the names of files do not tell")
+    add("--assignment", metavar="SLUG", help="the assignment, if no name of a file tells it")
     add("--to", type=Path, metavar="DIR", default=Path("submitted"), help="default: %(default)s")
 
 
@@ -50,23 +50,23 @@ def add_export(parser: argparse.ArgumentParser) -> None:
     """Add the options of `export`."""
     parser.set_defaults(command=_export)
     parser.description = (
-        "Lay submissions out for a tool that finds shared code. Numbers stand for students; notebooks "
-        "become modules; what you released is the base that does not count."
+        "Copy submissions into the folders of a tool that finds shared code. Numbers replace names; notebooks "
+        "become modules; the tool ignores the code that you released."
     )
-    parser.epilog = "names.csv tells whose number it is: keep it. Names in a student's own text stay as they are."
+    parser.epilog = "Keep names.csv, which lists the student of each number. Names in a student's own text stay."
     add = parser.add_argument
     add("paths", nargs="+", type=Path, metavar="PATH", help="what `grade` is given")
     add("--for", dest="tool", choices=["dolos", "jplag", "moss"], required=True, help="the tool")
     add("--to", type=Path, metavar="DIR", required=True, help="a folder that is new or empty")
-    add("--assignment", metavar="SLUG", help="which one it is, where the names do not tell")
+    add("--assignment", metavar="SLUG", help="the assignment, if no name tells it")
 
 
 def add_alike(parser: argparse.ArgumentParser) -> None:
     """Add the options of `alike`."""
     parser.set_defaults(command=_alike)
     parser.description = (
-        "List pairs of submissions that share code, most alike first. Names, comments and what you "
-        "released do not count. Beside each student stands the share of their code that the other one has, too."
+        "List pairs of submissions that share code, most alike first. It ignores names, comments and "
+        "what you released. The number of each student is the share of their code that the other one has, too."
     )
     parser.epilog = (
         "Short assignments have few right ways: look at both before you ask anybody. `report` lists who share "
@@ -74,8 +74,8 @@ def add_alike(parser: argparse.ArgumentParser) -> None:
     )
     add = parser.add_argument
     add("paths", nargs="+", type=Path, metavar="PATH", help="what `grade` is given")
-    add("--least", type=_share, metavar="SHARE", default=0.6, help="of the code of one of two (default: %(default)s)")
-    add("--assignment", metavar="SLUG", help="which one it is, where the names do not tell")
+    add("--least", type=_share, metavar="SHARE", default=0.6, help="the smallest share to list (default: %(default)s)")
+    add("--assignment", metavar="SLUG", help="the assignment, if no name tells it")
 
 
 def add_lms(parser: argparse.ArgumentParser) -> None:
@@ -94,11 +94,16 @@ def add_lms(parser: argparse.ArgumentParser) -> None:
     add("grades", type=Path, metavar="GRADES", help="what `grade --out` wrote, or the table of `nbgrader export`")
     add("--to", choices=importing, required=True, help="the system")
     add("--roster", type=Path, metavar="FILE", help="the gradebook or participants that the system exported")
-    add("--identity", choices=["username", "idnumber", "email"], default="username", help="in Moodle")
-    add("--only", nargs="+", metavar="SLUG", default=[], help="these assignments alone")
-    absent = "for who did not hand in what others did (default: %(default)s)"
+    add("--identity", choices=["username", "idnumber", "email"], default="username", help="Moodle's column of students")
+    add("--only", nargs="+", metavar="SLUG", default=[], help="write only these assignments")
+    absent = "the score of students who handed in nothing where others did (default: %(default)s)"
     add("--absent", choices=["zero", "blank"], default="zero", help=absent)
-    add("--ungraded", choices=["stop", "zero"], default="stop", help="for parts by hand that nobody graded")
+    add(
+        "--ungraded",
+        choices=["stop", "zero"],
+        default="stop",
+        help="for parts by hand that nobody graded: stop, or give no points (default: %(default)s)",
+    )
     add("--new", action="store_true", help="make columns that the gradebook does not have")
     add("--overwrite", action="store_true", help="replace scores that were changed in the gradebook")
     add("--pages", type=Path, metavar="ZIP", help="also a zip file of one assignment's pages, to hand back there")

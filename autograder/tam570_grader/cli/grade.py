@@ -39,20 +39,25 @@ def add_grade(parser: argparse.ArgumentParser) -> None:
     add("paths", nargs="+", type=Path, metavar="PATH", help="a module, a notebook, a folder or a tree")
     add("--out", type=Path, metavar="DIR", help="write results.jsonl, grades.csv and feedback there")
     add("--json", action="store_true", help="print a JSON object for each submission, one a line")
-    add("--format", choices=["table", "gradescope"], default="table", help="of what is printed")
+    add(
+        "--format",
+        choices=["table", "gradescope"],
+        default="table",
+        help="the format of the printed results (default: %(default)s)",
+    )
     seed = "seed of the hidden inputs, or a file that holds it (default: the one in --out, else random)"
     add("--seed", type=_seed, metavar="S|@FILE", help=seed)
-    vary = "give each student other inputs, by the key in this file; made if new"
+    vary = "give each student different inputs, from the key in this file; create the file if it is new"
     add("--vary", type=Path, metavar="KEYFILE", help=vary)
-    against = "say which scores of these results change, and why; what is as it was is not run"
+    against = "list the scores that differ from these results, and why; run only what has changed"
     add("--against", type=Path, metavar="OLD", help=against)
-    join = "take over results of other runs, of parts of the class say; what they hold is not graded again"
+    join = "copy the results of other runs, such as parts of the class, in place of grading them again"
     add("--join", type=Path, nargs="+", metavar="DIR", default=[], help=join)
-    add("--shard", type=_shard, metavar="K/N", help="grade the K-th of N parts of the class alone, for N machines")
+    add("--shard", type=_shard, metavar="K/N", help="grade only the K-th of N parts of the class, for N machines")
     add("--speed", action="store_true", help="also measure the run time of simulations, for the pages")
-    add("--assignment", metavar="SLUG", help="which one it is, where the names do not tell")
-    add("--roster", type=Path, metavar="CSV", help="all students: who handed in nothing gets a row, too")
-    add("--only", nargs="+", metavar="SLUG", help="grade these assignments alone")
+    add("--assignment", metavar="SLUG", help="the assignment, if no name tells it")
+    add("--roster", type=Path, metavar="CSV", help="a list of all students; those without work get a row, too")
+    add("--only", nargs="+", metavar="SLUG", help="grade only these assignments")
     for name, unit, default, what in (
         ("--jobs", "N", cores(), "supervisors, a process each"),
         ("--processes", "N", 1, "processes of a submission"),
@@ -63,7 +68,7 @@ def add_grade(parser: argparse.ArgumentParser) -> None:
         ("--cpu", "S", 60, "processor time of a submission"),
         ("--call", "S", 10, "processor time of one call"),
     ):
-        add(name, type=positive, metavar=unit, help=f"{what} (default: as course.toml says, else {default})")
+        add(name, type=positive, metavar=unit, help=f"{what} (default: from course.toml, else {default})")
     add_cluster(add)
 
 

@@ -28,9 +28,9 @@ def add_mark(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("folder", type=Path, metavar="DIR", help="what `grade --out` wrote")
     add("--submitted", type=Path, metavar="DIR", help="the tree of submissions, to show the work")
-    add("--only", nargs="+", metavar="SLUG", default=[], help="these assignments alone")
+    add("--only", nargs="+", metavar="SLUG", default=[], help="show only these assignments")
     add("--anonymous", action="store_true", help="show numbers for names, in any order")
-    add("--port", type=natural, default=0, help="default: any that is free")
+    add("--port", type=natural, default=0, help="the port of the page (default: any free one)")
 
 
 def _mark(arguments: argparse.Namespace) -> int:

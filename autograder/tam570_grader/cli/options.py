@@ -27,9 +27,14 @@ def add_cluster(add: Function) -> None:
         metavar="ADDRESS",
         help="hand the work to Dask: the address tls://HOST:PORT of a scheduler, or `local` for --jobs workers here",
     )
-    add("--certificates", type=Path, metavar="DIR", help="of the cluster, as `tam570-grader certificates` made them")
+    add(
+        "--certificates",
+        type=Path,
+        metavar="DIR",
+        help="the cluster's certificates, made by `tam570-grader certificates`",
+    )
     add(
         "--unconfined",
         action="store_true",
-        help="let workers of the cluster without bubblewrap grade too; each result says how it was kept apart",
+        help="let workers of the cluster without bubblewrap grade too; each result records how it was isolated",
     )

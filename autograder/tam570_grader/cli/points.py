@@ -18,28 +18,25 @@ def add_points(parser: argparse.ArgumentParser) -> None:
     """Add the options of `points`."""
     parser.set_defaults(command=_points)
     parser.description = (
-        "Add what a table says to the results: grades.csv, the pages, the report and lms have it then. "
-        "An item is the letter of a part that is graded by hand, the name of a check, or a word. A check gets these "
-        "points in the place of its own. With adjust points are added, and total stands in the place of the score. "
-        "All three need a comment. late and extension count days. 'off a day' is the "
-        "share of the score that a late day costs, 'most off' the largest share. The student * is everybody."
+        "Add a table of points to the results; grades.csv, the pages, the report and lms use it from then on. "
+        "An item is the letter of a part that you grade by hand, the name of a check, or a word. The points of a check "
+        "replace its own; 'adjust' adds points; 'total' replaces the score. "
+        "All three need a comment. 'late' and 'extension' count days. 'off a day' is the "
+        "share of the score that a late day costs, 'most off' the largest share. A row for student * applies to "
+        "everyone who has no row."
     )
     parser.epilog = (
         "The newest row of a student, an assignment and an item counts; one without points takes it back. "
-        "Nothing is written unless every row is right. DIR/by_hand.csv holds all of it. course.toml may say what late "
-        "days cost, when assignments are due, and who has more time: give the command again when it changes."
+        "Nothing is written unless every row is right. DIR/by_hand.csv holds all of it. course.toml may set what late "
+        "days cost, when assignments are due, and who has more time; run the command again when it changes."
     )
     add = parser.add_argument
     add("folder", type=Path, metavar="DIR", help="what `grade --out` wrote")
     add(
         "table", type=Path, nargs="?", metavar="CSV", help=f"the columns are {', '.join(COLUMNS)}; `of` may be left out"
     )
-    add(
-        "--template",
-        action="store_true",
-        help="write the table to fill in, with what is known, to CSV instead, a new file",
-    )
-    times = "collected.csv, which `collect` wrote: who is late by the dates in course.toml"
+    add("--template", action="store_true", help="write a table to fill in to CSV, a new file, with the points so far")
+    times = "collected.csv, which `collect` wrote, to find who is late by the dates in course.toml"
     add("--collected", type=Path, metavar="CSV", help=times)
 
 

@@ -33,7 +33,7 @@ def add_replay(parser: argparse.ArgumentParser) -> None:
     add("student", metavar="STUDENT")
     add("check", metavar="CHECK", help="the name of the check, as in results.jsonl")
     add("file", nargs="?", type=Path, metavar="FILE", help="a module or notebook, to make the call again")
-    add("--assignment", metavar="SLUG", help="which one it is, where two have a check of this name")
+    add("--assignment", metavar="SLUG", help="the assignment, if two have a check of this name")
 
 
 def _replay(arguments: argparse.Namespace) -> int:

@@ -28,18 +28,18 @@ def add_watch(parser: argparse.ArgumentParser) -> None:
         "hidden inputs of its own."
     )
     parser.epilog = (
-        "DIR/status.html shows who waits and who has which score, and reloads itself. If the command ends, give "
-        "it again: it goes on from there."
+        "DIR/status.html shows who waits and who has which score, and reloads itself. If the command ends, run "
+        "it again; it continues from there."
     )
     add = parser.add_argument
     add("source", type=Path, metavar="SOURCE", help="a tree of submissions, or a course in nbgrader's exchange")
     add("--out", type=Path, metavar="DIR", required=True, help="write results, copies, the status page there")
-    add("--attempts", type=positive, metavar="N", help="of a student in an assignment (default: no limit)")
+    add("--attempts", type=positive, metavar="N", help="attempts of a student at an assignment (default: no limit)")
     add("--every", type=_duration, metavar="15m", default=0.0, help="time between two attempts: 30s, 15m, 2h, 1d")
     add("--count", choices=["best", "last"], default="best", help="the attempt that counts (default: %(default)s)")
-    add("--assignment", metavar="SLUG", help="which one it is, where the names do not tell")
+    add("--assignment", metavar="SLUG", help="the assignment, if no name tells it")
     add("--jobs", type=positive, metavar="N", default=cores(), help="supervisors (default: %(default)s)")
-    add("--once", action="store_true", help="grade what is there and may be graded, then end")
+    add("--once", action="store_true", help="grade what has arrived and may be graded, then end")
 
 
 def _duration(text: str) -> float:
