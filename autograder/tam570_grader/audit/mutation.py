@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from tam570.values import Json
-from tam570_grader.audit.gradings import Grading, tried
+from tam570_grader.audit.gradings import Grading, seeds_that_fail, tried
 from tam570_grader.audit.local import SEED, calls_of_checks
 from tam570_grader.audit.mutate import Mutant, Slip, entry, equivalents, idle, mutants
 from tam570_grader.diagnosis.mutants import reached
@@ -25,7 +25,7 @@ KILLED, EQUIVALENT, SURVIVES, CRASHED = FATES = "killed", "equivalent", "survive
 
 @dataclass(frozen=True)
 class Fates:
-    """The mutants of an assignment, their fates by name, the checks that failed, and the seed that misses a mutant."""
+    """The mutants of an assignment, their fates by name, the checks that failed, and the seeds that miss a mutant."""
 
     slug: str
     chosen: Sequence[Mutant]
@@ -33,7 +33,7 @@ class Fates:
     failed: Mapping[str, Sequence[str]]
     checks: Sequence[str]
     in_vain: Mapping[Slip, str]
-    missed: Mapping[str, int]
+    missed: Mapping[str, Sequence[int]]
 
     @property
     def survivors(self) -> list[Mutant]:
@@ -54,7 +54,7 @@ def fates(
 ) -> Fates:
     """Grade the mutants of an assignment: all, or a fixed sample; of all functions, or of some.
 
-    A mutant that survives with one of the seeds survives, and no other seed is tried.
+    A mutant that survives with one of the seeds survives; what survives with the first is not tried with others.
     """
     text = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
     all_mutants, listed = mutants(slug, text), equivalents(course, slug)
@@ -73,11 +73,11 @@ def fates(
         for mutant in chosen
         if _is_shared(mutant.function, exported, reach_of[mutant.name])
     ]
-    results = defaultdict[str, list[Result]](list)  # by name, one for each seed
-    for seed in range(SEED, SEED + seeds):
-        tasks = [replace(task, seed=seed) for task in tasks if all(map(_is_caught, results[task.name]))]
-        suspects = [frozenset(name for run in results[task.name][-1:] for name in _failed(run)) for task in tasks]
-        for result in progress(in_order(executor, _judged, zip(tasks, suspects, strict=True)), len(tasks), "mutant"):
+    first = [*progress(in_order(executor, tried, tasks), len(tasks), "mutant")]
+    results = defaultdict[str, list[Result]](list, {result.student: [result] for result in first})
+    caught = [(task, _failed(result), seeds) for task, result in zip(tasks, first, strict=True) if _is_caught(result)]
+    for more in progress(in_order(executor, _with_other_seeds, caught if seeds > 1 else []), len(caught), "mutant"):
+        for result in more:
             results[result.student].append(result)
     slips = {mutant.name: (mutant.function, mutant.change) for mutant in chosen}
     fate = {
@@ -86,12 +86,7 @@ def fates(
     killed = {change for name, change in slips.items() if fate[name] == KILLED}
     vain = idle(listed, {(mutant.function, mutant.change) for mutant in all_mutants}, killed)
     failed = {name: _failed(runs[0]) for name, runs in results.items() if runs}
-    missed = {
-        name: result.seed
-        for name in slips
-        for result in results[name] + results[f"{name} alone"]
-        if result.score == result.max_score
-    }
+    missed = {name: _missing(results[name] + results[f"{name} alone"]) for name in slips}
     return Fates(slug, chosen, fate, failed, list(calls), vain, missed)
 
 
@@ -125,19 +120,24 @@ def _is_shared(function: str, exported: Set[str], reach: Set[str]) -> bool:
     return function in exported and len(reach) > 1
 
 
-def _judged(task: tuple[Grading, frozenset[str]]) -> Result:
-    """Grade a mutant by the checks that caught it with another seed; by all, if these do not catch it again.
+def _with_other_seeds(task: tuple[Grading, Sequence[str], int]) -> list[Result]:
+    """Return the results of a mutant with the seeds after the first, but for those that its first failed check fails.
 
     A mutant that fails a check alone loses points in a full grading: each check draws from its own generator.
     """
-    grading, suspects = task
-    if suspects and _is_caught(result := tried(replace(grading, checks=suspects, enough=1))):
-        return result
-    return tried(grading)
+    grading, failed, seeds = task
+    others = range(SEED + 1, SEED + seeds)
+    caught = seeds_that_fail(grading, failed[0], others) if failed else ()
+    return [tried(replace(grading, seed=seed)) for seed in others if seed not in caught]
 
 
 def _is_caught(result: Result) -> bool:
     return result.score is not None and result.score < result.max_score
+
+
+def _missing(results: Sequence[Result]) -> list[int]:
+    """Return the seeds with which a mutant has full points."""
+    return sorted({result.seed for result in results if result.score == result.max_score})
 
 
 def _failed(result: Result) -> list[str]:
@@ -212,11 +212,11 @@ def report(fates_of_all: Fates) -> list[str]:
     return lines
 
 
-def _shown(mutant: Mutant, seed: int) -> list[str]:
+def _shown(mutant: Mutant, seeds: Sequence[int]) -> list[str]:
     """Return where a survivor is, its line as it was and is, and the line that would list it."""
     where = f"solutions/{mutant.slug}.py:{mutant.line} in {mutant.function}"
     return [
-        f"  SURVIVES {where}: {mutant.operator}; with seed {seed}",
+        f"  SURVIVES {where}: {mutant.operator}; with seed {', '.join(map(str, seeds))}",
         f"      - {mutant.before.strip()}",
         f"      + {mutant.after.strip()}",
         *(f"    {line}" for line in entry(mutant).splitlines()),

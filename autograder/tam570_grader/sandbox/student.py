@@ -44,7 +44,7 @@ class Student:
         self._source, self._assignment, self._zygote = source, assignment, zygote
         self._processes: dict[tuple[str, ...], SandboxProcess] = {}  # by what may not be called in it
         self._defined: set[str] = set()
-        self._broken: dict[str, Json] = {}  # functions that hung or crashed, and how
+        self.broken: dict[str, Json] = {}  # functions that hung or crashed, and how
         self.worked: set[str] = set()  # functions that have returned what was promised: it depends on the input
         self._asides = 0  # blocks of `aside` that are open
         self._cpu, self._lasted = 0.0, 0.0  # s of CPU and on the wall's clock, of the processes that have ended
@@ -62,13 +62,13 @@ class Student:
         Calls in it raise Failed when the submission has used half of its processor time.
         """
         running = get_context()
-        calls, broken, function, case = list(self.calls), dict(self._broken), running.function, running.case
+        calls, broken, function, case = list(self.calls), dict(self.broken), running.function, running.case
         self._asides += 1
         try:
             yield
         finally:
             self._asides -= 1
-            self.calls, self._broken, running.function, running.case = calls, broken, function, case
+            self.calls, self.broken, running.function, running.case = calls, broken, function, case
 
     def load(self) -> None:
         """Import the submission, or raise NotLoaded."""
@@ -102,8 +102,8 @@ class Student:
 
         more : fields of the request; every=True asks for the calls behind an error, too
         """
-        if name in self._broken:
-            raise Failed(**self._broken[name])
+        if name in self.broken:
+            raise Failed(**self.broken[name])
         if self._asides and self.seconds() > self._zygote.limits.cpu / 2:
             raise Failed(f"{name} takes too long to be called once more")
         banned, results = self._assignment.forbidden.get(name, ()), self._assignment.results
@@ -143,7 +143,7 @@ class Student:
         self._end_process(self._processes.pop(uncallable))
         label = call.label if name in self.worked else ""
         why: Json = {"message": message, "label": label, "at": call, "function": name}
-        self._broken[name] = why
+        self.broken[name] = why
         self._must_end()
         if self._cpu >= (most := self._zygote.limits.cpu) - 0.5:
             raise BudgetSpent(f"the submission has used its {most:g} s of processor time")
