@@ -16,23 +16,24 @@ CodeCell = tuple[str, CodeType]  # a notebook's cell, or "", and its code
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
 
 
-def compiled(source: bytes, name: str, *, notebook: bool, piecewise: bool) -> tuple[list[CodeCell], list[str]]:
+def compiled(source: bytes, name: str, *, notebook: bool) -> tuple[list[CodeCell], list[str]]:
     """Return what is to be run, and the notebook cells that are no Python, as "cell 3: SyntaxError".
 
     Nothing has run yet.
-
-    piecewise : each statement of a module by itself
     """
     if notebook:
         return _compiled_cells(notebooks.code_cells(source))
-    source = notebooks.in_utf8(source)
-    if piecewise:
-        return _statements(source, f"{name}.py"), []
-    return [("", compile(source, f"{name}.py", "exec", dont_inherit=True))], []
+    return [("", compile(notebooks.in_utf8(source), f"{name}.py", "exec", dont_inherit=True))], []
 
 
 def load(
-    pieces: Sequence[CodeCell], name: str, *, notebook: bool, forbidden: Sequence[str], uncallable: Sequence[str]
+    pieces: Sequence[CodeCell],
+    source: bytes,
+    name: str,
+    *,
+    notebook: bool,
+    forbidden: Sequence[str],
+    uncallable: Sequence[str],
 ) -> tuple[ModuleType, list[str]]:
     """Load the student's module, and name the notebook cells that raised and were skipped, as "cell 3: NameError".
 
@@ -48,21 +49,29 @@ def load(
         for banned in names:
             _replace(banned, Unusable(banned, where))
     skipped = []
-    for cell, code in pieces:
+    for cell, code in (pending := [*pieces]):
         try:
             notebooks.run(code, module.__dict__)
         except BaseException as error:
             if not (notebook or (uncallable and isinstance(error, Exception))):
                 raise
             skipped.append(f"{cell}: {_in_words(error)}")
+            if not notebook and len(pending) == 1:
+                pending += _statements_after(error, code, notebooks.in_utf8(source))
     return module, skipped if notebook else []
 
 
-def _statements(source: bytes, file: str) -> list[CodeCell]:
+def _statements_after(error: BaseException, code: CodeType, source: bytes) -> list[CodeCell]:
+    """Return the statements of a module after the one that raised, each by itself."""
+    trace = error.__traceback__
+    while trace is not None and trace.tb_frame.f_code is not code:
+        trace = trace.tb_next
+    line = trace.tb_lineno if trace is not None else sys.maxsize
     statements = ast.parse(source).body
     future = [node for node in statements if isinstance(node, ast.ImportFrom) and node.module == "__future__"]
-    alone = (ast.Module([*future, statement], type_ignores=[]) for statement in statements)
-    return [("", compile(node, file, "exec", dont_inherit=True)) for node in alone]
+    rest = [node for node in statements if (node.end_lineno or 0) >= line][1:]
+    alone = (ast.Module([*future, statement], type_ignores=[]) for statement in rest)
+    return [("", compile(node, code.co_filename, "exec", dont_inherit=True)) for node in alone]
 
 
 def _compiled_cells(cells: list[tuple[int, str]]) -> tuple[list[CodeCell], list[str]]:

@@ -176,13 +176,12 @@ def _loaded(request: Json) -> ModuleType | None:
 
     The first reply, on whether it is Python, is sent before any of it runs.
     """
-    notebook, uncallable = request["notebook"], request["uncallable"]
+    source, name, notebook = request["source"], request["name"], request["notebook"]
     try:
-        pieces, broken = compiled(request["source"], request["name"], notebook=notebook, piecewise=bool(uncallable))
+        pieces, broken = compiled(source, name, notebook=notebook)
         _send({"names": [text[:LONGEST_TEXT] for text in broken[:MOST_TOLD]]})
-        module, skipped = load(
-            pieces, request["name"], notebook=notebook, forbidden=request["forbidden"], uncallable=uncallable
-        )
+        bans = {"forbidden": request["forbidden"], "uncallable": request["uncallable"]}
+        module, skipped = load(pieces, source, name, notebook=notebook, **bans)
         defined = [name for name in request["functions"] if callable(getattr(module, name, None))]
         _send({"names": defined, "skipped": [text[:LONGEST_TEXT] for text in skipped[:MOST_TOLD]]})
         return module
