@@ -35,8 +35,8 @@ class Tape:
         self.symbols: dict[tuple[Numbers, ...], Symbol] = {}
 
     def record(self, name: str, *arguments: Numbers) -> "Symbol":
-        arguments = tuple(a if isinstance(a, Symbol) else float(a) for a in arguments)
-        key = (name, *(("symbol", a.number) if isinstance(a, Symbol) else a for a in arguments))
+        arguments = tuple([a if isinstance(a, Symbol) else float(a) for a in arguments])
+        key = (name, *[("symbol", a.number) if isinstance(a, Symbol) else a for a in arguments])
         if key not in self.symbols:
             self.symbols[key] = Symbol(self, len(self.symbols), name, arguments)
         return self.symbols[key]
@@ -75,7 +75,7 @@ def _called(function: Function, *arguments: Numbers) -> Numbers:
 
 def _operator(name: str, swapped: bool = False) -> Numbers:
     def method(self: "Symbol", other: Numbers) -> Numbers:
-        if not isinstance(other, Symbol | Complex):
+        if not isinstance(other, (Symbol, float, Complex)):  # what is frequent first, and no union made each time
             return NotImplemented  # NumPy goes through the elements of an array
         return self.tape.combine(name, *((other, self) if swapped else (self, other)))
 
@@ -138,7 +138,8 @@ def _is(value: Numbers, number: float) -> bool:
 
 def _ordered(a: Numbers, b: Numbers) -> tuple[Numbers, Numbers]:
     """Order the terms: a + b is b + a, to the last bit."""
-    first, second = (x.number if isinstance(x, Symbol) else -1 for x in (a, b))
+    first = a.number if isinstance(a, Symbol) else -1
+    second = b.number if isinstance(b, Symbol) else -1
     return (a, b) if first <= second else (b, a)
 
 
