@@ -48,8 +48,7 @@ def main() -> None:
     if not message:
         return
     settings = json.loads(message)
-    for name in settings["preload"]:
-        importlib.import_module(name)
+    _import(settings["preload"])
     _warm_up(settings["preload"])
     settings["limits"]["memory"] += jail.address_space()
     program(**jail.Limits(cpu=0, user=None, **settings["limits"]).refusals)
@@ -69,6 +68,17 @@ def main() -> None:
             os.close(held)
             _watch_all(socket.socket(fileno=leashes[0]), lifeline, settings["limits"])
         os.close(leashes[0])
+
+
+def _import(preload: list[str]) -> None:
+    """Import libraries; Matplotlib without the properties in its docstrings, which take a quarter of its time."""
+    if "matplotlib.figure" in preload:
+        artist: Any = importlib.import_module("matplotlib.artist")
+        kwdoc, artist.kwdoc = artist.kwdoc, lambda _: ""
+        importlib.import_module("matplotlib.figure")
+        artist.kwdoc = kwdoc
+    for name in preload:
+        importlib.import_module(name)
 
 
 def _warm_up(preload: list[str]) -> None:
