@@ -129,13 +129,17 @@ class Coefficients(Writer):
             return self.emit(
                 self.ir_type, f"call {self.ir_type} @llvm.sqrt.{self.suffix}({self.ir_type} {arguments[0]})"
             ).text
+
+        def call(numbers: list[str]) -> str:  # without side effects: sin and cos of a number are one call then
+            listed = ", ".join(f"double {x}" for x in numbers)
+            return self.emit("double", f"call double @{name}({listed}) memory(none)").text
+
         if self.memory_layout.lanes == 1:
-            listed = ", ".join(f"double {a}" for a in arguments)
-            return self.emit("double", f"call double @{name}({listed})").text
+            return call(arguments)
         vector = "poison"
         for lane in range(self.memory_layout.lanes):
             parts = [self.emit("double", f"extractelement {self.ir_type} {a}, i32 {lane}").text for a in arguments]
-            single = self.emit("double", f"call double @{name}({', '.join(f'double {p}' for p in parts)})").text
+            single = call(parts)
             vector = self.emit(self.ir_type, f"insertelement {self.ir_type} {vector}, double {single}, i32 {lane}").text
         return vector
 
