@@ -19,7 +19,7 @@ from tam570_grader import (
     first_wrong,
 )
 from tam570_grader.checks.diagrams import compare_diagrams
-from tam570_grader.checks.plots import curves_seen, judge_axes_of_lengths, path_drawn
+from tam570_grader.checks.plots import curves_seen, follows_path, judge_axes_of_lengths, path_drawn
 from tam570_grader.checks.returns import array, drawing, free_body_diagram, number, rows
 
 from . import cases, reference
@@ -253,6 +253,13 @@ def both_paths_are_drawn(student, rng):
     picture = student.plot_comparison.drawn(case)
     wrong_source = first_wrong(reference, case, student.simulate, student.trajectory)
     curves = curves_seen(picture, 2)
+
+    def own_paths():
+        judge_axes_of_lengths(picture)
+        judge_twins(student, case, curves)
+        paths = [function.aside(case)[:, :2] for function in (student.simulate, student.trajectory)]
+        return paths if all(follows_path(line, lambda: paths, DRAWN, FEWER) for line in curves) else []
+
     for line in curves:
         path_drawn(
             line,
@@ -262,6 +269,7 @@ def both_paths_are_drawn(student, rng):
             quantity="a curve",
             others=others,
             wrong_source=wrong_source,
+            own_paths=own_paths,
             near_miss_credit=False,
         )
     judge_axes_of_lengths(picture)

@@ -209,7 +209,14 @@ def the_path_is_drawn(student, rng):
     others = {"These are x and y, not right and up.": places[:, :2]}
     wrong_source = first_wrong(reference, case, student.simulate, student.solution)
     path = reference.project(places, *view)
-    path_drawn(line, path, tolerance=DRAWN, quantity="the curve", others=others, wrong_source=wrong_source)
+
+    def own_paths():
+        judge_axes_of_lengths(picture, "right horizontal", "up vertical")
+        for function in (student.simulate, student.solution):
+            yield student.project.aside(Case(function.aside(Case(t, r, v, **case.kwargs))[:, :3], *view))
+
+    words = {"quantity": "the curve", "others": others, "wrong_source": wrong_source, "own_paths": own_paths}
+    path_drawn(line, path, tolerance=DRAWN, **words)
     judge_axes_of_lengths(picture, "right horizontal", "up vertical")
 
 

@@ -4,6 +4,7 @@ import numpy as np
 
 from tam570_grader import (
     Assignment,
+    Case,
     Column,
     Invariant,
     OwnRates,
@@ -255,8 +256,20 @@ def tip_path_is_drawn(student, rng):
     }
     picture = student.plot_tip_path.drawn(case)
     (line,) = curves_seen(picture, 1)
-    wrong_source = first_wrong(reference, case, student.simulate)
-    path_drawn(line, tips, tolerance=DRAWN, quantity="the curve", others=others, wrong_source=wrong_source)
+    lengths = case.kwargs["lengths"]
+
+    def wrong_source():
+        bars = first_wrong(reference, Case(case.args[1], lengths=lengths), student.wireframe)
+        return first_wrong(reference, case, student.simulate)() or bars()
+
+    def own_paths():
+        judge_axes_of_lengths(picture)
+        rows = student.simulate.aside(case)
+        yield np.array([reference.wireframe(row[:2], lengths)[1, 1] for row in rows])
+        yield np.array([student.wireframe.aside(Case(row[:2], lengths=lengths))[1, 1] for row in rows])
+
+    words = {"quantity": "the curve", "others": others, "wrong_source": wrong_source, "own_paths": own_paths}
+    path_drawn(line, tips, tolerance=DRAWN, **words)
     judge_axes_of_lengths(picture)
 
 

@@ -19,7 +19,15 @@ from tam570_grader import (
     first_wrong,
 )
 from tam570_grader.checks.expected import expected_result
-from tam570_grader.checks.plots import along, curves_seen, exchanged, judge_axes_of_lengths, judge_boxes, path_drawn
+from tam570_grader.checks.plots import (
+    along,
+    curves_seen,
+    exchanged,
+    follows_path,
+    judge_axes_of_lengths,
+    judge_boxes,
+    path_drawn,
+)
 from tam570_grader.checks.returns import array, drawing, group, number, rows
 
 from . import cases, reference
@@ -327,11 +335,17 @@ def rim_paths_are_drawn(student, rng):
     others["These are the paths for a radius of 1 m"] = seen_along_x(rotations)
     from_behind = all(exchanged(picture, *AXES))  # seen from there: z to the right and y up
     curves = [replace(line, points=line.points[:, ::-1]) if from_behind else line for line in curves_seen(picture, 2)]
+
+    def own_paths():
+        judge_axes_of_lengths(picture, *AXES, from_below=True)
+        own = [radius * path for path in seen_along_x(student.simulate.aside(densely)[1])]
+        pairs = zip(in_order(curves, own[0]), own, strict=True)
+        return own if all(follows_path(line, lambda own=path: [own], DRAWN) for line, path in pairs) else []
+
+    words = {"others": others, "wrong_source": wrong_source, "own_paths": own_paths, "near_miss_credit": False}
     for line, path in zip(in_order(curves, paths[0]), paths, strict=True):
         limits = {"tolerance": DRAWN * radius / np.ptp(path, axis=0).max(), "fewer": COARSELY / DRAWN}
-        path_drawn(
-            line, path, **limits, quantity="a path", others=others, wrong_source=wrong_source, near_miss_credit=False
-        )
+        path_drawn(line, path, **limits, quantity="a path", **words)
     judge_axes_of_lengths(picture, *AXES, from_below=True)
 
 

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from tam570.checking.drawings import FEWEST, in_metres, without_tex
 from tam570.values import Json
 from tam570_grader.checks.case import Case
-from tam570_grader.checks.expect import expect, expect_that, fail, get_context
+from tam570_grader.checks.expect import Failed, FollowsFrom, NotWritten, expect, expect_that, fail, get_context
 from tam570_grader.checks.returns import Drawing, Line
 from tam570_grader.checks.student import StudentFunction
 
@@ -90,6 +90,7 @@ def path_drawn(  # noqa: PLR0913  as `compare`
     others: Mapping[str, ArrayLike] | None = None,
     fewer: float = 10,
     wrong_source: Callable[[], str],
+    own_paths: Callable[[], Iterable[ArrayLike]] = tuple,
     near_miss_credit: bool = True,
 ) -> None:
     """Require that a line is the path, from its first point to its last and in its order.
@@ -98,10 +99,19 @@ def path_drawn(  # noqa: PLR0913  as `compare`
     fewer  : how many times as much for the path between fewer points
     others : {hint: path, or several} of what else a line is that has its ends
     wrong_source : the name of a wrong function whose results are to be drawn; empty if all are right
+    own_paths : the paths by the student's own functions; Failed if something else is wrong with the picture
     """
     size, drawn = float(np.ptp(path, axis=0).max()), along(line, path)
     limit = tolerance * size
-    hint = partial(_other_path, drawn, path, others or {}, limit, wrong_source)
+
+    def hint() -> str:
+        if message := _other_path(drawn, path, others or {}, limit):
+            return message
+        if not (name := wrong_source()):
+            return "The motion is right: draw the point of each row, from t[0] to t[-1]"
+        follows = follows_path(line, own_paths, tolerance, fewer)
+        return FollowsFrom(name) if follows else f"{name} is wrong for this motion, too: look there first"
+
     options: Json = {"unit": "m", "hint": hint, "near_miss_credit": near_miss_credit}
     expect(drawn[[0, -1]], path[[0, -1]], tolerance=limit, quantity=f"an end of {quantity}", **options)
     for points, polygon, what, near in (
@@ -117,10 +127,22 @@ def path_drawn(  # noqa: PLR0913  as `compare`
     )
 
 
-def _other_path(
-    drawn: Array, path: Array, others: Mapping[str, ArrayLike], near: float, wrong_source: Callable[[], str]
-) -> str:
-    """Return which other path has the ends of the drawn one, if one has."""
+def follows_path(line: Line, paths: Callable[[], Iterable[ArrayLike]], tolerance: float, fewer: float = 10) -> bool:
+    """Return whether a line is one of the paths, from end to end; False where the question is Failed."""
+    try:
+        for path in map(np.asarray, paths()):
+            drawn, near = along(line, path), tolerance * float(np.ptp(path, axis=0).max())
+            ends = np.linalg.norm(drawn[[0, -1]] - path[[0, -1]], axis=1).max()
+            passed = distances(path, drawn).max()  # the curve may have fewer points
+            if max(ends, distances(drawn, path).max(), passed / fewer) <= near:
+                return True
+    except (Failed, NotWritten):
+        pass
+    return False
+
+
+def _other_path(drawn: Array, path: Array, others: Mapping[str, ArrayLike], near: float) -> str:
+    """Return which other path has the ends of the drawn one; empty if none has."""
     for message, paths in others.items():
         each = np.reshape(paths, (-1, *np.shape(paths)[-2:]))
         if any(np.allclose(drawn[[0, -1]], candidate[[0, -1]], rtol=0, atol=near) for candidate in each):
@@ -128,9 +150,7 @@ def _other_path(
     first, last = np.linalg.norm(drawn[[0, -1]] - path[[0, -1]], axis=1)
     if first < near < last and distances(drawn, path).max() < near:
         return "It is right as far as it goes, and ends too early."
-    if name := wrong_source():
-        return f"{name} is wrong for this motion, too: look there first"
-    return "The motion is right: draw the point of each row, from t[0] to t[-1]"
+    return ""
 
 
 def _arc_length(path: Array) -> float:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tam570.values import Numbers
 from tam570_grader.checks.case import Case
-from tam570_grader.checks.compare import Batch, Column, Reference, find_reference, is_right
+from tam570_grader.checks.compare import Batch, Column, Reference, find_reference, is_right, trim_to_signature
 from tam570_grader.checks.curves import Curve, conserved_curve
 from tam570_grader.checks.expect import NEAR_MISS, NEAR_MISS_SHARE, UNLOCKING_SHARE, FollowsFrom, expect, get_context
 from tam570_grader.checks.motions import ROUGHLY, Motion, Restart, diagnosed, flat, has_rates, obeys
@@ -67,7 +67,8 @@ class OwnRates:
 
     def _case(self, motion: Motion, t: float, row: Array) -> Case:
         words = [word for word in motion.case.args if isinstance(word, str)]
-        return Case(*self.arguments(t, row), *words, **motion.case.kwargs)
+        case = Case(*self.arguments(t, row), *words, **motion.case.kwargs)
+        return trim_to_signature(find_reference(self.reference, self.function), [case])[0]
 
 
 def compare_trajectory(  # noqa: PLR0913  as `compare`
