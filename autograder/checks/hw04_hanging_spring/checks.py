@@ -21,6 +21,7 @@ from tam570_grader import (
     first_wrong,
 )
 from tam570_grader.checks.diagrams import compare_diagrams
+from tam570_grader.checks.expect import FollowsFrom
 from tam570_grader.checks.expected import expected_result
 from tam570_grader.checks.plots import curves_seen, judge_axes_of_lengths, path_drawn
 from tam570_grader.checks.returns import array, drawing, free_body_diagram, group, number, rows
@@ -37,6 +38,7 @@ TENSOR = 1e-7
 # Of the motion's size; no ellipse counts as smaller. A zero axis comes out as the rounding of |centre|, and its square
 # as that of |centre|^2, 1e-15 of the size's square, if it is a difference of such: TENSOR * NOUGHT^2 lets both pass.
 NOUGHT = 1e-3
+ON_OWN_MOTION = 1e-4  # of the motion's size; a careful integration is off by less
 RIGHT_ANGLE = 1e-7  # of the larger axis, along the smaller; eigenvectors are good to rounding over the gap
 DRAWN = 1e-3  # of the picture; chords of the 201 points that it is compared with leave the path by 4e-5
 
@@ -142,31 +144,50 @@ def energy_stays(student, rng):
 # The ellipse
 
 
-def where_it_rests(case, result, expected):
-    above = np.allclose(result[0], -expected[0], rtol=0, atol=POINTWISE * length(case))
-    return "It is above the origin." if above else "Where do spring and weight balance?"
+def where_it_rests(student):
+    def hint(case, result, expected):
+        if source := own_motion(student, case, *result):
+            return source
+        above = np.allclose(result[0], -expected[0], rtol=0, atol=POINTWISE * length(case))
+        return "It is above the origin." if above else "Where do spring and weight balance?"
+
+    return hint
+
+
+def own_motion(student, case, centre, axes):
+    """The student's own wrong motion, of which this is the ellipse; empty if it is of none."""
+    moving = Case(np.linspace(0, 1, 12) * 2 * np.pi / reference.rate_of(**case.kwargs), *case.args, **case.kwargs)
+    for function in (student.simulate, student.solution):
+        if axes.any(axis=1).all() and first_wrong(reference, moving, function)():
+            radii = function.aside(moving)[:, :3] - centre
+            shares = radii @ np.linalg.pinv(axes)
+            off = np.abs(radii - shares @ axes).max() / length(case), np.abs((shares**2).sum(axis=1) - 1).max()
+            if max(off) <= ON_OWN_MOTION:
+                return FollowsFrom(function.name)
+    return ""
 
 
 @check("orbit", points=0.5, part="c")
 def orbit_has_its_centre_at_the_equilibrium(student, rng):
     """the centre is where the mass can rest."""
-    compare(student.orbit, cases.orbits(rng), only=0, hint=where_it_rests)
+    compare(student.orbit, cases.orbits(rng), only=0, hint=where_it_rests(student))
 
 
-def judge_axes(orbit, calls):
+def judge_axes(student, calls):
     """Semi-axes a, b are perpendicular, a the larger, and a a^T + b b^T is Fradkin's tensor."""
-    for case, (_, (a, b)) in orbit.each(calls):
+    for case, (centre, (a, b)) in student.orbit.each(calls):
         (_, tensor), product = reference.orbit(*case.args, **case.kwargs), np.outer(a, a) + np.outer(b, b)
         square = np.trace(tensor) + (NOUGHT * length(case)) ** 2
         words = {"scale": square, "unit": "of the square of its size"}
-        which = partial(likeliest_ellipse, case, product, tensor, b, square)
-        expect(product, tensor, tolerance=TENSOR, quantity="the ellipse", hint=which, **words)
+        source = partial(own_motion, student, case, centre, np.array([a, b]))
+        which = partial(likeliest_ellipse, source, case, product, tensor, b, square)
+        expect(product, tensor, tolerance=TENSOR, quantity="the ellipse", hint=lambda: source() or which(), **words)
         hint = "Two radii that give the ellipse need not be its axes."
         expect(a @ b, 0.0, tolerance=RIGHT_ANGLE, quantity="the product of the axes", hint=hint, **words)
         expect_that(a @ a >= b @ b - RIGHT_ANGLE * square, "the larger axis is not the first")
 
 
-def likeliest_ellipse(case, product, tensor, smaller, square):
+def likeliest_ellipse(source, case, product, tensor, smaller, square):
     candidates = {
         "The smaller axis is not zero.": tensor if smaller.any() or np.linalg.matrix_rank(tensor) < 2 else product,
         "It is twice as large: these are its axes, not semi-axes.": 4 * tensor,
@@ -174,19 +195,19 @@ def likeliest_ellipse(case, product, tensor, smaller, square):
         "The semi-axes are unit vectors: give them their lengths.": product @ product if product.any() else tensor,
     }
     near = (message for message, it in candidates.items() if np.allclose(product, it, rtol=1e-6, atol=TENSOR * square))
-    return next(near, case.hint or ON_IT)
+    return source() or next(near, case.hint or ON_IT)
 
 
 @check("orbit", points=1, part="c")
 def orbit_is_the_ellipse_of_the_motion(student, rng):
     """the semi-axes, perpendicular, the larger first."""
-    judge_axes(student.orbit, cases.orbits(rng))
+    judge_axes(student, cases.orbits(rng))
 
 
 @check("orbit", points=0.5, part="c", after=orbit_is_the_ellipse_of_the_motion)
 def orbit_may_be_a_line_or_a_point(student, rng):
     """an ellipse with one axis or both zero."""
-    judge_axes(student.orbit, cases.flat(rng))
+    judge_axes(student, cases.flat(rng))
 
 
 # The picture

@@ -294,6 +294,11 @@ def is_right(function: StudentFunction, reference: Reference, cases: Iterable[Ca
         return False
 
 
+def own_result(function: StudentFunction, reference: Reference, case: Case) -> Numbers:
+    """Return what a student's function gives for as much of a case as it takes, in a call that no check judges."""
+    return function.aside(trim_to_signature(find_reference(reference, function), [case])[0])
+
+
 def first_wrong(reference: Reference, case: Case, *functions: StudentFunction) -> Callable[[], str]:
     """Make a question for the first of a student's functions that is wrong for a case: its name, or ""."""
     return lambda: next((function.name for function in functions if not is_right(function, reference, [case])), "")
