@@ -258,7 +258,7 @@ def both_paths_are_drawn(student, rng):
         judge_axes_of_lengths(picture)
         judge_twins(student, case, curves)
         paths = [function.aside(case)[:, :2] for function in (student.simulate, student.trajectory)]
-        return paths if all(follows_path(line, lambda: paths, DRAWN, FEWER) for line in curves) else []
+        return paths if all(follows_path(line, paths, DRAWN, FEWER) for line in curves) else []
 
     for line in curves:
         path_drawn(

@@ -181,7 +181,7 @@ def judge_axes(student, calls):
         words = {"scale": square, "unit": "of the square of its size"}
         source = partial(own_motion, student, case, centre, np.array([a, b]))
         which = partial(likeliest_ellipse, source, case, product, tensor, b, square)
-        expect(product, tensor, tolerance=TENSOR, quantity="the ellipse", hint=lambda: source() or which(), **words)
+        expect(product, tensor, tolerance=TENSOR, quantity="the ellipse", hint=which, **words)
         hint = "Two radii that give the ellipse need not be its axes."
         expect(a @ b, 0.0, tolerance=RIGHT_ANGLE, quantity="the product of the axes", hint=hint, **words)
         expect_that(a @ a >= b @ b - RIGHT_ANGLE * square, "the larger axis is not the first")

@@ -340,7 +340,7 @@ def rim_paths_are_drawn(student, rng):
         judge_axes_of_lengths(picture, *AXES, from_below=True)
         own = [radius * path for path in seen_along_x(student.simulate.aside(densely)[1])]
         pairs = zip(in_order(curves, own[0]), own, strict=True)
-        return own if all(follows_path(line, lambda own=path: [own], DRAWN) for line, path in pairs) else []
+        return own if all(follows_path(line, [path], DRAWN) for line, path in pairs) else []
 
     words = {"others": others, "wrong_source": wrong_source, "own_paths": own_paths, "near_miss_credit": False}
     for line, path in zip(in_order(curves, paths[0]), paths, strict=True):

@@ -109,8 +109,12 @@ def path_drawn(  # noqa: PLR0913  as `compare`
             return message
         if not (name := wrong_source()):
             return "The motion is right: draw the point of each row, from t[0] to t[-1]"
-        follows = follows_path(line, own_paths, tolerance, fewer)
-        return FollowsFrom(name) if follows else f"{name} is wrong for this motion, too: look there first"
+        try:
+            if follows_path(line, own_paths(), tolerance, fewer):
+                return FollowsFrom(name)
+        except (Failed, NotWritten):
+            pass
+        return f"{name} is wrong for this motion, too: look there first"
 
     options: Json = {"unit": "m", "hint": hint, "near_miss_credit": near_miss_credit}
     expect(drawn[[0, -1]], path[[0, -1]], tolerance=limit, quantity=f"an end of {quantity}", **options)
@@ -127,17 +131,14 @@ def path_drawn(  # noqa: PLR0913  as `compare`
     )
 
 
-def follows_path(line: Line, paths: Callable[[], Iterable[ArrayLike]], tolerance: float, fewer: float = 10) -> bool:
-    """Return whether a line is one of the paths, from end to end; False where the question is Failed."""
-    try:
-        for path in map(np.asarray, paths()):
-            drawn, near = along(line, path), tolerance * float(np.ptp(path, axis=0).max())
-            ends = np.linalg.norm(drawn[[0, -1]] - path[[0, -1]], axis=1).max()
-            passed = distances(path, drawn).max()  # the curve may have fewer points
-            if max(ends, distances(drawn, path).max(), passed / fewer) <= near:
-                return True
-    except (Failed, NotWritten):
-        pass
+def follows_path(line: Line, paths: Iterable[ArrayLike], tolerance: float, fewer: float = 10) -> bool:
+    """Return whether a line is one of the paths, from end to end."""
+    for path in map(np.asarray, paths):
+        drawn, near = along(line, path), tolerance * float(np.ptp(path, axis=0).max())
+        ends = np.linalg.norm(drawn[[0, -1]] - path[[0, -1]], axis=1).max()
+        passed = distances(path, drawn).max()  # the curve may have fewer points
+        if max(ends, distances(drawn, path).max(), passed / fewer) <= near:
+            return True
     return False
 
 

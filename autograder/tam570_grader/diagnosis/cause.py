@@ -19,6 +19,7 @@ class Cause:
     answers      : what the solution gives with this mistake in it, one for each way to make it; nothing follows of none
     calls        : those that it explains
     follows_from : the function with the mistake that explains these results
+    repeats      : an earlier function that was told the same
     """
 
     function: str
@@ -27,3 +28,4 @@ class Cause:
     answers: tuple[Answer, ...] = ()
     calls: tuple[Call, ...] = ()
     follows_from: str = ""
+    repeats: str = ""

@@ -43,7 +43,7 @@ def _as_in(cause: Cause, earlier: Sequence[Cause]) -> Cause:
     """Return the cause, beside the function that was told the same before."""
     told_before = (other.function for other in earlier if other.source == cause.source != "known mistake")
     same = [name for name in told_before if name != cause.function and _says(cause, name, earlier)]
-    return replace(cause, message=f"{cause.message}, as in {same[0]}") if same else cause
+    return replace(cause, message=f"{cause.message}, as in {same[0]}", repeats=same[0]) if same else cause
 
 
 def _says(cause: Cause, name: str, earlier: Sequence[Cause]) -> bool:

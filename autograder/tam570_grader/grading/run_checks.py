@@ -1,5 +1,6 @@
 """Grades one submission: runs the checks of its assignment in order and makes the result."""
 
+import re
 import time
 from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -7,6 +8,7 @@ from functools import partial
 
 import numpy as np
 
+from tam570.checking.transforms import parts
 from tam570.values import Numbers
 from tam570_grader.checks import assignments
 from tam570_grader.checks.assignments import LoadedAssignment
@@ -19,7 +21,7 @@ from tam570_grader.checks.returns import FreeBodyDiagram
 from tam570_grader.checks.student import StudentFunction
 from tam570_grader.diagnosis.cause import Cause
 from tam570_grader.diagnosis.diagnose import diagnose, follows
-from tam570_grader.diagnosis.mistakes import computed, explains, is_motion, solution_with
+from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, explains, is_motion, same, solution_with
 from tam570_grader.diagnosis.mutants import reached
 from tam570_grader.errors import Over
 from tam570_grader.grading.budget import budget
@@ -36,6 +38,8 @@ from tam570_grader.sandbox.zygote import Zygote
 OUR_FAULT = "The grader failed here, not you; your teacher has been told."
 TOO_MUCH = "what it returns takes the grader too much {} to judge"
 FOLLOWING_SHARE = 2 / 3  # of the points, for what is right but for a mistake in another function
+HELPER = re.compile(r"\bdef (\w+)\(")
+MOST_HELPERS, MOST_ASKED = 30, 4  # helpers of a file, calls of a check
 Recorder = Callable[[str, float], None]
 
 
@@ -154,7 +158,7 @@ def _check_result(run: _Run, check: Check) -> CheckResult:
     except Failed as failed:
         cause, fault = _cause(run, check) if options.naming else (None, "")
         if options.naming and not (cause and cause.follows_from):
-            source = _own_source(run, failed)
+            source = _own_source(run, failed) or _shared_helper(run, cause)
             cause = replace(source, answers=cause.answers, calls=cause.calls) if source and cause else source or cause
         if cause:
             run.causes[check.name] = cause
@@ -222,6 +226,55 @@ def _own_source(run: _Run, failed: Failed) -> Cause | None:
     return Cause(name, "", "own", follows_from=wrong) if follows_from_own else None
 
 
+def _shared_helper(run: _Run, cause: Cause | None) -> Cause | None:
+    """Return an earlier wrong function whose mistake this one shares by a helper in the student's file.
+
+    Both use one helper, and either were told the same, or return one wrong number where the right numbers are one.
+    """
+    student, results, calls = run.student, run.assignment.results, run.student.calls
+    name = calls[0].name if calls else ""
+    if not calls or {call.name for call in calls} != {name} or any(_is_drawn(run.assignment, call) for call in calls):
+        return None
+    helpers = [helper for helper in dict.fromkeys(HELPER.findall(student.text)) if helper not in results][:MOST_HELPERS]
+    for check in run.assignment.checks:
+        before = run.results.get(check.name)
+        failure = before.failure if before and _has_failed(before) else None
+        if not failure or failure.follows_from or failure.function in ("", name) or not isinstance(failure.at, Case):
+            continue
+        asked = (name, calls[0].case), (failure.function, failure.at)
+        try:
+            with budget():
+                alike = (cause and cause.repeats == failure.function) or _same_number(run, failure.function, calls)
+                uses = (all(getattr(student, who).uses(helper, case) for who, case in asked) for helper in helpers)
+                if alike and any(uses):
+                    return Cause(name, "", "own", follows_from=failure.function)
+        except Over:
+            raise
+        except Exception:  # a function that takes other arguments has other numbers
+            continue
+    return None
+
+
+def _same_number(run: _Run, other: str, calls: Sequence[Call]) -> bool:
+    """Return whether each wrong result is another function's wrong one, where the right ones are the same."""
+    wrong, solution = 0, run.assignment.solution
+    for call in calls[:MOST_ASKED]:
+        own = getattr(run.student, other).aside(call.case)
+        right, other_right = answer(solution, "", call), answer(solution, "", Call(other, call.case, None))
+        others = list(zip(parts(own), _parts_like(own, other_right), strict=True))
+        for result, expected in zip(parts(call.result), _parts_like(call.result, right), strict=True):
+            if not same(result, expected, WITHIN):
+                wrong += 1
+                if not any(same(result, its, WITHIN) and same(expected, true, WITHIN) for its, true in others):
+                    return False
+    return wrong > 0
+
+
+def _parts_like(result: Numbers, answer: Numbers) -> list[Numbers]:
+    """Return the parts of an answer; where the result is an array, its numbers may be a tuple."""
+    return parts(answer) if isinstance(result, tuple) else [np.asarray(answer, float)]
+
+
 def _asked(function: StudentFunction, *args: Numbers, **kwargs: Numbers) -> Numbers:
     return function.aside(Case(*args, **kwargs))
 
@@ -273,7 +326,8 @@ def _consequence(run: _Run, check: Check, functions: Container[str]) -> CheckRes
     try:
         run.perform(check)
     except Failed as failed:
-        cause = _following(run, check, _earlier(run.causes)) or _own_source(run, failed)
+        following = _following(run, check, _earlier(run.causes))
+        cause = following or _own_source(run, failed) or _shared_helper(run, None)
         if cause is None or cause.function in functions:
             return None
         run.causes[check.name] = cause

@@ -73,8 +73,10 @@ def _stood_in(module: ModuleType, request: Json) -> list[Change]:
 
 
 def _moved(function: Function, *args: Numbers, **kwargs: Numbers) -> Numbers:
-    """Results that are larger by one."""
-    return np.asarray(function(*args, **kwargs), float) + 1.0
+    """Results that are larger by one, each of several."""
+    result = function(*args, **kwargs)
+    moved = [np.asarray(part, float) + 1.0 for part in (result if isinstance(result, tuple) else [result])]
+    return tuple(moved) if isinstance(result, tuple) else moved[0]
 
 
 def seed_generators() -> None:

@@ -9,6 +9,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from tam570.checking.transforms import parts
 from tam570.formulas import REMEDIES
 from tam570.values import Json, Numbers
 from tam570_grader.checks.case import Call, Case
@@ -89,6 +90,15 @@ class SandboxFunction:
         """Return the result of a call that is made to choose the words: see `Student.aside`."""
         with self.student.aside():
             return self(*call.args, **call.kwargs)
+
+    def uses(self, helper: str, call: Case) -> bool:
+        """Return whether the result of a call moves where those of another function of the student's file do."""
+        with self.student.aside():
+            replies = [self.student.replies(self.name, [call], moved=moved)[0] for moved in (None, helper)]
+        if any("value" not in reply for reply in replies):
+            return False
+        before, after = (parts(result(self.returns, reply["value"], self.name, call)) for reply in replies)
+        return not all(map(np.array_equal, before, after))
 
     def refusals(self, calls: Iterable[Case]) -> Iterator[tuple[Case, bool]]:
         """Yield every call, and whether it raises ValueError; another exception is Failed."""

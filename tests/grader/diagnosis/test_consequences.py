@@ -89,3 +89,59 @@ def test_one_wrong_argument_in_all_functions_is_told_once(checked):
 def test_a_function_that_is_always_zero_makes_nothing_else_right(checked):
     actual = checked("hw06_braking", ("return mass * gravity * abs(free / arm)", "return 0.0"))
     assert not {"axle_load", "friction_force"} & {source for _, source in following(actual)}
+
+
+@pytest.mark.parametrize("sign", ["-", "+"])
+def test_a_mistake_in_a_helper_is_told_once(checked, sign):
+    helper = f"def _alpha(theta, length, gravity):\n    return {sign}gravity / length * math.sin(theta)\n\n\n"
+    alpha = "_alpha(theta, length, gravity)"
+    actual = checked(
+        "hw01_simple_pendulum",
+        ("def linear_momentum_balance", f"{helper}def linear_momentum_balance"),
+        ("return tangential / (mass * length)", f"return {alpha}"),
+        ("return power_per_omega / (mass * length**2)", f"return {alpha}"),
+        ("return generalized_force / (mass * length**2)", f"return {alpha}"),
+    )
+    functions = {"power_balance", "virtual_work"} if sign == "+" else set()
+    assert following(actual) == {(name, "linear_momentum_balance") for name in functions}
+
+
+def test_a_mistake_that_is_made_twice_is_charged_twice(checked):
+    actual = checked(
+        "hw01_simple_pendulum",
+        ("return tangential / (mass * length)", "return -tangential / (mass * length)"),
+        ("return generalized_force / (mass * length**2)", "return -generalized_force / (mass * length**2)"),
+    )
+    assert not following(actual) and len(by_name(actual)) == 2
+
+
+OWN = """terms = [mass_matrix(theta, masses=masses, lengths=lengths)]
+    terms += [velocity_terms(theta, omega, masses=masses, lengths=lengths)]
+    terms += [gravity_terms(theta, masses=masses, lengths=lengths, gravity=gravity)]
+    return np.linalg.solve(terms[0], -terms[1] - terms[2])"""
+
+
+@pytest.mark.parametrize("sign", ["", "-"])
+def test_accelerations_follow_from_the_students_own_equations(checked, sign):
+    alpha = "return np.array(_rates(0.0, state, **_parameters(masses, lengths, gravity))[2:])"
+    last = "gravity_terms(theta, masses=masses, lengths=lengths, gravity=gravity)]"
+    equations = OWN.replace(last, last.replace("gravity_terms", f"{sign}gravity_terms"))
+    actual = checked("hw07_double_pendulum", (alpha, equations), ("gravity * np.array([", "-gravity * np.array(["))
+    expected = {("angular_acceleration", "gravity_terms")}
+    assert (expected <= following(actual)) == (sign == "")
+
+
+UP = "-k * z - gravity", "-k * z + gravity"
+
+
+def test_a_plot_of_a_wrong_motion_keeps_its_share(checked):
+    assert ("plot_projection", "simulate") in following(checked("hw04_hanging_spring", UP))
+    mirrored = "ax.plot(*project(", "ax.plot(*-project("
+    assert "plot_projection" not in dict(following(checked("hw04_hanging_spring", UP, mirrored)))
+
+
+@pytest.mark.parametrize("sign", ["", "-"])
+def test_an_ellipse_follows_from_the_students_own_motion(checked, sign):
+    lines = ("0.0, -gravity])", f"0.0, {sign}gravity])"), ("-mass * gravity / stiffness", "mass * gravity / stiffness")
+    actual = checked("hw04_hanging_spring", *lines)
+    assert (("orbit", "solution") in following(actual)) == (sign == "")
