@@ -7,7 +7,7 @@ import ast
 import hashlib
 from collections.abc import Iterable, Iterator, Mapping
 
-__all__ = ["ANY", "calls", "keys", "by_parameters"]
+__all__ = ["ANY", "calls", "keys", "by_parameters", "uses"]
 
 ANY = "*"  # among the functions that a test calls: it may call any
 Statements = Mapping[str, list[ast.stmt]]  # of a module, by the names that they bind; "" is what concerns all
@@ -54,6 +54,11 @@ def by_parameters(names: Mapping[str, set[str]], tests: Iterable[str]) -> dict[s
         meant = functions & set(parameters.rstrip("]").split("-")) if ANY in functions else set()
         used[test] = meant or functions - {ANY}
     return used
+
+
+def uses(code: str, names: Iterable[str]) -> set[str]:
+    """Return these names of a source and all that their definitions use, directly or not."""
+    return _reached(_statements(code), names)
 
 
 def _named(nodes: Iterable[ast.stmt], aliases: set[str], members: Mapping[str, str]) -> set[str]:

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from tam570.bans import HERE
 from tam570.checking import report
-from tam570.checking.changes import by_parameters, calls, keys
+from tam570.checking.changes import by_parameters, calls, keys, uses
 from tam570.checking.deadline import CALL, TooLong, limited
 from tam570.checking.examples import Examples, load_examples
 from tam570.checking.functions import Functions
@@ -120,8 +120,9 @@ def _report(work: Work, valid: Remembered, outcomes: Outcomes, functions: Collec
     causes = {test: _cause(test, outcomes, calling, results) for test in outcomes.failures}
     reached = progress(work.slug, results, calling, causes)
     remember(work.file, valid, reached)
-    explanations = _explained(outcomes, calling, reached)
-    explanations |= _known_mistakes(outcomes, work.examples, calling) if work.examples else {}
+    explanations = _known_mistakes(outcomes, work.examples, calling) if work.examples else {}
+    code = text_of(source_of(work.file), work.file.suffix)
+    explanations |= _explained(outcomes, calling, reached, code)  # true of more numbers than a few examples have
     report.failures(outcomes, explanations)
     report.slow(outcomes.functions.longest, outcomes.functions.total)
     if functions:
@@ -233,12 +234,20 @@ def warm_up() -> None:
     import pytest  # noqa: F401
 
 
-def _explained(outcomes: Outcomes, used: Mapping[str, set[str]], reached: Progress) -> dict[str, str]:
-    """For each failed test that a known mistake explains, which it is."""
+def _explained(outcomes: Outcomes, used: Mapping[str, set[str]], reached: Progress, code: str) -> dict[str, str]:
+    """For each failed test that a change of one function explains, which it is.
+
+    A function whose own tests pass is not named where the test uses one whose own tests fail, directly or not.
+    """
     budget, explanations, functions = MOST_VARIANTS, dict[str, str](), outcomes.functions
+    wrong = set().union(*(used[test] for test in outcomes.failures if len(used.get(test, ())) == 1))
     for name in reached["missing"]:
         failed = [
-            test for test, failure in outcomes.failures.items() if not failure.function and name in used.get(test, ())
+            test
+            for test, failure in outcomes.failures.items()
+            if not failure.function
+            and name in used.get(test, ())
+            and (name in wrong or not wrong & uses(code, used[test]))
         ]
         alone = [
             test for test, functions in used.items() if functions == {name} and outcomes.passed.get(test) == PASSED

@@ -18,6 +18,7 @@ NAMED = [  # a function of an assignment, what it returns instead, and what is s
     ("hw13_rolling_cylinder", "energy", "kept(*args, **how) / how['mass']", "should be multiplied by mass."),
     ("hw07_double_pendulum", "gravity_terms", "-kept(*args, **how)", "gravity_terms has the opposite sign."),
     ("hw01_simple_pendulum", "power_balance", "kept(*args, **how)[::-1]", "results of power_balance are exchanged."),
+    ("hw13_rolling_cylinder", "missing_moment", "-kept(*args, **how)", "missing_moment has the opposite sign."),
 ]
 
 
@@ -28,6 +29,15 @@ def test_a_known_mistake_is_named(desk, tam570, solution_text, slug, name, body,
     (desk / f"{slug}.py").write_text(solution_text(slug) + changed)
     code, said = tam570("check", f"{slug}.py")
     assert code == 1 and "Your numbers match this mistake: " in said and remedy in " ".join(said.split())
+
+
+def test_a_function_that_follows_from_a_wrong_one_is_not_named(desk, tam570, solution_text):
+    wrong = (
+        "\n\nkept = moment\n\n\ndef moment(r_p, a_p, r_c, *, mass):\n    return kept(r_p, a_p, 0 * r_c, mass=mass)\n"
+    )
+    (desk / "hw03.py").write_text(solution_text("hw03_angular_momentum_rate") + wrong)
+    code, said = tam570("check", "hw03.py")
+    assert code == 1 and "result of special_motion" not in " ".join(said.split())
 
 
 CARELESS = """
