@@ -56,14 +56,18 @@ class OwnRates:
         rows = list(zip(motion.t, motion.expected, strict=True))[:: max(1, len(motion.t) // ASKED)]
         return is_right(self.function, self.reference, [self._case(motion, t, row) for t, row in rows])
 
+    def source(self, motion: Motion) -> str:
+        """Return the student's function if the motion follows from its wrong rates; else nothing."""
+        wrong = not self.are_right(motion)
+        follows = wrong and has_rates(motion, lambda t, row: self.function.aside(self._case(motion, t, row)))
+        return FollowsFrom(self.function.name) if follows else ""
+
     def hint(self, motion: Motion) -> str:
         """Say where to look."""
         name = self.function.name
         if self.are_right(motion):
             return f"{name} is right along this motion: integrate it, with the given parameters, from t[0] on"
-        if has_rates(motion, lambda t, row: self.function.aside(self._case(motion, t, row))):
-            return FollowsFrom(name)
-        return f"{name} is wrong along this motion, too: look there first"
+        return self.source(motion) or f"{name} is wrong along this motion, too: look there first"
 
     def _case(self, motion: Motion, t: float, row: Array) -> Case:
         words = [word for word in motion.case.args if isinstance(word, str)]
@@ -259,7 +263,8 @@ def _hint(
     own_rates: OwnRates | None,
 ) -> str:
     rates_are_right = partial(own_rates.are_right, motion) if own_rates else None
-    said = diagnosed(motion, motions, turns, near_miss, rates_are_right) or (hint(motion) if callable(hint) else "")
+    said = diagnosed(motion, motions, turns, near_miss, rates_are_right)
+    said = said or (own_rates.source(motion) if own_rates else "") or (hint(motion) if callable(hint) else "")
     if not said and own_rates and not (isinstance(hint, str) and hint and own_rates.are_right(motion)):
         return own_rates.hint(motion)
     return said or ("" if callable(hint) else hint)

@@ -32,9 +32,7 @@ def test_a_known_mistake_is_named(desk, tam570, solution_text, slug, name, body,
 
 
 def test_a_function_that_follows_from_a_wrong_one_is_not_named(desk, tam570, solution_text):
-    wrong = (
-        "\n\nkept = moment\n\n\ndef moment(r_p, a_p, r_c, *, mass):\n    return kept(r_p, a_p, 0 * r_c, mass=mass)\n"
-    )
+    wrong = "\n\nkept = moment\n\n\ndef moment(p, a, c, *, mass):\n    return kept(p, a, 0 * c, mass=mass)\n"
     (desk / "hw03.py").write_text(solution_text("hw03_angular_momentum_rate") + wrong)
     code, said = tam570("check", "hw03.py")
     assert code == 1 and "result of special_motion" not in " ".join(said.split())
