@@ -170,6 +170,9 @@ JUMPS = {
     "ramp at rest": against(
         lambda t, y: (y[1], np.interp(t, RAMP, [0, 0, 2, -1]) - 0.3 * y[1]), (0, 8), [0.0, 0.0], stops=RAMP[1:3]
     ),
+    "a sine that rounding moves from rest": against(
+        lambda t, y: (y[1], math.sin(math.pi * (t - 2)) if y[0] < 9 else 0.0), (0, 4), [0.0, 0.0]
+    ),
     "abs in time": against(forced(lambda t: abs(t - 1.7)), (0, 3), [1.0, 0.0], stops=(1.7,)),
     "sawtooth": against(
         forced(lambda t: 5 * t - math.floor(5 * t)), (0.01, 1.1), [0.0, 0.0], stops=tuple(k / 5 for k in range(1, 6))
@@ -581,9 +584,9 @@ def hysteresis():
     return rates
 
 
-def noise(seed):
+def noise(seed, since=0.0):
     rng = np.random.default_rng(seed)
-    return lambda t, y: (-y[0] + rng.normal(),)
+    return lambda t, y: (-y[0] + (rng.normal() if t >= since else 0.0),)
 
 
 class Mine(ValueError):
@@ -605,6 +608,7 @@ REFUSED = {
     "it remembers": (remembers(), (0, 1), [1.0], ValueError, "remember"),
     "hysteresis": (hysteresis(), (0, 5), [0.0, 0.0], ValueError, "remember"),
     "noise": (noise(1), (0, 1), [1.0], ValueError, "random"),
+    "noise that sets in": (noise(17, 0.5), (0, 1), [1.0], ValueError, "random"),
     "an error of its own": (own_error, (0, 2), [1.0], Mine, "below the ground"),
     "a singular matrix": (
         lambda t, y: np.linalg.solve([[y[0] - 0.5 if y[0] > 0.5 else 0.0]], [-1.0]),
@@ -664,6 +668,13 @@ REFUSED = {
         }.items()
     },
     "a pole of the state": (lambda t, y: (1, 1 / (y[0] - 1)), (0, 2), [0.0, 0.0], ArithmeticError, r"t = (1|0\.99)"),
+    "a root that holds": (
+        lambda t, y: (np.cbrt(1 - y[0]),),
+        (0, 10),
+        [0.0],
+        ArithmeticError,
+        r"to and fro at t = 1\.5",
+    ),
     "a belt that holds": (
         lambda t, y: (y[1], -y[0] - 5.0 if -0.51 < y[1] < -0.5 else -y[0]),
         (0, 5),

@@ -17,7 +17,17 @@ from tam570.integrate.switches import chatter
 from tam570.integrate.watch import COMPILED, PYTHON, Estimate, Look, WorthCompiling, repays, stiffness_watch
 from tam570.values import Numbers
 
-__all__ = ["Control", "Run", "Solution", "ensemble", "integrate", "shortest_step", "start_run", "step_n"]
+__all__ = [
+    "Control",
+    "Run",
+    "Solution",
+    "check_progress",
+    "ensemble",
+    "integrate",
+    "shortest_step",
+    "start_run",
+    "step_n",
+]
 
 BETWEEN_LOOKS = 500  # steps
 WORTH_LANES = 16  # members: with fewer the code for eight motions is not worth its compilation
@@ -268,9 +278,9 @@ def start_state(run: Run, a: Sequence[float] = ()) -> State:
                 f"rhs or solution is not finite at t = {engine.sign * origin:.17g}: rhs gives {list(f)}"
             )
         check_start(engine.rates, origin, run.rows[0], engine.sign)
-    g = f
-    if a and min(a) <= NO_SCALE:  # what a ramp has just set in motion: as before it
-        y = tuple(0.0 if size <= NO_SCALE else v for size, v in zip(a, y, strict=True))
+    g, known = f, a or [abs(v) for v in y]
+    if min(known) <= NO_SCALE:  # what rounding moves, or a ramp has just set in motion: as at rest
+        y = tuple(0.0 if size <= NO_SCALE else v for size, v in zip(known, y, strict=True))
         both = zip(rhs(origin, y, c), rhs(origin + SOON * span, y, c), strict=True)
         g = tuple(0.0 if abs(rate) < RAMP * abs(later) else rate for rate, later in both)
     h = _first_step(rhs, origin, span, y, g, c)

@@ -95,22 +95,28 @@ class CalledRates:
             return
         near = self(t - ROUNDED * math.ulp(t), y), self(t + ROUNDED * math.ulp(t), y)
         if any(x > max(abs(b - a) for b in there) for x, a, *there in zip(changes, g, *near, strict=True)):
-            raise RhsError(
-                f"rhs: gives {list(f)} and {list(g)} for the same time and state; it must not be random, nor "
-                "remember earlier calls. Put what it remembers into the state, or run it piece by piece"
-            )
+            raise _memory_error(f, g)
 
     def roundoff(self, start: float, h: float, y: Numbers, f: Numbers, b: Numbers, _: Numbers) -> tuple[float, ...]:
         """Return what rounding does to the error estimates of a step of h."""
         self.check_memory(start, y, f)
         t, state = start + INSIDE * h, [v + INSIDE * h * rate for v, rate in zip(y, f, strict=True)]
         try:
-            there = self(t, tuple(state))
+            there, again = self(t, tuple(state)), self(t, tuple(state))
+            if any(abs(a - b) > 0.0 for a, b in zip(there, again, strict=True)):
+                raise _memory_error(there, again)
             above, below = (_changes(self, t, h, state, there, side) for side in (1.0, -1.0))
         except (ArithmeticError, ValueError, LookupError):
             return tuple(b)
         widths = (ESTIMATE_ROUNDOFF * h * _noise(*four) for four in zip(*above, *below, strict=True))
         return tuple(x if x < math.inf else 0.0 for x in widths)
+
+
+def _memory_error(f: Sequence[float], g: Sequence[float]) -> RhsError:
+    return RhsError(
+        f"rhs: gives {list(f)} and {list(g)} for the same time and state; it must not be random, nor "
+        "remember earlier calls. Put what it remembers into the state, or run it piece by piece"
+    )
 
 
 def _floats(value: Numbers, size: int) -> Sequence[float]:

@@ -50,7 +50,8 @@ DIFFERENCES = np.column_stack([DIFFERENCES, (POINTS - 1) * np.r_[np.zeros(POINTS
 def chatter(t: float, y: Sequence[float]) -> ArithmeticError:
     """Return the error of a motion that stays where the rates jump."""
     return ArithmeticError(
-        f"the rates jump to and fro at t = {t:.9g}, y = {list(y)}: the motion stays where they jump. Friction that "
+        f"the rates jump to and fro at t = {t:.9g}, y = {list(y)}: the motion stays where they jump, or are infinitely "
+        "steep. Friction that "
         "holds a body at rest has no rate there: stop at an event, or smooth the jump"
     )
 

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tam570.integrate import adaptive_loop, fixed_step
-from tam570.integrate.adaptive import Control, Run
+from tam570.integrate.adaptive import Control, Run, check_progress
 from tam570.integrate.adaptive_loop import State
 from tam570.integrate.arguments import Array
 from tam570.integrate.compiled import loops, taylor, taylor_loop
@@ -116,7 +116,10 @@ def taylor_run(run: Run, look: Look, state: State, *, is_fresh: bool = False) ->
         motion.advance(memory.address)
         is_running = bool(memory.z[taylor_loop.STATUS] == taylor_loop.RUNNING)
         if is_running:
-            look(*seen(memory, size))
+            t, y, m, steps = seen(memory, size)
+            look(t, y, m, steps)
+            refusals = state.refusals + int(memory.z[taylor_loop.REFUSALS])
+            check_progress(run, state._replace(t=t, y=tuple(y), steps=state.steps + steps, refusals=refusals))
         return is_running
 
     until_done(some)
