@@ -1,11 +1,11 @@
-"""Order of the methods, by the law that the error of a step follows."""
+"""Order of the methods, and steps that neither zeros deceive nor rounding stops."""
 
 import math
 from fractions import Fraction
 
 import numpy as np
 import pytest
-from systems import EPS, clock, pendulum
+from systems import EPS, clock, oscillator, pendulum
 
 from tam570.integrate import dop853, solve
 from tam570.integrate.dop853 import compiled
@@ -78,3 +78,89 @@ def test_gauss_knows_the_time_of_its_stages():
     steps = np.array([1.0, 0.8, 0.5])
     errors = [abs(solve(clock, [0, 4], [1.0], method="gauss", step=h)[-1, 0] - math.exp(math.sin(4))) for h in steps]
     assert observed_order(steps, errors) > 10.5
+
+
+def primitive_of_sin8(t):
+    """By its Fourier series."""
+    series = ((-7 / 16, 2), (7 / 32, 4), (-1 / 16, 6), (1 / 128, 8))
+    return 35 / 128 * t + sum(a * math.sin(k * t) / k for a, k in series)
+
+
+@pytest.mark.parametrize(
+    ("rhs", "start", "exact"),
+    [
+        (lambda t, y: (t**3,), [0.0], lambda t: t**4 / 4),  # derivative and its first two derivatives zero
+        (lambda t, y: (0.0,), [1.5], lambda t: 1.5),
+        (lambda t, y: (2.0,), [0.0], lambda t: 2 * t),
+        (lambda t, y: (math.sin(t) ** 8,), [0.0], primitive_of_sin8),
+    ],
+)
+def test_zero_derivatives_at_the_start(rhs, start, exact):
+    t = np.array([0.0, 3.0, 30.0])
+    result = solve(rhs, t, start, rtol=1e-12)[:, 0]
+    assert result == pytest.approx([exact(x) for x in t], rel=1e-10, abs=1e-12)
+
+
+def braked_car(t, y, mass, inertia, free, locked, drag):
+    """Straight ahead and in the ground's axes: the yaw acceleration is rounding, and exactly zero at most headings."""
+    heading, speed, yaw_rate = y[2:]
+    c, s = math.cos(heading), math.sin(heading)
+    sideways = (locked - free) * yaw_rate
+    sliding = math.hypot(speed, sideways)
+    along, aside = -drag * speed / sliding, -drag * sideways / sliding
+    fx, fy, moment = along * c - aside * s, along * s + aside * c, locked * aside
+    lacking = yaw_rate * speed - (c * fy - s * fx) / mass - free * moment / inertia
+    multiplier = lacking / (1 / mass + free**2 / inertia)
+    ax, ay = (fx - s * multiplier) / mass, (fy + c * multiplier) / mass
+    leftwards = -free * yaw_rate
+    turning = (moment + free * multiplier) / inertia
+    return (
+        speed * c - leftwards * s,
+        speed * s + leftwards * c,
+        yaw_rate,
+        ax * c + ay * s + yaw_rate * leftwards,
+        turning,
+    )
+
+
+def test_noise_that_is_seldom_there_stops_nothing():
+    start = (-4.8552552320993305, -4.674480783934106, -0.04617421486523288, -2.2205596578680047, 0.0)
+    car = {
+        "mass": 94.56225829295548,
+        "inertia": 40.18801082303782,
+        "free": 0.4215275712597747,
+        "locked": -1.2915052972567986,
+        "drag": 96.83754605511551,
+    }
+    span = (-0.49083545047596405, 0.8101878878199923)
+    _, _, heading, speed, yaw_rate = solve(braked_car, span, start, parameters=car, rtol=1e-11)[-1]
+    lost = car["drag"] / car["mass"] * (span[1] - span[0])
+    assert (heading, yaw_rate) == pytest.approx((start[2], 0.0), abs=1e-15)
+    assert abs(speed) == pytest.approx(abs(start[3]) - lost, rel=1e-12)
+
+
+def test_tolerances_beyond_rounding_finish():
+    for rtol in (1e-15, 1e-17, 1e-30):
+        state = solve(oscillator, [0, 100], [1.0, 0.0], rtol=rtol)[-1]
+        assert state == pytest.approx([math.cos(100), -math.sin(100)], abs=100 * EPS)
+
+
+def test_an_estimate_that_passes_through_zero_deceives_nobody():
+    """The estimate of order 5 of this one component changes sign in the last step: 600 times the tolerance without."""
+    t = np.array([-3.0, -1.0, 2.0])
+    states = solve(lambda t, y: (-y[0] * math.cos(t),), t, [math.exp(math.sin(3.0))], rtol=1e-12, method="python")
+    assert states[:, 0] == pytest.approx(np.exp(-np.sin(t)), rel=1e-11)
+
+
+def test_atol_spares_steps_where_nobody_looks():
+    """A tiny component beside a large one, of the same kind: judged by itself, or by what is asked for."""
+
+    def rates(t, y):
+        return y[1], -y[0], y[3], -400 * y[2]
+
+    def steps(**arguments):
+        return solve(rates, [0, 20.0], [1.0, 0.0, 1e-12, 0.0], report=True, method="python", **arguments).report.steps
+
+    assert steps(atol=1e-10) < steps() / 5
+    assert steps(atol=[0.0, 0.0, 1e-10, 1e-10]) < steps() / 5
+    assert steps(atol=0.0) >= steps()
