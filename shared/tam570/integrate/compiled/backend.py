@@ -226,10 +226,11 @@ def taylor_runs(graph: Graph, times: Array, out: Array, starts: Array, control: 
     laws, constants = analysed
     advance, memory_layout, size = _taylor(laws, LANES), layout(laws, LANES), starts.shape[1]
     per_lane = taylor_loop.memory(size)
-    memory = _memory(LANES * per_lane + 2, memory_layout.doubles, LANES, constants)
+    running = LANES * per_lane + 1  # how many have not ended
+    memory = _memory(LANES * (per_lane + 1), memory_layout.doubles, LANES, constants)
     z = memory.z
     z[LANES * taylor_loop.STATUS : LANES * (taylor_loop.STATUS + 1)] = taylor_loop.IDLE
-    z[-1], memory.time[:] = len(starts), origin
+    z[running], memory.time[:] = len(starts), origin
     members = np.hstack([np.zeros((len(starts), 1)), starts])
     ends = address_of(times), len(times), address_of(out), address_of(members), len(starts)
     order = taylor.order_for(rtol, LANES)
@@ -237,7 +238,7 @@ def taylor_runs(graph: Graph, times: Array, out: Array, starts: Array, control: 
     def some(budget: int) -> bool:
         taylor.CALL.pack_into(memory.call_arguments, 0, *memory.places, *ends, origin, rtol, order, budget)
         advance(memory.address)
-        return bool(z[-1] > 0.0)
+        return bool(z[running] > 0.0)
 
     until_done(some)
     return np.asarray(members[:, 0] == taylor_loop.DONE)
