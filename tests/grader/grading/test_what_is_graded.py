@@ -215,6 +215,14 @@ def test_what_a_file_tries_out_at_import_may_use_what_one_function_may_not(grade
     assert result.score == 10.0 and not result.message
 
 
+def test_after_a_statement_that_may_not_run_the_rest_does(grade, solution_text):
+    """Where euler_rates_313 runs, what calls rotations is left out, and no statement after it, of the same line too."""
+    calls = "from tam570 import rotations\nturn = rotations.skew([1, 2, 3]); kept = abs\n"
+    text = solution_text("hw10_free_rigid_body").replace("import math\n", f"import math\n{calls}", 1)
+    result = grade("hw10_free_rigid_body", text.replace("if abs(s) < 1e-12", "if kept(s) < 1e-12"))
+    assert result.score == 10.0, result.message
+
+
 def test_a_cell_that_tries_what_is_off_limits_costs_only_what_needs_it(grade, solution_text):
     tries = "from scipy.spatial.transform import Rotation\nprint(Rotation.identity())"
     result = grade(HW08, notebook(solution_text(HW08), tries), notebook=True)
