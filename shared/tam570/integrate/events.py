@@ -3,6 +3,7 @@
 from bisect import bisect_left
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from numbers import Real
 from typing import NamedTuple
 
@@ -80,7 +81,10 @@ class Motion:
     report: Report
 
 
-LOOKS = 8  # at an event function within a step: two crossings in one step are two
+LOOKS = tuple(k / 8 for k in range(1, 9))  # of a step, at an event function: two crossings in one step are two
+NEXT = 2.0**-20  # of a step, from its ends: does it come down to zero from there?
+TOUCH = 1e-6  # of its size nearby: a function that touches zero does not pass it, whatever rounding says
+Look = tuple[float, float]  # part of a step, value of an event function there
 
 
 @dataclass(frozen=True)
@@ -142,25 +146,63 @@ class Watch:
         """(fraction of the step, which event) of each crossing within a step, in order."""
         crossings = []
         for which, event in enumerate(self.events):
-            low = 0.0
-            for x in (k / LOOKS for k in range(1, LOOKS + 1)):
-                value, before = event.value(step.t + x * step.h, step(x)), self.signs[which]
+            level, low = partial(_level, event, step), 0.0
+            for x, value in _looks(level):
+                before = self.signs[which]
                 at_end = value == 0 and x == 1 and step.end >= self.end  # reached, and nothing comes after
                 direction = -before if at_end else value
                 if before and (at_end or value * before < 0) and direction * event.direction >= 0:
-                    crossings.append((1.0 if at_end else _located(event, step, low, x, value > 0), which))
+                    crossings.append((1.0 if at_end else _located(level, low, x, value > 0), which))
                 self.signs[which] = value or before if value == value else 0.0  # after a NaN no sign is known
                 low = x
         return sorted(crossings, key=lambda crossing: crossing[0])
 
 
-def _located(event: Event, step: StepInterpolant, low: float, high: float, positive: bool) -> float:
+def _level(event: Event, step: StepInterpolant, x: float) -> float:
+    return event.value(step.t + x * step.h, step(x))
+
+
+def _looks(level: Callable[[float], float]) -> list[Look]:
+    """Return where an event function is looked at within a step, and its values, in order.
+
+    Also where it comes down to zero between these, and turns back.
+    """
+    values = {x: level(x) for x in sorted({*LOOKS, 0.0, NEXT, 1.0 - NEXT})}
+    points = list(values.items())
+    dips = (_dip(level, *three) for three in zip(points, points[1:], points[2:], strict=False))
+    return sorted([*((x, values[x]) for x in LOOKS), *filter(None, dips)])
+
+
+def _dip(level: Callable[[float], float], left: Look, middle: Look, right: Look) -> Look | None:
+    """Return where it has another sign than at three points of one sign, the middle one the least; None if nowhere."""
+    sign = 1.0 if middle[1] > 0 else -1.0
+    size = max(sign * left[1], sign * right[1])
+    while 0.0 < sign * middle[1] <= min(sign * left[1], sign * right[1]):
+        if sign * middle[1] > 2.0 * (max(sign * left[1], sign * right[1]) - sign * middle[1]):
+            return None  # flat: zero is out of reach
+        wider = left if middle[0] - left[0] > right[0] - middle[0] else right
+        x = (middle[0] + wider[0]) / 2
+        new = x, level(x)
+        if sign * new[1] < sign * middle[1]:
+            left, middle, right = (middle, new, right) if wider is right else (left, new, middle)
+        elif wider is right:
+            right = new
+        else:
+            left = new
+        if sign * middle[1] < -TOUCH * size:
+            return middle
+        if right[0] - left[0] < NEXT:
+            return None
+    return None
+
+
+def _located(level: Callable[[float], float], low: float, high: float, positive: bool) -> float:
     """Return the fraction at which the event function takes its new sign: halved until no number is between."""
     while True:
         middle = (low + high) / 2
         if not low < middle < high:
             return high
-        value = event.value(step.t + middle * step.h, step(middle))
+        value = level(middle)
         low, high = (low, middle) if value and (value > 0) == positive else (middle, high)
 
 
