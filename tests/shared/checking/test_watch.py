@@ -64,6 +64,16 @@ def test_a_save_runs_the_tests_that_it_concerns_and_no_other(watching, desk, sol
     assert "all done" in repeated and count(repeated) == count(wrong)
 
 
+def test_a_mistake_is_that_of_the_function_that_changed(watching, solution_text):
+    """The tests of `rotate` alone have passed before, and are not run again."""
+    watching()
+    said = watching(
+        solution_text(SLUG) + "\n\nright = rotation_matrix\n\ndef rotation_matrix(*args):\n    return right(*args).T\n"
+    )
+    named = re.findall(r"match this mistake:([^.]*)\.", said)
+    assert named and all("rotation_matrix" in mistake for mistake in named)
+
+
 def test_a_file_that_is_half_written_is_said_so_and_the_next_save_is_tested(watching, solution_text):
     watching()
     assert "SyntaxError" in watching("def skew(", until="SyntaxError")
