@@ -14,7 +14,6 @@ import collections
 import functools
 import json
 import os
-import statistics
 import subprocess
 import sys
 import tempfile
@@ -107,7 +106,7 @@ WATCHED = (SandboxProcess, "send"), (SandboxProcess, "receive"), (Student, "repl
 
 
 def cost(slug, work_name, count):
-    """What a submission costs, the references at hand: medians of so many, in ms, and counts of one."""
+    """What a submission costs, the references at hand: the least of so many, in ms, and counts of one."""
     source = Source(work(slug, work_name).read_bytes())
     task = GradeTask(COURSE, work_name, slug, 570, source, conditions=WorkerConfig(ResourceLimits(), (COURSE,)))
     with sandboxes():
@@ -116,7 +115,7 @@ def cost(slug, work_name, count):
         counts = {name: counter.count[name] for name in ("round trips", "calls", "simulations")}
         times = [_timed(task) for _ in range(count)]
     assert done.score == (done.max_score if work_name == "solution" else 0)
-    wall, ours, waited = (1000 * statistics.median(column) for column in zip(*times, strict=True))
+    wall, ours, waited = (1000 * min(column) for column in zip(*times, strict=True))
     student = 1000 * counter.student  # its import too
     times = {"wall": wall, "ours": ours, "waited": waited, "student": student}
     return {"assignment": slug, "work": work_name, **times, **counts}
