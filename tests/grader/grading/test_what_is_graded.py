@@ -177,7 +177,9 @@ def test_a_tree_is_graded(run, tree, scores):
         "%precision 3\nassert (4\n    % 3\n    != 2)",
         "display(3, metadata={})\nget_ipython().run_line_magic('matplotlib', 'inline')",
         "from IPython import get_ipython\nif 'IPKernelApp' in get_ipython().config:\n    1 / 0",
-        pytest.param("import matplotlib\nmatplotlib.use('TkAgg')\nmatplotlib.pyplot.figure()", marks=pytest.mark.slow),
+        pytest.param(
+            "import matplotlib.pyplot as plt\nplt.matplotlib.use('TkAgg')\nplt.figure()", marks=pytest.mark.slow
+        ),
         pytest.param("%pylab inline\nassert allclose(sin(pi), 0)\nplt.plot([1])", marks=pytest.mark.slow),
     ],
 )
