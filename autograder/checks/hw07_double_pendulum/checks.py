@@ -70,14 +70,14 @@ def forces_on_each_bar(student, rng):
 
 def in_equations(student, otherwise):
     """Make a hint for alpha, which may obey the student's own wrong equations."""
-    terms = student.mass_matrix, student.velocity_terms, student.gravity_terms
+    functions = student.mass_matrix, student.velocity_terms, student.gravity_terms
 
     def hint(case, alpha, _):
         if not np.any(alpha) and case.kwargs["gravity"] == 0:
             return "Without gravity the bars still act on each other: why does neither accelerate?"
-        masses, *rest = (own_result(function, reference, case) for function in terms)
-        obeyed = np.abs(masses @ alpha + sum(rest)).max() <= FORMULA * MOMENT(case)
-        wrong = first_wrong(reference, case, *terms)() if obeyed else ""
+        masses, *rest = (own_result(function, reference, case) for function in functions)
+        is_obeyed = np.abs(masses @ alpha + sum(rest)).max() <= FORMULA * MOMENT(case)
+        wrong = first_wrong(reference, case, *functions)() if is_obeyed else ""
         return FollowsFrom(wrong) if wrong else otherwise
 
     return hint

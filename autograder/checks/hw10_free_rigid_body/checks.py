@@ -338,9 +338,9 @@ def rim_paths_are_drawn(student, rng):
 
     def own_paths():
         judge_axes_of_lengths(picture, *AXES, from_below=True)
-        own = [radius * path for path in seen_along_x(student.simulate.aside(densely)[1])]
-        pairs = zip(in_order(curves, own[0]), own, strict=True)
-        return own if all(follows_path(line, [path], DRAWN) for line, path in pairs) else []
+        student_paths = [radius * path for path in seen_along_x(student.simulate.aside(densely)[1])]
+        pairs = zip(in_order(curves, student_paths[0]), student_paths, strict=True)
+        return student_paths if all(follows_path(line, [path], DRAWN) for line, path in pairs) else []
 
     words = {"others": others, "wrong_source": wrong_source, "own_paths": own_paths, "near_miss_credit": False}
     for line, path in zip(in_order(curves, paths[0]), paths, strict=True):

@@ -238,7 +238,7 @@ def _digest(*folders: Path) -> bytes:
     """Of the names and contents of all Python files below these folders, stubs in an installed course aside."""
     digest = hashlib.sha256()
     for folder in folders:
-        paths = (os.path.join(place, name) for place, _, names in os.walk(folder) for name in names)
+        paths = (os.path.join(parent, name) for parent, _, names in os.walk(folder) for name in names)
         for path in sorted(path.removeprefix(f"{folder}/") for path in paths if path.endswith(".py")):
             if not path.startswith("assignments/"):
                 with open(folder / path, "rb", buffering=0) as file:

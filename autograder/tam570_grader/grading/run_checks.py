@@ -241,11 +241,11 @@ def _shared_helper(run: _Run, cause: Cause | None) -> Cause | None:
         failure = before.failure if before and _has_failed(before) else None
         if not failure or failure.follows_from or failure.function in ("", name) or not isinstance(failure.at, Case):
             continue
-        asked = (name, calls[0].case), (failure.function, failure.at)
+        pairs = (name, calls[0].case), (failure.function, failure.at)
         try:
             with budget():
                 alike = (cause and cause.repeats == failure.function) or _same_number(run, failure.function, calls)
-                uses = (all(getattr(student, who).uses(helper, case) for who, case in asked) for helper in helpers)
+                uses = (all(getattr(student, who).uses(helper, case) for who, case in pairs) for helper in helpers)
                 if alike and any(uses):
                     return Cause(name, "", "own", follows_from=failure.function)
         except Over:
@@ -259,9 +259,9 @@ def _same_number(run: _Run, other: str, calls: Sequence[Call]) -> bool:
     """Return whether each wrong result is another function's wrong one, where the right ones are the same."""
     wrong, solution = 0, run.assignment.solution
     for call in calls[:MOST_ASKED]:
-        own = getattr(run.student, other).aside(call.case)
+        other_result = getattr(run.student, other).aside(call.case)
         right, other_right = answer(solution, "", call), answer(solution, "", Call(other, call.case, None))
-        others = list(zip(parts(own), _parts_like(own, other_right), strict=True))
+        others = list(zip(parts(other_result), _parts_like(other_result, other_right), strict=True))
         for result, expected in zip(parts(call.result), _parts_like(call.result, right), strict=True):
             if not same(result, expected, WITHIN):
                 wrong += 1

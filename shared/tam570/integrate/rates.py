@@ -102,9 +102,9 @@ class CalledRates:
         self.check_memory(start, y, f)
         t, state = start + INSIDE * h, [v + INSIDE * h * rate for v, rate in zip(y, f, strict=True)]
         try:
-            there, again = self(t, tuple(state)), self(t, tuple(state))
-            if any(abs(a - b) > 0.0 for a, b in zip(there, again, strict=True)):
-                raise _memory_error(there, again)
+            there, repeated = self(t, tuple(state)), self(t, tuple(state))
+            if any(abs(a - b) > 0.0 for a, b in zip(there, repeated, strict=True)):
+                raise _memory_error(there, repeated)
             above, below = (_changes(self, t, h, state, there, side) for side in (1.0, -1.0))
         except (ArithmeticError, ValueError, LookupError):
             return tuple(b)

@@ -60,7 +60,7 @@ def loop_module(loop: Loop) -> str:
     integers = {"SIZE": size, "PADDED": padded, "ORDER": "%order", "ACROSS": across, "ALONG": along}
     names: Json = {
         **{name: value for name, value in vars(taylor_loop).items() if name.isupper()},
-        **{name: place * lanes for place, name in enumerate(taylor_loop.PLACES)},
+        **{name: index * lanes for index, name in enumerate(taylor_loop.PLACES)},
         **{name: Value("i64", str(value)) for name, value in integers.items()},
         **{name: _call_of(name) for name in ("coefficients", "rates", "roundoff", "reach")},
         "LANES": lanes if lanes == 1 else Value("i64", str(lanes)),

@@ -299,8 +299,8 @@ def attempt_all(z: Numbers, work: Numbers, times: Numbers, limit: Numbers) -> No
     h = z[each(AHEAD)]
     h = h if h < inf else GROWTH * z[each(LONGEST)]
     h = min(h, limit)
-    again = z[each(H)] * (wide(0.5) if tries < 3.0 else wide(0.125))
-    h = again if tries > 0.0 else h
+    shorter = z[each(H)] * (wide(0.5) if tries < 3.0 else wide(0.125))
+    h = shorter if tries > 0.0 else h
     status = wide(RUNNING) if h > 0.0 else wide(SINGULAR)
     t = z[each(T)]
     end = times[len(times) - 1]
