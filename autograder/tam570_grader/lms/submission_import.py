@@ -83,7 +83,7 @@ def run(source: Path, system: str, out: Path, slugs: Sequence[str], slug_given: 
     strays = [handed for handed in everything if isinstance(handed, File)]
     unpacked = _unpacked([handed for handed in everything if isinstance(handed, Handed)])
     if not unpacked:
-        raise UsageError(f"{source} holds nothing that is named as {system} names submissions: is --from right?")
+        raise UsageError(f"no name in {source} has the form that {SYSTEMS[system].title} gives: is --from right?")
     slug = slug_given or _assignment_of(unpacked, slugs)
     rows = [row for handed in unpacked for row in _taken(handed, students, slug, slugs, slug_given)]
     rows = _with_work(_newest(_told_apart(rows, everyone)))
