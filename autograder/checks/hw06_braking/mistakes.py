@@ -193,7 +193,7 @@ def simulate(reference, t, state, locked, **car):
 def simulate(reference, t, state, locked, **car):
     """You fill the rows after the stop with zeros; the place and heading keep their values."""
     rows = reference(t, state, locked, **car)
-    rows[1:][~rows[1:, 3:].any(axis=1) & np.any(state[3:])] = 0.0
+    rows[1:][~rows[1:, 3:].any(axis=1) & (state[3] != 0)] = 0.0
     return rows
 
 

@@ -30,6 +30,7 @@ BETTER = 0.1  # of the error is left where other times are what matters
 DENSER = 400  # times that are asked for in the place of few
 ROUGHLY = 0.1  # of the scale: beyond it a small wrong term is as likely as a loose tolerance
 TRIED = 12  # rows at which the right equations are asked where they lead
+JUMPED = 0.9  # of the sum of all that rows lose
 OBEYED = 0.03  # of the change between rows: a wrong term makes more, a loose tolerance less
 # Of the duration: in one so short no step has an error, and a wrong term has the same part in the rate as in any other.
 INSTANTS = 1e-8, 1e-7
@@ -103,7 +104,7 @@ def diagnosed(
         if message or not (motion.error <= near_miss or obeys(motion)):
             return message
         share = _explained(motion)
-        if share >= EXPLAINS:
+        if share >= EXPLAINS or _jumps(motion):
             return ""
         likely = share <= EXPLAINED and (motion.error <= ROUGHLY or bool(rates_are_right and rates_are_right()))
         return TIGHT if likely else NEARLY_FOLLOWS
@@ -270,6 +271,16 @@ def _lost(motion: Motion, rows: NDArray[np.int_]) -> Array:
     """Return how far the right motion from each of these rows passes from the row after it, of the scale."""
     led = [motion.truly(motion.t[row : row + 2], *_restart(motion, motion.actual[row]))[-1] for row in rows]
     return np.asarray(np.max(np.abs(np.array(led) - motion.actual[rows + 1]) / motion.scales, axis=1))
+
+
+def _jumps(motion: Motion) -> bool:
+    """Return whether the error is made between two of many rows, as no loose tolerance makes it."""
+    try:
+        with limited(STEPS):
+            lost = _lost(motion, np.arange(len(motion.t) - 1))
+    except (ValueError, ArithmeticError, Exhausted):
+        return False
+    return lost.size >= TRIED and float(lost.max()) > max(ROUGHLY, JUMPED * float(lost.sum()))
 
 
 def _explained(motion: Motion) -> float:

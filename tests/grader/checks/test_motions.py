@@ -101,6 +101,13 @@ def test_a_loose_tolerance_is_told_from_a_small_term(tolerance, t):
     assert reported(partial(swings, tolerance=1e-6, damping=tolerance), t, near_miss=1e-3) != TIGHT
 
 
+def test_a_jump_is_told_from_a_loose_tolerance():
+    def comes_to_rest(t, start):
+        return np.where((t < t[0] + 0.8 * T[-1])[:, np.newaxis], swings(t, start, 1e-5), 0.0)
+
+    assert reported(comes_to_rest) == ""
+
+
 class Rates:
     """A student's function of the rates of a motion, by a factor off."""
 
