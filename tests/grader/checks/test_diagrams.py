@@ -61,6 +61,7 @@ WRONG_CYLINDERS = {
     "You drew the weight upwards": [(G, np.negative(DOWN)), (C, None)],
     "components of the weight": [(G, (DOWN[0], 0)), (G, (0, DOWN[1])), (C, None)],
     "the normal force in the wrong sense": [(G, DOWN), (C, (0, -1)), (C, (1, 0))],
+    "You drew the normal force along a wrong line": [(G, DOWN), (C, (0.5, 1)), (C, (1, 0))],
     "You left out the friction": [(G, DOWN), (C, (0, 1))],
     "You left out the weight": [(C, (0, 1)), (C, (1, 0))],
     "You drew the weight twice": [(G, DOWN), (G, DOWN), (C, None)],
