@@ -255,8 +255,8 @@ def _general(body: FreeBody, missing: Sequence[Force], extra: Sequence[Arrow], n
         yield _instead(force, arrow, near)
     for force in missing:
         astray = force.along is not None and any(_at(force, arrow, near) for arrow in extra)
-        slip = f"drew {force.name} along a wrong line, or left it out" if astray else f"left out {force.name}"
-        yield f"You {slip}; it acts at {force.where}."
+        mistake = f"drew {force.name} along a wrong line, or left it out" if astray else f"left out {force.name}"
+        yield f"You {mistake}; it acts at {force.where}."
     for force, arrow in itertools.product(itertools.chain(body.forces, *body.others), extra):
         if _at(force, arrow, near) and (force.along is None or _same_line(force, arrow)):
             yield f"You drew {force.name} twice."

@@ -244,9 +244,9 @@ def _shared_helper(run: _Run, cause: Cause | None) -> Cause | None:
         pairs = (name, calls[0].case), (failure.function, failure.at)
         try:
             with budget():
-                alike = (cause and cause.repeats == failure.function) or _same_number(run, failure.function, calls)
+                shared = (cause and cause.repeats == failure.function) or _same_number(run, failure.function, calls)
                 uses = (all(getattr(student, who).uses(helper, case) for who, case in pairs) for helper in helpers)
-                if alike and any(uses):
+                if shared and any(uses):
                     return Cause(name, "", "own", follows_from=failure.function)
         except Over:
             raise

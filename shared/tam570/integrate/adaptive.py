@@ -278,9 +278,9 @@ def start_state(run: Run, a: Sequence[float] = ()) -> State:
                 f"rhs or solution is not finite at t = {engine.sign * origin:.17g}: rhs gives {list(f)}"
             )
         check_start(engine.rates, origin, run.rows[0], engine.sign)
-    g, known = f, a or [abs(v) for v in y]
-    if min(known) <= NO_SCALE:  # what rounding moves, or a ramp has just set in motion: as at rest
-        y = tuple(0.0 if size <= NO_SCALE else v for size, v in zip(known, y, strict=True))
+    g, sizes = f, a or [abs(v) for v in y]
+    if min(sizes) <= NO_SCALE:  # what rounding moves, or a ramp has just set in motion: as at rest
+        y = tuple(0.0 if size <= NO_SCALE else v for size, v in zip(sizes, y, strict=True))
         both = zip(rhs(origin, y, c), rhs(origin + SOON * span, y, c), strict=True)
         g = tuple(0.0 if abs(rate) < RAMP * abs(later) else rate for rate, later in both)
     h = _first_step(rhs, origin, span, y, g, c)

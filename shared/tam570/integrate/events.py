@@ -173,25 +173,25 @@ def _looks(level: Callable[[float], float]) -> list[Look]:
     return sorted([*((x, values[x]) for x in LOOKS), *filter(None, dips)])
 
 
-def _dip(level: Callable[[float], float], left: Look, middle: Look, right: Look) -> Look | None:
-    """Return where it has another sign than at three points of one sign, the middle one the least; None if nowhere."""
-    sign = 1.0 if middle[1] > 0 else -1.0
-    size = max(sign * left[1], sign * right[1])
-    while 0.0 < sign * middle[1] <= min(sign * left[1], sign * right[1]):
-        if sign * middle[1] > 2.0 * (max(sign * left[1], sign * right[1]) - sign * middle[1]):
+def _dip(level: Callable[[float], float], earlier: Look, least: Look, later: Look) -> Look | None:
+    """Return where it has another sign than at three points of one sign, of which `least` is nearest to zero."""
+    sign = 1.0 if least[1] > 0 else -1.0
+    size = max(sign * earlier[1], sign * later[1])
+    while 0.0 < sign * least[1] <= min(sign * earlier[1], sign * later[1]):
+        if sign * least[1] > 2.0 * (max(sign * earlier[1], sign * later[1]) - sign * least[1]):
             return None  # flat: zero is out of reach
-        wider = left if middle[0] - left[0] > right[0] - middle[0] else right
-        x = (middle[0] + wider[0]) / 2
+        wider = earlier if least[0] - earlier[0] > later[0] - least[0] else later
+        x = (least[0] + wider[0]) / 2
         new = x, level(x)
-        if sign * new[1] < sign * middle[1]:
-            left, middle, right = (middle, new, right) if wider is right else (left, new, middle)
-        elif wider is right:
-            right = new
+        if sign * new[1] < sign * least[1]:
+            earlier, least, later = (least, new, later) if wider is later else (earlier, new, least)
+        elif wider is later:
+            later = new
         else:
-            left = new
-        if sign * middle[1] < -TOUCH * size:
-            return middle
-        if right[0] - left[0] < NEXT:
+            earlier = new
+        if sign * least[1] < -TOUCH * size:
+            return least
+        if later[0] - earlier[0] < NEXT:
             return None
     return None
 

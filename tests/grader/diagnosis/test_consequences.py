@@ -115,7 +115,7 @@ def test_a_mistake_that_is_made_twice_is_charged_twice(checked):
     assert not following(actual) and len(by_name(actual)) == 2
 
 
-OWN = """terms = [mass_matrix(theta, masses=masses, lengths=lengths)]
+OWN_EQUATIONS = """terms = [mass_matrix(theta, masses=masses, lengths=lengths)]
     terms += [velocity_terms(theta, omega, masses=masses, lengths=lengths)]
     terms += [gravity_terms(theta, masses=masses, lengths=lengths, gravity=gravity)]
     return np.linalg.solve(terms[0], -terms[1] - terms[2])"""
@@ -125,7 +125,7 @@ OWN = """terms = [mass_matrix(theta, masses=masses, lengths=lengths)]
 def test_accelerations_follow_from_the_students_own_equations(checked, sign):
     alpha = "return np.array(_rates(0.0, state, **_parameters(masses, lengths, gravity))[2:])"
     last = "gravity_terms(theta, masses=masses, lengths=lengths, gravity=gravity)]"
-    equations = OWN.replace(last, last.replace("gravity_terms", f"{sign}gravity_terms"))
+    equations = OWN_EQUATIONS.replace(last, last.replace("gravity_terms", f"{sign}gravity_terms"))
     actual = checked("hw07_double_pendulum", (alpha, equations), ("gravity * np.array([", "-gravity * np.array(["))
     expected = {("angular_acceleration", "gravity_terms")}
     assert (expected <= following(actual)) == (sign == "")

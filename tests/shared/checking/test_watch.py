@@ -70,8 +70,8 @@ def test_a_mistake_is_that_of_the_function_that_changed(watching, solution_text)
     said = watching(
         solution_text(SLUG) + "\n\nright = rotation_matrix\n\ndef rotation_matrix(*args):\n    return right(*args).T\n"
     )
-    named = re.findall(r"match this mistake:([^.]*)\.", said)
-    assert named and all("rotation_matrix" in mistake for mistake in named)
+    mistakes = re.findall(r"match this mistake:([^.]*)\.", said)
+    assert mistakes and all("rotation_matrix" in mistake for mistake in mistakes)
 
 
 def test_a_file_that_is_half_written_is_said_so_and_the_next_save_is_tested(watching, solution_text):

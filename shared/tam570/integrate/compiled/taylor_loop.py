@@ -235,7 +235,7 @@ def advance_all(
             reach(work, c, time, ORDER)
             limit = work[coefficient(each(0), 1, 0)]
             rates(work, c, time, ORDER)
-        judge(z, refused(z, work, time, c, rtol), limit)
+        mark_accepted(z, refused(z, work, time, c, rtol), limit)
         for lane in range(LANES):
             motion = shifted(z, lane)
             if motion[ACCEPTED] > 0.0:
@@ -267,7 +267,7 @@ def begin(
     start_motion(z, out)
 
 
-def judge(z: Numbers, wrong: Numbers, limit: Numbers) -> None:
+def mark_accepted(z: Numbers, wrong: Numbers, limit: Numbers) -> None:
     """Note which of all motions accept the step that they tried."""
     h = z[each(H)]
     accepted = wide(1.0) if h > 0.0 else wide(0.0)
