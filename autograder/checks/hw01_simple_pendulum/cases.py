@@ -103,10 +103,11 @@ def few_times(rng):
 
 
 def over_the_top(rng):
-    """Turning round and round either way, from next to the bottom and, late, from far above it."""
+    """Turning round and round either way, from next to the bottom and, late and some turns on, from far above it."""
     turns = motion(rng, turning, 9, 40, "a pendulum that goes over the top")
     t, angle, rate = turns.args
-    return [turns, turns.replace(t[:20] + 3 * (t[-1] - t[0]), -1.2 * angle, -rate)]
+    above = -1.2 * angle - math.copysign(6 * math.pi, angle)  # its square is above 4 g/l
+    return [turns, turns.replace(t[:20] + 3 * (t[-1] - t[0]), above, -rate)]
 
 
 def weightless(rng):
