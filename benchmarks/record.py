@@ -41,16 +41,16 @@ def _rounded(value):
         return {key: _rounded(item) for key, item in value.items()}
     if isinstance(value, list | tuple):
         return [_rounded(item) for item in value]
-    return float(f"{value:.4g}") if isinstance(value, float) else value
+    return float(f"{value:.3g}") if isinstance(value, float) else value
 
 
 def _text(value, indent=""):
-    line = json.dumps(value, ensure_ascii=False)
+    line = json.dumps(value, ensure_ascii=False, separators=(",", ":"))
     if len(indent + line) <= WIDTH or "{" not in line:
         return line
     inner = indent + " "
     if isinstance(value, dict):
-        items, ends = [f"{json.dumps(key)}: {_text(item, inner)}" for key, item in value.items()], "{}"
+        items, ends = [f"{json.dumps(key)}:{_text(item, inner)}" for key, item in value.items()], "{}"
     else:
         items, ends = [_text(item, inner) for item in value], "[]"
     return ends[0] + ",".join(f"\n{inner}{item}" for item in items) + f"\n{indent}{ends[1]}"

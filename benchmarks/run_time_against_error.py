@@ -85,7 +85,7 @@ def condition(scene):
         near = [np.array(start), np.array(start)]
         near[0][i] += 1e-6 * largest[i]
         near[1][i] -= 1e-6 * largest[i]
-        up, down = (solve(rhs, (0, end), y, parameters=parameters, rtol=1e-15)[-1] for y in near)
+        up, down = (solve(rhs, (0, end), y, parameters=parameters, rtol=1e-12)[-1] for y in near)
         changes.append(np.abs(up - down).max() / 2e-6)
     return float(max(changes) / np.abs(final).max())
 
