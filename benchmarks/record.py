@@ -1,4 +1,4 @@
-"""The table that a benchmark writes to results/: JSON with its machine, date and command, four digits a number."""
+"""The table that a benchmark writes to results/: JSON with its machine, date and command, three digits a number."""
 
 import json
 import os
