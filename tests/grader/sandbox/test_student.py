@@ -49,7 +49,7 @@ def test_the_libraries_of_a_zygote_are_not_a_submissions_memory(grade, solution_
     assert grade(SLUG, text, limits=ResourceLimits(memory=2**28)).score == 10
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture
 def zygote():
     with contextlib.closing(Zygote(["numpy"], ResourceLimits())) as zygote:
         yield zygote
