@@ -29,15 +29,19 @@ def against(rhs, span, start, *, stops=(), longest=0.02, exact=None, **options):
     return rhs, span, start, stops, longest, exact, options
 
 
+def newton(acceleration, span, start=(0.0, 0.0), **more):
+    """A case of a particle, by its acceleration at a time, place and speed."""
+    return against(lambda t, y: (y[1], acceleration(t, y[0], y[1])), span, start, **more)
+
+
 def by_scipy(rhs, span, start, stops, longest):
     state, (first, last) = np.array(start, dtype=float), span
+    options = {"method": "DOP853", "rtol": 1e-12, "atol": 1e-13, "max_step": longest}
     for end in (*stops, last):
         low, high = np.nextafter(first, math.inf), np.nextafter(end, -math.inf)
         rates = functools.partial(lambda t, y, a, b: np.array(rhs(min(max(t, a), b), np.array(y))), a=low, b=high)
         with np.errstate(all="ignore"):  # it divides zero by zero where nothing moves yet
-            state = solve_ivp(rates, (first, end), state, method="DOP853", rtol=1e-12, atol=1e-13, max_step=longest).y[
-                :, -1
-            ]
+            state = solve_ivp(rates, (first, end), state, **options).y[:, -1]
         first = end
     return state
 
@@ -54,9 +58,8 @@ def bouncing(stiffness, damping=0.0):
     return lambda t, y: (y[1], -G + max(0.0, -stiffness * y[0] - damping * y[1]) if y[0] < 0 else -G)
 
 
-def two_walls(t, y):
-    x = y[0]
-    return y[1], (-1e6 * (x - 1) if x > 1 else -1e6 * (x + 1) if x < -1 else 0.0)
+def two_walls(t, x, v):
+    return -1e6 * (x - 1) if x > 1 else -1e6 * (x + 1) if x < -1 else 0.0
 
 
 def two_balls(t, y):
@@ -65,21 +68,17 @@ def two_balls(t, y):
     return u, v, -push, push
 
 
+WALLS = (1e4, 1e6, 1e7, 1e8, 1e9)  # N/m
 CONTACT = {
-    **{
-        f"wall {k:.0e}": against(wall(k), (0, 2), [1.0, -1.0], exact=through_the_wall(k))
-        for k in (1e4, 1e6, 1e7, 1e8, 1e9)
-    },
+    **{f"wall {k:.0e}": against(wall(k), (0, 2), [1.0, -1.0], exact=through_the_wall(k)) for k in WALLS},
     "ball 1e4": against(bouncing(1e4), (0, 1), [1.0, 0.0], longest=1e-3),
     "ball 1e6": against(bouncing(1e6), (0, 0.6), [1.0, 0.0], longest=1e-4),
     "damped ball": against(bouncing(1e6, 200.0), (0, 0.6), [1.0, 0.0], longest=1e-4),
     "Hertz": against(lambda t, y: (y[1], -G + 100000.0 * max(-y[0], 0.0) ** 1.5), (0, 0.6), [0.3, 0.0], longest=2e-4),
-    "two walls": against(two_walls, (0, 2.3), [0.0, 2.0], longest=1e-3),
+    "two walls": newton(two_walls, (0, 2.3), [0.0, 2.0], longest=1e-3),
     "two balls": against(two_balls, (0, 1), [0.0, 1.0, 2.0, 0.0], longest=1e-3),
     "gap": against(lambda t, y: (y[1], -y[0] - 100.0 * np.maximum(y[0] - 0.5, 0.0)), (0, 5), [1.0, 0.0]),
-    "where": against(
-        lambda t, y: np.array([y[1], np.where(y[0] < 0, -100000.0 * y[0], 0.0)]), (0, 1.4), [1.0, -1.0], longest=1e-3
-    ),
+    "where": newton(lambda t, x, v: np.where(x < 0, -1e5 * x, 0.0), (0, 1.4), [1.0, -1.0], longest=1e-3),
     "clip": against(lambda t, y: np.array([y[1], -50.0 * np.clip(y[0], -0.3, 0.3)]), (0, 3), [1.0, 0.0]),
     "abs of a state": against(lambda t, y: (y[1], -500.0 * (abs(y[0]) + y[0]) / 2 - y[0]), (0, 3), [1.0, 0.0]),
 }
@@ -115,74 +114,55 @@ FRICTION = {
     "from rest": against(lambda t, y: (y[1], 1.0 - 0.5 * np.sign(y[1])), (0, 2), [0.0, 0.0], exact=[1.0, 1.0]),
     "Coulomb": against(coulomb, (0, 5), [2.0, 0.0], exact=[-0.5 + 0.5 * math.cos(5), -0.5 * math.sin(5)]),
     "quadratic drag": against(lambda t, y: (y[1], -abs(y[1]) * y[1] - 1.0), (0, 3), [0.0, 2.0]),
-    "belt": against(
-        lambda t, y: (y[1], -4.0 * y[0] - 0.3 * math.tanh((y[1] - 0.5) / 0.05)), (0, 5), [0.1, 0.0], longest=5e-3
-    ),
+    "belt": newton(lambda t, x, v: -4.0 * x - 0.3 * math.tanh((v - 0.5) / 0.05), (0, 5), [0.1, 0.0], longest=5e-3),
     "relay": against(lambda t, y: (y[1], -y[0] + (0.5 if y[0] > 0 else -0.5)), (0, 4), [1.0, 0.0], longest=2e-3),
     "magnet": against(lambda t, y: (y[1], -y[0] / (0.01 + y[0] ** 2)), (0, 3), [0.5, 0.0], longest=2e-3),
     "saturated": against(lambda t, y: (y[1], -max(-1.0, min(1.0, 20.0 * y[0]))), (0, 3), [0.4, 0.0], longest=2e-3),
     "thermostat": against(lambda t, y: (1.0 - y[0] if y[0] < 0.3 else 0.5 - y[0],), (0, 2), [0.1], longest=1e-3),
-    "dictionary": against(
-        lambda t, y: ({True: -y[0], False: -2.0 * y[0]}[bool(y[0] > 0.5)],), (0, 2), [1.0], longest=1e-3
-    ),
+    "dictionary": against(lambda t, y: -{True: y, False: 2 * y}[bool(y[0] > 0.5)], (0, 2), [1.0], longest=1e-3),
     "match": against(by_match, (0, 2), [1.0], longest=1e-3),
     "while": against(by_while, (0, 5), [0.0, 0.0], exact=[5.0, math.sin(5.0)]),
     "any": against(lambda t, y: -y if np.any(y > 0.5) else -2 * y, (0, 2), [1.0, -1.0], longest=1e-3),
-    "index": against(
-        lambda t, y: (np.array([-1.0, -2.0, -3.0])[int(min(max(y[0] * 2, 0), 2))] * y[0],), (0, 2), [1.2], longest=1e-3
-    ),
+    "index": against(lambda t, y: -np.array([1.0, 2.0, 3.0])[int(min(2 * y[0], 2))] * y, (0, 2), [1.2], longest=1e-3),
     "sorted": against(by_sort, (0, 2), [1.0, 0.5], longest=1e-3),
 }
 
 
-def forced(force):
-    return lambda t, y: (y[1], force(t) - y[0])
+def forced(force, span, start=(0.0, 0.0), **more):
+    """A case of an oscillator under a force of time."""
+    return newton(lambda t, x, v: force(t) - x, span, start, **more)
 
 
 TABLE, VALUES = np.linspace(0, 10, 21), np.cos(1.7 * np.arange(22))
-GRID = np.linspace(0, 8, 801)
-TOOTH = np.where(np.arange(801) == 403, 100.0, 0.0)
-HALVES = tuple(np.arange(0.5, 6, 0.5))
-RAMP = (0, 6.4, 7.2, 8.8)
+GRID, TOOTH = np.linspace(0, 8, 801), np.where(np.arange(801) == 403, 100.0, 0.0)
+HALVES, FIFTHS, RAMP = tuple(np.arange(0.5, 6, 0.5)), (0.2, 0.4, 0.6, 0.8, 1.0), (0, 6.4, 7.2, 8.8)
 JUMPS = {
     "narrow peaks of a sine": against(
         lambda t, y: (1.0 if math.cos(40 * t) > 0.99999 else 0.0,), (0, 2), [0.0], exact=[25 * math.acos(0.99999) / 40]
     ),
-    "step": against(forced(lambda t: 1.0 if t > 1 else 0.0), (0, 3), [0.0, 0.0], stops=(1,)),
-    "short": against(forced(lambda t: 20.0 if 1 <= t <= 1.05 else 0.0), (0, 6), [0.0, 0.0], stops=(1, 1.05)),
-    "very short": against(
-        forced(lambda t: 1e4 if abs(t - 2.5) < 5e-5 else 0.0), (0, 6), [0.0, 0.0], stops=(2.49995, 2.50005)
+    "step": forced(lambda t: 1.0 if t > 1 else 0.0, (0, 3), stops=(1,)),
+    "short": forced(lambda t: 20.0 if 1 <= t <= 1.05 else 0.0, (0, 6), stops=(1, 1.05)),
+    "very short": forced(lambda t: 1e4 if abs(t - 2.5) < 5e-5 else 0.0, (0, 6), stops=(2.49995, 2.50005)),
+    "square wave": forced(lambda t: 1.0 if t % 2 < 1 else -1.0, (0, 4.5), [0.3, 0.0], stops=(1, 2, 3, 4)),
+    "by a shift": forced(lambda t: 3.0 if (t - 1.3) * 2 > 1 else 0.0, (0, 3), [1.0, 0.0], stops=(1.8,)),
+    "where in time": forced(lambda t: float(np.where(t < 2, 1.0, -1.0)), (0, 4), [1.0, 0.0], stops=(2,)),
+    "heaviside": forced(lambda t: np.heaviside(t - 2.2, 0.5), (0, 4), [1.0, 0.0], stops=(2.2,)),
+    "sign": forced(lambda t: np.sign(t - 2.2), (0, 4), [1.0, 0.0], stops=(2.2,)),
+    "floor": forced(lambda t: math.floor(2 * t) % 3, (0, 2.9), [1.0, 0.0], stops=HALVES[:5]),
+    "int": forced(lambda t: (1.0, -2.0, 3.0)[int(t) % 3], (0, 3.5), [1.0, 0.0], stops=(1, 2, 3)),
+    "interp": forced(lambda t: np.interp(t, [0, 1, 1.01, 9], [0, 0, 5, 5]), (0, 3), [1.0, 0.0], stops=(1, 1.01)),
+    "searchsorted": forced(lambda t: VALUES[np.searchsorted(TABLE, t)], (0, 2.3), [1.0, 0.0], stops=HALVES[:4]),
+    "ramp": forced(lambda t: min(max(t - 1, 0.0), 0.5), (0, 3), [1.0, 0.0], stops=(1, 1.5)),
+    "ramp at rest": newton(lambda t, x, v: np.interp(t, RAMP, [0, 0, 2, -1]) - 0.3 * v, (0, 8), stops=RAMP[1:3]),
+    "a sine that rounding moves from rest": newton(
+        lambda t, x, v: math.sin(math.pi * (t - 2)) if x < 9 else 0.0, (0, 4)
     ),
-    "square wave": against(forced(lambda t: 1.0 if t % 2 < 1 else -1.0), (0, 4.5), [0.3, 0.0], stops=(1, 2, 3, 4)),
-    "by a shift": against(forced(lambda t: 3.0 if (t - 1.3) * 2 > 1 else 0.0), (0, 3), [1.0, 0.0], stops=(1.8,)),
-    "where in time": against(forced(lambda t: float(np.where(t < 2, 1.0, -1.0))), (0, 4), [1.0, 0.0], stops=(2,)),
-    "heaviside": against(forced(lambda t: np.heaviside(t - 2.2, 0.5)), (0, 4), [1.0, 0.0], stops=(2.2,)),
-    "sign": against(forced(lambda t: np.sign(t - 2.2)), (0, 4), [1.0, 0.0], stops=(2.2,)),
-    "floor": against(forced(lambda t: math.floor(2 * t) % 3), (0, 2.9), [1.0, 0.0], stops=HALVES[:5]),
-    "int": against(forced(lambda t: (1.0, -2.0, 3.0)[int(t) % 3]), (0, 3.5), [1.0, 0.0], stops=(1, 2, 3)),
-    "interp": against(
-        forced(lambda t: np.interp(t, [0, 1, 1.01, 9], [0, 0, 5, 5])), (0, 3), [1.0, 0.0], stops=(1, 1.01)
-    ),
-    "searchsorted": against(
-        forced(lambda t: VALUES[np.searchsorted(TABLE, t)]), (0, 2.3), [1.0, 0.0], stops=HALVES[:4]
-    ),
-    "ramp": against(forced(lambda t: min(max(t - 1, 0.0), 0.5)), (0, 3), [1.0, 0.0], stops=(1, 1.5)),
-    "ramp at rest": against(
-        lambda t, y: (y[1], np.interp(t, RAMP, [0, 0, 2, -1]) - 0.3 * y[1]), (0, 8), [0.0, 0.0], stops=RAMP[1:3]
-    ),
-    "a sine that rounding moves from rest": against(
-        lambda t, y: (y[1], math.sin(math.pi * (t - 2)) if y[0] < 9 else 0.0), (0, 4), [0.0, 0.0]
-    ),
-    "abs in time": against(forced(lambda t: abs(t - 1.7)), (0, 3), [1.0, 0.0], stops=(1.7,)),
-    "sawtooth": against(
-        forced(lambda t: 5 * t - math.floor(5 * t)), (0.01, 1.1), [0.0, 0.0], stops=tuple(k / 5 for k in range(1, 6))
-    ),
-    "steep ramp": against(forced(lambda t: min(max((t - 2) * 1e4, 0), 1)), (0, 4), [0.0, 0.0], stops=(2, 2.0001)),
-    "a tooth in a table": against(
-        forced(lambda t: np.interp(t, GRID, TOOTH)), (0, 6), [0.0, 0.0], stops=(4.02, 4.03, 4.04)
-    ),
-    "behind a branch": against(
-        lambda t, y: (y[1], 5.0 if y[0] < 0.9 and 1.2 < t < 1.25 else -y[0]), (0, 3), [1.0, 0.0], stops=(1.2, 1.25)
+    "abs in time": forced(lambda t: abs(t - 1.7), (0, 3), [1.0, 0.0], stops=(1.7,)),
+    "sawtooth": forced(lambda t: 5 * t - math.floor(5 * t), (0.01, 1.1), stops=FIFTHS),
+    "steep ramp": forced(lambda t: min(max((t - 2) * 1e4, 0), 1), (0, 4), stops=(2, 2.0001)),
+    "a tooth in a table": forced(lambda t: np.interp(t, GRID, TOOTH), (0, 6), stops=(4.02, 4.03, 4.04)),
+    "behind a branch": newton(
+        lambda t, x, v: 5.0 if x < 0.9 and 1.2 < t < 1.25 else -x, (0, 3), [1.0, 0.0], stops=(1.2, 1.25)
     ),
     "backwards": against(lambda t, y: (1.0 if t > 1 else 0.0,), (2, 0), [1.0], exact=[0.0]),
 }
@@ -199,35 +179,22 @@ def by_numpy(t, y):
 PULSES = {
     "narrow": against(narrow, (0, 6), [0.0, 0.0], longest=2e-3),
     "narrower": against(narrow, (0, 3), [0.0, 0.0], longest=1e-3, parameters={"centre": 2.1, "width": 0.004}),
-    "tanh": against(
-        lambda t, y: (y[1], 5 * (math.tanh((t - 5) / 0.1) - math.tanh((t - 5.5) / 0.1)) - y[0]),
-        (0, 7),
-        [0.0, 0.0],
-        longest=5e-3,
-    ),
-    "expanded": against(
-        lambda t, y: (y[1], 40 * math.exp(-400 * t * t + 2400 * t - 3600) - y[0]), (0, 5), [0.0, 0.0], longest=2e-3
-    ),
-    "logistic": against(
-        lambda t, y: (y[1], 1 / (1 + math.exp(-200 * (t - 2))) - y[0]), (0, 4), [0.0, 0.0], longest=2e-3
-    ),
-    "train": against(
-        lambda t, y: (y[1], 8 * math.exp(-((math.sin(2 * t) / 0.05) ** 2)) - y[0]), (0, 6), [0.0, 0.0], longest=2e-3
-    ),
-    "Lorentzian": against(
-        lambda t, y: (y[1], 1 / (1 + ((t - 3) / 0.001) ** 2) * 100 - y[0]), (0, 5), [0.0, 0.0], longest=5e-4
-    ),
+    "tanh": forced(lambda t: 5 * (math.tanh((t - 5) / 0.1) - math.tanh((t - 5.5) / 0.1)), (0, 7), longest=5e-3),
+    "expanded": forced(lambda t: 40 * math.exp(-400 * t * t + 2400 * t - 3600), (0, 5), longest=2e-3),
+    "logistic": forced(lambda t: 1 / (1 + math.exp(-200 * (t - 2))), (0, 4), longest=2e-3),
+    "train": forced(lambda t: 8 * math.exp(-((math.sin(2 * t) / 0.05) ** 2)), (0, 6), longest=2e-3),
+    "Lorentzian": forced(lambda t: 1 / (1 + ((t - 3) / 0.001) ** 2) * 100, (0, 5), longest=5e-4),
     "not traced": against(by_numpy, (0, 6), [0.0, 0.0], longest=2e-3),
 }
 
 
 def passing(force):
     """A particle at unit speed, pushed where it is."""
-    return against(lambda t, y: (y[1], force(y[0])), (0, 8), [0.0, 1.0], longest=2e-3)
+    return newton(lambda t, x, v: force(x), (0, 8), [0.0, 1.0], longest=2e-3)
 
 
-def kicked(t, y):
-    return y[1], -y[0] + 20 * math.exp(-(((y[0] - 0.5) / 0.005) ** 2))
+def kicked(t, x, v):
+    return -x + 20 * math.exp(-(((x - 0.5) / 0.005) ** 2))
 
 
 def clock_in_the_state(t, y):
@@ -241,7 +208,7 @@ PASSED = {
     "window": passing(lambda x: 2 * (math.tanh((x - 3) / 0.01) - math.tanh((x - 3.1) / 0.01))),
     "sech": passing(lambda x: 4 / math.cosh((x - 4) / 0.02) ** 2),
     "edge by erf": passing(lambda x: math.erf((x - 4) / 0.02) + 1),
-    "kicked from rest": against(kicked, (0, 6), [1.0, 0.0], longest=2e-3),
+    "kicked from rest": newton(kicked, (0, 6), [1.0, 0.0], longest=2e-3),
     "a clock in the state": against(clock_in_the_state, (0, 7), [0.0, 0.0, 0.0], longest=2e-3),
 }
 
@@ -348,19 +315,16 @@ OSCILLATORS = {
     "filled": filled,
     "generator": lambda t, y: [y[1], -sum(v for v in y[:1])],
 }
+AT_ONE = {  # what changes at t = 1
+    "doubled": doubled_later,
+    "negated": lambda t, y: (y[1], -y[0]) if t < 1 else tuple(-y),
+    "sum": lambda t, y: (y[1], -y[0]) if t < 1 else (y[1], -y.sum()),
+    "isinstance": lambda t, y: (y[1], -y[0]) if t < 1 or not isinstance(y, np.ndarray) else (y[1], -3 * y[0]),
+}
 TRACES = {
-    "doubled": against(doubled_later, (0, 2), [1.0, 0.0], stops=(1,)),
-    "negated": against(lambda t, y: (y[1], -y[0]) if t < 1 else tuple(-y), (0, 2), [1.0, 0.0], stops=(1,)),
-    "sum": against(lambda t, y: (y[1], -y[0]) if t < 1 else (y[1], -y.sum()), (0, 2), [1.0, 0.0], stops=(1,)),
-    "isinstance": against(
-        lambda t, y: (y[1], -y[0]) if t < 1 or not isinstance(y, np.ndarray) else (y[1], -3 * y[0]),
-        (0, 2),
-        [1.0, 0.0],
-        stops=(1,),
-    ),
+    **{name: against(rhs, (0, 2), [1.0, 0.0], stops=(1,)) for name, rhs in AT_ONE.items()},
     "attribute": against(scaled_by_attribute, (0, 3), [1.0, 0.0], exact=[math.cos(6.0), -2 * math.sin(6.0)]),
     "import": against(lambda t, y: (y[1], -__import__("math").sin(y[0])), (0, 3), [1.0, 0.0]),
-    "getattr": against(lambda t, y: (y[1], -math.sin(y[0])), (0, 3), [1.0, 0.0]),
     "class": against(Oscillator(4.0), (0, 3), [1.0, 0.0], exact=[math.cos(6.0), -2 * math.sin(6.0)]),
     "closure": against(closure(), (0, 3), [1.0, 0.0]),
     "frompyfunc": against(lambda t, y: (y[1], float(BENT(y[0]))), (0, 3), [1.0, 0.0]),
@@ -432,15 +396,9 @@ EDGES = {
     "stiff": against(lambda t, y: (-1e4 * (y[0] - math.cos(t)),), (0, 0.3), [1.0], longest=1e-3),
     "fast start": against(lambda t, y: (-1e5 * y[0], y[0]), (0, 0.05), [1.0, 0.0], exact=[0.0, 1e-5]),
     "from zero": against(lambda t, y: (y[1], 1e6 * (math.sin(t) - y[0])), (0, 0.5), [0.0, 0.0], longest=1e-3),
-    "on a circle": against(
-        lambda t, y: (y[1], -y[0]) if y[0] ** 2 + y[1] ** 2 > 1 else (y[1], -y[0]), (0, 3), [1.0, 0.0], exact=SINE
-    ),
-    "from a switch": against(
-        lambda t, y: (y[1], 0.0 if y[0] < 0.5 else -1.0), (0, 1), [0.5, 0.275], exact=[0.37625, -0.275]
-    ),
-    "zero over zero": against(
-        lambda t, y: (y[1], math.sin(t - 2) / (t - 2) - (y[0] if y[1] < 9 else 0.0)), (0.1, 3), [0.0, 0.0]
-    ),
+    "on a circle": newton(lambda t, x, v: -x if x * x + v * v > 1 else -x, (0, 3), [1.0, 0.0], exact=SINE),
+    "from a switch": newton(lambda t, x, v: 0.0 if x < 0.5 else -1.0, (0, 1), [0.5, 0.275], exact=[0.37625, -0.275]),
+    "zero over zero": newton(lambda t, x, v: math.sin(t - 2) / (t - 2) - (x if v < 9 else 0.0), (0.1, 3)),
     "tiny beside large": against(lambda t, y: (y[1], -y[0], -y[2]), (0, 3), [1e6, 0.0, 1e-6], longest=0.01),
 }
 
@@ -599,105 +557,59 @@ def own_error(t, y):
     return (-1.0,)
 
 
+def singular(t, y):
+    return np.linalg.solve([[y[0] - 0.5 if y[0] > 0.5 else 0.0]], [-1.0])
+
+
+def belt(t, y):
+    return y[1], -y[0] - 5.0 if -0.51 < y[1] < -0.5 else -y[0]
+
+
+def circle(t, y):
+    return y[1], -y[0] - math.copysign(0.1, y[0] ** 2 + y[1] ** 2 - 0.9) * y[1]
+
+
 @functools.lru_cache
 def reciprocal(x):
     return 1 / (x - 1)
 
 
-REFUSED = {
-    "it remembers": (remembers(), (0, 1), [1.0], ValueError, "remember"),
-    "hysteresis": (hysteresis(), (0, 5), [0.0, 0.0], ValueError, "remember"),
-    "noise": (noise(1), (0, 1), [1.0], ValueError, "random"),
-    "noise that sets in": (noise(17, 0.5), (0, 1), [1.0], ValueError, "random"),
-    "an error of its own": (own_error, (0, 2), [1.0], Mine, "below the ground"),
-    "a singular matrix": (
-        lambda t, y: np.linalg.solve([[y[0] - 0.5 if y[0] > 0.5 else 0.0]], [-1.0]),
-        (0, 2),
-        [1.0],
-        (np.linalg.LinAlgError, ArithmeticError),
-        "finite|Singular",
-    ),
-    "another length later": (
-        lambda t, y: (-y[0],) if y[0] > 0.5 else (-y[0], 0.0),
-        (0, 2),
-        [1.0],
-        ValueError,
-        "must return 1",
-    ),
-    "complex later": (lambda t, y: ((y[0] - 0.5 + 0j) ** 0.5 * -1 - 0.1,), (0, 2), [1.0], ValueError, "real"),
-    "it ends at zero": (
-        lambda t, y: (-math.sqrt(y[0]),),
-        (0, 3),
-        [1.0],
-        ArithmeticError,
-        r"not finite at t = (2|1\.9)",
-    ),
-    "infinite": (lambda t, y: (y[0] ** 2,), (0, 2), [1.0], ArithmeticError, "infinite"),
-    "infinite, not traced": (lambda t, y: (y[0] ** 2 if y[0] else 0.0,), (0, 2), [1.0], ArithmeticError, "infinite"),
-    "friction that holds": (lambda t, y: (-np.sign(y[0]),), (0, 3), [1.0], ArithmeticError, "to and fro at t = 1"),
-    "a pole of time": (lambda t, y: (math.tan(t),), (0, 2), [0.0], ArithmeticError, r"t = 1\.57"),
-    "a pole": (lambda t, y: (1 / math.sin(t),), (1, 4), [0.0], ArithmeticError, r"t = 3\.14"),
-    "a pole behind a branch": (
-        lambda t, y: (1 / math.tan(t) if t > 0 else 0.0,),
-        (1, 4),
-        [0.0],
-        ArithmeticError,
-        r"t = 3\.14",
-    ),
-    "poles behind a branch": (
-        lambda t, y: (math.tan(t) / (t * t - 2) if y[0] < 99 else 0.0,),
-        (0, 1.6),
-        [0.0],
-        ArithmeticError,
-        r"t = 1\.41",
-    ),
-    "an infinite rate": (
-        lambda t, y: (1 / math.sqrt(abs(t - 2)) if t != 2 else 0.0,),
-        (1, 4),
-        [0.0],
-        ArithmeticError,
-        r"t = (2|1\.99)",
-    ),
-    **{
-        f"a pole that nobody can look into, {which}": (rhs, (0, 2.7), [0.0, 0.0], ArithmeticError, r"t = (1|0\.99)")
-        for which, rhs in {
-            "of time": lambda t, y: (1, reciprocal(float(t))),
-            "of the state": lambda t, y: (1, reciprocal(float(y[0]))),
-            "of a method": lambda t, y: (1, WINDOWS["in an object"][0].pole(t)),
-            "of a matrix": lambda t, y: (1, np.linalg.inv([[y[0] - 1, 0], [0, 1]])[0, 0]),
-        }.items()
-    },
-    "a pole of the state": (lambda t, y: (1, 1 / (y[0] - 1)), (0, 2), [0.0, 0.0], ArithmeticError, r"t = (1|0\.99)"),
-    "a root that holds": (
-        lambda t, y: (np.cbrt(1 - y[0]),),
-        (0, 10),
-        [0.0],
-        ArithmeticError,
-        r"to and fro at t = 1\.5",
-    ),
-    "a belt that holds": (
-        lambda t, y: (y[1], -y[0] - 5.0 if -0.51 < y[1] < -0.5 else -y[0]),
-        (0, 5),
-        [1.0, 0.0],
-        ArithmeticError,
-        "to and fro at t = 2.6",
-    ),
-    "a circle that holds": (
-        lambda t, y: (y[1], -y[0] - math.copysign(0.1, y[0] ** 2 + y[1] ** 2 - 0.9) * y[1]),
-        (0, 5),
-        [1.0, 0.0],
-        ArithmeticError,
-        "to and fro at t = 1.33",
-    ),
-    "complex start": (lambda t, y: (-y[0],), (0, 1), [1.0 + 1j], ValueError, "^y0"),
-    "a column": (lambda t, y: (y[1], -y[0]), (0, 1), [[1.0], [0.0]], ValueError, "^y0.*ravel"),
+AT_1, TO_AND_FRO = r"t = (1|0\.99)", "to and fro at t = "
+REFUSED = {  # rates, times, start, words, and the error if it is no ArithmeticError
+    "it remembers": (remembers(), (0, 1), [1.0], "remember", ValueError),
+    "hysteresis": (hysteresis(), (0, 5), [0.0, 0.0], "remember", ValueError),
+    "noise": (noise(1), (0, 1), [1.0], "random", ValueError),
+    "noise that sets in": (noise(17, 0.5), (0, 1), [1.0], "random", ValueError),
+    "an error of its own": (own_error, (0, 2), [1.0], "below the ground", Mine),
+    "a singular matrix": (singular, (0, 2), [1.0], "finite|Singular", (np.linalg.LinAlgError, ArithmeticError)),
+    "two numbers later": (lambda t, y: -y if y[0] > 0.5 else (-y[0], 0.0), (0, 2), [1.0], "must return 1", ValueError),
+    "complex later": (lambda t, y: ((y[0] - 0.5 + 0j) ** 0.5 * -1 - 0.1,), (0, 2), [1.0], "real", ValueError),
+    "it ends at zero": (lambda t, y: (-math.sqrt(y[0]),), (0, 3), [1.0], r"not finite at t = (2|1\.9)"),
+    "infinite": (lambda t, y: (y[0] ** 2,), (0, 2), [1.0], "infinite"),
+    "infinite, not traced": (lambda t, y: (y[0] ** 2 if y[0] else 0.0,), (0, 2), [1.0], "infinite"),
+    "friction that holds": (lambda t, y: (-np.sign(y[0]),), (0, 3), [1.0], f"{TO_AND_FRO}1"),
+    "a pole of time": (lambda t, y: (math.tan(t),), (0, 2), [0.0], r"t = 1\.57"),
+    "a pole": (lambda t, y: (1 / math.sin(t),), (1, 4), [0.0], r"t = 3\.14"),
+    "a pole behind a branch": (lambda t, y: (1 / math.tan(t) if t > 0 else 0.0,), (1, 4), [0.0], r"t = 3\.14"),
+    "two poles": (lambda t, y: (math.tan(t) / (t * t - 2) if y[0] < 99 else 0.0,), (0, 1.6), [0.0], r"t = 1\.41"),
+    "an infinite rate": (lambda t, y: (abs(t - 2) ** -0.5 if t != 2 else 0.0,), (1, 4), [0.0], r"t = (2|1\.99)"),
+    "a hidden pole of time": (lambda t, y: (1, reciprocal(float(t))), (0, 2.7), [0.0, 0.0], AT_1),
+    "a hidden pole of the state": (lambda t, y: (1, reciprocal(float(y[0]))), (0, 2.7), [0.0, 0.0], AT_1),
+    "a hidden pole of a method": (lambda t, y: (1, WINDOWS["in an object"][0].pole(t)), (0, 2.7), [0.0, 0.0], AT_1),
+    "a hidden pole of a matrix": (lambda t, y: (1, np.linalg.inv([[y[0] - 1]])[0, 0]), (0, 2.7), [0.0, 0.0], AT_1),
+    "a pole of the state": (lambda t, y: (1, 1 / (y[0] - 1)), (0, 2), [0.0, 0.0], AT_1),
+    "a root that holds": (lambda t, y: (np.cbrt(1 - y[0]),), (0, 10), [0.0], rf"{TO_AND_FRO}1\.5"),
+    "a belt that holds": (belt, (0, 5), [1.0, 0.0], f"{TO_AND_FRO}2.6"),
+    "a circle that holds": (circle, (0, 5), [1.0, 0.0], f"{TO_AND_FRO}1.33"),
+    "complex start": (lambda t, y: (-y[0],), (0, 1), [1.0 + 1j], "^y0", ValueError),
+    "a column": (lambda t, y: (y[1], -y[0]), (0, 1), [[1.0], [0.0]], "^y0.*ravel", ValueError),
 }
 
 
 @pytest.mark.parametrize("name", REFUSED)
 def test_what_has_no_answer_is_said(name):
-    rhs, span, start, error, words = REFUSED[name]
-    with pytest.raises(error, match=words):
+    rhs, span, start, words, *error = REFUSED[name]
+    with pytest.raises(*error or [ArithmeticError], match=words):
         solve(rhs, span, start, rtol=RTOL)
 
 
@@ -712,9 +624,3 @@ def test_no_step_is_longer_than_asked_for():
     report = solve(lambda t, y: (y[1], -y[0]), [0, 5], [1.0, 0.0], max_step=0.01, report=True).report
     assert report.steps >= 500
     assert solve(lambda t, y: (1.0,), [0, 5], [0.0], first_step=1e-3, report=True, method="python").report.steps > 3
-
-
-def test_a_report_tells_the_absolute_tolerance():
-    report = solve(lambda t, y: (y[1], -y[0]), [0, 5], [2.0, 0.0], report=True, method="python").report
-    assert report.atol.shape == (2,)
-    assert 0 < report.atol[0] <= 2e-10

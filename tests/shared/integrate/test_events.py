@@ -160,6 +160,7 @@ def test_a_report_tells_how_the_run_went():
     before, looks = 60, report.steps  # calls before the first step and of refusals; one a step looks for switches
     assert report.evaluations <= calls[0] < report.evaluations + before + looks
     assert solve(oscillator, [0, 20.0], [1.0, 0.0], report=True).report.untraced_reason == ""
+    assert report.atol.shape == (2,) and 0 < report.atol[0] <= 2e-10
 
 
 def rising(t, y):
