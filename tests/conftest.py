@@ -27,12 +27,8 @@ from tam570_grader.sandbox.zygote import ResourceLimits, Zygote
 
 COURSE = assignments.find()
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "chrome")
-WHOLE = (
-    "test_nbgrader.py",
-    "test_nbgrader_odd.py",
-    "test_feedback_browser.py",
-    "test_site_browser.py",
-)  # fixtures of up to a minute
+# Their fixtures take up to a minute.
+WHOLE = ("test_nbgrader.py", "test_nbgrader_odd.py", "test_feedback_browser.py", "test_site_browser.py")
 LONGEST_ID = 80  # characters
 NBGRADER = """
 import json, os, sys, warnings
@@ -144,10 +140,11 @@ def grade(zygotes):
 
     def grade(slug, text, seed=0, *, limits=None, notebook=False, **options):
         source = Source(text.encode() if isinstance(text, str) else text, notebook)
-        zygote = zygotes(slug, limits or ResourceLimits(), source.text)
-        return graded(
-            "someone", source, assignments.assignment(COURSE, slug), zygote, seed, options=CheckOptions(**options)
+        assignment, zygote = (
+            assignments.assignment(COURSE, slug),
+            zygotes(slug, limits or ResourceLimits(), source.text),
         )
+        return graded("someone", source, assignment, zygote, seed, options=CheckOptions(**options))
 
     return grade
 

@@ -63,12 +63,10 @@ def graded(desk):
 
 FOLDERS = "kit", "course", "gradescope"
 FILES = "report results --out", "lms grades.csv --to canvas --out", "audit hw08 --fairness 1 --jobs 1 --keep"
+TARGETS = [*itertools.product(FOLDERS, ["file", "file/x"]), *itertools.product(FILES, ["none/x", "file/x"])]
 
 
-@pytest.mark.parametrize(
-    ("command", "path"),
-    [*itertools.product(FOLDERS, ["file", "file/x"]), *itertools.product(FILES, ["none/x", "file/x"])],
-)
+@pytest.mark.parametrize(("command", "path"), TARGETS)
 def test_what_cannot_be_written_is_named(graded, capsys, command, path):
     assert grader.main([*command.split(), path]) == 2
     err = capsys.readouterr().err

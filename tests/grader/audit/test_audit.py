@@ -151,12 +151,8 @@ def key(name):
 
 def test_the_fewest_cases_are_the_cheap_ones_that_catch_all():
     cheap, costly, both, alone = map(key, ("cheap", "costly", "both", "alone"))
-    caught = {
-        (0, "sign"): {cheap, costly},
-        (0, "factor"): {both, costly},
-        (1, "sign"): {both},
-        (0, "steps"): {alone, costly},
-    }
+    caught = {(0, "sign"): {cheap, costly}, (0, "factor"): {both, costly}}
+    caught |= {(1, "sign"): {both}, (0, "steps"): {alone, costly}}
     seconds = {cheap: 1e-5, both: 1e-5, alone: 1.0, costly: 2.0}
     assert set(fewest({what: frozenset(keys) for what, keys in caught.items()}, seconds)) == {cheap, both, alone}
     assert fewest({(0, "sign"): frozenset({both, cheap}), (0, "factor"): frozenset({both})}, seconds) == [both]

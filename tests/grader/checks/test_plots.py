@@ -16,26 +16,18 @@ from tam570_grader.protocol.answer import MODES
 
 
 @pytest.mark.parametrize(("shape", "equal"), [(1, True), (0.5, False), (None, False)])
-def test_a_scale_is_what_is_drawn_and_a_line_in_pieces_is_one_curve(shape, equal):
+def test_a_scale_is_what_is_drawn_and_pieces_of_a_line_are_one_curve_where_they_meet(shape, equal):
     from matplotlib.collections import LineCollection
 
-    def coloured(axes):
-        axes.add_collection(LineCollection([[(0, 0), (1, 1)], [(1, 1), (2, 0)], [(2, 0), (3, 3)]]))
+    def coloured(axes, *more):
+        axes.add_collection(LineCollection([[(0, 0), (1, 1)], [(1, 1), (2, 0)], [(2, 0), (3, 3)], *more]))
         axes.set(xlim=(-1, 3), ylim=(-1, 3), box_aspect=shape)
 
     drawn = MODES["drawing"](coloured, [], {}, {})
     (line,) = drawn["lines"]
     width, height = drawn["scales"]
     assert line["points"].tolist() == [[0, 0], [1, 1], [2, 0], [3, 3]] and (abs(width / height - 1) < 0.01) == equal
-
-
-def test_lines_apart_are_as_many_curves():
-    from matplotlib.collections import LineCollection
-
-    drawn = MODES["drawing"](
-        lambda axes: axes.add_collection(LineCollection([[(0, 0), (1, 1)], [(2, 1), (2, 0)]])), [], {}, {}
-    )
-    assert len(drawn["lines"]) == 2
+    assert len(MODES["drawing"](coloured, [[(3, 2), (3, 1)]], {}, {})["lines"]) == 4
 
 
 def test_distances_from_a_polygon_are_those_to_its_sides_and_many_points_cost_no_more():

@@ -64,9 +64,7 @@ def test_an_exchanged_word_is_one_mistake(checked):
     swapped = 'locked = {"front": "rear", "rear": "front"}.get(locked, locked)'
     actual = checked("hw06_braking", ('    if locked not in ("front"', f'    {swapped}\n    if locked not in ("front"'))
     assert by_name(actual) == ["axle_load_balances_the_weight"]
-    assert {"friction_force", "state_derivative", "kinetic_energy", "simulate"} <= {
-        name for name, _ in following(actual)
-    }
+    assert {"friction_force", "state_derivative", "kinetic_energy", "simulate"} <= set(dict(following(actual)))
 
 
 @pytest.mark.slow

@@ -79,14 +79,12 @@ def cases():
     """Inputs of each function, with the names that a wrong formula uses."""
     pairs, positive = DRAW.uniform(1, 3, (4, 2)), DRAW.uniform(0.5, 3, (4, 4))
     quadrants = np.array([[1, 1], [1, -1], [-1, 1], [-1, -1]]) * DRAW.uniform(0.2, 2, (4, 2))
+    turns = list(zip(DRAW.normal(size=(4, 2)), DRAW.uniform(0.3, 1.2, 4), strict=True))
     t, fields = np.linspace(1, 3, 9) ** 2, {"gravity": 2.0, "drag": 0.7}
     bodies = [(rate, {"mass": m, "radius": r, "inertia": (a, 2.0)}) for rate, m, r, a in positive]
     return {
         "weight": [(Case(m, h, gravity=g, length=b), {"m": m, "h": h, "g": g, "l": b}) for m, h, g, b in positive],
-        "turned": [
-            (Case(v, angle=a), {"v": v, "a": a})
-            for v, a in zip(DRAW.normal(size=(4, 2)), DRAW.uniform(0.3, 1.2, 4), strict=True)
-        ],
+        "turned": [(Case(v, angle=a), {"v": v, "a": a}) for v, a in turns],
         "polar": [(Case(*at), {"r": math.hypot(*at), "a": math.atan2(*at[::-1])}) for at in quadrants.tolist()],
         "cross": [(Case(a, b), {"a": a, "b": b}) for a, b in DRAW.normal(size=(4, 2, 3))],
         "lift": [(Case(x, m, gravity=9.0), {"l": x, "m": m, "g": 9.0}) for x, m in pairs],
@@ -194,9 +192,7 @@ def test_a_variant_that_never_ends_is_passed_over():
 
 def test_it_is_said_in_the_feedback(grade, solution_text):
     slug = "hw05_constrained_pendulum"
-    quarter = (
-        "\n\ndef energy(state, *, mass, gravity):\n"
-        "    return mass * (state[2] ** 2 + state[3] ** 2) / 4 + mass * gravity * state[1]\n"
-    )
-    (check,) = [check for check in grade(slug, solution_text(slug) + quarter).checks if check.outcome == "failed"]
+    quarter = "    return mass * (state[2] ** 2 + state[3] ** 2) / 4 + mass * gravity * state[1]\n"
+    text = f"{solution_text(slug)}\n\ndef energy(state, *, mass, gravity):\n{quarter}"
+    (check,) = [check for check in grade(slug, text).checks if check.outcome == "failed"]
     assert check.suspect == "In energy, a number with mass, state is twice or half the right one"

@@ -26,16 +26,10 @@ def leave_trace(folder, task):
     return task
 
 
-def die_at_first(folder, task):
+def die(folder, tasks, times, task):
+    """Die in some tasks, so many times."""
     leave_trace(folder, task)
-    if task % 5 == 0 and len(list(folder.glob(f"{task}-*"))) == 1:
-        os.kill(os.getpid(), signal.SIGKILL)
-    return task
-
-
-def die(folder, task):
-    leave_trace(folder, task)
-    if task == 3:
+    if task in tasks and tries(folder, task) <= times:
         os.kill(os.getpid(), signal.SIGKILL)
     return task
 
@@ -44,19 +38,16 @@ def tries(folder, task):
     return len(list(folder.glob(f"{task}-*")))
 
 
-def run(work, count, jobs=2):
-    with executor(jobs) as us:
-        return list(in_order(us, work, range(count)))
-
-
 def test_a_task_whose_process_dies_is_done_by_another_and_no_other_task_twice(tmp_path):
-    assert run(functools.partial(die_at_first, tmp_path), 12) == [*range(12)]
+    with executor(2) as us:
+        assert list(in_order(us, functools.partial(die, tmp_path, (0, 5, 10), 1), range(12))) == [*range(12)]
     assert [tries(tmp_path, task) for task in range(12)] == [2 if task % 5 == 0 else 1 for task in range(12)]
 
 
 def test_of_a_bunch_the_task_that_no_process_survives_is_given_up_alone(tmp_path):
     with executor(2) as us:
-        outcomes = {task: it for _, task, it in run_tasks(us, functools.partial(die, tmp_path), range(60), 60)}
+        work = functools.partial(die, tmp_path, (3,), 99)
+        outcomes = {task: it for _, task, it in run_tasks(us, work, range(60), 60)}
     assert isinstance(outcomes.pop(3), WorkerLost) and outcomes == {task: task for task in range(60) if task != 3}
     assert tries(tmp_path, 3) == TRIES + 1
 
@@ -150,7 +141,6 @@ def test_what_is_expensive_is_computed_once_a_run_the_same_to_the_last_bit(share
         monkeypatch.setattr(expected, "_known", expected.Memory(5))
         actual.append(expected.expected_result(motion, case))
     assert tries(shared, "motion") == computed
-    assert all(
-        type(item) is tuple and all(np.array_equal(*pair) for pair in zip(*actual, strict=True)) for item in actual
-    )
+    assert {type(item) for item in actual} == {tuple}
+    assert all(np.array_equal(*pair) for pair in zip(*actual, strict=True))
     actual[1][0][0] = 0.0  # no read-only memory

@@ -27,9 +27,8 @@ def class_of(count, folder, text):
 
 def grading(tree, out, jobs="2"):
     command = [sys.executable, "-m", "tam570_grader", "grade", tree, "--out", out, "--seed", "5", "--jobs", jobs]
-    return subprocess.Popen(
-        list(map(str, command)), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, start_new_session=True
-    )
+    pipes = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE, "text": True}
+    return subprocess.Popen(list(map(str, command)), start_new_session=True, **pipes)
 
 
 def run_to_end(process):

@@ -60,9 +60,10 @@ def test_what_cannot_be_told_is_one_row_that_says_why_and_holds_up_nobody(class_
     assert all(name in said[student] for student in ("bob", "dan", "kim") for name in odd[student])
 
 
-@pytest.mark.parametrize(
-    "name", ["ida/work.py", "ida/hw080.py", "ida/final.zip", "ida/mine/a.py", "lone.zip", "ida/notes.pdf"]
-)
+LOST = ["ida/work.py", "ida/hw080.py", "ida/final.zip", "ida/mine/a.py", "lone.zip", "ida/notes.pdf"]
+
+
+@pytest.mark.parametrize("name", LOST)
 def test_what_tells_no_assignment_is_warned_of(class_of, name):
     tree = class_of([GRADED[0], name])
     (warning,) = skipped_files([tree], submissions([tree], SLUGS), SLUGS)
@@ -122,25 +123,20 @@ def test_the_assignments_of_one_student_are_no_students(run, tmp_path, solution_
     assert {("ann", HW08), ("ann", OTHER)} <= {(line["student"], line["assignment"]) for line in lines}
 
 
-MOODLE = """"First name",Surname,Username,"ID number","Email address"
-Ann,Adams,aadams,A1,ann@x.edu
-Bo,Brown,bbrown,A2,bo@x.edu
-"""
-WORKSHEET = """Identifier;"Full name";"Email address";Status;Grade
-"Participant 17";"Ann Adams";aadams;Submitted;
-"Participant 18";"Bo Brown";bbrown;Submitted;
-"""
-GRADESCOPE = (
-    "First Name,Last Name,SID,Email,Role\nAnn,Adams,aadams,ann@x.edu,Student\nBo,Brown,bbrown,bo@x.edu,Student\n"
-)
-NBGRADER = "id,first_name,last_name,email\naadams,Ann,Adams,a@x\nbbrown,Bo,Brown,b@x\n"
+ROSTERS = {  # a heading, and a student's row
+    "moodle": ('"First name",Surname,Username,"ID number"', "{first},{last},{login},A1"),
+    "worksheet of moodle": ("Identifier;Full name;Email address;Status", '"Participant 1";"{first} {last}";{login};'),
+    "gradescope": ("First Name,Last Name,SID,Email,Role", "{first},{last},{login},{first}@x.edu,Student"),
+    "nbgrader": ("id,first_name,last_name,email", "{login},{first},{last},{first}@x"),
+    "logins": ("student", "{login}"),
+}
 
 
-@pytest.mark.parametrize(
-    "text", [MOODLE, WORKSHEET, GRADESCOPE, NBGRADER, "aadams\nbbrown\n", "student\naadams\nbbrown\n"]
-)
-def test_students_are_rows_and_nobody_else_is(tmp_path, text):
-    (tmp_path / "roster.csv").write_text("\ufeff" + text, encoding="utf-8")
+@pytest.mark.parametrize("system", ROSTERS)
+def test_students_are_rows_and_nobody_else_is(tmp_path, system):
+    heading, row = ROSTERS[system]
+    rows = [row.format(login=login, first=login[0], last=login[1:]) for login in ("aadams", "bbrown")]
+    (tmp_path / "roster.csv").write_text("\n".join(["\ufeff" + heading, *rows]), encoding="utf-8")
     assert students(tmp_path / "roster.csv") == ["aadams", "bbrown"]
 
 

@@ -166,9 +166,6 @@ def test_a_tree_is_graded(run, tree, scores):
     assert set(line["checks"][0]) >= {"name", "part", "points", "max_points", "outcome", "message", "suspect"}
 
 
-# Notebooks
-
-
 @pytest.mark.parametrize(
     "cell",
     [

@@ -56,14 +56,13 @@ class Desk:
 
     def scores(self, slug=HW08):
         """{student: score} of an assignment, by results/grades.csv."""
-        return {
-            row["student"]: float(row["score"]) for row in self.rows("results/grades.csv") if row["assignment"] == slug
-        }
+        rows = self.rows("results/grades.csv")
+        return {row["student"]: float(row["score"]) for row in rows if row["assignment"] == slug}
 
     @property
     def collected(self):
         """The text of each student's module of hw08, beside which nothing is collected."""
-        files = [path for path in (self.folder / "submitted").glob(f"*/{HW08}/*")]
+        files = list((self.folder / "submitted").glob(f"*/{HW08}/*"))
         assert {path.name for path in files} <= {f"{HW08}.py"}
         return {path.parts[-3]: path.read_text() for path in files}
 

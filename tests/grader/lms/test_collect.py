@@ -140,9 +140,6 @@ def test_a_disk_that_is_full_cuts_no_module_short(download, desk, monkeypatch):
     assert desk.collected == {"aadams": "first"}
 
 
-# What a student names a file is nobody's name
-
-
 @pytest.mark.parametrize(
     ("system", "path"),
     [
@@ -195,9 +192,6 @@ def test_a_table_that_gradescope_did_not_write_is_refused(desk, download, what):
     assert code == 2 and "submission_metadata.yml" in said and not (desk.folder / "submitted").exists()
 
 
-# Names with anything in them
-
-
 def test_names_that_are_no_text_are_told_as_text_and_kept_whole(course, tmp_path, capsysbinary):
     clear, letter = "\x1b[2J", os.fsdecode(b"\xe9")  # what clears the screen, and a letter in Latin-1
     path = f"Ann{clear} {letter}_17_assignsubmission_file_/{clear}work{letter}.py"
@@ -212,9 +206,7 @@ def test_names_that_are_no_text_are_told_as_text_and_kept_whole(course, tmp_path
     assert os.fsencode(path) in (tmp_path / "collected.csv").read_bytes()
 
 
-@pytest.mark.parametrize(
-    "login", ["../../up", "a\0b", "\x1b[2J", "x" * 300, "__main", ".ssh", "-rf", "*", "a/b", "o'brien"]
-)
+@pytest.mark.parametrize("login", ["../../up", "a\0b", "\x1b[2J", "x" * 300, "__main", ".ssh", "-rf", "*", "o'brien"])
 def test_a_login_is_one_folder_and_the_same_student_on_the_roster(download, desk, login):
     roster = f'Student,ID,SIS Login ID,Section\n"Adams, Ann",17,"{login}",570\n'
     download("canvas", {"adamsann_17_5_hw08.py": "def skew(v:"}, roster)

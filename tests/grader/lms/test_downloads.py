@@ -10,7 +10,6 @@ import zipfile
 
 import pytest
 from classes import HW08
-from classes import HW08 as SLUG
 
 from tam570_grader.checks import assignments
 from tam570_grader.checks.failure import WHOLE
@@ -99,12 +98,7 @@ def test_a_failure_of_ours_leaves_no_results(course, desk, submission, monkeypat
 
 @pytest.mark.parametrize(
     ("folder", "more"),
-    [
-        ("", "docs/plan.md"),
-        ("a/b", ""),
-        ("homework", "hw08_axis_angle/notes.txt"),
-        ("", "hw07_double_pendulum/hw07.py"),
-    ],
+    [("", "docs/plan.md"), ("a/b", ""), ("homework", f"{HW08}/notes.txt"), ("", "hw07_double_pendulum/hw07.py")],
 )
 def test_a_folder_beside_the_work_costs_no_result(desk, submission, folder, more):
     (submission / folder).mkdir(parents=True, exist_ok=True)
@@ -130,9 +124,7 @@ def test_the_archive_grades_by_itself(desk, submission):
     subprocess.run(["sh", "-n", source / "setup.sh"], check=True)
     ours = os.pathsep.join(str(source / "course" / part) for part in ("shared", "autograder"))
     environment = {"PATH": os.environ["PATH"], "PYTHON": sys.executable, "PYTHONPATH": ours}
-    done = subprocess.run(
-        ["sh", source / "run_autograder"], cwd="/", env=environment, capture_output=True, text=True, check=False
-    )
+    done = subprocess.run(["sh", source / "run_autograder"], cwd="/", env=environment, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     assert as_gradescope_reads_it((desk.folder / "results" / "results.json").read_text())["score"] == 10
 
@@ -168,18 +160,16 @@ def test_a_login_that_could_be_a_formula_is_matched_as_it_is_and_warned_of(desk)
     assert "\n'+1,,,+1,,9.5" in desk("lms", "grades.csv", "--to", "canvas")[1]
 
 
-# Pages go back by the names of the downloaded files
-
-
+# Pages go back by the names of the downloaded files.
 HEADING = "student,name,assignment,file,when,late,from,note\n"
 CANVAS = [
-    f"ann,,{SLUG},{SLUG}.py,,,adamsann_17_600_hw08_axis_angle-2.py,",
-    f"ann,,{SLUG},,,,adamsann_17_500_hw08_axis_angle.py,older",
-    f"bo,,{SLUG},{SLUG}.py,,LATE,all/brownbo_LATE_18_550_hw08.zip/mine/hw08.py,",
+    f"ann,,{HW08},{HW08}.py,,,adamsann_17_600_hw08_axis_angle-2.py,",
+    f"ann,,{HW08},,,,adamsann_17_500_hw08_axis_angle.py,older",
+    f"bo,,{HW08},{HW08}.py,,LATE,all/brownbo_LATE_18_550_hw08.zip/mine/hw08.py,",
 ]
 MOODLE = [
-    f"ann,,{SLUG},{SLUG}.py,,,Ann Adams_17_assignsubmission_file_Bo Brown_18_assignsubmission_file_hw08.py,",
-    f"bo,,{SLUG},{SLUG}.py,,,Bo Brown_18_assignsubmission_file/hw08.py,",
+    f"ann,,{HW08},{HW08}.py,,,Ann Adams_17_assignsubmission_file_Bo Brown_18_assignsubmission_file_hw08.py,",
+    f"bo,,{HW08},{HW08}.py,,,Bo Brown_18_assignsubmission_file/hw08.py,",
 ]
 
 
@@ -189,7 +179,7 @@ def hand_back(desk):
     desk.write_grades({"ann": 9, "bo": 8})
     for student in ("ann", "bo"):
         (desk.folder / "feedback" / student).mkdir(parents=True)
-        desk.write(f"feedback/{student}/{SLUG}.html", f"page of {student}")
+        desk.write(f"feedback/{student}/{HW08}.html", f"page of {student}")
 
     def hand_back(system, rows, *more):
         desk.write("collected.csv", HEADING + "".join(f"{row}\n" for row in rows))
@@ -206,25 +196,25 @@ def hand_back(desk):
 @pytest.mark.parametrize(
     ("system", "rows", "ann", "bo"),
     [
-        ("canvas", CANVAS, f"adamsann_17_600_{SLUG}.html", f"brownbo_LATE_18_550_{SLUG}.html"),
-        ("moodle", MOODLE, *(f"{who}_assignsubmission_file_{SLUG}.html" for who in ("Ann Adams_17", "Bo Brown_18"))),
+        ("canvas", CANVAS, f"adamsann_17_600_{HW08}.html", f"brownbo_LATE_18_550_{HW08}.html"),
+        ("moodle", MOODLE, *(f"{who}_assignsubmission_file_{HW08}.html" for who in ("Ann Adams_17", "Bo Brown_18"))),
     ],
 )
 def test_a_page_goes_to_who_handed_in(hand_back, desk, system, rows, ann, bo):
     assert hand_back(system, rows) == (0, {ann: "page of ann", bo: "page of bo"})
     (desk.folder / "pages.zip").unlink()
     assert hand_back(system, MOODLE if rows is CANVAS else CANVAS) == (2, {})
-    (desk.folder / "feedback" / "bo" / f"{SLUG}.html").unlink()
+    (desk.folder / "feedback" / "bo" / f"{HW08}.html").unlink()
     assert hand_back(system, rows) == (1, {ann: "page of ann"})
 
 
 def test_a_zip_file_holds_the_pages_of_one_assignment(hand_back, desk):
     rows = [*MOODLE, "ann,,hw07_x,hw07_x.py,,,Ann Adams_17_assignsubmission_file/hw07.py,"]
-    grades = f"student,assignment,status,score,max_score\nann,hw07_x,graded,9,10\nann,{SLUG},graded,9,10\n"
+    grades = f"student,assignment,status,score,max_score\nann,hw07_x,graded,9,10\nann,{HW08},graded,9,10\n"
     desk.write("grades.csv", grades)
     assert hand_back("moodle", rows) == (2, {})
     code, actual = hand_back("moodle", rows, "--only", "hw08")
-    assert code == 0 and len(actual) == 2 and all(SLUG in name for name in actual)
+    assert code == 0 and len(actual) == 2 and all(HW08 in name for name in actual)
 
 
 NBGRADER = """assignment,duedate,timestamp,student_id,raw_score,score,max_score

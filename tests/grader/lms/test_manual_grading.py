@@ -92,10 +92,8 @@ def test_a_port_that_is_taken_is_named(desk):
             serve(built, port)
 
 
-@pytest.mark.parametrize(
-    "change", [{"points": "3"}, {"points": "nan"}, {"claims": [7]}, {"part": "z"}, {"claims": "x"}]
-)
-def test_what_is_wrong_is_not_written(desk, change):
+@pytest.mark.parametrize("odd", [{"points": "3"}, {"points": "nan"}, {"claims": [7]}, {"part": "z"}, {"claims": "x"}])
+def test_what_is_wrong_is_not_written(desk, odd):
     built, address = desk
-    assert ask(address, {"part": "c", "claims": [], "points": "", **change})[0] == 400
+    assert ask(address, {"part": "c", "claims": [], "points": "", **odd})[0] == 400
     assert not manual_points.read(built.folder).entries

@@ -123,9 +123,6 @@ def test_the_template_has_a_row_for_each_part_with_what_is_known(results):
     assert cli.main([*fill, "--template"]) == 2  # a table that is being filled in stays
 
 
-# What rows come to
-
-
 def adjusted(score, **items):
     entries = [Entry("ann", SLUG, item.replace("_", " "), points, None, "why") for item, points in items.items()]
     return ManualAdjustments(entries).adjust(("ann", SLUG), score, 10.0, dict).score
@@ -168,9 +165,8 @@ def test_rows_of_the_term_hold_in_every_assignment(rows, rest):
     """Ann's work has 10, 9 and 8 points and is two days late in each, half a point off a day."""
     late = [Entry("ann", slug, "late", 2.0) for slug in TERM]
     adjustments = ManualAdjustments([*late, Entry("*", "*", "off a day", 0.1), *(Entry(*row) for row in rows)])
-    table = adjustments.table(
-        adjustments.row(GradeRow("ann", slug, "graded", 10.0 - n, 10.0), dict) for n, slug in enumerate(TERM)
-    )
+    graded = (GradeRow("ann", slug, "graded", 10.0 - n, 10.0) for n, slug in enumerate(TERM))
+    table = adjustments.table(adjustments.row(row, dict) for row in graded)
     assert [row[3] for row in table] == [score if score == "EX" else pytest.approx(score) for score in rest]
 
 

@@ -42,9 +42,10 @@ def test_what_was_handed_out_is_nobodys(compare, course):
     assert compare(dict.fromkeys(("ann", "ben"), stub), "0.1")[1][0].startswith("0 pairs of 2")
 
 
-@pytest.mark.parametrize(
-    "text", ["\t\n" * 50_000, "f'{{" * 25_000, "x = 1\n" * 40_000, "(" * 99_999, "x = '" + "\\\\" * 40_000 + "'"]
-)
+LONG = ["\t\n" * 50_000, "f'{{" * 25_000, "x = 1\n" * 40_000, "(" * 99_999, "x = '" + "\\\\" * 40_000 + "'"]
+
+
+@pytest.mark.parametrize("text", LONG)
 def test_no_text_keeps_the_others_waiting(compare, solution_text, text):
     copies = dict.fromkeys(("ann", "ben"), solution_text(SLUG))
     assert any(line.startswith("1 pair of") for line in compare({**copies, "eve": text})[1])

@@ -160,8 +160,6 @@ def test_moodles_zip_tells_no_time(desk, download, roster, more, late):
     assert desk.scores() == {login: 5.0 if login in late else 10.0 for login in ("garcia", "obrien")}
 
 
-# Groups and numbers
-
 TEAMS = [("group", "login"), *((group, login) for login, *_, group in CLASS)]
 
 
@@ -227,11 +225,7 @@ def test_a_download_is_of_one_assignment(desk, download):
     assert code == 0 and "is replaced by" in printed and desk.collected == {**before, "ann": "# newer"}
 
 
-# Hostile downloads
-
 ANA = {"delacruzana_12_6_hw08.py": "# Ana"}
-
-
 LONG = {"letters": "17_5_" + "\x1b" * 40_000, "user": "1" * 4400 + "_5", "file": "17_" + "9" * 4400}
 
 
@@ -245,9 +239,6 @@ def test_a_long_name_spoils_no_table(desk, download, name):
 def test_a_zip_file_of_many_names_is_refused_unread(desk, download):
     code, printed = download("canvas", {"leeann_17_5_hw08.zip": packed({f"{n:06}": "" for n in range(30_000)})} | ANA)
     assert code == 1 and "more than 1000 files" in printed and desk.collected == {"12": "# Ana"}
-
-
-# The other systems
 
 
 def test_blackboard_and_back(desk, download, upload):

@@ -15,42 +15,40 @@ from parameters import SLUGS, first
 from tam570_grader import cli
 from tam570_grader.checks import assignments
 from tam570_grader.checks.rubric import load_rubric, rubric_table
-from tam570_grader.release.notebook import (
-    functions_by_part,
-    notebook,
-    part_points,
-    problem,
-    visible_by_part,
-    write_notebook,
-)
+from tam570_grader.release.notebook import functions_by_part, part_points, problem, visible_by_part, write_notebook
 from tam570_grader.release.stubs import stub
 
 ONE = "hw08_axis_angle"
 MISSING = ("is not written", "comes from a cell above that shows nothing yet")
 
 
-def made_notebook(course, slug):
-    released = course / "assignments" / slug
-    texts = [(released / name).read_text() for name in ("README.md", f"test_{slug}.py")]
-    pictures = assignments.checks_folder(course, slug) / "notebook.md"
-    return notebook(assignments.assignment(course, slug), *texts, pictures.read_text() if pictures.exists() else "")
+@pytest.fixture
+def released(course, slug):
+    return course / "assignments" / slug
 
 
-def test_every_part_has_its_text_and_its_points(course, slug):
-    assignment, cells = assignments.assignment(course, slug), made_notebook(course, slug)["cells"]
-    text = problem((course / "assignments" / slug / "README.md").read_text())
-    of_nbgrader = [item["metadata"]["nbgrader"] for item in cells if item["metadata"]]
+@pytest.fixture
+def cells(course, slug, tmp_path):
+    """The cells of the notebook of an assignment, by their ids."""
+    write_notebook(course, slug, tmp_path)
+    cells = json.loads((tmp_path / f"{slug}.ipynb").read_text())["cells"]
+    assert len({cell["id"] for cell in cells}) == len(cells)
+    return {cell["id"]: cell for cell in cells}
+
+
+def test_every_part_has_its_text_and_its_points(course, slug, released, cells):
+    assignment, text = assignments.assignment(course, slug), problem((released / "README.md").read_text())
+    of_nbgrader = [item["metadata"]["nbgrader"] for item in cells.values() if item["metadata"]]
     graded = {item["grade_id"]: item["points"] for item in of_nbgrader}
     assert text.parts and {*part_points(assignment), *assignment.manual} <= set(text.parts)
     assert {f"part-{part}": points for part, points in part_points(assignment).items()}.items() <= graded.items()
     assert {f"manual-{part}": points for part, (points, _) in assignment.manual.items()}.items() <= graded.items()
     assert sum(graded.values()) == assignment.max_score + sum(points for points, _ in assignment.manual.values())
-    assert len({item["id"] for item in cells}) == len(cells)
 
 
-def test_every_visible_test_belongs_to_one_part_and_every_function_to_its_check(course, slug):
+def test_every_visible_test_belongs_to_one_part_and_every_function_to_its_check(course, slug, released):
     assignment = assignments.assignment(course, slug)
-    text = (course / "assignments" / slug / f"test_{slug}.py").read_text()
+    text = (released / f"test_{slug}.py").read_text()
     placed = [name for names in visible_by_part(assignment, text).values() for name in names]
     assert sorted(placed) == sorted(re.findall(r"^def (test_\w+)", text, re.MULTILINE))
     assert set(functions_by_part(assignment).values()) <= set(part_points(assignment))
@@ -93,26 +91,6 @@ def work(course, tmp_path, made_course):
     return work
 
 
-@pytest.fixture
-def assert_the_notebook_runs(course, work):
-    """With the stub each part says what is missing, with the solution what there is to see is shown."""
-
-    def assert_the_notebook_runs(slug):
-        solution = (course / "solutions" / f"{slug}.py").read_text()
-        cells = run_top_to_bottom(work(slug, stub(solution)), slug)
-        for cell in cells:
-            if cell["id"].startswith(("part-", "picture-", "scene")):
-                assert any(word in said([cell]) for word in MISSING), cell
-        cells = run_top_to_bottom(work(slug, solution), slug)
-        assert not [word for word in ("Nothing to see", "This stopped", "\n- ") if word in said(cells)]
-        for cell in cells:
-            assert not cell["id"].startswith("picture-") or cell["outputs"]
-        (moving,) = next(cell for cell in cells if cell["id"] == "scene")["outputs"]
-        assert "<iframe" in "".join(moving["data"]["text/html"])
-
-    return assert_the_notebook_runs
-
-
 def run_top_to_bottom(folder, slug):
     """The cells of the notebook in this folder, run, without an error and without a warning."""
     command = ["-m", "jupyter", "nbconvert", "--to", "notebook", "--execute", "--inplace", f"{slug}.ipynb"]
@@ -131,8 +109,17 @@ def said(cells):
 
 
 @pytest.mark.slow
-def test_every_notebook_runs_with_the_stub_and_with_the_solution(assert_the_notebook_runs, slug):
-    assert_the_notebook_runs(slug)
+def test_every_notebook_runs_with_the_stub_and_with_the_solution(work, slug, solution_text):
+    """With the stub each part says what is missing, with the solution what there is to see is shown."""
+    for cell in run_top_to_bottom(work(slug, stub(solution_text(slug))), slug):
+        if cell["id"].startswith(("part-", "picture-", "scene")):
+            assert any(word in said([cell]) for word in MISSING), cell
+    cells = run_top_to_bottom(work(slug, solution_text(slug)), slug)
+    assert not [word for word in ("Nothing to see", "This stopped", "\n- ") if word in said(cells)]
+    for cell in cells:
+        assert not cell["id"].startswith("picture-") or cell["outputs"]
+    (moving,) = next(cell for cell in cells if cell["id"] == "scene")["outputs"]
+    assert "<iframe" in "".join(moving["data"]["text/html"])
 
 
 @pytest.mark.slow
@@ -142,17 +129,14 @@ def test_a_module_that_is_saved_is_read_again(course, work):
 
     solution = (course / "solutions" / f"{ONE}.py").read_text()
     folder = work(ONE, stub(solution))
-    client = NotebookClient(
-        nbformat.read(folder / f"{ONE}.ipynb", as_version=4), resources={"metadata": {"path": str(folder)}}
-    )
-    setup, picture = (
-        next(k for k, cell in enumerate(client.nb.cells) if cell["id"] == name) for name in ("setup", "picture-a")
-    )
+    book = nbformat.read(folder / f"{ONE}.ipynb", as_version=4)
+    client = NotebookClient(book, resources={"metadata": {"path": str(folder)}})
+    setup, picture = map([cell["id"] for cell in book.cells].index, ("setup", "picture-a"))
     with client.setup_kernel():
-        client.execute_cell(client.nb.cells[setup], setup)
-        before = said([client.execute_cell(client.nb.cells[picture], picture)])
+        client.execute_cell(book.cells[setup], setup)
+        before = said([client.execute_cell(book.cells[picture], picture)])
         (folder / f"{ONE}.py").write_text(solution)
-        after = said([client.execute_cell(client.nb.cells[picture], picture)])
+        after = said([client.execute_cell(book.cells[picture], picture)])
     assert "Nothing to see yet" in before and "Nothing to see yet" not in after
 
 
@@ -217,11 +201,6 @@ def test_a_table_that_is_not_finished_leaves_the_last_one(ending, tmp_path, monk
     assert [path.read_text() for path in tmp_path.iterdir()] == ["of the last time"]
 
 
-@pytest.fixture
-def released(course, slug):
-    return course / "assignments" / slug
-
-
 def test_every_claim_has_points_and_every_part_is_one_of_the_problem(released):
     rubric = load_rubric(released)
     assert {*rubric} <= {*problem((released / "README.md").read_text()).parts} | {"a"}
@@ -230,9 +209,7 @@ def test_every_claim_has_points_and_every_part_is_one_of_the_problem(released):
         assert all(points > 0 for points, _ in part.claims)
 
 
-def test_a_notebook_asks_for_the_prediction_above_the_picture_and_shows_the_claims(course, slug, released, tmp_path):
-    write_notebook(course, slug, tmp_path)
-    cells = {cell["id"]: cell for cell in json.loads((tmp_path / f"{slug}.ipynb").read_text())["cells"]}
+def test_a_notebook_asks_for_the_prediction_above_the_picture_and_shows_the_claims(released, cells):
     order = list(cells)
     for letter, part in load_rubric(released).items():
         assert rubric_table(part) in cells[f"task-{letter}"]["source"]

@@ -73,11 +73,8 @@ def test_what_a_student_calls_things_is_text_and_no_markup(page, grade):
 
 
 def test_what_a_function_raises_in_a_hidden_call_is_not_on_the_page(page, grade, solution_text):
-    text = solution_text("hw08_axis_angle") + (
-        "\ndef skew(v):\n    print('LEAK', v)\n    raise ValueError(f'LEAK {v}')\n"
-    )
-    result = grade("hw08_axis_angle", text)
-    built = page(result)
+    leaks = "\ndef skew(v):\n    print('LEAK', v)\n    raise ValueError(f'LEAK {v}')\n"
+    built = page(grade("hw08_axis_angle", solution_text("hw08_axis_angle") + leaks))
     assert "skew raised ValueError" in built and "LEAK" not in built
 
 
@@ -109,15 +106,11 @@ def test_beside_a_wrong_motion_is_what_becomes_of_the_energy_along_it(
     assert not re.search(r"(?:src|href)=\"(?!#)|url\(|@import|<script", document), "it needs another file"
 
 
-# Curves
-
-
 def test_the_curve_of_an_error_tells_when_it_grows_and_passes_the_limit():
     t = np.linspace(2.0, 12.0, 501)
     error = 1e-8 * np.exp(2 * (t - 2))
-    observed = curve(
-        t, np.column_stack([t, t + error]), np.column_stack([t, t]), 1.0, tolerance=1e-4, quantity="x", unit="m"
-    )
+    actual, expected = np.column_stack([t, t + error]), np.column_stack([t, t])
+    observed = curve(t, actual, expected, 1.0, tolerance=1e-4, quantity="x", unit="m")
     levels = np.array(observed["values"])
     assert observed["scale"] == "log" and "span" not in observed
     rising = levels[(levels > FLOOR) & (levels < CEILING)]
@@ -168,9 +161,7 @@ def test_a_page_that_fails_is_that_students_alone(tmp_path, grade, course, solut
     slug = "hw08_axis_angle"
     item = grade(slug, solution_text(slug)).record()
     page = feedback.page
-    monkeypatch.setattr(
-        feedback, "page", lambda result, *more: 1 / 0 if result.student == "ada" else page(result, *more)
-    )
+    monkeypatch.setattr(feedback, "page", lambda item, *more: 1 / 0 if item.student == "ada" else page(item, *more))
     (tmp_path / "feedback" / "ben").mkdir(parents=True)
     elsewhere = tmp_path / "elsewhere"
     elsewhere.write_text("kept")

@@ -1,6 +1,7 @@
 """What of a submission costs nobody else: its words at import, its folder, a machine on which it cannot be confined."""
 
 import json
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -23,38 +24,29 @@ confined = pytest.mark.skipif(isolation() != "bubblewrap", reason="needs bubblew
 
 
 @pytest.mark.parametrize(
-    ("text", "words"),
-    [
-        ("import nunpy", "ModuleNotFoundError at line 1: No module named 'nunpy'"),
-        ("from numpy import ar_ray", "ImportError at line 1: cannot import name 'ar_ray' from 'numpy'"),
-        ("\nx = whatever", "NameError at line 2: name 'whatever' is not defined"),
-        ("def skew(v:", "SyntaxError at line 1: '(' was never closed"),
-        ("raise ValueError('1.25')", "ValueError at line 1"),
-        ("raise NameError(f\"name '{'wha' + 'tever'}' is not defined\")", "NameError at line 1"),
-        ("class Odd(Exception): pass\nraise Odd('1.25')", "Exception at line 2"),
-    ],
-)
-def test_of_an_import_the_interpreters_own_words_are_told_about_words_of_the_file(grade, text, words):
-    assert grade(HW08, text).message == f"Your file cannot be imported: {words}"
-
-
-@pytest.mark.parametrize(
     ("text", "status", "words"),
     [
-        ("def skew(v:", "unreadable", "SyntaxError"),
+        ("import nunpy", "unreadable", "ModuleNotFoundError at line 1: No module named 'nunpy'$"),
+        ("from numpy import ar_ray", "unreadable", "ImportError at line 1: cannot import name 'ar_ray' from 'numpy'$"),
+        ("\nx = whatever", "unreadable", "NameError at line 2: name 'whatever' is not defined$"),
+        ("def skew(v:", "unreadable", r"SyntaxError at line 1: '\(' was never closed$"),
+        # of what the file says itself, nothing is told
+        ("raise ValueError('1.25')", "unreadable", "ValueError at line 1$"),
+        ("raise NameError(f\"name '{'wha' + 'tever'}' is not defined\")", "unreadable", "NameError at line 1$"),
+        ("class Odd(Exception): pass\nraise Odd('1.25')", "unreadable", "Exception at line 2$"),
         (bytes(range(256)) * 40, "unreadable", "cannot be"),
-        ("{" * 100_000, "unreadable", ""),
+        ("{" * 100_000, "unreadable", "."),
         ("import tam570.rotations", "unreadable", "it imports tam570.rotations, which is off limits"),
         ("class Forbidden(Exception): pass\nraise Forbidden('1.25')", "unreadable", "was not graded: it imports"),
         ("x = 1\nimport sys\nsys.exit()", "crashed", "ends itself at line 3"),
-        ("\nx = input('x')", "unreadable", "calls input() at line 2"),
+        ("\nx = input('x')", "unreadable", r"calls input\(\) at line 2"),
         ("import os\nos._exit(0)", "crashed", "ended its process at import"),
-        ("while True: pass", "timeout", ""),
+        ("while True: pass", "timeout", "."),
     ],
 )
 def test_what_a_file_does_at_import_is_named_and_scores_nothing(grade, text, status, words):
     result = grade(HW08, text, limits=ResourceLimits(call=1), notebook=text[0] == "{")
-    assert (result.status, result.score) == (status, 0.0) and words in result.message and result.message
+    assert (result.status, result.score) == (status, 0.0) and re.search(words, result.message)
     assert "1.25" not in result.message and all(check.outcome == "not_run" for check in result.checks)
 
 
@@ -151,9 +143,8 @@ def test_what_is_hidden_is_empty_and_takes_no_notes(course, solution_text):
     hidden = Path(pytest.__file__).parent
     others = [path for path in other_packages([str(hidden.parent)]) if path.is_dir()]
     places = [str(path) for path in (hidden, *others)]
-    looks = (
-        f"for place in {places}:\n    assert not os.listdir(place) and os.statvfs(place).f_flag & os.ST_RDONLY, place\n"
-    )
+    is_hidden = "not os.listdir(place) and os.statvfs(place).f_flag & os.ST_RDONLY"
+    looks = f"for place in {places}:\n    assert {is_hidden}, place\n"
     worker = Zygote(["numpy"], ResourceLimits(), [hidden])
     source = Source(f"import os\n{looks}{solution_text(HW08)}".encode())
     outcome = graded("eve", source, assignments.assignment(course, HW08), worker, 1)
@@ -173,9 +164,8 @@ if any(str(one.__module__).startswith("tam570.rotations") for one in found):
 def test_what_is_off_limits_is_not_in_a_workers_memory_though_others_import_it(course, solution_text):
     request = WorkerConfig(ResourceLimits(), preload=("tam570.rotations",))
     with sandboxes():
-        outcome = result(
-            GradeTask(course, "eve", HW08, 1, Source((DIGS + solution_text(HW08)).encode()), conditions=request)
-        )
+        source = Source((DIGS + solution_text(HW08)).encode())
+        outcome = result(GradeTask(course, "eve", HW08, 1, source, conditions=request))
     assert outcome.score == 10, outcome.message
 
 

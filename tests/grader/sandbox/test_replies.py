@@ -84,12 +84,10 @@ def test_a_drawing_has_short_labels_and_a_scatter_few_points():
     assert len(built.lines[0].points) <= replies.MOST_SCATTERED
 
 
-@pytest.mark.parametrize(
-    "message", [{"replies": []}, {"replies": [{"value": 1.0}] * 3}, {"values": np.empty((2**40, 0))}]
-)
-def test_a_message_has_as_many_replies_as_calls_at_most(message):
+@pytest.mark.parametrize("sent", [{"replies": []}, {"replies": [{"value": 1.0}] * 3}, {"values": np.empty((2**40, 0))}])
+def test_a_message_has_as_many_replies_as_calls_at_most(sent):
     with pytest.raises(ProcessLost):
-        replies.checked(message, "value", most=2)
+        replies.checked(sent, "value", most=2)
 
 
 def test_results_alike_come_as_one_array():

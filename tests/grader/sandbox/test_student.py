@@ -163,9 +163,7 @@ def test_a_function_that_may_not_be_called_may_not_by_another_name(grade, soluti
     outcome = grade(SLUG, text)
     assert outcome.score == 6.0, outcome
     said = [check.message for check in outcome.checks if check.outcome == "failed"]
-    assert said and all(item.startswith("rotate uses what is off limits in it: rotation_matrix.") for item in said), (
-        said
-    )
+    assert said and all(item.startswith("rotate uses what is off limits in it: rotation_matrix.") for item in said)
 
 
 DEATHS = {
