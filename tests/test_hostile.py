@@ -20,9 +20,8 @@ COURSE = assignments.find()
 SLUG = "hw08_axis_angle"
 FILES = sorted((Path(__file__).parent / "hostile").glob("*.py"))
 ATTACKS = [pytest.param(path, marks=[pytest.mark.slow] if k % 8 else []) for k, path in enumerate(FILES)]
-HONEST = (
-    COURSE / "autograder" / "checks" / SLUG / "alternatives" / "quaternions_and_lists.py"
-)  # no function calls another
+# No function of it calls another.
+HONEST = COURSE / "autograder" / "checks" / SLUG / "alternatives" / "quaternions_and_lists.py"
 JUNK = """
 def skew(v): return [[0.0] * 3] * 3
 def rotation_matrix(axis, angle): return [[0.0] * 3] * 3

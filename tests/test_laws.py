@@ -31,10 +31,7 @@ def first_of_each(cases, key):
     keys = [key(*case) for case in cases]
     slow = [key in keys[:k] for k, key in enumerate(keys)]
     return {
-        "argvalues": [
-            pytest.param(*case, marks=[pytest.mark.slow] if is_slow else [])
-            for case, is_slow in zip(cases, slow, strict=True)
-        ],
+        "argvalues": [pytest.param(*case, marks=[pytest.mark.slow] * k) for case, k in zip(cases, slow, strict=True)],
         "ids": [f"{slug[:4]}-{getattr(it, 'name', it).removesuffix('.py')}" for slug, it in cases],
     }
 
@@ -47,9 +44,6 @@ def failures(result):
     return [(check.name, check.outcome, check.message) for check in result.checks if check.outcome != "passed"]
 
 
-# What is released
-
-
 def test_the_stub_keeps_every_signature_and_no_body(slug, solution_text):
     solution, released = (functions(text) for text in (solution_text(slug), stub(solution_text(slug))))
     for name in exported(solution_text(slug)):
@@ -58,9 +52,8 @@ def test_the_stub_keeps_every_signature_and_no_body(slug, solution_text):
 
 
 def test_no_released_file_holds_a_solution_or_a_hidden_check(slug, course, solution_text):
-    secret = solution_text(slug) + "\n".join(
-        path.read_text() for path in assignments.checks_folder(course, slug).glob("*.py")
-    )
+    checks = assignments.checks_folder(course, slug).glob("*.py")
+    secret = solution_text(slug) + "\n".join(path.read_text() for path in checks)
     public = stub(solution_text(slug))
     lines = {line.strip() for line in secret.splitlines() if len(line.strip()) > 30 and line not in public}
     for path in (course / "assignments" / slug).iterdir():
@@ -87,9 +80,6 @@ def test_notation_explains_every_parameter_in_its_meaning(slug, course, solution
     assert {item.arg for of in arguments for item in (*of.args, *of.kwonlyargs)} <= explained
 
 
-# Right answers pass
-
-
 @pytest.mark.parametrize("seed", first(1, range(10)))
 def test_the_solution_has_full_marks(slug, seed, grade, solution_text):
     result = grade(slug, solution_text(slug), seed)
@@ -101,9 +91,6 @@ def test_the_solution_has_full_marks(slug, seed, grade, solution_text):
 def test_right_answers_in_other_styles_have_full_marks(slug, path, seed, grade):
     result = grade(slug, path.read_text(), seed)
     assert result.score == result.max_score, failures(result)
-
-
-# Wrong answers lose points where they must
 
 
 @pytest.mark.parametrize(
@@ -145,8 +132,6 @@ def test_the_inputs_of_a_check_tell_its_mistakes_from_the_truth(slug, check, stu
     assert named_mistake(solution_text(slug), suspects, compared) is None
     assert not names or names & set(re.findall(r"\w+", check.title)), "its title names none that it calls"
 
-
-# Nothing scores nothing
 
 EMPTY = {
     "an empty file": "",

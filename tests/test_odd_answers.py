@@ -54,11 +54,8 @@ def test_odd_answers_cost_points_alone(slug, least, grade, solution_text, counte
         back = records.read(json.loads(json.dumps(result.record(), allow_nan=False)))
         feedback.page(back, info)
         faults += [(seed, check.name, check.error) for check in back.checks if check.error]
-        faults += [
-            (seed, check.name, fault) for check in back.checks if (fault := check.failure and check.failure.fault)
-        ]
+        faults += [(seed, check.name, each.fault) for check in back.checks if (each := check.failure) and each.fault]
         results[f"s{seed}", slug] = back
         seed += 1
-    print(f"{slug}: {counted.answers:.0f} odd answers in {seed} submissions")
     report.report(report.newest(results.values()), {slug: info})
     assert not faults, faults

@@ -56,9 +56,8 @@ def bars():
     theta, omega = np.array([1.0, 1.0 + 1e-9]), np.array([-1.7, 2.9])
     for masses in ((1.0, 1.0), (1.0, 1e-9), (1e-9, 1.0), (1e6, 1e-6)):
         for lengths in ((1.0, 1.6), (1e-3, 1e3), (1e6, 1e-6)):
-            (m1, m2), (l1, l2), (th1, th2), (om1, om2) = (
-                map(mp.mpf, map(float, q)) for q in (masses, lengths, theta, omega)
-            )
+            pairs = (masses, lengths, theta, omega)
+            (m1, m2), (l1, l2), (th1, th2), (om1, om2) = (map(mp.mpf, map(float, pair)) for pair in pairs)
             c, s = (m2 * l1 * l2 / 2 * f(th1 - th2) for f in (mp.cos, mp.sin))
             M = mp.matrix([[(m1 / 3 + m2) * l1**2, c], [c, m2 * l2**2 / 3]])
             k1, k2 = mp.mpf(g) * (m1 / 2 + m2) * l1, mp.mpf(g) * m2 * l2 / 2

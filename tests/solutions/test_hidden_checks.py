@@ -10,9 +10,8 @@ from tam570_grader import Case
 from tam570_grader.checks import assignments
 from tam570_grader.checks.expect import Failed
 
-CHECKS = {
-    check.name: check for check in assignments.assignment(assignments.find(), "hw03_angular_momentum_rate").checks
-}
+HW03 = assignments.assignment(assignments.find(), "hw03_angular_momentum_rate")
+CHECKS = {check.name: check for check in HW03.checks}
 DRAW = np.random.default_rng(3)
 
 
@@ -31,24 +30,17 @@ def turned(p, c, far=100.0):
     return p, c
 
 
+GROWING = [[0, 0, -2], [0, 0, 0.1]]
 SPECIAL = {
     "P at rest, C speeding along a line": ("b", [[0, 1, 0]], [[0, 0, 0], [1, 0, 0], [1, 0, 0]]),
     "P at rest, C on a curve": ("b", [[5, 0, 1]], [[0, 0, 0], [0, 2, 0], [0, 0, 3], [1, 0, 0]]),
     "parallel lines": ("b", [[0, 1, 0], [2, 0, 0], [0, 0, 0], [-1, 0, 0]], [[0, 0, 0], [1, 0, 0], [1, 0, 0]]),
     "parallel lines, P uniform": ("b", [[0, 0, 1], [-1, 0, 0]], [[0, 0, 0], [-2, 0, 0], [1 / 3, 0, 0]]),
-    "P twice as fast on a similar curve": (
-        "b",
-        [[0, 0, 1], [2, 0, 0], [0, 2, 0], [0, 0, 2]],
-        [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]],
-    ),
+    "P twice as fast on a similar curve": ("b", [[0, 0, 1], *2 * np.eye(3)], [[0, 0, 0], *np.eye(3)]),
     "P above a thrown C": ("c", [[0, 1, 0], [1, 1, 0], [0, -1, 0]], [[0, 0, 0], [1, 0, 0], [0, -1, 0]]),
     "P below it, and falling": ("c", [[0, -1, 0], [1, 1, 0], [0, -3, 0]], [[0, 0, 0], [1, 1, 0], [0, -1, 0]]),
     "C about a uniform P": ("c", [[0, 0, 0], [0, 7, 0]], [[0, 0, 2], [0, 7, 0], [0, 0, -1]]),
-    "C with an acceleration that grows": (
-        "c",
-        [[0, 0, 4], [1, 0, 2], [0, 0, -2], [0, 0, 0.1]],
-        [[0, 0, 0], [1, 0, 1], [0, 0, -2], [0, 0, 0.1]],
-    ),
+    "C with an acceleration that grows": ("c", [[0, 0, 4], [1, 0, 2], *GROWING], [[0, 0, 0], [1, 0, 1], *GROWING]),
     "P at rest on the line of C": ("c", [[0, 0, 2]], [[0, 0, 0], [0, 0, 1], [0, 0, 0.25]]),
 }
 ON_ONE_LINE = SPECIAL.pop("P at rest on the line of C")  # b holds too
@@ -75,7 +67,7 @@ def test_any_special_motion_is_taken_for_its_definition_and_none_next_to_it(defi
             run_check(definition, *turned(p, c, far))
 
 
-LINE = [[0, 0, 0], [1, 0, 0], [1, 0, 0]]
+X, LINE = [1, 0, 0], [[0, 0, 0], [1, 0, 0], [1, 0, 0]]
 SEEMING = {
     "C at rest": ("b", [[0, 1, 0]], [[0, 0, 0]], "velocity of C"),
     "C uniform": ("b", [[0, 1, 0]], [[0, 0, 0], [1, 0, 0]], "acceleration of C"),
@@ -85,13 +77,13 @@ SEEMING = {
     "C stops as (t - 1/3)^2": (
         "b",
         [[0, 1, 0]],
-        [[0, 0, 0], [1 / 9, 0, 0], [-1 / 3, 0, 0], [1 / 3, 0, 0]],
+        np.outer([0, 1 / 9, -1 / 3, 1 / 3], X),
         "velocity of C vanishes at t = 0.33",
     ),
     "C's acceleration turns round": (
         "b",
         [[0, 1, 0]],
-        [[0, 0, 0], [9, 0, 0], [-1, 0, 0], [0.5, 0, 0]],
+        np.outer([0, 9, -1, 0.5], X),
         "acceleration of C vanishes at t = 0.67",
     ),
     "an acceleration of roundings": ("b", [[0, 1, 0]], [[0, 0, 0], [1, 0, 0], [1e-16, 0, 0]], "acceleration of C"),

@@ -60,9 +60,8 @@ def exact_matrix(axis, angle):
 
 
 def exact_euler_matrix(sequence, angles):
-    first, second, third = (
-        exact_matrix(np.eye(3)[int(d) - 1], float(a)) for d, a in zip(sequence, angles, strict=True)
-    )
+    axes = [np.eye(3)[int(digit) - 1] for digit in sequence]
+    first, second, third = map(exact_matrix, axes, map(float, angles))
     return first @ second @ third
 
 

@@ -55,9 +55,8 @@ ROUNDED = {
     "a centre of mass": (balanced, np.array([1.0, -1.0, 0.0, 0.0, 0.0, 0.0]), 50.0),
     "a circular orbit": (circular, np.array([1.7, 0.0, 0.0, 1.7**-1.5]), 60.0),
 }
-CHAINS = {
-    name: (PROBLEMS[name][0], np.array(PROBLEMS[name][1]), 20.0) for name in ("DETEST C1", "DETEST C3", "DETEST C4")
-}
+DETEST = ("DETEST C1", "DETEST C3", "DETEST C4")
+CHAINS = {name: (PROBLEMS[name][0], np.array(PROBLEMS[name][1]), 20.0) for name in DETEST}
 
 
 class TooMany(Exception):

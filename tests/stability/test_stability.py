@@ -2,6 +2,7 @@
 
 import math
 import runpy
+from functools import partial
 
 import numpy as np
 import pytest
@@ -50,21 +51,14 @@ def test_the_start_of_every_scene_is_left_by_small_steps(name):
     assert (np.abs(explicit - implicit) / size).max() < 1e-9
 
 
-@pytest.mark.parametrize("amplitude", [2.0**k for k in (-500, -40, 0, 40, 500)])
-def test_a_change_of_units_changes_no_bit(amplitude):
-    t = np.linspace(0, 10, 21)
-    ones, scaled = (
-        solve(oscillator, t, [x, 0.25 * x], parameters={"rate": 2.5}, method="python") for x in (1.0, amplitude)
-    )
-    assert (scaled == amplitude * ones).all()
-
-
-@pytest.mark.parametrize("unit", [2.0**k for k in (-40, -20, 20, 40)])
-def test_a_change_of_the_second_changes_no_bit(unit):
-    t = np.linspace(0, 10, 21)
-    seconds = solve(oscillator, t, [1.0, 0.25], parameters={"rate": 2.5}, method="python")
-    others = solve(oscillator, t * unit, [1.0, 0.25 / unit], parameters={"rate": 2.5 / unit}, method="python")
-    assert (others * [1, unit] == seconds).all()
+@pytest.mark.parametrize("unit", [2.0**k for k in (-500, -40, -20, 20, 40, 500)])
+def test_a_change_of_units_changes_no_bit(unit):
+    t, run = np.linspace(0, 10, 21), partial(solve, oscillator, method="python")
+    states = run(t, [1.0, 0.25], parameters={"rate": 2.5})
+    assert (run(t, [unit, 0.25 * unit], parameters={"rate": 2.5}) == unit * states).all()
+    if abs(math.log2(unit)) < 50:  # of the second
+        others = run(t * unit, [1.0, 0.25 / unit], parameters={"rate": 2.5 / unit})
+        assert (others * [1, unit] == states).all()
 
 
 def test_two_times_as_close_as_doubles_allow():
@@ -104,9 +98,6 @@ def test_a_hundred_thousand_periods(method):
     assert drift(pendulum_energy, states).max() < allowed
 
 
-# What starts at zero has a scale: chains that a motion runs along, forces that set in late, jumps in time
-
-
 def chain(masses):
     """Masses of 1 kg between springs of 1 N/m, the ends fixed."""
 
@@ -140,18 +131,10 @@ def test_masses_on_springs_with_the_first_displaced(masses, rtol):
     assert np.abs(states - chain_exactly(masses, start, t)).max() < 10 * rtol
 
 
-@pytest.mark.parametrize("size", [1e-9, 1.0, 1e11])
-def test_a_chain_of_any_size_is_judged_by_its_own(size):
-    t, start = np.linspace(0, 20, 11), unit(16, 0, size)
-    states = solve(chain(8), t, start)
-    assert np.abs(states - chain_exactly(8, start, t)).max() < 1e-9 * size
-
-
 def by_scipy(rates, t, start, **options):
-    """SciPy's DOP853 at its best tolerance; `given` changes it."""
-    result = solve_ivp(
-        rates, (t[0], t[-1]), start, t_eval=t, **{"method": "DOP853", "rtol": 3e-14, "atol": 1e-16, **options}
-    )
+    """SciPy's DOP853, at its best tolerance if no other is given."""
+    options = {"method": "DOP853", "rtol": 3e-14, "atol": 1e-16, **options}
+    result = solve_ivp(rates, (t[0], t[-1]), start, t_eval=t, **options)
     assert result.success
     return result.y.T
 
@@ -191,9 +174,7 @@ def cascade(t, y):
 def test_what_reaches_the_others_only_later(rates, start, end, rtol):
     t = np.linspace(0, end, 21)
     states, exact = solve(rates, t, start, rtol=rtol), by_scipy(rates, t, start)
-    theirs = np.abs(
-        by_scipy(rates, t, start, rtol=rtol, atol=rtol) - exact
-    ).max()  # C2 is a little stiff: 40 times rtol
+    theirs = np.abs(by_scipy(rates, t, start, rtol=rtol, atol=rtol) - exact).max()  # C2 is stiff: 40 times rtol
     assert np.abs(states - exact).max() < max(10 * rtol, theirs)
 
 
@@ -216,9 +197,6 @@ def test_an_ensemble_under_a_force_that_sets_in_late():
     together = solve(rates, t, starts, rtol=1e-8, method="python")
     for start, result in zip(starts, together, strict=True):
         assert result == pytest.approx(solve(rates, t, start, rtol=1e-10, method="python"), abs=1e-6)
-
-
-# Stiff equations neither hang nor lie: what ends in time is right, the rest is told with its remedy
 
 
 def van_der_pol(t, y, *, stiffness):

@@ -21,9 +21,8 @@ def watching(hw08):
     """`watching(text)` -> what is said after this text is saved; None waits for the first result."""
     file = hw08()
     command = [sys.executable, "-m", "tam570", "check", "hw08", "--watch"]
-    buffered = {
-        name: value for name, value in os.environ.items() if name != "PYTHONUNBUFFERED"
-    }  # as most people have it
+    buffered = dict(os.environ)
+    buffered.pop("PYTHONUNBUFFERED", None)  # as most people have it
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=buffered)
 
     def after(text=None, until=("all done", "next:")):
@@ -67,9 +66,8 @@ def test_a_save_runs_the_tests_that_it_concerns_and_no_other(watching, desk, sol
 def test_a_mistake_is_that_of_the_function_that_changed(watching, solution_text):
     """The tests of `rotate` alone have passed before, and are not run again."""
     watching()
-    said = watching(
-        solution_text(SLUG) + "\n\nright = rotation_matrix\n\ndef rotation_matrix(*args):\n    return right(*args).T\n"
-    )
+    wrong = "\n\nright = rotation_matrix\n\ndef rotation_matrix(*args):\n    return right(*args).T\n"
+    said = watching(solution_text(SLUG) + wrong)
     mistakes = re.findall(r"match this mistake:([^.]*)\.", said)
     assert mistakes and all("rotation_matrix" in mistake for mistake in mistakes)
 

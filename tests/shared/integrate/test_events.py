@@ -88,9 +88,7 @@ def test_a_terminal_that_is_no_count_is_refused(terminal):
         solve(rising, [0, 1], [0.0], events=event(height(0.5), terminal=terminal))
 
 
-@pytest.mark.parametrize(
-    "events", [lambda t: t, [1.0], *(lambda t, y, v=v: v for v in (np.array([1.0]), "up", None, 1j))]
-)
+@pytest.mark.parametrize("events", [lambda t: t, [1.0], *(lambda t, y, v=v: v for v in (np.ones(1), "up", None, 1j))])
 def test_what_is_no_event_is_refused(events):
     with pytest.raises(ValueError, match="^events: "):
         solve(rising, [0, 1], [0.0], events=events)
@@ -169,11 +167,8 @@ def rising(t, y):
 
 def test_an_event_at_the_very_end_counts_by_its_direction():
     at_end = [event(lambda t, y: t - 1, direction) for direction in (0.0, 1.0, -1.0)]
-    assert [crossings.t.tolist() for crossings in solve(rising, [0, 1], [0.0], events=at_end).events] == [
-        [1.0],
-        [1.0],
-        [],
-    ]
+    motion = solve(rising, [0, 1], [0.0], events=at_end)
+    assert [crossings.t.tolist() for crossings in motion.events] == [[1.0], [1.0], []]
 
 
 def test_of_two_terminal_events_the_earlier_ends_the_run_backwards_too():

@@ -64,9 +64,7 @@ def test_threads_do_not_share_their_memory():
         np.testing.assert_array_equal(states, run(start))
 
 
-@pytest.mark.parametrize(
-    "start", [[1.0], [1.0, 2.0, 3.0], [math.nan, 0.0], [math.inf, 0.0], 1.0, "no", [1.0, None], []]
-)
+@pytest.mark.parametrize("start", [[1.0], [1, 2, 3], [math.nan, 0.0], [math.inf, 0.0], 1.0, "no", [1.0, None], []])
 def test_a_wrong_start_is_refused_and_the_next_one_runs(start):
     run = prepared(pendulum, [0, 1], STARTS[0], parameters=LENGTH)
     expected = run(STARTS[0])

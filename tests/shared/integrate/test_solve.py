@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 from processes import imported_modules
-from systems import EPS, PENDULUM, clock, oscillator, pendulum
+from systems import EPS, PENDULUM, oscillator, pendulum
 
 from tam570.integrate import solve, solve_rotation
 from tam570.invariants import drift, rotation_defect, violation
@@ -40,12 +40,6 @@ def test_times_may_be_negative_far_off_and_uneven():
     t = -1e6 + np.array([0, 1e-9, 0.5, 0.5 + 2**-30, 6.0])
     states = solve(oscillator, t, [1.0, 0.0], rtol=1e-13)
     assert states[:, 0] == pytest.approx(np.cos(t - t[0]), abs=1e-12)
-
-
-def test_the_time_reaches_the_right_hand_side():
-    t = np.linspace(-3, 4, 30)
-    states = solve(clock, t, [math.exp(math.sin(-3))], rtol=1e-12)
-    assert states[:, 0] == pytest.approx(np.exp(np.sin(t)), rel=1e-10)
 
 
 def test_an_ensemble_is_its_members():

@@ -88,9 +88,8 @@ def test_collisions_keep_both_momenta_and_lose_what_they_must(restitution):
 
 def test_walls_stand_and_pins_turn():
     falling = [[3.0, -2.0, 0.5], [0.0, 0.0, 0.0]]
-    after, impulse = collide(
-        falling, [0, -1], [[0, -1], [5, 0]], masses=(2.0, math.inf), inertias=(1.0, math.inf), restitution=0.5
-    )
+    wall = {"masses": (2.0, math.inf), "inertias": (1.0, math.inf)}
+    after, impulse = collide(falling, [0, -1], [[0, -1], [5, 0]], **wall, restitution=0.5)
     assert after == pytest.approx(np.array([[3.0, 1.0, 0.5], [0, 0, 0]])) and impulse == pytest.approx(6.0)
     after, _ = collide(falling, [0, -1], [[0, 0], [1, 0]], masses=(2.0, math.inf), inertias=(1.0, 0.5), restitution=0.0)
     assert after[1] == pytest.approx([0, 0, after[0, 1]]) and after[1, 2] < 0  # a door on its hinge

@@ -28,9 +28,8 @@ def test_the_page_moves_as_solve_does(tab, scenes, name):
     scene = scenes(name)
     opened, live = tab(scene), scene.live
     piece = SECONDS / 60  # as the page does it: a call takes so many steps at most
-    result = opened.evaluate(
-        f"[...Array(60).keys()].reduce((s, i) => integrate(s, live.p, i * {piece}, (i + 1) * {piece}), grasped.start)"
-    )
+    ends = f"i * {piece}, (i + 1) * {piece}"
+    result = opened.evaluate(f"[...Array(60).keys()].reduce((s, i) => integrate(s, live.p, {ends}), grasped.start)")
     expected = solve(live.rates, [0.0, SECONDS], live.start, parameters=live.parameters, rtol=1e-12)[-1]
     assert np.abs(np.array(result) - expected).max() < 1e-6 * (1 + np.abs(expected).max())
     places = opened.evaluate(

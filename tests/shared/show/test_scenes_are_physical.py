@@ -84,9 +84,6 @@ def overlap(body, other):
     return deepest
 
 
-# A student's free body diagrams
-
-
 DRAWN = [slug for slug in assignments() if NAME in contract(slug)["results"]]
 
 

@@ -51,9 +51,8 @@ def unpacked(document):
     """Points of each part of a packed film at every sample, in pixels, as the player finds them: (n, m, dim) each."""
     keys = np.cumsum(document["keys"])
     samples = np.arange(keys[-1] + 1)
-    tracks = [
-        np.column_stack([np.interp(samples, keys, np.cumsum(axis)) for axis in track]) for track in document["tracks"]
-    ]
+    moving = document["tracks"]
+    tracks = [np.transpose([np.interp(samples, keys, np.cumsum(axis)) for axis in track]) for track in moving]
 
     def position(number):
         index, sort = divmod(number, 3)

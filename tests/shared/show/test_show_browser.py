@@ -123,9 +123,8 @@ def test_a_scene_in_space_is_turned_by_touch(opened):
     before = tab.evaluate("camera.azimuth")
     session = tab.context.new_cdp_session(tab)
     for event_type, points in (("touchStart", [(150, 300)]), ("touchMove", [(220, 300)]), ("touchEnd", [])):
-        session.send(
-            "Input.dispatchTouchEvent", {"type": event_type, "touchPoints": [{"x": x, "y": y} for x, y in points]}
-        )
+        touches = [{"x": x, "y": y} for x, y in points]
+        session.send("Input.dispatchTouchEvent", {"type": event_type, "touchPoints": touches})
     assert tab.evaluate("camera.azimuth") != before
 
 
@@ -157,20 +156,13 @@ def test_in_a_notebook_it_plays_in_its_frame(opened, scenes):
     assert frame.locator("#clock").inner_text() != "0.00 s"
 
 
-# A film that is there for several values of a number
-
-
 def grown(size):
     """A point that goes as far as it is told, in as many seconds."""
     times = frame_times(size)
     path = np.column_stack([size * times / times[-1], 0 * times])
-    return Scene(
-        f"goes {size:g}",
-        "",
-        times,
-        [Panel([Shape("dot", path[:, None], name=f"to {size:g}"), Shape("dot", np.zeros((1, 2)))])],
-        [value_plot(f"place of {size:g}", times, {"": path[:, 0]}, "m")],
-    )
+    shapes = [Shape("dot", path[:, None], name=f"to {size:g}"), Shape("dot", np.zeros((1, 2)))]
+    time_plot = value_plot(f"place of {size:g}", times, {"": path[:, 0]}, "m")
+    return Scene(f"goes {size:g}", "", times, [Panel(shapes)], [time_plot])
 
 
 @pytest.fixture
