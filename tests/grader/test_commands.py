@@ -52,22 +52,18 @@ def test_algebra_has_one_thread(monkeypatch):
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, check=True).stdout.split() == [b"1"]
 
 
-@pytest.fixture
-def graded(desk):
-    """Results in a folder, beside a file."""
-    (desk / "results").mkdir()
-    (desk / "results" / "results.jsonl").write_text(json.dumps(result("ada").record()) + "\n")
-    (desk / "grades.csv").write_text(f"student,assignment,score,max_score\nada,{SLUG},1,1\n")
-    (desk / "file").touch()
-
-
 FOLDERS = "kit", "course", "gradescope"
 FILES = "report results --out", "lms grades.csv --to canvas --out", "audit hw08 --fairness 1 --jobs 1 --keep"
 TARGETS = [*itertools.product(FOLDERS, ["file", "file/x"]), *itertools.product(FILES, ["none/x", "file/x"])]
 
 
 @pytest.mark.parametrize(("command", "path"), TARGETS)
-def test_what_cannot_be_written_is_named(graded, capsys, command, path):
+def test_what_cannot_be_written_is_named(desk, capsys, command, path):
+    """A file is where a folder should be, or a folder is not there."""
+    (desk / "results").mkdir()
+    (desk / "results" / "results.jsonl").write_text(json.dumps(result("ada").record()) + "\n")
+    (desk / "grades.csv").write_text(f"student,assignment,score,max_score\nada,{SLUG},1,1\n")
+    (desk / "file").touch()
     assert grader.main([*command.split(), path]) == 2
     err = capsys.readouterr().err
     assert f"tam570-grader: error: cannot write to {path}" in err and len(err.splitlines()) == 2

@@ -179,22 +179,6 @@ def test_a_prediction_is_asked_for_once_and_kept(desk, monkeypatch):
     assert predictions.ask_for_predictions(desk, "hw08_axis_angle") == []
 
 
-@pytest.fixture
-def new_kit(hw08, tmp_path, monkeypatch):
-    """`new_kit(name, text)`: after hw08 was started, a kit comes in which this file ends in this text; the file."""
-    mine = hw08(None)
-    home = tmp_path / "assignments"
-    shutil.copytree(course.folder(SLUG).parent, home)
-    monkeypatch.setattr(course, "_home", lambda: home)
-
-    def new_kit(name, text):
-        released = home / SLUG / name
-        released.write_text(released.read_text() + text)
-        return mine.parent / name
-
-    return new_kit
-
-
 MORE = "\n\ndef unskew(matrix, *, scale):\n    raise NotImplementedError\n"
 
 
@@ -208,8 +192,15 @@ MORE = "\n\ndef unskew(matrix, *, scale):\n    raise NotImplementedError\n"
     ],
     ids=["not touched", "touched", "work", "without a record"],
 )
-def test_update_brings_what_was_not_touched_and_names_the_rest(new_kit, capsys, name, text, mine, recorded, message):
-    file = new_kit(name, text)
+def test_update_brings_what_was_not_touched_and_names_the_rest(
+    hw08, tmp_path, monkeypatch, capsys, name, text, mine, recorded, message
+):
+    """After hw08 was started, a kit comes in which a file ends in another text."""
+    file, home = hw08(None).parent / name, tmp_path / "assignments"
+    shutil.copytree(course.folder(SLUG).parent, home)
+    monkeypatch.setattr(course, "_home", lambda: home)
+    released = home / SLUG / name
+    released.write_text(released.read_text() + text)
     if mine:
         file.write_text(mine)
     if not recorded:

@@ -18,13 +18,9 @@ def largest(difference):
     return np.abs(difference).max()
 
 
-def transposed(R):
-    return np.swapaxes(R, -1, -2)
-
-
 def test_skew_is_the_cross_product_and_unskew_its_inverse():
     S = rotations.skew(VECTORS)
-    assert np.array_equal(transposed(S), -S)
+    assert np.array_equal(np.swapaxes(S, -1, -2), -S)
     # the sums of two rounded products of numbers below 4
     assert largest(np.einsum("nij,nj->ni", S, ANGLES) - np.cross(VECTORS, ANGLES)) < 16 * EPS
     assert np.array_equal(rotations.unskew(S), VECTORS)

@@ -22,11 +22,6 @@ from tam570_grader.diagnosis.mistakes import Mistake, solution_with
 SLUG = "hw08_axis_angle"
 
 
-def slips(line):
-    """What the mutants of a one-line function make of it."""
-    return {f"{item.was} -> {item.now}" for item in mutants(SLUG, f"def f(a, b):\n    return {line}\n")}
-
-
 @pytest.mark.parametrize(
     ("line", "expected"),
     [
@@ -47,7 +42,8 @@ def slips(line):
     ],
 )
 def test_a_mutant_has_one_slip(line, expected):
-    assert slips(line) == expected
+    actual = mutants(SLUG, f"def f(a, b):\n    return {line}\n")
+    assert {f"{item.was} -> {item.now}" for item in actual} == expected
 
 
 def test_a_special_case_is_left_out_or_taken_always():
@@ -145,12 +141,8 @@ ASSIGNMENT = assignments.assignment(assignments.find(), SLUG)
 (CHECK,) = (check for check in ASSIGNMENT.checks if check.name == "skew_is_the_cross_product")
 
 
-def key(name):
-    return Key("a check", "f", name, 1)
-
-
 def test_the_fewest_cases_are_the_cheap_ones_that_catch_all():
-    cheap, costly, both, alone = map(key, ("cheap", "costly", "both", "alone"))
+    cheap, costly, both, alone = (Key("a check", "f", name, 1) for name in ("cheap", "costly", "both", "alone"))
     caught = {(0, "sign"): {cheap, costly}, (0, "factor"): {both, costly}}
     caught |= {(1, "sign"): {both}, (0, "steps"): {alone, costly}}
     seconds = {cheap: 1e-5, both: 1e-5, alone: 1.0, costly: 2.0}

@@ -126,21 +126,15 @@ def motion(folder, seconds):
     return np.array([1 / 3, np.nextafter(1, 2)]), np.eye(2)
 
 
-@pytest.fixture
-def shared(tmp_path):
-    (tmp_path / "shared").mkdir()
-    with expected.sharing(tmp_path / "shared"):
-        yield tmp_path
-
-
 @pytest.mark.parametrize(("seconds", "computed"), [(0.1, 1), (0.0, 2)])
-def test_what_is_expensive_is_computed_once_a_run_the_same_to_the_last_bit(shared, monkeypatch, seconds, computed):
-    case = Case(str(shared), seconds)
+def test_what_is_expensive_is_computed_once_a_run_the_same_to_the_last_bit(tmp_path, monkeypatch, seconds, computed):
+    (tmp_path / "shared").mkdir()
     actual = []
-    for _ in range(2):  # two processes, as far as the memory of one is concerned
-        monkeypatch.setattr(expected, "_known", expected.Memory(5))
-        actual.append(expected.expected_result(motion, case))
-    assert tries(shared, "motion") == computed
+    with expected.sharing(tmp_path / "shared"):
+        for _ in range(2):  # two processes, as far as the memory of one is concerned
+            monkeypatch.setattr(expected, "_known", expected.Memory(5))
+            actual.append(expected.expected_result(motion, Case(str(tmp_path), seconds)))
+    assert tries(tmp_path, "motion") == computed
     assert {type(item) for item in actual} == {tuple}
     assert all(np.array_equal(*pair) for pair in zip(*actual, strict=True))
     actual[1][0][0] = 0.0  # no read-only memory

@@ -123,11 +123,6 @@ def test_the_template_has_a_row_for_each_part_with_what_is_known(results):
     assert cli.main([*fill, "--template"]) == 2  # a table that is being filled in stays
 
 
-def adjusted(score, **items):
-    entries = [Entry("ann", SLUG, item.replace("_", " "), points, None, "why") for item, points in items.items()]
-    return ManualAdjustments(entries).adjust(("ann", SLUG), score, 10.0, dict).score
-
-
 @pytest.mark.parametrize(
     ("score", "items", "rest"),
     [
@@ -142,7 +137,9 @@ def adjusted(score, **items):
     ],
 )
 def test_days_beyond_an_extension_cost_their_share_and_a_total_stands_for_all(score, items, rest):
-    assert adjusted(score, **items) == (rest if rest is None else pytest.approx(rest))
+    entries = [Entry("ann", SLUG, item.replace("_", " "), points, None, "why") for item, points in items.items()]
+    adjusted = ManualAdjustments(entries).adjust(("ann", SLUG), score, 10.0, dict).score
+    assert adjusted == (rest if rest is None else pytest.approx(rest))
 
 
 TERM = ("hw01_a", "hw02_b", "hw03_c")

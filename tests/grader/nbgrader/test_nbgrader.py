@@ -5,6 +5,7 @@ import html
 import json
 import re
 import warnings
+from collections import Counter
 
 import pytest
 
@@ -22,14 +23,6 @@ MISTAKES = {  # assignment: the mistake in what the second student hands in
 }
 TELLS = 8  # characters: a detail as short as "0.0" may be on a page by chance
 BY_HAND = 0.75  # of the points of a part that is graded by hand
-
-
-def by_part(record):
-    """part -> points of a result line."""
-    parts = {}
-    for check in record["checks"]:
-        parts[check["part"]] = parts.get(check["part"], 0) + check["points"]
-    return parts
 
 
 def regraded(course, checkout, slug, out):
@@ -131,7 +124,9 @@ def test_scores_are_those_of_the_grader(term, nbgrader_grades, tmp_path):
     for slug in MISTAKES:
         manual = sum(points for points, _ in assignments.assignment(term.checkout, slug).manual.values())
         for record in regraded(term.course, term.checkout, slug, tmp_path / slug):
-            who, parts = (record["student"], slug), by_part(record)
+            who, parts = (record["student"], slug), Counter()
+            for check in record["checks"]:
+                parts[check["part"]] += check["points"]
             automatic = {cell: auto for (*at, cell), (auto, _) in actual.items() if tuple(at) == who and auto}
             assert automatic == pytest.approx({f"part-{p}": points for p, points in parts.items() if points})
             total = record["score"] + BY_HAND * manual

@@ -26,10 +26,6 @@ def locked(cells):
     return next(cell for cell in cells if cell["metadata"].get("nbgrader", {}).get("locked"))
 
 
-def cells_of(folder):
-    return json.loads((folder / f"{ONE}.ipynb").read_text())["cells"]
-
-
 def edited(change):
     """A change of the cells of a submitted notebook."""
 
@@ -173,7 +169,8 @@ def test_what_earns_nothing_and_why(built, nbgrader_grades, student):
 
 @pytest.mark.parametrize("student", LOCKED)
 def test_a_locked_cell_is_as_it_was_released(built, student):
-    released, stored = (locked(cells_of(built / path / ONE)) for path in ("release", f"autograded/{student}"))
+    books = [built / path / ONE / f"{ONE}.ipynb" for path in ("release", f"autograded/{student}")]
+    released, stored = (locked(json.loads(book.read_text())["cells"]) for book in books)
     assert "".join(stored["source"]).endswith("".join(released["source"]))
     assert stored["metadata"]["nbgrader"]["points"] == 10.0
 

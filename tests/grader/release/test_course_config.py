@@ -132,21 +132,16 @@ def test_what_disagrees_is_named_and_nothing_is_done(desk, capsys, old, new, wor
     assert not (desk / "results").exists() and not [*desk.glob(".course*")]
 
 
-@pytest.fixture
-def checkout(tmp_path, course):
-    """A checkout of hw07 and hw08 alone."""
-    root = tmp_path / "checkout"
-    for name in ("assignments", "autograder/checks"):
-        for slug in ("hw07_double_pendulum", SLUG):
-            shutil.copytree(course / name / slug, root / name / slug, ignore=shutil.ignore_patterns("__pycache__"))
-    shutil.copytree(course / "solutions", root / "solutions", ignore=shutil.ignore_patterns("__pycache__"))
-    for name in course_config.SHARED:
-        (root / name).symlink_to(course / name)
-    return root
-
-
 @pytest.mark.parametrize("where", first(1, ["docs", "."]))
-def test_in_the_root_of_a_checkout_it_is_obeyed_too(desk, checkout, monkeypatch, where):
+def test_in_the_root_of_a_checkout_it_is_obeyed_too(desk, course, monkeypatch, where):
+    checkout, without_caches = desk / "checkout", shutil.ignore_patterns("__pycache__")
+    parts = [
+        f"{name}/{slug}" for name in ("assignments", "autograder/checks") for slug in ("hw07_double_pendulum", SLUG)
+    ]
+    for part in (*parts, "solutions"):
+        shutil.copytree(course / part, checkout / part, ignore=without_caches)
+    for name in course_config.SHARED:
+        (checkout / name).symlink_to(course / name)
     shutil.move(desk / "mine.py", checkout)
     (desk / "course.toml").unlink()
     (checkout / "course.toml").write_text(f"{COURSE}[hw07.extension]\nann = 2\n")

@@ -50,17 +50,11 @@ def test_a_page_says_every_line_message_and_suspect_and_no_detail(slug, page, gr
             message = describe_failure(check.failure) if check.failure else check.message
             read = [lines[check.name], check.suspect or "", message if check.outcome != "passed" else ""]
             assert all(typeset(item) in text for item in read)
-            hidden = secrets(check)
+            hidden = set(NUMBER.findall(json.dumps({key: numbers(getattr(check.failure, key, None)) for key in WHOLE})))
             reported = "".join([*lines.values(), *(item.message for item in result.checks)])
             assert not {number for number in hidden if number in text and number not in reported}
             shown += len(hidden)
     assert shown, "there was something to hide"
-
-
-def secrets(check):
-    """The numbers of a failure that are the instructor's, with three digits or more."""
-    line = json.dumps({key: numbers(getattr(check.failure, key, None)) for key in WHOLE})
-    return set(NUMBER.findall(line))
 
 
 def test_what_a_student_calls_things_is_text_and_no_markup(page, grade):

@@ -107,10 +107,6 @@ def test_what_holds_no_results_is_said_so(tmp_path, text, capsys):
     assert "tam570-grader: error: " in capsys.readouterr().err
 
 
-def images(pair):
-    return [Image.open(io.BytesIO(base64.b64decode(text.partition(",")[2]))) for text in (pair.wrong, pair.reference)]
-
-
 def test_a_mistake_is_drawn_beside_what_is_right(course):
     """By its scene where that shows it, else by a student's numbers or diagram; of words nothing is drawn."""
     messages = [item.message for item in mistakes(checks_folder(course, SLUGS[1]))]
@@ -123,7 +119,8 @@ def test_a_mistake_is_drawn_beside_what_is_right(course):
     ]
     pairs = [wrong_and_right(course, SLUGS[1], "another", failure) for failure in failures]
     for pair in [seen, *pairs]:
-        wrong, correct = images(pair)
+        pictures = [base64.b64decode(text.partition(",")[2]) for text in (pair.wrong, pair.reference)]
+        wrong, correct = (Image.open(io.BytesIO(picture)) for picture in pictures)
         assert wrong.size == correct.size and wrong.tobytes() != correct.tobytes()
     nothing = None, Failure(actual="a"), Failure(actual=[1.0], expected=[np.nan]), Failure(actual=[1], expected=[1, 2])
     assert not any(wrong_and_right(course, SLUGS[1], "another", failure) for failure in nothing)

@@ -117,14 +117,9 @@ def test_a_parameter_that_names_a_function_tells_which_one_is_meant():
 SLUG = "hw08_axis_angle"
 
 
-@pytest.fixture
-def called_by(slug, course):
-    """The functions that each visible test calls."""
-    return calls((course / "assignments" / slug / f"test_{slug}.py").read_text(), slug)
-
-
-def test_all_tests_passed_are_all_points_and_mending_one_never_takes_points(slug, course, called_by):
+def test_all_tests_passed_are_all_points_and_mending_one_never_takes_points(slug, course):
     """From every test failed to every test passed, one after the other, in either order."""
+    called_by = calls((course / "assignments" / slug / f"test_{slug}.py").read_text(), slug)
     assert set.union(*called_by.values()) >= set(assignments.assignment(course, slug).results)
     for order in (list(called_by), list(called_by)[::-1]):
         come = [progress(slug, dict.fromkeys(order[:n], "passed"), called_by) for n in range(len(order) + 1)]

@@ -12,13 +12,10 @@ from tam570.rotations import matrix_from_axis_angle
 DRAW = np.random.default_rng(571)
 
 
-def table():
-    return {"mass": DRAW.uniform(0.5, 3), "stiffness": DRAW.uniform(0, 5), "spin": DRAW.uniform(-3, 3)}
-
-
 def test_the_observer_on_the_table_adds_two_forces():
     for _ in range(5):
-        turntable, state = table(), DRAW.normal(size=4)
+        turntable = {"mass": DRAW.uniform(0.5, 3), "stiffness": DRAW.uniform(0, 5), "spin": DRAW.uniform(-3, 3)}
+        state = DRAW.normal(size=4)
         added = frames.coriolis(state, **turntable) + frames.centrifugal(state, **turntable)
         felt = turntable["mass"] * np.array(frames.rates(0.0, state, **turntable)[2:])
         assert felt == pytest.approx(added - turntable["stiffness"] * state[:2], abs=1e-12)

@@ -94,20 +94,16 @@ def test_the_time_is_scrubbed_by_keys_and_by_mouse(opened):
     assert tab.evaluate(TIME) == 0 and tab.evaluate(PIXELS, "live") == before
 
 
-def dragged(tab, by):
+def test_a_scene_in_space_is_turned_by_mouse_and_keys_and_back(opened):
+    tab = opened(SPACE)
+    pictures = [tab.evaluate(PIXELS, "still")]
     box = tab.locator("#live").bounding_box()
     x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
     tab.mouse.move(x, y)
     tab.mouse.down()
-    tab.mouse.move(x + by[0], y + by[1], steps=3)
+    tab.mouse.move(x + 90, y + 30, steps=3)
     tab.mouse.up()
     tab.mouse.move(x, y)
-
-
-def test_a_scene_in_space_is_turned_by_mouse_and_keys_and_back(opened):
-    tab = opened(SPACE)
-    pictures = [tab.evaluate(PIXELS, "still")]
-    dragged(tab, (90, 30))
     pictures.append(tab.evaluate(PIXELS, "still"))
     tab.get_by_role("button", name="Reset view").click()
     assert tab.evaluate(PIXELS, "still") == pictures[0]
