@@ -88,6 +88,7 @@ BAD = {  # and a word that tells what to do
     "show oscilator": "oscillator?",
     "start pendulum": "hw01_simple_pendulum, hw05_constrained_pendulum, hw07_double_pendulum",
     "hint hw08 nothing": "skew",
+    "check hw09 --watch": "start hw09",
     "start pend": "hw05_constrained_pendulum",
 }
 

@@ -170,13 +170,13 @@ def test_any_two_independent_equations_are_right_and_the_wrong_term_alone_fails(
         assert failed_terms(W, **{term: "W(theta) @ [[1, 0], [0.01, 1]]"}) == {term}
 
 
-def test_one_equation_twice_is_wrong(failed_terms):
-    assert failed_terms("[[1, 1], [2, 2]]") == set(TERMS)
-
-
-def test_lagranges_mass_matrix_does_not_belong_to_terms_of_the_other_side(failed_terms):
-    assert failed_terms("np.eye(2)", f="-W(theta)", g="-W(theta)") == {"f", "g"}
-
-
-def test_lagranges_term_is_right_and_those_of_other_equations_contradict_it(failed_terms):
-    assert failed_terms("[[1, 1], [0, 1]]", M="np.eye(2)") == {"f", "g"}
+@pytest.mark.parametrize(
+    ("W", "changed", "failed"),
+    [
+        ("[[1, 1], [2, 2]]", {}, set(TERMS)),  # one equation twice
+        ("np.eye(2)", {"f": "-W(theta)", "g": "-W(theta)"}, {"f", "g"}),  # M of the other side
+        ("[[1, 1], [0, 1]]", {"M": "np.eye(2)"}, {"f", "g"}),  # Lagrange's M, which other equations contradict
+    ],
+)
+def test_terms_that_do_not_belong_together_fail(W, changed, failed, failed_terms):
+    assert failed_terms(W, **changed) == failed

@@ -89,24 +89,11 @@ def coulomb(t, y):
     return y[1], -y[0] - 0.5 * np.sign(y[1])
 
 
-def by_match(t, y):
-    match y[0] > 0.5:
-        case True:
-            return (-1.0,)
-        case _:
-            return (-y[0],)
-
-
 def by_while(t, y):
     angle = y[0]
     while angle > math.pi:
         angle -= 2 * math.pi
     return 1.0, math.cos(angle)
-
-
-def by_sort(t, y):
-    low, high = sorted(y)
-    return high - low, -low
 
 
 FRICTION = {
@@ -120,11 +107,9 @@ FRICTION = {
     "saturated": against(lambda t, y: (y[1], -max(-1.0, min(1.0, 20.0 * y[0]))), (0, 3), [0.4, 0.0], longest=2e-3),
     "thermostat": against(lambda t, y: (1.0 - y[0] if y[0] < 0.3 else 0.5 - y[0],), (0, 2), [0.1], longest=1e-3),
     "dictionary": against(lambda t, y: -{True: y, False: 2 * y}[bool(y[0] > 0.5)], (0, 2), [1.0], longest=1e-3),
-    "match": against(by_match, (0, 2), [1.0], longest=1e-3),
     "while": against(by_while, (0, 5), [0.0, 0.0], exact=[5.0, math.sin(5.0)]),
     "any": against(lambda t, y: -y if np.any(y > 0.5) else -2 * y, (0, 2), [1.0, -1.0], longest=1e-3),
     "index": against(lambda t, y: -np.array([1.0, 2.0, 3.0])[int(min(2 * y[0], 2))] * y, (0, 2), [1.2], longest=1e-3),
-    "sorted": against(by_sort, (0, 2), [1.0, 0.5], longest=1e-3),
 }
 
 

@@ -17,6 +17,7 @@ EPS = np.finfo(float).eps
 ALLOWED = 4 * EPS
 SMALL = (1e-300, 1e-12, 1e-9, 1e-3)
 DRAW = np.random.default_rng(571)
+IDENTITY = np.eye(3, dtype=int).astype(object)
 UNTURNED = np.array([[1, 0, 0], [0, 0, -1], [1, 1, 1], [1, -1, 1], [1, 1e-9, 1e-12], [1e-9, 1, 1]], dtype=float)
 AXES = np.vstack([UNTURNED, DRAW.normal(size=(4, 3))])
 ANGLES = [*SMALL, 1.0, math.pi / 2, 2.5, *(math.pi - d for d in SMALL)]
@@ -46,17 +47,15 @@ def unit(axis):
     return v / mpmath.sqrt((v * v).sum())
 
 
+def hat(v):
+    x, y, z = v
+    return np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]], dtype=object)
+
+
 def exact_matrix(axis, angle):
     """Rodrigues' formula."""
-    (x, y, z), (c, s) = unit(axis), mpmath.cos_sin(mpmath.mpf(angle))
-    x_, y_, z_ = (1 - c) * x, (1 - c) * y, (1 - c) * z
-    return np.array(
-        [
-            [c + x_ * x, x_ * y - s * z, x_ * z + s * y],
-            [x_ * y + s * z, c + y_ * y, y_ * z - s * x],
-            [x_ * z - s * y, y_ * z + s * x, c + z_ * z],
-        ]
-    )
+    n, (c, s) = unit(axis), mpmath.cos_sin(mpmath.mpf(angle))
+    return c * IDENTITY + (1 - c) * np.outer(n, n) + s * hat(n)
 
 
 def exact_euler_matrix(sequence, angles):
@@ -74,12 +73,8 @@ def singly_and_in_a_batch(function, *arguments):
 
 def exact_quaternion_matrix(q):
     """(w^2 - v^2) I + 2 v v^T + 2 w skew(v), over the squared length."""
-    w, x, y, z = exact(q)
-    v = np.array([[x, y, z]])
-    K = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]], dtype=object)
-    square = x * x + y * y + z * z
-    identity = np.eye(3, dtype=int).astype(object)
-    return ((w * w - square) * identity + 2 * v.T @ v + 2 * w * K) / (w * w + square)
+    w, v = exact(q)[0], exact(q)[1:]
+    return ((w * w - v @ v) * IDENTITY + 2 * np.outer(v, v) + 2 * w * hat(v)) / (w * w + v @ v)
 
 
 def conversions(axis, angle):
@@ -181,7 +176,7 @@ def test_euler_rates_next_to_gimbal_lock(sequence):
 
 def exact_rates(sequence, angles, omega):
     """Each angle turns the body about its axis as seen from the axes the later turns leave."""
-    later = np.eye(3, dtype=int).astype(object)
+    later = IDENTITY
     columns = []
     for digit, angle in zip(reversed(sequence), reversed(angles), strict=True):
         axis = np.eye(3)[int(digit) - 1]

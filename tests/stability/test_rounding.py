@@ -89,6 +89,8 @@ def test_what_is_only_rounding_or_far_away_costs_no_steps(name, rtol):
     _, evaluations = by_scipy(rates, start, end, rtol)
     exact, _ = by_scipy(rates, start, end, 3e-14)  # at rtol itself SciPy is off by ten rtol on some processors
     result = solve(counted(rates, 4 * evaluations + 600)[0], [0, end], start, rtol=rtol, method="python")[-1]
+    traced = solve(rates, [0, end], start, rtol=rtol, method="python", report=True).report  # if it can be
+    assert traced.evaluations <= 4 * evaluations + 600
     if name != "a car with locked rear wheels":  # there rounding grows until it is seen
         assert np.abs(result - exact).max() < 300 * rtol * np.abs(exact).max() + 1e-13
 

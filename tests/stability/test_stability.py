@@ -61,12 +61,6 @@ def test_a_change_of_units_changes_no_bit(unit):
         assert (others * [1, unit] == states).all()
 
 
-def test_two_times_as_close_as_doubles_allow():
-    for t0 in (0.0, 1.0, -1e9):
-        states = solve(oscillator, [t0, np.nextafter(t0, math.inf)], [1.0, 0.0], parameters={"rate": 1.0})
-        assert np.isfinite(states).all()
-
-
 @pytest.mark.parametrize("amplitude", [0.3, 0.7, 1.0, 1.3])
 def test_rounding_makes_no_energy_drift(amplitude):
     """A random walk of half a million steps comes to 1e-13; a third that is rounded the same way each time to 3e-12."""
@@ -89,15 +83,6 @@ def test_energy_over_ten_thousand_periods(method):
     assert growth_exponent(share, mean) < 0.6  # a random walk is 0.5, a drift would be 1
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("method", ["auto", "gauss", "composition"])
-def test_a_hundred_thousand_periods(method):
-    T = period(1.0)
-    states = solve(pendulum, [0.0, 1e5 * T], [1.0, 0.0], parameters={"length": 1.0}, method=method, rtol=1e-14)
-    allowed = {"auto": 1e-8, "gauss": 1e-12, "composition": 1e-12}[method]
-    assert drift(pendulum_energy, states).max() < allowed
-
-
 def chain(masses):
     """Masses of 1 kg between springs of 1 N/m, the ends fixed."""
 
@@ -108,27 +93,10 @@ def chain(masses):
     return rates
 
 
-def chain_exactly(masses, start, t):
-    """By its normal modes."""
-    stiffness = 2 * np.eye(masses) - np.eye(masses, k=1) - np.eye(masses, k=-1)
-    squares, modes = np.linalg.eigh(stiffness)
-    rates, parts = np.sqrt(squares), modes.T @ start[:masses]
-    phases = np.outer(t, rates)
-    return np.hstack([parts * np.cos(phases) @ modes.T, -parts * rates * np.sin(phases) @ modes.T])
-
-
 def unit(size, index, value=1.0):
     state = np.zeros(size)
     state[index] = value
     return state
-
-
-@pytest.mark.parametrize("masses", [4, 6, 7, 8, 9, 10, 30])
-@pytest.mark.parametrize("rtol", [1e-6, 1e-10, 1e-13])
-def test_masses_on_springs_with_the_first_displaced(masses, rtol):
-    t, start = np.linspace(0, 20, 41), unit(2 * masses, 0)
-    states = solve(chain(masses), t, start, rtol=rtol)
-    assert np.abs(states - chain_exactly(masses, start, t)).max() < 10 * rtol
 
 
 def by_scipy(rates, t, start, **options):
@@ -160,6 +128,7 @@ def cascade(t, y):
 @pytest.mark.parametrize(
     ("rates", "start", "end"),
     [
+        *((chain(masses), unit(2 * masses, 0), 20) for masses in (4, 8, 30)),
         (fermi_pasta_ulam, unit(32, 16), 20),
         (heat, unit(50, 25), 5),  # C4 has 51 from the edge
         (heat, unit(50, 0), 5),
@@ -170,7 +139,7 @@ def cascade(t, y):
         (cascade, unit(6, 0), 10),
     ],
 )
-@pytest.mark.parametrize("rtol", [1e-8, 1e-11])
+@pytest.mark.parametrize("rtol", [1e-6, 1e-8, 1e-11])
 def test_what_reaches_the_others_only_later(rates, start, end, rtol):
     t = np.linspace(0, end, 21)
     states, exact = solve(rates, t, start, rtol=rtol), by_scipy(rates, t, start)

@@ -96,22 +96,6 @@ def test_results_alike_come_as_one_array():
     np.testing.assert_equal([reply["value"] for reply in rows], np.eye(2))
 
 
-FORGED = """
-import struct
-
-def lagrangian():
-    reply = b"\\x82\\xa5value" + b"\\x91" * 900 + b"\\xc0\\xa7changed\\xc2"
-    with open(3, "wb", closefd=False) as channel:
-        channel.write(struct.pack(">I", len(reply)) + reply)
-"""
-
-
-def test_a_formula_nested_a_thousand_deep_is_one_submissions_result(grade):
-    """To show such a value, or to write it down, takes as deep a recursion."""
-    result = grade("hw12_bead_on_wire", FORGED)
-    assert result.score == 0 and json.dumps(result.record())
-
-
 def test_reading_replies_counts_as_the_submissions_time(grade, solution_text, monkeypatch):
     """A clock that goes on by half a second each time that it is read."""
     ticks = itertools.count(step=0.5)

@@ -91,7 +91,3 @@ def test_ctrl_c_ends_it_without_a_traceback(watching):
     watching.process.send_signal(signal.SIGINT)
     out, _ = watching.process.communicate()
     assert watching.process.returncode == 0 and "Traceback" not in out and "no longer watching" in out
-
-
-def test_bad_usage_of_watch_exits_2(tam570):
-    assert tam570("check", "hw09", "--watch")[0] == 2

@@ -63,12 +63,6 @@ def test_a_terminal_event_ends_the_run():
         motion.at(2.5)
 
 
-def test_a_zero_at_the_start_is_no_event():
-    """Thrown up from the ground: the ground is reached once, at the end."""
-    motion = solve(thrown, [0, 5.0], [0.0, 10.0], events=event(height(0.0)))
-    assert motion.events[0].t == pytest.approx([2.0], abs=1e-12)
-
-
 def test_a_touch_is_no_crossing_and_an_event_may_know_time_and_parameters():
     def touching(t, y, *, rate):
         return (t - 1.0) ** 2

@@ -97,39 +97,6 @@ def test_zero_derivatives_at_the_start(rhs, start, exact):
     assert result == pytest.approx([exact(x) for x in t], rel=1e-10, abs=1e-12)
 
 
-def braked_car(t, y, mass, inertia, free, locked, drag):
-    """Straight ahead and in the ground's axes: the yaw acceleration is rounding, and exactly zero at most headings."""
-    heading, speed, yaw_rate = y[2:]
-    c, s = math.cos(heading), math.sin(heading)
-    sideways = (locked - free) * yaw_rate
-    sliding = math.hypot(speed, sideways)
-    along, aside = -drag * speed / sliding, -drag * sideways / sliding
-    fx, fy, moment = along * c - aside * s, along * s + aside * c, locked * aside
-    lacking = yaw_rate * speed - (c * fy - s * fx) / mass - free * moment / inertia
-    multiplier = lacking / (1 / mass + free**2 / inertia)
-    ax, ay = (fx - s * multiplier) / mass, (fy + c * multiplier) / mass
-    leftwards = -free * yaw_rate
-    turning = (moment + free * multiplier) / inertia
-    faster = ax * c + ay * s + yaw_rate * leftwards
-    return speed * c - leftwards * s, speed * s + leftwards * c, yaw_rate, faster, turning
-
-
-def test_noise_that_is_seldom_there_stops_nothing():
-    start = (-4.8552552320993305, -4.674480783934106, -0.04617421486523288, -2.2205596578680047, 0.0)
-    car = {
-        "mass": 94.56225829295548,
-        "inertia": 40.18801082303782,
-        "free": 0.4215275712597747,
-        "locked": -1.2915052972567986,
-        "drag": 96.83754605511551,
-    }
-    span = (-0.49083545047596405, 0.8101878878199923)
-    _, _, heading, speed, yaw_rate = solve(braked_car, span, start, parameters=car, rtol=1e-11)[-1]
-    lost = car["drag"] / car["mass"] * (span[1] - span[0])
-    assert (heading, yaw_rate) == pytest.approx((start[2], 0.0), abs=1e-15)
-    assert abs(speed) == pytest.approx(abs(start[3]) - lost, rel=1e-12)
-
-
 def test_tolerances_beyond_rounding_finish():
     for rtol in (1e-15, 1e-17, 1e-30):
         state = solve(oscillator, [0, 100], [1.0, 0.0], rtol=rtol)[-1]

@@ -37,14 +37,6 @@ def test_the_states_are_those_of_solve(monkeypatch, times, rhs, parameters):
             np.testing.assert_array_equal(run(start), expected)
 
 
-def test_what_was_given_back_is_not_written_over():
-    run = prepared(pendulum, [0, 1, 2], STARTS[0], parameters=LENGTH)
-    first = run(STARTS[0])
-    copy = first.copy()
-    run(STARTS[1])
-    np.testing.assert_array_equal(first, copy)
-
-
 def test_threads_do_not_share_their_memory():
     times = np.linspace(0, 300, 1001)
     run = prepared(pendulum, times, STARTS[0], parameters=LENGTH, rtol=1e-12)
