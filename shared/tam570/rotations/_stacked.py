@@ -26,6 +26,7 @@ ENTRIES = np.array(  # of R, one a line, from the rows of products
     ],
     dtype=np.float64,
 ).T.copy()
+ONES = np.ones(4)
 
 
 def matrix_of_quaternion(tables: list[Array], workspace: Array, results: Array) -> Array:
@@ -41,7 +42,7 @@ def matrix_of_axis_angle(tables: list[Array], workspace: Array, results: Array) 
     X = workspace[1:4]
     square: Array = workspace[15]
     X[...] = tables[0]
-    np.einsum("kn,kn->n", X, X, out=square)
+    _sum_of_squares(X, workspace[4:7], square)
     t = np.tan(0.5 * tables[1][0])
     t /= np.sqrt(square)
     _matrix_of_tangent(t, workspace, results)
@@ -55,7 +56,7 @@ def matrix_of_vector(tables: list[Array], workspace: Array, results: Array) -> A
     X, angle, t = workspace[1:4], workspace[4], workspace[5]
     square: Array = workspace[15]
     X[...] = tables[0]
-    np.einsum("kn,kn->n", X, X, out=square)
+    _sum_of_squares(X, workspace[4:7], square)
     np.sqrt(square, out=angle)
     np.maximum(angle, 1e-150, out=angle)  # down there tan(angle/2)/angle is 1/2 to the last digit
     np.multiply(angle, 0.5, out=t)
@@ -63,6 +64,11 @@ def matrix_of_vector(tables: list[Array], workspace: Array, results: Array) -> A
     t /= angle
     _matrix_of_tangent(t, workspace, results)
     return square
+
+
+def _sum_of_squares(rows: Array, squares: Array, total: Array) -> None:
+    np.multiply(rows, rows, out=squares)
+    np.dot(ONES[: len(rows)], squares, out=total)
 
 
 def _matrix_of_tangent(t: Array, workspace: Array, results: Array) -> None:
@@ -75,8 +81,9 @@ def _matrix_of_tangent(t: Array, workspace: Array, results: Array) -> None:
 def _matrix(workspace: Array, square: Array, results: Array) -> None:
     """Of the quaternions in the first four rows, whose squared lengths go to a row that is not theirs."""
     Q, products = workspace[:4], workspace[4:14]
-    np.einsum("kn,kn->n", Q, Q, out=square)
-    over_square = np.divide(Q, square, out=products[:4])
+    over_square = products[:4]
+    _sum_of_squares(Q, over_square, square)
+    np.divide(Q, square, out=over_square)
     np.multiply(over_square[:3], Q[1:], out=products[4:7])
     np.multiply(over_square[:2], Q[2:], out=products[7:9])
     np.multiply(over_square[0], Q[3], out=products[9])
