@@ -24,6 +24,12 @@ FOLDERS = {slug: assignments.checks_folder(COURSE, slug) for slug in SLUGS}
 ALTERNATIVES = [(slug, path) for slug, folder in FOLDERS.items() for path in sorted(folder.glob("alternatives/*.py"))]
 PARTS = {(slug, check.name): check.part for slug, check in CHECKS}
 MISTAKES = [(slug, mistake) for slug, folder in FOLDERS.items() for mistake in mistakes(folder)]
+WRAPPERS = {
+    "complex numbers": "lambda x: np.asarray(x) + 0j",
+    "numbers as text": "lambda x: np.asarray(x).astype(str)",
+    "one axis too many": "lambda x: np.asarray(x)[None]",
+    "NaN in one place": "lambda x: np.where(np.arange(np.size(x)).reshape(np.shape(x)) == 0, np.nan, x)",
+}
 
 
 def first_of_each(cases, key):
@@ -193,14 +199,6 @@ def test_every_function_that_draws_nothing_is_called_by_a_check(slug):
     results = assignments.assignment(COURSE, slug).results
     undrawn = {name for name, returns in results.items() if not isinstance(returns, Drawing)}
     assert undrawn <= set().union(*called_functions(slug).values())
-
-
-WRAPPERS = {
-    "complex numbers": "lambda x: np.asarray(x) + 0j",
-    "numbers as text": "lambda x: np.asarray(x).astype(str)",
-    "one axis too many": "lambda x: np.asarray(x)[None]",
-    "NaN in one place": "lambda x: np.where(np.arange(np.size(x)).reshape(np.shape(x)) == 0, np.nan, x)",
-}
 
 
 @pytest.mark.parametrize("slug", first(4, SLUGS))

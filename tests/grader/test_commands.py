@@ -15,6 +15,9 @@ from tam570_grader import cli as grader
 from tam570_grader.errors import UsageError, writing
 
 HEAVY = {"scipy", "matplotlib", "sympy", "pytest", "llvmlite", "nbgrader", "tqdm", "hatchling", "IPython"}
+FOLDERS = "kit", "course", "gradescope"
+FILES = "report results --out", "lms grades.csv --to canvas --out", "audit hw08 --fairness 1 --jobs 1 --keep"
+TARGETS = [*itertools.product(FOLDERS, ["file", "file/x"]), *itertools.product(FILES, ["none/x", "file/x"])]
 
 
 @pytest.fixture
@@ -50,11 +53,6 @@ def test_algebra_has_one_thread(monkeypatch):
     monkeypatch.delenv("OPENBLAS_NUM_THREADS", raising=False)
     code = "import tam570_grader, numpy, os\nnumpy.eye(500) @ numpy.eye(500)\nprint(len(os.listdir('/proc/self/task')))"
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, check=True).stdout.split() == [b"1"]
-
-
-FOLDERS = "kit", "course", "gradescope"
-FILES = "report results --out", "lms grades.csv --to canvas --out", "audit hw08 --fairness 1 --jobs 1 --keep"
-TARGETS = [*itertools.product(FOLDERS, ["file", "file/x"]), *itertools.product(FILES, ["none/x", "file/x"])]
 
 
 @pytest.mark.parametrize(("command", "path"), TARGETS)

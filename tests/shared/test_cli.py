@@ -16,6 +16,7 @@ from tam570.course import contract
 SLUG = "hw08_axis_angle"
 HEAVY = {"numpy", "scipy", "matplotlib", "sympy", "pytest", "numba", "nbgrader", "tqdm", "hatchling", "shtab"}
 COMMANDS = ["list", "start hw08", "hint hw08 skew", "update hw08"]
+MORE = "\n\ndef unskew(matrix, *, scale):\n    raise NotImplementedError\n"
 
 
 @pytest.mark.parametrize("command", COMMANDS)
@@ -178,9 +179,6 @@ def test_a_prediction_is_asked_for_once_and_kept(desk, monkeypatch):
     assert answered[0].endswith(": it flips") and (desk / "prediction_b.txt").is_file()
     assert predictions.ask_for_predictions(desk, "hw10_free_rigid_body") == answered
     assert predictions.ask_for_predictions(desk, "hw08_axis_angle") == []
-
-
-MORE = "\n\ndef unskew(matrix, *, scale):\n    raise NotImplementedError\n"
 
 
 @pytest.mark.parametrize(

@@ -20,6 +20,9 @@ NUMBERS = {"m": 1.3, "g": 9.81, "l": 0.7}
 # A state is drawn of order one; the equations divide by nothing small there, so that a hundred roundings
 # stay far below this. A wrong term shows in the first digit.
 SAME = 1e-12
+BEAD = m * v**2 * (1 + 4 * c**2 * x**2) / 2 - m * g * c * x**2
+# two equal point masses on equal rods
+BARS = m * l**2 * (2 * p**2 + q**2 + 2 * p * q * cos(theta - phi)) / 2 + m * g * l * (2 * cos(theta) + cos(phi))
 
 
 def built(lagrangian, coordinates, velocities, **how):
@@ -28,11 +31,6 @@ def built(lagrangian, coordinates, velocities, **how):
 
 def states(size, count=5):
     return DRAW.uniform(-1.5, 1.5, (count, size))
-
-
-BEAD = m * v**2 * (1 + 4 * c**2 * x**2) / 2 - m * g * c * x**2
-# two equal point masses on equal rods
-BARS = m * l**2 * (2 * p**2 + q**2 + 2 * p * q * cos(theta - phi)) / 2 + m * g * l * (2 * cos(theta) + cos(phi))
 
 
 def spherical_pendulum():

@@ -13,6 +13,10 @@ from tam570_grader.checks.expect import Failed
 HW03 = assignments.assignment(assignments.find(), "hw03_angular_momentum_rate")
 CHECKS = {check.name: check for check in HW03.checks}
 DRAW = np.random.default_rng(3)
+ballistics = assignments.solution("hw02_ballistics")
+
+BALL = {"mass": 1.7, "gravity": 9.81}  # kg, m/s^2
+SPEED = 30.0  # m/s
 
 
 def run_check(definition, p, c):
@@ -104,12 +108,6 @@ def test_none_that_only_seems_special_is_taken(definition, p, c, flaw):
         run_check(definition, p, c)
     with pytest.raises(Failed, match=flaw):
         run_check(definition, *turned(p, c))
-
-
-ballistics = assignments.solution("hw02_ballistics")
-
-BALL = {"mass": 1.7, "gravity": 9.81}  # kg, m/s^2
-SPEED = 30.0  # m/s
 
 
 def test_the_size_of_a_flight_back_at_launch_height_is_that_of_its_path():

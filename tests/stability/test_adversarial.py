@@ -22,6 +22,10 @@ from tam570.integrate import solve
 
 RTOL = 1e-9
 G = 9.81
+EDGE = [1.0, 1.01]
+HAT = interp1d([0, 1, 1.0001, 1.0099, 1.01, 9], [0, 0, 1, 1, 0, 0])
+TOOTHED = CubicSpline(np.arange(41) / 10, np.arange(41) == 25)
+WIDE = CubicSpline(np.arange(41) / 10, np.arange(41) == 25).integrate(0, 3)
 
 
 def against(rhs, span, start, *, stops=(), longest=0.02, exact=None, **options):
@@ -409,12 +413,6 @@ def test_complex_numbers_inside_are_looked_into(name):
     rhs, span, start, *_ = COMPLEX[name]
     report = solve(rhs, span, start, rtol=RTOL, report=True).report
     assert not report.unseen_reason and report.steps < 200
-
-
-EDGE = [1.0, 1.01]
-HAT = interp1d([0, 1, 1.0001, 1.0099, 1.01, 9], [0, 0, 1, 1, 0, 0])
-TOOTHED = CubicSpline(np.arange(41) / 10, np.arange(41) == 25)
-WIDE = CubicSpline(np.arange(41) / 10, np.arange(41) == 25).integrate(0, 3)
 
 
 class Window:

@@ -14,6 +14,8 @@ from tam570.invariants import drift, growth_exponent
 from tam570_grader.checks import assignments
 
 G = 9.81  # m/s^2
+BENCHMARK = runpy.run_path(str(assignments.find() / "benchmarks" / "run_time" / "scenes.py"))
+HIRES = [1.0, 0, 0, 0, 0, 0, 0, 0.0057]
 
 
 def pendulum(t, state, *, length):
@@ -35,9 +37,6 @@ def period(amplitude):
 
 def oscillator(t, y, *, rate):
     return y[1], -rate * rate * y[0]
-
-
-BENCHMARK = runpy.run_path(str(assignments.find() / "benchmarks" / "run_time" / "scenes.py"))
 
 
 @pytest.mark.parametrize("name", BENCHMARK["SCENES"])
@@ -190,9 +189,6 @@ def hires(t, y):
         bound,
         -bound,
     )
-
-
-HIRES = [1.0, 0, 0, 0, 0, 0, 0, 0.0057]
 
 
 def by_radau(rhs, end, start, **parameters):

@@ -20,6 +20,14 @@ from tam570_grader.checks.failure import Failure
 from tam570_grader.diagnosis.mistakes import Mistake, solution_with
 
 SLUG = "hw08_axis_angle"
+LISTED = {  # what lists equivalent mutants, and a line of the audit
+    r'\[_unit\]\n    "scaled @ scaled -> scaled.T @ scaled" = ""': {},
+    " 1 equivalent, 0 survive[^$]* scaled.T @ scaled: it has no proof": {"scaled @ scaled -> scaled.T @ scaled": " "},
+    "LISTED IN VAIN _unit: .*: it loses points": {"axis / largest -> axis * largest": "it is"},
+    "LISTED IN VAIN _unit: .*: there is no such mutant": {"axis -> largest": "it is"},
+}
+ASSIGNMENT = assignments.assignment(assignments.find(), SLUG)
+(CHECK,) = (check for check in ASSIGNMENT.checks if check.name == "skew_is_the_cross_product")
 
 
 @pytest.mark.parametrize(
@@ -54,14 +62,6 @@ def test_a_special_case_is_left_out_or_taken_always():
 @pytest.mark.slow
 def test_no_slip_in_a_solution_keeps_full_marks(slug, capsys):
     assert cli.main(["audit", slug, "--jobs", "1"]) == 0, capsys.readouterr().out
-
-
-LISTED = {  # what lists equivalent mutants, and a line of the audit
-    r'\[_unit\]\n    "scaled @ scaled -> scaled.T @ scaled" = ""': {},
-    " 1 equivalent, 0 survive[^$]* scaled.T @ scaled: it has no proof": {"scaled @ scaled -> scaled.T @ scaled": " "},
-    "LISTED IN VAIN _unit: .*: it loses points": {"axis / largest -> axis * largest": "it is"},
-    "LISTED IN VAIN _unit: .*: there is no such mutant": {"axis -> largest": "it is"},
-}
 
 
 @pytest.mark.parametrize("line", LISTED)
@@ -135,10 +135,6 @@ def test_wrong_physics_is_judged_by_its_distance_and_inaccurate_numerics_is_not(
     assert margin == Margin("energy", 0.01, ("friction", 50.0), ("coarse", 2.0)) and not margin.small
     by_name["coarse"] = replace(by_name["coarse"], numerics=False)
     assert margins.margin("energy", actual, by_name).small
-
-
-ASSIGNMENT = assignments.assignment(assignments.find(), SLUG)
-(CHECK,) = (check for check in ASSIGNMENT.checks if check.name == "skew_is_the_cross_product")
 
 
 def test_the_fewest_cases_are_the_cheap_ones_that_catch_all():

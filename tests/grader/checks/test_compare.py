@@ -12,6 +12,8 @@ from tam570_grader.checks.expect import Failed, check_context, expect
 from tam570_grader.checks.returns import array, group, number, rows
 from tam570_grader.reports.sentences import describe_failure
 
+HEIGHT = number.described("the height", "m", lambda case, _: 1e3)
+
 
 def student(returns, result, name="height"):
     """A student's function that always gives this result."""
@@ -22,9 +24,6 @@ def said(compare, *args, **fields):
     with check_context(), pytest.raises(Failed) as failed:
         compare(*args, tolerance=1e-9, **fields)
     return describe_failure(failed.value.failure)
-
-
-HEIGHT = number.described("the height", "m", lambda case, _: 1e3)
 
 
 def test_each_member_of_a_tuple_has_words_of_its_own():

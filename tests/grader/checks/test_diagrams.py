@@ -24,6 +24,9 @@ CYLINDER = FreeBody(
     others=[(PULL, Force("the force of the ramp", C, "C", push=(0, 1)))],
 )
 LINK = FreeBody("the link", (weight((0, 0), "G", 9.81), Force("a", (-1, 0), "A"), Force("b", (1, 0), "B")))
+NO_DIAGRAMS = [None, 3.0, "down", [1, 2], [(1, 2, 3)], [((0, 0), (0, -1), 5)], [((0, 0), "down")], {(0, 0): (0, -1)}]
+NO_DIAGRAMS += [[((0, 0), (0, math.nan))], [((0, 0, 1), (0, 0, -1))], [(None, (0, -1))], [((0, 0), (0, 1j))]]
+NO_DIAGRAMS += [[((0, 0), (0, -1))] * 100, [((0, 0), [None, 1.0])], [((0, 0), [[0, -1]])]]
 
 
 def arrows(drawn, dimension=2):
@@ -87,11 +90,6 @@ def test_two_unknown_forces_each_have_both_components():
 def test_a_force_of_size_zero_may_be_left_out_or_drawn(drawn):
     assert not wrong(FreeBody("a particle", [weight((1, 2), "it", gravity=0.0)]), drawn)
     assert wrong(FreeBody("a particle", [weight((1, 2), "it", gravity=0.0)]), [*drawn, ((0, 0), (1, 0))])
-
-
-NO_DIAGRAMS = [None, 3.0, "down", [1, 2], [(1, 2, 3)], [((0, 0), (0, -1), 5)], [((0, 0), "down")], {(0, 0): (0, -1)}]
-NO_DIAGRAMS += [[((0, 0), (0, math.nan))], [((0, 0, 1), (0, 0, -1))], [(None, (0, -1))], [((0, 0), (0, 1j))]]
-NO_DIAGRAMS += [[((0, 0), (0, -1))] * 100, [((0, 0), [None, 1.0])], [((0, 0), [[0, -1]])]]
 
 
 @pytest.mark.parametrize("drawn", NO_DIAGRAMS, ids=str)

@@ -22,6 +22,8 @@ def solve(rhs, t, y0, *, parameters=None, **_):
 """
 TIMES = np.linspace(0, 30, 601)
 START = np.array([1.0, 1.0, 20.0])
+T = np.linspace(1, 7, 200)
+RESTED = np.array([1.0, 0.0])
 
 
 def lorenz(t, start, tolerance=1e-11):
@@ -72,9 +74,6 @@ def test_the_energy_of_a_double_pendulum_is_judged_at_a_loose_tolerance(grade, s
 
 
 # What a motion is called
-
-T = np.linspace(1, 7, 200)
-RESTED = np.array([1.0, 0.0])
 
 
 def swings(t, start, tolerance=1e-10, damping=0.0):

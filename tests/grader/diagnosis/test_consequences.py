@@ -5,6 +5,12 @@ from parameters import first
 
 from tam570_grader.grading.run_checks import FOLLOWING_SHARE
 
+OWN_EQUATIONS = """terms = [mass_matrix(theta, masses=masses, lengths=lengths)]
+    terms += [velocity_terms(theta, omega, masses=masses, lengths=lengths)]
+    terms += [gravity_terms(theta, masses=masses, lengths=lengths, gravity=gravity)]
+    return np.linalg.solve(terms[0], -terms[1] - terms[2])"""
+UP = "-k * z - gravity", "-k * z + gravity"
+
 
 @pytest.fixture
 def checked(grade, solution_text):
@@ -113,12 +119,6 @@ def test_a_mistake_that_is_made_twice_is_charged_twice(checked):
     assert not following(actual) and len(by_name(actual)) == 2
 
 
-OWN_EQUATIONS = """terms = [mass_matrix(theta, masses=masses, lengths=lengths)]
-    terms += [velocity_terms(theta, omega, masses=masses, lengths=lengths)]
-    terms += [gravity_terms(theta, masses=masses, lengths=lengths, gravity=gravity)]
-    return np.linalg.solve(terms[0], -terms[1] - terms[2])"""
-
-
 @pytest.mark.parametrize("sign", ["", "-"])
 def test_accelerations_follow_from_the_students_own_equations(checked, sign):
     alpha = "return np.array(_rates(0.0, state, **_parameters(masses, lengths, gravity))[2:])"
@@ -127,9 +127,6 @@ def test_accelerations_follow_from_the_students_own_equations(checked, sign):
     actual = checked("hw07_double_pendulum", (alpha, equations), ("gravity * np.array([", "-gravity * np.array(["))
     expected = {("angular_acceleration", "gravity_terms")}
     assert (expected <= following(actual)) == (sign == "")
-
-
-UP = "-k * z - gravity", "-k * z + gravity"
 
 
 def test_a_plot_of_a_wrong_motion_keeps_its_share(checked):

@@ -23,6 +23,11 @@ def endless(*_):
     while True:
         pass
 """
+SPRING = """
+def simulate(n):
+    from tam570.integrate import solve
+    return solve(lambda t, y: (y[1], -n * y[0]), [0.0, 1.0], [1.0, 0.0])[-1]
+"""
 
 
 def compiled(text):
@@ -72,13 +77,6 @@ def test_to_look_for_a_mistake_is_part_of_it(evaluated, solution_text, monkeypat
     result = evaluated(text=solution_text(SLUG) + "\n\ndef skew(v): return np.eye(3)")
     assert result.status == "graded"
     assert {check.suspect for check in result.checks} == {None}
-
-
-SPRING = """
-def simulate(n):
-    from tam570.integrate import solve
-    return solve(lambda t, y: (y[1], -n * y[0]), [0.0, 1.0], [1.0, 0.0])[-1]
-"""
 
 
 def test_every_evaluation_of_a_rate_is_counted_where_it_would_be_compiled():

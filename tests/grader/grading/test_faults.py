@@ -18,6 +18,7 @@ from tam570_grader.audit.gradings import submissions
 from tam570_grader.results import store
 
 SHARES = ("", "def skew(v): return v\n", "def rotate(r, axis, angle):\n    raise ValueError\n")  # of the class
+BUSY = 3  # loops for each processor: the grader has a quarter of it, at most
 
 
 def class_of(count, folder, text):
@@ -97,9 +98,6 @@ def test_a_clock_that_jumps_changes_no_result(tmp_path, solution_text, monkeypat
     monkeypatch.setattr(time, "time", lambda: real() + (3600 if next(jumps) % 2 else -86400))
     assert cli.main([*command, str(tmp_path / "jumped")]) == 0
     assert outcome(tmp_path / "jumped") == outcome(tmp_path / "calm")
-
-
-BUSY = 3  # loops for each processor: the grader has a quarter of it, at most
 
 
 @contextlib.contextmanager

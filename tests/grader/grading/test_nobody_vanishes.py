@@ -22,6 +22,9 @@ GRADED = (
     "hal/hw08_axis_angle.py.txt",
     "ivy/HW08.PY",
 )
+LOST = ["ida/work.py", "ida/hw080.py", "ida/final.zip", "ida/mine/a.py", "lone.zip", "ida/notes.pdf"]
+OTHER = "hw03_angular_momentum_rate"
+ODD = ["hw7", "HW08", "homework 3", "juan@pol.una.py", "hw07_double_pendulum", "notes.ipynb", "jos\u0065\u0301"]
 
 
 @pytest.fixture
@@ -60,9 +63,6 @@ def test_what_cannot_be_told_is_one_row_that_says_why_and_holds_up_nobody(class_
     assert all(name in said[student] for student in ("bob", "dan", "kim") for name in odd[student])
 
 
-LOST = ["ida/work.py", "ida/hw080.py", "ida/final.zip", "ida/mine/a.py", "lone.zip", "ida/notes.pdf"]
-
-
 @pytest.mark.parametrize("name", LOST)
 def test_what_tells_no_assignment_is_warned_of(class_of, name):
     tree = class_of([GRADED[0], name])
@@ -91,10 +91,6 @@ def test_the_roster_gives_everyone_a_row_and_no_login_leads_out_of_the_results(c
     (name,) = {line["student"] for line in lines if line["status"] == "missing"}
     assert code == 0 and name.isprintable() and not (tmp_path / "up").exists() and (name == login) == (login == "zoe")
     assert {path.name for path in (tmp_path / "results" / "feedback").iterdir()} == {"ada", name}
-
-
-OTHER = "hw03_angular_momentum_rate"
-ODD = ["hw7", "HW08", "homework 3", "juan@pol.una.py", "hw07_double_pendulum", "notes.ipynb", "jos\u0065\u0301"]
 
 
 @pytest.mark.parametrize("file", ["{0}/{0}.py", "{0}.py", "hw08.PY", "hw08/hw08.py.txt"])

@@ -12,6 +12,15 @@ from tam570_grader.grading import submissions
 from tam570_grader.sandbox.launch import isolation
 
 NOTHING = "def skew(v): return None\n"
+CELLS = [3], ["x"], [{}], [{"cell_type": "code"}], [{"cell_type": "code", "source": [1]}], {"a": 1}, None, "code", []
+NAMES = ("=cmd|'calc'!A0", "@sum", "+1", "<img src=x onerror=alert(1)>", "%2e%2e%2fada", "a'b\"c", "l" * 255)
+ALIKE = ("x\ny", r"x\ny", "\u200b" * 80, "\u200b" * 81)
+AT_IMPORT = """
+t = np.linspace(0, 3, 50)
+states = simulate(t, 20.0, 0.8, mass=1.0, drag=0.3, gravity=9.81)
+assert np.allclose(states, trajectory(t, 20.0, 0.8, mass=1.0, drag=0.3, gravity=9.81))
+plot_comparison(__import__("matplotlib.pyplot").pyplot.gca(), t, 20.0, 0.8, mass=1.0, drag=0.3, gravity=9.81)
+"""
 
 
 def test_a_huge_file_is_not_read(run, tmp_path):
@@ -93,9 +102,6 @@ def test_files_beside_a_module_are_not_run(run, tree, monkeypatch, scores, cold)
     assert scores(run(tree)[1])["ada"] == 10.0
 
 
-CELLS = [3], ["x"], [{}], [{"cell_type": "code"}], [{"cell_type": "code", "source": [1]}], {"a": 1}, None, "code", []
-
-
 @pytest.mark.parametrize("cells", CELLS)
 def test_a_notebook_with_strange_cells_scores_nothing(grade, cells):
     assert grade(HW08, json.dumps({"cells": cells, "nbformat": 4}), notebook=True).score == 0.0
@@ -118,10 +124,6 @@ def test_a_notebook_with_strange_cells_scores_nothing(grade, cells):
 )
 def test_a_text_that_breaks_parsers_harms_nobody_else(grade, solution_text, text):
     assert [grade(HW08, item).score for item in (text, solution_text(HW08))] == [0.0, 10.0]
-
-
-NAMES = ("=cmd|'calc'!A0", "@sum", "+1", "<img src=x onerror=alert(1)>", "%2e%2e%2fada", "a'b\"c", "l" * 255)
-ALIKE = ("x\ny", r"x\ny", "\u200b" * 80, "\u200b" * 81)
 
 
 def test_a_name_is_a_name_and_nothing_else(run, tmp_path, solution_text, scores):
@@ -193,14 +195,6 @@ def test_the_error_of_a_cell_is_told(grade, solution_text, form):
         text = json.dumps({"worksheets": [{"cells": cells}], "nbformat": 3})
     result = grade(HW08, text, notebook=True)
     assert result.score == 10.0 and "cell 3: NameError: name 'whatever' is not defined" in result.message
-
-
-AT_IMPORT = """
-t = np.linspace(0, 3, 50)
-states = simulate(t, 20.0, 0.8, mass=1.0, drag=0.3, gravity=9.81)
-assert np.allclose(states, trajectory(t, 20.0, 0.8, mass=1.0, drag=0.3, gravity=9.81))
-plot_comparison(__import__("matplotlib.pyplot").pyplot.gca(), t, 20.0, 0.8, mass=1.0, drag=0.3, gravity=9.81)
-"""
 
 
 @pytest.mark.parametrize("form", ["module", "notebook", "notebook of one cell"])

@@ -39,6 +39,8 @@ submission_2:
     :sid: A3
   :created_at: 2026-02-03 11:00:00 -0600
 """
+LINK = zipfile.ZipInfo("chency_19_9_hw08.py")
+LINK.create_system, LINK.external_attr = 3, (stat.S_IFLNK | 0o777) << 16
 
 
 def test_the_newest_counts_and_packed_ones_are_unpacked(download, desk):
@@ -65,10 +67,6 @@ def test_gradescope_by_its_metadata_groups_too(desk, download, times):
     code, _ = download("gradescope", files, ROSTER, "--assignment", "hw08")
     assert code == 0 and desk.collected == {"aadams": "ab", "bbrown": "ab", "cchen": "c"}
     assert (len(table) > LARGEST) == (times > 1)
-
-
-LINK = zipfile.ZipInfo("chency_19_9_hw08.py")
-LINK.create_system, LINK.external_attr = 3, (stat.S_IFLNK | 0o777) << 16
 
 
 def spoilt(method=zipfile.ZIP_DEFLATED, central=None, stream=None):

@@ -32,6 +32,8 @@ CAME = {
     "eve": ("2026-09-16 00:13:00", 9),  # the grace holds each day
     "fay": ("2026-10-30 00:00:00", 7.5),  # no more than a quarter
 }
+STUB = "def rotate(r, axis, angle):\n    raise NotImplementedError\n"
+NOTEBOOK = '{"cells": [{"cell_type": "code", "source": ["def rotate(r, axis, angle):\\n"]}], "nbformat": 4}'
 
 
 @pytest.fixture
@@ -133,10 +135,6 @@ def test_what_does_not_fit_is_named_with_its_key(term, text, words):
 def test_an_assignment_has_the_names_that_it_has_elsewhere(tmp_path, key):
     actual = policies(tmp_path / "course.toml", {key: {"extension": {"ann": 1}}}, ["hw01_pendulum", "hw10_disk"])
     assert [dict(policy.extension) for policy in actual.values()] == [{"ann": 1}, {}]
-
-
-STUB = "def rotate(r, axis, angle):\n    raise NotImplementedError\n"
-NOTEBOOK = '{"cells": [{"cell_type": "code", "source": ["def rotate(r, axis, angle):\\n"]}], "nbformat": 4}'
 
 
 @pytest.fixture

@@ -12,6 +12,7 @@ from tam570_grader.results.manual_points import Entry, GradeRow, ManualAdjustmen
 from tam570_grader.results.store import ResultStore
 
 SLUG = "hw07_double_pendulum"
+TERM = ("hw01_a", "hw02_b", "hw03_c")
 
 
 @pytest.fixture(scope="module")
@@ -140,9 +141,6 @@ def test_days_beyond_an_extension_cost_their_share_and_a_total_stands_for_all(sc
     entries = [Entry("ann", SLUG, item.replace("_", " "), points, None, "why") for item, points in items.items()]
     adjusted = ManualAdjustments(entries).adjust(("ann", SLUG), score, 10.0, dict).score
     assert adjusted == (rest if rest is None else pytest.approx(rest))
-
-
-TERM = ("hw01_a", "hw02_b", "hw03_c")
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,8 @@ from tam570_grader import cli
 from tam570_grader.checks import assignments
 
 SLUG = "hw07_double_pendulum"
+LONG = ["\t\n" * 50_000, "f'{{" * 25_000, "x = 1\n" * 40_000, "(" * 99_999, "x = '" + "\\\\" * 40_000 + "'"]
+TEXT = "def skew(v): return v\n"
 
 
 @pytest.fixture
@@ -42,9 +44,6 @@ def test_what_was_handed_out_is_nobodys(compare, course):
     assert compare(dict.fromkeys(("ann", "ben"), stub), "0.1")[1][0].startswith("0 pairs of 2")
 
 
-LONG = ["\t\n" * 50_000, "f'{{" * 25_000, "x = 1\n" * 40_000, "(" * 99_999, "x = '" + "\\\\" * 40_000 + "'"]
-
-
 @pytest.mark.parametrize("text", LONG)
 def test_no_text_keeps_the_others_waiting(compare, solution_text, text):
     copies = dict.fromkeys(("ann", "ben"), solution_text(SLUG))
@@ -55,9 +54,6 @@ def test_a_long_sum_is_compared_and_what_is_not_is_told_at_the_end(compare, solu
     text = solution_text(SLUG) + "\n\nLONG = " + " + ".join(f"x{n}" for n in range(2000)) + "\n"
     code, (first, *_, last) = compare({"ann": text, "ben": renamed(text), "eve": "(" * 1000})
     assert code == 1 and "ann" in first and "ben" in first and last.endswith(f"eve {SLUG}")
-
-
-TEXT = "def skew(v): return v\n"
 
 
 @pytest.fixture

@@ -29,6 +29,14 @@ CANVAS_LAYOUTS = [  # gradebook_exporter.rb, csv_data: with and without the SIS 
     ("Student", "ID", "SIS User ID", "SIS Login ID", "Integration ID", "Root Account", "Section"),
     ("LastName", "FirstName", "ID", "SIS Login ID", "Section"),
 ]
+LATE = "[late]\noff_a_day = 0.5\n[hw08]\ndue = 2026-09-14T23:59:00\n"
+LOG = [["Time", "User full name", "Affected user", "Event context", "Component", "Event name"]] + [
+    [f"15/09/26, 10:0{k}:00", "José García Núñez", "-", "Assignment: HW 8", "Assignment", event]
+    for k, event in enumerate(("A submission has been submitted.", "The status of the submission has been viewed."))
+]
+ON_TIME, TOO_LATE = "Monday, 14 September 2026, 11:58 PM", "Tuesday, 15 September 2026, 10:00 AM"
+ANA = {"delacruzana_12_6_hw08.py": "# Ana"}
+LONG = {"letters": "17_5_" + "\x1b" * 40_000, "user": "1" * 4400 + "_5", "file": "17_" + "9" * 4400}
 
 
 def words(name):
@@ -132,14 +140,6 @@ def test_who_is_left_out_is_named_and_the_code_is_1(desk, upload, system):
     assert "ghost has scores and is on no row of the roster" in printed and "(garcia) has no score in hw08" in printed
 
 
-LATE = "[late]\noff_a_day = 0.5\n[hw08]\ndue = 2026-09-14T23:59:00\n"
-LOG = [["Time", "User full name", "Affected user", "Event context", "Component", "Event name"]] + [
-    [f"15/09/26, 10:0{k}:00", "José García Núñez", "-", "Assignment: HW 8", "Assignment", event]
-    for k, event in enumerate(("A submission has been submitted.", "The status of the submission has been viewed."))
-]
-ON_TIME, TOO_LATE = "Monday, 14 September 2026, 11:58 PM", "Tuesday, 15 September 2026, 10:00 AM"
-
-
 @pytest.mark.parametrize(
     ("roster", "more", "late"),
     [
@@ -223,10 +223,6 @@ def test_a_download_is_of_one_assignment(desk, download):
     assert not (desk.folder / "submitted" / "ann" / OTHER).exists()
     code, printed = download("canvas", {f"{canvas_name(3, 700)}_hw08.py": "# newer"}, gradebook())
     assert code == 0 and "is replaced by" in printed and desk.collected == {**before, "ann": "# newer"}
-
-
-ANA = {"delacruzana_12_6_hw08.py": "# Ana"}
-LONG = {"letters": "17_5_" + "\x1b" * 40_000, "user": "1" * 4400 + "_5", "file": "17_" + "9" * 4400}
 
 
 @pytest.mark.parametrize("name", LONG.values(), ids=LONG)

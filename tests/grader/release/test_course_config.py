@@ -45,6 +45,7 @@ def turning_back_undoes(student, rng):
     expect(back, r, tolerance=1e-12, quantity="the vector", unit="m")
 '''
 HALF = "\n\ndef rotate(r, axis, angle):\n    return np.asarray(r, float)\n"
+EVIL = "from pathlib import Path\n\nPath({!r}).touch()\n"
 
 
 @pytest.fixture
@@ -197,9 +198,6 @@ def test_dates_alone_grade_nobody_anew_and_what_is_left_out_is_gone_from_the_pag
     assert (desk / "results" / "results.jsonl").read_bytes() == before
     readme = (course_config.course() / "assignments" / "hw07_double_pendulum" / "README.md").read_text()
     assert "**(c)**" not in readme and "**(b)**" in readme and "Part (c) is left out" in readme
-
-
-EVIL = "from pathlib import Path\n\nPath({!r}).touch()\n"
 
 
 @pytest.fixture

@@ -18,6 +18,7 @@ CHECKS = assignments.find() / "autograder" / "checks"
 SHOWN = {"hw07_double_pendulum": "too_few_steps", "hw05_constrained_pendulum": "gravity_up"}
 WIDTHS = {"desktop": 1280, "phone": 390}
 CONTRAST = 4.5  # of text, WCAG 2 AA
+FILES = ["report.html", "feedback/ada/hw07_double_pendulum.html", *(f"feedback/ben/{slug}.html" for slug in SHOWN)]
 
 
 @pytest.fixture(scope="module")
@@ -45,9 +46,6 @@ def opened(open_tab, folder):
     return lambda file, width=1280, scheme="light": open_tab(
         (folder / file).as_uri(), (width, 800), color_scheme=scheme
     )
-
-
-FILES = ["report.html", "feedback/ada/hw07_double_pendulum.html", *(f"feedback/ben/{slug}.html" for slug in SHOWN)]
 
 
 @pytest.mark.parametrize("width", WIDTHS.values(), ids=WIDTHS)

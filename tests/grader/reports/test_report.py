@@ -24,6 +24,7 @@ from tam570_grader.results.shared import groups, signs_of
 
 SLUGS = ("hw07_double_pendulum", "hw08_axis_angle")
 INFOS = {slug: AssignmentInfo(f"Title of {slug[:4]}", {}, {}, {}) for slug in SLUGS}
+ODD = np.array([0.123456789012345, -2.0, 0.7])
 
 
 def check(name, outcome="passed", cause=None, **fields):
@@ -124,9 +125,6 @@ def test_a_mistake_is_drawn_beside_what_is_right(course):
         assert wrong.size == correct.size and wrong.tobytes() != correct.tobytes()
     nothing = None, Failure(actual="a"), Failure(actual=[1.0], expected=[np.nan]), Failure(actual=[1], expected=[1, 2])
     assert not any(wrong_and_right(course, SLUGS[1], "another", failure) for failure in nothing)
-
-
-ODD = np.array([0.123456789012345, -2.0, 0.7])
 
 
 def sharer(student, actual, *, cause=None, near_miss=False, checks=("skew_is_the_cross_product",)):

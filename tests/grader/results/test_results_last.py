@@ -15,6 +15,7 @@ from tam570_grader import cli
 from tam570_grader.results import records
 
 NOTHING = "def skew(v): return None\n"
+OTHERS = [json.dumps({**result("ada").record(), "format": form}) for form in (None, 1, records.FORMAT + 1)]
 
 
 def test_results_are_written_and_found_again(run, tree, tmp_path, monkeypatch, solution_text, scores):
@@ -43,9 +44,6 @@ def test_scores_do_not_depend_on_jobs(run, tree, monkeypatch):
 
     item, three = (stable(run(tree, "--seed", 3, "--jobs", jobs)[1]) for jobs in (1, 3))
     assert item == three
-
-
-OTHERS = [json.dumps({**result("ada").record(), "format": form}) for form in (None, 1, records.FORMAT + 1)]
 
 
 @pytest.mark.parametrize("line", ["my notes", *OTHERS])

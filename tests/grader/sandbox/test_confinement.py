@@ -21,6 +21,10 @@ from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.zygote import ResourceLimits, Zygote
 
 confined = pytest.mark.skipif(isolation() != "bubblewrap", reason="needs bubblewrap and namespaces")
+KILLED_AT_FIRST = """#!/bin/sh
+echo >> {count}
+[ $(wc -l < {count}) -gt {deaths} ] || kill -9 $$
+"""
 
 
 @pytest.mark.parametrize(
@@ -167,12 +171,6 @@ def test_what_is_off_limits_is_not_in_a_workers_memory_though_others_import_it(c
         source = Source((DIGS + solution_text(HW08)).encode())
         outcome = result(GradeTask(course, "eve", HW08, 1, source, conditions=request))
     assert outcome.score == 10, outcome.message
-
-
-KILLED_AT_FIRST = """#!/bin/sh
-echo >> {count}
-[ $(wc -l < {count}) -gt {deaths} ] || kill -9 $$
-"""
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="bubblewrap is for Linux")

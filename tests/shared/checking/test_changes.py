@@ -63,6 +63,7 @@ def test_all():
     assert callable(getattr(hw, "first"))
 """
 EVERY = {"test_first", "test_second", "test_third", "test_all"}
+SLUG = "hw08_axis_angle"
 
 
 def concerned(code=None, tests=None):
@@ -112,9 +113,6 @@ def test_a_parameter_that_names_a_function_tells_which_one_is_meant():
     called_by = {"test_all": {"first", "second", ANY}, "test_one": {"first"}}
     used = by_parameters(called_by, ["test_all[first]", "test_all[x-second]", "test_all[3]", "test_one[second]"])
     assert list(used.values()) == [{"first"}, {"second"}, {"first", "second"}, {"first"}]
-
-
-SLUG = "hw08_axis_angle"
 
 
 def test_all_tests_passed_are_all_points_and_mending_one_never_takes_points(slug, course):

@@ -52,6 +52,7 @@ CALLS = {
 }
 HW08 = "hw08_axis_angle"
 TESTS = 11 + len(load_examples(folder(HW08)).calls)
+NAMED = "import scipy.spatial\nTurn = scipy.spatial.transform.Rotation\n"
 
 
 @pytest.mark.parametrize("above", first(4, TOP))
@@ -64,9 +65,6 @@ def test_what_stops_the_import_where_work_is_graded_stops_it_here(hw08, desk, ta
     assert "The grader would give this file 0 points." in said and "Traceback" not in said
     result = grade(HW08, file.read_text(), limits=ResourceLimits(call=2))
     assert result.status != "graded" and result.score == 0
-
-
-NAMED = "import scipy.spatial\nTurn = scipy.spatial.transform.Rotation\n"
 
 
 @pytest.mark.parametrize("above", [NAMED, "try:\n    import pandas\nexcept ImportError:\n    pandas = None\n"])

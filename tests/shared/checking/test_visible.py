@@ -32,6 +32,7 @@ def strict(function):
 solution = runpy.run_path({solution!r})
 globals().update({{name: strict(solution[name]) for name in solution["__all__"]}})
 """
+RIGHT = sorted((assignments.find() / "autograder" / "checks").glob("*/alternatives/*.py"))
 
 
 @pytest.fixture(autouse=True)
@@ -46,9 +47,6 @@ def test_the_visible_tests_pass_on_the_solution_and_fail_on_the_stub(desk, slug,
     assert not session.check(course / "assignments" / slug / f"{slug}.py", slug, Trail(), lost={})
     said = capsys.readouterr().out
     assert "nothing is written yet" in said and len(said.splitlines()) == 1
-
-
-RIGHT = sorted((assignments.find() / "autograder" / "checks").glob("*/alternatives/*.py"))
 
 
 @pytest.mark.parametrize("path", first(3, RIGHT), ids=[f"{path.parents[1].name[:4]}-{path.stem}" for path in RIGHT])

@@ -9,6 +9,9 @@ import pytest
 
 from tam570.integrate import prepared, solve, solver
 
+STARTS = [[1.0, 0.0], (0.1, 2.0), np.array([-2.0, 0.5]), [0.0, 0.0], [3, -1]]
+LENGTH = {"length": 0.7}
+
 
 def pendulum(t, y, *, length, gravity=9.81):
     return y[1], -gravity / length * math.sin(y[0])
@@ -20,10 +23,6 @@ def driven(t, y):
 
 def bouncing(t, y):
     return y[1], -1.0 if y[0] > 0 else 1.0
-
-
-STARTS = [[1.0, 0.0], (0.1, 2.0), np.array([-2.0, 0.5]), [0.0, 0.0], [3, -1]]
-LENGTH = {"length": 0.7}
 
 
 @pytest.mark.parametrize("times", [[0, 3], np.linspace(-1, 20, 57), [5.0, 2.0, 1.5]])

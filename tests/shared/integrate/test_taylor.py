@@ -26,6 +26,8 @@ INNER = {  # of u between 0.3 and 0.7
     "sine and cosine together": lambda u: math.sin(u) * math.cos(u) - math.cos(2 * u),
     "exp twice": lambda u: math.exp(u) + math.expm1(u),
 }
+QUARTER = math.pi / 2
+SYMMETRIC = [(QUARTER, QUARTER), (QUARTER, -QUARTER), (math.pi, 0.0), (0.0, QUARTER), (-QUARTER, math.pi)]
 
 
 @pytest.mark.parametrize("name", INNER)
@@ -63,10 +65,6 @@ def energy(state):
     a, b, p, q = state
     kinetic = 2 / 3 * p * p + q * q / 6 + math.cos(a - b) * p * q / 2
     return kinetic - 9.81 * (1.5 * math.cos(a) + 0.5 * math.cos(b)) + 2 * 9.81
-
-
-QUARTER = math.pi / 2
-SYMMETRIC = [(QUARTER, QUARTER), (QUARTER, -QUARTER), (math.pi, 0.0), (0.0, QUARTER), (-QUARTER, math.pi)]
 
 
 @pytest.mark.parametrize("angles", SYMMETRIC)

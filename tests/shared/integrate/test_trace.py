@@ -16,6 +16,9 @@ from tam570.integrate.engine import engine
 from tam570.integrate.formulas import written
 from tam570.integrate.trace import Untraceable, traced
 
+TIMES, START = np.array([0.0, 1.0]), np.array([1.0, 0.5])
+GRAVITY = 9.81
+
 
 def operations(rhs, size, **parameters):
     """Operations of one evaluation, counted in the generated source."""
@@ -90,10 +93,6 @@ def test_a_refusal_says_why_and_an_error_of_the_functions_own_is_not_one():
     with pytest.raises(Trouble, match="always"):
         traced(broken, 1)
     assert solve(rebranded, [0, 1.0], [1.0])[-1, 0] == pytest.approx(math.e, rel=1e-9)
-
-
-TIMES, START = np.array([0.0, 1.0]), np.array([1.0, 0.5])
-GRAVITY = 9.81
 
 
 def end(rhs, method="auto", **parameters):

@@ -11,6 +11,11 @@ from tam570.invariants import observed_order
 from tam570.lectures import rod, sleigh, stopping_car, string, surface, swinging_bar, top, truss
 
 DRAW = np.random.default_rng(914)
+WAYS = [stopping_car.by_centre_of_mass, stopping_car.by_three_points, stopping_car.by_one_point]
+BAR = {"mass": 0.7, "length": 1.3, "gravity": 9.81}
+BODY = {"mass": 0.7, "inertia": 0.2, "offset": 0.4}
+TOP = {"mass": 0.8, "distance": 0.3, "axial": 0.02, "transverse": 0.09, "gravity": 9.81}
+WEIGHT = 0.8 * 0.3 * 9.81
 
 
 def test_both_ways_to_a_rod_agree():
@@ -55,9 +60,6 @@ def test_the_rigid_body_keeps_lengths_and_momenta():
     assert between == pytest.approx(((after - before) / (2 * h))[:8], abs=1e-8)
 
 
-WAYS = [stopping_car.by_centre_of_mass, stopping_car.by_three_points, stopping_car.by_one_point]
-
-
 @pytest.mark.parametrize("locked", ["front", "rear", "both"])
 def test_all_ways_to_stop_agree_and_balance(locked):
     for _ in range(20):
@@ -82,9 +84,6 @@ def test_the_axle_that_lifts_is_named(way):
     assert min(way(**car, friction=1.5, locked="rear")) > 0
     flat = way(**{**car, "height": 0.0}, friction=0.8, locked="front")
     assert flat == pytest.approx((0.8 * 9.81 * 0.7 / 1.2, 9.81 * 0.7 / 1.2, 9.81 * 0.5 / 1.2))
-
-
-BAR = {"mass": 0.7, "length": 1.3, "gravity": 9.81}
 
 
 def test_the_hinge_moves_the_centre_of_mass():
@@ -112,9 +111,6 @@ def test_the_bar_comes_back_after_four_complete_integrals(th):
     assert period == pytest.approx([th, 0.0], abs=1e2 * sensitive)
 
 
-BODY = {"mass": 0.7, "inertia": 0.2, "offset": 0.4}
-
-
 @pytest.mark.parametrize("offset", [0.4, -0.4, 1e-3, 0.0, 3.0])
 @pytest.mark.parametrize("motion", [(-1.0, 0.03), (1.2, -2.0), (0.0, 0.7), (0.8, 0.0), (-1.0, 1e-9)])
 def test_the_exact_sleigh_is_the_solved_one(offset, motion):
@@ -140,10 +136,6 @@ def test_newton_and_lagrange_agree_on_the_string():
         assert accelerations == pytest.approx(string.by_lagrange(state, **parameters), rel=1e-12, abs=1e-12)
         # the mass below by itself: m2 r'' = T - m2 g
         assert tension == pytest.approx(parameters["masses"][1] * (accelerations[0] + 9.81), rel=1e-12)
-
-
-TOP = {"mass": 0.8, "distance": 0.3, "axial": 0.02, "transverse": 0.09, "gravity": 9.81}
-WEIGHT = 0.8 * 0.3 * 9.81
 
 
 @pytest.mark.parametrize("tilt", [0.4, 1.2, math.pi / 2 + 0.3, 2.8])

@@ -11,6 +11,8 @@ from tam570.lectures.collisions import collide, cradle
 from tam570.lectures.modes import chain, inverted_pendulum, modes, pendulum, saddle
 
 DRAW = np.random.default_rng(573)
+STEPS = [0.01, 0.005, 0.0025]  # s
+ROD = {"mass": 1.3, "inertia": 0.2, "arms": (-0.5, 0.3), "speed": 0.8}
 
 
 def matrices(squares):
@@ -105,10 +107,6 @@ def test_the_cradle_passes_the_speeds_on():
         after = cradle(speeds, restitution=restitution)
         assert after.sum() == pytest.approx(speeds.sum()) and (np.diff(after) > -1e-12).all()
         assert after @ after < speeds @ speeds
-
-
-STEPS = [0.01, 0.005, 0.0025]  # s
-ROD = {"mass": 1.3, "inertia": 0.2, "arms": (-0.5, 0.3), "speed": 0.8}
 
 
 @pytest.mark.parametrize(("method", "expected"), [("Euler", 1), ("Heun", 2), ("RK4", 4)])

@@ -10,6 +10,8 @@ from tam570.integrate import solve
 from tam570.lectures import bodies, chains, oscillator, planet, rocket, two_masses
 
 DRAW = np.random.default_rng(829)
+BURN = {"burn_rate": 3.0, "exhaust_speed": 900.0, "empty_mass": 40.0, "gravity": 9.81}
+START = [10.0, 20.0, 100.0]  # it burns for 20 s
 
 
 def test_the_tensor_of_an_orbit_knows_its_plane_and_energy():
@@ -80,10 +82,6 @@ def test_the_springs_energy_is_the_work_of_its_tension():
         work, _ = quad(lambda x: two_masses.tension(x, **parameters), 0.4, length)
         assert two_masses.spring_energy(length, **parameters) == pytest.approx(work, abs=1e-12)
     assert two_masses.spring_energy(0.1, **parameters) > 0
-
-
-BURN = {"burn_rate": 3.0, "exhaust_speed": 900.0, "empty_mass": 40.0, "gravity": 9.81}
-START = [10.0, 20.0, 100.0]  # it burns for 20 s
 
 
 def test_momentum_of_rocket_and_exhaust_together():

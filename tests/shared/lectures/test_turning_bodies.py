@@ -13,6 +13,11 @@ from tam570.rotations import exp
 
 DRAW = np.random.default_rng(571)
 STEP = 1e-5  # of differences, which are then off by 1e-10 and by 1e-11 of rounding
+BODIES = [
+    {"axial": C, "transverse": A, "spin": s, "wobble": w}
+    for C, A in ((2.0, 1.0), (0.3, 1.4), (1.0, 1.0))
+    for s, w in ((2.0, 0.7), (-1.5, 0.4), (0.0, 1.0), (3.0, 0.0), (1.0, -0.5))
+]
 
 
 def inertia():
@@ -49,13 +54,6 @@ class TestGimbals:
                 gimbals.euler_rates([0.3, theta, 0.1], [1.0, 2.0, 3.0], sequence)
         near = 1e-6 if sequence == "313" else math.pi / 2 - 1e-6
         assert np.isfinite(gimbals.euler_rates([0.3, near, 0.1], [1.0, 2.0, 3.0], sequence)).all()
-
-
-BODIES = [
-    {"axial": C, "transverse": A, "spin": s, "wobble": w}
-    for C, A in ((2.0, 1.0), (0.3, 1.4), (1.0, 1.0))
-    for s, w in ((2.0, 0.7), (-1.5, 0.4), (0.0, 1.0), (3.0, 0.0), (1.0, -0.5))
-]
 
 
 @pytest.mark.parametrize("body", BODIES)
