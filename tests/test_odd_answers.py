@@ -3,6 +3,7 @@
 import json
 import random
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -21,11 +22,7 @@ SHARES = (1.0,) * 7 + (0.2,)  # of the calls that are answered oddly, in turn
 @pytest.fixture
 def counted(monkeypatch):
     """How many answers were odd: of those of the functions `counted.names` the share `counted.share`."""
-
-    class Counted:
-        names, share, answers = (), 1.0, 0.0
-
-    real, counted = Student.replies, Counted()
+    real, counted = Student.replies, SimpleNamespace(names=(), share=1.0, answers=0.0)
 
     def replies(student, name, *args, **kwargs):
         came = real(student, name, *args, **kwargs)

@@ -3,7 +3,6 @@
 import json
 import shutil
 
-import pytest
 from classes import hand_in
 
 from tam570_grader import cli
@@ -18,9 +17,8 @@ def renamed(text):
     return text.replace(MODEL, SLUG).replace(MODEL[:4], SLUG[:4])
 
 
-@pytest.fixture
-def fifteen(tmp_path, course):
-    """A copy of the course with the new assignment: the model's files, with its name exchanged in names and texts."""
+def test_it_is_found_graded_audited_and_released(course, tmp_path, capsys):
+    """In a copy of the course, as the model's files with its name exchanged in names and texts."""
     copy = tmp_path / "fifteen"
     for part in ("assignments", "solutions", "autograder", "shared"):
         shutil.copytree(course / part, copy / part, ignore=shutil.ignore_patterns("__pycache__"))
@@ -32,17 +30,12 @@ def fifteen(tmp_path, course):
             new.parent.mkdir(parents=True, exist_ok=True)
             new.write_text(renamed(path.read_text()))
     (copy / "assignments" / SLUG / f"{SLUG}.py").unlink()
-    assert cli.main(["--root", str(copy), "stubs"]) == 0
-    return copy
-
-
-def test_it_is_found_graded_audited_and_released(fifteen, tmp_path, capsys):
-    assert SLUG in assignments.slugs(fifteen)
-    solution = (fifteen / "solutions" / f"{SLUG}.py").read_text()
-    mistake = mistakes(fifteen / "autograder" / "checks" / SLUG)[0]
+    root = ["--root", str(copy)]
+    assert cli.main([*root, "stubs"]) == 0 and SLUG in assignments.slugs(copy)
+    solution = (copy / "solutions" / f"{SLUG}.py").read_text()
+    mistake = mistakes(copy / "autograder" / "checks" / SLUG)[0]
     hand_in(tmp_path / "submitted", {"ada": solution, "ben": f"{solution}\n\n{mistake.text}"}, SLUG)
     capsys.readouterr()
-    root = ["--root", str(fifteen)]
     assert cli.main([*root, "grade", str(tmp_path / "submitted"), "--json", "--jobs", "1", "--seed", "2"]) == 0
     ada, ben = sorted(map(json.loads, capsys.readouterr().out.splitlines()), key=lambda line: line["student"])
     assert ada["score"] == 10.0 and mistake.message in [check["suspect"] for check in ben["checks"]]

@@ -133,8 +133,6 @@ def cascade(t, y):
         (heat, unit(50, 0), 5),
         (lambda t, y: [-y[0], *(y[i - 1] - y[i] for i in range(1, 9)), y[8]], unit(10, 0), 20),
         (lambda t, y: [-y[0], *(i * y[i - 1] - (i + 1) * y[i] for i in range(1, 9)), 9 * y[8]], unit(10, 0), 20),
-        (heat, unit(10, 0), 20),  # C3
-        (heat, unit(51, 0), 20),  # C4
         (cascade, unit(6, 0), 10),
     ],
 )
@@ -191,11 +189,6 @@ def hires(t, y):
     )
 
 
-def by_radau(rhs, end, start, **parameters):
-    result = solve_ivp(lambda t, y: rhs(t, y, **parameters), (0, end), start, method="Radau", rtol=1e-10, atol=1e-14)
-    return result.y[:, -1]
-
-
 @pytest.mark.parametrize("method", ["python", "auto"])
 @pytest.mark.parametrize(
     ("rhs", "end", "start", "parameters"),
@@ -214,7 +207,8 @@ def test_what_would_never_end_is_told_with_its_remedy(method, rhs, end, start, p
 @pytest.mark.parametrize(("rhs", "end", "start"), [(robertson, 10.0, [1.0, 0.0, 0.0]), (hires, 321.8122, HIRES)])
 def test_what_ends_in_time_is_right(method, rhs, end, start):
     states = solve(rhs, [0, end], start, method=method, rtol=1e-9)
-    assert states[-1] == pytest.approx(by_radau(rhs, end, start), rel=1e-6, abs=1e-11)
+    exact = by_scipy(rhs, [0, end], start, method="Radau", rtol=1e-10, atol=1e-14)
+    assert states[-1] == pytest.approx(exact[-1], rel=1e-6, abs=1e-11)
 
 
 @pytest.mark.parametrize("rtol", [1e-3, 1e-10])

@@ -73,9 +73,6 @@ def test_the_energy_of_a_double_pendulum_is_judged_at_a_loose_tolerance(grade, s
     assert energy.points >= 0.9 * energy.max_points
 
 
-# What a motion is called
-
-
 def swings(t, start, tolerance=1e-10, damping=0.0):
     """A pendulum of unit frequency."""
 
@@ -107,24 +104,15 @@ def test_a_jump_is_told_from_a_loose_tolerance():
     assert reported(comes_to_rest) == ""
 
 
-class Rates:
-    """A student's function of the rates of a motion, by a factor off."""
-
-    name = "rates"
-
-    def __init__(self, factor):
-        self.factor = factor
-
-    def aside(self, case):
-        if self.factor is None:
-            raise Failed("it raised")
-        return self.factor * np.flip(case.args[0])
-
-
 @pytest.mark.parametrize(("factor", "are_right"), [(1.0, True), (1.01, False), (None, False)])
 def test_a_hint_tells_whether_the_students_own_rates_are_right(factor, are_right):
-    rows = swings(T, RESTED)
-    own_rates = OwnRates(Rates(factor), lambda row: np.flip(row), lambda t, row: (row,))
+    def rates(case):
+        if factor is None:
+            raise Failed("it raised")
+        return factor * np.flip(case.args[0])
+
+    rows, function = swings(T, RESTED), SimpleNamespace(name="rates", aside=rates)
+    own_rates = OwnRates(function, lambda row: np.flip(row), lambda t, row: (row,))
     assert own_rates.are_right(Motion(Case(T, RESTED), rows, rows, np.ones(2), None, swings)) == are_right
 
 

@@ -9,7 +9,6 @@ from classes import HW08, hand_in, notebook, rows
 
 from tam570_grader import cli
 from tam570_grader.grading import submissions
-from tam570_grader.sandbox.launch import isolation
 
 NOTHING = "def skew(v): return None\n"
 CELLS = [3], ["x"], [{}], [{"cell_type": "code"}], [{"cell_type": "code", "source": [1]}], {"a": 1}, None, "code", []
@@ -156,16 +155,6 @@ def test_bad_usage_is_said_and_exits_2(tmp_path, monkeypatch, course, capsys, ar
         (tmp_path / name).write_text(NOTHING)
     assert cli.main(["--root", str(course), "grade", *arguments]) == 2
     assert words in capsys.readouterr().err
-
-
-def test_a_tree_is_graded(run, tree, scores):
-    (tree / "ada" / "hw02_ballistics").mkdir()
-    code, lines, _ = run(tree, "--seed", 570, "--only", "hw08")
-    assert (code, scores(lines)) == (0, {"ada": 10.0, "ben": 0.0, "cora": 0.0})
-    assert [line["status"] for line in lines if line["student"] == "cora"] == ["missing"]
-    line = next(line for line in lines if line["student"] == "ada")
-    assert line["seed"] == 570 and line["isolation"] == isolation() and line["max_score"] == 10.0
-    assert set(line["checks"][0]) >= {"name", "part", "points", "max_points", "outcome", "message", "suspect"}
 
 
 @pytest.mark.parametrize(

@@ -22,32 +22,23 @@ from tam570_grader.results.manual_points import GradeRow
 
 FORMATS = {"text", "html", "simple_format", "md", "ansi"}
 VISIBLE = {"hidden", "after_due_date", "after_published", "visible"}
-# The specification of Gradescope, "Output format": each field and what it may hold.
-TYPES = {
-    int | float: ("score", "max_score", "execution_time"),
-    str: ("output", "name", "number"),
-    dict: ("extra_data",),
-    list: ("tests", "leaderboard", "tags"),
-}
-CHOICES = {
+# The specification of Gradescope, "Output format": each field, and the types or words that it may have.
+FIELDS = {
+    **dict.fromkeys(("score", "max_score", "execution_time"), int | float),
+    **dict.fromkeys(("output", "name", "number"), str),
+    **dict.fromkeys(("tests", "leaderboard", "tags"), list),
     **dict.fromkeys(("output_format", "test_output_format", "test_name_format", "name_format"), FORMATS),
     **dict.fromkeys(("visibility", "stdout_visibility"), VISIBLE),
     "status": {"passed", "failed"},
+    "extra_data": dict,
 }
-
-
-def violations(record):
-    """The fields that the specification does not know, or not with such a value."""
-    types = {name: of for of, names in TYPES.items() for name in names}
-    for name, value in record.items():
-        if not (value in CHOICES[name] if name in CHOICES else name in types and isinstance(value, types[name])):
-            yield name
 
 
 def as_gradescope_reads_it(text):
     """The results, after every rule of the specification."""
     record = json.loads(text)
-    assert not [name for part in (record, *record["tests"]) for name in violations(part)]
+    for name, value in (item for part in (record, *record["tests"]) for item in part.items()):
+        assert value in FIELDS[name] if isinstance(FIELDS[name], set) else isinstance(value, FIELDS[name]), name
     assert record["score"] == pytest.approx(sum(test["score"] for test in record["tests"]))
     return record
 

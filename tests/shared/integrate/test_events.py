@@ -76,13 +76,11 @@ def test_a_touch_is_no_crossing_and_an_event_may_know_time_and_parameters():
     assert motion.events[1].t == pytest.approx([0.6], abs=1e-15)
 
 
-@pytest.mark.parametrize("terminal", [-1, 3.5, "yes", math.nan])
-def test_a_terminal_that_is_no_count_is_refused(terminal):
-    with pytest.raises(ValueError, match="^events: event 0: terminal"):
-        solve(rising, [0, 1], [0.0], events=event(height(0.5), terminal=terminal))
+NO_COUNTS = [event(height(0.5), terminal=terminal) for terminal in (-1, 3.5, "yes", math.nan)]
+NO_VALUES = [lambda t, y, value=value: value for value in (np.ones(1), "up", None, 1j)]
 
 
-@pytest.mark.parametrize("events", [lambda t: t, [1.0], *(lambda t, y, v=v: v for v in (np.ones(1), "up", None, 1j))])
+@pytest.mark.parametrize("events", [lambda t: t, [1.0], *NO_COUNTS, *NO_VALUES])
 def test_what_is_no_event_is_refused(events):
     with pytest.raises(ValueError, match="^events: "):
         solve(rising, [0, 1], [0.0], events=events)

@@ -88,12 +88,3 @@ def test_rotations_stay_rotations_and_angular_momentum_stays():
     assert rotation_defect(R).max() < 1e-14
     momentum = np.einsum("nij,nj->ni", R, inertia * omegas)
     assert np.abs(momentum - momentum[0]).max() < 1e-9
-
-
-def test_constant_spin_is_exact():
-    spin = np.array([0.3, -0.4, 1.2])
-    _, R = solve_rotation(lambda t, w: (0.0, 0.0, 0.0), [0, 1.0, 50.0], spin, np.eye(3), rtol=1e-12)
-    angle = np.linalg.norm(spin) * 50
-    n = spin / np.linalg.norm(spin)
-    hat = np.array([[0, -n[2], n[1]], [n[2], 0, -n[0]], [-n[1], n[0], 0]])
-    assert R[-1] == pytest.approx(np.eye(3) + math.sin(angle) * hat + (1 - math.cos(angle)) * hat @ hat, abs=1e-11)

@@ -61,26 +61,19 @@ def test_after_a_jump_in_time_a_hand_takes_hold_of_what_the_film_shows(tab, scen
     assert times[1] == pytest.approx(scene.times[-1]) and opened.evaluate("live.s") == pytest.approx(expected, abs=1e-8)
 
 
-def dragged(opened, by):
-    """Move the first handle by some pixels."""
-    box = opened.locator("#live").bounding_box()
-    x, y = opened.evaluate("() => { followFilm(); return handlePlace(grasped.handles[0]); }")
-    x, y = x + box["x"], y + box["y"]
-    opened.mouse.move(x, y)
-    opened.mouse.down()
-    opened.mouse.move(x + by[0], y + by[1], steps=4)
-    held = opened.evaluate("[live.on, live.s]")
-    opened.mouse.up()
-    return held
-
-
 @pytest.mark.parametrize("size", SIZES)
 def test_the_bob_goes_where_it_is_dragged_and_swings_on(tab, scenes, size):
     opened = tab(scenes("hw01_simple_pendulum"), size)
     before, hinge = opened.evaluate(
         "() => { followFilm(); return [handlePlace(grasped.handles[0]), livePoint([0, 0])]; }"
     )
-    playing, (theta, omega) = dragged(opened, (-40, 30))
+    box = opened.locator("#live").bounding_box()
+    x, y = before[0] + box["x"], before[1] + box["y"]
+    opened.mouse.move(x, y)
+    opened.mouse.down()
+    opened.mouse.move(x - 40, y + 30, steps=4)
+    playing, (theta, omega) = opened.evaluate("[live.on, live.s]")
+    opened.mouse.up()
     assert playing and omega == 0.0
     wanted = np.array(before) + [-40, 30] - hinge
     assert np.arctan2(wanted[0], wanted[1]) == pytest.approx(theta, abs=0.02)
