@@ -13,6 +13,7 @@ from classes import HW08, check_result, hand_in, result, results, rows
 
 from tam570_grader import cli
 from tam570_grader.results import records
+from tam570_grader.sandbox.launch import isolation
 
 NOTHING = "def skew(v): return None\n"
 OTHERS = [json.dumps({**result("ada").record(), "format": form}) for form in (None, 1, records.FORMAT + 1)]
@@ -42,8 +43,10 @@ def test_scores_do_not_depend_on_jobs(run, tree, monkeypatch):
     def stable(lines):
         return sorted(json.dumps({k: v for k, v in line.items() if k != "seconds"}) for line in lines)
 
-    item, three = (stable(run(tree, "--seed", 3, "--jobs", jobs)[1]) for jobs in (1, 3))
-    assert item == three
+    (tree / "ada" / "hw02_ballistics").mkdir()
+    item, three = (run(tree, "--seed", 3, "--only", "hw08", "--jobs", jobs)[1] for jobs in (1, 3))
+    assert stable(item) == stable(three) and len(item) == 3
+    assert {(line["seed"], line["isolation"]) for line in item} == {(3, isolation())}
 
 
 @pytest.mark.parametrize("line", ["my notes", *OTHERS])
