@@ -10,6 +10,7 @@ from tam570_grader import cli
 from tam570_grader.checks import assignments
 from tam570_grader.diagnosis.mistakes import mistakes
 
+pytestmark = pytest.mark.xdist_group("replay")  # which share a class of five seconds
 HW04, HW12 = "hw04_hanging_spring", "hw12_bead_on_wire"
 FAILURES = {  # what is appended to the solution, and what `now` says
     "raises": (HW08, "def skew(v):\n    raise KeyError(v)", "skew raised KeyError"),

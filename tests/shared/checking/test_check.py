@@ -29,11 +29,11 @@ TOP = {  # and the words of `check` that tell them apart
 CALLS = {
     "import itertools; sum(itertools.count())": "rotate did not return within 2 s, and cannot be interrupted.",
     "import os; os._exit(0)": "rotate ended the process that tests it",
-    "while True: pass": "rotate did not return within 2 s",
     "return [1.0, 2.0]": "rotate returned an array of shape (2,), not",
     "r[:] = r + np.cross(axis, r); return r": "rotate changes the arrays",
     "return rotation_matrix(axis, angle) @ r": "rotation_matrix is off limits in rotate",
     "return None": "rotate returned None, not real numbers. Is a `return` missing?",
+    "while True: pass": "rotate did not return within 2 s",
     "return r * float('nan')": "NaN",
     "return 'a vector'": "rotate returned 'a vector', not real numbers",
     "return r + nothing": "NameError",
