@@ -140,10 +140,8 @@ def grade(zygotes):
 
     def grade(slug, text, seed=0, *, limits=None, notebook=False, **options):
         source = Source(text.encode() if isinstance(text, str) else text, notebook)
-        assignment, zygote = (
-            assignments.assignment(COURSE, slug),
-            zygotes(slug, limits or ResourceLimits(), source.text),
-        )
+        assignment = assignments.assignment(COURSE, slug)
+        zygote = zygotes(slug, limits or ResourceLimits(), source.text)
         return graded("someone", source, assignment, zygote, seed, options=CheckOptions(**options))
 
     return grade

@@ -6,7 +6,7 @@ Every assignment has right answers in different styles, answers that are wrong i
 done, one that hangs, one that crashes and one that attacks the grader. They are the submissions of the tests.
 """
 
-import argparse
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -53,15 +53,8 @@ def half_done(solution: str) -> str:
     return solution + "\n\n" + released[released.index(f"{middle}(") :]
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description="Write a sample class into a folder, as <student>/<assignment>/.")
-    parser.add_argument("folder", type=Path)
-    folder = parser.parse_args().folder
+if __name__ == "__main__":
     for student, slug, text in sample_class():
-        path = folder / student / slug / f"{slug}.py"
+        path = Path(sys.argv[1]) / student / slug / f"{slug}.py"
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
-
-
-if __name__ == "__main__":
-    main()

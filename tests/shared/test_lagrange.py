@@ -109,10 +109,7 @@ def test_powers_roots_and_constants_are_printed_as_they_are():
         (lambda: lagrange.source((v + w) ** 2, [x, y], [v, w]), "^lagrangian: the mass matrix is singular"),
         (lambda: lagrange.source(m * v**2, [x], [v], constraints=[v**2 - 1]), "^constraints must be linear"),
         (lambda: lagrange.source(m * v**2, [x], [v], constraints=[t]), "^constraints are not independent"),
-        (
-            lambda: lagrange.source(u**2 + v**2, [x, y], [u, v], constraints=[x * y, x * v + y * u]),
-            "^constraints are not",
-        ),
+        (lambda: lagrange.source(u**2 + v**2, [x, y], [u, v], constraints=[x * y, x * v + y * u]), "not independent"),
         (lambda: lagrange.source(symbols("lambda") * v**2, [x], [v]), "'lambda' cannot be a name"),
         (lambda: lagrange.source(m * v**2, [t], [v]), "'t' stands for two"),
         (lambda: lagrange.source(v**2 - sympy.Heaviside(x) * x, [x], [v]), "no function of math computes"),

@@ -24,6 +24,25 @@ TIMES = np.linspace(0, 30, 601)
 START = np.array([1.0, 1.0, 20.0])
 T = np.linspace(1, 7, 200)
 RESTED = np.array([1.0, 0.0])
+DAMPED = """
+
+def simulate(t, phi, phi_dot, **cylinder):
+    from scipy.integrate import solve_ivp
+    def rates(_, y):
+        return y[1], acceleration(*y, **cylinder) - {damping} * y[1]
+    return solve_ivp(rates, (t[0], t[-1]), (phi, phi_dot), t_eval=t, rtol={tolerance}, atol={tolerance}).y.T
+"""
+CREEPING = """
+
+def simulate(t, state, locked, **car):
+    from scipy.integrate import solve_ivp
+    arm = _axles(locked, car["front"], car["rear"])[1]
+    def rates(s, y):
+        sliding = math.hypot(y[3], arm * y[4])
+        free = np.array(state_derivative(s, y, locked, **{**car, "friction": 0.0}))
+        return free + sliding / math.hypot(sliding, 1e-2) * (np.array(state_derivative(s, y, locked, **car)) - free)
+    return solve_ivp(rates, (t[0], t[-1]), state, "LSODA", t_eval=t, rtol=1e-9, atol=1e-9).y.T
+"""
 
 
 def lorenz(t, start, tolerance=1e-11):
@@ -142,27 +161,6 @@ def test_where_the_function_cannot_be_asked_nobody_is_told_that_the_physics_is_r
 def test_rows_of_another_order_are_told(change, message):
     t = T[::20]
     assert reported(lambda t, start: change(swings(t, start)), t) == message
-
-
-DAMPED = """
-
-def simulate(t, phi, phi_dot, **cylinder):
-    from scipy.integrate import solve_ivp
-    def rates(_, y):
-        return y[1], acceleration(*y, **cylinder) - {damping} * y[1]
-    return solve_ivp(rates, (t[0], t[-1]), (phi, phi_dot), t_eval=t, rtol={tolerance}, atol={tolerance}).y.T
-"""
-CREEPING = """
-
-def simulate(t, state, locked, **car):
-    from scipy.integrate import solve_ivp
-    arm = _axles(locked, car["front"], car["rear"])[1]
-    def rates(s, y):
-        sliding = math.hypot(y[3], arm * y[4])
-        free = np.array(state_derivative(s, y, locked, **{**car, "friction": 0.0}))
-        return free + sliding / math.hypot(sliding, 1e-2) * (np.array(state_derivative(s, y, locked, **car)) - free)
-    return solve_ivp(rates, (t[0], t[-1]), state, "LSODA", t_eval=t, rtol=1e-9, atol=1e-9).y.T
-"""
 
 
 @pytest.mark.parametrize(

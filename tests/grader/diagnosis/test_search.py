@@ -122,7 +122,6 @@ def calls(function, wrong):
         ("weight", "0.0", "The result of weight is zero"),
         ("fall", "np.column_stack([h + v*t + t**2, v + 2*t])", "gravity has the opposite sign"),
         ("fall", "np.column_stack([h + v*t - 0.7*t**2, v - 1.400001*t])", "gravity has a factor drag too many"),
-        ("fall", "np.column_stack([h + v*t - t**2, v - 4*t])", "a term with gravity counts twice"),
         ("tumble", "(inertia[0]*w + 2)*w/3 + mass*radius/3", "0.3333 times the right one for any input"),
         ("tumble", "(inertia[0]*w + 2)*w + mass*radius + 1.25", "off by 1.25 for any input"),
         ("tumble", "(inertia[0] + mass*radius**2)*w**2 + 2*w + mass*radius", "1 of inertia has mass radius^2"),
@@ -153,8 +152,6 @@ def calls(function, wrong):
         ("tumble", "w**2 + 2*w + mass*radius", "inertia is that of a thin disk, A = C/2"),
         ("rod", "np.array([[[x, y], [0.0, 1.0]]])", "has ends 1 and 2 exchanged"),
         ("cross", "np.cross(b, a)", "The result of cross has the opposite sign"),
-        ("cross", "4*np.cross(a, b)", "The result of cross is 4 times the right one for any"),
-        ("cross", "np.cross(a, b)*[1, -1, 1]", "has the opposite sign in component 2"),
     ],
 )
 def test_it_is_named_by_what_it_does(function, wrong, words):

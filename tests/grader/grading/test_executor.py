@@ -18,6 +18,22 @@ from tam570_grader.grading.executor import WorkerLost, executor, in_order, run_t
 from tam570_grader.sandbox.pool import TRIES
 
 linux = pytest.mark.skipif(sys.platform != "linux", reason="finds processes in /proc")
+GRADES_A_CLASS = """
+import sys
+from tam570_grader.checks import assignments
+from tam570_grader.grading import batch
+from tam570_grader.grading.submissions import Submission
+from tam570_grader.sandbox import pool
+
+def tell(module, name):
+    function = getattr(module, name)
+    setattr(module, name, lambda *args: print(name, file=sys.stderr) or function(*args))
+
+tell(pool, "Zygote"), tell(assignments, "_checks")
+work = assignments.find() / "solutions" / "hw08_axis_angle.py"
+config = batch.RunConfig(submissions=[Submission(f"s{n}", work.stem, work, work) for n in range(8)], jobs=2)
+print(sum(record["score"] for record in batch.records(config)))
+"""
 
 
 def leave_trace(folder, task):
@@ -90,24 +106,6 @@ def test_no_process_outlives_a_run_that_is_ended(tmp_path, end):
         coordinator.send_signal(end)
     assert coordinator.returncode
     await_end(started)
-
-
-GRADES_A_CLASS = """
-import sys
-from tam570_grader.checks import assignments
-from tam570_grader.grading import batch
-from tam570_grader.grading.submissions import Submission
-from tam570_grader.sandbox import pool
-
-def tell(module, name):
-    function = getattr(module, name)
-    setattr(module, name, lambda *args: print(name, file=sys.stderr) or function(*args))
-
-tell(pool, "Zygote"), tell(assignments, "_checks")
-work = assignments.find() / "solutions" / "hw08_axis_angle.py"
-config = batch.RunConfig(submissions=[Submission(f"s{n}", work.stem, work, work) for n in range(8)], jobs=2)
-print(sum(record["score"] for record in batch.records(config)))
-"""
 
 
 @linux

@@ -32,6 +32,38 @@ FIELDS = {
     "status": {"passed", "failed"},
     "extra_data": dict,
 }
+ROSTER = [
+    ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", "hw07_x (4711)", "Final Score"],
+    ["    Points Possible", "", "", "", "", "10", "(read only)"],
+    ["Lee, Ann", "17", "A1", "ann", "570", "", ""],
+    ["Ray, Cho", "18", "A3", "cho", "570", "", ""],
+]
+
+
+NAMES = ["ann", "'ann", "+1", "'+1", "''=1", "-rf", "@x", "\tx", "\rx", "\uff1d1", "\uff0b1", "\uff0d1", "\uff20x"]
+SPLIT = ["a;=1+1", "x\t@sum", "'=1;'-2", "a;b;;+c", "ok\n=2"]
+# Pages go back by the names of the downloaded files.
+HEADING = "student,name,assignment,file,when,late,from,note\n"
+CANVAS = [
+    f"ann,,{HW08},{HW08}.py,,,adamsann_17_600_hw08_axis_angle-2.py,",
+    f"ann,,{HW08},,,,adamsann_17_500_hw08_axis_angle.py,older",
+    f"bo,,{HW08},{HW08}.py,,LATE,all/brownbo_LATE_18_550_hw08.zip/mine/hw08.py,",
+]
+MOODLE = [
+    f"ann,,{HW08},{HW08}.py,,,Ann Adams_17_assignsubmission_file_Bo Brown_18_assignsubmission_file_hw08.py,",
+    f"bo,,{HW08},{HW08}.py,,,Bo Brown_18_assignsubmission_file/hw08.py,",
+]
+NBGRADER = """assignment,duedate,timestamp,student_id,raw_score,score,max_score
+hw01_x,,2026-02-03,ann,9,9.0,12
+hw01_x,,,bo,0,0.0,12
+hw10_x,,,ann,0,0.0,10
+hw10_x,,,bo,0,0.0,10
+"""
+OURS = """student,assignment,status,score,max_score
+ann,hw01_x,graded,0.0,12.0
+bo,hw01_x,missing,0.0,12.0
+cy,hw01_x,missing,8.0,12.0
+"""
 
 
 def as_gradescope_reads_it(text):
@@ -120,18 +152,6 @@ def test_the_archive_grades_by_itself(desk, submission):
     assert as_gradescope_reads_it((desk.folder / "results" / "results.json").read_text())["score"] == 10
 
 
-ROSTER = [
-    ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", "hw07_x (4711)", "Final Score"],
-    ["    Points Possible", "", "", "", "", "10", "(read only)"],
-    ["Lee, Ann", "17", "A1", "ann", "570", "", ""],
-    ["Ray, Cho", "18", "A3", "cho", "570", "", ""],
-]
-
-
-NAMES = ["ann", "'ann", "+1", "'+1", "''=1", "-rf", "@x", "\tx", "\rx", "\uff1d1", "\uff0b1", "\uff0d1", "\uff20x"]
-SPLIT = ["a;=1+1", "x\t@sum", "'=1;'-2", "a;b;;+c", "ok\n=2"]
-
-
 @pytest.mark.parametrize("name", NAMES + SPLIT)
 def test_a_cell_is_no_formula_and_tells_the_name(name):
     cell = tables.cell(name)
@@ -149,19 +169,6 @@ def test_a_login_that_could_be_a_formula_is_matched_as_it_is_and_warned_of(desk)
     code, said = desk("lms", "grades.csv", "--to", "moodle")
     assert code == 0 and "+1,9.5\nann,9.5" in said.replace("\r", "") and "formulas: '+1'" in said
     assert "\n'+1,,,+1,,9.5" in desk("lms", "grades.csv", "--to", "canvas")[1]
-
-
-# Pages go back by the names of the downloaded files.
-HEADING = "student,name,assignment,file,when,late,from,note\n"
-CANVAS = [
-    f"ann,,{HW08},{HW08}.py,,,adamsann_17_600_hw08_axis_angle-2.py,",
-    f"ann,,{HW08},,,,adamsann_17_500_hw08_axis_angle.py,older",
-    f"bo,,{HW08},{HW08}.py,,LATE,all/brownbo_LATE_18_550_hw08.zip/mine/hw08.py,",
-]
-MOODLE = [
-    f"ann,,{HW08},{HW08}.py,,,Ann Adams_17_assignsubmission_file_Bo Brown_18_assignsubmission_file_hw08.py,",
-    f"bo,,{HW08},{HW08}.py,,,Bo Brown_18_assignsubmission_file/hw08.py,",
-]
 
 
 @pytest.fixture
@@ -206,19 +213,6 @@ def test_a_zip_file_holds_the_pages_of_one_assignment(hand_back, desk):
     assert hand_back("moodle", rows) == (2, {})
     code, actual = hand_back("moodle", rows, "--only", "hw08")
     assert code == 0 and len(actual) == 2 and all(HW08 in name for name in actual)
-
-
-NBGRADER = """assignment,duedate,timestamp,student_id,raw_score,score,max_score
-hw01_x,,2026-02-03,ann,9,9.0,12
-hw01_x,,,bo,0,0.0,12
-hw10_x,,,ann,0,0.0,10
-hw10_x,,,bo,0,0.0,10
-"""
-OURS = """student,assignment,status,score,max_score
-ann,hw01_x,graded,0.0,12.0
-bo,hw01_x,missing,0.0,12.0
-cy,hw01_x,missing,8.0,12.0
-"""
 
 
 @pytest.mark.parametrize(

@@ -136,9 +136,8 @@ def test_what_disagrees_is_named_and_nothing_is_done(desk, capsys, old, new, wor
 @pytest.mark.parametrize("where", first(1, ["docs", "."]))
 def test_in_the_root_of_a_checkout_it_is_obeyed_too(desk, course, monkeypatch, where):
     checkout, without_caches = desk / "checkout", shutil.ignore_patterns("__pycache__")
-    parts = [
-        f"{name}/{slug}" for name in ("assignments", "autograder/checks") for slug in ("hw07_double_pendulum", SLUG)
-    ]
+    both = ("hw07_double_pendulum", SLUG)
+    parts = [f"{name}/{slug}" for name in ("assignments", "autograder/checks") for slug in both]
     for part in (*parts, "solutions"):
         shutil.copytree(course / part, checkout / part, ignore=without_caches)
     for name in course_config.SHARED:

@@ -25,6 +25,20 @@ KILLED_AT_FIRST = """#!/bin/sh
 echo >> {count}
 [ $(wc -l < {count}) -gt {deaths} ] || kill -9 $$
 """
+DIGS = """
+import gc, types
+gc.unfreeze()
+found = [one for one in gc.get_objects() if isinstance(one, types.FunctionType)]
+if any(str(one.__module__).startswith("tam570.rotations") for one in found):
+    raise SystemExit("found")
+"""
+SEEN = """
+import os
+from tam570_grader.sandbox import launch
+launch.isolation = lambda: "processes"
+launch.hide_from_submissions()
+print(open("/proc/self/cmdline").read().replace("\\0", " "), os.stat("/proc/self/environ").st_uid)
+"""
 
 
 @pytest.mark.parametrize(
@@ -156,15 +170,6 @@ def test_what_is_hidden_is_empty_and_takes_no_notes(course, solution_text):
     assert outcome.score == 10, (outcome.message, places)
 
 
-DIGS = """
-import gc, types
-gc.unfreeze()
-found = [one for one in gc.get_objects() if isinstance(one, types.FunctionType)]
-if any(str(one.__module__).startswith("tam570.rotations") for one in found):
-    raise SystemExit("found")
-"""
-
-
 def test_what_is_off_limits_is_not_in_a_workers_memory_though_others_import_it(course, solution_text):
     request = WorkerConfig(ResourceLimits(), preload=("tam570.rotations",))
     with sandboxes():
@@ -181,15 +186,6 @@ def test_a_trial_of_bubblewrap_that_is_killed_is_repeated(deaths, decided, tmp_p
     program.chmod(0o755)
     monkeypatch.setenv("PATH", str(tmp_path), prepend=":")
     assert isolation.__wrapped__() == decided
-
-
-SEEN = """
-import os
-from tam570_grader.sandbox import launch
-launch.isolation = lambda: "processes"
-launch.hide_from_submissions()
-print(open("/proc/self/cmdline").read().replace("\\0", " "), os.stat("/proc/self/environ").st_uid)
-"""
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")

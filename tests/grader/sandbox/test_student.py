@@ -16,6 +16,35 @@ from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.zygote import ResourceLimits, Zygote, ZygoteLost
 
 SLUG = "hw08_axis_angle"
+WRAPPED = "def _kept(f): return lambda *given: f(*given)\n"
+ALIASES = {
+    "by another name": "_same = rotation_matrix",
+    "in a table": "_same = {'it': rotation_matrix}.__getitem__('it')",
+    "kept by a closure": "def _keeping(f): return lambda *given: f(*given)\n_same = _keeping(rotation_matrix)",
+    "of a decorated one": f"{WRAPPED}rotation_matrix = _same = _kept(rotation_matrix)",
+    "in a table, of a decorated one": f"{WRAPPED}rotation_matrix = _kept(rotation_matrix)\n"
+    "_table = [rotation_matrix]\ndef _same(*given): return _table[0](*given)",
+    "of no plain function": "import functools\nrotation_matrix = _same = functools.partial(rotation_matrix)",
+}
+DEATHS = {
+    "hangs up": "os.close(3)\n    time.sleep(60)",
+    "is awake at ticks alone": """phase = ticks()
+    while time.monotonic() < phase + 6:
+        now = time.monotonic()
+        tick = now - (now - phase) % 0.004 + 0.004
+        time.sleep(max(0.0, tick - now - 0.0005))
+        while time.monotonic() < tick + 0.0001:
+            pass""",
+}
+TICKS = """
+import os, time
+def ticks():
+    clock = ~os.getpid() << 3
+    before = time.clock_gettime(clock)
+    while time.clock_gettime(clock) - before < 0.004:
+        pass
+    return time.monotonic()
+"""
 
 
 def test_one_that_sleeps_through_its_calls_is_ended(grade, solution_text, monkeypatch):
@@ -145,18 +174,6 @@ def test_what_is_called_for_the_words_ends_no_function_and_is_not_judged(student
     assert len(student.calls) == 1 and student.skew(np.ones(3)).shape == (3, 3)
 
 
-WRAPPED = "def _kept(f): return lambda *given: f(*given)\n"
-ALIASES = {
-    "by another name": "_same = rotation_matrix",
-    "in a table": "_same = {'it': rotation_matrix}.__getitem__('it')",
-    "kept by a closure": "def _keeping(f): return lambda *given: f(*given)\n_same = _keeping(rotation_matrix)",
-    "of a decorated one": f"{WRAPPED}rotation_matrix = _same = _kept(rotation_matrix)",
-    "in a table, of a decorated one": f"{WRAPPED}rotation_matrix = _kept(rotation_matrix)\n"
-    "_table = [rotation_matrix]\ndef _same(*given): return _table[0](*given)",
-    "of no plain function": "import functools\nrotation_matrix = _same = functools.partial(rotation_matrix)",
-}
-
-
 @pytest.mark.parametrize("alias", ALIASES.values(), ids=ALIASES)
 def test_a_function_that_may_not_be_called_may_not_by_another_name(grade, solution_text, alias):
     text = f"{solution_text(SLUG)}\n{alias}\ndef rotate(r, axis, angle): return _same(axis, angle) @ np.asarray(r)\n"
@@ -164,27 +181,6 @@ def test_a_function_that_may_not_be_called_may_not_by_another_name(grade, soluti
     assert outcome.score == 6.0, outcome
     said = [check.message for check in outcome.checks if check.outcome == "failed"]
     assert said and all(item.startswith("rotate uses what is off limits in it: rotation_matrix.") for item in said)
-
-
-DEATHS = {
-    "hangs up": "os.close(3)\n    time.sleep(60)",
-    "is awake at ticks alone": """phase = ticks()
-    while time.monotonic() < phase + 6:
-        now = time.monotonic()
-        tick = now - (now - phase) % 0.004 + 0.004
-        time.sleep(max(0.0, tick - now - 0.0005))
-        while time.monotonic() < tick + 0.0001:
-            pass""",
-}
-TICKS = """
-import os, time
-def ticks():
-    clock = ~os.getpid() << 3
-    before = time.clock_gettime(clock)
-    while time.clock_gettime(clock) - before < 0.004:
-        pass
-    return time.monotonic()
-"""
 
 
 @pytest.mark.slow

@@ -15,6 +15,19 @@ NAMED = [  # a function of an assignment, what it returns instead, and what is s
     ("hw01_simple_pendulum", "power_balance", "kept(*args, **how)[::-1]", "results of power_balance are exchanged."),
     ("hw13_rolling_cylinder", "missing_moment", "-kept(*args, **how)", "missing_moment has the opposite sign."),
 ]
+CARELESS = """
+
+def simulate(t, theta0, omega0, *, length, gravity):
+    def rates(t, y):
+        return y[1], -gravity / length * np.sin(y[0])
+
+    return {call}
+"""
+CALLS = {
+    "from scipy.integrate import solve_ivp": "solve_ivp(rates, t[[0, -1]], [theta0, omega0], t_eval=t).y.T",
+    "import scipy.integrate as si": "si.solve_ivp(rates, t[[0, -1]], [theta0, omega0], t_eval=t, rtol=1e-4).y.T",
+    "from scipy import integrate": "integrate.odeint(rates, [theta0, omega0], t, tfirst=True, rtol=1e-4, atol=1e-4)",
+}
 
 
 @pytest.mark.parametrize(("slug", "name", "body", "remedy"), NAMED)
@@ -31,21 +44,6 @@ def test_a_function_that_follows_from_a_wrong_one_is_not_named(desk, tam570, sol
     (desk / "hw03.py").write_text(solution_text("hw03_angular_momentum_rate") + wrong)
     code, said = tam570("check", "hw03.py")
     assert code == 1 and "result of special_motion" not in " ".join(said.split())
-
-
-CARELESS = """
-
-def simulate(t, theta0, omega0, *, length, gravity):
-    def rates(t, y):
-        return y[1], -gravity / length * np.sin(y[0])
-
-    return {call}
-"""
-CALLS = {
-    "from scipy.integrate import solve_ivp": "solve_ivp(rates, t[[0, -1]], [theta0, omega0], t_eval=t).y.T",
-    "import scipy.integrate as si": "si.solve_ivp(rates, t[[0, -1]], [theta0, omega0], t_eval=t, rtol=1e-4).y.T",
-    "from scipy import integrate": "integrate.odeint(rates, [theta0, omega0], t, tfirst=True, rtol=1e-4, atol=1e-4)",
-}
 
 
 @pytest.mark.parametrize("above", first(1, CALLS))

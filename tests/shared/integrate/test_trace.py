@@ -53,14 +53,6 @@ def test_a_function_that_asks_for_values_is_not_written_down(question):
         traced(lambda t, y: (1.0 if question(y[0]) else 2.0,), 1)
 
 
-def test_a_function_that_treats_symbols_otherwise_is_found_out():
-    def two_faced(t, y):
-        return (y[1], -y[0]) if isinstance(y[0], float) else (y[1], y[0])
-
-    assert not engine(two_faced, None, np.array([0.0, 1.0]), np.array([1.0, 0.0])).is_traced
-    assert solve(two_faced, [0, math.pi], [1.0, 0.0])[-1] == pytest.approx([-1, 0], abs=1e-9)
-
-
 def test_helpers_and_numpy_functions_are_traced_too():
     def helper(x):
         return np.sin(x) + math.cos(x) ** 2

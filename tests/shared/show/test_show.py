@@ -122,11 +122,9 @@ def test_what_cannot_be_shown_is_said(edited, tmp_path, capsys, text):
     assert not (tmp_path / "a.html").exists()
 
 
-@pytest.mark.parametrize(
-    "text", ["def energy(*_, **__):\n    raise NotImplementedError", "energy = lambda *_, **__: np.nan"]
-)
-def test_without_an_energy_the_motion_is_shown_all_the_same(edited, tmp_path, capsys, text):
-    where = tmp_path / "a.html"
+@pytest.mark.parametrize("body", ["raise NotImplementedError", "return np.nan"])
+def test_without_an_energy_the_motion_is_shown_all_the_same(edited, tmp_path, capsys, body):
+    text, where = f"def energy(*_, **__):\n    {body}", tmp_path / "a.html"
     assert cli.main(["show", "hw07", str(edited(HW07, text)), "--save", str(where)]) == 0
     assert "energy" in capsys.readouterr().err
     assert 'class="note">energy ' in where.read_text() and len(data(where.read_text())["time_plots"]) == 1
@@ -199,9 +197,8 @@ def test_a_picture_has_the_frames_of_the_film(short, suffix, frames, tmp_path):
 
 
 def test_an_interrupted_picture_leaves_no_file(short, tmp_path, monkeypatch):
-    monkeypatch.setattr(
-        "matplotlib.animation.PillowWriter.grab_frame", lambda writer: signal.raise_signal(signal.SIGINT)
-    )
+    grab = "matplotlib.animation.PillowWriter.grab_frame"
+    monkeypatch.setattr(grab, lambda writer: signal.raise_signal(signal.SIGINT))
     with pytest.raises(KeyboardInterrupt):
         save(short, tmp_path / "film.gif")
     assert not list(tmp_path.iterdir())
