@@ -3,7 +3,6 @@
 import json
 
 import pytest
-from parameters import SLUGS
 
 from tam570.checking import deadline, session
 from tam570.checking.examples import FILE, closed
@@ -14,7 +13,6 @@ from tam570_grader.diagnosis.mistakes import mistakes
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("slug", SLUGS)
 def test_known_mistakes_fail_at_home_and_at_the_same_function(desk, course, solution_text, grade, slug):
     """Nine in ten of them; `check` leads to a function that the grader finds wrong, too."""
     deadline.start()  # a call that takes too long is ended in this process, too
@@ -31,7 +29,6 @@ def test_known_mistakes_fail_at_home_and_at_the_same_function(desk, course, solu
     assert len(passing) <= 0.1 * len(known_mistakes), passing
 
 
-@pytest.mark.parametrize("slug", SLUGS)
 def test_home_has_the_sentences_of_today(slug, course):
     """`tam570-grader stubs --examples` writes them again."""
     at_home = json.loads((course / "assignments" / slug / FILE).read_text())["mistakes"]

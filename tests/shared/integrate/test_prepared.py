@@ -52,10 +52,10 @@ def test_a_wrong_start_is_refused_and_the_next_one_runs(start):
     run = prepared(pendulum, [0, 1], STARTS[0], parameters=LENGTH)
     call = partial(solve, pendulum, [0, 1], parameters=LENGTH, method="compiled")
     expected = [call(each) for each in STARTS[:3]]
-    for again in (run, call):
+    for states_from in (run, call):
         with pytest.raises((ValueError, IndexError)):  # or what rhs itself raises
-            again(start)
-        np.testing.assert_array_equal(again(STARTS[0]), expected[0])
+            states_from(start)
+        np.testing.assert_array_equal(states_from(STARTS[0]), expected[0])
 
 
 def test_what_cannot_be_compiled_runs_as_it_stands(monkeypatch):
