@@ -29,10 +29,6 @@ def built(lagrangian, coordinates, velocities, **how):
     return lagrange.load(lagrange.source(lagrangian, coordinates, velocities, **how))
 
 
-def states(size, count=5):
-    return DRAW.uniform(-1.5, 1.5, (count, size))
-
-
 def spherical_pendulum():
     """z up."""
     rod = [(x**2 + y**2 + z**2 - l**2) / 2]
@@ -62,7 +58,7 @@ def test_mass_matrix_and_forcing_are_what_rhs_solves():
         (spherical_pendulum(), 6, NUMBERS),
         (chaplygin_sleigh(), 6, {"m": 1.3, "c": 0.4, "I": 0.2}),
     ):
-        for state in states(size):
+        for state in DRAW.uniform(-1.5, 1.5, (5, size)):
             arguments = (0.0, tuple(state))
             acceleration = np.array(system.rhs(*arguments, **numbers)[size // 2 :])
             inertial = np.array(system.mass_matrix(*arguments, **numbers)) @ acceleration

@@ -165,14 +165,10 @@ MOTIONS = {
 }
 
 
-@pytest.mark.parametrize("motion", MOTIONS)
-def test_what_is_conserved_stays(motion):
-    run, *start = MOTIONS[motion]
-    assert np.ptp(run(20, *start), axis=0).max() <= KEPT
+LONG = [pytest.param(motion, 1000, marks=pytest.mark.slow) for motion in MOTIONS if motion not in FAST]
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("motion", [motion for motion in MOTIONS if motion not in FAST])
-def test_what_is_conserved_stays_for_a_thousand_periods(motion):
+@pytest.mark.parametrize(("motion", "periods"), [*((motion, 20) for motion in MOTIONS), *LONG])
+def test_what_is_conserved_stays(motion, periods):
     run, *start = MOTIONS[motion]
-    assert np.ptp(run(1000, *start), axis=0).max() <= KEPT
+    assert np.ptp(run(periods, *start), axis=0).max() <= KEPT

@@ -20,12 +20,6 @@ BODIES = [
 ]
 
 
-def inertia():
-    """(3, 3) of a random body."""
-    points = DRAW.normal(size=(6, 3))
-    return np.sum(points**2) * np.eye(3) - points.T @ points
-
-
 @pytest.mark.parametrize("sequence", ["313", "312"])
 class TestGimbals:
     def test_rings_turn_in_order(self, sequence):
@@ -94,7 +88,8 @@ def test_cones_in_their_limits():
 def test_bearings_give_the_rate_of_angular_momentum():
     """H of the turning body in space, by differences, taken back into the body."""
     for _ in range(5):
-        body, spin, spin_rate = inertia(), *DRAW.normal(size=2)
+        points, (spin, spin_rate) = DRAW.normal(size=(6, 3)), DRAW.normal(size=2)
+        body = np.sum(points**2) * np.eye(3) - points.T @ points
 
         def momentum(t, body=body, spin=spin, spin_rate=spin_rate):
             R = rotations.matrix_from_axis_angle([0, 0, 1], spin * t + spin_rate * t * t / 2)
