@@ -29,7 +29,6 @@ def rotate(r, axis, angle): return [0.0] * 3
 """
 BRIEF = ResourceLimits(cpu=4, call=1)
 A_CHECK = 2.0  # s of the supervisor, in which it judges what is honest
-
 pytestmark = pytest.mark.skipif(isolation() != "bubblewrap", reason="needs bubblewrap and namespaces")
 
 

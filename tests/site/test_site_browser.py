@@ -7,7 +7,6 @@ import pytest
 
 axe = pytest.importorskip("axe_playwright_python.sync_playwright", reason="no axe: pip install axe-playwright-python")
 pytestmark = pytest.mark.slow
-
 LECTURE, SCENES = "generated/lectures/top.html", "generated/assignments.html"
 PHONE, DESK = (390, 844), (1280, 800)
 # The largest width that does not fit, of the page and of the theme's boxes around a text, which scroll by themselves.

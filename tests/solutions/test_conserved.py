@@ -163,8 +163,6 @@ MOTIONS = {
     **{f"hw14-{shape}": (disk, ROLLING, shape) for shape in SHAPES},
     "hw14-a coin that shudders": (disk, shuddering()),
 }
-
-
 LONG = [pytest.param(motion, 1000, marks=pytest.mark.slow) for motion in MOTIONS if motion not in FAST]
 
 

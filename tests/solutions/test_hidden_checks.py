@@ -14,7 +14,6 @@ HW03 = assignments.assignment(assignments.find(), "hw03_angular_momentum_rate")
 CHECKS = {check.name: check for check in HW03.checks}
 DRAW = np.random.default_rng(3)
 ballistics = assignments.solution("hw02_ballistics")
-
 BALL = {"mass": 1.7, "gravity": 9.81}  # kg, m/s^2
 SPEED = 30.0  # m/s
 

@@ -356,7 +356,6 @@ EDGES = {
     "zero over zero": newton(lambda t, x, v: math.sin(t - 2) / (t - 2) - (x if v < 9 else 0.0), (0.1, 3)),
     "tiny beside large": against(lambda t, y: (y[1], -y[0], -y[2]), (0, 3), [1e6, 0.0, 1e-6], longest=0.01),
 }
-
 CASES = {**CONTACT, **FRICTION, **JUMPS, **PULSES, **PASSED, **TRACES, **COMPLEX, **EDGES}
 
 

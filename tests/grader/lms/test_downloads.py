@@ -38,8 +38,6 @@ ROSTER = [
     ["Lee, Ann", "17", "A1", "ann", "570", "", ""],
     ["Ray, Cho", "18", "A3", "cho", "570", "", ""],
 ]
-
-
 NAMES = ["ann", "'ann", "+1", "'+1", "''=1", "-rf", "@x", "\tx", "\rx", "\uff1d1", "\uff0b1", "\uff0d1", "\uff20x"]
 SPLIT = ["a;=1+1", "x\t@sum", "'=1;'-2", "a;b;;+c", "ok\n=2"]
 # Pages go back by the names of the downloaded files.

@@ -15,8 +15,6 @@ from tam570_grader.sandbox.process import SandboxProcess
 
 ASLEEP = [sys.executable, "-c", "import time; print(flush=True); time.sleep(60)"]
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="grading needs Linux or macOS")
-
-
 DEATHS = {  # what happens to a sandbox process or to its worker, and whether it is not to blame
     "it dies with its worker": (lambda lifeline, **_: os.close(lifeline), b"1"),
     "a stranger kills it": (lambda child, **_: os.kill(child.pid, 9), b"1"),
