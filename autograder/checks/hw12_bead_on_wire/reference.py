@@ -3,10 +3,11 @@
 import math
 
 import numpy as np
-from scipy.integrate import odeint
-from scipy.special import ellipe
 
+from tam570.integrate import solve
 from tam570_grader.checks.diagrams import Force, FreeBody, NotAForce, weight
+
+STEP = 0.25  # of a sum in the place of an integral, good to exp(-pi^2/STEP)
 
 
 def acceleration_newton(x, v, curvature, gravity):
@@ -43,17 +44,21 @@ def amplitude(x, v, curvature, gravity):
 
 
 def period(amplitude, curvature, gravity):
-    """By Legendre's complete integral of the second kind."""
-    return 4 * ellipe(-((2 * curvature * amplitude) ** 2)) / math.sqrt(2 * gravity * curvature)
+    """By Legendre's complete integral of the second kind: over log(tan) of its angle a sum converges exponentially."""
+    tangent, stretch = np.exp(STEP * np.arange(-200, 200)), math.hypot(1, 2 * curvature * amplitude)
+    arcs = np.hypot(1, stretch * tangent) * tangent / np.hypot(1, tangent) ** 3
+    return 4 * STEP * np.sum(arcs) / math.sqrt(2 * gravity * curvature)
 
 
 def simulate(t, x, v, curvature, gravity):
-    """(n, 2) states, good to 2e-8 of their size after thirty periods."""
+    """(n, 2) states, by Lagrange's equation."""
 
     def rates(_, state):
-        return state[1], acceleration_newton(state[0], state[1], curvature, gravity)
+        x, v = state
+        slope = 2 * curvature * x
+        return v, -slope * (2 * curvature * v**2 + gravity) / (1 + slope**2)
 
-    return odeint(rates, (x, v), t, tfirst=True, rtol=1e-12, atol=1e-12, mxstep=100_000)
+    return solve(rates, t, (x, v), method="python")
 
 
 def energy_of_rows(rows, curvature, gravity):
