@@ -58,12 +58,21 @@ def test_the_energy_follows_from_the_mass_matrix(checked, wrong):
     assert following(actual) == {("energy", "mass_matrix"), ("angular_momentum", "mass_matrix")}
 
 
-def test_what_follows_from_a_mistake_without_a_name_keeps_its_share_too(checked):
-    actual = checked("hw13_rolling_cylinder", ("turned = inertia + mass *", "turned = 1.2 * inertia + 0.7 * mass *"))
-    assert not by_name(actual)
-    assert following(actual) == {(name, "acceleration") for name in ("contact_force", "simulate")}
-    actual = checked("hw12_bead_on_wire", ("v**2 / 2 - mass", "v**2 - mass"))
-    assert following(actual) == {("lagrange_equation", "lagrangian")}
+UNNAMED = [
+    ("hw12_bead_on_wire", "v**2 / 2 - mass", "0.7 * v**2 - mass", {("lagrange_equation", "lagrangian")}),
+    (
+        "hw13_rolling_cylinder",
+        "turned = inertia + mass *",
+        "turned = 1.2 * inertia + 0.7 * mass *",
+        {(name, "acceleration") for name in ("contact_force", "simulate")},
+    ),
+]
+
+
+@pytest.mark.parametrize(("slug", "correct", "wrong", "pairs"), first(1, UNNAMED))
+def test_what_follows_from_a_mistake_without_a_name_keeps_its_share_too(checked, slug, correct, wrong, pairs):
+    actual = checked(slug, (correct, wrong))
+    assert not by_name(actual) and following(actual) == pairs
 
 
 def test_an_exchanged_word_is_one_mistake(checked):
