@@ -138,14 +138,15 @@ def _text(text: Artist) -> str:
 
 def _inks(axes: Artist, curves: list[Artist]) -> dict[Artist, Numbers]:
     """Return the ink of curves and labels together by the axes, and of each curve alone by it."""
-    from matplotlib import rc_context
+    from matplotlib import rcParams
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
     figure, labels = axes.figure, (axes.xaxis.label, axes.yaxis.label)
     figure.dpi = PRINTED / max(figure.get_size_inches())
     _without_words(figure, labels)
     canvas = FigureCanvasAgg(figure)
-    with rc_context({"agg.path.chunksize": 10_000}), np.errstate(all="ignore"):
+    rcParams["agg.path.chunksize"] = 10_000  # it stays, in the settings of blank axes too: to put it back takes long
+    with np.errstate(all="ignore"):
         full = _printed(canvas).copy()
         figure.set_layout_engine("none")  # what is drawn later stays where it is
         visible = {artist: artist.get_visible() for artist in curves}
@@ -171,6 +172,8 @@ def _without_words(figure: Artist, labels: tuple[Artist, Artist]) -> None:
 
     for axes in figure.axes:
         axes.get_xlim(), axes.get_ylim()  # these are found now, while the axis has its ticks
+        for spine in axes.spines.values():
+            spine.set_visible(False)
         for axis in (axes.xaxis, axes.yaxis):
             axis.set_major_locator(NullLocator())
             axis.set_minor_locator(NullLocator())
