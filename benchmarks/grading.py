@@ -28,6 +28,7 @@ from tam570_grader.checks import assignments
 from tam570_grader.grading.supervisor import GradeTask, WorkerConfig, result
 from tam570_grader.sandbox.launch import isolation
 from tam570_grader.sandbox.pool import sandboxes
+from tam570_grader.sandbox.preload import imported
 from tam570_grader.sandbox.process import SandboxProcess
 from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.zygote import ResourceLimits
@@ -108,7 +109,8 @@ WATCHED = (SandboxProcess, "send"), (SandboxProcess, "receive"), (Student, "repl
 def cost(slug, work_name, count):
     """What a submission costs, the references at hand: the least of so many, in ms, and counts of one."""
     source = Source(work(slug, work_name).read_bytes())
-    task = GradeTask(COURSE, work_name, slug, 570, source, conditions=WorkerConfig(ResourceLimits(), (COURSE,)))
+    conditions = WorkerConfig(ResourceLimits(), (COURSE,), tuple(imported(source.text)))  # as for a class
+    task = GradeTask(COURSE, work_name, slug, 570, source, conditions=conditions)
     with sandboxes():
         with Counter() as counter:
             done = result(task)
