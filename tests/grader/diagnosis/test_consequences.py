@@ -75,6 +75,7 @@ def test_what_follows_from_a_mistake_without_a_name_keeps_its_share_too(checked,
     assert not by_name(actual) and following(actual) == pairs
 
 
+@pytest.mark.slow
 def test_an_exchanged_word_is_one_mistake(checked):
     swapped = 'locked = {"front": "rear", "rear": "front"}.get(locked, locked)'
     actual = checked("hw06_braking", ('    if locked not in ("front"', f'    {swapped}\n    if locked not in ("front"'))
