@@ -1,16 +1,19 @@
 """A scene by Matplotlib: a picture, a GIF, a video. Frames are made one by one, and only those asked for."""
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from functools import cache, partial
 from pathlib import Path
 
 import numpy as np
 from matplotlib.animation import AbstractMovieWriter, FFMpegWriter, PillowWriter
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
+from matplotlib.backend_bases import RendererBase
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.patches import Polygon
+from PIL import Image
 
 from tam570.show.page import HERE
 from tam570.show.scene import RATE, Array, Panel, Scene, Shape, TimePlot
@@ -24,32 +27,82 @@ DPI = 100
 EVERY = {".gif": 3, ".webp": 3, ".mp4": 2}  # samples to a frame: 20 and 30 frames a second
 HEAD = 0.03  # of the larger side of a panel, at most: the head of an arrow
 CSS_COLOUR = re.compile(r"--(\w+): (#\w+);")
+PALETTE_FRAMES = 8  # of a GIF, which give its colours
 
 Update = Callable[[int], None]
+Moving = tuple[Artist, Update]  # and what takes it to another sample
+
+
+class _Film(Figure):
+    """A figure of which a frame draws only what moves, and what lies above that, on a backdrop of the rest."""
+
+    def __init__(self) -> None:
+        super().__init__(figsize=SIZE, dpi=DPI)
+        self._backdrop: object = None
+        self._above: list[Artist] = []
+
+    def keep_backdrop(self, moving: Collection[Artist]) -> None:
+        """Draw all that lies below these artists once."""
+        for ax in self.axes:
+            layers = sorted(ax.get_children(), key=Artist.get_zorder)
+            first = next((i for i, artist in enumerate(layers) if artist in moving), len(layers))
+            hidden = () if ax.axison else (ax.xaxis, ax.yaxis, ax.patch, *ax.spines.values())
+            self._above += [artist for artist in layers[first:] if artist not in hidden]
+
+    def draw(self, renderer: RendererBase) -> None:
+        if self._backdrop is None:
+            self._show_above(False)
+            super().draw(renderer)
+            self._show_above(True)
+            if self._above:
+                self._backdrop = renderer.copy_from_bbox(self.bbox)  # type: ignore[attr-defined]  # of Agg
+        else:
+            renderer.restore_region(self._backdrop)  # type: ignore[attr-defined]
+        for artist in self._above:
+            artist.draw(renderer)
+
+    def _show_above(self, visible: bool) -> None:
+        for artist in self._above:
+            artist.set_visible(visible)
+
+
+class _GifWriter(PillowWriter):
+    """A writer whose frames share their colours: to choose some for each frame would take as long as to draw it."""
+
+    _frames: list[Image.Image]
+
+    def finish(self) -> None:
+        some = self._frames[:: max(1, len(self._frames) // PALETTE_FRAMES)]
+        palette = Image.fromarray(np.concatenate([np.asarray(frame) for frame in some])).quantize()
+        self._frames = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in self._frames]
+        super().finish()
 
 
 def write(scene: Scene, file: Path) -> None:
     """Save a picture (.png), one that moves (.gif, .webp) or a video (.mp4). Trouble if its writer is not installed."""
     if file.suffix != ".png":
         return save_frames(scene, file, _writer(file.suffix), EVERY[file.suffix])
-    figure, update = _drawn(scene)
-    update(round(scene.still_time * (len(scene.times) - 1)))
+    figure, moving = _drawn(scene)
+    for _, update in moving:
+        update(round(scene.still_time * (len(scene.times) - 1)))
     figure.savefig(file)
 
 
 def save_frames(scene: Scene, file: Path, writer: AbstractMovieWriter, every: int) -> None:
     """Save what moves by a writer of Matplotlib, a frame every so many samples."""
-    figure, update = _drawn(scene)
+    figure, moving = _drawn(scene)
+    figure.keep_backdrop({artist for artist, _ in moving})
     writer.setup(figure, str(file), DPI)
     for sample in range(0, len(scene.times), every):
-        update(sample)
+        for _, update in moving:
+            update(sample)
         writer.grab_frame()
     writer.finish()  # not `with writer.saving`, which writes the frames so far after a Ctrl-C
 
 
 def _writer(suffix: str) -> AbstractMovieWriter:
-    if suffix in (".gif", ".webp"):
-        return PillowWriter(fps=RATE // EVERY[suffix])
+    if suffix != ".mp4":
+        return {".gif": _GifWriter, ".webp": PillowWriter}[suffix](fps=RATE // EVERY[suffix])
     if not FFMpegWriter.isAvailable():
         raise Trouble("a video needs ffmpeg, which is not installed; .gif and .html need nothing more")
     return FFMpegWriter(fps=RATE // EVERY[suffix], bitrate=1800)
@@ -62,18 +115,16 @@ def _palette() -> tuple[str, ...]:
     return tuple(parameters[name] for name in ("c0", "c1", "c2", "c3", "c4", "c5", "soft", "ink"))
 
 
-def _drawn(scene: Scene) -> tuple[Figure, Update]:
-    """Draw the scene's first frame; return it, and what takes it to the frame of another sample."""
-    figure = Figure(figsize=SIZE, dpi=DPI)
+def _drawn(scene: Scene) -> tuple[_Film, list[Moving]]:
+    """Draw the scene's first frame; return it, and what moves in it."""
+    figure = _Film()
     halves = figure.subfigures(1, 2, squeeze=False, width_ratios=[2.6, 1] if scene.time_plots else [1, 0.01])
     wide, narrow = halves[0]
     figure.suptitle(scene.title)
     figure.set_layout_engine(ConstrainedLayoutEngine(rect=(0.0, 0.0, 0.985, 1.0)))
     columns = 1 if _is_wide(scene.panels[0]) else min(len(scene.panels), 3)
     axes = wide.subplots(-(-len(scene.panels) // columns), columns, squeeze=False).ravel()
-    updates = [
-        panel_update for ax, panel in zip(axes, scene.panels, strict=False) for panel_update in _panel(ax, panel, scene)
-    ]
+    moving = [artist for ax, panel in zip(axes, scene.panels, strict=False) for artist in _panel(ax, panel, scene)]
     for ax in axes:
         ax.set_axis_off()
     lines_by_name = {name: line for ax in axes for line, name in zip(*ax.get_legend_handles_labels(), strict=True)}
@@ -81,26 +132,26 @@ def _drawn(scene: Scene) -> tuple[Figure, Update]:
         wide.legend(lines_by_name.values(), lines_by_name, loc="outside lower left", ncols=4, fontsize=8, frameon=False)
     if scene.time_plots:
         tall = narrow.subplots(len(scene.time_plots), 1, squeeze=False).ravel()
-        updates += [_time_plot(ax, time_plot, scene) for ax, time_plot in zip(tall, scene.time_plots, strict=True)]
-
-    def update(sample: int) -> None:
-        for update_shape in updates:
-            update_shape(sample)
-
-    update(0)
+        moving += [_time_plot(ax, time_plot, scene) for ax, time_plot in zip(tall, scene.time_plots, strict=True)]
     figure.draw_without_rendering()  # lays it out, once for all frames
     figure.set_layout_engine(None)  # "none" would draw each frame twice
-    return figure, update
+    return figure, moving
 
 
-def _panel(ax: Axes, panel: Panel, scene: Scene) -> list[Update]:
+def _panel(ax: Axes, panel: Panel, scene: Scene) -> list[Moving]:
     shapes = [(shape, _seen(shape.points, scene.view)) for shape in panel.shapes]
     rows = np.concatenate([points.reshape(-1, 2) for _, points in shapes])
     low, high = rows.min(axis=0), rows.max(axis=0)
     margin = 0.03 * float((high - low).max() or 1.0)
     ax.set(xlim=(low[0] - margin, high[0] + margin), ylim=(low[1] - margin, high[1] + margin), aspect="equal")
     ax.set_title(panel.title, fontsize=10, y=1.0)  # else its place is found anew for each frame
-    return [_shape(ax, shape, points, HEAD * float((high - low).max())) for shape, points in shapes]
+    moving = []
+    for shape, points in shapes:
+        artist, update = _shape(ax, shape, points, HEAD * float((high - low).max()))
+        update(0)
+        if points.ndim > 2:
+            moving.append((artist, update))
+    return moving
 
 
 def _is_wide(panel: Panel) -> bool:
@@ -119,8 +170,8 @@ def _seen(points: Array, view: tuple[float, float]) -> Array:
     return flat
 
 
-def _shape(ax: Axes, shape: Shape, points: Array, head_size: float) -> Update:
-    """Draw one part; what takes it to another sample."""
+def _shape(ax: Axes, shape: Shape, points: Array, head_size: float) -> Moving:
+    """Add one part, without its points."""
     look: Json = {"color": _palette()[shape.color], "alpha": 0.25 if shape.faint else 1.0}
     still = points.ndim == 2
 
@@ -131,17 +182,17 @@ def _shape(ax: Axes, shape: Shape, points: Array, head_size: float) -> Update:
     if shape.form == "fill":
         patch = Polygon(at(0), closed=True, linewidth=0, **look)
         ax.add_patch(patch)
-        return lambda sample: patch.set_xy(at(sample))
+        return patch, lambda sample: patch.set_xy(at(sample))
     if shape.form == "text":
-        text = ax.text(at(0)[0, 0], at(0)[0, 1], shape.words, **look)
-        return lambda sample: text.set_position(at(sample)[0])
+        text = ax.text(0.0, 0.0, shape.words, **look)
+        return text, lambda sample: text.set_position(at(sample)[0])
     joined: Numbers = {"lines": _apart, "arrow": partial(_arrows, longest=head_size)}.get(shape.form, lambda rows: rows)
     style: Json = {"marker": "o", "markersize": 1.5 * shape.width, "linestyle": ""} if shape.form == "dot" else {}
     (line,) = ax.plot([], [], linewidth=0.8 * shape.width, label=shape.name or "_", clip_on=False, **style, **look)
     if shape.form == "trail":
         so_far = np.concatenate([points, np.full((1, *points.shape[1:]), np.nan)])
-        return lambda sample: line.set_data(*so_far[np.r_[0 : sample + 1, -1]].swapaxes(0, 1).reshape(-1, 2).T)
-    return lambda sample: line.set_data(*joined(at(sample)).T)
+        return line, lambda sample: line.set_data(*so_far[np.r_[0 : sample + 1, -1]].swapaxes(0, 1).reshape(-1, 2).T)
+    return line, lambda sample: line.set_data(*joined(at(sample)).T)
 
 
 def _apart(points: Array) -> Array:
@@ -163,7 +214,7 @@ def _arrows(points: Array, longest: float) -> Array:
     return np.stack(strokes, axis=1).reshape(-1, 2)
 
 
-def _time_plot(ax: Axes, time_plot: TimePlot, scene: Scene) -> Update:
+def _time_plot(ax: Axes, time_plot: TimePlot, scene: Scene) -> Moving:
     for color, (name, curve) in zip(_palette(), time_plot.curves.items(), strict=False):
         ax.plot(time_plot.times, curve, color=color, linewidth=1.2, label=name or "_")
     ax.set(
@@ -183,4 +234,4 @@ def _time_plot(ax: Axes, time_plot: TimePlot, scene: Scene) -> Update:
     if len(time_plot.curves) > 1:
         ax.legend(fontsize=7)
     now = ax.axvline(0.0, color="#667080", linewidth=1)
-    return lambda sample: now.set_xdata([scene.times[sample]] * 2)
+    return now, lambda sample: now.set_xdata([scene.times[sample]] * 2)

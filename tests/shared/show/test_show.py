@@ -8,6 +8,7 @@ import signal
 import time
 import warnings
 from html import unescape
+from io import BytesIO
 
 import numpy as np
 import pytest
@@ -21,6 +22,7 @@ from tam570.show import Trouble, load_student, save, show
 from tam570.show.compact import PIXELS, STEPS, packed
 from tam570.show.page import page
 from tam570.show.patience import patience
+from tam570.show.pictures import _drawn
 from tam570.show.plots import drift_caption
 from tam570.show.scene import Panel, Scene, Shape, frame_times
 from tam570_grader.checks import assignments
@@ -194,6 +196,20 @@ def test_a_picture_has_the_frames_of_the_film(short, suffix, frames, tmp_path):
     save(short, tmp_path / f"a{suffix}")
     with Image.open(tmp_path / f"a{suffix}") as picture:
         assert picture.n_frames == frames and len(picture.convert("RGB").getcolors(1 << 20)) > 20
+
+
+def test_a_frame_on_its_backdrop_is_the_frame_drawn_whole(short):
+    figure, moving = _drawn(short)
+    pixels = []
+    for keep in (False, True):
+        if keep:
+            figure.keep_backdrop({artist for artist, _ in moving})
+        for sample in (0, 9):
+            for _, update in moving:
+                update(sample)
+            figure.savefig(buffer := BytesIO(), format="rgba")
+            pixels.append(buffer.getvalue())
+    assert pixels[0] != pixels[1] and pixels[:2] == pixels[2:]
 
 
 def test_an_interrupted_picture_leaves_no_file(short, tmp_path, monkeypatch):
