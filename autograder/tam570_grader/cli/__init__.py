@@ -68,14 +68,17 @@ def main(argv: list[str] | None = None) -> int:
 class _Command(argparse.ArgumentParser):
     """A command; when it is given, `load` imports its module, which takes time, and adds its options."""
 
-    load: Callable[[], None]
+    load: Callable[[], None] | None
     grades = False  # launch a sandbox meanwhile
 
     def parse_known_args(self, *args: Any, **kwargs: Any) -> Any:
+        if self.load is None:
+            return super().parse_known_args(*args, **kwargs)
         if self.grades:
             launch_early()
-        self.load()
-        return super().parse_known_args(*args, **kwargs)
+        load, self.load = self.load, None
+        load()
+        return self.parse_known_intermixed_args(*args, **kwargs)  # paths before, between and after options
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -109,6 +112,7 @@ def _complete(parser: argparse.ArgumentParser, commands: Mapping[str, _Command],
     import shtab
 
     for command in commands.values():
-        command.load()
+        if command.load:
+            command.load()
     sys.stdout.write(f"{shtab.complete(parser, shell)}\n")  # its tabs stay
     return 0

@@ -117,7 +117,7 @@ def test_joined_results_bring_their_points(results, tmp_path):
 def test_the_template_has_a_row_for_each_part_with_what_is_known(results):
     points(results, "ann,hw07,c,1.5,so so")
     fill = ["points", str(results), str(results / "fill.csv")]
-    assert cli.main([*fill, "--template"]) == 0
+    assert cli.main([*fill[:-1], "--template", fill[-1]]) == 0
     filled = [(row["student"], row["item"], row["points"], row["of"]) for row in rows(results / "fill.csv")]
     assert filled == [("ann", "c", "1.5", "2"), ("ben", "c", "", "2")]
     assert cli.main(fill) == 0 and scores(results)["ann"] == ("1.5", "12.0")  # as it is, it changes nothing
