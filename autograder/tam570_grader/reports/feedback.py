@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
+from unicodedata import combining, east_asian_width
 
 from tam570.values import Json
 from tam570_grader.checks import assignments
@@ -242,8 +243,14 @@ def _version() -> int:
 def table(rows: Sequence[tuple[str, ...]]) -> str:
     """Return the class at a glance: a line for each submission with what to say about it first."""
     rows = [HEADINGS, *rows]
-    widths = [max(len(row[column]) for row in rows) for column in range(5)]
-    return "\n".join("  ".join([*map(str.ljust, row[:5], widths), row[5]]).rstrip() for row in rows)
+    ends = [max(_width(row[column]) for row in rows) for column in range(5)]
+    padded = [[text + " " * (end - _width(text)) for text, end in zip(row, ends, strict=False)] for row in rows]
+    return "\n".join("  ".join([*cells, row[5]]).rstrip() for cells, row in zip(padded, rows, strict=True))
+
+
+def _width(text: str) -> int:
+    """Return the columns that a text takes on a terminal: two for a Chinese letter, none for an accent alone."""
+    return sum(0 if combining(letter) else 1 + (east_asian_width(letter) in "WF") for letter in text)
 
 
 def with_hand(
