@@ -42,6 +42,8 @@ def folder(name: str, or_lecture: bool = False) -> Path:
     for part in ("_{}_", "{}"):  # whole words first
         if not (matches or number) and (len(plain) > 2 or part != "{}") and plain:
             matches = [slug for slug in assignments() if part.format(plain) in f"{slug[4:]}_"]
+    if not matches and len(plain) > 2:
+        matches = [slug for slug in assignments() if slug.startswith(plain)]
     if len(matches) == 1:
         return _home() / matches[0]
     if matches:
