@@ -72,7 +72,7 @@ def rates(_, state, masses, lengths, gravity):
 
 
 def simulate(t, theta, omega, **bars):
-    """(n, 4) states at the times t, off by 1e-9 of their size; tests hold it to solve_ivp."""
+    """(n, 4) states at the times t, off by 1e-8 of their size at most; tests hold it to solve_ivp."""
     return solve(rates, t, np.concatenate([theta, omega]), parameters=bars, method="python")
 
 
