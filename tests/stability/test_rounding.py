@@ -95,6 +95,16 @@ def test_what_is_only_rounding_or_far_away_costs_no_steps(name, rtol):
         assert np.abs(result - exact).max() < 300 * rtol * np.abs(exact).max() + 1e-13
 
 
+def test_heat_that_meets_heat_is_solved():
+    """What comes late along one chain, and is larger, is no sign that sizes turn over."""
+    rates, start, end = CHAINS["DETEST C4"]
+    start = np.where(np.arange(51) == 25, 2e-11, start)
+    by_steps, by_series = (
+        solve(rates, [0, end], start, rtol=1e-13, method=method) for method in ("python", "compiled")
+    )
+    assert by_steps[-1] == pytest.approx(by_series[-1], rel=1e-13, abs=0)
+
+
 @pytest.mark.parametrize("rate", [0.0, 1e-9])
 def test_a_disk_upright_to_the_last_digits_rolls_on(rate):
     """Its tilt is pi/2 rounded: what that does to other rates, one after another, is not to be resolved."""

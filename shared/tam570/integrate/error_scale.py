@@ -78,13 +78,15 @@ def _spread(
         max(size, _finite(duration * rate)) if size > NO_SCALE else size
         for size, rate in zip(own_sizes, f, strict=True)
     ]
+    is_own = [size > NO_SCALE for size in sizes]
     for _ in range(len(sizes) + 1):
-        new_sizes = _moved_by(rhs, t, duration, y, f, sizes, c)
-        if any(size > NO_SCALE and new > CALM * size for size, new in zip(sizes, new_sizes, strict=True)):
+        moved = _moved_by(rhs, t, duration, y, f, sizes, c)
+        grows = [new > max(CALM * size, NO_SCALE) for size, new in zip(sizes, moved, strict=True)]
+        if any(own and more for own, more in zip(is_own, grows, strict=True)):
             return None
-        if not any(size <= NO_SCALE < new for size, new in zip(sizes, new_sizes, strict=True)):
+        if not any(grows):
             break
-        sizes = [size if size > NO_SCALE else new for size, new in zip(sizes, new_sizes, strict=True)]
+        sizes = [new if more else size for size, new, more in zip(sizes, moved, grows, strict=True)]
     coarse = _moved_by(rhs, t, duration, y, f, sizes, c, COARSE)
     if any(size > NO_SCALE and not new <= CALM * size for size, new in zip(sizes, coarse, strict=True)):
         return None

@@ -120,10 +120,9 @@ def spread(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, 
         news = False
         for i in range(SIZE):
             size = duration / PART * abs(work[coefficient(i, 1, lane)] - z[at(BASE, i)])
-            if z[at(SLOPE, i)] > NO_SCALE:
-                if CALM * z[at(SLOPE, i)] < size < inf:
+            if max(CALM * z[at(SLOPE, i)], NO_SCALE) < size < inf:
+                if max(z[at(M, i)], abs(z[at(Y, i)]), duration * abs(z[at(BASE, i)])) > NO_SCALE:
                     return False
-            elif NO_SCALE < size < inf:
                 z[at(SLOPE, i)] = size
                 news = True
         if not news:
