@@ -131,7 +131,8 @@ def _integrate(
     t, y, row, end = float(times[0]), start, 1, float(times[-1])
     a: Sequence[float] = ()
     steps = refusals = 0
-    if not engine.is_traced:  # it may have kinks, of which an estimate sees but a part
+    if engine.called_rates is not None:  # it may have kinks, of which an estimate sees but a part
+        engine.called_rates.check_digits(t, start, control.rtol)
         control = control._replace(rtol=max(control.rtol / KINKS, SMALLEST_RTOL))
     while True:
         stop = engine.next_break(t, float(times[0]), end)
@@ -205,7 +206,9 @@ def _give_up(run: Run, last: State) -> NoReturn:
         own_error.add_note(f"solve: rhs raises this beyond t = {engine.sign * t:.17g}, y = {list(last.y)}")
         raise own_error
     raise ArithmeticError(
-        f"no step is short enough {where}: the solution seems to become infinite, or the rates jump without end"
+        f"no step is short enough {where}, where the largest rate is {max(map(abs, last.f)):.3g}: the solution becomes "
+        "infinite, its rates jump without end, or a pulse moves it within the shortest step that this time allows, "
+        f"{math.ldexp(max(abs(t), last.t), -50):.1g} s. Let the clock begin at that pulse, or make it longer"
     )
 
 

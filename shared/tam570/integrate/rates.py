@@ -20,6 +20,7 @@ __all__ = ["TRIAL_ERRORS", "CalledRates", "Rates", "RhsError", "bound", "check_s
 
 Rates = Callable[[float, Numbers], Numbers]
 ROUNDED = 4.0  # units in the last place: the time of two calls is rounded in two ways
+FEW_DIGITS = 8.0  # roundings of a rate: a smaller rtol asks for steps that follow them
 PLAIN = {float, int, np.float64}
 TRIAL_ERRORS = (ArithmeticError, ValueError, LookupError)  # a step that is too long may leave the domain
 
@@ -55,7 +56,8 @@ def check_start(rates: Rates, t: float, y0: Array, sign: float) -> None:
         raise ValueError(f"rhs: gives {at_start} at the start, t = {sign * t:g}; is the start allowed?")
     if (at_start != repeated).any():
         raise ValueError(
-            f"rhs: gives {at_start} and then {repeated} at the start; it must not be random, nor remember earlier calls"
+            f"rhs: gives {at_start.tolist()} and then {repeated.tolist()} at the start; "
+            "it must not be random, nor remember earlier calls"
         )
 
 
@@ -86,6 +88,15 @@ class CalledRates:
             self.error = error
             raise
         return _floats(value, self.size)
+
+    def check_digits(self, t: float, y: Array, rtol: float) -> None:
+        """RhsError where all rates are of float32 or less, and fewer digits than are asked for."""
+        kind = np.asarray(self.rates(t, y.copy())).dtype
+        if kind.kind == "f" and kind.itemsize < 8 and rtol < FEW_DIGITS * float(np.finfo(kind).eps):
+            raise RhsError(
+                f"rhs: returns {kind.name}, whose rounding of {np.finfo(kind).eps:.1g} is more than rtol = {rtol:.1g} "
+                f"allows; let it compute with float64, or give rtol = {FEW_DIGITS * float(np.finfo(kind).eps):.1g}"
+            )
 
     def check_memory(self, t: float, y: Sequence[float], f: Sequence[float]) -> None:
         """RhsError where rates that were f are others now: the function is random, or remembers earlier calls."""

@@ -30,7 +30,6 @@ NOISE = 16.0  # times that change: what is less has no sign
 CHATTER = 60  # switches in a row
 LEAVING = 200  # points of a step from a switch
 SAME, SOON = 1e-6, 1e-5  # of a rate: what changes by less is no jump; of a run: so soon one switch follows another
-KEPT = 10_000  # steps refused in a row, all of them from where a switching function is zero
 NEAR = 1e-9  # of a state: what it changes in a switching function is zero
 MOVES_ON = 1e-4  # of the step that they cut, from one switch to the next: with less the motion does not move on
 EPS = 2.0**-52
@@ -78,7 +77,7 @@ class Switches:
         self.is_near = False  # whether the last step was at a switch
         self.may_keep = self.is_accepted = False  # of the step: whether what is zero at its ends is zero inside
         self.leaving = 0.0  # s, until the state is another than at a start at a switch
-        self.refusals = 0  # steps refused since a switching function is zero
+        self.crosses_unseen = False  # whether the step crosses a switch within rounding, or a state's errors
         self.crossings: list[float] = []  # times, each soon after the one before
         self.idle: list[float] = []  # times of switches at which the rates do not jump
 
@@ -112,6 +111,7 @@ class Switches:
         try:
             path = np.array(y)[:, None], moves.T
             self.may_keep, self.is_accepted = h > 2.0 * shortest, error <= 1.0
+            self.crosses_unseen = False
             part, ahead = self._first_switch(start, h, shortest, *path)
             if part == 0.0 and not self.leaving:
                 self.leaving = self._leave(start, h, shortest, *path)
@@ -121,12 +121,8 @@ class Switches:
         shortest = max(shortest, self.leaving)
         is_at_switch = h <= 2.0 * shortest
         self.leaving *= error > 1.0
-        if is_at_switch and part <= 1.0:
+        if is_at_switch and part <= 1.0 or self.crosses_unseen and error <= 1.0:
             self._count(start, y, f, g)
-        elif self.refusals or error > 1.0:
-            self.refusals = self.refusals + (error > 1.0) if self._is_at_zero(start, np.array(y)[:, None]) else 0
-            if self.refusals == KEPT:
-                raise chatter(self.sign * start, y)
         if part > 1.0:
             if error <= 1.0:
                 self.is_near = is_at_switch
@@ -151,18 +147,10 @@ class Switches:
                 self.reason = f"it switches all the time, from t = {self.sign * start:.9g}, and its rates stay the same"
             return
         if not self.crossings or start - self.crossings[-1] > self.pace / CHATTER:
-            self.crossings, self.pace, self.longest = [], self.longest, 0.0
+            self.crossings, self.pace, self.longest = [], max(self.longest, NEAR * self.span), 0.0
         self.crossings.append(start)
         if len(self.crossings) > CHATTER and start - self.crossings[-CHATTER] < CHATTER * MOVES_ON * self.pace:
             raise chatter(self.sign * start, y)
-
-    def _is_at_zero(self, start: float, y: Array) -> bool:
-        """Return whether a switching function is zero here, as far as a state can be known."""
-        path = y * (1.0 + NEAR * np.resize((0.0, *ROUNDED), (len(y), len(ROUNDED) + 1)))
-        rows = self.decisions.evaluate(np.full(path.shape[1], start), path)[0] if self.decisions else []
-        seen = np.array(rows).reshape(-1, path.shape[1])
-        changes = np.abs(seen - seen[:, :1]).max(axis=1)
-        return bool(((np.abs(seen[:, 0]) <= changes) & (changes > 0.0)).any())
 
     def _first_switch(self, start: float, h: float, shortest: float, y: Array, moves: Array) -> tuple[float, float]:
         """Return the part of the step at which a switch is passed first, and how far beyond its end the next one is.
@@ -213,7 +201,11 @@ class Switches:
                 self.is_accepted, np.abs(positive[:, -1]) <= near, turns
             )
             is_noise = np.abs(positive).max(axis=1) <= NOISE * noise
-            positive = positive[~(is_noise | is_kept & self.may_keep)]
+            is_left_out = is_noise | is_kept & self.may_keep
+            if x is X:
+                left_out = positive[is_left_out]
+                self.crosses_unseen = bool(((left_out[:, 0] > 0.0) & (left_out[:, -1] <= 0.0)).any())
+            positive = positive[~is_left_out]
         return positive, _saturated(saturating) if saturating else math.inf
 
 
