@@ -232,7 +232,7 @@ def boxes(rng):
 
 
 def pictured(rng):
-    """A body with three inertias, from a time that is not 0; 301 times."""
+    """A body with three inertias, from a time that is not 0; 401 times."""
     spin, start, inertia = rng.uniform(1, 4), rng.uniform(-2, 2), np.array([1.0, 1.7, 2.2]) * 10 ** rng.uniform(-2, 2)
-    t, omega = np.linspace(start, start + rng.uniform(4, 6) / spin, 301), spin * np.array([0.5, -0.7, 0.5])
+    t, omega = np.linspace(start, start + rng.uniform(4, 6) / spin, 401), spin * np.array([0.5, -0.7, 0.5])
     return Case(t, random_attitude(rng), omega, inertia=inertia, radius=10 ** rng.uniform(-1, 1))

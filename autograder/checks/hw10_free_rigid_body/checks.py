@@ -42,7 +42,7 @@ INVARIANT = 1e-5
 PERIOD = 1e-6  # a period measured on a simulation is good to 1e-8
 # 1 - k^2 is 1e-9 there: as a difference it has 7 digits; events of solve_ivp at 1e-9 are off by 4e-6 (LSODA)
 NEAR_PERIOD = 1e-4
-# Of the radius: the chords of 801 points, over less than a turn, leave the path by (6/800)^2/8 = 7e-6, and those of 26,
+# Of the radius: the chords of 401 points, over less than a turn, leave the path by (6/400)^2/8 = 3e-5, and those of 26,
 # every sixteenth, by (6/25)^2/8 = 7e-3.
 DRAWN, COARSELY = 1e-3, 1e-2
 
