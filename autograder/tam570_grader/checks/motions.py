@@ -328,7 +328,7 @@ def has_rates(motion: Motion, rates: Callable[[float, Array], Numbers]) -> bool:
 
     rates : of the first or of the last columns, at a time and a row; the others have the right ones
     """
-    left, wrong = np.zeros(2), np.zeros(2)
+    unexplained, wrong = np.zeros(2), np.zeros(2)
     try:
         for row in _some(motion, ASKED):
             led = motion.repeated_at(motion.t[row : row + 2], *_restart(motion, motion.actual[row]))
@@ -344,11 +344,11 @@ def has_rates(motion: Motion, rates: Callable[[float, Array], Numbers]) -> bool:
             )
             student_rates, models = np.ravel(rates(t[0], motion.expected[row])), np.array([expected_rate] * 2)
             models[0, : student_rates.size] = models[1, -student_rates.size :] = student_rates
-            left = np.maximum(left, np.max(np.abs(instant_rate - models) / motion.scales, axis=1))
+            unexplained = np.maximum(unexplained, np.max(np.abs(instant_rate - models) / motion.scales, axis=1))
             wrong = np.maximum(wrong, np.max(np.abs(models - expected_rate) / motion.scales, axis=1))
     except (Failed, NotWritten, ValueError, ArithmeticError, Exhausted):
         return False
-    return bool(np.any((left <= EXPLAINED * wrong) & (wrong > 0)))
+    return bool(np.any((unexplained <= EXPLAINED * wrong) & (wrong > 0)))
 
 
 def _restart(motion: Motion, row: Array) -> tuple[Numbers, ...]:

@@ -260,9 +260,9 @@ def _same_number(run: _Run, other: str, calls: Sequence[Call]) -> bool:
     wrong, solution = 0, run.assignment.solution
     for call in calls[:MOST_ASKED]:
         other_result = getattr(run.student, other).aside(call.case)
-        right, other_right = answer(solution, "", call), answer(solution, "", Call(other, call.case, None))
-        others = list(zip(parts(other_result), _parts_like(other_result, other_right), strict=True))
-        for result, expected in zip(parts(call.result), _parts_like(call.result, right), strict=True):
+        own_answer, other_answer = answer(solution, "", call), answer(solution, "", Call(other, call.case, None))
+        others = list(zip(parts(other_result), _parts_like(other_result, other_answer), strict=True))
+        for result, expected in zip(parts(call.result), _parts_like(call.result, own_answer), strict=True):
             if not same(result, expected, WITHIN):
                 wrong += 1
                 if not any(same(result, its, WITHIN) and same(expected, true, WITHIN) for its, true in others):
