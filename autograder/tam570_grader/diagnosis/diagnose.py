@@ -1,6 +1,6 @@
 """What did the student do? A mistake is named once; what follows from it is not accused."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Sequence, Set
 from dataclasses import replace
 from itertools import product
 from pathlib import Path
@@ -12,7 +12,13 @@ from tam570_grader.diagnosis.search import general, wrong_arguments
 
 
 def diagnose(
-    solution: str, folder: Path, calls: Sequence[Call], earlier: Sequence[Cause] = (), *, may_follow: bool = True
+    solution: str,
+    folder: Path,
+    calls: Sequence[Call],
+    earlier: Sequence[Cause] = (),
+    *,
+    may_follow: bool = True,
+    right: Set[str] = frozenset(),
 ) -> Cause | None:
     """Return why a check fails.
 
@@ -23,6 +29,7 @@ def diagnose(
     calls : those that the failed check made, with the student's results
     earlier : the causes of the checks that failed before it
     may_follow : whether its results may follow from one of these
+    right : other functions, that passed their checks: no known mistake is in one of these
 
     Returns
     -------
@@ -32,6 +39,7 @@ def diagnose(
     if may_follow and (cause := follows(solution, calls, earlier)):
         return cause
     suspects = candidates(solution, folder, {call.name for call in calls})
+    suspects = [suspect for suspect in suspects if not suspect.defined & right]
     cause = named_mistake(solution, suspects, calls) or general(solution, calls)
     if cause is None or not earlier:
         return cause

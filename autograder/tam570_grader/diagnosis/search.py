@@ -39,6 +39,7 @@ from tam570_grader.diagnosis.mutants import Mutant, mutants_of, names_used, reac
 FEWEST = 2  # wrong answers: one may agree by chance
 MOST = 1_000_000  # steps of all variants, about a second; what is named takes a third of them
 OF_ONE = 100_000  # steps of one variant in one call: a mutant may go round for ever
+REVERSED = "has the opposite sign"
 ELEMENTS = 1000  # of a result, that are compared in a step
 Transform = Callable[[ComparedCall], Numbers]
 
@@ -100,10 +101,21 @@ def _general(solution: str, calls: Sequence[Call]) -> Cause | None:
     if mutant := _mutant(solution, module, name, compared):
         words, texts = mutant
         return Cause(name, words, "mutant", tuple(partial(answer, solution, text) for text in texts), tuple(calls))
+    if either := _either_reversed(name, reference, its_calls):
+        return transformed(*either)
     if first := next(_explaining(other_forms(name, reference, its_calls[0]), its_calls), None):
         return transformed(*first)
     where = _single_entry(name, its_calls)
     return Cause(name, where, "place") if where else None
+
+
+def _either_reversed(name: str, reference: Function, calls: Sequence[ComparedCall]) -> tuple[str, Transform] | None:
+    """Return the argument of the wrong sign, where that of several gives the same numbers; it names them all."""
+    explaining = [*_explaining(other_arguments(name, reference, calls[0]), calls)]
+    if not explaining or not all(words.endswith(REVERSED) for words, _ in explaining):
+        return None
+    (words, transform), *others = explaining
+    return ", or ".join([words, *(other.removeprefix(f"In {name}, ") for other, _ in others)]), transform
 
 
 def _explaining(

@@ -182,11 +182,12 @@ def _cause(run: _Run, check: Check) -> tuple[Cause | None, str]:
             solution = assignment.solution
             calls = [call for call in run.student.calls if not _is_drawn(assignment, call)]
             folder = assignments.checks_folder(assignment.root, assignment.slug)
-            cause = diagnose(solution, folder, calls, earlier)
+            right = _passed_so_far(run) - {call.name for call in calls}
+            cause = diagnose(solution, folder, calls, earlier, right=right)
             if cause and cause.follows_from not in ("", cause.function):
                 common = _earlier({check.name: cause})
                 if not _following(run, check, [*earlier, *common]):
-                    cause = diagnose(solution, folder, calls, earlier, may_follow=False)
+                    cause = diagnose(solution, folder, calls, earlier, may_follow=False, right=right)
             return cause, ""
     except (Exhausted, MemoryError):
         return None, ""
@@ -281,6 +282,14 @@ def _asked(function: StudentFunction, *args: Numbers, **kwargs: Numbers) -> Numb
 
 def _has_failed(result: CheckResult | None) -> bool:
     return result is not None and result.outcome == "failed" and not result.unlocks_dependents
+
+
+def _passed_so_far(run: _Run) -> set[str]:
+    """Return the functions that passed each of their checks so far."""
+    results = [
+        (check.function, run.results[check.name]) for check in run.assignment.checks if check.name in run.results
+    ]
+    return {function for function, _ in results} - {name for name, result in results if result.outcome != "passed"}
 
 
 def _earlier(causes: Mapping[str, Cause]) -> list[Cause]:
