@@ -125,7 +125,7 @@ def simulate(t, state, locked, *, mass, yaw_inertia, front, rear, friction, grav
     stop = _stopping_time(state, since[-1], car)
     if stop == 0:
         return np.tile(np.asarray(state, float), (len(t), 1))
-    brink = min(since[-1], (1 - _LAST) * stop)
+    brink = min(since[-1], _BRINK * stop)
     times = np.append(since[since < brink], brink)
     numbers = solve(_rates, times, state, parameters=car, rtol=1e-13)
     rows = numbers[np.minimum(np.arange(len(t)), len(times) - 1)]
@@ -205,6 +205,7 @@ def small_yaw_rate(speed, speed0, yaw_rate0, locked, *, mass, yaw_inertia, front
 
 
 _LAST = 1e-10  # share of the time to the stop in which the car is taken to slow at a constant rate
+_BRINK = 1 - _LAST  # share of it in which the equations of motion are integrated
 _FOLDS = 40  # e^-40 of the speed is below its rounding
 
 
