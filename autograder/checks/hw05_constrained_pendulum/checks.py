@@ -73,7 +73,12 @@ def forces_on_the_particle(student, rng):
 
 def of_mending(case, result, expected):
     on_circle = np.allclose(result[:2], expected[:2], rtol=0, atol=FORMULA * case.kwargs["length"])
-    return "Which part of v is along the radius?" if on_circle else "Which point of the circle is on the same radius?"
+    if not on_circle:
+        return "Which point of the circle is on the same radius?"
+    tangent = abs(np.dot(result[:2], result[2:])) <= FORMULA * np.linalg.norm(result[:2]) * np.linalg.norm(result[2:])
+    if tangent and np.any(result[2:]):
+        return "Your velocity is tangent to the circle; keep v's tangential part as it is."
+    return "Which part of v is along the radius?"
 
 
 TWICE = "Differentiate x^2 + y^2 = l^2 twice: which unknown does F = m a leave?"

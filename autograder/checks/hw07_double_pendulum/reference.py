@@ -109,6 +109,7 @@ def momenta(rows, gravity, masses, lengths):
 OF_THE_CEILING = "You drew the force of the ceiling on bar 2. The ceiling touches only bar 1."
 OF_BAR_2 = "You drew the weight of bar 2 on bar 1. The earth pulls bar 2; bar 1 feels only the force at the elbow."
 OF_BAR_1 = "You drew the weight of bar 1 on bar 2. The earth pulls bar 1; bar 2 feels only the force at the elbow."
+AT_THE_ELBOW = "You drew a weight at the elbow. Each bar's weight acts at its middle, and on that bar alone."
 AT_THE_TIP = "You drew a force at the tip of bar 2. No other body touches it there."
 DOWN = (0.0, -1.0)
 
@@ -124,7 +125,7 @@ def free_body_diagram(bar, theta, masses, lengths, gravity):
     down = weight(middles[bar - 1], f"the middle of bar {bar}", gravity)
     forces = (down, at_ceiling, at_elbow) if bar == 1 else (down, at_elbow)
     of_other = OF_BAR_2 if bar == 1 else OF_BAR_1
-    wrong = [NotAForce(of_other, point, DOWN, sense=True) for point in (middles[2 - bar], elbow)]
+    wrong = [NotAForce(of_other, middles[2 - bar], DOWN, sense=True), NotAForce(AT_THE_ELBOW, elbow, DOWN, sense=True)]
     if bar == 2:
         wrong += [NotAForce(OF_THE_CEILING, ceiling), NotAForce(AT_THE_TIP, tip)]
     return FreeBody(f"bar {bar}", forces, wrong=wrong, outline=[[ceiling, elbow] if bar == 1 else [elbow, tip]])
