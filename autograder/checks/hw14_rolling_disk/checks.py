@@ -206,10 +206,11 @@ def euler_simulation_keeps_energy_and_two_integrals(student, rng):
 @check("simulate_matrix", points=0.5, part="b")
 def matrix_simulation_follows_the_motion(student, rng):
     """simulate_matrix follows the motion from any start, row i at t[i], row 0 the given state."""
+    by_multipliers = OwnRates(student.multiplier_state_derivative, reference)
     compare_motions(
         student.simulate_matrix,
         cases.by_matrix(cases.simulated)(rng),
-        own_rates=OwnRates(student.matrix_state_derivative, reference),
+        own_rates=OwnRates(student.matrix_state_derivative, reference, otherwise=by_multipliers),
     )
 
 

@@ -45,11 +45,13 @@ class OwnRates:
     """The student's function of the rates in a simulated motion, which may be right where the motion is wrong.
 
     arguments : (t, row) -> what the rates are asked for there, by default both; words of the motion's case follow
+    otherwise : others, from which the motion may follow as well
     """
 
     function: StudentFunction
     reference: Reference
     arguments: Callable[[float, Array], tuple[Numbers, ...]] = lambda t, row: (t, row)
+    otherwise: "OwnRates | None" = None
 
     def are_right(self, motion: Motion) -> bool:
         """Return whether they are right at some rows of the right motion."""
@@ -59,8 +61,9 @@ class OwnRates:
     def source(self, motion: Motion) -> str:
         """Return the student's function if the motion follows from its wrong rates; else nothing."""
         wrong = not self.are_right(motion)
-        follows = wrong and has_rates(motion, lambda t, row: self.function.aside(self._case(motion, t, row)))
-        return FollowsFrom(self.function.name) if follows else ""
+        if wrong and has_rates(motion, lambda t, row: self.function.aside(self._case(motion, t, row))):
+            return FollowsFrom(self.function.name)
+        return self.otherwise.source(motion) if self.otherwise else ""
 
     def hint(self, motion: Motion) -> str:
         """Say where to look."""
