@@ -138,7 +138,8 @@ def energy_is_kinetic_and_potential(student, rng):
 
 
 def by_rates(student):
-    return OwnRates(student.acceleration_newton, reference, lambda t, row: tuple(row))
+    by_equation = OwnRates(student.lagrange_equation, reference, lambda t, row: tuple(row))
+    return OwnRates(student.acceleration_newton, reference, lambda t, row: tuple(row), otherwise=by_equation)
 
 
 WIDE = cases.rides(0.4, 1.0, 25, 15.0, "an amplitude near 1/c")
@@ -157,13 +158,15 @@ SMALL = "Do you leave terms out at small amplitudes, or is atol too loose for th
 def simulate_needs_no_dense_times(student, rng):
     """the same motion when only a few times are asked for."""
     compare_motions(student.simulate, cases.few_times(rng), own_rates=by_rates(student))
-    compare_motions(student.simulate, cases.close(rng), hint=SMALL, near_miss_credit=False)
+    rates = by_rates(student)
+    compare_motions(student.simulate, cases.close(rng), hint=SMALL, near_miss_credit=False, own_rates=rates)
 
 
 @check("simulate", points=0.25, part="b", after=simulate_slides)
 def simulate_without_gravity(student, rng):
     """without gravity the bead keeps its speed, whatever was asked before."""
-    compare_motions(student.simulate, cases.weightless(rng), hint="Is anything divided by gravity?")
+    rates, hint = by_rates(student), "Is anything divided by gravity?"
+    compare_motions(student.simulate, cases.weightless(rng), hint=hint, own_rates=rates)
 
 
 STEEP = cases.rides(5.0, 8.0, 10, 45.0, "an amplitude of several 1/c")
@@ -177,6 +180,7 @@ def simulate_slides_down_steep_wires(student, rng):
         STEEP(rng),
         tolerance=SHARP_TURN,
         hint="Are the steps short enough for the turn at the bottom?",
+        own_rates=by_rates(student),
     )
 
 

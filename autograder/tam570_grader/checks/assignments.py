@@ -51,6 +51,12 @@ class LoadedAssignment:
         """The text of the reference solution."""
         return (self.root / "solutions" / f"{self.slug}.py").read_text(encoding="utf-8")
 
+    @property
+    def solutions(self) -> list[str]:
+        """The text of the reference solution, and of some functions in terms of others, beside the checks."""
+        path = checks_folder(self.root, self.slug) / "consequences.py"
+        return [self.solution, *([path.read_text(encoding="utf-8")] if path.exists() else [])]
+
     def signature(self, name: str) -> str:
         """Return what a function of the contract must take: `amplitude, *, length, gravity`."""
         defined = (node for node in ast.parse(self.solution).body if isinstance(node, ast.FunctionDef))

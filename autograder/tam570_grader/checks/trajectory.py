@@ -13,7 +13,9 @@ from tam570_grader.checks.case import Case
 from tam570_grader.checks.compare import Batch, Column, Reference, find_reference, is_right, trim_to_signature
 from tam570_grader.checks.curves import Curve, conserved_curve
 from tam570_grader.checks.expect import NEAR_MISS, NEAR_MISS_SHARE, UNLOCKING_SHARE, FollowsFrom, expect, get_context
+from tam570_grader.checks.formulas import in_symbols
 from tam570_grader.checks.motions import ROUGHLY, Motion, Restart, diagnosed, flat, has_rates, obeys
+from tam570_grader.checks.returns import Formula
 from tam570_grader.checks.student import StudentFunction
 
 Array = NDArray[np.float64]
@@ -44,6 +46,7 @@ class Invariant:
 class OwnRates:
     """The student's function of the rates in a simulated motion, which may be right where the motion is wrong.
 
+    function : or its formula, in the symbols of these arguments and of the parameters, in order
     arguments : (t, row) -> what the rates are asked for there, by default both; words of the motion's case follow
     otherwise : others, from which the motion may follow as well
     """
@@ -75,6 +78,8 @@ class OwnRates:
     def _case(self, motion: Motion, t: float, row: Array) -> Case:
         words = [word for word in motion.case.args if isinstance(word, str)]
         case = Case(*self.arguments(t, row), *words, **motion.case.kwargs)
+        if isinstance(self.function.returns, Formula):
+            return in_symbols([case], *self.function.returns.symbols)[0]
         return trim_to_signature(find_reference(self.reference, self.function), [case])[0]
 
 

@@ -124,6 +124,13 @@ def reached(text: str) -> dict[str, set[str]]:
         reach_of = wider
 
 
+def called(text: str, name: str) -> set[str]:
+    """Return the names that a function of a module may come to use; none where the module has no such function."""
+    reach = reached(text).get(name, set())
+    nodes = (node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef) and node.name in reach)
+    return set().union(*map(names_used, nodes))
+
+
 def names_used(node: ast.AST) -> set[str]:
     """Return the names in an expression or a statement."""
     return {inner.id for inner in ast.walk(node) if isinstance(inner, ast.Name)}

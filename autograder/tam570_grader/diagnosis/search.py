@@ -259,6 +259,20 @@ def _called(module: ModuleType, call: ComparedCall) -> Numbers:
     return getattr(module, call.name)(*call.case.args, **call.case.kwargs)
 
 
+def shared_mutants(text: str, name: str, other: str, calls: Sequence[Call]) -> tuple[Answer, ...]:
+    """Return the mutants of what two functions of a text share, that explain all calls of the first."""
+    reach_of = reached(text)
+    if not {name, other} <= reach_of.keys() or not reach_of[name] & reach_of[other]:
+        return ()
+    try:
+        with limited(MOST):
+            module = solution_with.__wrapped__(text, "")  # its own, to put mutants in
+            mutant = _mutant(text, module, name, _compared(text, calls))
+    except Exhausted:
+        return ()
+    return tuple(partial(answer, text, changed) for changed in mutant[1]) if mutant else ()
+
+
 def _single_entry(name: str, calls: Sequence[ComparedCall]) -> str | None:
     """Return where a matrix is wrong, if it is in one place."""
     forms = {tuple(map(np.shape, parts(answer_of))) for call in calls for answer_of in (call.result, call.expected)}

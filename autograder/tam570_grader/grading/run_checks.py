@@ -22,7 +22,8 @@ from tam570_grader.checks.student import StudentFunction
 from tam570_grader.diagnosis.cause import Cause
 from tam570_grader.diagnosis.diagnose import diagnose, follows
 from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, explains, is_motion, same, solution_with
-from tam570_grader.diagnosis.mutants import reached
+from tam570_grader.diagnosis.mutants import called
+from tam570_grader.diagnosis.search import shared_mutants
 from tam570_grader.errors import Over
 from tam570_grader.grading.budget import budget
 from tam570_grader.grading.seeds import derive
@@ -202,35 +203,47 @@ def _own_source(run: _Run, failed: Failed) -> Cause | None:
 
     The check has found it, or the solution gives the same numbers with the student's functions in the place of its own.
     """
-    calls, solution = run.student.calls, run.assignment.solution
+    calls, assignment = run.student.calls, run.assignment
     if source := failed.failure.follows_from:
         return Cause(failed.failure.function, "", "own", follows_from=source)
-    if len({call.name for call in calls}) != 1 or any(_is_drawn(run.assignment, call) for call in calls):
+    if len({call.name for call in calls}) != 1 or any(_is_drawn(assignment, call) for call in calls):
         return None
     name = calls[0].name
-    used = (reached(solution)[name] & run.assignment.results.keys()) - {name}
-    failures = (check.function for check in run.assignment.checks if _has_failed(run.results.get(check.name)))
-    wrong = next((function for function in failures if function in used), "")
+    failures = (check.function for check in assignment.checks if _has_failed(run.results.get(check.name)))
+    callable_ones = (other for other in dict.fromkeys(failures) if other not in assignment.forbidden.get(name, ()))
+    source = next((other for other in callable_ones if _is_consequence(run, other, calls)), "")
+    return Cause(name, "", "own", follows_from=source) if source else None
+
+
+def _is_consequence(run: _Run, wrong: str, calls: Sequence[Call]) -> bool:
+    """Return whether calls follow from a wrong function, as some solution uses it."""
+    name, assignment = calls[0].name, run.assignment
     zeros = {cause.function for cause in run.causes.values() if cause.source == "transform" and not cause.answers}
-    if not wrong or used & zeros or any(is_motion(call) for call in calls):
-        return None
-    module = solution_with.__wrapped__(solution, "")  # its own
-    for function in used:
-        setattr(module, function, partial(_asked, getattr(run.student, function)))
-    try:
-        with budget():
-            follows_from_own = explains(solution, partial(computed, module), calls)
-    except Over:
-        raise
-    except Exception:  # whatever a wrong function returns in the place of a right one
-        return None
-    return Cause(name, "", "own", follows_from=wrong) if follows_from_own else None
+    if any(is_motion(call) for call in calls):
+        return False
+    for text in assignment.solutions:
+        used = (called(text, name) & assignment.results.keys()) - {name}
+        if wrong not in used or used & zeros:
+            continue
+        module = solution_with.__wrapped__(text, "")  # its own
+        for function in used:
+            setattr(module, function, partial(_asked, getattr(run.student, function)))
+        try:
+            with budget():
+                if explains(assignment.solution, partial(computed, module), calls):
+                    return True
+        except Over:
+            raise
+        except Exception:  # whatever a wrong function returns in the place of a right one
+            continue
+    return False
 
 
 def _shared_helper(run: _Run, cause: Cause | None) -> Cause | None:
     """Return an earlier wrong function whose mistake this one shares by a helper in the student's file.
 
-    Both use one helper, and either were told the same, or return one wrong number where the right numbers are one.
+    Both use one helper, and either were told the same, return one wrong number where the right numbers are one, follow
+    from the other as a solution uses it, or have the numbers of one mistake in what they share in a solution.
     """
     student, results, calls = run.student, run.assignment.results, run.student.calls
     name = calls[0].name if calls else ""
@@ -245,9 +258,13 @@ def _shared_helper(run: _Run, cause: Cause | None) -> Cause | None:
         pairs = (name, calls[0].case), (failure.function, failure.at)
         try:
             with budget():
-                shared = (cause and cause.repeats == failure.function) or _same_number(run, failure.function, calls)
                 uses = (all(getattr(student, who).uses(helper, case) for who, case in pairs) for helper in helpers)
-                if shared and any(uses):
+                if any(uses) and (
+                    (cause and cause.repeats == failure.function)
+                    or _is_consequence(run, failure.function, calls)
+                    or _same_mutant(run, Call(failure.function, failure.at, None), calls)
+                    or _same_number(run, failure.function, calls)
+                ):
                     return Cause(name, "", "own", follows_from=failure.function)
         except Over:
             raise
@@ -269,6 +286,17 @@ def _same_number(run: _Run, other: str, calls: Sequence[Call]) -> bool:
                 if not any(same(result, its, WITHIN) and same(expected, true, WITHIN) for its, true in others):
                     return False
     return wrong > 0
+
+
+def _same_mutant(run: _Run, before: Call, calls: Sequence[Call]) -> bool:
+    """Return whether one mistake in what two functions share in a solution explains calls of both."""
+    name, solution = calls[0].name, run.assignment.solution
+    for text in run.assignment.solutions if not any(is_motion(call) for call in calls) else ():
+        if answers := shared_mutants(text, name, before.name, calls):
+            other = replace(before, result=getattr(run.student, before.name).aside(before.case))
+            if any(explains(solution, answer, [other]) for answer in answers):
+                return True
+    return False
 
 
 def _parts_like(result: Numbers, answer: Numbers) -> list[Numbers]:

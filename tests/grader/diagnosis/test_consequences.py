@@ -3,6 +3,7 @@
 import pytest
 from parameters import first
 
+from tam570_grader.checks import assignments
 from tam570_grader.grading.run_checks import FOLLOWING_SHARE
 
 OWN_EQUATIONS = """terms = [mass_matrix(theta, masses=masses, lengths=lengths)]
@@ -14,10 +15,10 @@ UP = "-k * z - gravity", "-k * z + gravity"
 
 @pytest.fixture
 def checked(grade, solution_text):
-    """`checked(slug, line, wrong)` -> the results of the checks of the solution with a wrong line, by name."""
+    """`checked(slug, (line, wrong), more=text)` -> results of the solution with a wrong line, by names of checks."""
 
-    def checked(slug, *lines):
-        text = solution_text(slug)
+    def checked(slug, *lines, more=""):
+        text = solution_text(slug) + more
         for correct, wrong in lines:
             assert correct in text
             text = text.replace(correct, wrong)
@@ -150,3 +151,53 @@ def test_an_ellipse_follows_from_the_students_own_motion(checked, sign):
     lines = ("0.0, -gravity])", f"0.0, {sign}gravity])"), ("-mass * gravity / stiffness", "mass * gravity / stiffness")
     actual = checked("hw04_hanging_spring", *lines)
     assert (("orbit", "solution") in following(actual)) == (sign == "")
+
+
+def in_terms_of_others(slug):
+    return (assignments.checks_folder(assignments.find(), slug) / "consequences.py").read_text(encoding="utf-8")
+
+
+NO_C = "(A - B) / C * p * q", "(A - B) * p * q"
+CENTRIFUGAL = "mass * offset * s * phi_dot**2,\n        -mass", "-mass * offset * s * phi_dot**2,\n        -mass"
+ABOVE = "-offset * math.sin(phi), radius - offset", "-offset * math.sin(phi), radius + offset"
+NO_WEIGHT = "- mass * gravity * radius * c) / (", ") / ("
+BY_OTHERS = [
+    ("hw10_free_rigid_body", NO_C, ("growth_rate_squared", "euler_equations"), "slope(j, k) *", "2 * slope(j, k) *"),
+    ("hw13_rolling_cylinder", CENTRIFUGAL, ("contact_force", "acceleration"), "cylinder)[1:])", "cylinder)[:0:-1])"),
+    ("hw13_rolling_cylinder", ABOVE, ("naive_contact_acceleration", "contact_inertia"), "x * math.cos(s", "math.cos(s"),
+    ("hw14_rolling_disk", NO_WEIGHT, ("matrix_state_derivative", "euler_state_derivative"), "+ turning", "- turning"),
+]
+
+
+@pytest.mark.parametrize(("slug", "line", "pair", "correct", "wrong"), BY_OTHERS)
+def test_what_shares_a_wrong_helper_keeps_its_share_unless_it_has_its_own_slip(
+    checked, slug, line, pair, correct, wrong
+):
+    more, lines = in_terms_of_others(slug), [line]
+    if slug.startswith("hw14"):  # no formulation may call another's function
+        lines.append(("euler_state_derivative(", "_euler("))
+        more += "\n\ndef public(t, state, **disk):\n    return _euler(t, state, **disk)\n"
+        more += "\n\npublic.__name__ = 'euler_state_derivative'\neuler_state_derivative = public\n"
+    assert pair in following(checked(slug, *lines, more=more))
+    assert pair not in following(checked(slug, *lines, (correct, wrong), more=more))
+
+
+BY_EQUATION = """
+
+import sympy
+
+_rate = sympy.lambdify(sympy.symbols("x v c g"), lagrange_equation())
+
+
+def simulate(t, x, v, *, curvature, gravity):
+    from tam570.integrate import solve
+
+    return solve(lambda t, state: (state[1], _rate(*state, curvature, {factor} * gravity)), t, (x, v), rtol=1e-9)
+"""
+
+
+@pytest.mark.parametrize("factor", [1, 2])
+def test_a_motion_follows_from_the_students_own_equation(checked, factor):
+    lines = ("v**2 / 2 - mass", "v**2 - mass")
+    actual = following(checked("hw12_bead_on_wire", lines, more=BY_EQUATION.format(factor=factor)))
+    assert (("simulate", "lagrange_equation") in actual) == (factor == 1)

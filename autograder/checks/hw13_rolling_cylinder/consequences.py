@@ -1,0 +1,48 @@
+"""Right functions of hw13 that share helpers, in one of which a student may make the mistake of several functions."""
+
+import math
+
+import numpy as np
+
+
+def acceleration(*state, **cylinder):
+    return _solved(*state, **cylinder)[0]
+
+
+def contact_force(*state, **cylinder):
+    return tuple(_solved(*state, **cylinder)[1:])
+
+
+def contact_inertia(phi, *, mass, radius, offset, inertia):
+    x, y = _arm(phi, radius, offset)
+    return inertia + mass * (x**2 + y**2)
+
+
+def naive_contact_acceleration(phi, *, mass, radius, offset, inertia, slope, gravity):
+    x, y = _arm(phi, radius, offset)
+    moment = mass * gravity * (x * math.cos(slope) + y * math.sin(slope))
+    return moment / contact_inertia(phi, mass=mass, radius=radius, offset=offset, inertia=inertia)
+
+
+def missing_moment(phi, phi_dot, *, mass, radius, offset):
+    x, _ = _arm(phi, radius, offset)
+    return -x * mass * radius * phi_dot**2
+
+
+def _solved(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
+    """phi'', along and normal: momentum balances of G, x down the ramp and y off it, and the moment about G."""
+    c, s = math.cos(phi), math.sin(phi)
+    x_rate, y_rate = radius - offset * c, offset * s  # of G, over phi'
+    loads = (
+        mass * gravity * math.sin(slope) - mass * offset * s * phi_dot**2,
+        -mass * gravity * math.cos(slope) - mass * offset * c * phi_dot**2,
+        0.0,
+    )
+    along, normal = radius - offset * c, offset * s  # levers about G
+    balances = ((mass * x_rate, -1.0, 0.0), (mass * y_rate, 0.0, -1.0), (inertia, along, normal))
+    return np.linalg.solve(balances, loads)
+
+
+def _arm(phi, radius, offset):
+    """From the contact to G."""
+    return -offset * math.sin(phi), radius - offset * math.cos(phi)
