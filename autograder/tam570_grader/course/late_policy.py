@@ -10,7 +10,6 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import date, datetime, time, timedelta, tzinfo
 from pathlib import Path
-from zoneinfo import ZoneInfo
 
 from tam570.values import Json
 from tam570_grader.checks import assignments
@@ -63,6 +62,8 @@ def policies(path: Path, table: Json, slugs: Sequence[str]) -> dict[str, LatePol
 
 def _zone(path: Path, name: str | None) -> tzinfo | None:
     """Return the zone of the course's clocks; None for this computer's."""
+    from zoneinfo import ZoneInfo  # which is not for every start of the program
+
     try:
         return None if name is None else ZoneInfo(name)
     except (ValueError, TypeError, LookupError, OSError):
