@@ -8,6 +8,7 @@ time, or with an exact answer. The same call is made three times: no answer depe
 import bisect
 import cmath
 import copy
+import dataclasses
 import functools
 import math
 import pickle
@@ -239,9 +240,11 @@ def by_newton(t, y):
     return (math.cos(angle) - 0.1 * y[0],)
 
 
+@dataclasses.dataclass
 class Oscillator:
-    def __init__(self, rate):
-        self.rate = rate
+    """As it may change, it has no hash."""
+
+    rate: float
 
     def __call__(self, t, y):
         return y[1], -self.rate * y[0]
@@ -525,6 +528,11 @@ def table(t, y):
     return (1.0 if np.searchsorted(np.cumsum([0.3, 0.3, 0.4]), y[0]) < 1 else -1.0,)
 
 
+def struck(duration):
+    """An oscillator at rest, struck by an impulse of 1."""
+    return lambda t, y: (y[1], (1 / duration if abs(t - 1.5) < duration / 2 else 0.0) - y[0])
+
+
 AT_1, TO_AND_FRO = r"t = (1|0\.99)", "to and fro at t = "
 REFUSED = {  # rates, times, start, words, and the error if it is no ArithmeticError
     "it remembers": (remembers(), (0, 1), [1.0], "remember", ValueError),
@@ -552,6 +560,12 @@ REFUSED = {  # rates, times, start, words, and the error if it is no ArithmeticE
     "a root that holds": (lambda t, y: (np.cbrt(1 - y[0]),), (0, 10), [0.0], rf"{TO_AND_FRO}1\.5"),
     "complex start": (lambda t, y: (-y[0],), (0, 1), [1.0 + 1j], "^y0", ValueError),
     "a column": (lambda t, y: (y[1], -y[0]), (0, 1), [[1.0], [0.0]], "^y0.*ravel", ValueError),
+    "a masked start": (Oscillator(1.0), (0, 1), np.ma.array([1.0, 0.0], mask=[0, 1]), "^y0.*masked", ValueError),
+    "masked rates": (lambda t, y: np.ma.masked_less([y[1], -y[0]], -0.5), (0, 3), [1.0, 0.0], "masked", ValueError),
+    "no rate later": (lambda t, y: (None if t > 0.5 else 1.0,), (0, 1), [0.0], "None", ValueError),
+    "a generator": (lambda t, y: (-v for v in y), (0, 1), [1.0], "generator", ValueError),
+    "a blow from rest": (struck(1e-10), (0, 3), [0.0, 0.0], "pulse"),
+    "a shorter blow from rest": (struck(1e-12), (0, 3), [0.0, 0.0], "pulse"),
     "seven digits": (lambda t, y: np.array([y[1], -y[0]], dtype=np.float32), (0, 9), [1.0, 0.0], "float64", ValueError),
     "a table that holds": (table, (0, 3), [0.0], f"{TO_AND_FRO}0.3"),
     "friction that holds a start": (lambda t, y: (y[1], -y[0] - 5 * np.sign(y[1])), (0, 3), [1.0, 0.0], TO_AND_FRO),

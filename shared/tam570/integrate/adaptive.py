@@ -286,14 +286,14 @@ def start_state(run: Run, a: Sequence[float] = ()) -> State:
         y = tuple(0.0 if size <= NO_SCALE else v for size, v in zip(sizes, y, strict=True))
         both = zip(rhs(origin, y, c), rhs(origin + SOON * span, y, c), strict=True)
         g = tuple(0.0 if abs(rate) < RAMP * abs(later) else rate for rate, later in both)
-    h = _first_step(rhs, origin, span, y, g, c)
+    h, t = _first_step(rhs, origin, span, y, g, c), origin
     if h < SOON * span:  # the rates may jump at the very start
-        onward = _euler(h, y, g)
-        g = rhs(origin + h, onward, c)
-        h = max(h, _first_step(rhs, origin + h, span, onward, g, c))
+        t, y = origin + h, _euler(h, y, g)
+        g = rhs(t, y, c)
+        h = max(h, _first_step(rhs, t, span, y, g, c))
     if not control.atol and min(a, default=0.0) <= NO_SCALE:
-        later = _doubling(origin, h, span) if engine.formulas.timed else ()
-        sizes = error_scale(rhs, origin, h, y, g, c, later)
+        later = _doubling(t, h, span) if engine.formulas.timed else ()
+        sizes = error_scale(rhs, t, h, y, g, c, later)
         fresh = (max(SHARE * control.rtol * size, NO_SCALE) for size in sizes)
         a = tuple(new if old <= NO_SCALE else old for new, old in zip(fresh, a or [0.0] * len(y), strict=True))
     h = control.first_step or h
@@ -313,7 +313,7 @@ def _first_step(
     A derivative of zero deceives nobody.
     """
     h = span / 100 or span
-    while h > 1e-9 * span:
+    while h > max(1e-15 * span, 2.0**-50 * abs(origin)):
         onward = _euler(h, y, f)
         g = rhs(origin + h, onward, c)
         # What starts at zero at zero rate does nothing to the others before a second step.

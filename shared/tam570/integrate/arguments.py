@@ -1,6 +1,7 @@
 """What a caller gives, checked: each error names the argument."""
 
 import math
+import sys
 from numbers import Real
 
 import numpy as np
@@ -9,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from tam570.integrate.error_scale import NO_SCALE
 from tam570.values import Numbers
 
-__all__ = ["SMALLEST_RTOL", "Array", "checked", "of_one_step", "positive", "sample_times", "tolerance"]
+__all__ = ["SMALLEST_RTOL", "Array", "checked", "is_masked", "of_one_step", "positive", "sample_times", "tolerance"]
 
 Array = NDArray[np.float64]
 
@@ -71,6 +72,8 @@ def initial_state(y0: ArrayLike) -> Array:
     if is_complex:
         raise ValueError("y0: must be real; it is complex: give real and imaginary parts as components of their own")
     state = _array("y0", y0, "a flat list of real numbers")
+    if is_masked(y0):
+        raise ValueError(f"y0: every number must be known, got masked ones: {y0!r}")
     if state.ndim == 2 and state.shape[1] == 1 and state.shape[0] > 1:
         raise ValueError(
             f"y0: a column of shape {state.shape} is one component of {len(state)} starts; for one start give "
@@ -81,6 +84,12 @@ def initial_state(y0: ArrayLike) -> Array:
     if not math.isfinite(sum(state.ravel().tolist())) and not np.isfinite(state).all():
         raise ValueError(f"y0: every number must be finite, got {state}")
     return state
+
+
+def is_masked(value: ArrayLike) -> bool:
+    """Return whether numbers of a masked array are hidden; without the time of an import that nobody asked for."""
+    masked_arrays = sys.modules.get("numpy.ma")
+    return masked_arrays is not None and bool(masked_arrays.is_masked(value))
 
 
 def tolerance(rtol: float) -> float:

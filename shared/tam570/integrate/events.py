@@ -228,6 +228,10 @@ def _event(which: int, function: Function, parameters: Parameters | None, sign: 
         level = call(sign * t, y)
         if not isinstance(level, Real) and not (isinstance(level, np.ndarray | np.generic) and level.shape == ()):
             raise ValueError(f"{name} must return a number, got {level!r}")
+        if isinstance(level, bool | np.bool_):  # it is never below zero
+            raise ValueError(
+                f"{name} must return a number that passes zero, got {level!r}: the difference of two sides"
+            )
         return float(level)
 
     return Event(value, float(direction), int(last))

@@ -9,10 +9,11 @@ import inspect
 import math
 from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache
+from types import FunctionType
 
 import numpy as np
 
-from tam570.integrate.arguments import Array
+from tam570.integrate.arguments import Array, is_masked
 from tam570.integrate.dop853 import ESTIMATE_ROUNDOFF
 from tam570.values import Function, Numbers, Parameters
 
@@ -36,7 +37,8 @@ def bound(rhs: Function, parameters: Parameters | None, name: str = "rhs") -> Ra
     if parameters is not None and not isinstance(parameters, Mapping):
         raise ValueError(f"parameters: must be a mapping of names to values, got {type(parameters).__name__}")
     fixed = dict(parameters or {})
-    problem = _misfit(rhs, tuple(fixed))
+    look = _misfit if isinstance(rhs, FunctionType) else _misfit.__wrapped__  # others may have no hash
+    problem = look(rhs, tuple(fixed))
     if problem:
         raise ValueError(f"{name}: cannot be called with (t, y, **parameters): {problem}")
     if not fixed:
@@ -175,9 +177,14 @@ def _checked(value: Numbers, size: int) -> Array:
     except ValueError as problem:  # rows of several lengths
         raise RhsError(f"rhs: must return {size} numbers, got {value!r}") from problem
     if rates_array.shape != (size,):
-        raise RhsError(f"rhs: must return {size} numbers, as many as y0 has, got shape {rates_array.shape}")
+        kind = f"shape {rates_array.shape}" if rates_array.shape else f"one {type(value).__name__}"
+        raise RhsError(f"rhs: must return {size} numbers, as many as y0 has, got {kind}")
+    if is_masked(value):
+        raise RhsError(f"rhs: must return numbers, got masked ones: {value!r}")
     if np.iscomplexobj(rates_array):
         raise RhsError(f"rhs: must return real numbers, got {rates_array}")
+    if rates_array.dtype == object and None in rates_array.tolist():
+        raise RhsError(f"rhs: must return numbers, got {value!r}")
     try:
         return rates_array.astype(float)
     except (TypeError, ValueError) as problem:

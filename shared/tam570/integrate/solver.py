@@ -253,7 +253,10 @@ def prepared(
     parameters = dict(parameters or {})
     in_full = partial(solve, rhs, sign * times, parameters=parameters, rtol=rtol, atol=atol)
     with np.errstate(all="ignore"):
-        prepared_engine = engine(rhs, parameters, times, start.reshape(-1, start.shape[-1])[0], sign=sign)
+        try:
+            prepared_engine = engine(rhs, parameters, times, start.reshape(-1, start.shape[-1])[0], sign=sign)
+        except RhsError as error:
+            raise ValueError(str(error)) from None
     compiled_run = compile_run(prepared_engine, times, control)
 
     def run(y0: ArrayLike) -> Array:

@@ -77,7 +77,7 @@ def test_a_touch_is_no_crossing_and_an_event_may_know_time_and_parameters():
 
 
 NO_COUNTS = [event(height(0.5), terminal=terminal) for terminal in (-1, 3.5, "yes", math.nan)]
-NO_VALUES = [lambda t, y, value=value: value for value in (np.ones(1), "up", None, 1j)]
+NO_VALUES = [lambda t, y, value=value: value for value in (np.ones(1), True, np.False_, "up", None, 1j)]
 
 
 @pytest.mark.parametrize("events", [lambda t: t, [1.0], *NO_COUNTS, *NO_VALUES])

@@ -119,3 +119,8 @@ def test_a_call_of_which_anything_differs_is_another(prepared_call):
         change()
         with pytest.raises(TypeError):  # an engine is asked for
             run(STARTS[0])
+
+
+def test_rates_that_are_no_numbers_are_refused_before_a_start():
+    with pytest.raises(ValueError, match="^rhs: must return 2 numbers"):
+        prepared(lambda t, y: (-v for v in y), [0, 1], STARTS[0])
