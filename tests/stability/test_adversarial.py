@@ -566,6 +566,7 @@ REFUSED = {  # rates, times, start, words, and the error if it is no ArithmeticE
     "a generator": (lambda t, y: (-v for v in y), (0, 1), [1.0], "generator", ValueError),
     "a blow from rest": (struck(1e-10), (0, 3), [0.0, 0.0], "pulse"),
     "a shorter blow from rest": (struck(1e-12), (0, 3), [0.0, 0.0], "pulse"),
+    "a rate at one time": (lambda t, y: (1e11 if t == 1 else 1.0,), (0, 2), [0.0], "pulse"),
     "seven digits": (lambda t, y: np.array([y[1], -y[0]], dtype=np.float32), (0, 9), [1.0, 0.0], "float64", ValueError),
     "a table that holds": (table, (0, 3), [0.0], f"{TO_AND_FRO}0.3"),
     "friction that holds a start": (lambda t, y: (y[1], -y[0] - 5 * np.sign(y[1])), (0, 3), [1.0, 0.0], TO_AND_FRO),

@@ -110,7 +110,7 @@ def advance(
             error = UNSEEN
         sure = passed(origin + t, h, y, f, n, g, error, shortest, c) if passed and fifth < inf else inf
         is_brief = h < BLURRED * shortest and h < BRIEF * end
-        error = UNSEEN if is_brief and error <= 1.0 and _leaps(h, n, g, a, rtol, LEAP) else error
+        error = UNSEEN if is_brief and error <= 1.0 and _leaps(h, y, n, g, a, rtol, LEAP) else error
         is_cut = sure < h and not at_last
         crosses = at_last and sure <= h
         jumps = at_last and fifth < inf and _finite(n) and _jumps(crosses, h, y, n, f, g, a, rtol)
@@ -214,7 +214,7 @@ def _jumps(
         w, x = a[i] / rtol + max(abs(y[i]), abs(n[i])), h * abs(g[i] - f[i])
         if (y[i] != 0.0 or a[i] > NO_SCALE) and not x <= largest * w:
             largest = x / w
-    return largest <= (POLE if crosses else JUMP) and not (crosses and _leaps(h, n, g, a, rtol, JUMP))
+    return largest <= (POLE if crosses else JUMP) and not (crosses and _leaps(h, y, n, g, a, rtol, JUMP))
 
 
 def _sets_in(y: Numbers, n: Numbers, a: Numbers) -> Numbers:
@@ -225,12 +225,12 @@ def _sets_in(y: Numbers, n: Numbers, a: Numbers) -> Numbers:
     return moves
 
 
-def _leaps(h: Numbers, n: Numbers, g: Numbers, a: Numbers, rtol: Numbers, part: Numbers) -> Numbers:
+def _leaps(h: Numbers, y: Numbers, n: Numbers, g: Numbers, a: Numbers, rtol: Numbers, part: Numbers) -> Numbers:
     """Return whether a short step moves the state by a part of it, as next to a singularity of the rates."""
     moved, size = 0.0, 0.0
     for i in range(len(n)):
         if a[i] > NO_SCALE:
-            moved, size = max(moved, h * abs(g[i])), max(size, abs(n[i]), a[i] / rtol)
+            moved, size = max(moved, h * abs(g[i]), abs(n[i] - y[i])), max(size, abs(n[i]), a[i] / rtol)
     return moved > max(part, rtol) * size
 
 
