@@ -240,32 +240,37 @@ def _is_consequence(run: _Run, wrong: str, calls: Sequence[Call]) -> bool:
 
 
 def _shared_helper(run: _Run, cause: Cause | None) -> Cause | None:
-    """Return an earlier wrong function whose mistake this one shares by a helper in the student's file.
+    """Return an earlier wrong function whose mistake this one shares, by calling it or by a helper of both.
 
-    Both use one helper, and either were told the same, return one wrong number where the right numbers are one, follow
-    from the other as a solution uses it, or have the numbers of one mistake in what they share in a solution.
+    Either both were told the same, or they return one wrong number where the right numbers are one, or this follows
+    from the other as a solution uses it, or both have the numbers of one mistake in what they share in a solution.
     """
     student, results, calls = run.student, run.assignment.results, run.student.calls
     name = calls[0].name if calls else ""
     if not calls or {call.name for call in calls} != {name} or any(_is_drawn(run.assignment, call) for call in calls):
         return None
     helpers = [helper for helper in dict.fromkeys(HELPER.findall(student.text)) if helper not in results][:MOST_HELPERS]
-    for check in run.assignment.checks:
-        before = run.results.get(check.name)
-        failure = before.failure if before and _has_failed(before) else None
-        if not failure or failure.follows_from or failure.function in ("", name) or not isinstance(failure.at, Case):
+    failures: dict[str, Failure] = {}  # the first of each function
+    for before in run.results.values():
+        if _has_failed(before) and before.failure:
+            failures.setdefault(before.failure.function, before.failure)
+    for other, failure in failures.items():
+        if failure.follows_from or other in ("", name) or not isinstance(failure.at, Case):
             continue
-        pairs = (name, calls[0].case), (failure.function, failure.at)
+        function, other_function = getattr(student, name), getattr(student, other)
         try:
             with budget():
-                uses = (all(getattr(student, who).uses(helper, case) for who, case in pairs) for helper in helpers)
-                if any(uses) and (
-                    (cause and cause.repeats == failure.function)
-                    or _is_consequence(run, failure.function, calls)
-                    or _same_mutant(run, Call(failure.function, failure.at, None), calls)
-                    or _same_number(run, failure.function, calls)
+                uses_helper = (
+                    function.uses(helper, calls[0].case) and other_function.uses(helper, failure.at)
+                    for helper in helpers
+                )
+                if (function.uses(other, calls[0].case) or any(uses_helper)) and (
+                    (cause and cause.repeats == other)
+                    or _is_consequence(run, other, calls)
+                    or _same_mutant(run, Call(other, failure.at, None), calls)
+                    or _same_number(run, other, calls)
                 ):
-                    return Cause(name, "", "own", follows_from=failure.function)
+                    return Cause(name, "", "own", follows_from=other)
         except Over:
             raise
         except Exception:  # a function that takes other arguments has other numbers

@@ -121,6 +121,15 @@ def test_a_mistake_in_a_helper_is_told_once(checked, sign):
     assert following(actual) == {(name, "linear_momentum_balance") for name in functions}
 
 
+def test_a_motion_follows_from_its_own_rates_whose_mistake_has_a_name(checked):
+    integrated = 'solve(_rates, t, start, parameters={"rate": drag / mass, "gravity": gravity}'
+    own = 'solve(state_derivative, t, start, parameters={"mass": mass, "drag": drag, "gravity": gravity}'
+    correct = "_rates(t, (0.0, 0.0, vx, vy), rate=drag / mass, gravity=gravity)"
+    heavy = "[vx, vy, -drag / mass * vx, -drag / mass * vy - mass * gravity]"
+    actual = checked("hw02_ballistics", (integrated, own), (correct, heavy))
+    assert ("simulate", "state_derivative") in following(actual)
+
+
 def test_a_mistake_that_is_made_twice_is_charged_twice(checked):
     actual = checked(
         "hw01_simple_pendulum",
