@@ -130,7 +130,7 @@ def test_a_hint_tells_whether_the_students_own_rates_are_right(factor, are_right
             raise Failed("it raised")
         return factor * np.flip(case.args[0])
 
-    rows, function = swings(T, RESTED), SimpleNamespace(name="rates", aside=rates)
+    rows, function = swings(T, RESTED), SimpleNamespace(name="rates", returns=None, aside=rates)
     own_rates = OwnRates(function, lambda row: np.flip(row), lambda t, row: (row,))
     assert own_rates.are_right(Motion(Case(T, RESTED), rows, rows, np.ones(2), None, swings)) == are_right
 
