@@ -91,6 +91,7 @@ BAD = {  # and a word that tells what to do
     "hint hw08 nothing": "skew",
     "check hw09 --watch": "start hw09",
     "start pend": "hw05_constrained_pendulum",
+    "start hw0": "hw01_simple_pendulum, hw02_ballistics",
 }
 
 

@@ -157,8 +157,8 @@ SMALL = "Do you leave terms out at small amplitudes, or is atol too loose for th
 @check("simulate", points=0.25, part="b", after=simulate_slides)
 def simulate_needs_no_dense_times(student, rng):
     """the same motion when only a few times are asked for."""
-    compare_motions(student.simulate, cases.few_times(rng), own_rates=by_rates(student))
     rates = by_rates(student)
+    compare_motions(student.simulate, cases.few_times(rng), own_rates=rates)
     compare_motions(student.simulate, cases.close(rng), hint=SMALL, near_miss_credit=False, own_rates=rates)
 
 

@@ -210,8 +210,8 @@ def _own_source(run: _Run, failed: Failed) -> Cause | None:
         return None
     name = calls[0].name
     failures = (check.function for check in assignment.checks if _has_failed(run.results.get(check.name)))
-    callable_ones = (other for other in dict.fromkeys(failures) if other not in assignment.forbidden.get(name, ()))
-    source = next((other for other in callable_ones if _is_consequence(run, other, calls)), "")
+    allowed = (other for other in dict.fromkeys(failures) if other not in assignment.forbidden.get(name, ()))
+    source = next((other for other in allowed if _is_consequence(run, other, calls)), "")
     return Cause(name, "", "own", follows_from=source) if source else None
 
 
@@ -243,7 +243,8 @@ def _shared_helper(run: _Run, cause: Cause | None) -> Cause | None:
     """Return an earlier wrong function whose mistake this one shares, by calling it or by a helper of both.
 
     Either both were told the same, or they return one wrong number where the right numbers are one, or this follows
-    from the other as a solution uses it, or both have the numbers of one mistake in what they share in a solution.
+    from the other as a solution uses it where a call is forbidden, or both have the numbers of one mistake in what they
+    share in a solution.
     """
     student, results, calls = run.student, run.assignment.results, run.student.calls
     name = calls[0].name if calls else ""
@@ -266,7 +267,7 @@ def _shared_helper(run: _Run, cause: Cause | None) -> Cause | None:
                 )
                 if (function.uses(other, calls[0].case) or any(uses_helper)) and (
                     (cause and cause.repeats == other)
-                    or _is_consequence(run, other, calls)
+                    or (other in run.assignment.forbidden.get(name, ()) and _is_consequence(run, other, calls))
                     or _same_mutant(run, Call(other, failure.at, None), calls)
                     or _same_number(run, other, calls)
                 ):
@@ -319,10 +320,9 @@ def _has_failed(result: CheckResult | None) -> bool:
 
 def _passed_so_far(run: _Run) -> set[str]:
     """Return the functions that passed each of their checks so far."""
-    results = [
-        (check.function, run.results[check.name]) for check in run.assignment.checks if check.name in run.results
-    ]
-    return {function for function, _ in results} - {name for name, result in results if result.outcome != "passed"}
+    judged = [check for check in run.assignment.checks if check.name in run.results]
+    wrong = {check.function for check in judged if run.results[check.name].outcome != "passed"}
+    return {check.function for check in judged} - wrong
 
 
 def _earlier(causes: Mapping[str, Cause]) -> list[Cause]:

@@ -9,7 +9,6 @@ import inspect
 import math
 from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache
-from types import FunctionType
 
 import numpy as np
 
@@ -37,8 +36,10 @@ def bound(rhs: Function, parameters: Parameters | None, name: str = "rhs") -> Ra
     if parameters is not None and not isinstance(parameters, Mapping):
         raise ValueError(f"parameters: must be a mapping of names to values, got {type(parameters).__name__}")
     fixed = dict(parameters or {})
-    look = _misfit if isinstance(rhs, FunctionType) else _misfit.__wrapped__  # others may have no hash
-    problem = look(rhs, tuple(fixed))
+    try:
+        problem = _misfit(rhs, tuple(fixed))
+    except TypeError:  # it has no hash
+        problem = _misfit.__wrapped__(rhs, tuple(fixed))
     if problem:
         raise ValueError(f"{name}: cannot be called with (t, y, **parameters): {problem}")
     if not fixed:
@@ -93,11 +94,12 @@ class CalledRates:
 
     def check_digits(self, t: float, y: Array, rtol: float) -> None:
         """RhsError where all rates are of float32 or less, and fewer digits than are asked for."""
-        kind = np.asarray(self.rates(t, y.copy())).dtype
-        if kind.kind == "f" and kind.itemsize < 8 and rtol < FEW_DIGITS * float(np.finfo(kind).eps):
+        dtype = np.asarray(self.rates(t, y.copy())).dtype
+        rounding = float(np.finfo(dtype).eps) if dtype.kind == "f" and dtype.itemsize < 8 else 0.0
+        if rtol < FEW_DIGITS * rounding:
             raise RhsError(
-                f"rhs: returns {kind.name}, whose rounding of {np.finfo(kind).eps:.1g} is more than rtol = {rtol:.1g} "
-                f"allows; let it compute with float64, or give rtol = {FEW_DIGITS * float(np.finfo(kind).eps):.1g}"
+                f"rhs: returns {dtype.name}, whose rounding of {rounding:.1g} is more than rtol = {rtol:.1g} "
+                f"allows; let it compute with float64, or give rtol = {FEW_DIGITS * rounding:.1g}"
             )
 
     def check_memory(self, t: float, y: Sequence[float], f: Sequence[float]) -> None:
@@ -177,8 +179,8 @@ def _checked(value: Numbers, size: int) -> Array:
     except ValueError as problem:  # rows of several lengths
         raise RhsError(f"rhs: must return {size} numbers, got {value!r}") from problem
     if rates_array.shape != (size,):
-        kind = f"shape {rates_array.shape}" if rates_array.shape else f"one {type(value).__name__}"
-        raise RhsError(f"rhs: must return {size} numbers, as many as y0 has, got {kind}")
+        returned = f"shape {rates_array.shape}" if rates_array.shape else f"one {type(value).__name__}"
+        raise RhsError(f"rhs: must return {size} numbers, as many as y0 has, got {returned}")
     if is_masked(value):
         raise RhsError(f"rhs: must return numbers, got masked ones: {value!r}")
     if np.iscomplexobj(rates_array):
