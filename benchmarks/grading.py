@@ -5,8 +5,7 @@
     python benchmarks/grading.py --peers nbgrader   the same functions and tests as a notebook, graded by nbgrader
     python benchmarks/grading.py --cost             what one submission costs, and whom, one job, without a class
 
-Prints a table; --peers writes results/grading.json, --cost results/grading_cost.json. Times of one run on one machine;
-compare them with each other.
+Prints a table; --peers writes results/grading.json. Times of one run on one machine; compare them with each other.
 """
 
 import argparse
@@ -33,7 +32,7 @@ from tam570_grader.sandbox.process import SandboxProcess
 from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.zygote import ResourceLimits
 
-OUTPUT, COST = record.FOLDER / "grading.json", record.FOLDER / "grading_cost.json"
+OUTPUT = record.FOLDER / "grading.json"
 COURSE = assignments.find(Path(__file__).parents[1])
 SLUGS = assignments.slugs(COURSE)
 TOGETHER = 2e-3  # s, in which results of one chunk are read
@@ -245,15 +244,13 @@ def _notebook(path, slug):
 
 
 def costs(slugs, count):
-    """Print and write what submissions cost."""
+    """Print what submissions cost."""
     rows = [cost(slug, work_name, count) for slug in tqdm(slugs, leave=False, disable=None) for work_name in WORKS]
     print("ms a submission: on the wall, ours (processor), waited; student (processor, import too); then counts")
     for row in rows:
         times = "".join(f"{row[name]:9.1f}" for name in ("wall", "ours", "waited", "student"))
         counts = "".join(f"{row[name]:6}" for name in ("round trips", "calls", "simulations"))
         print(f"{row['assignment']:26} {row['work']:9}{times}{counts}")
-    before = record.read(COST).get("before", rows)  # the first that were ever written
-    record.write(COST, before=before, rows=rows)
 
 
 def main():
