@@ -11,7 +11,6 @@ import sys
 import warnings
 import zlib
 
-import hypothesis
 import numpy as np
 import pytest
 from parameters import SLUGS
@@ -47,10 +46,6 @@ for line in sys.stdin:
     print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), flush=True)
 """
 
-
-# The same examples on every machine, at any speed, and no file of theirs.
-hypothesis.settings.register_profile("tests", deadline=None, derandomize=True, database=None)
-hypothesis.settings.load_profile("tests")
 
 # What runs in the background of a shell ignores Ctrl-C, and so would all that it starts.
 signal.signal(signal.SIGINT, signal.default_int_handler)

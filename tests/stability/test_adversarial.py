@@ -168,6 +168,7 @@ PULSES = {
     "narrower": against(narrow, (0, 3), [0.0, 0.0], longest=1e-3, parameters={"centre": 2.1, "width": 0.004}),
     "tanh": forced(lambda t: 5 * (math.tanh((t - 5) / 0.1) - math.tanh((t - 5.5) / 0.1)), (0, 7), longest=5e-3),
     "expanded": forced(lambda t: 40 * math.exp(-400 * t * t + 2400 * t - 3600), (0, 5), longest=2e-3),
+    "from nothing": forced(lambda t: math.exp(-1 / t) if t > 0 else 0.0, (0, 10)),  # whose derivatives are all zero
     "logistic": forced(lambda t: 1 / (1 + math.exp(-200 * (t - 2))), (0, 4), longest=2e-3),
     "train": forced(lambda t: 8 * math.exp(-((math.sin(2 * t) / 0.05) ** 2)), (0, 6), longest=2e-3),
     "Lorentzian": forced(lambda t: 1 / (1 + ((t - 3) / 0.001) ** 2) * 100, (0, 5), longest=5e-4),
@@ -260,8 +261,11 @@ def empty_cell():
 
 
 BENT = np.frompyfunc(lambda x: -x if x < 0.5 else -0.5, 1, 1)
-SINE = [math.cos(3.0), -math.sin(3.0)]
+START, SINE = np.array([1.0, 0.0]), [math.cos(3.0), -math.sin(3.0)]  # one array for all: none of them may change it
 OSCILLATORS = {
+    "of a matrix": lambda t, y: np.array([[0.0, 1.0], [-1.0, 0.0]]) @ y,
+    "of halves": lambda t, y: np.concatenate([y[1:], -y[:1]]),
+    "adds slices": lambda t, y: (y[::-1] + y[::-1]) * np.array([0.5, -0.5]),  # tuples would be joined
     "text": lambda t, y: (y[1], -y[0] if "Symbol" not in str(y[0]) and str(y[0])[0] in "-0123456789" else 7.0),
     "counting": counting,
     "eval": lambda t, y: (y[1], eval("-y[0]")),
@@ -287,7 +291,7 @@ TRACES = {
     "frompyfunc": against(lambda t, y: (y[1], float(BENT(y[0]))), (0, 3), [1.0, 0.0]),
     "by Newton's iteration": against(by_newton, (0, 2), [0.0]),
     "by exception": against(by_exception, (0, 1.5), [1.0, 0.0], longest=1e-3),
-    **{name: against(rhs, (0, 3), [1.0, 0.0], exact=SINE) for name, rhs in OSCILLATORS.items()},
+    **{name: against(rhs, (0, 3), START, exact=SINE) for name, rhs in OSCILLATORS.items()},
     "empty cell": against(empty_cell(), (0, 3), [1.0, 0.0], exact=SINE),
 }
 
