@@ -2,9 +2,9 @@
 
 figure.svg, beside this file, shows the axes, the names and the positive senses.
 
-inertia = (A, B, C) are the principal moments of inertia about the centre of mass (kg m^2); omega (3,) is the angular
-velocity in rad/s, in components along the body's principal axes; R (3, 3) takes body to space components. No moment
-acts. Axes 0, 1, 2 are those of A, B, C.
+inertia (3,) holds A, B, C, the principal moments of inertia about the centre of mass (kg m^2); omega (3,) is the
+angular velocity in rad/s, in components along the body's principal axes; R (3, 3) takes body to space components. No
+moment acts. Axes 0, 1, 2 are those of A, B, C.
 
 Off limits in this file: tam570.lectures, and in `euler_rates_313` tam570.rotations and scipy.spatial.transform, which
 would answer it.

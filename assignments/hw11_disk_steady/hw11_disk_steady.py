@@ -2,7 +2,7 @@
 
 figure.svg, beside this file, shows the axes, the names and the positive senses.
 
-The disk has `mass` (kg), `radius` a (m) and inertia = (A, C) (kg m^2): about a diameter and about the axle,
+The disk has `mass` (kg), `radius` a (m) and an array inertia = (A, C) (kg m^2): about a diameter and about the axle,
 both through the centre G, with 0 < C <= 2 A. The ground is level; `gravity` is a magnitude (m/s^2).
 
 lean          : rad, of the disk's plane from the vertical, -pi/2 < lean < pi/2; 0 upright, positive towards

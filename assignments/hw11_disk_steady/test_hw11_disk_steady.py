@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 # mass 2 kg, radius .5 m, so that m a^2 is .5 kg m^2
-DISK = {"mass": 2.0, "radius": 0.5, "inertia": (0.125, 0.25), "gravity": 10.0}  # thin and uniform
-HOOP = {**DISK, "inertia": (0.25, 0.5)}
+DISK = {"mass": 2.0, "radius": 0.5, "inertia": np.array([0.125, 0.25]), "gravity": 10.0}  # thin and uniform
+HOOP = {**DISK, "inertia": np.array([0.25, 0.5])}
 LEAN = 0.4  # rad
 
 

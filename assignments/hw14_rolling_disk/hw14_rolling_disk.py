@@ -3,7 +3,7 @@
 figure.svg, beside this file, shows the axes, the names and the positive senses.
 
 The ground is z = 0, z up; `gravity` is a magnitude (m/s^2). The disk has `mass` (kg), `radius` a (m)
-and inertia = (A, C) (kg m^2): about a diameter and about the axle, both through the centre, 0 < C <= 2 A.
+and an array inertia = (A, C) (kg m^2): about a diameter and about the axle, both through the centre, 0 < C <= 2 A.
 
 R = Rz(yaw) Rx(tilt) Rz(roll) takes body to space components. The axle is e3 = R z, and
     e1 = (cos yaw, sin yaw, 0)   along the ground, the direction of the track

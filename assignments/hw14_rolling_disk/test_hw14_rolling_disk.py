@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 # mass 2 kg, radius .5 m: m a^2 is .5 kg m^2; a thin uniform disk
-DISK = {"mass": 2.0, "radius": 0.5, "inertia": (0.125, 0.25), "gravity": 10.0}
+DISK = {"mass": 2.0, "radius": 0.5, "inertia": np.array([0.125, 0.25]), "gravity": 10.0}
 STATE = np.array([0.3, -0.2, 0.5, 1.2, 0.7, 1.5, -0.4, 6.0])  # x, y, yaw, tilt, roll and the angles' rates
 STRAIGHT = np.array([0.0, 0.0, 0.0, np.pi / 2, 0.0, 0.0, 0.0, 4.0])
 LATER = np.linspace(0.0, 1.0, 5)  # s
