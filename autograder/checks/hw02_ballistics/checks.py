@@ -94,23 +94,21 @@ def of_ground(motion):
     return "There is no ground: the path goes on below y = 0." if ends else ""
 
 
-def compare_flights(student, flights):
-    """Compare simulated flights, and the student's rates along them."""
-    own_rates = OwnRates(student.state_derivative, reference)
-    words = {"hint": of_ground, "own_rates": own_rates, "restart": lambda row: (row, None)}
-    compare_trajectory(student.simulate, reference, flights, tolerance=SIMULATED, **words)
+compare_flights = compare_with(
+    reference, by=compare_trajectory, tolerance=SIMULATED, hint=of_ground, restart=lambda row: (row, None)
+)
 
 
 @check("simulate", points=0.75, part="d")
 def simulation_follows_the_motion(student, rng):
     """simulate gives the states at uneven times, launched at t[0], whatever t[0] is."""
-    compare_flights(student, cases.flights(rng))
+    compare_flights(student.simulate, cases.flights(rng))
 
 
 @check("simulate", points=0.5, part="d", after=simulation_follows_the_motion)
 def simulation_without_drag_or_gravity(student, rng):
     """simulate goes straight without gravity, a parabola without drag, whatever was asked before."""
-    compare_flights(student, cases.flights_without(rng))
+    compare_flights(student.simulate, cases.flights_without(rng))
 
 
 def of_closed_form(case, result, expected):
@@ -306,7 +304,7 @@ def near(points, other):
 ASSIGNMENT = Assignment(
     returns={
         "state_derivative": array(4).described("the state's derivative", "m/s or m/s^2", of_rates),
-        "simulate": rows(4, columns=MOTION),
+        "simulate": rows(4, columns=MOTION, rates=OwnRates("state_derivative", reference)),
         "trajectory": rows(4, columns=MOTION),
         "flight_time": number.described("the flight time", "s"),
         "horizontal_range": number.described("the range", "m", of_range),

@@ -118,9 +118,7 @@ def solution_holds_without_gravity_and_from_any_time(student, rng):
 @check("simulate", points=0.75)
 def simulate_moves_as_it_must(student, rng):
     """the state at few and uneven times, the first of which is not 0."""
-    compare_motions(
-        student.simulate, cases.moving(rng), own_rates=OwnRates(student.state_derivative, reference), keeps=KEPT
-    )
+    compare_motions(student.simulate, cases.moving(rng), keeps=KEPT)
 
 
 FIXED = "Neither a fixed step nor a fixed number of steps does for every spring and any times."
@@ -129,7 +127,7 @@ FIXED = "Neither a fixed step nor a fixed number of steps does for every spring 
 @check("simulate", points=0.5, after=simulate_moves_as_it_must)
 def simulate_does_not_depend_on_the_sampling(student, rng):
     """the same with only two times, periods apart, whatever was asked before."""
-    compare_motions(student.simulate, cases.few_times(rng), own_rates=OwnRates(student.state_derivative, reference))
+    compare_motions(student.simulate, cases.few_times(rng))
     compare_motions(student.simulate, cases.stiff(rng), hint=FIXED)
 
 
@@ -244,7 +242,7 @@ def the_path_is_drawn(student, rng):
 ASSIGNMENT = Assignment(
     returns={
         "state_derivative": array(6).described("a rate", "of its size", rate_size),
-        "simulate": rows(6, columns=MOTION),
+        "simulate": rows(6, columns=MOTION, rates=OwnRates("state_derivative", reference)),
         "solution": rows(6, columns=MOTION),
         "energy": number.described("the energy", "J", lambda case, _: case.kwargs["stiffness"] * length(case) ** 2),
         "orbit": group(array(3).described("the centre", "m", length), array(2, 3)),

@@ -62,6 +62,7 @@ MOTION = (
     Column("the place", "m", [0, 1], scale=lambda case, _: case.kwargs["length"]),
     Column("the velocity", "m/s", [2, 3], scale=speed),
 )
+RATES = OwnRates("acceleration", reference, lambda t, row: (row,))
 KEPT = Invariant("the energy", "of m g l", reference.energies, absolute, ENERGY)
 
 
@@ -117,20 +118,16 @@ def energy_is_kinetic_and_potential(student, rng):
     compare(student.energy, cases.states(rng), hint="How high is it above y = 0, and how fast?")
 
 
-def by_rates(student):
-    return OwnRates(student.acceleration, reference, lambda t, row: (row,))
-
-
 @check("simulate", points=0.5)
 def without_gravity_it_goes_round_uniformly(student, rng):
     """uniform motion around the circle where there is no gravity."""
-    compare_motions(student.simulate, cases.without_gravity(rng), own_rates=by_rates(student), keeps=KEPT)
+    compare_motions(student.simulate, cases.without_gravity(rng), keeps=KEPT)
 
 
 @check("simulate", points=0.75)
 def with_gravity_it_swings_or_goes_round(student, rng):
     """the state at few and uneven times, the first of which is not 0."""
-    compare_motions(student.simulate, cases.with_gravity(rng), own_rates=by_rates(student), keeps=KEPT)
+    compare_motions(student.simulate, cases.with_gravity(rng), keeps=KEPT)
 
 
 LEAVES = "Do place and velocity leave the circle: what corrects the errors of the steps?"
@@ -191,7 +188,7 @@ ASSIGNMENT = Assignment(
         "acceleration": array(2).described("the acceleration", "m/s^2", pull),
         "consistent_state": array(4).described("the state", "of its size", state_size),
         "energy": number.described("the energy", "J", heat),
-        "simulate": rows(4, columns=MOTION),
+        "simulate": rows(4, columns=MOTION, rates=RATES),
         "wireframe": array(1, 2, 2).described("an end of the rod", "m"),
         "free_body_diagram": free_body_diagram(2),
     },

@@ -162,6 +162,7 @@ def of_run(motion):
     return "Find the time at which it stops: does anything change from then on?"
 
 
+compare_motions = compare_with(reference, by=compare_trajectory, hint=of_run)
 compare_rates = compare_with(reference, by=compare_columns, tolerance=FORMULA, hint=of_rates)
 HARDLY = {"tolerance": SOME, "near_miss_credit": False}
 EACH_BY_ITSELF = [Column(column.quantity, column.unit, column.where) for column in RATES[2:]]  # each by its own size
@@ -219,34 +220,22 @@ def kinetic_energy_of_G_and_of_turning(student, rng):
     )
 
 
-def compare_motions(student, motions, **limits):
-    """Compare simulated motions, and the student's rates along them."""
-    compare_trajectory(
-        student.simulate,
-        reference,
-        motions,
-        hint=of_run,
-        own_rates=OwnRates(student.state_derivative, reference),
-        **limits,
-    )
-
-
 @check("simulate", points=0.75)
 def simulate_brakes(student, rng):
     """braking with either axle locked, row i at t[i], row 0 the given state."""
-    compare_motions(student, cases.braking(rng), tolerance=FOLLOWED)
+    compare_motions(student.simulate, cases.braking(rng), tolerance=FOLLOWED)
 
 
 @check("simulate", points=0.25, after=simulate_brakes)
 def simulate_needs_no_dense_times(student, rng):
     """the same motion when only a few times are asked for."""
-    compare_motions(student, cases.few_times(rng), tolerance=FOLLOWED)
+    compare_motions(student.simulate, cases.few_times(rng), tolerance=FOLLOWED)
 
 
 @check("simulate", points=0.25, after=simulate_brakes)
 def simulate_glides_without_friction(student, rng):
     """without friction it glides, however slow."""
-    compare_motions(student, cases.gliding_slowly(rng), columns=SLOWLY, tolerance=SLOW)
+    compare_motions(student.simulate, cases.gliding_slowly(rng), columns=SLOWLY, tolerance=SLOW)
 
 
 @check("yaw_growth_rate", points=0.75)
@@ -308,8 +297,8 @@ def stability_refuses_other_axles(student, rng):
 @check("simulate", points=0.75, after=simulate_brakes)
 def simulate_comes_to_rest_and_stays(student, rng):
     """it stops, and stays; a car at rest does not start."""
-    compare_motions(student, cases.stops(rng), columns=TO_REST, tolerance=STOPPED)
-    compare_motions(student, cases.at_rest(rng), tolerance=FORMULA)
+    compare_motions(student.simulate, cases.stops(rng), columns=TO_REST, tolerance=STOPPED)
+    compare_motions(student.simulate, cases.at_rest(rng), tolerance=FORMULA)
 
 
 ASSIGNMENT = Assignment(
@@ -319,7 +308,7 @@ ASSIGNMENT = Assignment(
             "the force", "N", lambda case, _: case.kwargs["mass"] * cases.drag(case.kwargs)
         ),
         "state_derivative": array(5, columns=RATES),
-        "simulate": rows(5, columns=MOTION),
+        "simulate": rows(5, columns=MOTION, rates=OwnRates("state_derivative", reference)),
         "kinetic_energy": number.described("the kinetic energy", "J"),
         "yaw_growth_rate": number.described("the growth rate", "1/s", of_growth),
         "critical_speed": array(infinite=True).described("the critical speed", "m/s"),

@@ -53,6 +53,7 @@ def power_of_rate(n, mass=1, length=2):
 INERTIA, SPIN, MOMENT = power_of_rate(0), power_of_rate(1), power_of_rate(2)
 FORCE, RATE2 = power_of_rate(2, length=1), power_of_rate(2, mass=0, length=0)
 MOTION = (Column("an angle", "rad", [0, 1], turns=True), Column("an angular velocity", "rad/s", [2, 3]))
+RATES = OwnRates("angular_acceleration", reference, lambda t, row: (row[:2], row[2:]))
 KEPT_ENERGY = Invariant("the energy", "of m g l", reference.energies, MOMENT, ENERGY)
 KEPT_MOMENTUM = Invariant("the angular momentum", "of m l^2 omega", reference.momenta, SPIN, ENERGY)
 
@@ -181,21 +182,10 @@ def angular_momentum_is_about_the_ceiling(student, rng):
     compare(student.angular_momentum, cases.states(rng), hint=BOTH_PARTS)
 
 
-def by_rates(student):
-    return OwnRates(student.angular_acceleration, reference, lambda t, row: (row[:2], row[2:]))
-
-
 @check("simulate", points=0.5)
 def simulation_follows_the_equations(student, rng):
     """angles and angular velocities at uneven times, whatever t[0] is."""
-    compare_trajectory(
-        student.simulate,
-        reference,
-        cases.motions(rng),
-        tolerance=FOLLOWED,
-        keeps=KEPT_ENERGY,
-        own_rates=by_rates(student),
-    )
+    compare_trajectory(student.simulate, reference, cases.motions(rng), tolerance=FOLLOWED, keeps=KEPT_ENERGY)
 
 
 SHARES = {1e-4: 0.75, 1e-3: 0.5, 1e-2: 0.25}
@@ -206,13 +196,7 @@ ROUGHLY = 0.02  # of the scale: in ten seconds errors grow a thousandfold, caref
 def energy_is_conserved_from_horizontal(student, rng):
     """from (pi/2, pi/2) at rest the energy stays for ten seconds."""
     check_conserved(
-        student.simulate,
-        reference,
-        cases.from_horizontal(rng),
-        KEPT_ENERGY,
-        coarsely=ROUGHLY,
-        partial=SHARES,
-        own_rates=by_rates(student),
+        student.simulate, reference, cases.from_horizontal(rng), KEPT_ENERGY, coarsely=ROUGHLY, partial=SHARES
     )
 
 
@@ -220,14 +204,7 @@ def energy_is_conserved_from_horizontal(student, rng):
 def momentum_is_conserved_without_gravity(student, rng):
     """without gravity energy and angular momentum stay."""
     check_conserved(
-        student.simulate,
-        reference,
-        cases.weightless(rng),
-        KEPT_MOMENTUM,
-        KEPT_ENERGY,
-        coarsely=FOLLOWED,
-        hint=DIVIDED,
-        own_rates=by_rates(student),
+        student.simulate, reference, cases.weightless(rng), KEPT_MOMENTUM, KEPT_ENERGY, coarsely=FOLLOWED, hint=DIVIDED
     )
 
 
@@ -297,7 +274,7 @@ ASSIGNMENT = Assignment(
         ),
         "energy": number.described("the energy", "J", MOMENT),
         "angular_momentum": number.described("the angular momentum", "kg m^2/s", SPIN),
-        "simulate": rows(4, columns=MOTION),
+        "simulate": rows(4, columns=MOTION, rates=RATES),
         "small_oscillation_frequencies": array(2).described("a frequency", "rad/s"),
         "wireframe": array(2, 2, 2).described("an end of a bar", "m"),
         "plot_tip_path": drawing,

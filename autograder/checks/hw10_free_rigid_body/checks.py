@@ -125,22 +125,16 @@ def rotations_of(states):
     return states[:, 3:].reshape(-1, 3, 3)
 
 
-def by_rates(student):
-    """Make a hint for omega."""
-    return OwnRates(student.euler_equations, reference, lambda t, row: (row[:3],))
+RATES = OwnRates("euler_equations", reference, lambda t, row: (row[:3],))
+ATTITUDE_RATES = OwnRates("attitude_rate", reference, lambda t, row: (row[3:].reshape(3, 3), row[:3]))
 
 
-def wrong_attitude(student):
+def wrong_attitude(motion):
     """Make a hint for the rotations."""
-    by_attitude = OwnRates(student.attitude_rate, reference, lambda t, row: (row[3:].reshape(3, 3), row[:3]))
-
-    def hint(motion):
-        turning = np.allclose(
-            motion.actual[:, :3], motion.expected[:, :3], rtol=0, atol=1e-3 * np.abs(motion.expected[:, :3]).max()
-        )
-        return of_rotations(motion) or (by_attitude.hint(motion) if turning else "")
-
-    return hint
+    turning = np.allclose(
+        motion.actual[:, :3], motion.expected[:, :3], rtol=0, atol=1e-3 * np.abs(motion.expected[:, :3]).max()
+    )
+    return of_rotations(motion) or (ATTITUDE_RATES.hint(motion) if turning else "")
 
 
 def of_rotations(motion):
@@ -174,15 +168,13 @@ KEEPS_MOMENTUM = Invariant("H in space", "of its start", momenta, None, INVARIAN
 KEEPS_ENERGY = Invariant("the energy", "of its start", energies, None, INVARIANT)
 SHARES = {1e-4: 0.5, 1e-2: 0.25}  # left for a drift
 FOLLOWED = {"tolerance": TRAJECTORY, "restart": restart}
-TURNS = {"columns": BOTH, "coarsely": 3e-2, "hint": SHORT}
+TURNS = {"coarsely": 3e-2, "hint": SHORT}
 
 
 @check("simulate", points=0.75)
 def omega_follows_elliptic_functions(student, rng):
     """omega against Jacobi's elliptic functions, on both sides of the separatrix."""
-    compare_trajectory(
-        student.simulate, reference.tumble, cases.tumbles(rng), columns=[OMEGA], own_rates=by_rates(student), **FOLLOWED
-    )
+    compare_trajectory(student.simulate, reference.tumble, cases.tumbles(rng), columns=[OMEGA], **FOLLOWED)
 
 
 @check("simulate", points=0.75)
@@ -193,8 +185,7 @@ def attitude_follows_the_motion(student, rng):
         reference.motion,
         cases.general_motions(rng),
         columns=[ATTITUDE],
-        hint=wrong_attitude(student),
-        own_rates=by_rates(student),
+        hint=wrong_attitude,
         **FOLLOWED,
     )
 
@@ -212,15 +203,7 @@ def invariants_stay_over_many_turns(student, rng):
 @check("simulate", points=0.5, after=FOLLOWS)
 def special_bodies_move_too(student, rng):
     """equal inertias, rest, pure spin, two times, starts at half turns."""
-    compare_trajectory(
-        student.simulate,
-        reference.motion,
-        cases.special_motions(rng),
-        columns=BOTH,
-        hint=wrong_attitude(student),
-        own_rates=by_rates(student),
-        **FOLLOWED,
-    )
+    compare_trajectory(student.simulate, reference.motion, cases.special_motions(rng), hint=wrong_attitude, **FOLLOWED)
 
 
 # (a) A = B
@@ -361,7 +344,7 @@ ASSIGNMENT = Assignment(
         "euler_rates_313": array(3).described("a rate", "rad/s"),
         "energy": number.described("the energy", "J"),
         "angular_momentum": array(3).described("H", "kg m^2/s"),
-        "simulate": group(rows(3), rows(3, 3)),
+        "simulate": group(rows(3), rows(3, 3), columns=BOTH, rates=RATES),
         "symmetric_solution": rows(3).described("omega", "rad/s", last_length),
         "wobble_rate": number.described("the rate", "rad/s"),
         "growth_rate_squared": number.described("the square of the rate", "1/s^2", lambda case, _: case.args[1] ** 2),

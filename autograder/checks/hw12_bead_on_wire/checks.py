@@ -137,18 +137,15 @@ def energy_is_kinetic_and_potential(student, rng):
     compare(student.energy, [*cases.beads(rng), *cases.next_to_bottom(rng), *cases.nearly_at_rest(rng)], hint=SPEED)
 
 
-def by_rates(student):
-    by_equation = OwnRates(student.lagrange_equation, reference, lambda t, row: tuple(row))
-    return OwnRates(student.acceleration_newton, reference, lambda t, row: tuple(row), otherwise=by_equation)
-
-
+BY_EQUATION = OwnRates("lagrange_equation", reference, lambda t, row: tuple(row))
+RATES = OwnRates("acceleration_newton", reference, lambda t, row: tuple(row), otherwise=BY_EQUATION)
 WIDE = cases.rides(0.4, 1.0, 25, 15.0, "an amplitude near 1/c")
 
 
 @check("simulate", points=0.75, part="b")
 def simulate_slides(student, rng):
     """large motions, row i at t[i], row 0 the given state."""
-    compare_motions(student.simulate, WIDE(rng), own_rates=by_rates(student), keeps=KEPT)
+    compare_motions(student.simulate, WIDE(rng), keeps=KEPT)
 
 
 SMALL = "Do you leave terms out at small amplitudes, or is atol too loose for them?"
@@ -157,16 +154,14 @@ SMALL = "Do you leave terms out at small amplitudes, or is atol too loose for th
 @check("simulate", points=0.25, part="b", after=simulate_slides)
 def simulate_needs_no_dense_times(student, rng):
     """the same motion when only a few times are asked for."""
-    rates = by_rates(student)
-    compare_motions(student.simulate, cases.few_times(rng), own_rates=rates)
-    compare_motions(student.simulate, cases.close(rng), hint=SMALL, near_miss_credit=False, own_rates=rates)
+    compare_motions(student.simulate, cases.few_times(rng))
+    compare_motions(student.simulate, cases.close(rng), hint=SMALL, near_miss_credit=False)
 
 
 @check("simulate", points=0.25, part="b", after=simulate_slides)
 def simulate_without_gravity(student, rng):
     """without gravity the bead keeps its speed, whatever was asked before."""
-    rates, hint = by_rates(student), "Is anything divided by gravity?"
-    compare_motions(student.simulate, cases.weightless(rng), hint=hint, own_rates=rates)
+    compare_motions(student.simulate, cases.weightless(rng), hint="Is anything divided by gravity?")
 
 
 STEEP = cases.rides(5.0, 8.0, 10, 45.0, "an amplitude of several 1/c")
@@ -180,7 +175,6 @@ def simulate_slides_down_steep_wires(student, rng):
         STEEP(rng),
         tolerance=SHARP_TURN,
         hint="Are the steps short enough for the turn at the bottom?",
-        own_rates=by_rates(student),
     )
 
 
@@ -192,14 +186,7 @@ LOSSES, DURATION = {1e-3: 0.6, 1e-2: 0.3}, "Do your steps grow with the duration
 def simulate_keeps_the_energy(student, rng):
     """the energy stays what it was over many periods."""
     check_conserved(
-        student.simulate,
-        reference,
-        MANY_PERIODS(rng),
-        KEPT,
-        coarsely=COARSELY,
-        partial=LOSSES,
-        hint=DURATION,
-        own_rates=by_rates(student),
+        student.simulate, reference, MANY_PERIODS(rng), KEPT, coarsely=COARSELY, partial=LOSSES, hint=DURATION
     )
 
 
@@ -234,7 +221,7 @@ ASSIGNMENT = Assignment(
         "acceleration_newton": number.described("x''", "m/s^2", largest_term),
         "constraint_force": array(2).described("the force", "N", lambda _, force: math.hypot(*force)),
         "energy": number.described("the energy", "J"),
-        "simulate": rows(2, columns=MOTION),
+        "simulate": rows(2, columns=MOTION, rates=RATES),
         "period": number.described("the period", "s"),
         "free_body_diagram": free_body_diagram(2),
     },

@@ -56,6 +56,7 @@ MOTION = (
     Column("phi_dot", "rad/s", [1], scale=lambda case, states: cases.usual(case.kwargs) * rolled(case, states)),
 )
 SMALL = {"columns": (Column("phi", "rad", [0]), Column("phi_dot", "rad/s", [1])), "tolerance": ROCKING}
+RATES = OwnRates("acceleration", reference, lambda t, row: tuple(row))
 KEPT = Invariant(
     "the energy",
     "of m r^2 (g/r + phi_dot^2)",
@@ -107,10 +108,6 @@ DISTANCE = "How far is G from the contact, at this phi?"
 WEIGHT_ACTS_AT_G = "M_C is the moment of the weight, which acts at G; I^C depends on phi."
 CONTACT_POINT = "What is the acceleration of the point of the cylinder that touches the ramp?"
 HEIGHT = "Where is G, and how high above the centre's place at phi = 0?"
-
-
-def by_rates(student):
-    return OwnRates(student.acceleration, reference, lambda t, row: tuple(row))
 
 
 HOWEVER_SMALL = "However small the rocking, the other terms are there: do you linearise, or is the tolerance loose?"
@@ -194,13 +191,13 @@ def energy_of_G_and_of_turning(student, rng):
 @check("simulate", points=0.75, part="b")
 def simulate_rolls_and_rocks(student, rng):
     """rolling down and rocking, row i at t[i], row 0 the given state."""
-    compare_motions(student.simulate, cases.runs(rng), own_rates=by_rates(student), keeps=KEPT)
+    compare_motions(student.simulate, cases.runs(rng), keeps=KEPT)
 
 
 @check("simulate", points=0.25, part="b", after=simulate_rolls_and_rocks)
 def simulate_needs_no_dense_times(student, rng):
     """the same motion when few times are asked for."""
-    compare_motions(student.simulate, cases.few_times(rng), own_rates=by_rates(student))
+    compare_motions(student.simulate, cases.few_times(rng))
     compare_motions(student.simulate, cases.near_lowest(rng), hint=HOWEVER_SMALL, near_miss_credit=False)
 
 
@@ -220,14 +217,7 @@ SHARES = {1e-4: 0.6, 1e-2: 0.3}  # of the drift of the energy
 def simulate_keeps_the_energy(student, rng):
     """the energy stays what it was over many turns."""
     check_conserved(
-        student.simulate,
-        reference,
-        cases.many_turns(rng),
-        KEPT,
-        coarsely=COARSELY,
-        partial=SHARES,
-        hint=ANY_DURATION,
-        own_rates=by_rates(student),
+        student.simulate, reference, cases.many_turns(rng), KEPT, coarsely=COARSELY, partial=SHARES, hint=ANY_DURATION
     )
 
 
@@ -241,7 +231,7 @@ ASSIGNMENT = Assignment(
             *(number.described(quantity, "N", force) for quantity in ("the force along the ramp", "the normal force"))
         ),
         "energy": number.described("the energy", "J", lambda case, _: 9 * moment(case)),
-        "simulate": rows(2, columns=MOTION),
+        "simulate": rows(2, columns=MOTION, rates=RATES),
         "free_body_diagram": free_body_diagram(2),
     },
     forbidden={},

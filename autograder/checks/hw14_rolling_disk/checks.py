@@ -105,6 +105,9 @@ EULER = (
     by_largest("roll", "rad", [4], turns=True),
     by_largest("an angle's rate", "rad/s", [5, 6, 7]),
 )
+BY_MULTIPLIERS = OwnRates("multiplier_state_derivative", reference)
+BY_ANGLES = OwnRates("euler_state_derivative", reference)
+BY_MATRICES = OwnRates("matrix_state_derivative", reference, otherwise=BY_MULTIPLIERS)
 
 
 @check("free_body_diagram", points=0.5)
@@ -186,12 +189,7 @@ def multiplier_equations_hold(student, rng):
 @check("simulate_euler", points=0.5, part="b")
 def euler_simulation_follows_the_motion(student, rng):
     """simulate_euler follows the motion from any start, row i at t[i], row 0 the given state."""
-    compare_motions(
-        student.simulate_euler,
-        cases.simulated(rng),
-        keeps=ENERGY_KEPT,
-        own_rates=OwnRates(student.euler_state_derivative, reference),
-    )
+    compare_motions(student.simulate_euler, cases.simulated(rng), keeps=ENERGY_KEPT)
 
 
 @check("simulate_euler", points=0.5, part="b", after=euler_simulation_follows_the_motion)
@@ -206,12 +204,7 @@ def euler_simulation_keeps_energy_and_two_integrals(student, rng):
 @check("simulate_matrix", points=0.5, part="b")
 def matrix_simulation_follows_the_motion(student, rng):
     """simulate_matrix follows the motion from any start, row i at t[i], row 0 the given state."""
-    by_multipliers = OwnRates(student.multiplier_state_derivative, reference)
-    compare_motions(
-        student.simulate_matrix,
-        cases.by_matrix(cases.simulated)(rng),
-        own_rates=OwnRates(student.matrix_state_derivative, reference, otherwise=by_multipliers),
-    )
+    compare_motions(student.simulate_matrix, cases.by_matrix(cases.simulated)(rng))
 
 
 BOTH = euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion
@@ -323,8 +316,8 @@ ASSIGNMENT = Assignment(
         "matrix_state_derivative": array(15, columns=MATRIX_RATES),
         "multiplier_state_derivative": array(15, columns=MATRIX_RATES),
         "matrix_state": array(15, columns=MATRIX_STATE),
-        "simulate_euler": rows(8, columns=EULER),
-        "simulate_matrix": rows(15, columns=MATRIX_STATE),
+        "simulate_euler": rows(8, columns=EULER, rates=BY_ANGLES),
+        "simulate_matrix": rows(15, columns=MATRIX_STATE, rates=BY_MATRICES),
         "energy": number.described("the energy", "J", moment),
         "contact_force": array(3).described("the force", "N", force),
         "steady_residual": number.described("tilt''", "rad/s^2", lambda case, _: reference.usual(case.kwargs) ** 2),

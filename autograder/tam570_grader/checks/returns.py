@@ -4,7 +4,7 @@
              "lagrangian": formula("theta", "omega", "m", "l", "g"), "plot_tip_path": drawing}
 
 `number.described("the energy", "J", size)` names a result in messages, its unit and what its error is relative to;
-`rows(4, columns=MOTION)` does so for columns.
+`rows(4, columns=MOTION, rates=RATES)` does so for the columns of a motion, and names the function of its rates.
 
 A result that is not of this form ends the check with a message that says what came instead. What is
 accepted is what `numpy.asarray` turns into that shape: lists, tuples and NumPy scalars too.
@@ -51,13 +51,16 @@ class Array(Described):
     shape: tuple[int | str | None, ...]
     infinite: bool = False  # may be math.inf
     columns: Sequence[Numbers] = field(default=(), compare=False)  # each a `Column`
+    rates: Numbers = field(default=None, compare=False)  # the `OwnRates` of a motion
 
 
 @dataclass(frozen=True)
 class Group:
-    """A tuple of results."""
+    """A tuple of results; together they may be the columns of a motion."""
 
     members: tuple["Array | Group", ...]
+    columns: Sequence[Numbers] = field(default=(), compare=False)
+    rates: Numbers = field(default=None, compare=False)
 
     @property
     def description(self) -> list[Numbers]:
@@ -121,14 +124,14 @@ def array(*shape: int | str | None, infinite: bool = False, columns: Sequence[Nu
     return Array(shape, infinite, columns)
 
 
-def rows(*shape: int, columns: Sequence[Numbers] = ()) -> Array:
+def rows(*shape: int, columns: Sequence[Numbers] = (), rates: Numbers = None) -> Array:
     """One row for each element of the first argument: `(n, *shape)`."""
-    return Array(("n", *shape), columns=columns)
+    return Array(("n", *shape), columns=columns, rates=rates)
 
 
-def group(*members: Array | Group) -> Group:
+def group(*members: Array | Group, columns: Sequence[Numbers] = (), rates: Numbers = None) -> Group:
     """Describe several results of one function."""
-    return Group(members)
+    return Group(members, columns, rates)
 
 
 def formula(*symbols: str) -> Formula:

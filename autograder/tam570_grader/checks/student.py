@@ -17,6 +17,8 @@ class StudentFunction(Protocol):
     def name(self) -> str: ...
     @property
     def returns(self) -> Any: ...  # what `Assignment.returns` says of it
+    @property
+    def student(self) -> Any: ...  # whose other functions are its attributes
 
     def __call__(self, *args: Numbers, **kwargs: Numbers) -> Numbers: ...
 

@@ -46,12 +46,12 @@ class Invariant:
 class OwnRates:
     """The student's function of the rates in a simulated motion, which may be right where the motion is wrong.
 
-    function : or its formula, in the symbols of these arguments and of the parameters, in order
+    name : of the function, or of its formula, in the symbols of these arguments and of the parameters, in order
     arguments : (t, row) -> what the rates are asked for there, by default both; words of the motion's case follow
     otherwise : others, from which the motion may follow as well
     """
 
-    function: StudentFunction
+    name: str
     reference: Reference
     arguments: Callable[[float, Array], tuple[Numbers, ...]] = lambda t, row: (t, row)
     otherwise: "OwnRates | None" = None
@@ -59,28 +59,31 @@ class OwnRates:
     def are_right(self, motion: Motion) -> bool:
         """Return whether they are right at some rows of the right motion."""
         rows = list(zip(motion.t, motion.expected, strict=True))[:: max(1, len(motion.t) // ASKED)]
-        return is_right(self.function, self.reference, [self._case(motion, t, row) for t, row in rows])
+        return is_right(self._function(motion), self.reference, [self._case(motion, t, row) for t, row in rows])
 
     def source(self, motion: Motion) -> str:
         """Return the student's function if the motion follows from its wrong rates; else nothing."""
-        wrong = not self.are_right(motion)
-        if wrong and has_rates(motion, lambda t, row: self.function.aside(self._case(motion, t, row))):
-            return FollowsFrom(self.function.name)
+        wrong, function = not self.are_right(motion), self._function(motion)
+        if wrong and has_rates(motion, lambda t, row: function.aside(self._case(motion, t, row))):
+            return FollowsFrom(self.name)
         return self.otherwise.source(motion) if self.otherwise else ""
 
     def hint(self, motion: Motion) -> str:
         """Say where to look."""
-        name = self.function.name
         if self.are_right(motion):
-            return f"{name} is right along this motion: integrate it, with the given parameters, from t[0] on"
-        return self.source(motion) or f"{name} is wrong along this motion, too: look there first"
+            return f"{self.name} is right along this motion: integrate it, with the given parameters, from t[0] on"
+        return self.source(motion) or f"{self.name} is wrong along this motion, too: look there first"
+
+    def _function(self, motion: Motion) -> StudentFunction:
+        function: StudentFunction = getattr(motion.function.student, self.name)
+        return function
 
     def _case(self, motion: Motion, t: float, row: Array) -> Case:
         words = [word for word in motion.case.args if isinstance(word, str)]
-        case = Case(*self.arguments(t, row), *words, **motion.case.kwargs)
-        if isinstance(self.function.returns, Formula):
-            return in_symbols([case], *self.function.returns.symbols)[0]
-        return trim_to_signature(find_reference(self.reference, self.function), [case])[0]
+        case, function = Case(*self.arguments(t, row), *words, **motion.case.kwargs), self._function(motion)
+        if isinstance(function.returns, Formula):
+            return in_symbols([case], *function.returns.symbols)[0]
+        return trim_to_signature(find_reference(self.reference, function), [case])[0]
 
 
 def compare_trajectory(  # noqa: PLR0913  as `compare`
@@ -92,7 +95,6 @@ def compare_trajectory(  # noqa: PLR0913  as `compare`
     tolerance: float,
     hint: str | Callable[[Motion], str] = "",
     keeps: Invariant | None = None,
-    own_rates: OwnRates | None = None,
     restart: Restart | None = None,
     near_miss_credit: bool = True,
     loose_tolerance_credit: bool = True,
@@ -105,7 +107,6 @@ def compare_trajectory(  # noqa: PLR0913  as `compare`
     tolerance : of the scale of each column
     hint    : where to look, or a function of the motion that says it, if the rows themselves tell nothing
     keeps   : an invariant whose course the student's page draws beside the error
-    own_rates : the student's rates, of which the hint tells if the rows and `hint` tell nothing
     restart : restart(row) -> the arguments behind t that begin the motion there; default: the row, cut as these are
     near_miss_credit : False where an error of a few limits is no sign that the physics is right
     loose_tolerance_credit : False where wrong physics nearly obeys the equations: a tenth of an error is no sign
@@ -141,7 +142,7 @@ def compare_trajectory(  # noqa: PLR0913  as `compare`
             t=motion.case.args[0],
             partial=partial(loose_tolerance_share, motion, tolerance, size) if has_shares else None,
             near_miss_credit=near_miss_credit,
-            hint=partial(_hint, motion, motions, turns, near_miss, hint, own_rates),
+            hint=partial(_hint, motion, motions, turns, near_miss, hint),
             keeps=partial(_along, keeps, motion) if keeps else None,
         )
     return motions
@@ -156,22 +157,13 @@ def check_conserved(  # noqa: PLR0913  as `compare`
     coarsely: float,
     partial: dict[float, float] | None = None,
     hint: str = TIGHTEN,
-    own_rates: OwnRates | None = None,
 ) -> None:
     """Fail unless invariants keep their values at the start along motions that are followed coarsely.
 
     coarsely : of the scale of each column; where errors grow fast, it is enough that each row leads to the next
     """
     motions = compare_trajectory(
-        function,
-        reference,
-        cases,
-        columns,
-        tolerance=coarsely,
-        hint=hint,
-        own_rates=own_rates,
-        near_miss_credit=False,
-        chaotic=True,
+        function, reference, cases, columns, tolerance=coarsely, hint=hint, near_miss_credit=False, chaotic=True
     )
     compare_invariants(function, motions, *invariants, partial=partial, hint=hint)
 
@@ -268,8 +260,8 @@ def _hint(
     turns: Sequence[int],
     near_miss: float,
     hint: str | Callable[[Motion], str],
-    own_rates: OwnRates | None,
 ) -> str:
+    own_rates: OwnRates | None = motion.function.returns.rates
     rates_are_right = partial(own_rates.are_right, motion) if own_rates else None
     said = diagnosed(motion, motions, turns, near_miss, rates_are_right)
     said = said or (own_rates.source(motion) if own_rates else "") or (hint(motion) if callable(hint) else "")

@@ -131,8 +131,9 @@ def test_a_hint_tells_whether_the_students_own_rates_are_right(factor, are_right
         return factor * np.flip(case.args[0])
 
     rows, function = swings(T, RESTED), SimpleNamespace(name="rates", returns=None, aside=rates)
-    own_rates = OwnRates(function, lambda row: np.flip(row), lambda t, row: (row,))
-    assert own_rates.are_right(Motion(Case(T, RESTED), rows, rows, np.ones(2), None, swings)) == are_right
+    own_rates = OwnRates("rates", lambda row: np.flip(row), lambda t, row: (row,))
+    simulate = SimpleNamespace(student=SimpleNamespace(rates=function))
+    assert own_rates.are_right(Motion(Case(T, RESTED), rows, rows, np.ones(2), simulate, swings)) == are_right
 
 
 def test_where_the_function_cannot_be_asked_nobody_is_told_that_the_physics_is_right():
