@@ -1,12 +1,11 @@
 """The equations as Python text: straight lines of plain floats, nothing computed twice, no zero carried along.
 
-Numbers to come are names in the text; a zero that is known beforehand is None. Linear systems are eliminated
-line by line, without exchanges: the mass matrix of a system with inertia in every coordinate is positive definite, and
-so is A M^-1 A^T of independent constraints. An indefinite one that would need exchanges is refused before.
+Numbers to come are symbols, whose names are in the text. Linear systems are eliminated line by line, without exchanges:
+the mass matrix of a system with inertia in every coordinate is positive definite, and so is A M^-1 A^T of independent
+constraints. An indefinite one that would need exchanges is refused before.
 """
 
 import keyword
-import re
 from collections.abc import Iterable, Sequence
 
 import sympy
@@ -15,9 +14,8 @@ from sympy.printing.pycode import PythonCodePrinter
 from tam570.lagrange import Expression
 from tam570.lagrange._derivation import Motion
 
-Number = str | None  # what stands for it in the text; None is zero
 Lines = list[str]
-System = list[list[Number]]
+System = list[list[Expression]]
 
 
 def module(motion: Motion) -> str:
@@ -26,14 +24,14 @@ def module(motion: Motion) -> str:
     functions = [
         _function(motion, "rhs", "The rates of the state.", _rates),
         _function(motion, "mass_matrix", "M, by rows.", lambda m, lines: _rows(lines, m.mass)),
-        _function(motion, "forcing", "F.", lambda m, lines: _tuple(_texts(lines, m.forcing))),
-        _function(motion, "energy", "Jacobi's integral.", lambda m, lines: str(_texts(lines, [m.energy])[0])),
+        _function(motion, "forcing", "F.", lambda m, lines: _tuple(lines, _values(lines, m.forcing))),
+        _function(motion, "energy", "Jacobi's integral.", lambda m, lines: _text(lines, _values(lines, [m.energy])[0])),
     ]
     if motion.matrix:
         functions += [
             _function(motion, "constraint_matrix", "A, by rows.", lambda m, lines: _rows(lines, m.matrix)),
-            _function(motion, "multipliers", "lam.", lambda m, lines: _tuple(_solution(m, lines)[1])),
-            _function(motion, "constraint_errors", _ERRORS, lambda m, lines: _tuple(_texts(lines, m.errors))),
+            _function(motion, "multipliers", "lam.", lambda m, lines: _tuple(lines, _solution(m, lines)[1])),
+            _function(motion, "constraint_errors", _ERRORS, lambda m, lines: _tuple(lines, _values(lines, m.errors))),
         ]
     return "\n\n\n".join([_head(motion), *functions]) + "\n"
 
@@ -60,14 +58,14 @@ def _function(motion: Motion, name: str, summary: str, result: Expression) -> st
 
 
 def _rates(motion: Motion, lines: Lines) -> str:
-    return _tuple([*map(str, motion.velocities), *_solution(motion, lines)[0]])
+    return _tuple(lines, [*motion.velocities, *_solution(motion, lines)[0]])
 
 
-def _solution(motion: Motion, lines: Lines) -> tuple[list[Number], list[Number]]:
+def _solution(motion: Motion, lines: Lines) -> tuple[list[Expression], list[Expression]]:
     """Accelerations and multipliers, lam from A M^-1 A^T lam = -(bias + A M^-1 F)."""
     n, c = len(motion.coordinates), len(motion.matrix)
     entries = [*sum(motion.mass, ()), *motion.forcing, *sum(motion.matrix, ()), *motion.bias]
-    numbers = iter(_named(lines, _texts(lines, entries if c else _cancelled(entries, motion.parameters))))
+    numbers = iter(_named(lines, _values(lines, entries if c else _cancelled(entries, motion.parameters))))
     mass = [[next(numbers) for _ in range(n)] for _ in range(n)]
     forcing = [next(numbers) for _ in range(n)]
     matrix = [[next(numbers) for _ in range(n)] for _ in range(c)]
@@ -75,11 +73,11 @@ def _solution(motion: Motion, lines: Lines) -> tuple[list[Number], list[Number]]
     free, *pushed = _solved(lines, mass, [forcing, *matrix])
     if not c:
         return free, []
-    compliance = [_named(lines, [_sum(_products(row, column)) for column in pushed]) for row in matrix]
-    missing = [_less(None, _products([b, *row], ["1", *free])) for b, row in zip(bias, matrix, strict=True)]
-    (multipliers,) = _solved(lines, compliance, [_named(lines, missing)])
+    compliance = [_named(lines, [_dot(row, column) for column in pushed]) for row in matrix]
+    missing = _named(lines, [-b - _dot(row, free) for b, row in zip(bias, matrix, strict=True)])
+    (multipliers,) = _solved(lines, compliance, [missing])
     rows = zip(free, *pushed, strict=True)
-    return _named(lines, [_sum(_products(row, ["1", *multipliers])) for row in rows]), multipliers
+    return _named(lines, [first + _dot(row, multipliers) for first, *row in rows]), multipliers
 
 
 def _cancelled(entries: Sequence[Expression], parameters: Sequence[Expression]) -> list[Expression]:
@@ -100,57 +98,34 @@ def _solved(lines: Lines, matrix: System, columns: System) -> System:
     size = len(upper)
     for k in range(size):
         for i in range(k + 1, size):
-            if upper[k][i] is not None:
-                (factor,) = _named(lines, [f"{upper[k][i]}/{upper[k][k]}"])
-                upper[i][i:] = _reduced(lines, upper[i][i:], factor, upper[k][i:])
+            if upper[k][i] != 0:
+                (factor,) = _named(lines, [upper[k][i] / upper[k][k]])
+                upper[i][i:] = _named(lines, [a - factor * b for a, b in zip(upper[i][i:], upper[k][i:], strict=True)])
                 for column in columns:
-                    column[i : i + 1] = _reduced(lines, [column[i]], factor, [column[k]])
+                    column[i : i + 1] = _named(lines, [column[i] - factor * column[k]])
     for column in columns:
         for k in reversed(range(size)):
-            rest = _less(column[k], _products(upper[k][k + 1 :], column[k + 1 :]))
-            column[k : k + 1] = _named(lines, [_quotient(rest, upper[k][k])])
+            rest = column[k] - _dot(upper[k][k + 1 :], column[k + 1 :])
+            column[k : k + 1] = _named(lines, [rest / upper[k][k]])
     return columns
 
 
-def _reduced(lines: Lines, row: list[Number], factor: Number, pivot_row: list[Number]) -> list[Number]:
-    """Return the row less factor times the pivot's."""
-    return _named(lines, [_less(a, _products([factor], [b])) for a, b in zip(row, pivot_row, strict=True)])
+def _dot(row: Sequence[Expression], column: Sequence[Expression]) -> Expression:
+    return sum((a * b for a, b in zip(row, column, strict=True)), sympy.Integer(0))
 
 
-def _products(xs: Iterable[Number], ys: Iterable[Number]) -> list[str]:
-    """Return the products that are not zero."""
-    pairs = [(a, b) for a, b in zip(xs, ys, strict=True) if a is not None and b is not None]
-    return [b if a == "1" else a if b == "1" else f"{a}*{b}" for a, b in pairs]
+def _named(lines: Lines, expressions: Iterable[Expression]) -> list[Expression]:
+    """Return symbols for what takes operations; what is a symbol or a number, or less one, stays."""
+    return [e if e.is_Number or (-e).is_Symbol or e.is_Symbol else _symbol(lines, _text(lines, e)) for e in expressions]
 
 
-def _sum(products: list[str]) -> Number:
-    return " + ".join(products) if products else None
-
-
-def _less(start: Number, products: list[str]) -> Number:
-    """Start less the products."""
-    return "".join([start or "", *(f" - {product}" for product in products)]).strip() or None
-
-
-_ATOM = re.compile(r"-?[\w.]+")
-
-
-def _quotient(top: Number, bottom: Number) -> Number:
-    return top and (f"{top}/{bottom}" if _ATOM.fullmatch(top) else f"({top})/{bottom}")
-
-
-def _named(lines: Lines, texts: Iterable[Number]) -> list[Number]:
-    """Names for what takes operations; what is a name, a number or zero stays."""
-    return [text if text is None or _ATOM.fullmatch(text) else _name(lines, text) for text in texts]
-
-
-def _texts(lines: Lines, expressions: Sequence[Expression]) -> list[Number]:
-    """Return the expressions as text, after lines for what they have in common."""
+def _values(lines: Lines, expressions: Sequence[Expression]) -> list[Expression]:
+    """Return the expressions, after lines for what they have in common."""
     shared, results = sympy.cse(expressions, symbols=sympy.numbered_symbols(cls=sympy.Dummy))
     names: dict[Expression, Expression] = {}
     for symbol, expression in shared:
         names[symbol] = _symbol(lines, _text(lines, expression.xreplace(names)))
-    return [None if e == 0 else _text(lines, e.xreplace(names)) for e in map(sympy.sympify, results)]
+    return [sympy.sympify(result).xreplace(names) for result in results]
 
 
 def _text(lines: Lines, expression: Expression) -> str:
@@ -186,24 +161,24 @@ _PRINTER = _Printer()
 
 
 def _symbol(lines: Lines, text: str) -> Expression:
-    return sympy.Symbol(_name(lines, text))
-
-
-def _name(lines: Lines, text: str) -> str:
-    """Return a new name for the number that the text computes."""
+    """Return a new symbol for the number that the text computes."""
     name = f"_{len(lines)}"
     lines.append(f"{name} = {text}")
-    return name
+    return sympy.Symbol(name)
 
 
-def _tuple(numbers: Iterable[Number]) -> str:
-    texts = [number or "0.0" for number in numbers]
-    return f"({', '.join(texts)}{',' if len(texts) == 1 else ''})"
+def _tuple(lines: Lines, numbers: Iterable[Expression]) -> str:
+    return _joined("0.0" if number == 0 else _text(lines, number) for number in numbers)
 
 
 def _rows(lines: Lines, matrix: Sequence[Sequence[Expression]]) -> str:
-    numbers = iter(_texts(lines, [entry for row in matrix for entry in row]))
-    return _tuple([_tuple([next(numbers) for _ in row]) for row in matrix])
+    numbers = iter(_values(lines, [entry for row in matrix for entry in row]))
+    return _joined([_tuple(lines, [next(numbers) for _ in row]) for row in matrix])
+
+
+def _joined(texts: Iterable[str]) -> str:
+    texts = list(texts)
+    return f"({', '.join(texts)}{',' if len(texts) == 1 else ''})"
 
 
 def _check_names(motion: Motion) -> None:
