@@ -34,8 +34,7 @@ def drift(invariant: Callable[[Array], ArrayLike], states: ArrayLike) -> Array:
     if largest > 0:
         values = values / largest  # first, lest the squares of small ones vanish
         values = values / np.linalg.norm(values, axis=1).max()
-    moved: Array = np.linalg.norm(values - values[0], axis=1)
-    return moved
+    return np.linalg.norm(values - values[0], axis=1)
 
 
 def violation(constraint: Callable[[Array], ArrayLike], states: ArrayLike) -> Array:
@@ -77,8 +76,7 @@ def rotation_defect(rotations: ArrayLike) -> Array:
     0.0201
     """
     R = np.asarray(rotations, dtype=float)
-    defect: Array = np.abs(np.swapaxes(R, -1, -2) @ R - np.eye(3)).max(axis=(-1, -2))
-    return defect
+    return np.abs(np.swapaxes(R, -1, -2) @ R - np.eye(3)).max(axis=(-1, -2))
 
 
 def observed_order(steps: ArrayLike, errors: ArrayLike) -> float:

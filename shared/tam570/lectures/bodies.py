@@ -63,8 +63,7 @@ def _by_arrays(places: Sequence[float], masses: Sequence[float], newton: float) 
     squares = (gaps * gaps).sum(axis=-1) + np.eye(len(r))  # none pulls at itself: its gap is 0
     divisors(squares)
     factors = newton * np.asarray(masses) / (squares * np.sqrt(squares))
-    pulls: list[float] = (factors[:, :, None] * gaps).sum(axis=1).ravel().tolist()
-    return pulls
+    return (factors[:, :, None] * gaps).sum(axis=1).ravel().tolist()
 
 
 def energy(state: ArrayLike, *, masses: Sequence[float], newton: float) -> float:
@@ -78,15 +77,13 @@ def energy(state: ArrayLike, *, masses: Sequence[float], newton: float) -> float
 def momentum(state: ArrayLike, *, masses: Sequence[float], newton: float) -> Array:
     """(3,) kg m/s."""
     m, _, v = _parts(state, masses, newton)
-    total: Array = m @ v
-    return total
+    return m @ v
 
 
 def angular_momentum(state: ArrayLike, *, masses: Sequence[float], newton: float) -> Array:
     """(3,) about the origin, kg m^2/s."""
     m, r, v = _parts(state, masses, newton)
-    total: Array = m @ np.cross(r, v)
-    return total
+    return m @ np.cross(r, v)
 
 
 INVARIANTS = {"energy": energy, "momentum": momentum, "angular_momentum": angular_momentum}

@@ -80,7 +80,7 @@ def _round(t: ArrayLike, out: float, up: float, rate: float) -> Array:
 
 
 def film(parameters: Mapping[str, float]) -> Scene:
-    """Return a slider makes a rod of the body, or a disk."""
+    """Return the body with a slider that makes a rod of it, or a disk."""
 
     def make(axial: float) -> Scene:
         return _film({**parameters, "axial": axial})

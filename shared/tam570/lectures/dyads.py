@@ -48,8 +48,7 @@ def nine(R: ArrayLike, triad: ArrayLike) -> Array:
     triad : (3, 3) orthonormal rows, else ValueError
     """
     base = _triad(triad=triad)
-    coefficients: Array = base @ array((3, 3), R=R) @ base.T
-    return coefficients
+    return base @ array((3, 3), R=R) @ base.T
 
 
 def _triad(**vectors: ArrayLike) -> Array:
@@ -60,7 +59,7 @@ def _triad(**vectors: ArrayLike) -> Array:
 
 
 def film(parameters: Parameters) -> Scene:
-    """Return a vector is turned: its components stay, their base vectors go from one triad to the other."""
+    """Turn a vector: its components stay, their base vectors go from one triad to the other."""
     before, vector = array((3, 3), before=parameters["before"]), numbers(3, vector=parameters["vector"])
     times = frame_times(SECONDS)
     share = np.sin(np.pi * times / SECONDS) ** 2  # there and back

@@ -66,8 +66,7 @@ def principal(I: ArrayLike) -> tuple[Array, Array]:  # noqa: E741
 
 
 def _moments(m: Array, r: Array) -> Array:
-    matrix: Array = (m @ (r**2).sum(axis=1)) * np.eye(3) - (m * r.T) @ r
-    return matrix
+    return (m @ (r**2).sum(axis=1)) * np.eye(3) - (m * r.T) @ r
 
 
 def film(parameters: Parameters) -> Scene:
@@ -104,8 +103,7 @@ def _round(times: Array, axes: Array) -> Array:
     angle = np.pi / 2 * (3 * times / times[-1] - part)
     first, last = axes.T[part], axes.T[(part + 1) % 3]
     R = matrix_from_axis_angle(np.cross(first, last), angle)
-    turned: Array = np.einsum("nij,nj->ni", R, first)
-    return turned
+    return np.einsum("nij,nj->ni", R, first)
 
 
 def _body(r: Array, m: Array, n: Array) -> list[Shape]:

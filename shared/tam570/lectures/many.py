@@ -75,8 +75,7 @@ def _springs(r: Array) -> Array:
     """(n, n, 3) N, of a spring between each two of the particles."""
     apart = r[:, None] - r
     distance = np.linalg.norm(apart, axis=2, keepdims=True) + np.eye(len(r))[..., None]
-    forces: Array = -STIFFNESS * (1 - LENGTH / distance) * apart
-    return forces
+    return -STIFFNESS * (1 - LENGTH / distance) * apart
 
 
 def film(parameters: Parameters) -> Scene:

@@ -54,8 +54,7 @@ def angular_momentum(state: ArrayLike, *, gm: float) -> Array:
 def laplace_runge_lenz(state: ArrayLike, *, gm: float) -> Array:
     """(3,) v x (r x v)/gm - r/|r|: it points to where the planet is nearest, its length is the eccentricity."""
     r, v = _halves(state, gm)
-    vector: Array = np.cross(v, np.cross(r, v)) / gm - r / np.linalg.norm(r)
-    return vector
+    return np.cross(v, np.cross(r, v)) / gm - r / np.linalg.norm(r)
 
 
 INVARIANTS = {"energy": energy, "angular_momentum": angular_momentum, "laplace_runge_lenz": laplace_runge_lenz}
@@ -101,8 +100,7 @@ def _eccentric_anomaly(mean: Array, e: float) -> Array:
         E = E - step
         if np.abs(step).max(initial=0.0) < 1e-16:
             break
-    anomaly: Array = turns + sign * E
-    return anomaly
+    return turns + sign * E
 
 
 def _halves(state: ArrayLike, gm: float) -> Array:

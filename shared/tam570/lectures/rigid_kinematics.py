@@ -115,7 +115,7 @@ def _velocities(A: Array, arm: Array, v_a: Array, tip: Array) -> list[Shape]:
 
 
 def _polygon(bead: Array, parts: Mapping[str, Array], total: Array) -> list[Shape]:
-    """Return each term begins where the one before it ends."""
+    """Draw each term from where the one before it ends."""
     unit = 1.1 / float(np.linalg.norm(total, axis=1).max())  # s^2
     arrows, end = {}, bead
     for name, term in parts.items():

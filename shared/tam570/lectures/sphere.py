@@ -36,8 +36,7 @@ def compose(first: ArrayLike, second: ArrayLike) -> Array:
     if size == 0.0:
         return np.zeros(3)
     half = atan2(size, abs(cosine))  # of a turn the other way round where the cosine is negative
-    vector: Array = np.copysign(2.0 * half / size, cosine) * sines
-    return vector
+    return np.copysign(2.0 * half / size, cosine) * sines
 
 
 def _half(vector: Array) -> tuple[float, Array]:
@@ -47,7 +46,7 @@ def _half(vector: Array) -> tuple[float, Array]:
 
 
 def film(parameters: Parameters) -> Scene:
-    """Return a triad turns twice; then from the start by the one turn that the triangle gives."""
+    """Turn a mark twice; then, from the start, by the one turn that the triangle gives."""
     first, second = (numbers(3, **{name: parameters[name]}) for name in ("first", "second"))
     both = compose(first, second)
     times = frame_times(SECONDS)
@@ -88,8 +87,7 @@ def _arc(start: Array, end: Array) -> Array:
     if min(angle, pi - angle) < 1e-6:  # one point, or no one way
         return np.array([start, end])
     s = np.linspace(0.0, 1.0, 31)[:, None]
-    arc: Array = (np.sin((1 - s) * angle) * start + np.sin(s * angle) * end) / sin(angle)
-    return arc
+    return (np.sin((1 - s) * angle) * start + np.sin(s * angle) * end) / sin(angle)
 
 
 def _trail(rotations: Array, color: int, name: str) -> list[Shape]:

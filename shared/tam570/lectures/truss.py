@@ -75,8 +75,7 @@ def energy(state: ArrayLike, *, masses: Numbers, bars: Numbers, lengths: Numbers
 def momentum(state: ArrayLike, *, masses: Numbers, bars: Numbers, lengths: Numbers, stiffness: float) -> Array:
     """(2,) kg m/s."""
     m, _, v = _parts(state, masses, bars, lengths, stiffness)
-    total: Array = m @ v
-    return total
+    return m @ v
 
 
 def angular_momentum(state: ArrayLike, *, masses: Numbers, bars: Numbers, lengths: Numbers, stiffness: float) -> float:

@@ -15,7 +15,7 @@ from tam570.show.scene import Panel, Scene, Shape, TimePlot
 from tam570.show.student import Trouble
 from tam570.values import Json, Numbers
 
-__all__ = ["kept_samples", "packed"]
+__all__ = ["kept_samples", "packed", "shape_entry"]
 
 Array = NDArray[np.float64]
 
@@ -207,10 +207,14 @@ def _in_space(points: Array, in_space: bool) -> Array:
 
 def _packed_shape(shape: Shape, points: Array, store: _Points) -> Json:
     still = points.ndim == 2
-    numbers = [store.still(point) for point in points] if still else store.body(points)
-    result = {"kind": shape.form, "at": numbers, "color": shape.color, "width": shape.width}
+    return shape_entry(shape, [store.still(point) for point in points] if still else store.body(points))
+
+
+def shape_entry(shape: Shape, at: Sequence[int]) -> Json:
+    """Return a shape as the page reads it; `at` tells where its points are."""
     optional = {"name": shape.name, "words": shape.words, "faint": shape.faint}
-    return result | {name: value for name, value in optional.items() if value}
+    given = {name: value for name, value in optional.items() if value}
+    return {"kind": shape.form, "at": at, "color": shape.color, "width": shape.width, **given}
 
 
 def _packed_time_plot(time_plot: TimePlot) -> Json:
@@ -233,8 +237,7 @@ def _packed_time_plot(time_plot: TimePlot) -> Json:
 
 def _differences(values: NDArray[np.generic]) -> list[int]:
     """Return rounded, and each but the first less the one before: short numbers."""
-    total: list[int] = np.diff(np.rint(values).astype(np.int64), prepend=0).tolist()
-    return total
+    return np.diff(np.rint(values).astype(np.int64), prepend=0).tolist()
 
 
 def _figures(value: float, figures: int = 9) -> float:

@@ -22,8 +22,7 @@ def circle(centre: ArrayLike, first: ArrayLike, other: ArrayLike, count: int = 6
     """Return closed path of points about a centre, of the semi-axes given: (..., count, dim) of (..., dim) each."""
     c, s = unit_circle(count).T[..., None]
     centre, first, other = (np.asarray(vector)[..., None, :] for vector in (centre, first, other))
-    path: Array = centre + c * first + s * other
-    return path
+    return centre + c * first + s * other
 
 
 def coil(start: Array, end: Array, width: float, turns: int = 8) -> Array:
@@ -33,8 +32,7 @@ def coil(start: Array, end: Array, width: float, turns: int = 8) -> Array:
     along = end - start
     across = np.stack([-along[:, 1], along[:, 0]], axis=-1)
     across = across / np.sqrt((along**2).sum(axis=1, keepdims=True) + TINY)
-    path: Array = start[:, None] + share[:, None] * along[:, None] + aside[:, None] * across[:, None]
-    return path
+    return start[:, None] + share[:, None] * along[:, None] + aside[:, None] * across[:, None]
 
 
 def axes(length: float) -> list[Shape]:
@@ -59,8 +57,7 @@ def box_face(rotations: Array, size: ArrayLike) -> Array:
     """(n, 4, 3) corners of the face at +z/2 of a box about the origin, turned by rotations (n, 3, 3)."""
     half = np.asarray(size, dtype=float) / 2.0
     corners = half * np.array([[1.0, 1, 1], [-1, 1, 1], [-1, -1, 1], [1, -1, 1]])
-    turned: Array = corners @ np.swapaxes(rotations, -1, -2)
-    return turned
+    return corners @ np.swapaxes(rotations, -1, -2)
 
 
 def solid(outline: Array, color: int, name: str = "", width: float = 2.0) -> list[Shape]:
@@ -73,8 +70,7 @@ def placed(outline: Array, at: Array, heading: Array) -> Array:
     """(n, m, 2) points (m, 2) ahead and to the left of places (n, 2), by headings (n,), rad."""
     c, s = np.cos(heading), np.sin(heading)
     ahead, left = np.stack([c, s], axis=-1), np.stack([-s, c], axis=-1)
-    points: Array = at[:, None] + outline[:, :1] * ahead[:, None] + outline[:, 1:] * left[:, None]
-    return points
+    return at[:, None] + outline[:, :1] * ahead[:, None] + outline[:, 1:] * left[:, None]
 
 
 def brick(rotations: Array, size: ArrayLike, color: int, name: str) -> list[Shape]:

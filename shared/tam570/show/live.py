@@ -13,6 +13,7 @@ import numpy as np
 from tam570.integrate.course import STAND_INS
 from tam570.integrate.formulas import written
 from tam570.integrate.trace import Graph, Untraceable, Value, traced
+from tam570.show.compact import shape_entry
 from tam570.show.scene import Shape
 from tam570.show.student import Trouble
 from tam570.values import Function, Json, Numbers, Parameters
@@ -240,9 +241,7 @@ def _packed(shapes: Sequence[Shape]) -> tuple[list[Json], list[Value]]:
         rows = shape.points[0] if shape.points.ndim == 3 else shape.points
         dim, at = rows.shape[-1], [len(points) + rows.shape[-1] * i for i in range(len(rows))]
         points += np.ravel(rows).tolist()
-        entry = {"kind": shape.form, "at": at, "dim": dim, "color": shape.color, "width": shape.width}
-        optional = {"name": shape.name, "words": shape.words, "faint": shape.faint}
-        packed.append(entry | {name: value for name, value in optional.items() if value})
+        packed.append({"dim": dim, **shape_entry(shape, at)})
     return packed, points
 
 

@@ -166,8 +166,7 @@ def _seen(points: Array, view: tuple[float, float]) -> Array:
     if points.shape[-1] == 2:
         return points
     (ca, ce), (sa, se) = np.cos(view), np.sin(view)
-    flat: Array = points @ np.array([[-sa, ca, 0.0], [-se * ca, -se * sa, ce]]).T
-    return flat
+    return points @ np.array([[-sa, ca, 0.0], [-se * ca, -se * sa, ce]]).T
 
 
 def _shape(ax: Axes, shape: Shape, points: Array, head_size: float) -> Moving:
@@ -176,8 +175,7 @@ def _shape(ax: Axes, shape: Shape, points: Array, head_size: float) -> Moving:
     still = points.ndim == 2
 
     def at(sample: int) -> Array:
-        chosen: Array = points if still else points[sample]
-        return chosen
+        return points if still else points[sample]
 
     if shape.form == "fill":
         patch = Polygon(at(0), closed=True, linewidth=0, **look)

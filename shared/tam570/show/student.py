@@ -56,7 +56,7 @@ class Student:
         function = getattr(self._module, name, None)
         if not callable(function):
             raise Trouble(f"there is no function {name}{f' in {self._file}' if self._file else ''}")
-        return function  # type: ignore[no-any-return]
+        return function
 
     def __call__(self, name: str, *arguments: Numbers, **parameters: Numbers) -> Numbers:
         """Return what the function returns. Trouble if it has another form, or is not finite."""

@@ -14,14 +14,12 @@ __all__ = ["box_size", "in_space", "live_body", "spin_arrow", "spin_handle"]
 
 def box_size(moments: Array) -> Array:
     """(3,) m, the sides of a box of 12 kg with these moments of inertia, (3,) kg m^2; none is too thin to be seen."""
-    sides: Array = np.sqrt(np.maximum(moments.sum() / 2 - moments, 0.05 * moments.max()))
-    return sides
+    return np.sqrt(np.maximum(moments.sum() / 2 - moments, 0.05 * moments.max()))
 
 
 def in_space(rotations: Array, vectors: Array) -> Array:
     """(n, 3) of vectors (n, 3) with components along the axes of a body; rotations (n, 3, 3)."""
-    turned: Array = np.einsum("nij,nj->ni", rotations, vectors)
-    return turned
+    return np.einsum("nij,nj->ni", rotations, vectors)
 
 
 def spin_arrow(omega: Array, size: Array, color: int) -> Shape:

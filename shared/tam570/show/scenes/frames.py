@@ -17,7 +17,7 @@ SPOKES = np.arange(6) * np.pi / 3  # rad
 
 
 def film(frames: SimpleNamespace, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """Return a spring pulls a particle to the centre of a turntable, on which nothing rubs.
+    """Let a spring pull a particle to the centre of a turntable, on which nothing rubs.
 
     frames : the lecture's functions
     """

@@ -20,7 +20,7 @@ LARGE = 1e-3  # of the range: a pixel
 
 
 def film(student: Student, parameters: Parameters) -> Scene:
-    """Return each ball flies until it is back at launch height."""
+    """Let each ball fly until it is back at launch height."""
     speed, ball = parameters["speed"], {name: parameters[name] for name in ("mass", "drag", "gravity")}
     best = student("best_angle", speed, **ball)
     angles = sorted([*map(math.radians, ANGLES), best])

@@ -59,8 +59,7 @@ def _turns(student: Student, times: Array, order: str) -> Array:
 def _gently(share: Array) -> Array:
     """From 0 to 1 with no jerk at the ends."""
     share = np.clip(share, 0.0, 1.0)
-    smooth: Array = share**2 * (3.0 - 2.0 * share)
-    return smooth
+    return share**2 * (3.0 - 2.0 * share)
 
 
 def _axis(student: Student, R: Array) -> Shape:

@@ -54,7 +54,7 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
 
 
 def _live(student: Student, inertia: Array, size: Array, spin: Array) -> Live:
-    """Return the state is R, row by row, and omega in the body; a hand takes the tip of omega."""
+    """Return the box as equations: R, row by row, and omega in the body; a hand takes the tip of omega."""
     euler, attitude, energy = (student.function(name) for name in ("euler_equations", "attitude_rate", "energy"))
     reach = 1.5 / float(np.linalg.norm(spin))  # m per rad/s
     handle = spin_handle(reach, in_body=True)
@@ -193,8 +193,7 @@ def _once_round(vectors: Array) -> Array:
     across = np.unwrap(np.arctan2(vectors[:, 1], vectors[:, 0]))
     beyond = np.flatnonzero(np.abs(across - across[0]) >= 2.0 * np.pi)
     last = beyond[0] if len(beyond) else len(vectors) - 1
-    chosen: Array = vectors[np.rint(np.linspace(0, last, 37)).astype(int)]
-    return chosen
+    return vectors[np.rint(np.linspace(0, last, 37)).astype(int)]
 
 
 def _energy(student: Student, times: Array, omegas: Array, inertia: Array) -> TimePlot:

@@ -22,7 +22,7 @@ RATIOS = (0.05, 1.0, 20.0)  # of the second spring's stiffness to the first
 
 
 def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """Return the ball bounces in its own time; beside it is what does not depend on time.
+    """Let the ball bounce in its own time; beside it is what does not depend on time.
 
     lecture : its functions
     """
@@ -109,5 +109,4 @@ def _ellipse() -> Array:
     middle = np.linalg.solve(S, ROD["speed"] * np.ones(2))
     values, axes = np.linalg.eigh(S)
     size = np.sqrt(middle @ S @ middle / values)
-    points: Array = middle + unit_circle(91) * size @ axes.T
-    return points
+    return middle + unit_circle(91) * size @ axes.T

@@ -18,7 +18,7 @@ WHEEL = 0.3  # m
 
 
 def film(lecture: SimpleNamespace, parameters: Parameters) -> Scene:
-    """Return what cannot brake without lifting an axle is a note."""
+    """Let each car brake; a note names one that cannot without lifting an axle."""
     result: dict[str, tuple[float, float, float]] = {}
     notes = []
     for locked in LOCKED:
