@@ -166,10 +166,8 @@ class _Kernel:
         return False
 
 
-KERNEL = {
-    "display": lambda *shown, **how: None,
-    "get_ipython": _Kernel(),
-}  # built in, in a notebook and what it exports
+# built in, in a notebook and what it exports
+KERNEL = {"display": lambda *shown, **how: None, "get_ipython": _Kernel()}
 COLAB = "google.colab"
 
 

@@ -43,9 +43,8 @@ def off_circle(rng):
     for i in range(12):
         position, velocity = np.array(places[i % 5]), np.array(velocities[i % 6])
         states.append((np.append(position * distances[i % 4], velocity * math.hypot(*state[2:])), length))
-    states += [
-        ((*position, *state[2:]), 0.5) for position in ((3e-9, -4e-9), (0.0, 5e-9))
-    ]  # np.allclose takes them for zero
+    # np.allclose takes them for zero
+    states += [((*position, *state[2:]), 0.5) for position in ((3e-9, -4e-9), (0.0, 5e-9))]
     states += [(numbers, 1.0) for numbers in ((1.0, 0.0, 0.0, 1.0), (3.0, 4.0, 0.0, 0.0), (-3.0, 4.0, -3.0, 4.0))]
     return [Case(np.array(state), length=length).labelled(_where(state, length)) for state, length in states]
 

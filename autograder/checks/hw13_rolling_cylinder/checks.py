@@ -207,9 +207,8 @@ def simulate_rocks_at_the_linear_frequency(student, rng):
     compare_trajectory(student.simulate, reference.small_rocking, cases.small_rocking(rng), hint=ABSOLUTE, **SMALL)
 
 
-COARSELY = (
-    1e-3  # of the angle turned; solve_ivp at 1e-9 is off by less than 1e-4, states at other times by 3e-2 or more
-)
+# of the angle turned; solve_ivp at 1e-9 is off by less than 1e-4, states at other times by 3e-2 or more
+COARSELY = 1e-3
 SHARES = {1e-4: 0.6, 1e-2: 0.3}  # of the drift of the energy
 
 

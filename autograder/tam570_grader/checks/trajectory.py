@@ -113,9 +113,8 @@ def compare_trajectory(  # noqa: PLR0913  as `compare`
     chaotic : a motion in which each row leads to the next has followed, too, however far its errors have grown
     """
     columns = columns or function.returns.columns
-    hopeless = (
-        np.inf if chaotic else max(ROUGHLY, NEAR_MISS * tolerance)
-    )  # no share is left, whatever the other motions are
+    # no share is left, whatever the other motions are
+    hopeless = np.inf if chaotic else max(ROUGHLY, NEAR_MISS * tolerance)
     motions = _motions(function, reference, cases, columns, restart, hopeless)
     if not get_context().listens and max(motion.error for motion in motions) <= tolerance:
         return motions

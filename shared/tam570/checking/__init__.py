@@ -81,13 +81,8 @@ class Runner:
         self._trail, self._hung = (Path(self._folder.name, name) for name in ("trail.json", "hung.txt"))
         self._order: Json = {}
         self._process = subprocess.Popen(
-            [
-                sys.executable,
-                "-P",
-                "-m",
-                "tam570.checking",
-                json.dumps(prepared),
-            ],  # nothing beside the work is imported
+            # -P: nothing beside the work is imported
+            [sys.executable, "-P", "-m", "tam570.checking", json.dumps(prepared)],
             stdin=subprocess.PIPE,
             text=True,
             env=_environment(),
