@@ -80,13 +80,12 @@ def rates_are_newtons(student, rng):
     compare(student.state_derivative, cases.states(rng), tolerance=FORMULA, hint=FORCES)
 
 
-NO_DIVISION = "Do you divide by drag or gravity?"
-
-
 @check("state_derivative", points=0.25, after=rates_are_newtons)
 def rates_without_drag_or_gravity(student, rng):
     """state_derivative holds where drag or gravity, or both, are zero."""
-    compare(student.state_derivative, cases.states_without(rng), tolerance=FORMULA, hint=NO_DIVISION)
+    compare(
+        student.state_derivative, cases.states_without(rng), tolerance=FORMULA, hint="Do you divide by drag or gravity?"
+    )
 
 
 def of_ground(motion):

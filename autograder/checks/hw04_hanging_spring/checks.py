@@ -100,9 +100,6 @@ def solution_is_the_motion(student, rng):
     compare_columns(student.solution, reference, cases.with_gravity(rng), tolerance=POINTWISE, hint=of_closed_form)
 
 
-ON_IT = "Do r and v/sqrt(k/m) lie on your ellipse, as seen from its centre?"
-
-
 def at_zero(case, result, expected):
     if case.kwargs["gravity"] == 0:
         return "Do you divide by gravity?"
@@ -193,7 +190,7 @@ def likeliest_ellipse(source, case, product, tensor, smaller, square):
         "The semi-axes are unit vectors: give them their lengths.": product @ product if product.any() else tensor,
     }
     near = (message for message, it in candidates.items() if np.allclose(product, it, rtol=1e-6, atol=TENSOR * square))
-    return source() or next(near, case.hint or ON_IT)
+    return source() or next(near, case.hint or "Do r and v/sqrt(k/m) lie on your ellipse, as seen from its centre?")
 
 
 @check("orbit", points=1, part="c")

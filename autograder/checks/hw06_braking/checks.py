@@ -96,7 +96,6 @@ def forces_on_the_car(student, rng):
 
 
 # Where to look
-WHICH_WAY = "Which way does the locked axle move, seen from the car?"
 AS_AT_REST = "Your friction is zero although the car moves: it rests only where speed and yaw rate are both exactly 0"
 
 
@@ -121,7 +120,7 @@ def of_friction(case, result, expected):
         return "A car at rest has no friction: 0/0 is not 0."
     if np.allclose(np.multiply(result, np.linalg.norm(expected)), np.multiply(expected, np.linalg.norm(result))):
         return "Its direction is right, its size is not: it is as large at any speed."
-    return WHICH_WAY
+    return "Which way does the locked axle move, seen from the car?"
 
 
 TURNING_AXES = "In axes that turn, does the rate of speed have a term with the yaw rate squared?"

@@ -116,7 +116,6 @@ TEN = "Two bars have three equations each, two hinges two constraints each: do y
 HANGING = "At rest the ceiling carries both weights, and bar 1 carries bar 2: which rows, which signs?"
 BOTH_PARTS = "Each bar has the angular momentum of its mass centre and that about its mass centre"
 DIVIDED = "Without gravity the same equations hold: the bars still act on each other"
-DOWN = "An angle of zero is down, a positive one to the right"
 
 
 @check("mass_matrix", points=1)
@@ -223,7 +222,7 @@ def frequencies_in_special_cases(student, rng):
 @check("wireframe", points=0.5)
 def wireframe_shows_the_bars(student, rng):
     """ceiling hinge to elbow, elbow to tip."""
-    compare(student.wireframe, cases.states(rng), hint=DOWN)
+    compare(student.wireframe, cases.states(rng), hint="An angle of zero is down, a positive one to the right")
 
 
 @once

@@ -62,7 +62,6 @@ def wrong_force(case, result, expected):
     return "The results are (inward, normal): F = m a of G, which moves on a circle."
 
 
-MOMENTS = "The moment of the contact force about G is Omega z x H."
 WHICH_SIGN = "Which sign must the moment of the weight have?"
 AT_REST = "The point of the disk on the ground has no velocity."
 ABOUT_WHICH = "G is at rest: about which axis does the disk turn, and how high is G?"
@@ -73,7 +72,7 @@ ABOUT_WHICH = "G is at rest: about which axis does the disk turn, and how high i
 @check("rolling_spin", points=1.25)
 def rolling_spin_balances_the_moments(student, rng):
     """rolling_spin is the total spin that keeps lean and precession steady, in- or outwards."""
-    compare(student.rolling_spin, cases.members(rng), hint=MOMENTS)
+    compare(student.rolling_spin, cases.members(rng), hint="The moment of the contact force about G is Omega z x H.")
 
 
 @check("rolling_spin", points=0.25, after=rolling_spin_balances_the_moments)

@@ -103,11 +103,7 @@ def rest_or_rates(case, result, expected):
     return "At rest it is right: differentiate the position of G twice, and mind the terms in phi_dot squared."
 
 
-BOTH = "Balance momentum about G: only friction turns it."
-DISTANCE = "How far is G from the contact, at this phi?"
-WEIGHT_ACTS_AT_G = "M_C is the moment of the weight, which acts at G; I^C depends on phi."
 CONTACT_POINT = "What is the acceleration of the point of the cylinder that touches the ramp?"
-HEIGHT = "Where is G, and how high above the centre's place at phi = 0?"
 
 
 HOWEVER_SMALL = "However small the rocking, the other terms are there: do you linearise, or is the tolerance loose?"
@@ -118,7 +114,7 @@ ANY_DURATION = "Are there too few steps for this duration, or is the tolerance l
 @check("acceleration", points=0.5)
 def centred_cylinder_rolls_by_both_methods(student, rng):
     """with G at the centre it is right, and naive_contact_acceleration too."""
-    compare(student.acceleration, cases.centred(rng, 2), hint=BOTH)
+    compare(student.acceleration, cases.centred(rng, 2), hint="Balance momentum about G: only friction turns it.")
     compare(student.naive_contact_acceleration, cases.centred(rng, 2))
 
 
@@ -142,7 +138,7 @@ def contact_inertia_by_the_parallel_axis_theorem(student, rng):
     compare(
         student.contact_inertia,
         [*cases.rolling(rng, 3), *cases.centred(rng, 1), *cases.plain(rng), *cases.level(rng)],
-        hint=DISTANCE,
+        hint="How far is G from the contact, at this phi?",
     )
 
 
@@ -152,7 +148,7 @@ def naive_acceleration_is_the_moment_over_the_inertia(student, rng):
     compare(
         student.naive_contact_acceleration,
         [*cases.rolling(rng, 3), *cases.plain(rng), *cases.level(rng)],
-        hint=WEIGHT_ACTS_AT_G,
+        hint="M_C is the moment of the weight, which acts at G; I^C depends on phi.",
     )
 
 
@@ -184,7 +180,7 @@ def energy_of_G_and_of_turning(student, rng):
     compare(
         student.energy,
         [*cases.rolling(rng, 3), *cases.weightless(rng, 1), *cases.plain(rng), *cases.level(rng)],
-        hint=HEIGHT,
+        hint="Where is G, and how high above the centre's place at phi = 0?",
     )
 
 
