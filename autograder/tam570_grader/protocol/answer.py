@@ -61,6 +61,8 @@ def _stood_in(module: ModuleType, request: Json) -> list[Change]:
 
     The function that is called stays, though it be a refused one by another name. What was there, to be put back.
     """
+    if not request["refused"] and not request.get("moved"):
+        return []
     target = getattr(module, request["function"])
     names = (name for name in request["refused"] if getattr(module, name, target) is not target)
     changes = [change for name in names for change in refused(module, name, Unusable(name, IN_ONE))]
@@ -93,8 +95,8 @@ def _text(error: BaseException) -> str:
 
 
 def _contents(args: list[Numbers], kwargs: Json) -> list[Numbers]:
-    """Return what the arguments hold now; of an array the bytes, for a NaN is not equal to itself."""
-    arguments = [*args, *kwargs.values()]
+    """Return what arrays and lists among the arguments hold now: their bytes, for a NaN is not equal to itself."""
+    arguments = [argument for argument in (*args, *kwargs.values()) if type(argument) is not float]
     return [argument.tobytes() if isinstance(argument, np.ndarray) else repr(argument) for argument in arguments]
 
 

@@ -42,7 +42,7 @@ def load(
                  is left out, and has run where they may be called
     """
     module = ModuleType(name)
-    module.__dict__["__builtins__"] = {**_builtins_without(forbidden, name), **notebooks.KERNEL}
+    module.__dict__["__builtins__"] = _builtins_without(forbidden, name)
     module.__dict__["__file__"] = f"{name}.py"
     sys.modules[name] = module
     for where, names in ((HERE, forbidden), (IN_ONE, uncallable)):
@@ -109,7 +109,7 @@ def _builtins_without(forbidden: Sequence[str], module_name: str) -> Json:
         finally:
             _without_windows()
 
-    return {**vars(builtins), "__import__": guarded_import}
+    return {**vars(builtins), **notebooks.KERNEL, "__import__": guarded_import}
 
 
 _tamed: set[str] = set()

@@ -77,20 +77,21 @@ class ItemBudget:
 def unpacked(data: bytes, budget: ItemBudget | None = None) -> Message:
     """Return the message in the bytes; nothing in it is trusted, and nothing in it can run.
 
-    budget : what the messages that share it may have of items, each extension being one
+    budget : what the messages that share it may have of items, each extension being one; a message of ours needs none
     """
-    budget = budget or ItemBudget()
+    spend = budget.spend if budget else None
 
     def extension(code: int, content: bytes) -> ndarray | Foreign:
-        budget.spend(())
+        if spend:
+            spend(())
         return _known(code, content)
 
     try:
         return msgpack.unpackb(
             data,
             ext_hook=extension,
-            list_hook=budget.spend,
-            object_hook=budget.spend,
+            list_hook=spend,
+            object_hook=spend,
             strict_map_key=True,
             max_ext_len=2 * LARGEST_ARRAY,
             max_array_len=MOST_ITEMS,
@@ -152,7 +153,7 @@ def _portable_array(numbers: ndarray) -> ndarray | Foreign:
         return Foreign("an array of strings")
     if numbers.nbytes > LARGEST_ARRAY:
         return Foreign("too large an array")
-    return numbers.astype("<c16" if numbers.dtype.kind == "c" else "<f8")
+    return numbers.astype(TYPES[3 if numbers.dtype.kind == "c" else 1], copy=False)
 
 
 def _extension(value: object) -> msgpack.ExtType:

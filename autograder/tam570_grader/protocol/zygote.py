@@ -207,7 +207,7 @@ def _answer_all(module: Any, request: Json) -> None:
     """
     unsent, sent = list[Json](), time.monotonic()
     for args, kwargs in request["calls"]:
-        reply = answer(module, request, [_own(arg) for arg in args], {key: _own(arg) for key, arg in kwargs.items()})
+        reply = answer(module, request, [*map(_own, args)], {key: _own(arg) for key, arg in kwargs.items()})
         unsent.append(reply)
         if "error" in reply and not request.get("every"):
             break
@@ -227,6 +227,8 @@ def _together(replies: list[Json]) -> Json:
 
 def _own(argument: Numbers) -> Numbers:
     """Return a writable copy of an array; a list of tuples of a list of lists."""
+    if type(argument) is float:
+        return argument
     if isinstance(argument, list):
         return [tuple(item) if isinstance(item, list) else item for item in argument]
     return argument.copy() if hasattr(argument, "copy") else argument

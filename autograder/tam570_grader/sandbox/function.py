@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import repeat
 from typing import Any, Protocol
 
@@ -49,6 +49,7 @@ class SandboxFunction:
     name: str
     returns: Any
     banned: Sequence[str] = ()  # what is off limits in it
+    early: Mapping[bytes, Json] = field(default_factory=dict)  # replies to calls that `ahead` has made, by their bytes
 
     def __call__(self, *args: Numbers, **kwargs: Numbers) -> Any:
         """Return the result of one call, in the promised form."""
@@ -61,6 +62,19 @@ class SandboxFunction:
             get_context().set_call(self.name, call)
             yield call, value
 
+    def ahead(self, calls: Sequence[Case]) -> "SandboxFunction":
+        """Return this function with its replies to these calls: one round trip for all that it is asked of them."""
+        replies = self.student.replies(self.name, calls, every=True)
+        return replace(self, early=dict(zip([call.packed for call in calls], replies, strict=True)))
+
+    def _replies(self, calls: Sequence[Case], every: bool = False) -> list[Json]:
+        """Return a reply for each call; without `every` none behind the first error."""
+        early = [self.early[call.packed] for call in calls if call.packed in self.early]
+        if len(early) < len(calls):
+            return self.student.replies(self.name, calls, every=every)
+        first_error = next((place for place, reply in enumerate(early) if "error" in reply), len(early))
+        return early if every else early[: first_error + 1]
+
     def many(self, calls: Sequence[Case]) -> list[Any]:
         """Return the results of many calls, made in one round trip.
 
@@ -68,7 +82,7 @@ class SandboxFunction:
         """
         if isinstance(self.returns, Formula):
             return list(self.at([call.kwargs for call in calls]).tolist())
-        replies = self.student.replies(self.name, calls)
+        replies = self._replies(calls)
         results = results_alike(self.returns, [reply["value"] for reply in replies if reply.get("changed") is False])
         if results is not None and len(results) == len(calls):
             get_context().set_call(self.name, calls[-1])
@@ -103,7 +117,7 @@ class SandboxFunction:
     def refusals(self, calls: Iterable[Case]) -> Iterator[tuple[Case, bool]]:
         """Yield every call, and whether it raises ValueError; another exception is Failed."""
         calls = list(calls)
-        for call, reply in zip(calls, self.student.replies(self.name, calls, every=True), strict=True):
+        for call, reply in zip(calls, self._replies(calls, every=True), strict=True):
             refused = "error" in reply and "ValueError" in reply["error"]["kinds"]
             with self._judging(call, any_input=True):
                 if not refused:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import sympy
 
-from tam570_grader.protocol.wire import Foreign, Unreadable, packed, portable, unpacked
+from tam570_grader.protocol.wire import Foreign, ItemBudget, Unreadable, packed, portable, unpacked
 from tam570_grader.sandbox.preload import imported
 
 
@@ -24,7 +24,7 @@ def test_messages_arrive_as_they_were_sent(value):
 )
 def test_garbage_is_no_message(data):
     with pytest.raises(Unreadable):
-        unpacked(data)
+        unpacked(data, ItemBudget())
 
 
 def test_the_search_for_imports_takes_no_longer_than_the_text():
