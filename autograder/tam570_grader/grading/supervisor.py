@@ -2,7 +2,7 @@
 
 import functools
 import json
-from collections.abc import Collection
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -13,7 +13,7 @@ from tam570_grader.grading.speed import Yardstick
 from tam570_grader.grading.submissions import CannotRead
 from tam570_grader.results.records import Result
 from tam570_grader.sandbox.launch import write_bytecode
-from tam570_grader.sandbox.pool import Attempt, start, tried
+from tam570_grader.sandbox.pool import Attempt, start, tried, try_out
 from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.zygote import NotConfined, ResourceLimits, Zygote, ZygoteLost
 
@@ -45,13 +45,18 @@ class GradeTask:
     conditions: WorkerConfig = WorkerConfig(ResourceLimits())
 
 
-def prepare(course: Path, slugs: Collection[str], conditions: WorkerConfig) -> None:
-    """Start the sandboxes of assignments, and load their checks while these start: both stay with this process."""
+def prepare(course: Path, slugs: Sequence[str], conditions: WorkerConfig) -> None:
+    """Start the sandboxes of assignments, and load their checks while these start: both stay with this process.
+
+    The first sandbox is tried out too: the others may take longer to start than the first submissions take to grade.
+    """
     for slug in slugs:
         start(*_sandbox(course, slug, conditions))
     write_bytecode()
     for slug in slugs:
         assignments.assignment(course, slug)
+    for slug in slugs[:1]:
+        try_out(*_sandbox(course, slug, conditions))
 
 
 def _sandbox(course: Path, slug: str, conditions: WorkerConfig) -> tuple[list[str], ResourceLimits, list[Path]]:

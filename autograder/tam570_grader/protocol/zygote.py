@@ -44,10 +44,11 @@ HOLD = 0.02  # s that a reply may wait for the next one
 def main() -> None:
     """Serve the supervisor at the other end of the socket that the last argument names."""
     control = socket.socket(fileno=int(sys.argv[-1]))
-    message = control.recv(LONGEST_ORDER)
-    if not message:
+    header = control.recv(LENGTH.size, socket.MSG_WAITALL)
+    if not header:
         return
-    settings = json.loads(message)
+    (size,) = LENGTH.unpack(header)
+    settings = json.loads(control.recv(size, socket.MSG_WAITALL))
     _import(settings["preload"])
     _warm_up(settings["preload"])
     settings["limits"]["memory"] += jail.address_space()

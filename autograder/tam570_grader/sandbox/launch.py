@@ -55,7 +55,7 @@ VARIABLES = {
 class LaunchedZygote:
     """A zygote's process, which imports NumPy and then waits to be told the rest."""
 
-    def __init__(self, command: Sequence[str]) -> None:
+    def __init__(self, command: Sequence[str], folder: str) -> None:
         self.command, self._owner = command, os.getpid()
         self._errors = tempfile.TemporaryFile()  # noqa: SIM115  closed with the process
         self.control, child_end = socket.socketpair()
@@ -63,7 +63,7 @@ class LaunchedZygote:
             self._process = subprocess.Popen(
                 [*command, str(child_end.fileno())],
                 pass_fds=[child_end.fileno()],
-                env=environment(),
+                env=environment(folder),
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL,
                 stderr=self._errors,
@@ -94,12 +94,17 @@ class LaunchedZygote:
 
 
 _early = list[LaunchedZygote]()  # launched before it is known what for
+_trials = list[subprocess.Popen[bytes]]()  # of bubblewrap, that nobody has waited for
 
 
 def launch_early() -> None:
-    """Launch a zygote while this process imports what it needs itself; the first that is asked for is this one."""
-    if isolation() == "bubblewrap":
-        _early.append(LaunchedZygote(_command([])))
+    """Launch a zygote while this process imports what it needs itself; the first that is asked for is this one.
+
+    Bubblewrap is tried beside it: where it fails, no zygote in it is asked for.
+    """
+    if _has_bubblewrap():
+        _trials.append(_trial())
+        _early.append(LaunchedZygote(_with_path(jailed_command([])), SCRATCH))
 
 
 def launch(hidden: Sequence[Path]) -> LaunchedZygote:
@@ -108,17 +113,23 @@ def launch(hidden: Sequence[Path]) -> LaunchedZygote:
     if _early and _early[0].command == command:
         return _early.pop()
     close_early()
-    return LaunchedZygote(command)
+    return LaunchedZygote(command, SCRATCH if isolation() == "bubblewrap" else tempfile.gettempdir())
 
 
 def close_early() -> None:
     """End a zygote that was launched early, if nobody has asked for it."""
     while _early:
         _early.pop().close()
+    while _trials:
+        _trials.pop().wait()
 
 
 def _command(hidden: Sequence[Path]) -> list[str]:
-    command, path = jailed_command(hidden) if isolation() == "bubblewrap" else plain_command()
+    return _with_path(jailed_command(hidden) if isolation() == "bubblewrap" else plain_command())
+
+
+def _with_path(command_and_path: tuple[list[str], list[str]]) -> list[str]:
+    command, path = command_and_path
     return [*command, json.dumps(path)]
 
 
@@ -129,21 +140,29 @@ def write_bytecode() -> None:
         compileall.compile_dir(folder, maxlevels=0, quiet=2)
 
 
-def environment() -> dict[str, str]:
+def environment(folder: str) -> dict[str, str]:
     """Return the zygote's environment; what it writes while it starts goes to a folder that no submission sees."""
-    folder = SCRATCH if isolation() == "bubblewrap" else tempfile.gettempdir()
     return {**VARIABLES, "HOME": folder, "TMPDIR": folder, "MPLCONFIGDIR": f"{folder}/matplotlib"}
 
 
 @functools.cache
 def isolation() -> str:
     """Return how submissions are kept apart: "bubblewrap", or "processes" where the namespaces are not to be had."""
-    if sys.platform != "linux" or platform.machine() not in CALLS or shutil.which("bwrap") is None:
-        return "processes"
-    trial = ["bwrap", "--unshare-all", "--ro-bind", "/", "/", "true"]
-    tries = (subprocess.run(trial, capture_output=True, timeout=20, check=False) for _ in range(TRIALS))
-    works = any(attempt.returncode == 0 for attempt in tries)
+    started = [_trials.pop()] if _trials else []
+    tries = (started.pop() if started else _trial() for _ in range(TRIALS if _has_bubblewrap() else 0))
+    works = any(attempt.wait(timeout=20) == 0 for attempt in tries)
     return "bubblewrap" if works else "processes"
+
+
+def _has_bubblewrap() -> bool:
+    """Return whether there is bubblewrap, whatever it may do here."""
+    return sys.platform == "linux" and platform.machine() in CALLS and shutil.which("bwrap") is not None
+
+
+def _trial() -> subprocess.Popen[bytes]:
+    """Start bubblewrap, to see whether it works."""
+    command = ["bwrap", "--unshare-all", "--ro-bind", "/", "/", "true"]
+    return subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
 
 def hide_from_submissions() -> None:

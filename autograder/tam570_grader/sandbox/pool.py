@@ -2,7 +2,7 @@
 
 import threading
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeVar
@@ -53,6 +53,15 @@ def start(preload: Sequence[str], limits: ResourceLimits, hidden: Sequence[Path]
         _make_room(key[0])
         _warm[key] = Zygote(preload, limits, hidden)
     return key
+
+
+def try_out(preload: Sequence[str], limits: ResourceLimits, hidden: Sequence[Path] = ()) -> None:
+    """Wait for a zygote, and try it out for all processes that will be forked from this one.
+
+    One that is lost is found lost again when a submission asks for it.
+    """
+    with suppress(ZygoteLost):
+        _warm[start(preload, limits, hidden)].try_out()
 
 
 def _make_room(thread: Any) -> None:

@@ -15,7 +15,7 @@ from pathlib import Path
 from tam570.values import Json
 from tam570_grader.errors import Over
 from tam570_grader.sandbox.launch import isolation, launch
-from tam570_grader.sandbox.process import ProcessLost, ProcessTimeout, SandboxProcess
+from tam570_grader.sandbox.process import LENGTH, ProcessLost, ProcessTimeout, SandboxProcess
 from tam570_grader.sandbox.replies import checked, imported
 
 FILE_SIZE = 2**25  # bytes a submission may write into its scratch folder
@@ -61,12 +61,16 @@ class Zygote:
     def __init__(self, preload: Sequence[str], limits: ResourceLimits, hidden: Sequence[Path] = ()) -> None:
         self.limits, self._serial, self._launched = limits, next(_serial), launch(hidden)
         self._control = self._launched.control
+        settings = json.dumps({"limits": _limits(limits), "preload": list(preload)}).encode()
         with suppress(OSError):  # that it has ended is noticed when it is waited for
-            self._control.sendall(json.dumps({"limits": _limits(limits), "preload": list(preload)}).encode())
+            self._control.sendall(LENGTH.pack(len(settings)) + settings)
         self._ready = False
+        self._canary: SandboxProcess | None = None
         self._holder, self._processes = os.getpid(), list[SandboxProcess]()  # the last one of each monitor
         self._order: Json = {}  # the last one
         self._spare: SandboxProcess | None = None  # a process for another order like it
+        with suppress(ZygoteLost):
+            self._canary = self._asked_canary()
 
     @property
     def user(self) -> int | None:
@@ -84,10 +88,7 @@ class Zygote:
         """
         if self._holder != os.getpid():  # the monitors serve the supervisor that this one was forked from
             self._let_go()
-        if not self._ready:
-            self._await_ready()
-            self._try_out()
-            self._ready = True
+        self.try_out()
         order: Json = {"cpu": max(1, math.ceil(cpu)), "hidden": list(hidden), "states": list(states)}
         is_repeated = order == self._order
         if self._spare and not is_repeated:
@@ -137,7 +138,7 @@ class Zygote:
     def _let_go(self) -> None:
         for process in self._processes:
             process.let_go()
-        self._holder, self._processes, self._spare = os.getpid(), [], None
+        self._holder, self._processes, self._spare, self._canary = os.getpid(), [], None, None
 
     def _must_be_confined(self, process: SandboxProcess) -> None:
         """Wait until it says so: one that ends before has not seen a submission, whose fault it cannot be."""
@@ -150,17 +151,28 @@ class Zygote:
             process.end()
             raise NotConfined(reply["confined"])
 
-    def _try_out(self) -> None:
-        """Grade a canary, before any submission: a right call must return, and an endless one must be stopped."""
+    def _asked_canary(self) -> SandboxProcess:
+        """Return a process that is asked for its right call, without waiting for anything: the zygote may be starting.
+
+        The order to open it is behind the settings, its requests are in its channel.
+        """
         process = self._opened({"cpu": math.ceil(self.limits.cpu), "hidden": [], "states": []})
+        load = {"source": CANARY, "notebook": False, "name": "canary", "functions": ["right", "endless"]}
+        with suppress(ProcessLost, ProcessTimeout):  # it is noticed when its replies are waited for
+            process.send({**load, "uncallable": [], "forbidden": []})
+            process.send({**ASKED, "function": "right", "calls": [[[1.5], {}]]})
+        return process
+
+    def try_out(self) -> None:
+        """Grade a canary, before any submission: a right call must return, and an endless one must be stopped."""
+        if self._ready:
+            return
+        self._await_ready()
+        process, self._canary = self._canary or self._asked_canary(), None
         self._must_be_confined(process)
         try:
-            names = ["right", "endless"]
-            load = {"source": CANARY, "notebook": False, "name": "canary", "functions": names}
-            process.send({**load, "uncallable": [], "forbidden": []})
             for _ in range(2):
                 process.receive(imported)
-            process.send({**ASKED, "function": "right", "calls": [[[1.5], {}]]})
             (reply,) = process.receive(lambda message: checked(message, "value"))
             as_it_must = reply["value"].tolist() == [1.5, 3.0]
         except (ProcessLost, ProcessTimeout, LookupError, AttributeError):
@@ -173,6 +185,7 @@ class Zygote:
             raise NotConfined("a right submission does not get through")
         if not stopped:
             raise NotConfined("a call that does not end is not stopped")
+        self._ready = True
 
     def must_live(self) -> None:
         """Raise ZygoteLost if the zygote is ending or has ended."""
