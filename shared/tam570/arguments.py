@@ -8,20 +8,6 @@ from numpy.typing import ArrayLike, NDArray
 
 SYMMETRIC = 1e-9  # of the largest element: rounding of a matrix that was computed, by a rotation say
 
-__all__ = [
-    "array",
-    "divisors",
-    "finite",
-    "nonnegative",
-    "numbers",
-    "one_of",
-    "positive",
-    "positives",
-    "sequence",
-    "symmetric",
-    "whole_number",
-]
-
 
 def positive(**arguments: float) -> None:
     """Refuses what is not a finite number above 0, as in positive(mass=mass)."""

@@ -6,19 +6,6 @@ from collections.abc import Iterable
 from types import FunctionType, ModuleType
 from typing import NoReturn
 
-__all__ = [
-    "HERE",
-    "IN_ONE",
-    "LIBRARIES",
-    "Change",
-    "Forbidden",
-    "Unusable",
-    "everywhere",
-    "must_be_allowed",
-    "must_be_there",
-    "refused",
-]
-
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # a submission may change the built-in functions
 
 # what a student's file may import besides Python itself, by `check`, in the grader's sandbox and on Gradescope

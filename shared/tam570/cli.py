@@ -20,8 +20,6 @@ from tam570.predictions import ask_for_predictions
 from tam570.progress import hints_given, recalled, remember_hints
 from tam570.values import Json
 
-__all__ = ["main"]
-
 INTERRUPTED = 130
 Commands = Any  # what argparse calls the commands of a parser
 

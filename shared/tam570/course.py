@@ -9,8 +9,6 @@ from pathlib import Path
 
 from tam570.values import Json
 
-__all__ = ["Stub", "Unknown", "assignments", "contract", "folder", "slug_of", "stubs", "title"]
-
 
 class Unknown(Exception):
     """There is no such assignment, function or file; the message says what there is."""

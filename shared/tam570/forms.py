@@ -13,8 +13,6 @@ import numpy as np
 from tam570.formulas import REMEDIES, form_of, unknown_symbols
 from tam570.values import Json, Numbers
 
-__all__ = ["Form", "WrongForm", "conform", "fits", "is_sequence"]
-
 Form: TypeAlias = Json
 Sizes = Sequence[int | str | None]
 

@@ -4,8 +4,6 @@ from collections.abc import Mapping, Sequence
 
 from tam570.values import Numbers
 
-__all__ = ["REMEDIES", "form_of", "unknown_symbols", "values_at"]
-
 STAND_INS = 1.25, 3.75  # for symbols that may cancel
 CANCELLED = 1e-13  # of a value: it has 25 digits before it is rounded
 NOTHING = 1e-60  # what is zero comes out below it, of up to 100 digits

@@ -9,8 +9,6 @@ from pathlib import Path
 from tam570.course import folder, stubs
 from tam570.releases import released_names
 
-__all__ = ["HOW", "hand_in"]
-
 # said wherever a student reads how to hand in
 HOW = "Hand in the archive that `tam570 handin {name}` makes: it packs your code, notebook, plots and written parts."
 

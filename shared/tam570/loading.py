@@ -15,8 +15,6 @@ from tam570.bans import LIBRARIES, Forbidden, Unusable, must_be_allowed, must_be
 from tam570.notebooks import KERNEL, LARGEST, code_cells, compiled, in_utf8, kernel_module, run, without_outputs
 from tam570.values import Json
 
-__all__ = ["SUFFIXES", "Trouble", "guarded_import", "loaded", "not_utf8", "replaced", "said", "source_of"]
-
 SUFFIXES = (".py", ".ipynb")
 Builtins = Mapping[str, object]
 _loading: ContextVar[frozenset[Path]] = ContextVar("loading", default=frozenset())  # files that are being run

@@ -11,21 +11,6 @@ from types import CodeType
 
 from tam570.values import Json
 
-__all__ = [
-    "KERNEL",
-    "LARGEST",
-    "LARGEST_WITH_OUTPUTS",
-    "Cells",
-    "code_cells",
-    "compiled",
-    "in_utf8",
-    "kernel_module",
-    "plain",
-    "run",
-    "text_of",
-    "without_outputs",
-]
-
 # x = %time f(), %timeit, files = !ls, f?
 MAGIC = re.compile(
     r"(\s*)(?:(\w+\s*=\s*)?%time\s+(.+)|(\w+\s*=\s*)[%!].*|[%!?].*|[\w, ]+=\s*[%!].*|[%\w.*\[\]]+\s*\?+\s*)"

@@ -9,8 +9,6 @@ from pathlib import Path
 
 from tam570.course import folder
 
-__all__ = ["ask_for_predictions"]
-
 
 def ask_for_predictions(work: Path, slug: str) -> list[str]:
     """Ask on a terminal for what is not predicted yet; a sentence for each prediction that is kept in `work`."""

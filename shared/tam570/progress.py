@@ -10,20 +10,6 @@ from pathlib import Path
 from tam570.course import folder
 from tam570.values import Json
 
-__all__ = [
-    "FAILED",
-    "PASSED",
-    "Progress",
-    "hints_given",
-    "progress",
-    "recalled",
-    "remembered",
-    "remember",
-    "remember_hints",
-    "rows",
-    "said",
-]
-
 PASSED, FAILED = "passed", "failed"
 PROGRESS, HINTS = "progress.json", "hints.json"  # the files in which it is kept
 ROW = re.compile(r"^\| `(\w+)\(.*?\| *([\d.]+) *\|", re.MULTILINE)

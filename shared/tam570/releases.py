@@ -9,8 +9,6 @@ from pathlib import Path
 
 from tam570.course import Stub, folder, stubs
 
-__all__ = ["Copied", "differing", "released_names", "start", "update"]
-
 KEPT_BACK = ("contract.json", "examples.json", "hints.toml", "rubric.toml")  # used by the commands, not copied
 RECORD = ".tam570.json"  # in the student's folder: the digest of each file as it was copied
 

@@ -3,8 +3,6 @@
 from collections.abc import Callable, Mapping
 from typing import Any, TypeAlias
 
-__all__ = ["Function", "Json", "Numbers", "Parameters"]
-
 Numbers: TypeAlias = Any  # what arithmetic takes: a number, an array or a sequence of them, or symbols in their place
 Parameters: TypeAlias = Mapping[str, Any]  # of a problem, by name: numbers, tuples of them, words
 Function: TypeAlias = Callable[..., Any]  # a student's or the reference: it takes and returns what the contract says

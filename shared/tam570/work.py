@@ -6,8 +6,6 @@ from pathlib import Path
 from tam570.course import Unknown, assignments, folder, slug_of, stubs
 from tam570.loading import SUFFIXES
 
-__all__ = ["Work", "beside", "chosen", "here", "single", "work_of"]
-
 Work = tuple[Path, str]  # a file and its assignment
 
 

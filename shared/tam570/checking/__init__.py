@@ -17,8 +17,6 @@ from pathlib import Path
 from tam570.checking.trail import last_step
 from tam570.values import Json
 
-__all__ = ["ALL_PASS", "OUR_FAULT", "SOME_FAIL", "Work", "check", "watch"]
-
 PAUSE = 0.05  # s between two looks at the files: two calls of stat each
 ALL_PASS, SOME_FAIL, OUR_FAULT = 10, 11, 12  # exit codes of the process; with another one a student's code ended it
 ENDED = "Your code ended the process that tests it{where}: it exits, crashes or uses too much memory."

@@ -7,8 +7,6 @@ import ast
 import hashlib
 from collections.abc import Iterable, Iterator, Mapping
 
-__all__ = ["ANY", "calls", "keys", "by_parameters", "uses"]
-
 ANY = "*"  # among the functions that a test calls: it may call any
 Statements = Mapping[str, list[ast.stmt]]  # of a module, by the names that they bind; "" is what concerns all
 

@@ -9,8 +9,6 @@ from numpy.typing import NDArray
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-__all__ = ["curves", "in_metres", "without_tex"]
-
 FEWEST = 10  # points of a curve; fewer are a marker, a line for reference or an entry of the legend
 
 

@@ -16,8 +16,6 @@ from numpy.typing import ArrayLike
 
 from tam570.values import Function, Json, Numbers
 
-__all__ = ["FILE", "Examples", "array_of", "closed", "fingerprint", "load_examples", "part", "plain"]
-
 FILE = "examples.json"
 SAME = 1e-5  # of a fingerprint's size: mistakes are further apart
 

@@ -9,8 +9,6 @@ from tam570.handin import HOW
 from tam570.progress import rows
 from tam570.releases import differing
 
-__all__ = ["before_handing_in"]
-
 ACCURACY = re.compile(r"^Motions are compared .*?(?:\n\n|\Z)", re.MULTILINE | re.DOTALL)
 
 

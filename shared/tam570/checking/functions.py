@@ -16,8 +16,6 @@ from tam570.forms import Form, WrongForm, conform
 from tam570.loading import replaced, said
 from tam570.values import Function, Numbers
 
-__all__ = ["Fault", "Functions"]
-
 
 class Fault(BaseException):
     """A call of a student's function went wrong; `name` is the function, the message is for the student."""

@@ -16,8 +16,6 @@ from tam570.checking.transforms import undone
 from tam570.forms import Form
 from tam570.values import Function, Json, Numbers, Parameters
 
-__all__ = ["ObservedCall", "Mistake", "candidates", "tightened"]
-
 TIGHT = 1e-9
 QUICK = 0.01  # s of a call, up to which it is made with many other arguments
 INTEGRATORS = {"solve_ivp": ("rtol", "atol"), "odeint": ("rtol", "atol")}  # and the names of their tolerances

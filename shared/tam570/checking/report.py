@@ -9,8 +9,6 @@ from tam570.checking.deadline import CALL, CPU
 from tam570.checking.visible import Failure, Outcomes
 from tam570.progress import Progress, said
 
-__all__ = ["before", "cleared", "failures", "imported", "progressed", "slow", "terminal", "trouble", "untouched"]
-
 WIDTH = 80
 MOST_LINES = 12  # of a message
 MOST_PRINTED = 3  # lines of what a student's code prints

@@ -23,8 +23,6 @@ from tam570.loading import Trouble, guarded_import, loaded, not_utf8, replaced, 
 from tam570.notebooks import text_of
 from tam570.progress import PASSED, Progress, progress, remember, remembered
 
-__all__ = ["check", "run_tests", "tests_of", "warm_up"]
-
 MOST_VARIANTS = 2000  # calls of tests that a search for a known mistake may cost
 SLOW_IMPORT = (
     f"{{file}} takes longer than {CALL:g} s to import. Does it run a simulation by itself?\n"

@@ -3,8 +3,6 @@
 import json
 from pathlib import Path
 
-__all__ = ["Trail", "last_step"]
-
 SIZE = 1000  # bytes: each step covers the last
 
 

@@ -18,18 +18,6 @@ from numpy.typing import NDArray
 
 from tam570.values import Function, Numbers, Parameters
 
-__all__ = [
-    "Transform",
-    "WrongArgument",
-    "other_arguments",
-    "other_forms",
-    "other_products",
-    "other_results",
-    "other_words",
-    "parts",
-    "undone",
-]
-
 SPACE = 3  # components of a vector
 ORDINALS = ("first ", "second ", "third ", "fourth ", "fifth ", "sixth ")  # results of a function
 AXES = {1: ("component",), 2: ("row", "column"), 3: ("segment", "end", "component")}  # of an array, by their number

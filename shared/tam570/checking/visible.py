@@ -25,8 +25,6 @@ from tam570.loading import said
 from tam570.progress import FAILED, PASSED
 from tam570.values import Json, Numbers, Parameters
 
-__all__ = ["Failure", "Outcomes", "Test", "collect_tests", "difference"]
-
 COMPARISONS: dict[type[ast.cmpop], tuple[Callable[[Numbers, Numbers], Numbers], str]] = {
     ast.Eq: (operator.eq, "is right"),
     ast.Lt: (operator.lt, "is the limit, which it must be below"),

@@ -11,10 +11,11 @@ from types import ModuleType, SimpleNamespace
 
 from tam570.course import contract, folder, slug_of
 from tam570.lectures import is_lecture
+from tam570.loading import Trouble
 from tam570.show.lecture import filmed, lecture_module
 from tam570.show.patience import patience
 from tam570.show.scene import Scene
-from tam570.show.student import Student, Trouble, load_student
+from tam570.show.student import Student, load_student
 from tam570.values import Numbers, Parameters
 
 __all__ = ["Shown", "Trouble", "load_student", "present", "save", "scene_of", "show"]

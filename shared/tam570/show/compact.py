@@ -11,11 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tam570.loading import Trouble
 from tam570.show.scene import Panel, Scene, Shape, TimePlot
-from tam570.show.student import Trouble
 from tam570.values import Json, Numbers
-
-__all__ = ["kept_samples", "packed", "shape_entry"]
 
 Array = NDArray[np.float64]
 

@@ -5,11 +5,10 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
+from tam570.loading import Trouble
 from tam570.show.scene import Array, Shape, moving
-from tam570.show.student import Student, Trouble
+from tam570.show.student import Student
 from tam570.values import Numbers
-
-__all__ = ["force_shapes"]
 
 NAME = "free_body_diagram"
 COLOR = 4  # of the palette

@@ -9,8 +9,6 @@ from tam570.show.scene import GREY, Array, Shape
 
 TINY = 1e-300  # whose root is small beside every length, and not 0
 
-__all__ = ["axes", "box_face", "brick", "circle", "coil", "cone", "floor", "graph", "placed", "solid", "unit_circle"]
-
 
 def unit_circle(count: int) -> Array:
     """(count, 2) points on it, closed."""

@@ -13,12 +13,11 @@ from types import ModuleType
 from tam570.arguments import finite, positive
 from tam570.course import Unknown
 from tam570.lectures import catalogue, load
+from tam570.loading import Trouble
 from tam570.show.patience import patience
 from tam570.show.scene import Scene, drawable_rate
-from tam570.show.student import Student, Trouble, load_student
+from tam570.show.student import Student, load_student
 from tam570.values import Json, Numbers, Parameters
-
-__all__ = ["filmed", "lecture_module", "settings"]
 
 LONGEST = 600.0  # s, of a scene
 MOST_WORK = 20.0  # s of processor time, until its motion is known

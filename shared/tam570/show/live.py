@@ -13,12 +13,10 @@ import numpy as np
 from tam570.integrate.course import STAND_INS
 from tam570.integrate.formulas import written
 from tam570.integrate.trace import Graph, Untraceable, Value, traced
+from tam570.loading import Trouble
 from tam570.show.compact import shape_entry
 from tam570.show.scene import Shape
-from tam570.show.student import Trouble
 from tam570.values import Function, Json, Numbers, Parameters
-
-__all__ = ["Handle", "Live", "Program", "drag", "energies", "live_if_written", "program"]
 
 OF_MATH = "sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh exp expm1 log log1p log2 log10 sqrt cbrt"
 IN_JAVASCRIPT = [*OF_MATH.split(), "hypot", "pow"]

@@ -10,8 +10,6 @@ from tam570.show.live import program as written
 from tam570.show.scene import Scene
 from tam570.values import Json
 
-__all__ = ["HERE", "framed", "page"]
-
 HERE = Path(__file__).parent / "player"
 
 

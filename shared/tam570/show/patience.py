@@ -7,8 +7,6 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-__all__ = ["patience"]
-
 NOTICE, GLANCE = 2.0, 0.2  # s, until the notice; between two looks at the clock
 
 

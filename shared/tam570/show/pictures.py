@@ -15,12 +15,10 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.patches import Polygon
 from PIL import Image
 
+from tam570.loading import Trouble
 from tam570.show.page import HERE
 from tam570.show.scene import RATE, Array, Panel, Scene, Shape, TimePlot
-from tam570.show.student import Trouble
 from tam570.values import Json, Numbers
-
-__all__ = ["save_frames", "write"]
 
 SIZE = (10.0, 5.6)  # inches
 DPI = 100

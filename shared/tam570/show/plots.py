@@ -5,11 +5,9 @@ from collections.abc import Callable, Mapping
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tam570.loading import Trouble
 from tam570.show.scene import Array, TimePlot
-from tam570.show.student import Trouble
 from tam570.values import Function, Numbers
-
-__all__ = ["drift_caption", "energy_plot", "gap_caption", "state_energy_plot", "value_plot", "values"]
 
 PLOT_SAMPLES = 400  # of a time plot, which is about as many pixels wide
 LARGEST = 1e200  # of what is drawn: its square is a number

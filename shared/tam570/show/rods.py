@@ -7,8 +7,6 @@ import numpy as np
 from tam570.show.live import Handle
 from tam570.values import Numbers, Parameters
 
-__all__ = ["joints", "rod_handles"]
-
 
 def joints(angles: Numbers, lengths: Sequence[Numbers]) -> list[Numbers]:
     """Return the lower end of each rod, (..., 2) m, from angles of any shape (...), rad; they may be symbols."""

@@ -13,23 +13,6 @@ from tam570.values import Parameters
 if TYPE_CHECKING:
     from tam570.show.live import Live
 
-__all__ = [
-    "FASTEST",
-    "GREY",
-    "INK",
-    "RATE",
-    "Array",
-    "Scene",
-    "Panel",
-    "Shape",
-    "Slider",
-    "TimePlot",
-    "drawable_rate",
-    "frame_times",
-    "moving",
-    "with_slider",
-]
-
 Array = NDArray[np.float64]
 
 RATE = 60  # samples a second, as screens show

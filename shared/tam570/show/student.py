@@ -15,8 +15,6 @@ from tam570.loading import Trouble, said
 from tam570.loading import loaded as load_file
 from tam570.values import Function, Numbers
 
-__all__ = ["Student", "Trouble", "load_student"]
-
 Array = NDArray[np.float64]
 Made = TypeVar("Made")
 

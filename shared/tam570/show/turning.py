@@ -9,8 +9,6 @@ from tam570.show.live import Handle, Live, energies
 from tam570.show.scene import Array, Shape, moving
 from tam570.values import Function, Numbers, Parameters
 
-__all__ = ["box_size", "in_space", "live_body", "spin_arrow", "spin_handle"]
-
 
 def box_size(moments: Array) -> Array:
     """(3,) m, the sides of a box of 12 kg with these moments of inertia, (3,) kg m^2; none is too thin to be seen."""

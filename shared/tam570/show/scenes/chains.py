@@ -13,8 +13,6 @@ from tam570.integrate import solve
 from tam570.show.plots import drift_caption, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 
-__all__ = ["film"]
-
 DISTANCE = 0.12  # of the length, between the two sides of a fold
 LARGEST = 4.0  # times the chain's weight, of the scale's reading that is shown: without loss it grows without limit
 HEAP = 0.09  # of the length: half the width of the whole chain in a heap

@@ -12,8 +12,6 @@ from tam570.show.plots import drift_caption, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Function
 
-__all__ = ["film"]
-
 SECONDS = 8.0
 BALLS, RADIUS, LENGTH, GRAVITY = 5, 0.12, 1.0, 9.81  # 1, m, m, m/s^2
 FIRST = np.array([1.6, 1.6, 0.0, 0.0, 0.0])  # m/s, as two balls arrive straight below their hooks

@@ -13,8 +13,6 @@ from tam570.show.rods import joints, rod_handles
 from tam570.show.scene import INK, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Function, Parameters
 
-__all__ = ["film"]
-
 METHODS = ("Euler", "Heun", "RK4")
 STEPS = 0.02 / 2.0 ** np.arange(5)  # s
 COLORS = (0, 1)  # right, wrong

@@ -10,8 +10,6 @@ from tam570.show.live import Live, drag
 from tam570.show.plots import drift_caption, value_plot, values
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 
-__all__ = ["film"]
-
 EARTH = {"length": 1.0, "gravity": 9.81, "latitude": 0.741, "spin": 0.4}  # m, m/s^2, rad (Ithaca), rad/s: a fast Earth
 SPOKES = np.arange(6) * np.pi / 3  # rad
 

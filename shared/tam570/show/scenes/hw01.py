@@ -13,8 +13,6 @@ from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, f
 from tam570.show.student import Student
 from tam570.values import Function, Numbers, Parameters
 
-__all__ = ["film"]
-
 EXAMPLE = {"length": 1.0, "gravity": 9.81}  # m, m/s^2
 STATE = {"theta": "rad", "omega": "rad/s"}
 START = (2.0, 0.0)  # far from small

@@ -5,13 +5,12 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from tam570.loading import Trouble
 from tam570.show.diagrams import force_shapes
 from tam570.show.plots import gap_caption, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times
-from tam570.show.student import Student, Trouble
+from tam570.show.student import Student
 from tam570.values import Parameters
-
-__all__ = ["film"]
 
 EXAMPLE = {"speed": 50.0, "mass": 1.0, "drag": 0.2, "gravity": 9.81}  # m/s, kg, kg/s, m/s^2
 ANGLES = (15, 30, 60, 75)  # degrees, beside the best

@@ -8,8 +8,6 @@ from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, f
 from tam570.show.student import Student
 from tam570.values import Numbers, Parameters
 
-__all__ = ["film"]
-
 EXAMPLE = {"mass": 1.0}  # kg
 SECONDS = 2 * np.pi
 # Harmonics of the two points: frequency, cosine and sine coefficients of x, y, z; rad/s, m

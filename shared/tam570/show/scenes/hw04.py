@@ -14,8 +14,6 @@ from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times
 from tam570.show.student import Student
 from tam570.values import Numbers, Parameters
 
-__all__ = ["film"]
-
 EXAMPLE = {"mass": 1.0, "stiffness": 8.0, "gravity": 9.81}  # kg, N/m, m/s^2
 STATE = {"x": "m", "y": "m", "z": "m", "vx": "m/s", "vy": "m/s", "vz": "m/s"}
 START = (1.0, 0.2, -0.6, -0.6, 2.2, 1.5)  # in no special direction

@@ -14,8 +14,6 @@ from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, f
 from tam570.show.student import Student
 from tam570.values import Numbers, Parameters
 
-__all__ = ["film"]
-
 EXAMPLE = {"mass": 1.0, "length": 1.0, "gravity": 9.81}  # kg, m, m/s^2
 STATE = {"x": "m", "y": "m", "vx": "m/s", "vy": "m/s"}
 START = (math.sin(0.1), math.cos(0.1), 0.0, 0.0)  # .1 rad from the very top

@@ -4,15 +4,14 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from tam570.loading import Trouble
 from tam570.show.diagrams import force_shapes
 from tam570.show.drawing import placed, solid
 from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.plots import drift_caption, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times
-from tam570.show.student import Student, Trouble
+from tam570.show.student import Student
 from tam570.values import Numbers, Parameters
-
-__all__ = ["film"]
 
 EXAMPLE = {
     "mass": 1200.0,  # kg

@@ -13,8 +13,6 @@ from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times
 from tam570.show.student import Student
 from tam570.values import Json, Numbers, Parameters
 
-__all__ = ["film"]
-
 EXAMPLE = {"masses": (1.0, 1.0), "lengths": (1.0, 1.0), "gravity": 9.81}  # kg, m, m/s^2
 STATE = {"theta1": "rad", "theta2": "rad", "omega1": "rad/s", "omega2": "rad/s"}
 START = (math.pi / 2, math.pi / 2, 0.0, 0.0)  # part (d): at rest, both bars level

@@ -10,8 +10,6 @@ from tam570.show.scene import Array, Panel, Scene, Shape, TimePlot, frame_times
 from tam570.show.student import Student
 from tam570.values import Parameters
 
-__all__ = ["film"]
-
 EXAMPLE = {"axis": (1.0, 2.0, 2.0)}
 SIZE = np.array([1.6, 1.0, 0.5])  # m
 RATE = 1.0  # rad/s

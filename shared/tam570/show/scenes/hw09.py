@@ -13,8 +13,6 @@ from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_
 from tam570.show.student import Student
 from tam570.values import Parameters
 
-__all__ = ["film"]
-
 EXAMPLE = {"size": (1.2, 1.8, 0.3)}  # m
 ORDERS = {"(a) about z, then about x": "zx", "(b) about x, then about z": "xz"}
 BEGINS, LASTS = (0.7, 2.7), 1.5  # s, of the two turns

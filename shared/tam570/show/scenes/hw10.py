@@ -5,15 +5,14 @@ from collections.abc import Sequence
 import numpy as np
 
 from tam570.lectures.inertia import of_box
+from tam570.loading import Trouble
 from tam570.show.drawing import box_face, brick, circle, cone, solid
 from tam570.show.live import Live, live_if_written
 from tam570.show.plots import drift_caption, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
-from tam570.show.student import Student, Trouble
+from tam570.show.student import Student
 from tam570.show.turning import in_space, spin_handle
 from tam570.values import Numbers, Parameters
-
-__all__ = ["film"]
 
 EXAMPLE = {"mass": 1.0, "size": (2.4, 1.6, 0.4)}  # kg, m: the moments of inertia ascend
 STATE = {"omega_a": "rad/s", "omega_b": "rad/s", "omega_c": "rad/s"}

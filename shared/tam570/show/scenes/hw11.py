@@ -10,8 +10,6 @@ from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_
 from tam570.show.student import Student
 from tam570.values import Parameters
 
-__all__ = ["film"]
-
 EXAMPLE = {
     "mass": 0.02,  # kg
     "radius": 0.1,  # m

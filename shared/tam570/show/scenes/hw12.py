@@ -12,8 +12,6 @@ from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, mov
 from tam570.show.student import Student
 from tam570.values import Numbers, Parameters
 
-__all__ = ["film"]
-
 EXAMPLE = {"mass": 1.0, "curvature": 0.8, "gravity": 9.81}  # kg, 1/m, m/s^2
 STATE = {"x": "m", "v": "m/s"}
 START = (1.2, 0.0)

@@ -6,15 +6,14 @@ from collections.abc import Sequence
 import numpy as np
 
 from tam570.integrate import solve
+from tam570.loading import Trouble
 from tam570.show.diagrams import force_shapes
 from tam570.show.drawing import circle, solid
 from tam570.show.live import Handle, Live, energies, live_if_written
 from tam570.show.plots import drift_caption, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
-from tam570.show.student import Student, Trouble
+from tam570.show.student import Student
 from tam570.values import Numbers, Parameters
-
-__all__ = ["film"]
 
 EXAMPLE = {
     "mass": 1.0,  # kg

@@ -6,15 +6,14 @@ from functools import partial
 
 import numpy as np
 
+from tam570.loading import Trouble
 from tam570.show.diagrams import force_shapes
 from tam570.show.drawing import circle, floor, solid
 from tam570.show.live import Handle, Live, energies, live_if_written
 from tam570.show.plots import gap_caption, state_energy_plot, value_plot
 from tam570.show.scene import Array, Panel, Scene, Shape, TimePlot, frame_times, moving
-from tam570.show.student import Student, Trouble
+from tam570.show.student import Student
 from tam570.values import Numbers, Parameters
-
-__all__ = ["film"]
 
 EXAMPLE = {"mass": 1.0, "radius": 0.5, "inertia": (0.0625, 0.125), "gravity": 9.81}  # kg, m, kg m^2, m/s^2
 START = (0.0, 0.0, 0.0, math.pi / 2 + 0.3, 0.0, 0.5, 0.0, -5.0)  # m, rad, rad/s: leaning and rolling

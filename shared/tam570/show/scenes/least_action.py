@@ -12,8 +12,6 @@ from tam570.show.drawing import graph
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, moving, with_slider
 from tam570.values import Parameters
 
-__all__ = ["film"]
-
 SIZE = 1.0  # m, of the picture: width of the graph, length of the pendulums
 NEIGHBOURS = np.linspace(-0.3, 0.3, 7)  # rad, bumps added to the swing
 SAME = 1e-3  # rad, between two paths that are one

@@ -14,8 +14,6 @@ from tam570.show.plots import drift_caption, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, drawable_rate, frame_times, moving, with_slider
 from tam570.values import Numbers, Parameters
 
-__all__ = ["film"]
-
 IMPULSES = (12, 18, 30, 60)  # in the time of one orbit, or of the scene if that is shorter
 FIRST = 18
 

@@ -13,8 +13,6 @@ from tam570.show.plots import drift_caption, value_plot, values
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, moving, with_slider
 from tam570.values import Numbers
 
-__all__ = ["film"]
-
 SHARES = (0.6, 0.8, 1.0, 1.25)  # of the speed
 OUTLINE = np.array([[-0.4, -0.35], [1.3, -0.35], [1.7, 0.0], [1.3, 0.35], [-0.4, 0.35]])  # of offsets
 

@@ -13,8 +13,6 @@ from tam570.show.plots import state_energy_plot, value_plot, values
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Parameters
 
-__all__ = ["film"]
-
 RADIUS, DEPTH = 0.08, 0.35  # m, of the ball, and of the floor's spring
 STIFFER = (1.0, 4.0, 16.0)  # times the stiffness
 ROD: Parameters = {"mass": 1.0, "inertia": 0.12, "arms": (-0.5, 0.3), "speed": 1.0}  # kg, kg m^2, m, m/s

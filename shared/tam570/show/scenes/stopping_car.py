@@ -10,8 +10,6 @@ from tam570.show.plots import value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Parameters
 
-__all__ = ["film"]
-
 LOCKED = ("front", "rear", "both")
 SPEED = 12.0  # m/s
 WHEEL = 0.3  # m

@@ -14,8 +14,6 @@ from tam570.show.plots import drift_caption, value_plot, values
 from tam570.show.scene import FASTEST, GREY, INK, Array, Panel, Scene, Shape, frame_times, moving, with_slider
 from tam570.values import Numbers, Parameters
 
-__all__ = ["film"]
-
 LENGTH, HEIGHT, RADIUS = 1.0, 0.6, 0.45  # m, of the picture: the axis, its disk
 SPINS = (3.5, 8.0)  # rad/s, of the slider
 NUDGED = 0.02  # rad, the tilt of a top that may sleep

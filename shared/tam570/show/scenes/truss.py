@@ -12,8 +12,6 @@ from tam570.show.plots import value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, with_slider
 from tam570.values import Parameters
 
-__all__ = ["film"]
-
 SHARES = (0.1, 0.3, 1.0, 4.0)  # of the stiffness
 
 
