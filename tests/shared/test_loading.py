@@ -26,6 +26,11 @@ CELLS = {
     "asks for help": "import numpy as np\nx = 7\nx?\n?x\nnp.array??\nnp.*load*?",
     "has magics": "%matplotlib inline\n%load_ext autoreload\nx = 17 \\\n  % 10",
     "is captured": "\n%%capture out --no-stderr\nx = 7",
+    "has a percent sign in a text": "text = '''\n%kept\n'''\nx = 7 * (text == '\\n%kept\\n')",
+    "asks for Colab": "if 'google.colab' in str(get_ipython()):\n    !pip install tam570 \\\n        numpy\nx = 7",
+    "has lines that begin with an operator": "%precision 3\nx = (19\n    % 12\n    != 2) * 7",
+    "runs a magic as a function": "display(3, metadata={})\nget_ipython().run_line_magic('matplotlib', 'inline')\nx = 7",
+    "takes all of pylab": "%pylab inline\nplt.plot([1])\nx = round(7 * cos(0.0))",
 }
 # of other languages, and without a source
 OTHERS = ("%%writefile a.py\nx = 0", " %%bash\nexit 1", "%%html\n<b>", "%%timeit\nx = 0", "no source", "", "!ls")

@@ -15,6 +15,7 @@ from processes import await_end, descendants
 
 from tam570_grader import cli
 from tam570_grader.audit.gradings import submissions
+from tam570_grader.grading import batch
 from tam570_grader.results import store
 
 SHARES = ("", "def skew(v): return v\n", "def rotate(r, axis, angle):\n    raise ValueError\n")  # of the class
@@ -89,14 +90,15 @@ def test_a_run_that_ends_leaves_nothing_unlocked_before_it_is_done(tmp_path, mon
     assert replaced == ["grades.csv", "results.jsonl"]
 
 
-def test_a_clock_that_jumps_changes_no_result(tmp_path, solution_text, monkeypatch):
-    """An hour forwards, then a day back, at every look at it: durations are of the clock that only runs on."""
+def test_neither_a_clock_that_jumps_nor_more_processes_change_a_result(tmp_path, solution_text, monkeypatch):
+    """An hour forwards, then a day back, at every look at it; nor does the number of processes change one."""
     tree = class_of(3, tmp_path / "submitted", solution_text(HW08))
+    monkeypatch.setattr(batch, "FEW", 1)  # a process each
     command = ["grade", str(tree), "--seed", "5", "--out"]
-    assert cli.main([*command, str(tmp_path / "calm")]) == 0
+    assert cli.main([*command, str(tmp_path / "calm"), "--jobs", "3"]) == 0
     real, jumps = time.time, iter(range(10**6))
     monkeypatch.setattr(time, "time", lambda: real() + (3600 if next(jumps) % 2 else -86400))
-    assert cli.main([*command, str(tmp_path / "jumped")]) == 0
+    assert cli.main([*command, str(tmp_path / "jumped"), "--jobs", "1"]) == 0
     assert outcome(tmp_path / "jumped") == outcome(tmp_path / "calm")
 
 

@@ -1,15 +1,11 @@
 """A reply is checked before anything reads it: by type, depth, size and number, for each mode."""
 
 import itertools
-import json
 
 import numpy as np
 import pytest
 from classes import HW08 as SLUG
-from classes import hand_in
 
-from tam570_grader import cli
-from tam570_grader.grading import supervisor
 from tam570_grader.protocol.wire import DEEPEST, Foreign
 from tam570_grader.sandbox import replies
 from tam570_grader.sandbox.process import ProcessLost
@@ -103,19 +99,3 @@ def test_reading_replies_counts_as_the_submissions_time(grade, solution_text, mo
     monkeypatch.setattr("tam570_grader.sandbox.process.SHORT", 0)
     result = grade(SLUG, solution_text(SLUG), limits=ResourceLimits(cpu=3))
     assert result.status == "timeout" and "processor time" in result.message
-
-
-def test_a_fault_of_ours_is_one_submissions_result(tmp_path, solution_text, monkeypatch, capsys):
-    """Whatever it is, in whatever part: the class is graded on."""
-    grades = supervisor.graded
-    hand_in(tmp_path, dict.fromkeys(("ada", "ben"), solution_text(SLUG)))
-
-    def broken(name, *arguments, **options):
-        if name == "ada":
-            raise RecursionError
-        return grades(name, *arguments, **options)
-
-    monkeypatch.setattr(supervisor, "graded", broken)
-    assert cli.main(["grade", str(tmp_path), "--json"]) == 1
-    lines = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
-    assert {line["student"]: line["score"] for line in lines} == {"ada": None, "ben": 10.0}
