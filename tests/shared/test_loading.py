@@ -29,7 +29,7 @@ CELLS = {
     "has a percent sign in a text": "text = '''\n%kept\n'''\nx = 7 * (text == '\\n%kept\\n')",
     "asks for Colab": "if 'google.colab' in str(get_ipython()):\n    !pip install tam570 \\\n        numpy\nx = 7",
     "has lines that begin with an operator": "%precision 3\nx = (19\n    % 12\n    != 2) * 7",
-    "runs a magic as a function": "display(3, metadata={})\nget_ipython().run_line_magic('matplotlib', 'inline')\nx = 7",
+    "calls a magic": "display(3, metadata={})\nget_ipython().run_line_magic('matplotlib', 'inline')\nx = 7",
     "takes all of pylab": "%pylab inline\nplt.plot([1])\nx = round(7 * cos(0.0))",
 }
 # of other languages, and without a source

@@ -185,11 +185,3 @@ def test_a_variant_that_never_ends_is_passed_over():
     """`stairs` with another sign in its step goes round for ever; the slip in the last line comes after that one."""
     steps = [Call("stairs", Case(n, m), n * (n + 1) / 2 + m) for n, m in ((2, 3.0), (3, 5.0), (4, 7.0))]
     assert general(SOLUTION, steps).message == "In stairs, an exponent with m is one too large or too small"
-
-
-def test_it_is_said_in_the_feedback(grade, solution_text):
-    slug = "hw05_constrained_pendulum"
-    quarter = "    return mass * (state[2] ** 2 + state[3] ** 2) / 4 + mass * gravity * state[1]\n"
-    text = f"{solution_text(slug)}\n\ndef energy(state, *, mass, gravity):\n{quarter}"
-    (check,) = [check for check in grade(slug, text).checks if check.outcome == "failed"]
-    assert check.suspect == "In energy, a number with mass, state is twice or half the right one"
