@@ -1,14 +1,13 @@
-"""Other processes: what a fresh interpreter imports, and those below another one, by Linux's /proc."""
+"""Other processes: what a fresh interpreter imports, and those below another one."""
 
 import contextlib
 import subprocess
 import sys
 import time
-from pathlib import Path
 
-import pytest
+import psutil
 
-__all__ = ["await_end", "children", "descendants", "imported_modules", "is_running"]
+__all__ = ["await_end", "descendants", "imported_modules"]
 
 
 def imported_modules(code):
@@ -18,29 +17,20 @@ def imported_modules(code):
     return set(process.stderr.split())
 
 
-def children(pid):
-    """Return the processes that the threads of a process have started."""
-    actual = []
-    for task in Path(f"/proc/{pid}/task").glob("*/children"):
-        with contextlib.suppress(OSError):
-            actual += map(int, task.read_text().split())
-    return actual
-
-
 def descendants(pid):
-    return [item for child in children(pid) for item in (child, *descendants(child))]
+    """Return the processes below another one."""
+    return psutil.Process(pid).children(recursive=True)
 
 
-def is_running(pid):
-    with contextlib.suppress(OSError):
-        return ") Z" not in Path(f"/proc/{pid}/stat").read_text()
+def is_running(process):
+    with contextlib.suppress(psutil.NoSuchProcess):
+        return process.status() != psutil.STATUS_ZOMBIE
     return False
 
 
-def await_end(pids, seconds=60):
+def await_end(processes, seconds=60):
     """Fail if one of the processes is still there after so long."""
     deadline = time.monotonic() + seconds
-    while any(map(is_running, pids)):
-        if time.monotonic() > deadline:
-            pytest.fail("a process outlives the one that started it")
+    while any(map(is_running, processes)):
+        assert time.monotonic() < deadline, "a process outlives the one that started it"
         time.sleep(0.05)

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from processes import await_end, children
+from processes import await_end, descendants
 
 from tam570_grader.checks import expected
 from tam570_grader.checks.case import Case
@@ -92,7 +92,7 @@ def test_an_interrupt_during_a_fork_is_heard():
 
 @linux
 @pytest.mark.parametrize("end", [signal.SIGINT, signal.SIGKILL])
-def test_no_process_outlives_a_run_that_is_ended(tmp_path, end):
+def test_no_process_outlives_a_run_that_is_ended(end):
     program = (
         "import time; from tam570_grader.grading.executor import *\n"
         "with executor(2) as us:\n"
@@ -101,7 +101,7 @@ def test_no_process_outlives_a_run_that_is_ended(tmp_path, end):
     command = [sys.executable, "-c", program]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as coordinator:
         coordinator.stdout.readline()
-        while len(started := children(coordinator.pid)) < 2:
+        while len(started := descendants(coordinator.pid)) < 2:
             time.sleep(0.05)
         coordinator.send_signal(end)
     assert coordinator.returncode

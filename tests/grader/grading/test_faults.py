@@ -4,11 +4,11 @@ import contextlib
 import fcntl
 import os
 import random
-import signal
 import subprocess
 import sys
 import time
 
+import psutil
 import pytest
 from classes import HW08, hand_in, outcome, result
 from processes import await_end, descendants
@@ -50,9 +50,9 @@ def test_a_run_killed_at_random_moments_ends_as_an_undisturbed_one(tmp_path, sol
         process = grading(tree, tmp_path / "killed")
         for is_last in (False, False, True):
             time.sleep(rng.uniform(0.2, 0.5 + span / runs))
-            started = [process.pid, *descendants(process.pid)]
-            with contextlib.suppress(ProcessLookupError):
-                os.kill(process.pid if is_last else rng.choice(started), signal.SIGKILL)
+            started = [psutil.Process(process.pid), *descendants(process.pid)]
+            with contextlib.suppress(psutil.NoSuchProcess):
+                (started[0] if is_last else rng.choice(started)).kill()
         process.communicate()
         await_end(started)
     run_to_end(grading(tree, tmp_path / "killed"))
