@@ -1,6 +1,6 @@
 """Why a check failed, as a record that travels from the check to the page."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from tam570.values import Json, Numbers
 
@@ -33,7 +33,3 @@ class Failure:
     at: Numbers = None
     function: str = ""  # that was called at this input
     fault: str = ""  # of ours, in looking for a name
-
-    def with_mistake(self, suspect: str | None, follows_from: str = "", fault: str = "") -> "Failure":
-        """Add the known mistake, or where it was made, or with what kept us from finding one."""
-        return replace(self, suspect=suspect, follows_from=follows_from, fault=fault)

@@ -7,7 +7,7 @@ import os
 from pathlib import Path
 
 from tam570_grader.errors import UsageError, say, writing
-from tam570_grader.grading.certificates import NAMES, files
+from tam570_grader.grading.cluster import CERTIFICATES, certificate_and_key
 
 YEARS = 2
 
@@ -37,11 +37,11 @@ def _certificates(arguments: argparse.Namespace) -> int:
     until = datetime.datetime.now(datetime.UTC) + datetime.timedelta(days=365 * YEARS)
     with writing(folder):
         folder.mkdir(mode=0o700, parents=True)
-        for name, content in zip(NAMES, _certificate_and_key(until), strict=True):
+        for name, content in zip(CERTIFICATES, _certificate_and_key(until), strict=True):
             with open(os.open(folder / name, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600), "wb") as file:
                 file.write(content)
-    paths = dict(zip(("cert", "key"), files(folder), strict=True))
-    tls = f"--tls-ca-file {paths['cert']} --tls-cert {paths['cert']} --tls-key {paths['key']}"
+    certificate, key = certificate_and_key(folder)
+    tls = f"--tls-ca-file {certificate} --tls-cert {certificate} --tls-key {key}"
     say(NEXT.format(folder=folder, until=f"{until:%d %b %Y}", tls=tls))
     return 0
 

@@ -236,11 +236,6 @@ def is_motion(call: Call) -> bool:
     return isinstance(times, np.ndarray) and len(shape) > 1 and shape[0] == len(times) != shape[-1]
 
 
-def has_numbers(result: Numbers, wrong: Numbers) -> bool:
-    """Return whether a result has a variant's numbers; None has none."""
-    return result is not None and wrong is not None and same(result, wrong, WITHIN)
-
-
 def right_answer(solution: str, call: Call) -> Numbers:
     """Return the solution's answer to a call; None where it has none."""
     value = answer(solution, "", call)

@@ -387,7 +387,8 @@ def _words(mutant: Mutant) -> Iterator[tuple[str, ast.expr]]:
         yield KINDS[mutant.operator], was
     elif mutant.operator == "a missing factor" and isinstance(was, ast.BinOp):
         dropped = was.right if now is was.left else was.left
-        yield KINDS["a factor"] if _is_two(dropped) else "a factor{} is missing", dropped
+        is_two = isinstance(dropped, ast.Constant) and dropped.value in (2, 0.5)
+        yield KINDS["a factor"] if is_two else "a factor{} is missing", dropped
     elif mutant.operator == "a first sign" and isinstance(was, ast.BinOp):
         yield KINDS["a sign"], was.left
     elif isinstance(was, ast.BinOp) and isinstance(was.op, ast.Add | ast.Sub):
@@ -406,10 +407,6 @@ def _words(mutant: Mutant) -> Iterator[tuple[str, ast.expr]]:
         yield "a cosine{} has the wrong sign", was  # 2 sin(x/2)^2 is 1 - cos x
     elif mutant.operator in KINDS:
         yield KINDS[mutant.operator], was
-
-
-def _is_two(node: ast.expr) -> bool:
-    return isinstance(node, ast.Constant) and node.value in (2, 0.5)
 
 
 def _is_half(node: ast.expr) -> bool:

@@ -108,7 +108,10 @@ def outcomes(
     for submission in config.submissions:
         task = _task(config, code, submission)
         if task.digest in cached:
-            yield _noted(cached[task.digest], store)
+            known = cached[task.digest]
+            if store is not None and known.results is not store:
+                store.add(known.record)
+            yield known
             continue
         text = task.source.text if isinstance(task.source, Source) else b""
         users.update(imported(text))
@@ -132,13 +135,6 @@ def digests(config: RunConfig) -> Iterator[tuple[str, str, str]]:
         yield submission.student, submission.slug, _task(config, code, submission).digest
 
 
-def _noted(cached: CachedResult, store: ResultStore | None) -> CachedResult:
-    """Return a result that is known already, in the book too."""
-    if store is not None and cached.results is not store:
-        store.add(cached.record)
-    return cached
-
-
 def lines(
     config: RunConfig, tasks: Iterable[GradeTask], count: int, slugs: Sequence[str], preload: Sequence[str] = ()
 ) -> Iterator[bytes]:
@@ -155,19 +151,13 @@ def lines(
             executor = stack.enter_context(config.cluster.executor(config.course, slugs, config.jobs))
         else:
             executor = stack.enter_context(local_executor(jobs))
-        conditions = WorkerConfig(
-            config.limits, _hidden(config), tuple(preload), config.speed, _shared(config, jobs, stack)
-        )
+        hidden = () if config.cluster else tuple(config.hidden)  # nothing of ours is there but the course
+        conditions = WorkerConfig(config.limits, hidden, tuple(preload), config.speed, _shared(config, jobs, stack))
         if not config.cluster and (jobs == 1 or forks()):
             supervisor.prepare(config.course, slugs, conditions)
         configured = (replace(task, conditions=conditions) for task in tasks)
         for _, task, line in run_tasks(executor, supervisor.line, configured, count):
             yield supervisor.lost(task, str(line)) if isinstance(line, WorkerLost) else line
-
-
-def _hidden(config: RunConfig) -> tuple[Path, ...]:
-    """Return what must not be seen here; on a cluster nothing of ours is there but the course."""
-    return () if config.cluster else tuple(config.hidden)
 
 
 def _shared(config: RunConfig, jobs: int, stack: ExitStack) -> Path | None:

@@ -26,6 +26,7 @@ ASKED = 2.0  # s between looks at how many workers there are
 LEAST = 4  # tasks that are handed out, however few workers there are
 PATIENCE = 20  # s, for a scheduler to answer
 GOODBYE = 5  # s, for a scheduler to hear that we leave
+CERTIFICATES = ("certificate.pem", "key.pem")  # who holds the key may join the cluster, and nobody else
 MISSING = "--cluster needs dask.distributed: pip install 'tam570[cluster]'"
 UNSAFE = (
     "{address}: whoever reaches a scheduler without certificates can run code on it. Run "
@@ -109,11 +110,17 @@ def _left(client: Dask) -> None:
         client.close(timeout=GOODBYE)
 
 
-def _security(folder: Path | None) -> Dask:
-    from tam570_grader.grading.certificates import files
+def certificate_and_key(folder: Path) -> tuple[str, str]:
+    """Return the certificate and the key in a folder; UsageError if they are not there."""
+    paths = [folder / name for name in CERTIFICATES]
+    if lacking := [path for path in paths if not path.is_file()]:
+        raise UsageError(f"{lacking[0]} is not there; make it with: tam570-grader certificates {folder}")
+    return str(paths[0]), str(paths[1])
 
+
+def _security(folder: Path | None) -> Dask:
     assert folder is not None
-    certificate, key = files(folder)
+    certificate, key = certificate_and_key(folder)
     tls = {"tls_ca_file": certificate, "tls_client_cert": certificate, "tls_client_key": key}
     return importlib.import_module("distributed").Security(require_encryption=True, **tls)
 

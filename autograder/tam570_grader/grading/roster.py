@@ -69,7 +69,7 @@ def people(path: Path) -> list[Person]:
     UsageError for a table whose headings are unknown.
     """
     rows = table(path)
-    lower = [_heading(text) for text in rows[0]]
+    lower = [unicodedata.normalize("NFC", text).strip().lower() for text in rows[0]]
     headings = {*IDS, *NAMES, *(part for pair in PARTS for part in pair)}
     if not headings & set(lower):
         if len(rows[0]) > 1:
@@ -84,10 +84,6 @@ def people(path: Path) -> list[Person]:
     return [
         person for person in persons if person.keys and not (is_canvas and letters(person.name) == letters(NOT_PEOPLE))
     ]
-
-
-def _heading(text: str) -> str:
-    return unicodedata.normalize("NFC", text).strip().lower()
 
 
 def _person(row: Mapping[str, str], cells: Mapping[str, str]) -> Person:

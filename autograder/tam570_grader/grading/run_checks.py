@@ -395,7 +395,8 @@ def _failed(check: Check, failed: Failed, cause: Cause | None, fault: str = "") 
     suspect, follows_from = (cause.message or None, cause.follows_from) if cause else (None, "")
     is_cause = cause is None or follows_from in ("", cause.function)
     share = failed.share if is_cause else max(failed.share, FOLLOWING_SHARE)
-    failure = failed.failure.with_mistake(suspect, follows_from, fault or failed.failure.fault)
+    failure = failed.failure
+    failure = replace(failure, suspect=suspect, follows_from=follows_from, fault=fault or failure.fault)
     points, message = round(share * check.points, 6), full_message(failure)
     return CheckResult(check.name, check.part, points, check.points, "failed", message, suspect, failure)
 

@@ -236,17 +236,15 @@ def entries(folder: Path, most: int | None = None) -> list[tuple[Path, bool]]:
     try:
         os.stat(os.path.join(folder, "."))  # one that may be listed may be closed all the same
         with os.scandir(folder) as listed:
-            held = {entry.name: _is_folder(entry) for entry in itertools.islice(listed, most and most + 1)}
+            held = {  # a link to itself is no folder
+                entry.name: os.path.isdir(entry) if entry.is_symlink() else entry.is_dir()
+                for entry in itertools.islice(listed, most and most + 1)
+            }
     except OSError as error:
         raise BadPath(f"{printable(str(folder))} cannot be read: {error.strerror}; who owns it?") from None
     if most and len(held) > most:
         raise BadPath(f"{printable(folder.name)} holds more than {most} files: hand in the module or notebook alone")
     return [(folder / name, held[name]) for name in sorted(held) if not name.startswith((".", "__"))]
-
-
-def _is_folder(entry: os.DirEntry[str]) -> bool:
-    """Return whether it is one, or a link to one; a link to itself is none."""
-    return os.path.isdir(entry) if entry.is_symlink() else entry.is_dir()
 
 
 def _name(text: str) -> str:

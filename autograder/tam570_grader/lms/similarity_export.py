@@ -34,7 +34,9 @@ def run(
     texts, unread = texts_of(everything)
     with writing(out):
         out.mkdir(parents=True, exist_ok=True)
-        _write_names(numbers, out / NAMES)
+        names = sorted((number, student) for student, number in numbers.items())
+        write_table(out / NAMES, [("number", "student"), *names])
+        (out / NAMES).chmod(0o600)  # for the instructor alone
         for slug, modules in sorted(texts.items()):
             _write(course, slug, {numbers[who]: text for who, text in modules.items()}, out / slug, tool)
             say(f"cd {out / slug} && {COMMANDS[tool].format(slug=slug)}")
@@ -83,9 +85,3 @@ def _write(course: Path, slug: str, modules: Mapping[str, str], folder: Path, to
     if tool == "dolos":
         rows = [(f"submissions/{number}/{slug}.py", number) for number in sorted(modules)]
         write_table(folder / "info.csv", [("filename", "full_name"), *rows])
-
-
-def _write_names(numbers: Mapping[str, str], path: Path) -> None:
-    """Write whose number it is, for the instructor alone to read."""
-    write_table(path, [("number", "student"), *sorted((number, student) for student, number in numbers.items())])
-    path.chmod(0o600)

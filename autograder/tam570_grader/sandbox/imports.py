@@ -101,9 +101,8 @@ def python_class(error: Json) -> str:
 
 def skipped_cells(reports: Sequence[str], text: bytes) -> list[str]:
     """Return the first cells that were skipped, and why, by what ran in them."""
-    sentences = [
-        _skipped(match, text) for report in reports if (match := SKIPPED.fullmatch(report)) and _may_be_named(match[2])
-    ]
+    matches = filter(None, map(SKIPPED.fullmatch, reports))
+    sentences = [_skipped(match, text) for match in matches if _is_python(match[2]) or match[2] == "Forbidden"]
     return [*sentences[:MOST_CELLS], *(["and others"] if len(sentences) > MOST_CELLS else [])]
 
 
@@ -123,10 +122,6 @@ def _at(line: int) -> str:
 
 def _is_python(class_name: str) -> bool:
     return isinstance(getattr(builtins, class_name, None), type)
-
-
-def _may_be_named(class_name: str) -> bool:
-    return _is_python(class_name) or class_name == "Forbidden"
 
 
 def _own_words(said: str, text: bytes) -> str:
