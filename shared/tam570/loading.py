@@ -144,15 +144,10 @@ def said(error: BaseException, file: str) -> str:
     if isinstance(error, SyntaxError):
         line = f"Line {error.lineno}: " if error.lineno else ""
         return f"{line}{type(error).__name__}: {error.msg}\n    {(error.text or '').strip()}".rstrip()
-    frames = [
-        frame for frame in traceback.extract_tb(error.__traceback__) if frame.filename in (file, _cell(frame.filename))
-    ]
+    trace = traceback.extract_tb(error.__traceback__)
+    frames = [frame for frame in trace if frame.filename == file or frame.filename.startswith("cell ")]
     where = f", in {frames[-1].name}" if frames and not frames[-1].name.startswith("<") else ""
     line = f"Line {frames[-1].lineno}{where}: {frames[-1].line}\n" if frames else ""
     if isinstance(error, Forbidden):
         return f"{line}{error}."
     return line + traceback.format_exception_only(error)[-1].strip()
-
-
-def _cell(name: str) -> str | None:
-    return name if name.startswith("cell ") else None

@@ -26,7 +26,9 @@ def _prediction(work: Path, letter: str, question: str) -> str:
     path = work / f"prediction_{letter}.txt"
     if not path.is_file():
         print(textwrap.fill(f"Before you look ({letter}): {question}", 80))
-        answer = _answer() if _is_attended() else ""
+        answer = ""
+        with contextlib.suppress(EOFError):
+            answer = input("Your prediction: ").strip() if _is_attended() else ""
         if not answer:
             return f"({letter}) You have written no prediction into {path.name} yet."
         path.write_text(f"{time.strftime('%Y-%m-%d %H:%M')}: {answer}\n", encoding="utf-8")
@@ -36,9 +38,3 @@ def _prediction(work: Path, letter: str, question: str) -> str:
 def _is_attended() -> bool:
     """Return whether somebody can answer."""
     return sys.stdin.isatty() and sys.stdout.isatty()
-
-
-def _answer() -> str:
-    with contextlib.suppress(EOFError):
-        return input("Your prediction: ").strip()
-    return ""

@@ -1,6 +1,6 @@
 """Formulas in plain symbols: their values, and whether an equation of motion follows from one's own Lagrangian."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,8 +9,6 @@ from tam570.values import Numbers
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed, FollowsFrom, NotWritten
 from tam570_grader.checks.student import StudentFunction, StudentModule
-
-Point = Mapping[str, float]
 
 STEP = 1e-3  # of x and of v: differences of a formula's doubles are good to 1e-6
 FOLLOWS = 1e-4  # another term changes more

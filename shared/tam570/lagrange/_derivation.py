@@ -45,8 +45,10 @@ def motion(
         raise ValueError("constraints must be linear in the velocities")
     momenta = [sympy.diff(L, w) for w in v]
     mass = sympy.Matrix([[sympy.simplify(sympy.diff(p, w)) for w in v] for p in momenta])
-    _check_inertia(mass)
-    _check_independence(matrix)
+    if _rank(mass) < mass.rows:
+        raise ValueError("lagrangian: the mass matrix is singular; a coordinate has no inertia of its own")
+    if _rank(matrix) < matrix.rows:
+        raise ValueError("constraints are not independent: leave out what follows from the others")
     _check_pivots(mass, matrix)
     used = set().union(*(e.free_symbols for e in (L, *Q, *all_constraints)))
     return Motion(
@@ -73,16 +75,6 @@ def _check_lengths(q: Sequence[Symbol], v: Sequence[Symbol], forces: Sequence[Ex
         raise ValueError(f"velocities: one for each coordinate, got {len(v)} for {len(q)}")
     if forces and len(forces) != len(q):
         raise ValueError(f"forces: one for each coordinate, got {len(forces)} for {len(q)}")
-
-
-def _check_inertia(mass: Expression) -> None:
-    if _rank(mass) < mass.rows:
-        raise ValueError("lagrangian: the mass matrix is singular; a coordinate has no inertia of its own")
-
-
-def _check_independence(matrix: Expression) -> None:
-    if _rank(matrix) < matrix.rows:
-        raise ValueError("constraints are not independent: leave out what follows from the others")
 
 
 def _check_pivots(mass: Expression, matrix: Expression) -> None:

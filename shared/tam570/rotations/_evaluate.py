@@ -7,7 +7,7 @@ that leaves the range it must lie in, and only there, the arguments are looked a
 """
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -108,7 +108,8 @@ def _by_component(formula: Formula) -> Stacked:
     """Return a formula on stacks: component by component."""
 
     def stacked(tables: list[Array], _: Array, results: Array) -> Array:
-        measure, *columns = formula(ARRAYS, *_columns(tables))
+        components = (row for table in tables for row in np.ascontiguousarray(table))
+        measure, *columns = formula(ARRAYS, *components)
         results[...] = np.concatenate(columns).reshape(len(columns), -1).T
         return np.asarray(measure)
 
@@ -172,11 +173,6 @@ def _batch(name: str, requirement: Requirement, value: Array) -> tuple[int, ...]
         wanted = ", ".join(["...", *map(str, requirement.shape)])
         raise ValueError(f"{name} has shape {value.shape}, but must have shape ({wanted})")
     return value.shape[:rank]
-
-
-def _columns(stacks: Iterable[Array]) -> list[Array]:
-    """Return the components of all arguments, each contiguous."""
-    return [column for stack in stacks for column in np.ascontiguousarray(stack)]
 
 
 def _mended(name: str, requirement: Requirement, rows: Array) -> Array:

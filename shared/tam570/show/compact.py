@@ -162,8 +162,10 @@ def _frame(panels: Sequence[Panel]) -> _Frame:
     middle, unit = (low + high) / 2, float((high - low).max() or 1.0) / (PIXELS * STEPS)
     if len(low) == 2:
         return _Frame(middle, unit, tuple((high - low) / unit), True)
-    scaled = [(shape.points - middle) / unit for panel in panels for shape in panel.shapes]
-    return _Frame(middle, unit, _size_in_space(scaled), False)
+    scaled = [np.abs(shape.points - middle) / unit for panel in panels for shape in panel.shapes]
+    width = max(float(np.hypot(points[..., 0], points[..., 1]).max()) for points in scaled)  # from whatever side
+    height = max(float(points[..., 2].max()) for points in scaled)
+    return _Frame(middle, unit, (2.0 * width, 2.0 * height), False)
 
 
 def _packed_panel(panel: Panel, frame: _Frame, points: _Points, in_space: bool) -> Json:
@@ -177,12 +179,6 @@ def _packed_panel(panel: Panel, frame: _Frame, points: _Points, in_space: bool) 
         "size": [_figures(side, 6) for side in frame.size],
         "shapes": [_packed_shape(shape, at, points) for shape, at in zip(panel.shapes, scaled, strict=True)],
     }
-
-
-def _size_in_space(scaled: list[Array]) -> tuple[float, float]:
-    """Width, seen from whatever side, and height of points about the origin."""
-    width = max(float(np.hypot(points[..., 0], points[..., 1]).max()) for points in scaled)
-    return 2.0 * width, 2.0 * max(float(np.abs(points[..., 2]).max()) for points in scaled)
 
 
 def _box(panels: Sequence[Panel]) -> tuple[Array, Array]:

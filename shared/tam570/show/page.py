@@ -8,7 +8,6 @@ from string import Template
 from tam570.show.compact import packed
 from tam570.show.live import program as written
 from tam570.show.scene import Scene
-from tam570.values import Json
 
 HERE = Path(__file__).parent / "player"
 
@@ -28,7 +27,8 @@ def page(scene: Scene) -> str:
         live=_read("live.js"),
         time_plots=_read("time_plots.js"),
         player=_read("player.js"),
-        data=_data(data),
+        # no string in it can end it early
+        data=json.dumps(data, ensure_ascii=True, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c"),
     )
 
 
@@ -39,11 +39,6 @@ def framed(document: str, title: str, height: int) -> str:
         f'<iframe title="{html.escape(title)}" style="{style}" sandbox="allow-scripts" '
         f'srcdoc="{html.escape(document)}"></iframe>'
     )
-
-
-def _data(scene: Json) -> str:
-    """JSON that no string in it can end early."""
-    return json.dumps(scene, ensure_ascii=True, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c")
 
 
 def _read(name: str) -> str:

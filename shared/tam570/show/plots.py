@@ -35,7 +35,10 @@ def value_plot(
     low = min(0.0, *(float(curve.min()) for curve in values.values()))
     high = max(least, *(float(curve.max()) for curve in values.values()))
     margin = 0.05 * (high - low) or 1.0
-    return _drawable(TimePlot(title, _sampled(times), values, (low - margin, high + margin), unit, caption, alarm))
+    span = low - margin, high + margin
+    if not max(map(abs, span)) < LARGEST:
+        raise Trouble(f"{title}: the numbers are too large to be drawn")
+    return TimePlot(title, _sampled(times), values, span, unit, caption, alarm)
 
 
 def energy_plot(times: Array, total: Array, potential: Array, title: str = "energy") -> TimePlot:
@@ -100,10 +103,3 @@ def _deviation(values: ArrayLike, scale: float) -> Array:
     with np.errstate(over="ignore"):
         moved: Array = (array - array[0]) / (scale or 1.0)
     return moved if moved.ndim == 1 else np.linalg.norm(moved, axis=1)
-
-
-def _drawable(time_plot: TimePlot) -> TimePlot:
-    """Return the time plot, if its numbers have a size that can be drawn. Trouble if not."""
-    if not max(map(abs, time_plot.span)) < LARGEST:
-        raise Trouble(f"{time_plot.title}: the numbers are too large to be drawn")
-    return time_plot
