@@ -63,6 +63,12 @@ def speed(velocities, n, arms):
     return float((points[0] - points[1]) @ n)
 
 
+def momenta(v, arms, masses, inertias):
+    """Linear, and angular about the contact."""
+    across = arms[:, 1] * v[:, 0] - arms[:, 0] * v[:, 1]
+    return [*masses @ v[:, :2], masses @ across + inertias @ v[:, 2]]
+
+
 def energy(v, masses, inertias):
     return float(masses @ (v[:, 0] ** 2 + v[:, 1] ** 2) + inertias @ v[:, 2] ** 2) / 2
 
@@ -73,13 +79,7 @@ def test_collisions_keep_both_momenta_and_lose_what_they_must(restitution):
         before, n, arms, bodies = contact()
         after, impulse = collide(before, 2.5 * n, arms, **bodies, restitution=restitution)
         masses, inertias = bodies["masses"], bodies["inertias"]
-        places = -arms  # of the centres of mass, seen from the contact
-        for v in (before, after):
-            linear = masses @ v[:, :2]
-            across = places[:, 0] * v[:, 1] - places[:, 1] * v[:, 0]
-            angular = float(masses @ across + inertias @ v[:, 2])
-            momenta = (linear, angular) if v is before else momenta  # noqa: F821
-        assert linear == pytest.approx(momenta[0], abs=1e-12) and angular == pytest.approx(momenta[1], abs=1e-12)
+        assert momenta(after, arms, **bodies) == pytest.approx(momenta(before, arms, **bodies), abs=1e-12)
         approach = speed(before, n, arms)
         assert speed(after, n, arms) == pytest.approx(-restitution * approach, abs=1e-12)
         mu = impulse / ((1 + restitution) * approach)

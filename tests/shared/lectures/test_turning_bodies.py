@@ -138,11 +138,6 @@ def test_the_wrong_coordinates_keep_energy_and_size_and_lose_the_direction():
     assert np.linalg.norm(H - H[0], axis=1).max() > 0.1 * np.linalg.norm(H[0])
 
 
-def test_a_dyad_turns_what_it_is_dotted_with():
-    a, b, r = DRAW.normal(size=(3, 3))
-    assert dyads.dyad(a, b) @ r == pytest.approx(a * (b @ r))
-
-
 @pytest.mark.parametrize("mirror", [1.0, -1.0])
 def test_three_dyads_take_one_triad_to_the_other(mirror):
     before, after = mirror * triad(), mirror * triad()
