@@ -9,8 +9,6 @@ import re
 from pathlib import Path
 from statistics import median
 
-__all__ = ["setup"]
-
 COURSE = Path(__file__).resolve().parents[2]
 RESULTS_FOLDER = COURSE / "benchmarks" / "results"
 INTO = COURSE / "docs" / "generated" / "figures"

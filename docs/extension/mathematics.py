@@ -10,8 +10,6 @@ import unicodedata
 from docutils import nodes
 from latex2mathml.converter import convert
 
-__all__ = ["mathml", "setup"]
-
 BOLD = re.compile(r'<m([in]) mathvariant="(bold(?:-italic)?)">(.)</m[in]>')
 NAME = r"<mi>(?:(?:arc)?(?:sin|cos|tan)|(?:sin|cos|tan)h|ln)</mi>"
 FUNCTION = re.compile(rf"(?<!<msup>){NAME}|<msup>{NAME}<mn>\d</mn></msup>")

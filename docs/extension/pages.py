@@ -11,8 +11,6 @@ from tam570.course import assignments, title
 from tam570.lectures import catalogue, load
 from tam570_grader.lms.systems import SYSTEMS
 
-__all__ = ["readable", "setup"]
-
 GREEK = {
     **{"alpha": "α", "beta": "β", "gamma": "γ", "theta": "θ", "lam": "λ"},
     **{"mu": "μ", "pi": "π", "phi": "φ", "psi": "ψ", "omega": "ω"},

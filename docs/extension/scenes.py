@@ -17,8 +17,6 @@ from tam570.show import load_student, save, scene_of
 from tam570.show.lecture import filmed
 from tam570.show.page import page
 
-__all__ = ["film", "setup"]
-
 COURSE = Path(__file__).resolve().parents[2]
 WIDTH, QUALITY = 800, 80  # pixels of a still, and of its WebP
 

@@ -9,8 +9,6 @@ from pathlib import Path
 
 import tinycss2
 
-__all__ = ["setup", "trimmed"]
-
 SHEET = Path("_static/styles/pydata-sphinx-theme.css")
 ICONS = re.compile(
     r"fa-|svg-inline--fa|fa[bdlrsk]?$|sd-|docsearch|DocSearch"

@@ -7,8 +7,6 @@ import zipfile
 
 from tam570_grader.results.records import CheckResult, Result
 
-__all__ = ["HW08", "check_result", "hand_in", "notebook", "outcome", "packed", "result", "results", "rows"]
-
 HW08 = "hw08_axis_angle"
 
 

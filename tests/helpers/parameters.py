@@ -4,8 +4,6 @@ from pathlib import Path
 
 import pytest
 
-__all__ = ["SLUGS", "first"]
-
 SLUGS = sorted(path.stem for path in (Path(__file__).parents[2] / "solutions").glob("hw*.py"))
 
 

@@ -7,8 +7,6 @@ import time
 
 import psutil
 
-__all__ = ["await_end", "descendants", "imported_modules"]
-
 
 def imported_modules(code):
     """Return the top-level modules that a fresh interpreter has loaded after running the code."""

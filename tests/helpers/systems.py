@@ -2,8 +2,6 @@
 
 import math
 
-__all__ = ["EPS", "PENDULUM", "clock", "oscillator", "pendulum"]
-
 EPS = 2.0**-52
 PENDULUM = {"length": 1.0, "gravity": 9.81}  # m, m/s^2
 

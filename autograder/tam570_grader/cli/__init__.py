@@ -14,8 +14,6 @@ from tam570 import __version__
 from tam570_grader.errors import UsageError, say, warn
 from tam570_grader.sandbox.launch import close_early, launch_early
 
-__all__ = ["main"]
-
 INTERRUPTED = 130
 COMMANDS = {  # the module and the help of each command, in the order of the help
     "collect": ("exchange", "collect what was downloaded from a learning management system"),
