@@ -150,7 +150,7 @@ def _inks(axes: Artist, curves: list[Artist]) -> dict[Artist, Numbers]:
         full = _printed(canvas).copy()
         figure.set_layout_engine("none")  # what is drawn later stays where it is
         visible = {artist: artist.get_visible() for artist in curves}
-        for artist in (*curves, *labels):
+        for artist in (*curves, *(axis for other in figure.axes for axis in (other.xaxis, other.yaxis))):
             artist.set_visible(False)
         empty = _printed(canvas).copy()
         inks = {axes: _ink(full, empty)}
@@ -177,10 +177,12 @@ def _without_words(figure: Artist, labels: tuple[Artist, Artist]) -> None:
         for axis in (axes.xaxis, axes.yaxis):
             axis.set_major_locator(NullLocator())
             axis.set_minor_locator(NullLocator())
-    for legend in figure.findobj(Legend):
-        legend.set_visible(False)
-    for text in figure.findobj(Text):
-        text.set(usetex=False, text="x" if text in labels and text.get_text().strip() else "")
+    for artist in figure.findobj(lambda artist: isinstance(artist, Legend | Text)):
+        if isinstance(artist, Legend):
+            artist.set_visible(False)
+        else:
+            artist.set_usetex(False)
+            artist.set_text("x" if artist in labels and artist.get_text().strip() else "")
 
 
 def _printed(canvas: Artist) -> Numbers:
@@ -196,9 +198,11 @@ def _printed(canvas: Artist) -> Numbers:
 
 def _ink(first: Numbers, other: Numbers) -> Numbers:
     """Compare the colours where two prints differ at all, which is in few pixels."""
-    ink = (first.view(np.uint32) != other.view(np.uint32))[..., 0]
-    ink[ink] = (np.abs(first[ink].astype(np.int16) - other[ink]) > CONTRAST).any(axis=1)
-    return ink
+    ink = (first.view(np.uint32) != other.view(np.uint32)).ravel()
+    where = np.flatnonzero(ink)
+    colours, others = (colours.reshape(-1, 4)[where].astype(np.int16) for colours in (first, other))
+    ink[where] = (np.abs(colours - others) > CONTRAST).any(axis=1)
+    return ink.reshape(first.shape[:2])
 
 
 def _shown(axes: Artist, points: Numbers, ink: Numbers) -> dict[str, float]:
@@ -224,16 +228,14 @@ def _shown(axes: Artist, points: Numbers, ink: Numbers) -> dict[str, float]:
 def _near(ink: Numbers, places: Numbers) -> Numbers:
     """Return whether there is ink in the block of each of the places, or in one beside it."""
     rows, columns = (-(-size // BLOCK) for size in ink.shape)
-    blocks = np.zeros((rows * BLOCK, columns * BLOCK), bool)
-    blocks[: ink.shape[0], : ink.shape[1]] = ink
-    blocks = np.pad(blocks.reshape(rows, BLOCK, columns, BLOCK).any(axis=(1, 3)), 1)
-    down, across = np.nonzero(blocks)
-    near = np.zeros_like(blocks)
-    for step in np.ndindex(3, 3):
-        near[np.clip(down + step[0] - 1, 0, rows + 1), np.clip(across + step[1] - 1, 0, columns + 1)] = True
+    blocks = np.zeros((rows + 2, columns + 2), bool)  # with a border
+    down, across = divmod(np.flatnonzero(ink), ink.shape[1])
+    blocks[down // BLOCK + 1, across // BLOCK + 1] = True
+    near = blocks[:-2] | blocks[1:-1] | blocks[2:]
+    near = near[:, :-2] | near[:, 1:-1] | near[:, 2:]
     row = np.clip((ink.shape[0] - places[:, 1]) // BLOCK, 0, rows - 1).astype(int)
     column = np.clip(places[:, 0] // BLOCK, 0, columns - 1).astype(int)
-    return near[row + 1, column + 1]
+    return near[row, column]
 
 
 def _labels_show(axes: Artist, inks: dict[Artist, Numbers]) -> list[bool]:
