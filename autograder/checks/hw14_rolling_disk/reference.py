@@ -10,6 +10,7 @@ from tam570_grader.checks.diagrams import Force, FreeBody, weight
 Z = np.array([0.0, 0.0, 1.0])
 RIGHT = math.pi / 2
 CENTRE, MATRIX, OMEGA = slice(0, 3), slice(3, 12), slice(12, 15)
+TERMS = np.arange(400)  # of a series in cos(tilt): to rounding where sin(tilt) is 0.4
 
 
 def frame(state):
@@ -21,10 +22,10 @@ def frame(state):
     return np.array([e1, s * Z + c * across, c * Z - s * across])
 
 
-def components(state):
-    """w1, w2, w3; of columns, too."""
+def components(state, functions=np):
+    """w1, w2, w3; of columns, too. functions : math, which is fast, or numpy."""
     _, _, _, tilt, _, yaw_rate, tilt_rate, roll_rate = state
-    return tilt_rate, yaw_rate * np.sin(tilt), roll_rate + yaw_rate * np.cos(tilt)
+    return tilt_rate, yaw_rate * functions.sin(tilt), roll_rate + yaw_rate * functions.cos(tilt)
 
 
 def matrix_state(state, radius):
@@ -50,7 +51,7 @@ def euler_state(state, radius):
 def component_rates(state, *, mass, radius, inertia, gravity):
     """w1', w2', w3': the contact, about which the weight alone has a moment, moves along -e1 at a roll'."""
     (A, C), m = inertia, mass * radius**2
-    w1, w2, w3 = components(state)
+    w1, w2, w3 = components(state, math)
     tilt, roll_rate = state[3], state[7]
     H1, H2, H3, turn = (A + m) * w1, A * w2, (C + m) * w3, w3 - roll_rate  # the frame turns at w1, w2, turn
     moment = -mass * gravity * radius * math.cos(tilt)
@@ -114,19 +115,21 @@ def simulate_matrix(t, state, **disk):
 
 
 def two_integrals(rows, *, mass, radius, inertia, gravity):
-    """(n, 2): w2 and w3 carried to the upright disk by their linear equations in the tilt (Appell, Korteweg)."""
-    (A, C), m = inertia, mass * radius**2
+    """(n, 2): w2 and w3 carried to the upright disk by their linear equations in the tilt (Appell, Korteweg).
 
-    def rates(tilt, columns):
-        """Of two solutions, w2 of both before w3 of both."""
-        first2, second2, first3, second3 = columns
-        bend, share = 1 / math.tan(tilt), m / (C + m)
-        return C / A * first3 - bend * first2, C / A * second3 - bend * second2, share * first2, share * second2
-
-    tilts, where = np.unique([RIGHT, 1.0, *rows[:, 3]], return_inverse=True)  # two at least
-    solutions = solve(rates, tilts, np.eye(2).ravel(), method="python").reshape(-1, 2, 2)
+    dw3 = share w2, dw2 = C/A w3 - w2/tan(tilt): w3 is a Legendre function of x = cos(tilt), here its series about 0.
+    """
+    (A, C), share, x = inertia, mass * radius**2 / (inertia[1] + mass * radius**2), np.cos(rows[:, 3:4])
+    ratios = (TERMS * (TERMS + 1) + share * C / A) / ((TERMS + 1) * (TERMS + 2))  # of term n + 2 to term n
+    weights = np.ones(len(TERMS))
+    weights[2::2], weights[3::2] = np.cumprod(ratios[:-2:2]), np.cumprod(ratios[1:-2:2])
+    powers = x**TERMS
+    terms, slopes = weights * powers, (TERMS * weights)[1:] * powers[:, :-1]
+    w3 = [terms[:, first::2].sum(axis=1) for first in (0, 1)]  # of w3 = 1 and of w2 = -1/share upright
+    w2 = [-np.sin(rows[:, 3]) / share * slopes[:, first::2].sum(axis=1) for first in (1, 0)]
     turning = np.transpose(components(rows.T)[1:])[..., None]
-    return (solutions[where[0]] @ np.linalg.solve(solutions[where[2:]], turning))[..., 0]
+    upright = np.linalg.solve(np.moveaxis(np.array([w2, w3]), 2, 0), turning)[..., 0]
+    return upright[:, ::-1] * [-1 / share, 1.0]
 
 
 def not_a_rotation(rows, **_):
