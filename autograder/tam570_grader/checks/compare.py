@@ -108,7 +108,7 @@ def compare(  # noqa: PLR0913  what a check says of a comparison, each by its na
     def members(case: Case, expected: Numbers) -> Iterator[tuple[Numbers, ...]]:
         return ((part.member, part.expected, part.size) for part in parts(case, expected, expected))
 
-    results: list[Numbers] = function.many(batch.cases)
+    results = batch.results(function)
     if get_context().listens or not batch.includes(results, tolerance, (str(only), *scales), members):
         _compare_parts(function, batch, results, parts, tolerance, hint, partial or {}, near_miss_credit)
     return results
@@ -212,6 +212,10 @@ class Batch:
     def expected(self) -> list[Numbers]:
         return [expected_result(self.reference, case) for case in self.cases]
 
+    def results(self, function: StudentFunction) -> list[Numbers]:
+        """Return what the student's function gives in all cases; in a rehearsal what is right."""
+        return self.expected if get_context().is_rehearsal else function.many(self.cases)
+
     def remembered(self, key: object, compute: Callable[[], Numbers]) -> Numbers:
         """Return what follows from the cases and the right results alone, computed a single time."""
         if key not in self._known:
@@ -277,7 +281,7 @@ def call_cases(
 ) -> Iterator[tuple[Case, Numbers, Numbers]]:
     """Yield each case, cut to what the right function takes, with the student's result and the right one."""
     batch = Batch.of(find_reference(reference, function), cases).distinct
-    yield from batch.compared(function, function.many(batch.cases))
+    yield from batch.compared(function, batch.results(function))
 
 
 def is_right(function: StudentFunction, reference: Reference, cases: Iterable[Case]) -> bool:
@@ -387,7 +391,7 @@ def compare_columns(  # noqa: PLR0913  as `compare`
             sizes[..., column.where] = column.size(case, expected)
         yield None, expected, sizes
 
-    results = function.many(batch.cases)
+    results = batch.results(function)
     if get_context().listens or not batch.includes(results, tolerance, ("columns", *map(id, columns)), members):
         _compare_parts(function, batch, results, parts, tolerance, hint, {}, near_miss_credit)
 

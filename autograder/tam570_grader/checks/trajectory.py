@@ -205,7 +205,7 @@ def _motions(
     first, *rest = sorted(cases, key=lambda case: -len(case.args[0]))
     for some in filter(None, ([first], rest)):
         batch = Batch.of(true, some)
-        compared = batch.compared(function, function.many(batch.cases))
+        compared = batch.compared(function, batch.results(function))
         _, scaled = batch.remembered(("rows", *map(id, columns)), partial(_scaled_rows, batch, columns))
         for (case, result, _), (expected, scales) in zip(compared, scaled, strict=True):
             motions.append(Motion(case, flat(result), expected, scales, function, true, restart))

@@ -154,7 +154,7 @@ def lines(
         hidden = () if config.cluster else tuple(config.hidden)  # nothing of ours is there but the course
         conditions = WorkerConfig(config.limits, hidden, tuple(preload), config.speed, _shared(config, jobs, stack))
         if not config.cluster and (jobs == 1 or forks()):
-            supervisor.prepare(config.course, slugs, conditions)
+            supervisor.prepare(config.course, slugs, conditions, config.seed if config.key is None else None)
         configured = (replace(task, conditions=conditions) for task in tasks)
         for _, task, line in run_tasks(executor, supervisor.line, configured, count):
             yield supervisor.lost(task, str(line)) if isinstance(line, WorkerLost) else line

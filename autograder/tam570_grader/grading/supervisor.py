@@ -8,7 +8,7 @@ from pathlib import Path
 
 from tam570_grader.checks import assignments, expected
 from tam570_grader.errors import UsageError
-from tam570_grader.grading.run_checks import CheckOptions, failed_by_us, graded, not_graded
+from tam570_grader.grading.run_checks import CheckOptions, failed_by_us, graded, not_graded, rehearse
 from tam570_grader.grading.speed import Yardstick
 from tam570_grader.grading.submissions import CannotRead
 from tam570_grader.results.records import Result
@@ -45,16 +45,20 @@ class GradeTask:
     conditions: WorkerConfig = WorkerConfig(ResourceLimits())
 
 
-def prepare(course: Path, slugs: Sequence[str], conditions: WorkerConfig) -> None:
-    """Start the sandboxes of assignments, and load their checks while these start: both stay with this process.
+def prepare(course: Path, slugs: Sequence[str], conditions: WorkerConfig, seed: int | None) -> None:
+    """Start the sandboxes of assignments; load their checks while these start: both stay with this process.
 
     The first sandbox is tried out too: the others may take longer to start than the first submissions take to grade.
+
+    seed : of the whole class, for which the checks are rehearsed; None where there is none
     """
     for slug in slugs:
         start(*_sandbox(course, slug, conditions))
     write_bytecode()
     for slug in slugs:
-        assignments.assignment(course, slug)
+        assignment = assignments.assignment(course, slug)
+        if seed is not None:
+            rehearse(assignment, seed)
     for slug in slugs[:1]:
         try_out(*_sandbox(course, slug, conditions))
 

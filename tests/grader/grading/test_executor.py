@@ -12,9 +12,10 @@ import numpy as np
 import pytest
 from processes import await_end, descendants
 
-from tam570_grader.checks import expected
+from tam570_grader.checks import assignments, expected
 from tam570_grader.checks.case import Case
 from tam570_grader.grading.executor import WorkerLost, executor, in_order, run_tasks
+from tam570_grader.grading.run_checks import rehearse
 from tam570_grader.sandbox.pool import TRIES
 
 linux = pytest.mark.skipif(sys.platform != "linux", reason="finds processes in /proc")
@@ -122,6 +123,15 @@ def motion(folder, seconds):
     while time.thread_time() - began < seconds:
         pass
     return np.array([1 / 3, np.nextafter(1, 2)]), np.eye(2)
+
+
+@pytest.mark.parametrize(("rehearsed", "score"), [(True, 10.0), (False, None)])
+def test_what_is_right_is_known_after_a_rehearsal(grade, course, solution_text, monkeypatch, rehearsed, score):
+    slug, seed = "hw11_disk_steady", 5700 + rehearsed
+    if rehearsed:
+        rehearse(assignments.assignment(course, slug), seed)
+    monkeypatch.setattr(expected, "shared", None)  # by which all is computed
+    assert grade(slug, solution_text(slug), seed).score == score
 
 
 @pytest.mark.parametrize(("seconds", "computed"), [(0.1, 1), (0.0, 2)])
