@@ -4,7 +4,6 @@ import ast
 import functools
 import hashlib
 import importlib
-import importlib.util
 import os
 import re
 import sys
@@ -212,7 +211,10 @@ def manual_parts(root: Path, slug: str) -> Mapping[str, tuple[float, str]]:
 
 def solution(slug: str, root: Path | None = None) -> ModuleType:
     """Return the reference solution as a module of its own."""
-    return _loaded((root or find()) / "solutions" / f"{slug}.py", f"_solution_{slug}")
+    path, name = (root or find()) / "solutions" / f"{slug}.py", f"_solution_{slug}"
+    module = sys.modules[name] = ModuleType(name)
+    exec(compile(path.read_bytes(), path, "exec"), vars(module))
+    return module
 
 
 @functools.cache
@@ -279,13 +281,3 @@ def _stated(module: ModuleType) -> Assignment:
 def _named_checks(module: ModuleType) -> tuple[Check, ...]:
     """Return the checks of a module, in order."""
     return tuple(value for value in vars(module).values() if isinstance(value, Check))
-
-
-def _loaded(path: Path, name: str) -> ModuleType:
-    spec = importlib.util.spec_from_file_location(name, path)
-    if spec is None or spec.loader is None:
-        raise UsageError(f"{path} cannot be loaded")
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[name] = module
-    spec.loader.exec_module(module)
-    return module
