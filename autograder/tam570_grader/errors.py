@@ -44,15 +44,15 @@ def counted(n: int, word: str) -> str:
     return f"{n} {word}" if n == 1 else f"{n} {word}s"
 
 
-def progress(items: Iterable[T], total: int, unit: str, delay: float = 0.0) -> Iterator[T]:
-    """Yield the items, with a bar on a terminal after so many seconds."""
+def progress(items: Iterable[T], total: int, unit: str) -> Iterator[T]:
+    """Yield the items, with a bar on a terminal after a second."""
     if not sys.stderr.isatty():
         yield from items
         return
     from tqdm import tqdm
 
     tqdm.monitor_interval = 0  # no thread: processes of ours are forked
-    yield from tqdm(items, total=total, unit=unit, leave=False, delay=delay)
+    yield from tqdm(items, total=total, unit=unit, leave=False, delay=1.0)
 
 
 @contextmanager

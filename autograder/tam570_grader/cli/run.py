@@ -5,7 +5,6 @@ import contextlib
 import json
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, field
-from functools import partial
 from pathlib import Path
 
 from tam570.values import Json
@@ -21,7 +20,6 @@ from tam570_grader.results.manual_points import ManualAdjustments
 from tam570_grader.results.store import Results, ResultStore, key_of, results
 
 Record = Json  # a result line
-_with_bar = partial(progress, unit="submission", delay=1.0)
 
 
 @dataclass
@@ -58,7 +56,7 @@ def whole_run(
             summary.changes += gone
             summary.compared += len(gone)
         if store is not None:  # the pages of all results that are there; of a finished run, of those that changed
-            failed = feedback.write_pages(arguments.out / "feedback", store, course, _with_bar)
+            failed = feedback.write_pages(arguments.out / "feedback", store, course)
             summary.faults += [f"{' '.join(key)} has no page of feedback" for key in failed]
             summary.adjustments = manual_points.read(arguments.out)
             summary.rows = feedback.with_hand(summary.rows, store, summary.adjustments)
@@ -70,7 +68,7 @@ def _run(
 ) -> None:
     """Grade, and fill the summary."""
     is_read = arguments.json or arguments.against or arguments.format == "gradescope"
-    for outcome in _with_bar(outcomes(config, store, old), len(config.submissions)):
+    for outcome in progress(outcomes(config, store, old), len(config.submissions), "submission"):
         if isinstance(outcome, CachedResult) and not is_read:
             summary.rows.append(outcome.summary_row)
             continue

@@ -64,7 +64,7 @@ def pairs(course: Path, slug: str, texts: Mapping[str, str]) -> Iterator[Pair]:
     ours = list(_fingerprint(_statements(stub), []).hashes)
     prints = {student: _fingerprint(text, ours) for student, text in sorted(texts.items())}
     everyone = list(combinations(prints, 2))
-    for student, other in progress(everyone, len(everyone), "pair", delay=1.0):
+    for student, other in progress(everyone, len(everyone), "pair"):
         shares = _shares(prints[student], prints[other])
         if any(shares):
             yield Pair(slug, student, other, shares)

@@ -5,7 +5,7 @@ import importlib.util
 import json
 import os
 import zlib
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,7 +14,7 @@ from unicodedata import combining, east_asian_width
 from tam570.values import Json
 from tam570_grader.checks import assignments
 from tam570_grader.checks.curves import Curve
-from tam570_grader.errors import UsageError, warn
+from tam570_grader.errors import UsageError, progress, warn
 from tam570_grader.reports.pictures import Picture, among, picture, sketch
 from tam570_grader.reports.sentences import capitalized, describe_failure, known_mistake, points, sentence, typeset
 from tam570_grader.results import manual_points
@@ -36,9 +36,6 @@ NOTES = {
     "crashed": "Your file ended the process.",
 }
 STOPPED = ("unreadable", "timeout", "crashed")  # what the visible tests would have told
-
-
-Progress = Callable[[Iterable[Key], int], Iterable[Key]]
 
 
 @dataclass(frozen=True)
@@ -152,9 +149,7 @@ def pictures(curve: Curve | None) -> list[Picture]:
     return [picture(drawn) for drawn in (curve, curve.get("keeps")) if drawn] if curve else []
 
 
-def write_pages(
-    folder: Path, results: Results, course: Path, progress: Progress = lambda keys, total: keys
-) -> list[Key]:
+def write_pages(folder: Path, results: Results, course: Path) -> list[Key]:
     """Write the page of each student and assignment, `<student>/<assignment>.html`, unless it is up to date.
 
     A page that cannot be made says so to its student; which ones these are is returned.
@@ -179,7 +174,7 @@ def write_pages(
         notes.unlink(missing_ok=True)  # what it says is no longer so
     infos = {slug: load_assignment_info(course, slug) for slug in {slug for _, slug in stale}}
     failed = []
-    for key in progress(stale, len(stale)):
+    for key in progress(stale, len(stale), "page"):
         try:
             text = page(read(results[key]), infos[key[1]], adjusted.get(key))
         except Exception as error:  # of one student's page, which is no reason for the others to have none
