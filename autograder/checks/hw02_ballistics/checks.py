@@ -7,6 +7,7 @@ import numpy as np
 
 from tam570_grader import (
     Assignment,
+    Case,
     Column,
     Failed,
     OwnRates,
@@ -18,7 +19,9 @@ from tam570_grader import (
     expect_that,
     first_wrong,
 )
+from tam570_grader.checks.compare import is_right
 from tam570_grader.checks.diagrams import compare_diagrams
+from tam570_grader.checks.expect import FollowsFrom
 from tam570_grader.checks.plots import curves_seen, follows_path, judge_axes_of_lengths, path_drawn
 from tam570_grader.checks.returns import array, drawing, free_body_diagram, number, rows
 
@@ -93,9 +96,12 @@ def of_ground(motion):
     return "There is no ground: the path goes on below y = 0." if ends else ""
 
 
-compare_flights = compare_with(
-    reference, by=compare_trajectory, tolerance=SIMULATED, hint=of_ground, restart=lambda row: (row, None)
-)
+def launch(row):
+    """Speed and angle of a row: the flight from the origin that goes on as the row does."""
+    return float(np.hypot(*row[2:])), math.atan2(row[3], row[2])
+
+
+compare_flights = compare_with(reference, by=compare_trajectory, tolerance=SIMULATED, hint=of_ground, restart=launch)
 
 
 @check("simulate", points=0.75, part="d")
@@ -200,23 +206,47 @@ def range_with_hardly_any_drag(student, rng):
     )
 
 
-def of_maximum(case, angle, expected):
+NEAR = 1e-3  # of an angle
+
+
+def of_maximum(student, case, angle, expected):
+    """Where the student's own range is wrong, and is largest at this angle, nothing else is wrong."""
+    own_ranges = [
+        student.horizontal_range.aside(Case(*case.args, angle * (1 + change), **case.kwargs))
+        for change in (0, -NEAR, NEAR)
+    ]
+    launch = Case(*case.args, angle, **case.kwargs)
+    if own_ranges[0] > max(own_ranges[1:]) and not is_right(student.horizontal_range, reference, [launch]):
+        return FollowsFrom("horizontal_range")
     if abs(angle - expected) <= max(SEARCHED):
         return "Near its largest the range is flat, and a search stops early: set its derivative to zero."
     best, yours = (reference.horizontal_range(case.args[0], at, **case.kwargs) for at in (expected, angle))
     return f"At your angle the range is {1 - yours / best:.1%} below the largest."
 
 
+def compare_angles(student, speeds):
+    hint = partial(of_maximum, student)
+    compare(student.best_angle, speeds, tolerance=ANGLE, partial=SEARCHED, hint=hint)
+
+
 @check("best_angle", points=0.75)
 def best_angle_has_the_largest_range(student, rng):
     """best_angle maximises the range, for speeds below and above the terminal speed."""
-    compare(student.best_angle, cases.usual_speeds(rng), tolerance=ANGLE, partial=SEARCHED, hint=of_maximum)
+    compare(
+        student.best_angle,
+        cases.usual_speeds(rng),
+        tolerance=ANGLE,
+        partial=SEARCHED,
+        hint=partial(of_maximum, student),
+    )
 
 
 @check("best_angle", points=0.25, after=best_angle_has_the_largest_range)
 def best_angle_is_45_degrees_without_drag(student, rng):
     """best_angle is 45 degrees at no drag, and leaves them as the drag grows beside the weight."""
-    compare(student.best_angle, cases.slow_speeds(rng), tolerance=ANGLE, partial=SEARCHED, hint=of_maximum)
+    compare(
+        student.best_angle, cases.slow_speeds(rng), tolerance=ANGLE, partial=SEARCHED, hint=partial(of_maximum, student)
+    )
 
 
 VERY_FLAT = "The largest range is very flat there: solve for where its derivative vanishes, on a logarithmic scale."
@@ -249,14 +279,16 @@ def both_paths_are_drawn(student, rng):
     }
     picture = student.plot_comparison.drawn(case)
     wrong_source = first_wrong(reference, case, student.simulate, student.trajectory)
-    curves = curves_seen(picture, 2)
 
     def own_paths():
         judge_axes_of_lengths(picture)
-        judge_twins(student, case, curves)
+        judge_twins(student, case, picture.lines)
         paths = [function.aside(case)[:, :2] for function in (student.simulate, student.trajectory)]
-        return paths if all(follows_path(line, paths, DRAWN, FEWER) for line in curves) else []
+        return paths if all(follows_path(line, paths, DRAWN, FEWER) for line in picture.lines) else []
 
+    curves = curves_seen(
+        picture, 2, lambda: FollowsFrom(wrong_source()) if len(picture.lines) == 2 and own_paths() else ""
+    )
     for line in curves:
         path_drawn(
             line,

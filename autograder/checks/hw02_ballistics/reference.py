@@ -26,23 +26,18 @@ def state_derivative(t, state, mass, drag, gravity):
     return np.concatenate([velocity, -drag / mass * velocity - (0, gravity)])
 
 
-def moved(since, state, mass, drag, gravity):
-    """(n, 4) states at times since a state."""
-    x, y, vx, vy = state
-    mean, late = means(drag / mass * since)
-    decay = np.exp(-drag / mass * since)
-    fallen, fall_speed = gravity * since**2 * late, gravity * since * mean
-    return np.column_stack([x + vx * since * mean, y + vy * since * mean - fallen, vx * decay, vy * decay - fall_speed])
-
-
-def trajectory(t, speed, angle, **parameters):
+def trajectory(t, speed, angle, mass, drag, gravity):
     """Launched at t = 0."""
-    return moved(t, (0.0, 0.0, speed * math.cos(angle), speed * math.sin(angle)), **parameters)
+    vx, vy = speed * math.cos(angle), speed * math.sin(angle)
+    mean, late = means(drag / mass * t)
+    decay = np.exp(-drag / mass * t)
+    fallen, fall_speed = gravity * t**2 * late, gravity * t * mean
+    return np.column_stack([vx * t * mean, vy * t * mean - fallen, vx * decay, vy * decay - fall_speed])
 
 
 def simulate(t, speed, angle, **parameters):
-    """Launched at t[0]; without an angle, on from a state in the place of the speed."""
-    return moved(t - t[0], speed, **parameters) if angle is None else trajectory(t - t[0], speed, angle, **parameters)
+    """Launched at t[0]."""
+    return trajectory(t - t[0], speed, angle, **parameters)
 
 
 def flight_time(speed, angle, mass, drag, gravity):

@@ -62,7 +62,7 @@ MOTION = (
     Column("the place", "m", [0, 1], scale=lambda case, _: case.kwargs["length"]),
     Column("the velocity", "m/s", [2, 3], scale=speed),
 )
-RATES = OwnRates("acceleration", reference, lambda t, row: (row,))
+RATES = OwnRates("acceleration", reference, lambda t, row: (row,), passes="consistent_state")
 KEPT = Invariant("the energy", "of m g l", reference.energies, absolute, ENERGY)
 
 

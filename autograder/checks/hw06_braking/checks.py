@@ -7,6 +7,7 @@ import numpy as np
 from tam570_grader import (
     Assignment,
     Column,
+    Failed,
     OwnRates,
     array,
     check,
@@ -264,10 +265,18 @@ def judge_refusals(student, calls):
     """ValueError for another `locked`, from functions that take "front" and "rear"."""
     for name, call in calls:
         function, batch = getattr(student, name), Batch.of(getattr(reference, name), [call])
-        for allowed, refused in function.refusals(batch.cases):
-            expect_that(not refused, f"{name} raises ValueError for a {allowed.args[-1]} axle")
+        allowed = batch.cases[0]
+        expect_that(not is_refused(function, allowed), f"{name} raises ValueError for a {allowed.args[-1]} axle")
         bad = batch.remembered(cases.OTHERS, partial(with_other_axles, *batch.cases))
         check_raises(function, bad, hint='Only "front" and "rear" are axles.')
+
+
+def is_refused(function, case):
+    """Whether a function raises ValueError; what else it raises, its own checks judge."""
+    try:
+        return any(refused for _, refused in function.refusals([case]))
+    except Failed:
+        return False
 
 
 def with_other_axles(case):

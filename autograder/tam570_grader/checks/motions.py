@@ -15,7 +15,8 @@ from tam570_grader.checks.expected import expected_result
 from tam570_grader.checks.student import StudentFunction
 
 Array = NDArray[np.float64]
-Restart = Callable[[Array], tuple[Numbers, ...]]  # the arguments behind t that begin the motion at a row
+# The arguments behind t that begin the motion at a row; or such a motion elsewhere, whose rows grow as these do.
+Restart = Callable[[Array], tuple[Numbers, ...]]
 
 
 def flat(rows: Numbers) -> Array:
@@ -141,6 +142,7 @@ JOINED = (
     "This row is accurate when requested alone: do you interpolate linearly between steps, or at a loose tolerance?"
 )
 SAMPLED = "With more times in between the same rows are accurate: take smaller steps"
+OF_STEPS = TIGHT, NEARLY_FOLLOWS, JOINED, SAMPLED  # what is said of coarse steps, which wrong rates look like
 
 
 def _still(motion: Motion) -> bool:
@@ -269,8 +271,9 @@ def _some(motion: Motion, count: int = TRIED) -> NDArray[np.int_]:
 
 def _lost(motion: Motion, rows: NDArray[np.int_]) -> Array:
     """Return how far the right motion from each of these rows passes from the row after it, of the scale."""
-    led = [motion.truly(motion.t[row : row + 2], *_restart(motion, motion.actual[row]))[-1] for row in rows]
-    return np.asarray(np.max(np.abs(np.array(led) - motion.actual[rows + 1]) / motion.scales, axis=1))
+    led = (motion.truly(motion.t[row : row + 2], *_restart(motion, motion.actual[row])) for row in rows)
+    off = np.vstack([np.diff(states, axis=0) for states in led]) - (motion.actual[rows + 1] - motion.actual[rows])
+    return np.asarray(np.max(np.abs(off) / motion.scales, axis=1))
 
 
 def _jumps(motion: Motion) -> bool:
@@ -316,39 +319,81 @@ def _apart(motion: Motion, starts: Sequence[tuple[float, Array]], instant: float
     """Return the largest rate, of the scale, at which the student's function leaves the right one."""
     rates = list[float]()
     for at, state in starts:
-        t, start = at + (motion.t[-1] - motion.t[0]) * np.array([0, instant]), _restart(motion, state)
+        t, start = at + _instant(motion, instant), _restart(motion, state)
         result = flat(motion.function.aside(motion.case.replace(t, *start)))
         off = np.diff((result - motion.truly(t, *start)) / motion.scales, axis=0)
         rates.append(float(np.max(np.abs(off)) / np.ptp(t)))
     return max(rates)
 
 
-def has_rates(motion: Motion, rates: Callable[[float, Array], Numbers]) -> bool:
+@dataclass(frozen=True)
+class Rates:
+    """The student's own rates, which may make a motion.
+
+    at : of the first or of the last columns, at a time and a row; the others have the right ones
+    move : whether the motion moves where they do
+    back : the student's function that puts a state back onto a constraint
+    """
+
+    at: Callable[[float, Array], Numbers]
+    move: Callable[[], bool]
+    back: Callable[[Array], Numbers] | None = None
+
+    def models(self, t: float, row: Array, rate: Array, instant: float) -> Array:
+        """(models, k) the rates at which a motion may go on from a row, where `rate` is right."""
+        own, models = np.ravel(self.at(t, row)), np.array([rate] * 3)
+        models[0, : own.size] = models[1, -own.size :] = own
+        if self.back:
+            models[2] = (np.ravel(self.back(row + models[1] * instant)) - row) / instant
+        return models
+
+
+def has_rates(motion: Motion, rates: Rates, *, ends: bool = True) -> bool:
     """Return whether the student's own wrong rates make the motion: nothing else is wrong with it.
 
-    rates : of the first or of the last columns, at a time and a row; the others have the right ones
+    Steps back onto a constraint may take away all that is wrong with the rates at each instant, and leave what they
+    do in the steps between.
+
+    ends : whether the student's rows are there to be compared; a motion that breaks off can only set off
     """
-    unexplained, wrong = np.zeros(2), np.zeros(2)
+    rows = _some(motion, ASKED)
+    unexplained, wrong, undone = np.zeros(3), np.zeros(3), 0.0
     try:
-        for row in _some(motion, ASKED):
-            led = motion.repeated_at(motion.t[row : row + 2], *_restart(motion, motion.actual[row]))
-            t = motion.t[row] + (motion.t[-1] - motion.t[0]) * np.array([0, INSTANTS[-1]])
-            start = _restart(motion, motion.expected[row])
-            instant = motion.repeated_at(t, *start)
-            if led is None or instant is None:
-                return False
-            if not np.max(np.abs(led[-1] - motion.actual[row + 1]) / motion.scales) <= ALIKE:
-                return False
-            instant_rate, expected_rate = (
-                np.diff(states, axis=0)[0] / np.ptp(t) for states in (instant, motion.truly(t, *start))
+        for row in rows:
+            t, instant_rate, expected_rate = _set_off(motion, row)
+            models = rates.models(t[0], motion.expected[row], expected_rate, np.ptp(t))
+            sizes = [instant_rate - models, models - expected_rate, [instant_rate - expected_rate]]
+            off, off_right, left = (np.max(np.abs(size) / motion.scales, axis=1) for size in sizes)
+            unexplained, wrong, undone = (
+                np.maximum(unexplained, off),
+                np.maximum(wrong, off_right),
+                max(undone, left[0]),
             )
-            student_rates, models = np.ravel(rates(t[0], motion.expected[row])), np.array([expected_rate] * 2)
-            models[0, : student_rates.size] = models[1, -student_rates.size :] = student_rates
-            unexplained = np.maximum(unexplained, np.max(np.abs(instant_rate - models) / motion.scales, axis=1))
-            wrong = np.maximum(wrong, np.max(np.abs(models - expected_rate) / motion.scales, axis=1))
+        if np.any((unexplained <= EXPLAINED * wrong) & (wrong > 0)):
+            return not ends or all(_leads_on(motion, row) for row in rows)
+        return bool(undone <= EXPLAINED * wrong[:2].min()) and rates.move()
     except (Failed, NotWritten, ValueError, ArithmeticError, Exhausted):
         return False
-    return bool(np.any((unexplained <= EXPLAINED * wrong) & (wrong > 0)))
+
+
+def _leads_on(motion: Motion, row: int) -> bool:
+    """Return whether the student's motion from one of its rows goes on as it did."""
+    led = motion.repeated_at(motion.t[row : row + 2], *_restart(motion, motion.actual[row]))
+    if led is None:
+        return False
+    off = np.diff(led, axis=0)[0] - (motion.actual[row + 1] - motion.actual[row])
+    return bool(np.max(np.abs(off) / motion.scales) <= ALIKE)
+
+
+def _set_off(motion: Motion, row: int) -> tuple[Array, Array, Array]:
+    """Return the times of an instant from a right row, and the rates of the student's motion and of the right one."""
+    t, start = motion.t[row] + _instant(motion, INSTANTS[-1]), _restart(motion, motion.expected[row])
+    rows = flat(motion.function.aside(motion.case.replace(t, *start))), motion.truly(t, *start)
+    return t, *(np.diff(states, axis=0)[0] / np.ptp(t) for states in rows)
+
+
+def _instant(motion: Motion, share: float) -> Array:
+    return (motion.t[-1] - motion.t[0]) * np.array([0, share])
 
 
 def _restart(motion: Motion, row: Array) -> tuple[Numbers, ...]:

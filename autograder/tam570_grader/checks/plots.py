@@ -171,18 +171,24 @@ def _some(points: ArrayLike, most: int) -> Complex:
     return np.asarray(x + 1j * y)
 
 
-def curves_seen(picture: Drawing, count: int) -> tuple[Line, ...]:
+def curves_seen(picture: Drawing, count: int, of_small: Callable[[], str] = str) -> tuple[Line, ...]:
     """Return the curves that can be seen, of which there must be so many.
 
     Those that cannot are no fault beside them.
+
+    of_small : what to say of a curve that is too small to be seen beside the other
     """
     seen = tuple(line for line in picture.lines if not _unseen(line))
     hidden = [line for line in picture.lines if _unseen(line)]
     if len(seen) < count and hidden:
-        fail("a curve cannot be seen", hint=_unseen(hidden[0]))
+        reason = _unseen(hidden[0])
+        fail("a curve cannot be seen", hint=lambda: (of_small() if reason == TOO_SMALL else "") or reason)
     message = f"the number of curves on the axes is {len(seen)}, not {count}"
     expect_that(len(seen) == count, message, hint="A curve needs ten points or more.", label=None)
     return seen
+
+
+TOO_SMALL = "It is as small as a point."
 
 
 def _unseen(line: Line) -> str:
@@ -190,7 +196,7 @@ def _unseen(line: Line) -> str:
     if not line.tolerance >= WITHIN:
         return "It leaves the limits of the axes."
     if not line.extent >= EXTENT:
-        return "It is as small as a point."
+        return TOO_SMALL
     return "" if line.shows >= SEEN else "It is hidden, covered, too thin or too pale."
 
 

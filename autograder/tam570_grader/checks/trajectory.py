@@ -1,7 +1,7 @@
 """A simulated motion against the right one: what is compared, and what a wrong one is called."""
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from itertools import product
 
@@ -10,11 +10,28 @@ from numpy.typing import NDArray
 
 from tam570.values import Numbers
 from tam570_grader.checks.case import Case
-from tam570_grader.checks.compare import Batch, Column, Reference, find_reference, is_right, trim_to_signature
+from tam570_grader.checks.compare import (
+    Batch,
+    Column,
+    Reference,
+    find_reference,
+    is_right,
+    own_result,
+    trim_to_signature,
+)
 from tam570_grader.checks.curves import Curve, conserved_curve
-from tam570_grader.checks.expect import NEAR_MISS, NEAR_MISS_SHARE, UNLOCKING_SHARE, FollowsFrom, expect, get_context
+from tam570_grader.checks.expect import (
+    NEAR_MISS,
+    NEAR_MISS_SHARE,
+    UNLOCKING_SHARE,
+    Failed,
+    FollowsFrom,
+    NotWritten,
+    expect,
+    get_context,
+)
 from tam570_grader.checks.formulas import in_symbols
-from tam570_grader.checks.motions import ROUGHLY, Motion, Restart, diagnosed, flat, has_rates, obeys
+from tam570_grader.checks.motions import OF_STEPS, ROUGHLY, Motion, Rates, Restart, diagnosed, flat, has_rates, obeys
 from tam570_grader.checks.returns import Formula
 from tam570_grader.checks.student import StudentFunction
 
@@ -49,24 +66,41 @@ class OwnRates:
     name : of the function, or of its formula, in the symbols of these arguments and of the parameters, in order
     arguments : (t, row) -> what the rates are asked for there, by default both; words of the motion's case follow
     otherwise : others, from which the motion may follow as well
+    passes : the student's function of a state that each row may go through
     """
 
     name: str
     reference: Reference
     arguments: Callable[[float, Array], tuple[Numbers, ...]] = lambda t, row: (t, row)
     otherwise: "OwnRates | None" = None
+    passes: str = ""
 
     def are_right(self, motion: Motion) -> bool:
         """Return whether they are right at some rows of the right motion."""
         rows = list(zip(motion.t, motion.expected, strict=True))[:: max(1, len(motion.t) // ASKED)]
         return is_right(self._function(motion), self.reference, [self._case(motion, t, row) for t, row in rows])
 
-    def source(self, motion: Motion) -> str:
-        """Return the student's function if the motion follows from its wrong rates; else nothing."""
-        wrong, function = not self.are_right(motion), self._function(motion)
-        if wrong and has_rates(motion, lambda t, row: function.aside(self._case(motion, t, row))):
+    def source(self, motion: Motion, *, ends: bool = True) -> str:
+        """Return the student's wrong function from which the motion follows; else nothing.
+
+        ends : False of a motion without rows
+        """
+        own, back = self._function(motion), partial(self._back, motion) if self.passes else None
+        uses_them = partial(motion.function.uses, own.name, motion.case.replace(motion.t[:2]))
+        rates = Rates(lambda t, row: own.aside(self._case(motion, t, row)), uses_them, back)
+        if not self.are_right(motion) and has_rates(motion, rates, ends=ends):
             return FollowsFrom(self.name)
-        return self.otherwise.source(motion) if self.otherwise else ""
+        if back and ends:
+            try:
+                if motion.near(np.array([back(row) for row in motion.expected])):
+                    return FollowsFrom(self.passes)
+            except (Failed, NotWritten):
+                pass
+        return self.otherwise.source(motion, ends=ends) if self.otherwise else ""
+
+    def _back(self, motion: Motion, row: Array) -> Numbers:
+        function: StudentFunction = getattr(motion.function.student, self.passes)
+        return own_result(function, self.reference, Case(row, **motion.case.kwargs))
 
     def hint(self, motion: Motion) -> str:
         """Say where to look."""
@@ -205,8 +239,18 @@ def _motions(
     first, *rest = sorted(cases, key=lambda case: -len(case.args[0]))
     for some in filter(None, ([first], rest)):
         batch = Batch.of(true, some)
-        compared = batch.compared(function, batch.results(function))
-        _, scaled = batch.remembered(("rows", *map(id, columns)), partial(_scaled_rows, batch, columns))
+        scaled_rows = partial(batch.remembered, ("rows", *map(id, columns)), partial(_scaled_rows, batch, columns))
+        try:
+            compared = batch.compared(function, batch.results(function))
+        except Failed as failed:
+            case, rates = failed.failure.at, function.returns.rates
+            if rates and case in batch.cases:
+                expected, scales = scaled_rows()[1][batch.cases.index(case)]
+                motion = Motion(case, expected, expected, scales, function, true, restart)
+                with get_context().aside():
+                    failed.failure = replace(failed.failure, follows_from=str(rates.source(motion, ends=False)))
+            raise
+        _, scaled = scaled_rows()
         for (case, result, _), (expected, scales) in zip(compared, scaled, strict=True):
             motions.append(Motion(case, flat(result), expected, scales, function, true, restart))
         if motions[0].error > hopeless and not get_context().recorder:
@@ -263,7 +307,9 @@ def _hint(
     own_rates: OwnRates | None = motion.function.returns.rates
     rates_are_right = partial(own_rates.are_right, motion) if own_rates else None
     said = diagnosed(motion, motions, turns, near_miss, rates_are_right)
-    said = said or (own_rates.source(motion) if own_rates else "") or (hint(motion) if callable(hint) else "")
+    if own_rates and said in ("", *OF_STEPS):
+        said = own_rates.source(motion) or said
+    said = said or (hint(motion) if callable(hint) else "")
     if not said and own_rates and not (isinstance(hint, str) and hint and own_rates.are_right(motion)):
         return own_rates.hint(motion)
     return said or ("" if callable(hint) else hint)

@@ -198,10 +198,9 @@ def named_mistake(solution: str, suspects: Iterable[Mistake], calls: Sequence[Ca
 def explains(solution: str, answer_to: Answer, calls: Sequence[Call]) -> bool:
     """Whether what the solution answers with a mistake in it is what the student's functions returned in every call.
 
-    Some result must be wrong by it, and some number of it not zero: of nothing all kinds of nothing follow.
+    Some result must be wrong by it, and some number of it not zero: of nothing all kinds of nothing follow. Where the
+    solution has no value with the mistake, the student need not have one.
     """
-    if not calls or any(call.result is None for call in calls):
-        return False
     wrong = informative = False
     for call in sorted(calls, key=lambda call: len(call.case.packed)):
         expected, tolerance = answer_to(call), tolerance_of(call)

@@ -40,7 +40,7 @@ from tam570_grader.sandbox.zygote import Zygote
 
 OUR_FAULT = "The grader failed here, not you; your teacher has been told."
 TOO_MUCH = "what it returns takes the grader too much {} to judge"
-FOLLOWING_SHARE = 2 / 3  # of the points, for what is right but for a mistake in another function
+FOLLOWING_SHARE = 2 / 3  # of the points, for what is right but for a mistake that was charged before
 HELPER = re.compile(r"\bdef (\w+)\(")
 MOST_HELPERS, MOST_ASKED = 30, 4  # helpers of a file, calls of a check
 Recorder = Callable[[str, float], None]
@@ -241,7 +241,8 @@ def _own_source(run: _Run, failed: Failed) -> Cause | None:
 def _is_consequence(run: _Run, wrong: str, calls: Sequence[Call]) -> bool:
     """Return whether calls follow from a wrong function, as some solution uses it."""
     name, assignment = calls[0].name, run.assignment
-    zeros = {cause.function for cause in run.causes.values() if cause.source == "transform" and not cause.answers}
+    named = [cause for cause in run.causes.values() if not cause.follows_from]
+    zeros = {cause.function for cause in named if cause.source == "transform" and not cause.answers}
     if any(is_motion(call) for call in calls):
         return False
     for text in assignment.solutions:
@@ -297,7 +298,7 @@ def _shared_helper(run: _Run, cause: Cause | None) -> Cause | None:
                     return Cause(name, "", "own", follows_from=other)
         except Over:
             raise
-        except Exception:  # a function that takes other arguments has other numbers
+        except (Failed, NotWritten, Exhausted, TypeError, ValueError):  # other arguments, or other numbers of results
             continue
     return None
 
@@ -387,13 +388,13 @@ def _judge_consequences(run: _Run) -> None:
 
 
 def _consequence(run: _Run, check: Check, functions: Container[str]) -> CheckResult | None:
-    """Return the result of a check that builds on wrong functions; None where it is about these, or fails by itself."""
+    """Return the result of a check that builds on wrong functions; None where it passes these, or fails by itself."""
     try:
         run.perform(check)
     except Failed as failed:
         following = _following(run, check, _earlier(run.causes))
         cause = following or _own_source(run, failed) or _shared_helper(run, None)
-        if cause is None or cause.function in functions:
+        if cause is None:
             return None
         run.causes[check.name] = cause
         return _failed(check, failed, cause)
@@ -416,8 +417,7 @@ def _passed(check: Check) -> CheckResult:
 
 def _failed(check: Check, failed: Failed, cause: Cause | None, fault: str = "") -> CheckResult:
     suspect, follows_from = (cause.message or None, cause.follows_from) if cause else (None, "")
-    is_cause = cause is None or follows_from in ("", cause.function)
-    share = failed.share if is_cause else max(failed.share, FOLLOWING_SHARE)
+    share = max(failed.share, FOLLOWING_SHARE) if follows_from else failed.share
     failure = failed.failure
     failure = replace(failure, suspect=suspect, follows_from=follows_from, fault=fault or failure.fault)
     points, message = round(share * check.points, 6), full_message(failure)

@@ -89,15 +89,22 @@ class SandboxFunction:
             self.student.calls += map(Call, repeat(self.name), calls, results)
             self.student.worked.add(self.name)
             return results
-        results = []
+        results, first_failed = [], None
         for call, reply in zip(calls, replies, strict=False):
             self.student.calls.append(Call(self.name, call, None))
-            with self._judging(call):
-                self._must_be_fair(reply)
-                results.append(result(self.returns, reply["value"], self.name, call))
+            try:
+                with self._judging(call):
+                    self._must_be_fair(reply)
+                    results.append(result(self.returns, reply["value"], self.name, call))
+            except Failed as failed:  # the other results tell more of a mistake
+                first_failed = first_failed or failed
+                continue
             self.student.worked.add(self.name)
             if not isinstance(self.returns, FreeBodyDiagram):  # it has no numbers that a mistake could have, too
                 self.student.calls[-1] = Call(self.name, call, results[-1])
+        if first_failed:
+            get_context().set_call(self.name, first_failed.failure.at)
+            raise first_failed
         return results
 
     def aside(self, call: Case) -> Any:

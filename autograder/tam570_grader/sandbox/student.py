@@ -62,7 +62,8 @@ class Student:
         Calls in it raise Failed when the submission has used half of its processor time.
         """
         running = get_context()
-        calls, broken, function, case = list(self.calls), dict(self.broken), running.function, running.case
+        calls, broken, function, case = self.calls, self.broken, running.function, running.case
+        self.calls, self.broken = list(calls), dict(broken)
         self._asides += 1
         try:
             yield

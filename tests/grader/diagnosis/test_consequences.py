@@ -32,8 +32,7 @@ def following(checks):
     failed = [check for check in checks.values() if check.outcome == "failed" and check.failure.follows_from]
     pairs = {(check.failure.function, check.failure.follows_from) for check in failed}
     for check in failed:
-        share = 0 if check.failure.function == check.failure.follows_from else FOLLOWING_SHARE
-        assert check.points == pytest.approx(share * check.max_points, abs=1e-6) and not check.suspect
+        assert check.points == pytest.approx(FOLLOWING_SHARE * check.max_points, abs=1e-6) and not check.suspect
     return pairs
 
 
