@@ -20,7 +20,7 @@ from tam570_grader import (
     number,
     rows,
 )
-from tam570_grader.checks.compare import Batch
+from tam570_grader.checks.compare import Batch, own_result
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.returns import free_body_diagram
 
@@ -91,8 +91,13 @@ TO_REST = columns(MOTION[0].scale, AT_REST / STOPPED)
 @check("free_body_diagram", points=0.5)
 def forces_on_the_car(student, rng):
     """every force on the car, seen from above, where it acts and along what."""
+
+    def own_body(case):
+        along, aside = own_result(student.friction_force, reference, case)
+        return reference.free_body_diagram(*case.args, **case.kwargs, drag=complex(along, aside) or None)
+
     calls = cases.of_diagrams(rng)
-    compare_diagrams(student.free_body_diagram, reference, calls)
+    compare_diagrams(student.free_body_diagram, reference, calls, (student.friction_force, own_body))
     judge_refusals(student, [("free_body_diagram", calls[0])])
 
 

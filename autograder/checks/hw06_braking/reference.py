@@ -122,12 +122,12 @@ IN_THE_AXES_OF_THE_CAR = "You wrote forward and left components. The diagram has
 SIDE_FORCE_OF_THE_LOCKED = "You drew a side force at the locked axle. It slides: friction is all, against its velocity."
 
 
-def free_body_diagram(state, locked, mass, front, rear, friction, gravity):
-    """Of the car from above."""
+def free_body_diagram(state, locked, mass, front, rear, friction, gravity, drag=None):
+    """Of the car from above; with another drag than the right one, forward and left."""
     x, y, heading, speed, yaw_rate = map(float, state)
     G, forward = complex(x, y), cmath.exp(1j * heading)
     free, locked_axle = (G + at * forward for at in axles(locked, front, rear))
-    slide = complex(*velocity_of(axles(locked, front, rear)[1], state, locked, front, rear))
+    slide = complex(*velocity_of(axles(locked, front, rear)[1], state, locked, front, rear)) if drag is None else -drag
     drags = friction * gravity != 0 and slide != 0
     # straight on nothing turns the car; on the spot and without drag the free axle does not accelerate
     turns = yaw_rate != 0 and (speed != 0 or drags)

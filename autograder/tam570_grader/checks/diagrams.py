@@ -11,7 +11,7 @@ nothing else is. The order and the lengths of the arrows are free.
 
 import itertools
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -21,7 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 from tam570.values import Function, Json, Numbers
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.compare import call_cases
-from tam570_grader.checks.expect import fail
+from tam570_grader.checks.expect import Failed, FollowsFrom, NotWritten, fail
 from tam570_grader.checks.figures import seen_from
 from tam570_grader.checks.returns import Arrow
 from tam570_grader.checks.student import StudentFunction
@@ -122,13 +122,32 @@ def weight(point: ArrayLike, where: str, gravity: float, down: ArrayLike = (0.0,
     return Force("the weight", point, where, down, sense=True, acts=gravity != 0, reversed=reversed)
 
 
-def compare_diagrams(function: StudentFunction, reference: Function, cases: Iterable[Case]) -> None:
-    """Fail unless the student draws, in every case, the forces of the `FreeBody` that `reference` returns."""
-    for _, arrows, body in call_cases(function, reference, cases):
+def compare_diagrams(
+    function: StudentFunction,
+    reference: Function,
+    cases: Iterable[Case],
+    own: tuple[StudentFunction, Callable[[Case], FreeBody]] | None = None,
+) -> None:
+    """Fail unless the student draws, in every case, the forces of the `FreeBody` that `reference` returns.
+
+    own : the student's function of a force, and the same body with the results of it
+    """
+    for case, arrows, body in call_cases(function, reference, cases):
         if message := complaint(body, arrows):
             expected = [_arrow_of(force) for force in body.forces if force.acts]
             wrong = f"the free body diagram of {body.name} is wrong"
-            fail(wrong, hint=message, sketch=_sketch(body, arrows), expected=_sketch(body, expected))
+            hint = partial(_hint, message, arrows, case, own)
+            fail(wrong, hint=hint, sketch=_sketch(body, arrows), expected=_sketch(body, expected))
+
+
+def _hint(
+    message: str, arrows: Sequence[Arrow], case: Case, own: tuple[StudentFunction, Callable[[Case], FreeBody]] | None
+) -> str:
+    """Return what is wrong, or the student's own function of a force whose results are rightly drawn."""
+    try:
+        return FollowsFrom(own[0].name) if own and not complaint(own[1](case), arrows) else message
+    except (Failed, NotWritten):
+        return message
 
 
 def _arrow_of(force: Force) -> Arrow:

@@ -20,6 +20,8 @@ from types import CodeType, ModuleType
 import numpy as np
 
 from tam570.checking.transforms import (
+    AXES,
+    SPACE,
     WrongArgument,
     other_arguments,
     other_forms,
@@ -274,16 +276,16 @@ def shared_mutants(text: str, name: str, other: str, calls: Sequence[Call]) -> t
 
 
 def _single_entry(name: str, calls: Sequence[ComparedCall]) -> str | None:
-    """Return where a matrix is wrong, if it is in one place."""
-    forms = {tuple(map(np.shape, parts(answer_of))) for call in calls for answer_of in (call.result, call.expected)}
-    if len(forms) > 1 or [len(shape) for shape in forms.pop()] != [2]:
+    """Return where a matrix or a vector in space is wrong, if it is in one place, and the others are not mere zeros."""
+    forms = {np.shape(answer_of) for call in calls for answer_of in (call.result, call.expected)}
+    if len(forms) > 1 or not (len(form := forms.pop()) == 2 or form == (SPACE,)):
         return None
     off = [np.abs(call.result - call.expected) > WITHIN * np.abs(call.expected).max() for call in calls]
     places = np.argwhere(np.any(off, axis=0))
-    if len(places) != 1:
+    if len(places) != 1 or (len(form) == 1 and not np.any([call.expected for call in calls], axis=0).all()):
         return None
-    row, column = places[0] + 1
-    return f"The result of {name} is wrong in row {row}, column {column} alone"
+    where = ", ".join(f"{axis} {place + 1}" for axis, place in zip(AXES[len(form)], places[0], strict=True))
+    return f"The result of {name} is wrong in {where} alone"
 
 
 @contextmanager

@@ -350,8 +350,9 @@ def _passed_so_far(run: _Run) -> set[str]:
 
 
 def _earlier(causes: Mapping[str, Cause]) -> list[Cause]:
-    """Return the causes from which something may follow, by the functions in which they were named first."""
-    return [replace(cause, function=cause.follows_from or cause.function) for cause in causes.values() if cause.answers]
+    """Return the causes from which something may follow, or that may be repeated, by the functions named first."""
+    told = [cause for cause in causes.values() if cause.answers or cause.source == "place"]
+    return [replace(cause, function=cause.follows_from or cause.function) for cause in told]
 
 
 def _following(run: _Run, check: Check, earlier: Sequence[Cause]) -> Cause | None:

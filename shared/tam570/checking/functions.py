@@ -35,6 +35,7 @@ class Functions:
     off_limits: Mapping[str, Sequence[str]]
     calls: list[str] = field(default_factory=list)  # in the test that runs, in order
     mistake: Mistake | None = None  # what is tried on the results
+    inside: bool = False  # whether it is tried where other functions of the module call this one, too
     cache: dict[tuple[str, bool, bytes], Numbers] = field(default_factory=dict)  # results, by function and arguments
     observed: dict[str, ObservedCall] = field(default_factory=dict)  # the first call of each function
     hanging: dict[str, str] = field(default_factory=dict)  # functions that are not called again, and why
@@ -64,17 +65,36 @@ class Functions:
         @functools.wraps(function)
         def wrapper(*args: Numbers, **kwargs: Numbers) -> Numbers:
             self.calls.append(name)
-            if self.depth:  # a student's function was handed to another, by way of the tests
-                return function(*args, **kwargs)
             arguments = Arguments(args, kwargs)
+            if self.depth:  # a student's function was handed to another, by way of the tests
+                return self._repaired(name, arguments, function(*args, **kwargs))
             if self.mistake is None or self.mistake.function != name:
                 return self._result(name, function, arguments)
             if self.mistake.repair is None:
                 with tightened(vars(self.module)):
                     return self._result(name, function, arguments)
-            return self.mistake.repair(ObservedCall(arguments, self._result(name, function, arguments)))
+            return self._repaired(name, arguments, self._result(name, function, arguments))
 
         return wrapper
+
+    def _repaired(self, name: str, arguments: Arguments, result: Numbers) -> Numbers:
+        """Return a result with the mistake undone that is tried on this function."""
+        if self.mistake is None or self.mistake.function != name or self.mistake.repair is None:
+            return result
+        return self.mistake.repair(ObservedCall(arguments, result))
+
+    @contextmanager
+    def tried(self, mistake: Mistake, *, inside: bool = False) -> Iterator[None]:
+        """Call a function with a mistake undone; `inside`, where the others of the module call it, too."""
+        before = getattr(self.module, mistake.function)
+        self.mistake, self.inside = mistake, inside
+        if inside:
+            setattr(self.module, mistake.function, self._watched(mistake.function, before))
+        try:
+            yield
+        finally:
+            self.mistake, self.inside = None, False
+            setattr(self.module, mistake.function, before)
 
     def plain(self, name: str) -> Function:
         """Return a student's function without the mistake that is tried, whose results are remembered meanwhile."""
@@ -88,6 +108,8 @@ class Functions:
         """
         tight = self.mistake is not None and self.mistake.repair is None and self.mistake.function == name
         key = (name, tight, _contents(arguments))
+        if self.inside:  # they may be others
+            return self._called(name, function, arguments)
         if self.mistake is None or key not in self.cache:
             self.cache[key] = self._called(name, function, arguments)
         try:

@@ -238,6 +238,7 @@ def _explained(outcomes: Outcomes, used: Mapping[str, set[str]], reached: Progre
     A function whose own tests pass is not named where the test uses one whose own tests fail, directly or not.
     """
     budget, explanations, functions = MOST_VARIANTS, dict[str, str](), outcomes.functions
+    mistakes: list[Mistake] = []
     wrong = set().union(*(used[test] for test in outcomes.failures if len(used.get(test, ())) == 1))
     for name in reached["missing"]:
         failed = [
@@ -252,6 +253,7 @@ def _explained(outcomes: Outcomes, used: Mapping[str, set[str]], reached: Progre
         ]
         its_own = {test for test in failed if used[test] == {name}}  # all explained by its one mistake
         best: list[str] = []
+        named: Mistake | None = None
         if not failed or name not in functions.observed:
             continue
         observed = functions.results[name], functions.plain(name), functions.observed[name], functions.longest[name]
@@ -265,8 +267,26 @@ def _explained(outcomes: Outcomes, used: Mapping[str, set[str]], reached: Progre
                 and its_own <= {*mended}
                 and all(_passes(outcomes, mistake, test) for test in alone)
             ):
-                best = mended
-                explanations |= dict.fromkeys(mended, mistake.message)
+                best, named = mended, mistake
+        if named:
+            mistakes.append(named)
+            explanations |= dict.fromkeys(best, named.message)
+    return explanations | _consequences(outcomes, mistakes, used, code)
+
+
+def _consequences(
+    outcomes: Outcomes, mistakes: Sequence[Mistake], used: Mapping[str, set[str]], code: str
+) -> dict[str, str]:
+    """For each failed test of a function that passes where the mistake in another that it calls is undone, which it is."""
+    explanations = dict[str, str]()
+    for mistake in (mistake for mistake in mistakes if mistake.repair):
+        for test, failure in outcomes.failures.items():
+            names = used.get(test, set())
+            callers = [name for name in names if mistake.function in uses(code, [name])]
+            if mistake.function in names or len(callers) != 1 or failure.function or test in explanations:
+                continue
+            if _passes(outcomes, mistake, test, inside=True):
+                explanations[test] = f"Your {callers[0]} uses or repeats the mistake in {mistake.function}."
     return explanations
 
 
@@ -279,19 +299,17 @@ def _known_mistakes(outcomes: Outcomes, examples: Examples, used: Mapping[str, s
     return explanations
 
 
-def _passes(outcomes: Outcomes, mistake: Mistake, test: str) -> bool:
-    """Return whether a test passes with this change."""
+def _passes(outcomes: Outcomes, mistake: Mistake, test: str, *, inside: bool = False) -> bool:
+    """Return whether a test passes with this change; `inside`, where others of the student's functions call it, too."""
     import numpy as np
 
-    outcomes.functions.mistake = mistake
+    tried = outcomes.functions.tried(mistake, inside=inside)
     try:
-        with contextlib.redirect_stdout(None), np.errstate(all="ignore"), warnings.catch_warnings():
+        with tried, contextlib.redirect_stdout(None), np.errstate(all="ignore"), warnings.catch_warnings():
             warnings.simplefilter("ignore")
             outcomes.repeat[test]()
     except (KeyboardInterrupt, GeneratorExit):
         raise
     except BaseException:  # whatever a student's code raises at numbers that were changed
         return False
-    finally:
-        outcomes.functions.mistake = None
     return True
