@@ -94,7 +94,7 @@ def forces_on_the_car(student, rng):
 
     def own_body(case):
         along, aside = own_result(student.friction_force, reference, case)
-        return reference.free_body_diagram(*case.args, **case.kwargs, drag=complex(along, aside) or None)
+        return reference.free_body_diagram(*case.args, **{**case.kwargs, "drag": complex(along, aside) or None})
 
     calls = cases.of_diagrams(rng)
     compare_diagrams(student.free_body_diagram, reference, calls, (student.friction_force, own_body))

@@ -35,6 +35,12 @@ class Case:
         """The arguments as they are sent: packed once for a class that shares them."""
         return packed([[*map(_sent, self.args)], {key: _sent(value) for key, value in self.kwargs.items()}])
 
+    @property
+    def points(self) -> list[dict[str, float]]:
+        """The numbers for its symbols at which a formula is evaluated; none of another call."""
+        (first, *_) = self.args or [None]
+        return first if isinstance(first, list) and first and isinstance(first[0], dict) else []
+
     def labelled(self, label: str, hint: str = "") -> "Case":
         """Return the same arguments with a label, and with a hint that `compare` prefers to that of the check."""
         case = Case(*self.args, **self.kwargs)

@@ -388,12 +388,12 @@ def _leads_on(motion: Motion, row: int) -> bool:
 def _set_off(motion: Motion, row: int) -> tuple[Array, Array, Array]:
     """Return the times of an instant from a right row, and the rates of the student's motion and of the right one."""
     t, start = motion.t[row] + _instant(motion, INSTANTS[-1]), _restart(motion, motion.expected[row])
-    rows = flat(motion.function.aside(motion.case.replace(t, *start))), motion.truly(t, *start)
-    return t, *(np.diff(states, axis=0)[0] / np.ptp(t) for states in rows)
+    own_rows, right_rows = flat(motion.function.aside(motion.case.replace(t, *start))), motion.truly(t, *start)
+    return t, np.diff(own_rows, axis=0)[0] / np.ptp(t), np.diff(right_rows, axis=0)[0] / np.ptp(t)
 
 
 def _instant(motion: Motion, share: float) -> Array:
-    return (motion.t[-1] - motion.t[0]) * np.array([0, share])
+    return np.array([0, share * (motion.t[-1] - motion.t[0])])
 
 
 def _restart(motion: Motion, row: Array) -> tuple[Numbers, ...]:

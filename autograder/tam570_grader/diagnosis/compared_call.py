@@ -34,8 +34,11 @@ class ComparedCall(Call):
     def numbers(self) -> set[bytes]:
         """Return what is to be explained, where it is more than rounding beside the right answer.
 
-        Zeros tell nothing. A function without arguments has a single call, and each of its results tells.
+        Zeros tell nothing. A function without arguments has a single call, and each of its results tells; a formula has
+        a value at each of many points.
         """
+        if self.case.points:
+            return {value.tobytes() for value in np.asarray(self.result) if value}
         if not (self.case.args or self.case.kwargs):
             return {np.asarray(part).tobytes() for part in parts(self.result) if np.any(part)}
         result, expected = (np.concatenate([*map(np.ravel, parts(each))]) for each in (self.result, self.expected))

@@ -285,8 +285,8 @@ def computed(module: ModuleType, call: Call) -> Numbers:
     function, case = getattr(module, call.name), call.case
     try:
         with np.errstate(all="ignore"):
-            if case.args and isinstance(case.args[0], list) and case.args[0] and isinstance(case.args[0][0], dict):
-                return _values(function(), case.args[0])
+            if case.points:
+                return _values(function(), case.points)
             return function(*case.args, **case.kwargs)
     except (ArithmeticError, ValueError, np.linalg.LinAlgError):
         return NoValue

@@ -49,7 +49,7 @@ Transform = Callable[[ComparedCall], Numbers]
 def general(solution: str, calls: Sequence[Call]) -> Cause | None:
     """Return the one variant of the right answers that has the student's numbers in every call, or None.
 
-    Formulas are left out: to evaluate one takes long.
+    Of a formula the results alone are varied: to evaluate another takes long.
     """
     try:
         with limited(MOST):
@@ -59,8 +59,8 @@ def general(solution: str, calls: Sequence[Call]) -> Cause | None:
 
 
 def _compared(solution: str, calls: Sequence[Call]) -> list[ComparedCall]:
-    """Return the calls beside the right answers; nothing where one failed, or has a formula or no right answer."""
-    if any(call.result is None or _symbolic(call) for call in calls):
+    """Return the calls beside the right answers; nothing where one failed, or has no right answer."""
+    if any(call.result is None for call in calls):
         return []
     expected = [right_answer(solution, call) for call in calls]
     compared = [compared_call(call, value) for call, value in zip(calls, expected, strict=True)]
@@ -76,20 +76,31 @@ def _general(solution: str, calls: Sequence[Call]) -> Cause | None:
     (name,) = names
     its_calls = [call for call in compared if call.name == name]
     if not any(np.any(part) for call in its_calls for part in parts(call.result)):
-        return Cause(name, f"The result of {name} is zero", "transform")
+        return Cause(name, f"Your result of {name} is zero", "transform")
     if count_informative(wrong) < FEWEST:
         return None
+    known_for = {str(call.case.kwargs) for call in wrong}
     module = ModuleType("_varied")  # its own, to put mutants in
     exec(_code(solution), vars(module))
+    vary = len(known_for) >= FEWEST or not wrong[0].case.kwargs
+    results = other_results(name, getattr(module, name), wrong[0], vary=vary)
+    if first := next(_explaining(results, its_calls), None):
+        words, transform = first
+        return Cause(name, words, "transform", _with_variant(solution, name, transform), tuple(calls))
+    is_formula = any(call.case.points for call in its_calls)
+    return None if is_formula else _inside(solution, module, name, calls, compared)
+
+
+def _inside(
+    solution: str, module: ModuleType, name: str, calls: Sequence[Call], compared: Sequence[ComparedCall]
+) -> Cause | None:
+    """Return the one variant of the arguments or of the solution's code, or the one place where the result is wrong."""
     reference = getattr(module, name)
-    known_for = {str(call.case.kwargs) for call in wrong}
+    its_calls = [call for call in compared if call.name == name]
 
     def transformed(words: str, transform: Transform) -> Cause:
         return Cause(name, words, "transform", _with_variant(solution, name, transform), tuple(calls))
 
-    results = other_results(name, wrong[0], vary=len(known_for) >= FEWEST or not wrong[0].case.kwargs)
-    if first := next(_explaining(results, its_calls), None):
-        return transformed(*first)
     families = (
         other_arguments(name, reference, its_calls[0]),
         other_products(name, reference, its_calls[0]),
@@ -210,11 +221,6 @@ class _InPlace:
         return module
 
 
-def _symbolic(call: Call) -> bool:
-    args = call.case.args
-    return bool(args) and isinstance(args[0], list) and bool(args[0]) and isinstance(args[0][0], dict)
-
-
 def _explains(transform: Transform, calls: Sequence[ComparedCall]) -> bool:
     return all(call.fits(_quietly(transform, call)) for call in calls)
 
@@ -285,7 +291,7 @@ def _single_entry(name: str, calls: Sequence[ComparedCall]) -> str | None:
     if len(places) != 1 or (len(form) == 1 and not np.any([call.expected for call in calls], axis=0).all()):
         return None
     where = ", ".join(f"{axis} {place + 1}" for axis, place in zip(AXES[len(form)], places[0], strict=True))
-    return f"The result of {name} is wrong in {where} alone"
+    return f"Your result of {name} is wrong in {where} alone"
 
 
 @contextmanager

@@ -277,7 +277,7 @@ def _explained(outcomes: Outcomes, used: Mapping[str, set[str]], reached: Progre
 def _consequences(
     outcomes: Outcomes, mistakes: Sequence[Mistake], used: Mapping[str, set[str]], code: str
 ) -> dict[str, str]:
-    """For each failed test of a function that passes where the mistake in another that it calls is undone, which it is."""
+    """For each failed test that passes where a mistake in what its one function calls is undone, which it is."""
     explanations = dict[str, str]()
     for mistake in (mistake for mistake in mistakes if mistake.repair):
         for test, failure in outcomes.failures.items():

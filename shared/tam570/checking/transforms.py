@@ -7,7 +7,7 @@ import functools
 import inspect
 import math
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import combinations, permutations, product
@@ -102,14 +102,13 @@ class WrongArgument:
         return {name: self.change(value) if name == self.key else value for name, value in values.items()}
 
 
-def other_results(name: str, example: Compared, vary: bool) -> Iterator[Transform]:
+def other_results(name: str, reference: Function, example: Compared, vary: bool) -> Iterator[Transform]:
     """Yield a result of the wrong sign, in another unit, by a factor too large, with parts exchanged.
 
     example : a wrong call
     vary    : the parameters differ from call to call: what is the same in all of them does not depend on these
     """
-    results, expected = parts(example.result), parts(example.expected)
-    numbers = [key for key, value in example.case.kwargs.items() if np.ndim(value) == 0]
+    results, expected, numbers = parts(example.result), parts(example.expected), _numbers(reference, example.case)
     for which, (label, returned) in enumerate(zip(_labels(name, len(results)), results, strict=False)):
         changes = [(words, change) for words, change, _ in _changes(np.asarray(returned), numbers)]
         if vary and which < len(expected):
@@ -122,14 +121,14 @@ def other_results(name: str, example: Compared, vary: bool) -> Iterator[Transfor
 
 def _labels(name: str, count: int) -> list[str]:
     """Return what each result of a function is called."""
-    return [f"The {ordinal if count > 1 else ''}result of {name}" for ordinal in ORDINALS[:count]]
+    return [f"Your {ordinal if count > 1 else ''}result of {name}" for ordinal in ORDINALS[:count]]
 
 
 def _of_all_results(name: str, count: int) -> Iterator[Transform]:
     """Yield what may be wrong with several results together; doing it again undoes it."""
-    yield f"The results of {name} have the opposite sign", lambda call: tuple(map(np.negative, parts(call.expected)))
+    yield f"Your results of {name} have the opposite sign", lambda call: tuple(map(np.negative, parts(call.expected)))
     if count == 2:
-        yield f"The results of {name} are exchanged", lambda call: tuple(parts(call.expected)[::-1])
+        yield f"Your results of {name} are exchanged", lambda call: tuple(parts(call.expected)[::-1])
 
 
 def other_arguments(name: str, reference: Function, example: Compared) -> Iterator[Transform]:
@@ -166,8 +165,7 @@ def undone(name: str, function: Function, example: Compared, is_quick: bool) -> 
     example  : a call of the function, whose result stands for the right one
     is_quick : whether it may be called with many other arguments
     """
-    results = parts(example.expected)
-    numbers = [key for key, value in example.case.kwargs.items() if np.ndim(value) == 0]
+    results, numbers = parts(example.expected), _numbers(function, example.case)
     for which, label in enumerate(_labels(name, len(results))):
         for words, _, undo in (*_changes(np.asarray(results[which]), numbers), UNWRAPPED):
             if undo:
@@ -206,7 +204,7 @@ def other_forms(name: str, reference: Function, example: Compared) -> Iterator[T
     for keys in [*single, *([starts] if len(starts) > 1 or not single else [])]:
         for which in (None, *range(count if count > 1 else 0)):
             ordinal = "" if which is None else ORDINALS[which]
-            words = f"The {ordinal}result of {name} is linear in {', '.join(keys)}, as for small motions"
+            words = f"Your {ordinal}result of {name} is linear in {', '.join(keys)}, as for small motions"
             yield words, partial(_linearised, reference, keys, which)
 
 
@@ -243,17 +241,26 @@ def other_products(name: str, reference: Function, example: Compared) -> Iterato
             yield f"In {name}, {key} has a factor {other} too many", extra
 
 
-def _changes(result: Numbers, numbers: Sequence[str]) -> Iterator[tuple[str, ResultChange, ResultChange | None]]:
+def _numbers(function: Function, case: Arguments) -> dict[str, int | None]:
+    """Return the arguments that are numbers, each with its place among those without a keyword."""
+    places = {key: place for place, key in enumerate(_parameters(function)[: len(case.args)])}
+    numbers = {key: np.asarray(value) for key, value in _named(function, case).items()}
+    return {key: places.get(key) for key, value in numbers.items() if value.ndim == 0 and value.dtype.kind in "fiu"}
+
+
+def _changes(
+    result: Numbers, numbers: Mapping[str, int | None]
+) -> Iterator[tuple[str, ResultChange, ResultChange | None]]:
     """Yield what may be wrong with a result, and what undoes it."""
     for words, factor in FACTORS.items():
         yield words, partial(_scaled, factor), partial(_scaled, 1 / factor)
     for words, change in POWERS.items():
         yield words, partial(_changed, change), None
-    for key in numbers:
+    for key, place in numbers.items():
+        times = partial(_times, key, place)
         for words, power in {"multiplied": -1, "divided": 1}.items():
-            yield f"should be {words} by {key}", partial(_times, key, power), partial(_times, key, -power)
-            squared = partial(_times, key, 2 * power), partial(_times, key, -2 * power)
-            yield f"should be {words} by {key} squared", *squared
+            yield f"should be {words} by {key}", partial(times, power), partial(times, -power)
+            yield f"should be {words} by {key} squared", partial(times, 2 * power), partial(times, -2 * power)
     if result.ndim == 2 and result.shape[0] == result.shape[1]:
         transposed = partial(_changed, np.transpose)
         yield "is transposed", transposed, transposed
@@ -275,8 +282,10 @@ def _scaled(factor: float, value: Numbers, case: Arguments) -> Numbers:
     return value * factor
 
 
-def _times(key: str, power: int, value: Numbers, case: Arguments) -> Numbers:
-    return value * case.kwargs[key] ** power
+def _times(key: str, place: int | None, power: int, value: Numbers, case: Arguments) -> Numbers:
+    """Return a product with an argument; without it where the call has another order."""
+    factor = case.kwargs[key] if place is None else case.args[place]
+    return value * float(factor) ** power
 
 
 def _changed(change: Change, value: Numbers, case: Arguments) -> Numbers:

@@ -115,11 +115,11 @@ def calls(function, wrong):
         ("weight", "m*(g*h - l**2/2)", "the sign of a term with length, mass is reversed"),
         ("weight", "m*g*h + m*l/2", "an exponent with length is one too large or too small"),
         ("weight", "m*g*h + m*(l*m)**2/2", "length has a factor mass too many"),
-        ("weight", "(m*g*h + m*l**2/2)**0.5", "The result of weight is the square root of the right one"),
-        ("weight", "m*(g*h + l**2/2)/g**2", "The result of weight should be multiplied by gravity squared"),
+        ("weight", "(m*g*h + m*l**2/2)**0.5", "Your result of weight is the square root of the right one"),
+        ("weight", "m*(g*h + l**2/2)/g**2", "Your result of weight should be multiplied by gravity squared"),
         ("weight", "g*h + m*l**2/2", "the factor mass is missing beside gravity, height"),
         ("weight", "m*g*h + m*l**2", "a term with length, mass counts twice"),
-        ("weight", "0.0", "The result of weight is zero"),
+        ("weight", "0.0", "Your result of weight is zero"),
         ("fall", "np.column_stack([h + v*t + t**2, v + 2*t])", "gravity has the opposite sign"),
         ("fall", "np.column_stack([h + v*t - 0.7*t**2, v - 1.400001*t])", "gravity has a factor drag too many"),
         ("tumble", "(inertia[0]*w + 2)*w/3 + mass*radius/3", "0.3333 times the right one for any input"),
@@ -128,13 +128,13 @@ def calls(function, wrong):
         ("forces", "F + [[0.0, 0.0], [0.3, 0.0]]*F**2", "wrong in row 2, column 1 alone"),
         ("forces", "F[::-1]", "has rows 1 and 2 exchanged"),
         ("forces", "F*[1, -1]", "has the opposite sign in column 2"),
-        ("polar", "(r, abs(a))", "The second result of polar has lost its sign"),
+        ("polar", "(r, abs(a))", "Your second result of polar has lost its sign"),
         ("polar", "(r, math.atan(math.tan(a)))", "is the arctan of a ratio"),
         ("polar", "(r, max(a, 0.0))", "is zero where the right one is negative"),
         ("polar", "(r, math.sqrt(max(a, 0.0)))", "is the square root of the right one, and zero"),
         ("polar", "(r, a/(2*math.pi))", "lacks the factor 2 pi"),
-        ("polar", "(-r, -a)", "The results of polar have the opposite sign"),
-        ("polar", "(r, -a)", "The second result of polar has the opposite sign"),
+        ("polar", "(-r, -a)", "Your results of polar have the opposite sign"),
+        ("polar", "(r, -a)", "Your second result of polar has the opposite sign"),
         ("swing", "2*(1 + math.cos(a))", "a cosine with angle has the wrong sign"),
         ("lift", "m*l**2 + g*m*l", "the sign of a term with gravity, length, mass is reversed"),  # one slip alone
         ("lift", "-m*l**2 - g*m*l", "the sign of a term with length, mass is reversed"),
@@ -148,10 +148,10 @@ def calls(function, wrong):
         ("stretch", "math.sqrt(1 + 2*y*x)", "a quantity with side, slope is not squared"),
         ("rates", "np.array([a[0]**2, a[1] + 2*a[0], 0.7*a[1]])", "the result have components 1 and 3 exchanged"),
         ("turned", "np.array([[1, -a], [a, 1]]) @ v", "a sine or cosine with angle is linearised"),
-        ("balance", "(a, 2*math.sin(a))", "The first result of balance is linear in angle"),
+        ("balance", "(a, 2*math.sin(a))", "Your first result of balance is linear in angle"),
         ("tumble", "w**2 + 2*w + mass*radius", "inertia is that of a thin disk, A = C/2"),
         ("rod", "np.array([[[x, y], [0.0, 1.0]]])", "has ends 1 and 2 exchanged"),
-        ("cross", "np.cross(b, a)", "The result of cross has the opposite sign"),
+        ("cross", "np.cross(b, a)", "Your result of cross has the opposite sign"),
     ],
 )
 def test_it_is_named_by_what_it_does(function, wrong, words):
@@ -176,9 +176,9 @@ def test_what_is_no_one_thing_is_not_named(of):
 
 
 def test_what_was_told_of_another_function_is_told_as_the_same(tmp_path):
-    earlier = [Cause("lift", "The result of lift has the opposite sign", "transform")]
+    earlier = [Cause("lift", "Your result of lift has the opposite sign", "transform")]
     cause = diagnose(SOLUTION, tmp_path, calls("cross", "np.cross(b, a)"), earlier)
-    assert cause.message == "The result of cross has the opposite sign, as in lift"
+    assert cause.message == "Your result of cross has the opposite sign, as in lift"
 
 
 def test_a_variant_that_never_ends_is_passed_over():

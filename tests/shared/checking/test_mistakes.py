@@ -5,11 +5,11 @@ from parameters import first
 
 HW08 = "hw08_axis_angle"
 NAMED = [  # a function of an assignment, what it returns instead, and what is said of it
-    (HW08, "rotation_matrix", "kept(axis, angle).T", "The result of rotation_matrix is transposed."),
+    (HW08, "rotation_matrix", "kept(axis, angle).T", "Your result of rotation_matrix is transposed."),
     (HW08, "rotation_matrix", "kept(axis, np.radians(angle))", "In rotation_matrix, angle is read as degrees."),
     (HW08, "rotation_matrix", "2 * kept(axis, angle)", "rotation_matrix is twice as large as the right one."),
-    (HW08, "rotation_matrix", "-kept(axis, angle)", "The result of rotation_matrix has the opposite sign."),
-    (HW08, "skew", "kept(v).T", "The result of skew has the opposite sign."),
+    (HW08, "rotation_matrix", "-kept(axis, angle)", "Your result of rotation_matrix has the opposite sign."),
+    (HW08, "skew", "kept(v).T", "Your result of skew has the opposite sign."),
     ("hw13_rolling_cylinder", "energy", "kept(*args, **how) / how['mass']", "should be multiplied by mass."),
     ("hw07_double_pendulum", "gravity_terms", "-kept(*args, **how)", "gravity_terms has the opposite sign."),
     ("hw01_simple_pendulum", "power_balance", "kept(*args, **how)[::-1]", "results of power_balance are exchanged."),
