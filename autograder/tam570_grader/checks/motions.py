@@ -362,13 +362,9 @@ def has_rates(motion: Motion, rates: Rates, *, ends: bool = True) -> bool:
         for row in rows:
             t, instant_rate, expected_rate = _set_off(motion, row)
             models = rates.models(t[0], motion.expected[row], expected_rate, np.ptp(t))
-            sizes = [instant_rate - models, models - expected_rate, [instant_rate - expected_rate]]
-            off, off_right, left = (np.max(np.abs(size) / motion.scales, axis=1) for size in sizes)
-            unexplained, wrong, undone = (
-                np.maximum(unexplained, off),
-                np.maximum(wrong, off_right),
-                max(undone, left[0]),
-            )
+            off = np.abs(np.array([instant_rate - models, models - expected_rate])) / motion.scales
+            unexplained, wrong = np.maximum([unexplained, wrong], off.max(axis=2))
+            undone = max(undone, float(np.max(np.abs(instant_rate - expected_rate) / motion.scales)))
         if np.any((unexplained <= EXPLAINED * wrong) & (wrong > 0)):
             return not ends or all(_leads_on(motion, row) for row in rows)
         return bool(undone <= EXPLAINED * wrong[:2].min()) and rates.move()

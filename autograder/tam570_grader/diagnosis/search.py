@@ -24,6 +24,7 @@ from tam570.checking.transforms import (
     SPACE,
     WrongArgument,
     other_arguments,
+    other_factors,
     other_forms,
     other_products,
     other_results,
@@ -103,6 +104,7 @@ def _inside(
 
     families = (
         other_arguments(name, reference, its_calls[0]),
+        other_factors(name, reference, its_calls[0]),
         other_products(name, reference, its_calls[0]),
         other_words(name, reference, its_calls),
     )

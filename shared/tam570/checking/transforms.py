@@ -108,7 +108,10 @@ def other_results(name: str, reference: Function, example: Compared, vary: bool)
     example : a wrong call
     vary    : the parameters differ from call to call: what is the same in all of them does not depend on these
     """
-    results, expected, numbers = parts(example.result), parts(example.expected), _numbers(reference, example.case)
+    results, expected = parts(example.result), parts(example.expected)
+    numbers: dict[str, int | None] = {
+        key: None for key in _numbers(reference, example.case) if key in example.case.kwargs
+    }
     for which, (label, returned) in enumerate(zip(_labels(name, len(results)), results, strict=False)):
         changes = [(words, change) for words, change, _ in _changes(np.asarray(returned), numbers)]
         if vary and which < len(expected):
@@ -117,6 +120,15 @@ def other_results(name: str, reference: Function, example: Compared, vary: bool)
             yield f"{label} {words}", partial(_with_result, which, len(results), change)
     if len(results) > 1:
         yield from _of_all_results(name, len(results))
+
+
+def other_factors(name: str, reference: Function, example: Compared) -> Iterator[Transform]:
+    """Yield a result that lacks a factor, or has one too many, which is an argument without a keyword."""
+    results = parts(example.result)
+    numbers = {key: place for key, place in _numbers(reference, example.case).items() if place is not None}
+    for which, label in enumerate(_labels(name, len(results))):
+        for words, change, _ in _multiples(numbers):
+            yield f"{label} {words}", partial(_with_result, which, len(results), change)
 
 
 def _labels(name: str, count: int) -> list[str]:
@@ -256,16 +268,21 @@ def _changes(
         yield words, partial(_scaled, factor), partial(_scaled, 1 / factor)
     for words, change in POWERS.items():
         yield words, partial(_changed, change), None
-    for key, place in numbers.items():
-        times = partial(_times, key, place)
-        for words, power in {"multiplied": -1, "divided": 1}.items():
-            yield f"should be {words} by {key}", partial(times, power), partial(times, -power)
-            yield f"should be {words} by {key} squared", partial(times, 2 * power), partial(times, -2 * power)
+    yield from _multiples(numbers)
     if result.ndim == 2 and result.shape[0] == result.shape[1]:
         transposed = partial(_changed, np.transpose)
         yield "is transposed", transposed, transposed
     for words, change in _components(result):
         yield words, partial(_changed, change), partial(_changed, change)
+
+
+def _multiples(numbers: Mapping[str, int | None]) -> Iterator[tuple[str, ResultChange, ResultChange]]:
+    """Yield a factor or divisor that a result lacks, of the numbers among the arguments."""
+    for key, place in numbers.items():
+        times = partial(_times, key, place)
+        for words, power in {"multiplied": -1, "divided": 1}.items():
+            yield f"should be {words} by {key}", partial(times, power), partial(times, -power)
+            yield f"should be {words} by {key} squared", partial(times, 2 * power), partial(times, -2 * power)
 
 
 def _constants(result: Numbers, expected: Numbers) -> Iterator[tuple[str, ResultChange]]:
