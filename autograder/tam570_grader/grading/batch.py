@@ -83,12 +83,12 @@ def grade(paths: Iterable[str | Path], config: RunConfig) -> Iterator[Result]:
         yield result_records.read(record)
 
 
-def records(config: RunConfig, store: ResultStore | None = None, old: Sequence[Results] = ()) -> Iterator[Record]:
-    """Yield the result lines, each as soon as it is there and written into the book; what `old` knows is not run again.
+def records(config: RunConfig, store: ResultStore | None = None) -> Iterator[Record]:
+    """Yield the result lines, each as soon as it is there and written into the book, which is asked first.
 
     Where the grader itself failed, it tries again.
     """
-    for outcome in outcomes(config, store, old):
+    for outcome in outcomes(config, store):
         yield outcome.record if isinstance(outcome, CachedResult) else outcome
 
 
