@@ -188,11 +188,13 @@ def holds_students(folder: Path, slugs: Sequence[str], students: Collection[str]
     if any(_name(entry.name) in students for entry in folders):
         return True
     like = [slug_of(entry.name, slugs) is not None for entry in folders]
+    if not any(like):
+        return any(_holds_assignments(entry, slugs, files=True) for entry in folders)
     holding = [
-        _holds_assignments(entry, slugs, files=not is_student) for entry, is_student in zip(folders, like, strict=True)
+        _holds_assignments(entry, slugs, files=not is_like) for entry, is_like in zip(folders, like, strict=True)
     ]
     return any(holding) and sum(holding) >= sum(
-        is_student and not holds for is_student, holds in zip(like, holding, strict=True)
+        is_like and not holds for is_like, holds in zip(like, holding, strict=True)
     )
 
 

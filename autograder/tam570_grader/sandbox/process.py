@@ -4,8 +4,8 @@ import select
 import socket
 import struct
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
+from collections.abc import Callable
+from contextlib import suppress
 from typing import Any, TypeVar
 
 from tam570_grader.protocol.wire import ItemBudget, Unreadable, packed, unpacked
@@ -13,7 +13,7 @@ from tam570_grader.protocol.wire import ItemBudget, Unreadable, packed, unpacked
 LENGTH = struct.Struct(">I")
 LARGEST_REPLY = 2**26  # bytes, of all replies to one request
 PIECE = 2**16  # bytes that are read at once; room for more would be fetched from the system each time
-SHORT = 1000  # bytes of a reply, which takes some microseconds to read
+SHORT = 1000  # bytes of a reply, which takes less to read than to ask for the time
 GLANCE = 0.5  # s of a wait in one piece
 RECONSIDER = 0.25  # s at most between looks at a call that is late on the wall's clock
 # a call that for so long as its limit uses less than this share of a core is asleep, not slow
@@ -79,21 +79,15 @@ class SandboxProcess:
         started = self._clock()
         try:
             data = self._awaited(started)
-            with self._counted(len(data)):
+            began = time.thread_time() if len(data) > SHORT else None
+            try:
                 return form(unpacked(data, self._budget))
+            finally:
+                self.read += time.thread_time() - began if began is not None else 0.0
         except (Unreadable, MemoryError, RecursionError):
             raise ProcessLost from None
         finally:
             self.lasted += self._clock() - started
-
-    @contextmanager
-    def _counted(self, size: int) -> Iterator[None]:
-        """Count our time for a reply; one that is short takes less than it takes to ask for the time."""
-        began = time.thread_time() if size > SHORT else 0.0
-        try:
-            yield
-        finally:
-            self.read += time.thread_time() - began if size > SHORT else 0.0
 
     def _awaited(self, started: float) -> bytes:
         """Return the bytes of the next reply."""
