@@ -152,6 +152,9 @@ JUMPS = {
         lambda t, x, v: 5.0 if x < 0.9 and 1.2 < t < 1.25 else -x, (0, 3), [1.0, 0.0], stops=(1.2, 1.25)
     ),
     "backwards": against(lambda t, y: (1.0 if t > 1 else 0.0,), (2, 0), [1.0], exact=[0.0]),
+    "a rate at one time": against(lambda t, y: (1e11 if t == 1 else 1.0,), (0, 2), [0.0], exact=[2.0]),
+    "a jump at the end": against(lambda t, y: (1.0 if t < 2 else 1e9,), (0, 2), [0.0], exact=[2.0]),
+    "a blow": forced(lambda t: 1e6 if abs(t - 1.5) < 5e-7 else 0.0, (0, 3), exact=[math.sin(1.5), math.cos(1.5)]),
 }
 
 
@@ -360,6 +363,13 @@ EDGES = {
     "on a circle": newton(lambda t, x, v: -x if x * x + v * v > 1 else -x, (0, 3), [1.0, 0.0], exact=SINE),
     "from a switch": newton(lambda t, x, v: 0.0 if x < 0.5 else -1.0, (0, 1), [0.5, 0.275], exact=[0.37625, -0.275]),
     "zero over zero": newton(lambda t, x, v: math.sin(t - 2) / (t - 2) - (x if v < 9 else 0.0), (0.1, 3)),
+    "acos of cos": against(
+        lambda t, y: (1.0, math.acos(math.cos(y[0]))),
+        (0, 7),
+        [0.0, 0.0],
+        exact=[7, math.pi**2 + 2 * (3.5 - math.pi) ** 2],
+    ),
+    "a cusp": against(lambda t, y: (1.0, 100 * math.exp(-abs(y[0] - 1) * 100)), (0, 3), [0.0, 0.0], exact=[3.0, 2.0]),
     "tiny beside large": against(lambda t, y: (y[1], -y[0], -y[2]), (0, 3), [1e6, 0.0, 1e-6], longest=0.01),
 }
 CASES = {**CONTACT, **FRICTION, **JUMPS, **PULSES, **PASSED, **TRACES, **COMPLEX, **EDGES}
@@ -464,6 +474,12 @@ def test_a_start_has_its_answer_whatever_started_before():
     assert (iterated(starts) == [iterated(start) for start in starts]).all()
 
 
+def test_no_start_is_lucky_at_a_kink():
+    starts = np.linspace([0.0, 1.0], [0.5, 1.0], 40)
+    ends = solve(lambda t, y: (y[1], -50 * (abs(y[0] - 1) + y[0] - 1)), [0, 3], starts, rtol=RTOL)[:, -1]
+    assert ends == pytest.approx(np.column_stack([math.pi / 10 - 1 - starts[:, 0], -np.ones(40)]), rel=100 * RTOL)
+
+
 def test_what_a_function_keeps_are_numbers():
     assert {type(x) for x in WINDOWS["in an object"][0].inputs} <= {float}
     times = []
@@ -492,6 +508,33 @@ def hysteresis():
     def rates(t, y):
         mode[0] = -1.0 if y[0] > 1 else 1.0 if y[0] < -1 else mode[0]
         return y[1], mode[0]
+
+    return rates
+
+
+def rounded_memory():
+    found = {}
+    return lambda t, y: (-found.setdefault(round(float(y[0]), 3), math.sin(y[0])),)
+
+
+def kept_integral():
+    kept = {"t": 0.0, "sum": 0.0}
+
+    def rates(t, y):
+        kept["sum"] += (1 - y[0]) * max(t - kept["t"], 0.0)
+        kept["t"] = t
+        return (kept["sum"] - y[0],)
+
+    return rates
+
+
+def delayed():
+    past = [(0.0, 1.0)]
+
+    def rates(t, y):
+        late = [value for time, value in past if time <= t - 0.5]
+        past.append((t, y[0]))
+        return (-(late[-1] if late else 1.0),)
 
     return rates
 
@@ -541,6 +584,9 @@ AT_1, TO_AND_FRO = r"t = (1|0\.99)", "to and fro at t = "
 REFUSED = {  # rates, times, start, words, and the error if it is no ArithmeticError
     "it remembers": (remembers(), (0, 1), [1.0], "remember", ValueError),
     "hysteresis": (hysteresis(), (0, 5), [0.0, 0.0], "remember", ValueError),
+    "a memory with rounded keys": (rounded_memory(), (0, 2), [1.0], "remember", ValueError),
+    "an integral that it keeps": (kept_integral(), (0, 3), [0.0], "remember", ValueError),
+    "a history that it searches": (delayed(), (0, 3), [1.0], "remember", ValueError),
     "noise": (noise(1), (0, 1), [1.0], "random", ValueError),
     "noise that sets in": (noise(17, 0.5), (0, 1), [1.0], "random", ValueError),
     "an error of its own": (own_error, (0, 2), [1.0], "below the ground", Mine),
@@ -570,7 +616,13 @@ REFUSED = {  # rates, times, start, words, and the error if it is no ArithmeticE
     "a generator": (lambda t, y: (-v for v in y), (0, 1), [1.0], "generator", ValueError),
     "a blow from rest": (struck(1e-10), (0, 3), [0.0, 0.0], "pulse"),
     "a shorter blow from rest": (struck(1e-12), (0, 3), [0.0, 0.0], "pulse"),
-    "a rate at one time": (lambda t, y: (1e11 if t == 1 else 1.0,), (0, 2), [0.0], "pulse"),
+    "one rate of seven digits": (lambda t, y: (y[1], -np.float32(y[0])), (0, 3), [1.0, 0.0], "no float32"),
+    "a weak pole": (
+        lambda t, y: (1, abs(y[0] - 1) ** -0.9 if y[0] < 9 else 0),
+        (0, 4),
+        [0.0, 0.0],
+        f"{AT_1}.*infinite",
+    ),
     "seven digits": (lambda t, y: np.array([y[1], -y[0]], dtype=np.float32), (0, 9), [1.0, 0.0], "float64", ValueError),
     "a table that holds": (table, (0, 3), [0.0], f"{TO_AND_FRO}0.3"),
     "friction that holds a start": (lambda t, y: (y[1], -y[0] - 5 * np.sign(y[1])), (0, 3), [1.0, 0.0], TO_AND_FRO),

@@ -13,30 +13,28 @@ from tam570.integrate.arguments import SMALLEST_RTOL, Array
 from tam570.integrate.engine import Engine, Mistraced
 from tam570.integrate.error_scale import NO_SCALE, SHARE, Rates, error_scale
 from tam570.integrate.rates import TRIAL_ERRORS, check_start
-from tam570.integrate.switches import chatter
-from tam570.integrate.watch import COMPILED, PYTHON, Estimate, Look, WorthCompiling, repays, stiffness_watch
+from tam570.integrate.watch import (
+    CALLED,
+    COMPILED,
+    OUT_OF_REACH,
+    PYTHON,
+    Estimate,
+    Look,
+    WorthCompiling,
+    repays,
+    watch_for_end,
+)
 from tam570.values import Numbers
 
-__all__ = [
-    "Control",
-    "Run",
-    "Solution",
-    "check_progress",
-    "ensemble",
-    "integrate",
-    "shortest_step",
-    "start_run",
-    "step_n",
-]
+__all__ = ["Control", "Run", "Solution", "ensemble", "integrate", "of_steps", "shortest_step", "start_run", "step_n"]
 
-BETWEEN_LOOKS = 500  # steps
+AT_A_TIME = 500  # steps, after which somebody may look
 WORTH_LANES = 16  # members: with fewer the code for eight motions is not worth its compilation
-OUT_OF_REACH = 1e9  # steps that nobody waits for
-LOOKS = 40  # in a row: stiffness, where that is the cause, is told before
 KINKS = 30.0  # of the tolerance, so many times less where the rates may have kinks
 AFTER_A_JUMP = 6  # steps in a row, each as much longer than the one before as it may be
 FOREVER = 2**62
 SOON = 1e-8  # of a run: as long a ramp lasts
+NEARBY = 16.0  # of the shortest steps
 RAMP = 1e-3  # of the rate soon after a start: what is less there is as good as zero
 
 
@@ -81,8 +79,6 @@ class Run:
     control: Control
     estimate: Estimate | None = None
     last: State = field(init=False)
-    looked: tuple[float, int, int] = (0.0, 0, 0)  # time, steps and refusals at the last look
-    idle: int = 0  # looks in a row that saw no progress
 
     @property
     def rtol(self) -> float:
@@ -95,7 +91,8 @@ class Run:
     def watch(self, too_many: int) -> Look:
         """Return whether the run is to be given up, so many steps left being too many."""
         rhs, end = self.engine.functions["rhs"], float(self.since[-1])
-        return stiffness_watch(rhs, self.engine.constants, self.origin, end, self.engine.sign, too_many)
+        in_vain = OUT_OF_REACH if self.engine.is_traced else CALLED
+        return watch_for_end(rhs, self.engine.constants, self.origin, end, self.engine.sign, too_many, in_vain)
 
 
 def integrate(engine: Engine, times: Array, start: Array, how: str, control: Control) -> Solution:
@@ -131,9 +128,9 @@ def _integrate(
     t, y, row, end = float(times[0]), start, 1, float(times[-1])
     a: Sequence[float] = ()
     steps = refusals = 0
-    if engine.called_rates is not None:  # it may have kinks, of which an estimate sees but a part
-        engine.called_rates.check_digits(t, start, control.rtol)
-        control = control._replace(rtol=max(control.rtol / KINKS, SMALLEST_RTOL))
+    if engine.called_rates is not None:
+        engine.called_rates.check_digits(control.rtol)
+    control = of_steps(engine, control)
     while True:
         stop = engine.next_break(t, float(times[0]), end)
         through = max(row, int(np.searchsorted(times, stop, side="right")))
@@ -153,9 +150,21 @@ def _integrate(
             break
         t, y, row, a = stop, np.array(last.y), row + reached, last.a
         control = control._replace(first_step=None)
+    _check_history(engine, run.origin + last.t, np.array(last.y), float(times[0]), control.rtol)
     if control.project:
         rows[1:] = [control.project(state) for state in rows[1:]]
     return Solution(rows, last._replace(t=run.origin + last.t), "compiled" if how == "compiled" else "Python")
+
+
+def of_steps(engine: Engine, control: Control) -> Control:
+    """Return what is asked of each step: where the rates may have kinks, of which an estimate sees but a part, more."""
+    return control._replace(rtol=max(control.rtol / KINKS, SMALLEST_RTOL)) if engine.may_have_kinks else control
+
+
+def _check_history(engine: Engine, t: float, y: Array, begin: float, rtol: float) -> None:
+    """RhsError where a called right-hand side remembers what it was asked since the run began."""
+    if engine.called_rates is not None:
+        engine.called_rates.check_history(t, y, t - begin, KINKS * rtol)
 
 
 def start_run(engine: Engine, times: Array, start: Array, control: Control, estimate: Estimate | None = None) -> Run:
@@ -205,10 +214,21 @@ def _give_up(run: Run, last: State) -> NoReturn:
     if own_error is not None and not isinstance(own_error, ArithmeticError):
         own_error.add_note(f"solve: rhs raises this beyond t = {engine.sign * t:.17g}, y = {list(last.y)}")
         raise own_error
-    raise ArithmeticError(
-        f"no step is short enough {where}, where the largest rate is {max(map(abs, last.f)):.3g}: the solution becomes "
-        "infinite, its rates jump without end, or a pulse moves it within the shortest step that this time allows, "
-        f"{math.ldexp(max(abs(t), last.t), -50):.1g} s. Let the clock begin at that pulse, or make it longer"
+    raise ArithmeticError(f"no step is short enough {where}: {_cause(run, last)}")
+
+
+def _cause(run: Run, last: State) -> str:
+    """Return why: next to a jump the rates are the same on either side, next to a pole they change more and more."""
+    rhs, c, t = run.engine.functions["rhs"], run.engine.constants, run.origin + last.t
+    step, times = math.ldexp(max(abs(t), last.t), -50), (-2 * NEARBY, -NEARBY, NEARBY, 2 * NEARBY)
+    rates = np.array([rhs(t + k * step, _euler(k * step, last.y, last.f), c) for k in times])
+    earlier, jump, later = np.abs(np.diff(rates, axis=0)).max(axis=1)
+    if not max(earlier, later) < jump / 10:
+        return f"the largest rate is {max(map(abs, last.f)):.3g}, and the solution or its rates become infinite"
+    return (
+        f"the rates jump by {jump:.3g}, which moves the solution by {jump * step:.1g} within the shortest step that "
+        f"this time allows, {step:.1g} s. If it is a pulse, let the clock begin there, or make it longer; or give a "
+        "larger rtol"
     )
 
 
@@ -216,31 +236,19 @@ def step_n(run: Run, advance: Numbers, since: Numbers, look: Look, state: State,
     """Return the state after so many steps of `advance`; since : as its code wants them."""
     last = state.steps + state.refusals + budget
     while run.share(state) < 1 and (remaining := last - state.steps - state.refusals) > 0:
-        some = min(remaining, BETWEEN_LOOKS if run.estimate is None else run.estimate.due - run.estimate.steps)
+        some = min(remaining, AT_A_TIME if run.estimate is None else run.estimate.due - run.estimate.steps)
         before = state.steps + state.refusals
         state = advance(run.origin, since, run.rows, state, run.engine.constants, run.rtol, run.control.max_step, some)
         run.last = state
-        check_progress(run, state)
-        if some == BETWEEN_LOOKS:
-            look(state.t, state.y, sizes(state, run.rtol), state.steps)
+        look(state.t, state.y, partial(_sizes, state, run.rtol), state.steps, state.refusals)
+        if some == AT_A_TIME:
+            _check_history(run.engine, run.origin + state.t, np.array(state.y), run.origin, run.rtol)
         if run.estimate is not None:
             run.estimate.add(state.steps + state.refusals - before, run.origin + state.t)
     return state
 
 
-def check_progress(run: Run, state: State) -> None:
-    """ArithmeticError where most steps are refused and the end is out of reach: the rates jump to and fro."""
-    t, steps, refusals = run.looked
-    tried = state.steps - steps + state.refusals - refusals
-    if tried < BETWEEN_LOOKS:
-        return
-    is_idle = state.refusals - refusals > tried / 4 and (state.t - t) * OUT_OF_REACH < (run.since[-1] - state.t) * tried
-    run.looked, run.idle = (state.t, state.steps, state.refusals), run.idle + 1 if is_idle else 0
-    if run.idle == LOOKS:
-        raise chatter(run.engine.sign * (run.origin + state.t), state.y)
-
-
-def sizes(state: State, rtol: float) -> list[float]:
+def _sizes(state: State, rtol: float) -> list[float]:
     """Of the components, for an estimate of their decays."""
     return [abs(v) + (size / rtol if size > NO_SCALE else 0.0) for v, size in zip(state.y, state.a, strict=True)]
 
@@ -387,7 +395,7 @@ def ensemble(engine: Engine, times: Array, starts: Array, how: str, control: Con
         if first.engine == "compiled" or how == "auto" and repays(steps, len(graph.operations)):
             from tam570.integrate.compiled import backend
 
-            is_left &= backend.taylor_runs(graph, times, rows, starts, control) == 0
+            is_left &= backend.taylor_runs(graph, times, rows, starts, of_steps(engine, control)) == 0
     for i in np.flatnonzero(is_left):
         rows[i] = integrate(engine, times, starts[i], how, control).rows
     return rows

@@ -19,8 +19,9 @@ DOUBLED = 2.0  # step size after an error that was rounding
 EXPONENT = -1 / 8  # of order 8
 JUMP = 1e-9  # move of the state, relative, by a change of the rates within the shortest of all steps: a jump of the
 # rates makes less of it, a singularity more
+CROSSED = 1000.0  # of the tolerance, which is 30 times less where rates jump: what such a step may miss
+BEFORE_END = 0.75  # of the last step
 TRIALS, LONGER = 60, 0.02  # of the shortest steps, where the rates are not finite
-POLE = 1e-6  # the same, where a step goes across a switch
 BLURRED, BRIEF = 256.0, 1e-9  # of the shortest step, of the run: the times of stages are known to a thousandth of it
 LEAP = 1e-4  # of the state: what moves it so far within such a step is a pole, whatever the error says
 SUSPICIOUS = 0.005  # of the third's power 9/4: the error of exp(a t) and of its like is 0.02 and more, so that less is
@@ -28,11 +29,12 @@ SUSPICIOUS = 0.005  # of the third's power 9/4: the error of exp(a t) and of its
 NOT_SMOOTH = 0.01  # fifth over third, squared: with a short step of a smooth motion it is less
 JAGGED = 0.1  # the same, of a step of any length
 AT_A_JUMP = 200.0  # of the rates the estimate is but a part of the error; the ratio of both estimates tells it
+AT_A_KINK = 1000.0  # the same, where abs or its like passes zero
 UNSEEN = 256.0  # for the error where the step may have passed what saturates: half the step is tried
 AT_REST = 8  # steps at least: where nothing moves, no error says how far to look for what sets in later
 
 # The functions that `advance` is given:
-GENERATED = ("step", "error_norms", "roundoff", "lesser", "reach", "passed", "dense", "at")
+GENERATED = ("step", "cross", "error_norms", "roundoff", "lesser", "reach", "bends", "passed", "dense", "at")
 RUNNING, SETS_IN, TOO_SHORT, NOT_FINITE, STOPPED = 0, 1, 2, 3, 4  # why a loop comes back
 
 
@@ -77,7 +79,10 @@ def advance(
     generated : functions, as GENERATED names them; times : since `origin`; state : a `State`, as returned
     longest   : s, of a step
     """
-    (step, error_norms, roundoff, lesser, reach, passed, dense, at), end = generated, times[len(times) - 1]
+    (step, cross, error_norms, roundoff, lesser, reach, bends, passed, dense, at), end = (
+        generated,
+        times[len(times) - 1],
+    )
     row, t, h, y, r, f, a, b, measured, growth, refused, steps, refusals, halt, pace = state
     suspicious = SUSPICIOUS * rtol**1.25  # of errors in units of the tolerance
     while row < len(times) and budget > 0 and halt == RUNNING:
@@ -98,12 +103,13 @@ def advance(
         n, rest, g, fifth, third, stages = step(origin + t, h, y, r, f, a, b, rtol, c)
         uneven = fifth > NOT_SMOOTH * third
         part = 1.0 / AT_A_JUMP if uneven and (refused > 0 or fifth > JAGGED * third) else 1.0
+        part = 1.0 / AT_A_KINK if bends and bends(origin + t, h, y, f, n, g, c) else part
         error = _error(fifth, third, suspicious) / part
         may_be_rounding = not error <= 1.0 and fifth < inf and (refused > 0 or uneven)
         if may_be_rounding:
             before, measured = measured, roundoff(origin + t, h, y, f, b, c)
-            b = lesser(before, measured)
             if not _is_at_a_pole(measured, y, n):
+                b = lesser(before, measured)
                 fifth, third = error_norms(h, y, n, f, g, a, measured, part, part * rtol, stages)
                 error = _error(fifth, third, suspicious)
         if reach and error <= 1.0 and not at_last and h > 2.0 * reach(origin + new, h, n, g, c):
@@ -112,9 +118,11 @@ def advance(
         is_brief = h < BLURRED * shortest and h < BRIEF * end
         error = UNSEEN if is_brief and error <= 1.0 and _leaps(h, y, n, g, a, rtol, LEAP) else error
         is_cut = sure < h and not at_last
-        crosses = at_last and sure <= h
-        jumps = at_last and fifth < inf and _finite(n) and _jumps(crosses, h, y, n, f, g, a, rtol)
-        if ((error <= 1.0 and not crosses) or jumps) and not is_cut:
+        crosses, ends = at_last and sure <= h, at_last and new == end
+        if not error <= 1.0 and (crosses or ends):
+            n, rest, g = _crossed(cross, ends, origin + t, h, (y, r, f), c)
+        jumps = at_last and fifth < inf and _finite(n) and _jumps(crosses or ends, h, y, n, f, g, a, rtol)
+        if (error <= 1.0 or jumps) and not is_cut:
             if at_last and ((jumps and _sets_in(y, n, a)) or (crosses and pace > 0.0 and _has_no_scale(a))):
                 halt = SETS_IN
             if times[row] <= new:
@@ -202,6 +210,15 @@ def _sampled(
     return row
 
 
+def _crossed(cross: Numbers, ends: Numbers, start: Numbers, h: Numbers, state: Numbers, c: Numbers) -> Numbers:
+    """Return the state and the rates beyond a jump; what the rates are at the very end of a run moves nothing."""
+    y, r, f = state
+    n, rest, g = cross(start, h, y, r, f, c)
+    if ends:
+        _, _, g = cross(start, BEFORE_END * h, y, r, f, c)
+    return n, rest, g
+
+
 def _jumps(
     crosses: Numbers, h: Numbers, y: Numbers, n: Numbers, f: Numbers, g: Numbers, a: Numbers, rtol: Numbers
 ) -> Numbers:
@@ -209,12 +226,13 @@ def _jumps(
 
     Relative to it; what starts from zero aside.
     """
+    limit = CROSSED * rtol
     largest = 0.0
     for i in range(len(n)):
         w, x = a[i] / rtol + max(abs(y[i]), abs(n[i])), h * abs(g[i] - f[i])
         if (y[i] != 0.0 or a[i] > NO_SCALE) and not x <= largest * w:
             largest = x / w
-    return largest <= (POLE if crosses else JUMP) and not (crosses and _leaps(h, y, n, g, a, rtol, JUMP))
+    return largest <= (limit if crosses else min(limit, JUMP)) and not (crosses and _leaps(h, y, n, g, a, rtol, limit))
 
 
 def _sets_in(y: Numbers, n: Numbers, a: Numbers) -> Numbers:

@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.integrate.adaptive import Control, start_run
+from tam570.integrate.adaptive import Control, of_steps, start_run
 from tam570.integrate.arguments import Array
 from tam570.integrate.cache_key import Changeable, cache_slot, call_key
 from tam570.integrate.engine import Engine
@@ -27,7 +27,7 @@ def compile_run(engine: Engine, times: Array, control: Control) -> CompiledRun:
     begin, end = float(times[0]), float(times[-1])
     if engine.graph is None or not available() or engine.next_break(begin, begin, end) != end:
         return _nothing
-    run = start_run(engine, times, np.zeros(engine.formulas.size), control)
+    run = start_run(engine, times, np.zeros(engine.formulas.size), of_steps(engine, control))
     try:
         from tam570.integrate.compiled import backend
 

@@ -23,7 +23,7 @@ from tam570.integrate.arguments import Array
 from tam570.integrate.trace import NUMPY_NAMES, OPERATORS, Module, Symbol, Tape, substituted
 from tam570.values import Function, Numbers
 
-__all__ = ["Course", "along"]
+__all__ = ["Course", "along", "copy_of"]
 
 FOREIGN = tuple(sysconfig.get_paths()[name] for name in ("stdlib", "platstdlib", "purelib", "platlib"))
 OURS = "tam570"
@@ -58,6 +58,8 @@ class Course(Tape):
 
     def slot_of(self, value: Numbers) -> int:
         if isinstance(value, Symbol):
+            if value.tape is not self:
+                raise RuntimeError("it uses what it kept of an earlier call")
             return value.number
         self.slots.append(value if np.iscomplexobj(value) else float(value))
         return len(self.slots) - 1
@@ -454,3 +456,25 @@ def along(rates: Function, size: int) -> Callable[[Array, Array], Course]:
         return course
 
     return profile
+
+
+def copy_of(rates: Function) -> Function:
+    """Return a copy of a function that keeps what it remembers to itself: lists and their like, and variables."""
+    return substituted(rates, _with_own_memory, {})  # type: ignore[no-any-return]
+
+
+def _with_own_memory(value: Numbers) -> Numbers:
+    """Return an object with copies of its lists and their like; of functions of others nobody looks into."""
+    if isinstance(value, types.FunctionType):
+        return functools.partial(value) if _is_foreign(value) else value
+    if isinstance(value, types.MethodType) and _is_looked_into(value.__func__):
+        return types.MethodType(value.__func__, _forgetful(value.__self__))
+    return _forgetful(value) if callable(value) and _is_looked_into(type(value).__call__) else value
+
+
+def _forgetful(instance: Numbers) -> Numbers:
+    twin = copy.copy(instance)
+    for name, kept in getattr(twin, "__dict__", {}).items():
+        if isinstance(kept, list | dict | set | np.ndarray):
+            twin.__dict__[name] = copy.copy(kept)
+    return twin

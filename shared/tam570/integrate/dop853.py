@@ -141,12 +141,14 @@ SWEEPS = (1.0, 2.0, 3.0)  # the rounding of one rate shifts that component, and 
 
 
 def rates(formulas: Formulas, forgiving: bool = True) -> str:
-    """Source of `rhs` and `reach`.
+    """Source of `rhs`, `reach` and `bends`.
 
     forgiving : Python raises an error on overflow, where compiled code goes on with infinity
     """
-    reach = _reach(formulas)
-    return _source([_rhs(formulas), _forgiving(reach, "inf") if forgiving else reach])
+    reach, bends = _reach(formulas), _bends(formulas)
+    if forgiving:
+        reach, bends = _forgiving(reach, "inf"), _forgiving(bends, "False")
+    return _source([_rhs(formulas), reach, bends])
 
 
 def rounding(formulas: Formulas, forgiving: bool = True) -> str:
@@ -156,9 +158,10 @@ def rounding(formulas: Formulas, forgiving: bool = True) -> str:
 
 
 def stepping(formulas: Formulas, forgiving: bool = True) -> str:
-    """Source of `step`, `passed`, `error_norms` and `lesser`."""
-    step = _step(formulas)
+    """Source of `step`, `cross`, `passed`, `error_norms` and `lesser`."""
+    step, cross, nothing = _step(formulas), _cross(formulas), tuple_of(["nan"] * formulas.size)
     parts = [_forgiving(step, "y, r, f, inf, 0.0, ()") if forgiving else step]
+    parts += [_forgiving(cross, f"{nothing}, r, f") if forgiving else cross]
     parts += [["def passed(start, h, y, f, n, g, error, shortest, c):", "return inf"]]
     return _source([*parts, _error_norms(formulas), _lesser(formulas)])
 
@@ -250,6 +253,22 @@ def _reach(formulas: Formulas) -> list[str]:
     return [*lines, "return longest"]
 
 
+def _bends(formulas: Formulas) -> list[str]:
+    """Return whether an argument of abs or its like passes zero in a step: it is looked at thrice."""
+    lines = ["def bends(start, h, y, f, n, g, c):"]
+    if not formulas.bends:
+        return [*lines, "return False"]
+    reads, values = sorted(formulas.reads), formulas.bounds.values
+    lines += [*unpacked(formulas, y="y", f="f", n="n", g="g"), *(f"s{i} = y{i}" for i in reads), "t = start", *values]
+    lines += [f"x{k} = {argument}" for k, argument in enumerate(formulas.bends)]
+    lines += [f"s{i} = 0.5 * (y{i} + n{i}) + 0.125 * h * (f{i} - g{i})" for i in reads]
+    lines += ["t = start + 0.5 * h", *values, "least = 0.0"]
+    lines += [f"least = min(least, {argument} * x{k})" for k, argument in enumerate(formulas.bends)]
+    lines += [*(f"s{i} = n{i}" for i in reads), "t = start + h", *values]
+    lines += [f"least = min(least, {argument} * x{k})" for k, argument in enumerate(formulas.bends)]
+    return [*lines, "return least < 0.0"]
+
+
 def _lesser(formulas: Formulas) -> list[str]:
     lines = ["def lesser(a, b):", *unpacked(replace(formulas, constants=0), a="a", b="b")]
     return [*lines, f"return {tuple_of(f'a{i} if a{i} < b{i} else b{i}' for i in range(formulas.size))}"]
@@ -268,16 +287,22 @@ def _step(formulas: Formulas) -> list[str]:
     lines = ["def step(start, h, y, r, f, a, b, rtol, c):", *unpacked(formulas, y="y", r="r", f="k0_", a="a", b="b")]
     for number in range(1, 12):
         lines += _stage(formulas, number, ROWS[number], NODES[number])
-    for i in range(formulas.size):
-        lines += _update(formulas, i)
-    lines += [f"s{i} = n{i}" for i in sorted(formulas.reads)]
-    lines += _derivative(formulas, 12, "start + h")
-    still = set(range(formulas.size)) - set(formulas.moving)
-    lines += [f"k12_{i} = 0.0" for i in still] + ["fifth = third = 0.0"]
+    lines += [f"u{i} = {_combination(ROWS[12], i)}" for i in formulas.moving]
+    lines += [*_update(formulas, "(k0_{i} + u{i})"), "fifth = third = 0.0"]
     for i in formulas.moving:
         lines += _estimate(i)
-    results = (tuple_of(names(letter, formulas.size)) for letter in ("n", "r", "k12_"))
-    return [*lines, f"return {', '.join(results)}, fifth, third, {tuple_of(_kept(formulas))}"]
+    return [*lines, f"return {_new_state(formulas)}, fifth, third, {tuple_of(_kept(formulas))}"]
+
+
+def _cross(formulas: Formulas) -> list[str]:
+    """Return the new state after Euler's step, which knows the rates before a jump alone; and the derivative there."""
+    lines = ["def cross(start, h, y, r, f, c):", *unpacked(formulas, y="y", r="r", f="k0_")]
+    return [*lines, *_update(formulas, "k0_{i}"), f"return {_new_state(formulas)}"]
+
+
+def _new_state(formulas: Formulas) -> str:
+    """Return the new state, its rounding and its derivative."""
+    return ", ".join(tuple_of(names(letter, formulas.size)) for letter in ("n", "r", "k12_"))
 
 
 def _error_norms(formulas: Formulas) -> list[str]:
@@ -294,12 +319,15 @@ def _kept(formulas: Formulas) -> list[str]:
     return [f"e{j}_{i}" for j in KEPT for i in formulas.moving]
 
 
-def _update(formulas: Formulas, i: int) -> list[str]:
+def _update(formulas: Formulas, rate: str) -> list[str]:
     """Compensated sum (Kahan): what the addition loses is carried to the next step."""
-    if i not in formulas.moving:
-        return [f"n{i} = y{i}"]
-    sums = [f"u{i} = {_combination(ROWS[12], i)}", f"d = r{i} + h * (k0_{i} + u{i})"]
-    return [*sums, f"n{i} = y{i} + d", f"r{i} = d - (n{i} - y{i})"]
+    lines = []
+    for i in range(formulas.size):
+        if i in formulas.moving:
+            lines += [f"d = r{i} + h * {rate.format(i=i)}", f"n{i} = y{i} + d", f"r{i} = d - (n{i} - y{i})"]
+        else:
+            lines += [f"n{i} = y{i}", f"k12_{i} = 0.0"]
+    return [*lines, *(f"s{i} = n{i}" for i in sorted(formulas.reads)), *_derivative(formulas, 12, "start + h")]
 
 
 def _estimate(i: int) -> list[str]:
@@ -380,8 +408,12 @@ def compiled(formulas: Formulas, sampled: bool, called_function: Function | None
         exec(_code(rounding, formulas), namespace)  # most runs need none
         return namespace["roundoff"](*inputs)
 
-    reach = namespace["reach"] if formulas.exponents else None
-    return {**namespace, "rhs": rhs, "roundoff": roundoff, "reach": reach, "passed": None}
+    unneeded = {
+        "passed": None,
+        **({} if formulas.exponents else {"reach": None}),
+        **({} if formulas.bends else {"bends": None}),
+    }
+    return {**namespace, "rhs": rhs, "roundoff": roundoff, **unneeded}
 
 
 @lru_cache(maxsize=256)

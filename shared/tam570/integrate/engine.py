@@ -5,7 +5,7 @@ function then, and nothing that it depends on has changed since.
 """
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache, cached_property, lru_cache
 
 from tam570.integrate.adaptive_loop import GENERATED, loop_with
 from tam570.integrate.arguments import Array
@@ -19,6 +19,9 @@ from tam570.integrate.trace import Graph, Untraceable, traced
 from tam570.values import Function, Json, Parameters
 
 __all__ = ["Engine", "Mistraced", "engine"]
+
+
+KINKED = {"asin", "acos"}  # operations
 
 
 class Mistraced(Exception):
@@ -42,6 +45,10 @@ class Engine:
     @property
     def is_traced(self) -> bool:
         return self.graph is not None
+
+    @cached_property
+    def may_have_kinks(self) -> bool:
+        return self.graph is None or any(symbol.name in KINKED for symbol in self.graph.operations)
 
     def next_break(self, t: float, begin: float, end: float) -> float:
         """Return where a stretch from t on ends in a run from begin to end.
@@ -71,23 +78,25 @@ def engine(
     """
     sampled, reason = sampled or len(times) > 2, "it has a value where its formulas have none"
 
-    def tried_rates() -> Rates:
+    @cache
+    def tried_rates() -> CalledRates:
         """Return the right-hand side, tried at the start."""
         rates = bound(rhs, parameters)
         rates = rates if sign > 0 else reversed_rates(rates)
-        check_start(rates, float(times[0]), start, sign)
-        return rates
+        called_rates = CalledRates(rates, len(start))
+        called_rates.dtype = check_start(rates, float(times[0]), start, sign)
+        return called_rates
 
     try:
         slot = cache_slot((call_key(rhs, parameters), len(start), sampled, sign)) if may_trace else [reason]
         if not slot:
-            slot.append(_traced_engine(tried_rates(), times, start, sampled, sign))
+            slot.append(_traced_engine(tried_rates().rates, times, start, sampled, sign))
         if isinstance(slot[0], Engine):
             return slot[0]
         reason = slot[0]
     except Changeable as changeable:
         reason = str(changeable)
-    return _called_engine(tried_rates(), times, len(start), sampled, sign, reason)
+    return _called_engine(tried_rates(), times, sampled, sign, reason)
 
 
 def _traced_engine(rates: Rates, times: Array, start: Array, sampled: bool, sign: float) -> Engine | str:
@@ -103,8 +112,9 @@ def _traced_engine(rates: Rates, times: Array, start: Array, sampled: bool, sign
     return Engine(rates, functions, constants, formulas, graph, sign=sign)
 
 
-def _called_engine(rates: Rates, times: Array, size: int, sampled: bool, sign: float, reason: str) -> Engine:
-    formulas, called_rates = call_of(size), CalledRates(rates, size)
+def _called_engine(called_rates: CalledRates, times: Array, sampled: bool, sign: float, reason: str) -> Engine:
+    rates, size = called_rates.rates, called_rates.size
+    formulas = call_of(size)
     switches = Switches(rates, size, float(times[-1] - times[0]), sign)
     by_call = {"roundoff": called_rates.roundoff, "reach": switches.reach, "passed": switches.passed}
     functions = _with_loop({**compiled(formulas, sampled, called_rates), **by_call})

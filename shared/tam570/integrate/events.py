@@ -333,8 +333,6 @@ def step_by_step(run: adaptive.Run) -> None:
         elif control.on_step and not control.on_step(_interpolant(functions, run.engine.constants, tried[0])):
             state = state._replace(halt=STOPPED)
         run.last = state
-        if state.steps % adaptive.BETWEEN_LOOKS == 0:
-            look(state.t, state.y, adaptive.sizes(state, run.rtol), state.steps)
 
 
 def _projected(run: adaptive.Run, state: State, project: Callable[[Array], Numbers]) -> State:

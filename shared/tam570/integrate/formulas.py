@@ -10,6 +10,7 @@ __all__ = ["Bounds", "Formulas", "by_call", "call_of", "halves", "names", "tuple
 
 UNIT_ROUNDOFF = 2.0**-53
 SATURATING = {"exp", "expm1", "tanh", "erf", "erfc", "sinh", "cosh"}  # whose change takes place at arguments near zero
+KINKED = {"fabs", "cbrt"}  # where their argument passes zero
 LONGEST = 200  # characters of one expression: brackets in brackets have a limit
 
 
@@ -21,6 +22,7 @@ class Bounds:
     lines: tuple[str, ...]  # lines that set b0, b1, ... to a bound of its rounding, from b_s0, b_s1, ... and b_t
     rates: tuple[str, ...]  # the bounds of the rates
     exponents: tuple[str, ...]  # arguments of exp, tanh and their like that depend on the state, by `values`
+    bends: tuple[str, ...]  # the same of abs and its like
 
 
 @dataclass(frozen=True)
@@ -33,6 +35,7 @@ class Formulas:
     reads: frozenset[int] = frozenset()  # the components of the state that occur at all
     timed: bool = False
     saturates: bool = False  # whether exp, tanh or their like occur
+    is_bent: bool = False  # whether abs or its like occur
     # what they were written from; equal formulas have equal bounds
     graph: Graph = field(default=Graph((), ()), compare=False, repr=False)
     constant_names: dict[float, str] = field(default_factory=dict, compare=False, repr=False)  # of the constants
@@ -55,6 +58,11 @@ class Formulas:
     def exponents(self) -> tuple[str, ...]:
         """Arguments of exp, tanh and their like that depend on the state, by the values of the bounds."""
         return self.bounds.exponents if self.saturates else ()
+
+    @property
+    def bends(self) -> tuple[str, ...]:
+        """Arguments of abs and its like that depend on the state, by the values of the bounds."""
+        return self.bounds.bends if self.is_bent else ()
 
 
 def written(graph: Graph) -> tuple[Formulas, tuple[float, ...]]:
@@ -139,8 +147,8 @@ def _written(graph: Graph, constants: dict[float, str]) -> Formulas:
     used = [symbol for symbol in graph.operations if uses[symbol.number]]
     read = {symbol.name for symbol in used if not symbol.arguments}
     reads = frozenset(int(name[1:]) for name in read if name != "t")
-    saturates = any(symbol.name in SATURATING for symbol in used)
-    return Formulas(tuple(lines), expressions, len(constants), reads, "t" in read, saturates, graph, constants)
+    saturates, is_bent = (any(symbol.name in kind for symbol in used) for kind in (SATURATING, KINKED))
+    return Formulas(tuple(lines), expressions, len(constants), reads, "t" in read, saturates, is_bent, graph, constants)
 
 
 def _bounds(graph: Graph, constants: dict[float, str]) -> Bounds:
@@ -158,14 +166,13 @@ def _bounds(graph: Graph, constants: dict[float, str]) -> Bounds:
         if uses[symbol.number] and symbol.arguments:
             arguments = [(_text(a, texts, constants), bound(a)) for a in symbol.arguments]
             bounds.append(f"{bound(symbol)} = {_bound_of(symbol.name, texts[symbol.number], arguments)}")
-    exponents = [s.arguments[0] for s in graph.operations if uses[s.number] and s.name in SATURATING]
-    exponents = [a for a in exponents if isinstance(a, Symbol) and _moves_with_state(a)]
-    return Bounds(
-        tuple(values),
-        tuple(bounds),
-        tuple(bound(rate) or "0.0" for rate in graph.rates),
-        tuple(dict.fromkeys(texts[a.number] for a in exponents)),
-    )
+
+    def arguments_of(kind: set[str]) -> tuple[str, ...]:
+        found = [s.arguments[0] for s in graph.operations if uses[s.number] and s.name in kind]
+        return tuple(dict.fromkeys(texts[a.number] for a in found if isinstance(a, Symbol) and _moves_with_state(a)))
+
+    rates = tuple(bound(rate) or "0.0" for rate in graph.rates)
+    return Bounds(tuple(values), tuple(bounds), rates, arguments_of(SATURATING), arguments_of(KINKED))
 
 
 def _moves_with_state(symbol: Symbol) -> bool:

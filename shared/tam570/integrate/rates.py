@@ -13,6 +13,7 @@ from functools import lru_cache
 import numpy as np
 
 from tam570.integrate.arguments import Array, is_masked
+from tam570.integrate.course import copy_of
 from tam570.integrate.dop853 import ESTIMATE_ROUNDOFF
 from tam570.values import Function, Numbers, Parameters
 
@@ -52,9 +53,14 @@ def reversed_rates(rates: Rates) -> Rates:
     return lambda t, y: [-rate for rate in rates(-t, y)]
 
 
-def check_start(rates: Rates, t: float, y0: Array, sign: float) -> None:
-    """ValueError unless rhs gives as many finite real numbers as y0 has; sign : of the engine's clock."""
-    at_start, repeated = (_checked(rates(t, y0.copy()), len(y0)) for _ in range(2))
+def check_start(rates: Rates, t: float, y0: Array, sign: float) -> np.dtype[Numbers]:
+    """Return the type of the numbers. sign : of the engine's clock.
+
+    ValueError unless rhs gives as many finite real ones as y0 has.
+    """
+    value = rates(t, y0.copy())
+    at_start, dtype = _checked(value, len(y0)), np.asarray(value).dtype
+    repeated = _checked(rates(t, y0.copy()), len(y0))
     if not np.isfinite(at_start).all():
         raise ValueError(f"rhs: gives {at_start} at the start, t = {sign * t:g}; is the start allowed?")
     if (at_start != repeated).any():
@@ -62,6 +68,7 @@ def check_start(rates: Rates, t: float, y0: Array, sign: float) -> None:
             f"rhs: gives {at_start.tolist()} and then {repeated.tolist()} at the start; "
             "it must not be random, nor remember earlier calls"
         )
+    return dtype
 
 
 @lru_cache(maxsize=256)
@@ -77,10 +84,16 @@ def _misfit(rhs: Function, names: tuple[str, ...]) -> str:
 
 
 class CalledRates:
-    """Calls of rates(t, y) with arrays, as SciPy makes them: floats come back. error : the last one raised."""
+    """Calls of rates(t, y) with arrays, as SciPy makes them: floats come back.
+
+    dtype : of what the rates are at the start; error : the last one raised
+    unused : a copy of the rates as they were before the first call
+    """
 
     def __init__(self, rates: Rates, size: int) -> None:
         self.rates, self.size = rates, size
+        self.dtype: np.dtype[Numbers] = np.dtype(float)
+        self.unused = copy_of(rates)
         self.error: Exception | None = None
 
     def __call__(self, t: float, y: Sequence[float], c: Sequence[float] = ()) -> Sequence[float]:
@@ -92,15 +105,24 @@ class CalledRates:
             raise
         return _floats(value, self.size)
 
-    def check_digits(self, t: float, y: Array, rtol: float) -> None:
+    def check_digits(self, rtol: float) -> None:
         """RhsError where all rates are of float32 or less, and fewer digits than are asked for."""
-        dtype = np.asarray(self.rates(t, y.copy())).dtype
-        rounding = float(np.finfo(dtype).eps) if dtype.kind == "f" and dtype.itemsize < 8 else 0.0
+        rounding = float(np.finfo(self.dtype).eps) if self.dtype.kind == "f" and self.dtype.itemsize < 8 else 0.0
         if rtol < FEW_DIGITS * rounding:
             raise RhsError(
-                f"rhs: returns {dtype.name}, whose rounding of {rounding:.1g} is more than rtol = {rtol:.1g} "
+                f"rhs: returns {self.dtype.name}, whose rounding of {rounding:.1g} is more than rtol = {rtol:.1g} "
                 f"allows; let it compute with float64, or give rtol = {FEW_DIGITS * rounding:.1g}"
             )
+
+    def check_history(self, t: float, y: Array, span: float, rtol: float) -> None:
+        """RhsError where the rates after a run of span, s, are not what they are without earlier calls."""
+        try:
+            f, g = np.array(self(t, tuple(y.tolist()))), _checked(copy_of(self.unused)(t, y.copy()), self.size)
+        except Exception:  # some objects cannot be copied
+            return
+        change = np.abs(f - g).max()
+        if change > rtol * np.abs(f).max() and span * change > rtol * np.abs(y).max():
+            raise _memory_error(f.tolist(), g.tolist())
 
     def check_memory(self, t: float, y: Sequence[float], f: Sequence[float]) -> None:
         """RhsError where rates that were f are others now: the function is random, or remembers earlier calls."""

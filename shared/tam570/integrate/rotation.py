@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from tam570.integrate import adaptive
 from tam570.integrate.arguments import Array, of_one_step, sample_times, tolerance
 from tam570.integrate.engine import engine
+from tam570.integrate.rates import RhsError
 from tam570.values import Function, Numbers, Parameters
 
 __all__ = ["solve_rotation"]
@@ -87,7 +88,10 @@ def solve_rotation(
     start = np.concatenate([spinning, np.zeros(3), turned.ravel()])
     (times, sign), tolerated = sample_times(t), of_one_step(tolerance(rtol))
     control = adaptive.Control(tolerated, project=_recentred, longest=_one_radian)
-    states = adaptive.integrate(engine(rates, None, times, start, sign=sign), times, start, "python", control).rows
+    try:
+        states = adaptive.integrate(engine(rates, None, times, start, sign=sign), times, start, "python", control).rows
+    except RhsError as error:
+        raise ValueError(str(error).replace("rhs", "acceleration", 1)) from None
     rotations = states[:, 6:].reshape(-1, 3, 3)
     rotations[0] = turned
     return states[:, :3], rotations

@@ -16,9 +16,10 @@ from tam570.integrate.arguments import Array
 from tam570.integrate.course import Course, along
 from tam570.integrate.dop853 import REACH
 from tam570.integrate.rates import Rates
+from tam570.integrate.watch import chatter
 from tam570.values import Numbers
 
-__all__ = ["Switches", "chatter"]
+__all__ = ["Switches"]
 
 POINTS, ZOOMS = 17, 5  # of a step; how often a part of it is looked at closer
 X = np.linspace(0.0, 1.0, POINTS)
@@ -44,15 +45,6 @@ def _basis(x: Array) -> Array:
 BASIS = _basis(X)
 DIFFERENCES = np.diff(np.eye(POINTS), 2, axis=0).T  # of neighbouring points, and the slope at the end of the step
 DIFFERENCES = np.column_stack([DIFFERENCES, (POINTS - 1) * np.r_[np.zeros(POINTS - 3), 0.5, -2.0, 1.5]])
-
-
-def chatter(t: float, y: Sequence[float]) -> ArithmeticError:
-    """Return the error of a motion that stays where the rates jump."""
-    return ArithmeticError(
-        f"the rates jump to and fro at t = {t:.9g}, y = {list(y)}: the motion stays where they jump, or are infinitely "
-        "steep. Friction that "
-        "holds a body at rest has no rate there: stop at an event, or smooth the jump"
-    )
 
 
 class Switches:

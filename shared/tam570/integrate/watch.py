@@ -1,19 +1,32 @@
 """What is decided while a run goes on: whether compiled code repays, and whether the equations are stiff.
 
 The work is counted and no clock is read: the same call gives the same answer. An explicit method takes steps no longer
-than the fastest decay allows, however smooth the motion. A run is given up when that holds at twenty looks in a row,
-and far more steps are left than anybody waits for.
+than the fastest decay allows, however smooth the motion; and where the rates jump all the time, a quarter of the steps
+and more are tried in vain. A run is given up when one of the two holds at many looks in a row, and far more steps are
+left than anybody waits for.
 """
 
 import importlib.util
 import os
 from collections.abc import Callable, Sequence
-from math import sqrt
+from math import inf, sqrt
 
 from tam570.integrate.error_scale import NO_SCALE, PART
 from tam570.values import Function, Numbers
 
-__all__ = ["COMPILED", "PYTHON", "Estimate", "Look", "WorthCompiling", "available", "repays", "stiffness_watch"]
+__all__ = [
+    "CALLED",
+    "COMPILED",
+    "OUT_OF_REACH",
+    "PYTHON",
+    "Estimate",
+    "Look",
+    "WorthCompiling",
+    "available",
+    "chatter",
+    "repays",
+    "watch_for_end",
+]
 
 PROBE = 50  # steps in Python before the rest is estimated for the first time
 # On a machine of 2024, median of the public problems of `benchmarks`, s; another machine has about the same ratios:
@@ -63,39 +76,73 @@ def available() -> bool:
     return os.environ.get("TAM570_COMPILED") != "0" and importlib.util.find_spec("llvmlite") is not None
 
 
-Look = Callable[[float, Sequence[float], Sequence[float], int], None]
+Look = Callable[[float, Sequence[float], Callable[[], Sequence[float]], int, int], None]
 
 PYTHON = 300_000  # steps left that are too many: some ten seconds and up
 COMPILED = 30_000_000
-LOOKS = 20  # in a row
+CALLED = 100_000  # the same, of steps that are refused as often as not, of a function that is called as it stands
+OUT_OF_REACH = 1e9  # the same, of any function
+BETWEEN_LOOKS = 500  # steps tried
+LOOKS, IDLE_LOOKS = 20, 40  # in a row: stiffness, where that is the cause, is told before
 DECAY = 1.5  # h times the fastest decay: accuracy alone asks for less
 SWEEPS = 8  # of the power method, enough for a factor of two where one decay is far faster than the rest
 
 
-def stiffness_watch(
-    rhs: Callable[..., Sequence[float]], c: Numbers, origin: float, end: float, sign: float, too_many: int
+def watch_for_end(
+    rhs: Callable[..., Sequence[float]],
+    c: Numbers,
+    origin: float,
+    end: float,
+    sign: float,
+    too_many: int,
+    in_vain: float = OUT_OF_REACH,
 ) -> Look:
-    """Return look(t, y, m, steps so far), to be called now and then.
+    """Return look(t, y, m, steps and refusals so far), to be called now and then.
 
-    t, m : the time since `origin`, the scale of each component
-    sign : of the engine's clock
+    t, m    : the time since `origin`; m() is the scale of each component
+    sign    : of the engine's clock
+    in_vain : steps left that are too many where steps are refused
 
     Raises ArithmeticError when the run up to `end` is to be given up.
     """
-    before, stiff_looks = (0.0, 0), 0
+    before, stiff_looks, idle_looks = (0.0, 0, 0), 0, 0
 
-    def look(t: float, y: Sequence[float], m: Sequence[float], steps: int) -> None:
-        nonlocal before, stiff_looks
-        (time_before, earlier), before = before, (t, steps)
-        if steps == earlier:
+    def look(t: float, y: Sequence[float], m: Callable[[], Sequence[float]], steps: int, refusals: int) -> None:
+        nonlocal before, stiff_looks, idle_looks
+        moved, taken, refused = t - before[0], steps - before[1], refusals - before[2]
+        tried = taken + refused
+        if tried < BETWEEN_LOOKS:
             return
-        h = (t - time_before) / (steps - earlier)
-        stiff = end - t > too_many * h and _decay(rhs, origin + t, y, m, c) * h > DECAY
-        stiff_looks = stiff_looks + 1 if stiff else 0
+        before = t, steps, refusals
+        left, h = (end - t) * tried / moved if moved > 0.0 else inf, moved / max(taken, 1)
+        is_idle, is_long = refused > tried / 4 and left > in_vain, end - t > too_many * h > 0.0
+        is_stiff = (is_idle or is_long) and _decay(rhs, origin + t, y, m(), c) * h > DECAY
+        stiff_looks = stiff_looks + 1 if is_stiff and is_long else 0
+        idle_looks = idle_looks + 1 if is_idle and not is_stiff else 0
         if stiff_looks >= LOOKS:
             raise ArithmeticError(_advice(sign * (origin + t), h, (end - t) / h))
+        if idle_looks >= IDLE_LOOKS:
+            raise (chatter if left > OUT_OF_REACH else _crawl)(sign * (origin + t), y)
 
     return look
+
+
+def chatter(t: float, y: Sequence[float]) -> ArithmeticError:
+    """Return the error of a motion that stays where the rates jump."""
+    return ArithmeticError(
+        f"the rates jump to and fro at t = {t:.9g}, y = {list(y)}: the motion stays where they jump, or are infinitely "
+        "steep. Friction that "
+        "holds a body at rest has no rate there: stop at an event, or smooth the jump"
+    )
+
+
+def _crawl(t: float, y: Sequence[float]) -> ArithmeticError:
+    """Return the error of a motion whose rates jump at every few steps."""
+    return ArithmeticError(
+        f"the rates jump every few steps near t = {t:.9g}, y = {list(y)}, or are infinitely steep, and far too many "
+        "steps are left. Let rhs compute with all digits (no round, no float32) and forget earlier calls, or give a "
+        "larger rtol"
+    )
 
 
 def _advice(t: float, h: float, remaining: float) -> str:

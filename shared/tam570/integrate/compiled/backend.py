@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tam570.integrate import adaptive_loop, fixed_step
-from tam570.integrate.adaptive import Control, Run, check_progress
+from tam570.integrate.adaptive import Control, Run
 from tam570.integrate.adaptive_loop import State
 from tam570.integrate.arguments import Array
 from tam570.integrate.compiled import loops, taylor, taylor_loop
@@ -116,10 +116,7 @@ def taylor_run(run: Run, look: Look, state: State, *, is_fresh: bool = False) ->
         motion.advance(memory.address)
         is_running = bool(memory.z[taylor_loop.STATUS] == taylor_loop.RUNNING)
         if is_running:
-            t, y, m, steps = seen(memory, size)
-            look(t, y, m, steps)
-            refusals = state.refusals + int(memory.z[taylor_loop.REFUSALS])
-            check_progress(run, state._replace(t=t, y=tuple(y), steps=state.steps + steps, refusals=refusals))
+            look(*seen(memory, size))
         return is_running
 
     until_done(some)
@@ -209,12 +206,13 @@ def address_of(array: Array) -> int:
     return address
 
 
-def seen(memory: Memory, size: int) -> tuple[float, list[float], list[float], int]:
-    """Time, state, its scale, and steps so far."""
+def seen(memory: Memory, size: int) -> tuple[float, list[float], Callable[[], list[float]], int, int]:
+    """Time, state, its scale, steps and refusals so far."""
     padded = padded_size(size)
     parts = memory.z[taylor_loop.NUMBERS : taylor_loop.NUMBERS + 3 * padded].reshape(3, padded)
     y, _, m = parts[:, :size].tolist()
-    return float(memory.z[taylor_loop.T]), y, m, int(memory.z[taylor_loop.STEPS])
+    numbers = memory.z[[taylor_loop.T, taylor_loop.STEPS, taylor_loop.REFUSALS]].tolist()
+    return numbers[0], y, lambda: m, int(numbers[1]), int(numbers[2])
 
 
 def taylor_runs(graph: Graph, times: Array, out: Array, starts: Array, control: Control) -> Array:
