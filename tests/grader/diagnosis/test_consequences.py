@@ -120,12 +120,18 @@ def test_a_mistake_in_a_helper_is_told_once(checked, sign):
     assert following(actual) == {(name, "linear_momentum_balance") for name in functions}
 
 
-def test_a_motion_follows_from_its_own_rates_whose_mistake_has_a_name(checked):
+NAMED, UNNAMED_RATES = (
+    "[vx, vy, -{} * vx, -{} * vy - mass * gravity]",
+    "[vx, vy, -0.7 * {} * vx, -{} * vy - 1.2 * gravity]",
+)
+
+
+@pytest.mark.parametrize("rates", [NAMED, UNNAMED_RATES])
+def test_a_flight_follows_from_its_own_rates(checked, rates):
     integrated = 'solve(_rates, t, start, parameters={"rate": drag / mass, "gravity": gravity}'
     own = 'solve(state_derivative, t, start, parameters={"mass": mass, "drag": drag, "gravity": gravity}'
     correct = "_rates(t, (0.0, 0.0, vx, vy), rate=drag / mass, gravity=gravity)"
-    heavy = "[vx, vy, -drag / mass * vx, -drag / mass * vy - mass * gravity]"
-    actual = checked("hw02_ballistics", (integrated, own), (correct, heavy))
+    actual = checked("hw02_ballistics", (integrated, own), (correct, rates.format("drag / mass", "drag / mass")))
     assert ("simulate", "state_derivative") in following(actual)
 
 
@@ -165,11 +171,27 @@ def in_terms_of_others(slug):
     return (assignments.checks_folder(assignments.find(), slug) / "consequences.py").read_text(encoding="utf-8")
 
 
+HEAVY = "[[(m1 / 3 + m2) * l1**2", "[[(m1 / 3 + 2.5 * m2) * l1**2"
 NO_C = "(A - B) / C * p * q", "(A - B) * p * q"
 CENTRIFUGAL = "mass * offset * s * phi_dot**2,\n        -mass", "-mass * offset * s * phi_dot**2,\n        -mass"
 ABOVE = "-offset * math.sin(phi), radius - offset", "-offset * math.sin(phi), radius + offset"
 NO_WEIGHT = "- mass * gravity * radius * c) / (", ") / ("
 BY_OTHERS = [
+    (
+        "hw02_ballistics",
+        ("2.0 * speed * math.sin", "speed * math.sin"),
+        ("best_angle", "flight_time"),
+        "vy + m",
+        "vy - m",
+    ),
+    ("hw06_braking", ("sideways / car", "forward / car"), ("yaw_growth_rate", "state_derivative"), "(8 * s", "(9 * s"),
+    (
+        "hw07_double_pendulum",
+        HEAVY,
+        ("small_oscillation_frequencies", "mass_matrix"),
+        "squares.real",
+        "squares.real / 2",
+    ),
     ("hw10_free_rigid_body", NO_C, ("growth_rate_squared", "euler_equations"), "slope(j, k) *", "2 * slope(j, k) *"),
     ("hw13_rolling_cylinder", CENTRIFUGAL, ("contact_force", "acceleration"), "cylinder)[1:])", "cylinder)[:0:-1])"),
     ("hw13_rolling_cylinder", ABOVE, ("naive_contact_acceleration", "contact_inertia"), "x * math.cos(s", "math.cos(s"),
@@ -209,3 +231,34 @@ def test_a_motion_follows_from_the_students_own_equation(checked, factor):
     lines = ("v**2 / 2 - mass", "v**2 - mass")
     actual = following(checked("hw12_bead_on_wire", lines, more=BY_EQUATION.format(factor=factor)))
     assert (("simulate", "lagrange_equation") in actual) == (factor == 1)
+
+
+PUT_BACK = """
+
+def simulate(t, state, *, mass, length, gravity):
+    from tam570.integrate import solve
+
+    def rates(t, y):
+        on_circle = consistent_state(y, length=length)
+        return (*on_circle[2:], *acceleration(on_circle, mass=mass, length=length, gravity={factor} * gravity))
+
+    rows = [np.array(state, float)]
+    for span in zip(t[:-1], t[1:]):
+        rows.append(consistent_state(solve(rates, np.array(span), rows[-1], rtol=1e-9)[-1], length=length))
+    return np.array(rows)
+"""
+
+
+@pytest.mark.parametrize("factor", [1, 2])
+def test_a_motion_that_steps_back_onto_a_constraint_follows_from_its_own_accelerations(checked, factor):
+    lines = ("force / mass - np.array([0.0, gravity])", "force / mass - np.array([0.0, 1.5 * gravity])")
+    actual = following(checked("hw05_constrained_pendulum", lines, more=PUT_BACK.format(factor=factor)))
+    assert (("simulate", "acceleration") in actual) == (factor == 1)
+
+
+def test_a_wrong_component_of_a_helper_is_told_once(checked):
+    helper = "def _cross(a, b):\n    return np.cross(a, b) * [1.0, 1.1, 1.0]\n\n\n"
+    slug, first = "hw03_angular_momentum_rate", "def moment("
+    actual = checked(slug, (first, helper + first), ("np.cross(", "_cross("), (helper.replace("np.", "_"), helper))
+    assert by_name(actual) == ["moment_is_about_C"]
+    assert {("angular_momentum", "moment"), ("rate", "moment")} <= following(actual)

@@ -152,6 +152,7 @@ def calls(function, wrong):
         ("tumble", "w**2 + 2*w + mass*radius", "inertia is that of a thin disk, A = C/2"),
         ("rod", "np.array([[[x, y], [0.0, 1.0]]])", "has ends 1 and 2 exchanged"),
         ("cross", "np.cross(b, a)", "Your result of cross has the opposite sign"),
+        ("cross", "np.cross(a, b)*[1, 1.1, 1]", "wrong in component 2 alone"),
     ],
 )
 def test_it_is_named_by_what_it_does(function, wrong, words):

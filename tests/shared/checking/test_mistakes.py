@@ -29,6 +29,29 @@ CALLS = {
     "from scipy import integrate": "integrate.odeint(rates, [theta0, omega0], t, tfirst=True, rtol=1e-4, atol=1e-4)",
 }
 
+WRONG_MOMENT = """
+
+kept, kept_rate = moment, rate
+
+
+def moment(*args, **how):
+    return -kept(*args, **how)
+
+
+def rate(definition, r_p, v_p, a_p, r_c, v_c, a_c, **how):
+    moments = [each(r_p, a_p, r_c, **how) for each in (moment, kept)]
+    return kept_rate(definition, r_p, v_p, a_p, r_c, v_c, a_c, **how) + moments[0] - moments[1]
+"""
+
+
+def test_what_follows_from_a_mistake_in_another_function_is_no_mistake(desk, tam570, solution_text):
+    slug = "hw03_angular_momentum_rate"
+    (desk / f"{slug}.py").write_text(solution_text(slug) + WRONG_MOMENT)
+    _, said = tam570("check", f"{slug}.py")
+    said = " ".join(said.split())
+    assert "moment has the opposite sign" in said and "rate uses or repeats the mistake in moment" in said
+    assert "In rate, " not in said
+
 
 @pytest.mark.parametrize(("slug", "name", "body", "remedy"), NAMED)
 def test_a_known_mistake_is_named(desk, tam570, solution_text, slug, name, body, remedy):
