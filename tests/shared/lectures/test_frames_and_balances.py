@@ -108,22 +108,6 @@ def test_koenigs_theorems():
     assert at_G[0] == pytest.approx(np.zeros(3), abs=1e-13) and at_G[1] == pytest.approx(about_G)
 
 
-def test_balances_need_forces_that_are_opposite_and_central():
-    m, r, v = particles()
-    state, apart = np.concatenate([r, v]).ravel(), r[:, None] - r
-    sizes = DRAW.normal(size=(4, 4))
-    central = (sizes + sizes.T)[..., None] * apart
-    linear, angular, power = many.balances(state, central, masses=m)
-    assert linear == pytest.approx(np.zeros(3), abs=1e-12) and angular == pytest.approx(np.zeros(3), abs=1e-12)
-    assert power == pytest.approx(0.0, abs=1e-12)
-    sideways = np.cross(central, [0.0, 0.0, 1.0])
-    linear, angular, power = many.balances(state, sideways, masses=m)
-    assert linear == pytest.approx(np.zeros(3), abs=1e-12)
-    assert np.abs(angular).max() > 0.1 and abs(power) > 0.1
-    one_sided = np.triu(sizes, 1)[..., None] * apart
-    assert np.abs(many.balances(state, one_sided, masses=m)[0]).max() > 0.1
-
-
 def test_the_balances_are_the_rates_of_the_momenta():
     m, r, v = particles(3)
     forces = DRAW.normal(size=(3, 3, 3)) * (1 - np.eye(3))[..., None]
@@ -141,17 +125,6 @@ def test_the_balances_are_the_rates_of_the_momenta():
 
 def cloud():
     return DRAW.normal(size=(6, 3)), DRAW.uniform(0.2, 2, 6)
-
-
-def test_kinetic_energy_and_angular_momentum_of_a_turning_cloud():
-    points, masses = cloud()
-    matrix, omega = inertia.inertia(points, masses), DRAW.normal(size=3)
-    r = points - masses @ points / masses.sum()
-    v = np.cross(omega, r)
-    assert matrix @ omega == pytest.approx(masses @ np.cross(r, v))
-    assert omega @ matrix @ omega == pytest.approx(masses @ (v**2).sum(axis=1))
-    R = matrix_from_axis_angle(DRAW.normal(size=3), 1.1)
-    assert inertia.inertia(points @ R.T + 5.0, masses) == pytest.approx(R @ matrix @ R.T, abs=1e-11)
 
 
 def test_the_shift_to_a_parallel_axis():
