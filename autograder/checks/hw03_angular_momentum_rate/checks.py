@@ -75,7 +75,7 @@ def momentum_with_the_velocity_relative_to_C(student, rng):
 BOTH_MOMENTA = momentum_with_the_velocity_in_F, momentum_with_the_velocity_relative_to_C
 
 
-@check("angular_momentum", points=0.25, after=BOTH_MOMENTA)
+@check("angular_momentum", points=0.25, after=BOTH_MOMENTA, refusals=True)
 def momentum_refuses_other_definitions(student, rng):
     """angular_momentum raises ValueError for another definition."""
     check_letters(student.angular_momentum, cases.letters(cases.momenta("b"))(rng))
@@ -102,7 +102,7 @@ def rate_with_the_velocity_relative_to_C(student, rng):
 BOTH_RATES = rate_about_a_fixed_point, rate_with_the_velocity_in_F
 
 
-@check("rate", points=0.25, after=BOTH_RATES)
+@check("rate", points=0.25, after=BOTH_RATES, refusals=True)
 def rate_refuses_other_definitions(student, rng):
     """rate raises ValueError for another definition."""
     check_letters(student.rate, cases.letters(cases.rates("b"))(rng))
@@ -126,7 +126,7 @@ def no_discrepancy_about_a_fixed_point(student, rng):
     compare(student.discrepancy, cases.rates("a")(rng), hint=FIXED)
 
 
-@check("discrepancy", points=0.25, after=discrepancy_with_the_velocity_in_F)
+@check("discrepancy", points=0.25, after=discrepancy_with_the_velocity_in_F, refusals=True)
 def discrepancy_refuses_other_definitions(student, rng):
     """discrepancy raises ValueError for another definition."""
     check_letters(student.discrepancy, cases.letters(cases.rates("b"))(rng))
@@ -151,7 +151,7 @@ def special_motion_of_c(student, rng):
     judge_motion(student.special_motion, "c")
 
 
-@check("special_motion", points=0.25, after=(special_motion_of_b, special_motion_of_c))
+@check("special_motion", points=0.25, after=(special_motion_of_b, special_motion_of_c), refusals=True)
 def special_motion_refuses_other_definitions(student, rng):
     """special_motion raises ValueError for another definition."""
     calls = [Case(name).labelled(f'the definition "{name}"') for name in ("d", "bc", "a", *cases.LETTERS_ALIKE)]

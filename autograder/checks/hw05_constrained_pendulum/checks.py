@@ -106,7 +106,7 @@ def consistent_state_is_the_nearest(student, rng):
 NEAREST = "Which point of the circle is nearest to its centre?"
 
 
-@check("consistent_state", points=0.25, after=consistent_state_is_the_nearest)
+@check("consistent_state", points=0.25, after=consistent_state_is_the_nearest, refusals=True)
 def consistent_state_refuses_the_origin(student, rng):
     """consistent_state raises ValueError where no point of the circle is the nearest."""
     check_domain(student.consistent_state, reference, cases.origin(rng), tolerance=FORMULA, hint=NEAREST)

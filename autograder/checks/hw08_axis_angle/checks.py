@@ -78,7 +78,7 @@ def matrix_depends_on_the_direction_alone(student, rng):
     compare(student.rotation_matrix, cases.of_any_length(rng), hint="What becomes of the square of its length?")
 
 
-@check("rotation_matrix", points=1, after=matrix_turns_by_the_right_hand_rule)
+@check("rotation_matrix", points=1, after=matrix_turns_by_the_right_hand_rule, refusals=True)
 def matrix_refuses_what_is_no_axis(student, rng):
     """rotation_matrix raises ValueError for an axis that is zero or not finite, whatever the angle."""
     check_domain(student.rotation_matrix, reference, cases.no_axes(rng), tolerance=POINTWISE)
@@ -96,7 +96,7 @@ def vector_turns_by_every_angle(student, rng):
     vectors_by_size(student.rotate, cases.vectors_by_size(rng))
 
 
-@check("rotate", points=1, after=vector_turns_by_the_right_hand_rule)
+@check("rotate", points=1, after=vector_turns_by_the_right_hand_rule, refusals=True)
 def rotate_refuses_what_is_no_axis(student, rng):
     """rotate raises ValueError for an axis that is zero or not finite, whatever angle and vector."""
     check_domain(student.rotate, reference, cases.vectors_about_no_axes(rng), tolerance=POINTWISE)

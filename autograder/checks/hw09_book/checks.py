@@ -59,7 +59,7 @@ def turns_about_the_coordinate_axes(student, rng):
     compare(student.axis_rotation, cases.turns(rng), hint=QUARTER_TURN)
 
 
-@check("axis_rotation", points=0.5, after=turns_about_the_coordinate_axes)
+@check("axis_rotation", points=0.5, after=turns_about_the_coordinate_axes, refusals=True)
 def other_axes_are_refused(student, rng):
     """axis_rotation raises ValueError for any other string."""
     check_domain(student.axis_rotation, reference, cases.no_axes(rng), tolerance=WITHIN)

@@ -95,7 +95,7 @@ def euler_rates_make_omega(student, rng):
     compare(student.euler_rates_313, cases.euler_angles(rng), hint=wrong_rates)
 
 
-@check("euler_rates_313", points=0.25, after=euler_rates_make_omega)
+@check("euler_rates_313", points=0.25, after=euler_rates_make_omega, refusals=True)
 def euler_rates_are_refused_where_undetermined(student, rng):
     """euler_rates_313 raises ValueError where abs(sin theta) < 1e-12, and nowhere else."""
     check_domain(

@@ -105,7 +105,7 @@ def rolling_precession_is_zero_where_nothing_turns_it(student, rng):
     compare(student.rolling_precession, cases.straight_tracks(rng), scale=absolute)
 
 
-@check("rolling_precession", points=0.75, after=rolling_precession_balances_the_moments)
+@check("rolling_precession", points=0.75, after=rolling_precession_balances_the_moments, refusals=True)
 def rolling_precession_refuses_what_does_not_exist(student, rng):
     """rolling_precession raises ValueError where no steady rolling exists, or any Omega does."""
     check_domain(

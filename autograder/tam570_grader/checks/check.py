@@ -64,6 +64,7 @@ class Check:
     part: str
     line: str  # what it tests, for the student
     after: tuple["Check", ...]
+    refusals: bool = False
 
     @property
     def name(self) -> str:
@@ -76,7 +77,13 @@ class Check:
 
 
 def check(
-    function: str, *, points: float, part: str = "a", line: str = "", after: Check | Sequence[Check] = ()
+    function: str,
+    *,
+    points: float,
+    part: str = "a",
+    line: str = "",
+    after: Check | Sequence[Check] = (),
+    refusals: bool = False,
 ) -> Callable[[Run], Check]:
     """Make a function of a student and a generator a check.
 
@@ -86,6 +93,7 @@ def check(
     points, part : what it is worth, and in which lettered part
     line : what it tests, for the student; left out, it is the docstring of the function
     after : the check, or the checks, that must (nearly) pass before this one runs
+    refusals : it asks what is refused; that it runs, the checks before it may find wrong numbers
 
     Raises
     ------
@@ -96,7 +104,7 @@ def check(
     def decorated(run: Run) -> Check:
         if not (text := line or " ".join((run.__doc__ or "").split())):
             raise ValueError(f"the check {run.__name__} needs a docstring: the line that the student reads")
-        return Check(run, function, float(points), part, text, needed(after))
+        return Check(run, function, float(points), part, text, needed(after), refusals)
 
     return decorated
 

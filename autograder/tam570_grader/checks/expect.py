@@ -54,6 +54,7 @@ class CheckContext:
     recorder: Callable[[float], None] | None = None  # told every error over its limit; nothing fails then
     aside: Callable[[], AbstractContextManager[None]] = nullcontext  # in which calls are made that choose the words
     examples: list[Json] | None = None  # what is compared is noted here, call by call, if it is a list
+    wrong_before: bool = False  # a check that this one builds on found wrong numbers
     is_rehearsal: bool = False  # before there is a submission: comparisons take what is right for its results
 
     @property

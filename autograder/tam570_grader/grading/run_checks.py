@@ -83,7 +83,9 @@ class _Run:
     def perform(self, check: Check, recorder: Callable[[float], None] | None = None) -> None:
         """Run a check; the student's calls are then its own."""
         self.student.calls.clear()
-        with budget(), np.errstate(all="ignore"), check_context(recorder=recorder, aside=self.student.aside):
+        wrong_before = not all(self.results[other.name].unlocks_dependents for other in check.after)
+        context = check_context(recorder=recorder, aside=self.student.aside, wrong_before=wrong_before)
+        with budget(), np.errstate(all="ignore"), context:
             check.run(self.student, generator(self.seed, self.assignment.slug, check))
 
 
@@ -178,7 +180,12 @@ def _result(
 
 def _check_result(run: _Run, check: Check) -> CheckResult:
     """Run one check, unless one that it builds on is wrong or missing."""
-    missing = [other.name for other in check.after if not run.results[other.name].unlocks_dependents]
+    before = {other.name: run.results[other.name] for other in check.after}
+    missing = [
+        name
+        for name, other in before.items()
+        if not (other.unlocks_dependents or (check.refusals and other.has_numbers))
+    ]
     if missing:
         return _not_run(check, f"Not run: it needs “{_line(run.assignment.checks, missing[0])}” to pass first.")
     student, options = run.student, run.options

@@ -37,6 +37,11 @@ class CheckResult:
         """Whether the checks that build on this one are run."""
         return self.outcome == "passed" or bool(self.failure and self.failure.near_miss)
 
+    @property
+    def has_numbers(self) -> bool:
+        """Whether the function gave numbers, right or wrong: what it refuses can be asked then."""
+        return self.outcome == "passed" or bool(self.failure and self.failure.quantity)
+
     def record(self) -> Json:
         """Return it as plain data."""
         line = {key: value for key, value in vars(self).items() if value or key not in MAY_LACK}

@@ -100,6 +100,13 @@ def test_one_wrong_argument_in_all_functions_is_told_once(checked):
     assert {cause for _, cause in pairs} == {"acceleration"} and len(pairs) == 6
 
 
+@pytest.mark.parametrize(("wrong", "outcome"), [("- np.sin(angle) * skew(n)", "passed"), ("+ no_name", "not_run")])
+def test_what_is_refused_is_judged_after_wrong_numbers(checked, wrong, outcome):
+    actual = checked("hw08_axis_angle", ("+ np.sin(angle) * skew(n)", wrong))
+    assert actual["matrix_turns_by_the_right_hand_rule"].outcome == "failed"
+    assert actual["matrix_refuses_what_is_no_axis"].outcome == outcome
+
+
 def test_a_function_that_is_always_zero_makes_nothing_else_right(checked):
     actual = checked("hw06_braking", ("return mass * gravity * abs(free / arm)", "return 0.0"))
     assert not {"axle_load", "friction_force"} & {source for _, source in following(actual)}
