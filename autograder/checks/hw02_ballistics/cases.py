@@ -14,7 +14,7 @@ LIGHT = "a light particle, whose drag is small only in kg/s"
 SMALL_BESIDE = "Whether drag counts depends on c t/m or c v/(m g), not on c."
 TO_ZERO = "What becomes of your formula as the drag goes to zero?"
 FAR_ON = "What is left of the equation when e^-s is nothing? e^s goes beyond all numbers."
-PROPORTIONAL = "45 degrees are for no drag: the angle falls in proportion to the drag, then by its next term."
+SLOW = "a speed below a tenth of the terminal speed"
 ONES = {"mass": 1.0, "drag": 1.0, "gravity": 1.0}
 LITTLE = 0.99 * 10.0 ** -np.arange(1, 7)  # below which a series takes over: its error is largest just below
 NO_DRAG, NO_GRAVITY = {"drag": 0.0}, {"gravity": 0.0}
@@ -224,7 +224,7 @@ def slow_speeds(rng):
     drags = {0.0: ("no drag", TO_ZERO), 1e-12: ("very little drag",), 1e-10: ("very little drag",)}
     cases = [Case(launch(rng)[0], **parameters(rng, drag=drag)).labelled(*words) for drag, words in drags.items()]
     for swiftness in 10.0 ** (rng.uniform(0, 1, 4) * [2, 1, 0.15, 1] - [6, 4, 2.16, 2]):
-        cases.append(at_speed(swiftness, "a speed below a tenth of the terminal speed", parameters(rng), PROPORTIONAL))
+        cases.append(at_speed(swiftness, SLOW, parameters(rng)))
     weak = parameters(rng, gravity=10 ** rng.uniform(-3, -2))
     cases.append(at_speed(10 ** rng.uniform(-0.3, 0.3), LIGHT, light(rng), SMALL_BESIDE))
     cases.append(at_speed(10 ** rng.uniform(-0.3, 0.3), "a slow launch where gravity is weak", weak, SMALL_BESIDE))

@@ -303,7 +303,7 @@ def _linearised(node: ast.expr) -> Iterator[ast.expr]:
 
 def _products_for_squares(node: ast.expr) -> Iterator[ast.expr]:
     """om1**2 and om1 * om1 become om1 * om2."""
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow) and _equal(node.right, ast.Constant(2)):
+    if isinstance(node, ast.BinOp) and _is_square(node):
         yield from (ast.BinOp(node.left, ast.Mult(), other) for other in _other(node.left))
     elif isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult):
         last = node.left.right if isinstance(node.left, ast.BinOp) else node.left
@@ -318,14 +318,25 @@ def _other(node: ast.expr) -> Iterator[ast.expr]:
 
 
 def _missing_squares(node: ast.expr) -> Iterator[ast.expr]:
-    """hypot(a, b) loses the square of b."""
+    """hypot(a, b) loses the square of b, and a**2 + b**2 that of its size."""
     if isinstance(node, ast.Call) and _name_of(node.func) == "hypot" and len(node.args) == 2:
         first, second = node.args
         total = ast.BinOp(ast.BinOp(first, ast.Mult(), first), ast.Add(), second)
         yield ast.BinOp(total, ast.Pow(), ast.Constant(0.5))
+    if (
+        isinstance(node, ast.BinOp)
+        and isinstance(node.op, ast.Add)
+        and _is_square(node.left)
+        and _is_square(node.right)
+    ):
+        yield ast.BinOp(node, ast.Pow(), ast.Constant(0.5))
 
 
-RATIOS = 2 / 3, 3 / 2, 1 / 3, 3, 1 / 4, 4, 1 / 6, 6
+def _is_square(node: ast.expr) -> bool:
+    return isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow) and _equal(node.right, ast.Constant(2))
+
+
+RATIOS = 2 / 3, 3 / 2, 1 / 3, 3, 1 / 4, 4, 1 / 6, 6, 3 / 4, 4 / 3
 MORE: dict[str, Operator] = {
     "a missing factor": _missing_factors,
     "a first sign": _first_signs,
