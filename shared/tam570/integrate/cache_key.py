@@ -226,7 +226,7 @@ def _looked_up(code: types.CodeType) -> tuple[tuple[str, ...], bool, str]:
     names, changes = set[str](), False
     for part in _parts(code):
         before, catching = None, False
-        for line in dis.get_instructions(part):
+        for line in _instructions(part):
             name = str(line.argval)
             if line.opname in FORBIDDEN or (line.opname == "STORE_DEREF" and name in part.co_freevars):
                 return (), False, f"has an instruction {line.opname}"
@@ -250,8 +250,14 @@ def _looked_up(code: types.CodeType) -> tuple[tuple[str, ...], bool, str]:
 @lru_cache(maxsize=1024)
 def global_names(code: types.CodeType) -> set[str]:
     """Names that a code, or one inside it, looks up outside of its function; none of attributes."""
-    lines = (line for part in _parts(code) for line in dis.get_instructions(part))
+    lines = (line for part in _parts(code) for line in _instructions(part))
     return {line.argval for line in lines if line.opname in ("LOAD_GLOBAL", "LOAD_NAME")}
+
+
+@lru_cache(maxsize=64)
+def _instructions(code: types.CodeType) -> list[dis.Instruction]:
+    """List the instructions of a code, which are asked for by a key and then by a trace."""
+    return [*dis.get_instructions(code)]
 
 
 def _parts(code: types.CodeType) -> Iterable[types.CodeType]:
