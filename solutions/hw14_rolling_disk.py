@@ -93,22 +93,15 @@ def matrix_state_derivative(t, state, *, mass, radius, inertia, gravity):
     e1x, e1y = -ny / s, nx / s
     e2x, e2y = -nz * e1y, nz * e1x  # and s is its z component
     vx, vy, vz = wy * s - wz * e2y, wz * e2x - wx * s, wx * e2y - wy * e2x  # omega x e2, velocity / a
-    spin, w1 = wx * nx + wy * ny + wz * nz, wx * e1x + wy * e1y  # of omega, along the axle and along e1
-    yaw_rate = (wx * e2x + wy * e2y + wz * s) / s
-    # e2 turns with the frame, at yaw' z + w1 e1: u is its rate
-    ux, uy, uz = w1 * e1y * s - yaw_rate * e2y, yaw_rate * e2x - w1 * e1x * s, w1 * (e1x * e2y - e1y * e2x)
-    # contact force at omega' = 0, over the mass: a omega x u + g z
-    fx, fy, fz = radius * (wy * uz - wz * uy), radius * (wz * ux - wx * uz), radius * (wx * uy - wy * ux) + gravity
-    k, b = (C - A) * spin, -mass * radius
-    # moment at omega' = 0: -a e2 x force - omega x H, H = A omega + (C - A) spin n
-    mx = b * (e2y * fz - s * fy) - k * (wy * nz - wz * ny)
-    my = b * (s * fx - e2x * fz) - k * (wz * nx - wx * nz)
-    mz = b * (e2x * fy - e2y * fx) - k * (wx * ny - wy * nx)
-    # The force of omega' adds m a^2 to the inertia about e1 and e3, whatever their size.
-    rolling = mass * radius * radius
-    p = (mx * e1x + my * e1y) / (A + rolling)
-    q = (mx * e2x + my * e2y + mz * s) / A
-    r = (mx * nx + my * ny + mz * nz) / (C + rolling)
+    w1, w2 = wx * e1x + wy * e1y, wx * e2x + wy * e2y + wz * s
+    spin = wx * nx + wy * ny + wz * nz
+    turn = w2 * nz / s  # along the axle, of the frame: e2' = w1 axle - turn e1
+    # F/m = a (omega' x e2 + omega x e2') + g z has the moment -a e2 x F, and the change of H = A omega + (C - A) spin
+    # axle is A omega' + (C - A) (spin' axle + spin omega x axle): omega' is p, q, r along e1, e2 and the axle.
+    rolling, k = mass * radius * radius, (C - A) * spin
+    p = -(w2 * (k + rolling * turn) + mass * gravity * radius * nz) / (A + rolling)
+    q = k * w1 / A
+    r = rolling * w1 * w2 / (C + rolling)
     return (
         radius * vx,
         radius * vy,
