@@ -118,10 +118,10 @@ def advance(
         is_brief = h < BLURRED * shortest and h < BRIEF * end
         error = UNSEEN if is_brief and error <= 1.0 and _leaps(h, y, n, g, a, rtol, LEAP) else error
         is_cut = sure < h and not at_last
-        crosses, ends = at_last and sure <= h, at_last and new == end
-        if not error <= 1.0 and (crosses or ends):
-            n, rest, g = _crossed(cross, ends, origin + t, h, (y, r, f), c)
-        jumps = at_last and fifth < inf and _finite(n) and _jumps(crosses or ends, h, y, n, f, g, a, rtol)
+        crosses = at_last and (sure <= h or new == end)
+        if crosses and not error <= 1.0:
+            n, rest, g = _crossed(cross, new == end, origin + t, h, (y, r, f), c)
+        jumps = at_last and fifth < inf and _finite(n) and _jumps(crosses, h, y, n, f, g, a, rtol)
         if (error <= 1.0 or jumps) and not is_cut:
             if at_last and ((jumps and _sets_in(y, n, a)) or (crosses and pace > 0.0 and _has_no_scale(a))):
                 halt = SETS_IN
