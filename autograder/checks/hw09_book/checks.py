@@ -193,14 +193,16 @@ def no_turn_has_a_unit_axis(student, rng):
 @check("axis_angle", points=0.25, after=axis_and_angle_are_those_of_the_matrix)
 def what_is_no_rotation_is_refused(student, rng):
     """axis_angle refuses matrices that are not rotations, and accepts one with R^T R wrong by 9e-7."""
-    compare(student.axis_angle, cases.nearly_rotations(rng), tolerance=SHEARED)
+    sheared = cases.nearly_rotations(rng)
     stretched = Case((1 + 4.5e-7) * np.eye(3)).labelled("the identity times 1 + 4.5e-7")
-    for _, (axis, angle) in student.axis_angle.each([stretched]):
+    wrong, along_z = cases.no_rotations(rng), cases.stretched_along_z(rng)
+    axis_angle = student.axis_angle.ahead([*sheared, stretched, *wrong, *along_z])
+    compare(axis_angle, sheared, tolerance=SHEARED)
+    for _, (axis, angle) in axis_angle.each([stretched]):
         expect(np.linalg.norm(axis), 1.0, tolerance=SHEARED, quantity="the length of the axis")
         expect(angle, 0.0, tolerance=STRETCHED, quantity="the angle", unit="rad")
-    check_raises(student.axis_angle, cases.no_rotations(rng))
-    hint = "Do you use np.allclose? Its rtol allows 1e-5 beside a one."
-    check_raises(student.axis_angle, cases.stretched_along_z(rng), hint=hint)
+    check_raises(axis_angle, wrong)
+    check_raises(axis_angle, along_z, hint="Do you use np.allclose? Its rtol allows 1e-5 beside a one.")
 
 
 # (c) The book

@@ -232,8 +232,10 @@ def steady_residual_is_the_tilt_acceleration(student, rng):
 @check("wireframe", points=0.5, part="e")
 def wireframe_is_a_rolling_disk(student, rng):
     """wireframe is a closed regular polygon on the rim, and two perpendicular diameters that roll with the disk."""
-    for calls in cases.pictures(rng):
-        places = [judge_wireframe(case, lines) for case, lines in student.wireframe.each(calls)]
+    pictures = [*cases.pictures(rng)]
+    wireframe = student.wireframe.ahead(sum(pictures, []))
+    for calls in pictures:
+        places = [judge_wireframe(case, lines) for case, lines in wireframe.each(calls)]
         apart, hint = reference.turned(np.diff(places, axis=0), np.pi), "Do they roll with the disk?"
         expect(apart, 0.0, tolerance=POINTWISE * 10, quantity="the diameters' place in the disk", unit="rad", hint=hint)
 

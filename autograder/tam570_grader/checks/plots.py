@@ -230,8 +230,9 @@ def exchanged(picture: Drawing, across: str = "x", up: str = "y") -> tuple[bool,
 
 def judge_boxes(function: StudentFunction, cases: Iterable[tuple[Array, Array, str]], tolerance: float) -> None:
     """Require the twelve edges of boxes R, size=size around the origin, each of a kind in words."""
-    for R, size, label in cases:
-        (edges,) = function.many([Case(R, size=size).labelled(label)])
+    calls = [Case(R, size=size).labelled(label) for R, size, label in cases]
+    for call, edges in function.each(calls):
+        (R,), size = call.args, call.kwargs["size"]
         expect(
             _mismatch(edges, _edges(R, size)),
             0.0,
