@@ -13,12 +13,10 @@ one end pushes the heap with the other, which throws it up (Biggins and Warner, 
 one above the scale. 0 is the textbook, where half of density v^3 is lost; at 1/2 nothing is; a real chain is between.
 """
 
-from functools import partial
 from math import inf, sqrt
-from types import SimpleNamespace
 
 from tam570.arguments import finite, nonnegative, positive
-from tam570.show.scenes import chains
+from tam570.show.scenes import chains, drawn_for
 
 __all__ = ["film", "folded", "lifted", "poured"]
 
@@ -78,4 +76,4 @@ def _check_share(supplied: float) -> None:
         raise ValueError(f"supplied: must be a share from 0 to 1, got {supplied!r}")
 
 
-film = partial(chains.film, SimpleNamespace(**globals()))  # by this module's functions, or those of its copy
+film = drawn_for(chains.film, globals())

@@ -7,15 +7,13 @@ e) mu v. The loss is (1 - e^2) mu v^2/2. A body of infinite mass and inertia is 
 """
 
 from collections.abc import Sequence
-from functools import partial
-from types import SimpleNamespace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.arguments import array, numbers
 from tam570.show.scene import Array
-from tam570.show.scenes import collisions
+from tam570.show.scenes import collisions, drawn_for
 
 __all__ = ["collide", "cradle", "film"]
 
@@ -96,4 +94,4 @@ def _check_restitution(restitution: float) -> None:
         raise ValueError(f"restitution: must be from 0 to 1, got {restitution!r}")
 
 
-film = partial(collisions.film, SimpleNamespace(**globals()))  # by this module's functions, or those of its copy
+film = drawn_for(collisions.film, globals())

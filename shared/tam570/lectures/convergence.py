@@ -9,9 +9,7 @@ energy knows which is which (Hairer, Norsett and Wanner, Solving Ordinary Differ
 """
 
 from collections.abc import Sequence
-from functools import partial
 from math import cos, sin
-from types import SimpleNamespace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -20,7 +18,7 @@ from tam570.arguments import nonnegative, numbers, positives, sequence
 from tam570.integrate import solve
 from tam570.invariants import observed_order
 from tam570.show.scene import Array
-from tam570.show.scenes import convergence
+from tam570.show.scenes import convergence, drawn_for
 from tam570.values import Function, Parameters
 
 __all__ = ["energy", "errors", "film", "order", "rates", "wrong_rates"]
@@ -123,4 +121,4 @@ def _checked(
     return positives(2, masses=masses), positives(2, lengths=lengths)
 
 
-film = partial(convergence.film, SimpleNamespace(**globals()))  # by this module's functions, or those of its copy
+film = drawn_for(convergence.film, globals())

@@ -9,16 +9,14 @@ way (Goldstein, Classical Mechanics, sections 4.9 and 4.10).
 """
 
 from collections.abc import Sequence
-from functools import partial
 from math import hypot, sin, sqrt
-from types import SimpleNamespace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tam570.arguments import array, finite, nonnegative, numbers, positive, sequence
 from tam570.show.scene import Array
-from tam570.show.scenes import frames
+from tam570.show.scenes import drawn_for, frames
 
 __all__ = [
     "angular_momentum",
@@ -144,4 +142,4 @@ def _check(mass: float, stiffness: float, spin: float) -> None:
     finite(spin=spin)
 
 
-film = partial(frames.film, SimpleNamespace(**globals()))  # by this module's functions, or those of its copy
+film = drawn_for(frames.film, globals())

@@ -7,16 +7,14 @@ West, Discrete mechanics and variational integrators, Acta Numerica 2001). Its s
 is positive for all neighbours only as long as no half period of a small swing has passed (Jacobi).
 """
 
-from functools import partial
 from math import copysign, pi, sin, sqrt
-from types import SimpleNamespace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.arguments import finite, numbers, positive, whole_number
 from tam570.show.scene import Array
-from tam570.show.scenes import least_action
+from tam570.show.scenes import drawn_for, least_action
 
 __all__ = ["action", "film", "is_minimum", "path", "swing"]
 
@@ -133,4 +131,4 @@ def swing(angles: Array, duration: float, *, length: float, gravity: float) -> A
     return motion
 
 
-film = partial(least_action.film, SimpleNamespace(**globals()))  # by this module's functions, or those of its copy
+film = drawn_for(least_action.film, globals())

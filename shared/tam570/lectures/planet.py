@@ -7,16 +7,14 @@ the end of each: equal areas follow from the direction of the impulses alone.
 """
 
 from collections.abc import Sequence
-from functools import partial
 from math import atan2, hypot, inf, nan, pi, sqrt
-from types import SimpleNamespace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.arguments import numbers, positive, sequence
 from tam570.show.scene import Array
-from tam570.show.scenes import planet
+from tam570.show.scenes import drawn_for, planet
 
 __all__ = ["angular_momentum", "elements", "energy", "exact", "film", "laplace_runge_lenz", "rates"]
 
@@ -112,4 +110,4 @@ def _halves(state: ArrayLike, gm: float) -> Array:
     return halves
 
 
-film = partial(planet.film, SimpleNamespace(**globals()))  # by this module's functions, or those of its copy
+film = drawn_for(planet.film, globals())

@@ -8,16 +8,14 @@ with G in front, turned by pi k/a at most (Chaplygin, 1911; Neimark and Fufaev, 
 """
 
 from collections.abc import Sequence
-from functools import partial
 from math import asinh, copysign, cos, hypot, pi, sin, sqrt
-from types import SimpleNamespace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.arguments import finite, numbers, positive, sequence
 from tam570.show.scene import Array
-from tam570.show.scenes import sleigh
+from tam570.show.scenes import drawn_for, sleigh
 
 __all__ = ["energy", "exact", "film", "gyration", "rates", "straight_growth_rate"]
 
@@ -112,4 +110,4 @@ def gyration(mass: float, inertia: float, offset: float) -> float:
     return sqrt(inertia / mass + offset * offset)
 
 
-film = partial(sleigh.film, SimpleNamespace(**globals()))  # by this module's functions, or those of its copy
+film = drawn_for(sleigh.film, globals())

@@ -10,9 +10,7 @@ Applied Mechanics 65, 1998).
 """
 
 from collections.abc import Sequence
-from functools import partial
 from math import atan2, pi, sqrt
-from types import SimpleNamespace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -20,7 +18,7 @@ from numpy.typing import ArrayLike
 from tam570.arguments import nonnegative, numbers, positive, positives, sequence
 from tam570.integrate import solve
 from tam570.show.scene import Array
-from tam570.show.scenes import stiff_impact
+from tam570.show.scenes import drawn_for, stiff_impact
 
 __all__ = ["energy", "film", "push", "rates", "rebound", "two_contacts"]
 
@@ -110,4 +108,4 @@ def _check(mass: float, stiffness: float, gravity: float) -> None:
     nonnegative(gravity=gravity)
 
 
-film = partial(stiff_impact.film, SimpleNamespace(**globals()))  # by this module's functions, or those of its copy
+film = drawn_for(stiff_impact.film, globals())

@@ -6,13 +6,10 @@ d = mu (N of locked wheels), Nf + Nr = g, front Nf - rear Nr = height d. Moments
 and about the point in which the forces of the ground meet a single one, for d alone. All hold while no axle lifts.
 """
 
-from functools import partial
-from types import SimpleNamespace
-
 import numpy as np
 
 from tam570.arguments import nonnegative, one_of, positive
-from tam570.show.scenes import stopping_car
+from tam570.show.scenes import drawn_for, stopping_car
 from tam570.values import Parameters
 
 __all__ = ["by_centre_of_mass", "by_one_point", "by_three_points", "film"]
@@ -96,4 +93,4 @@ def _on_the_ground(deceleration: float, front_load: float, rear_load: float) -> 
     return deceleration, max(front_load, 0.0), max(rear_load, 0.0)
 
 
-film = partial(stopping_car.film, SimpleNamespace(**globals()))  # by this module's functions, or those of its copy
+film = drawn_for(stopping_car.film, globals())

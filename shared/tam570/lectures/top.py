@@ -9,14 +9,12 @@ W^2 - C w W + m g d = 0; the classic m g d/(C w) leaves out the first term (Gold
 """
 
 from collections.abc import Sequence
-from functools import partial
 from math import copysign, cos, inf, nan, sin, sqrt
-from types import SimpleNamespace
 
 from numpy.typing import ArrayLike
 
 from tam570.arguments import finite, numbers, positive, sequence
-from tam570.show.scenes import top
+from tam570.show.scenes import drawn_for, top
 
 __all__ = [
     "axial_momentum",
@@ -124,4 +122,4 @@ def _weight(mass: float, distance: float, axial: float, transverse: float, gravi
     return mass * gravity * distance
 
 
-film = partial(top.film, SimpleNamespace(**globals()))  # by this module's functions, or those of its copy
+film = drawn_for(top.film, globals())

@@ -7,16 +7,14 @@ goes as 1/k, as the stretch does that bends the particles' paths.
 """
 
 from collections.abc import Sequence
-from functools import partial
 from math import nan, sqrt
-from types import SimpleNamespace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.arguments import array, numbers, positive, positives, sequence
 from tam570.show.scene import Array
-from tam570.show.scenes import truss
+from tam570.show.scenes import drawn_for, truss
 from tam570.values import Numbers, Parameters
 
 __all__ = ["angular_momentum", "energy", "film", "momentum", "rates", "rigid"]
@@ -125,4 +123,4 @@ def _parts(
     return m, r, v
 
 
-film = partial(truss.film, SimpleNamespace(**globals()))  # by this module's functions, or those of its copy
+film = drawn_for(truss.film, globals())
