@@ -13,7 +13,6 @@ from tam570_grader import (
     OwnRates,
     absolute,
     check,
-    compare_columns,
     compare_trajectory,
     compare_with,
     expect_that,
@@ -41,7 +40,7 @@ DRAWN, FINE = 1e-4, 1001
 FEWER = 200  # times that; chords of a line of ten points leave a parabola by (2.4/9)^2/4 = 1.8e-2
 
 compare = compare_with(reference, tolerance=ROOT)
-compare_rows = compare_with(reference, by=compare_columns, tolerance=CLOSED)
+compare_rows = compare_with(reference, tolerance=CLOSED)
 
 
 def of_rates(case, _):

@@ -13,7 +13,6 @@ from tam570_grader import (
     array,
     check,
     check_conserved,
-    compare_columns,
     compare_invariants,
     compare_trajectory,
     compare_with,
@@ -131,7 +130,7 @@ PLACED = "The centre is contact + a e2, R is Rz(yaw) Rx(tilt) Rz(roll), omega is
 @check("matrix_state", points=0.5)
 def matrix_state_places_the_disk(student, rng):
     """matrix_state has the centre, R row by row, and the total omega in space axes."""
-    compare_columns(student.matrix_state, reference, cases.instants(rng), tolerance=POINTWISE, hint=PLACED)
+    compare(student.matrix_state, cases.instants(rng), hint=PLACED)
 
 
 def along(quantity, off, state, limit):
@@ -160,27 +159,27 @@ BY_MATRIX, FLAT_BY_MATRIX = cases.by_matrix(INSTANTS), cases.by_matrix(FLAT_AND_
 @check("euler_state_derivative", points=1.25)
 def euler_equations_hold(student, rng):
     """euler_state_derivative balances momentum and angular momentum of disk, hoop and wheel."""
-    compare_columns(student.euler_state_derivative, reference, INSTANTS(rng), tolerance=POINTWISE, hint=TEST_IT)
+    compare(student.euler_state_derivative, INSTANTS(rng), hint=TEST_IT)
 
 
 @check("euler_state_derivative", points=0.25, after=euler_equations_hold)
 def euler_equations_hold_next_to_flat_and_upright(student, rng):
     """euler_state_derivative holds at a tilt of 1e-3, and for a disk spinning upright on a point."""
-    compare_columns(student.euler_state_derivative, reference, FLAT_AND_UPRIGHT(rng), **NEXT_TO_FLAT)
+    compare(student.euler_state_derivative, FLAT_AND_UPRIGHT(rng), **NEXT_TO_FLAT)
 
 
 @check("matrix_state_derivative", points=0.75)
 def matrix_equations_hold(student, rng):
     """the balances hold, and omega in space axes turns R."""
-    compare_columns(student.matrix_state_derivative, reference, BY_MATRIX(rng), tolerance=POINTWISE, hint=IN_SPACE)
-    compare_columns(student.matrix_state_derivative, reference, FLAT_BY_MATRIX(rng), **NEXT_TO_FLAT)
+    compare(student.matrix_state_derivative, BY_MATRIX(rng), hint=IN_SPACE)
+    compare(student.matrix_state_derivative, FLAT_BY_MATRIX(rng), **NEXT_TO_FLAT)
 
 
 @check("multiplier_state_derivative", points=0.75)
 def multiplier_equations_hold(student, rng):
     """the balances hold, with multipliers for the contact."""
-    compare_columns(student.multiplier_state_derivative, reference, BY_MATRIX(rng), tolerance=POINTWISE, hint=ARM)
-    compare_columns(student.multiplier_state_derivative, reference, FLAT_BY_MATRIX(rng), **NEXT_TO_FLAT)
+    compare(student.multiplier_state_derivative, BY_MATRIX(rng), hint=ARM)
+    compare(student.multiplier_state_derivative, FLAT_BY_MATRIX(rng), **NEXT_TO_FLAT)
 
 
 # (b) Simulation, (c) both ways

@@ -48,7 +48,7 @@ MOST_BATCHES = 1000  # that are remembered; the fourteen assignments have some 6
 Array = NDArray[np.float64]
 Only = int | Sequence[int] | None
 Shapes = Sequence[tuple[int, ...]]
-Members = Callable[[Case, Numbers], Iterable[tuple[Numbers, ...]]]
+Where = int | tuple[Any, ...] | None  # a member of a tuple, columns, or all
 Reference = Function | ModuleType
 HintOfCase = str | Callable[[Case, Numbers, Numbers], str]  # of a case, the result and the right one
 
@@ -66,6 +66,11 @@ class Comparison:
     columns: Sequence[int] | None = None
     t: Numbers = None  # times of its rows
 
+    @property
+    def where(self) -> Where:
+        """Where the result has these numbers."""
+        return self.member if self.columns is None else (..., self.columns)
+
 
 Comparisons = Callable[[Case, Numbers, Numbers], Iterable[Comparison]]  # of a case, the result and the right one
 
@@ -77,6 +82,7 @@ def compare(  # noqa: PLR0913  what a check says of a comparison, each by its na
     *,
     tolerance: float,
     scale: Scale | None = None,
+    columns: Sequence[Column] = (),
     hint: HintOfCase = "",
     partial: Mapping[float, float] | None = None,
     only: Only = None,
@@ -87,31 +93,47 @@ def compare(  # noqa: PLR0913  what a check says of a comparison, each by its na
     reference : the right function, or the module in which it has the name of the student's
     tolerance : of the scale, by default the largest number of the right result
     scale  : left out, as `Assignment.returns` has it
+    columns : of a state or rows of them, each judged in its own unit; left out, as `Assignment.returns` has them
     hint   : where to look; a function of the case, the result and the right one is asked on failure alone
     only   : the member of a tuple that is judged, or several
     near_miss_credit : False where an error of a few limits is no sign that the physics is right
     """
-    batch, descriptions = Batch.of(find_reference(reference, function), cases).distinct, function.returns.description
-    several = isinstance(descriptions, list)
-    descriptions = descriptions if several else [descriptions]
-    scales = [scale or description.scale or largest for description in descriptions]
-
-    def parts(case: Case, actual: Numbers, expected: Numbers) -> Iterator[Comparison]:
-        pairs = zip(actual, expected, strict=True) if several else [(actual, expected)]
-        for index, (numbers, right_numbers) in enumerate(pairs):
-            if only is None or index in np.atleast_1d(only):
-                size = scales[index](case, right_numbers)
-                size = np.where(np.asarray(size) == 0, 1.0, size) if np.ndim(size) else size or 1.0
-                words = descriptions[index].quantity, descriptions[index].unit
-                yield Comparison(numbers, right_numbers, *words, size, index if several else None)
-
-    def members(case: Case, expected: Numbers) -> Iterator[tuple[Numbers, ...]]:
-        return ((part.member, part.expected, part.size) for part in parts(case, expected, expected))
-
+    batch = Batch.of(find_reference(reference, function), cases).distinct
+    if columns := columns or getattr(function.returns, "columns", ()):
+        parts, key = functools.partial(_by_columns, columns), ("columns", *map(id, columns))
+    else:
+        descriptions = function.returns.description
+        each = descriptions if isinstance(descriptions, list) else [descriptions]
+        scales = [scale or description.scale or largest for description in each]
+        parts, key = functools.partial(_by_members, descriptions, scales, only), (str(only), *scales)
     results = batch.results(function)
-    if get_context().listens or not batch.includes(results, tolerance, (str(only), *scales), members):
+    if get_context().listens or not batch.includes(results, tolerance, key, parts):
         _compare_parts(function, batch, results, parts, tolerance, hint, partial or {}, near_miss_credit)
     return results
+
+
+def _by_members(
+    descriptions: Any, scales: Sequence[Scale], only: Only, case: Case, actual: Numbers, expected: Numbers
+) -> Iterator[Comparison]:
+    """Yield the result, or the members of a tuple that are judged."""
+    several = isinstance(descriptions, list)
+    members = zip(descriptions, actual, expected, strict=True) if several else [(descriptions, actual, expected)]
+    for index, (description, numbers, right_numbers) in enumerate(members):
+        if only is None or index in np.atleast_1d(only):
+            size = scales[index](case, right_numbers)
+            size = np.where(np.asarray(size) == 0, 1.0, size) if np.ndim(size) else size or 1.0
+            words = description.quantity, description.unit
+            yield Comparison(numbers, right_numbers, *words, size, index if several else None)
+
+
+def _by_columns(columns: Sequence[Column], case: Case, actual: Numbers, expected: Numbers) -> Iterator[Comparison]:
+    """Yield the columns of a state, or of rows of them."""
+    actual, expected = np.asarray(actual, float), np.asarray(expected, float)
+    t = case.args[0] if actual.ndim == 2 else None
+    for column in columns:
+        where = np.arange(expected.shape[-1])[column.where].tolist()
+        words = column.quantity, column.unit, column.size(case, expected)
+        yield Comparison(actual[..., where], expected[..., where], *words, columns=where, t=t)
 
 
 def _compare_parts(  # noqa: PLR0913  as `compare`
@@ -230,36 +252,38 @@ class Batch:
             get_context().set_call(function.name, case)
             yield case, result, expected
 
-    def includes(self, results: list[Numbers], tolerance: float, key: object, members: Members) -> bool:
+    def includes(self, results: list[Numbers], tolerance: float, key: object, parts: Comparisons) -> bool:
         """Return whether all results are within the tolerance; False where that takes a look at each.
 
-        members : members(case, right result) -> (member or None, right, scale) of all that is judged
-        key     : tells it from other such functions
+        parts : of a case, a result and the right one, all that is judged
+        key   : tells it from other such functions
         """
-        # with the members, which hold what the key identifies
-        _, scaled = self.remembered(key, lambda: (members, self._scales(members)))
+        # with the function, which holds what the key identifies
+        _, scaled = self.remembered(key, lambda: (parts, self._scales(parts)))
         return scaled is not None and all(
-            _is_near([_part(result, member) for result in results], shapes, numbers, tolerance * sizes)
-            for member, shapes, numbers, sizes in scaled
+            _is_near([_part(result, where) for result in results], shapes, numbers, tolerance * sizes)
+            for where, shapes, numbers, sizes in scaled
         )
 
-    def _scales(self, members: Members) -> list[tuple[Numbers, ...]] | None:
-        """(member, shapes of the right results, their numbers, the scale of each); None where one is infinite."""
-        per_case = [[*members(case, expected)] for case, expected in zip(self.cases, self.expected, strict=True)]
+    def _scales(self, parts: Comparisons) -> list[tuple[Numbers, ...]] | None:
+        """(where, shapes of the right results, their numbers, the scale of each); None where one is infinite."""
+        per_case = [[*parts(case, right, right)] for case, right in zip(self.cases, self.expected, strict=True)]
         scaled = []
         for column in zip(*per_case, strict=True):
-            expected = [np.asarray(part, float) for _, part, _ in column]
+            expected = [np.asarray(part.expected, float) for part in column]
             shapes = [part.shape for part in expected]
             numbers = _flat(expected, shapes)
             if not np.isfinite(numbers).all():
                 return None
-            sizes = [np.broadcast_to(size, shape) for (_, _, size), shape in zip(column, shapes, strict=True)]
-            scaled.append((column[0][0], shapes, numbers, _flat(sizes, shapes)))
+            sizes = [np.broadcast_to(part.size, shape) for part, shape in zip(column, shapes, strict=True)]
+            scaled.append((column[0].where, shapes, numbers, _flat(sizes, shapes)))
         return scaled
 
 
-def _part(result: Numbers, member: int | None) -> Numbers:
-    return result if member is None else result[member]
+def _part(result: Numbers, where: Where) -> Numbers:
+    if where is None or isinstance(where, int):
+        return result if where is None else result[where]
+    return np.asarray(result, float)[where]  # in a rehearsal it may be a tuple
 
 
 def _is_near(results: Sequence[Numbers], shapes: Shapes, expected: Array, limits: Array) -> bool:
@@ -359,41 +383,6 @@ def digits_lost(actual: Numbers, expected: Numbers) -> str:
     if not exact and off <= SINGLE * np.max(np.abs(expected)) and np.array_equal(actual, actual.astype(np.float32)):
         return "The numbers are in single precision: use float64"
     return ""
-
-
-def compare_columns(  # noqa: PLR0913  as `compare`
-    function: StudentFunction,
-    reference: Reference,
-    cases: Iterable[Case],
-    columns: Sequence[Column] = (),
-    *,
-    tolerance: float,
-    hint: HintOfCase = "",
-    near_miss_credit: bool = True,
-) -> None:
-    """As `compare`, for a state or rows of them, whose numbers have different units: each column is judged in its own.
-
-    columns : left out, as `Assignment.returns` has them
-    """
-    columns, batch = columns or function.returns.columns, Batch.of(find_reference(reference, function), cases).distinct
-
-    def parts(case: Case, actual: Numbers, expected: Numbers) -> Iterator[Comparison]:
-        expected, t = np.asarray(expected, float), case.args[0] if actual.ndim == 2 else None
-        for column in columns:
-            where = np.arange(expected.shape[-1])[column.where].tolist()
-            words = column.quantity, column.unit, column.size(case, expected)
-            yield Comparison(actual[..., column.where], expected[..., column.where], *words, columns=where, t=t)
-
-    def members(case: Case, expected: Numbers) -> Iterator[tuple[Numbers, ...]]:
-        expected = np.asarray(expected, float)
-        sizes = np.full(expected.shape, np.inf)  # of what is not compared
-        for column in columns:
-            sizes[..., column.where] = column.size(case, expected)
-        yield None, expected, sizes
-
-    results = batch.results(function)
-    if get_context().listens or not batch.includes(results, tolerance, ("columns", *map(id, columns)), members):
-        _compare_parts(function, batch, results, parts, tolerance, hint, {}, near_miss_credit)
 
 
 def check_raises(function: StudentFunction, cases: Iterable[Case], *, hint: str = "") -> None:

@@ -9,7 +9,6 @@ from tam570_grader.checks.compare import (
     check_domain,
     check_raises,
     compare,
-    compare_columns,
     compare_with,
     first_wrong,
     largest,
@@ -24,7 +23,6 @@ from tam570_grader.checks.trajectory import Invariant, OwnRates, check_conserved
 __all__ = [
     "Assignment",
     "absolute",
-    "compare_columns",
     "compare_with",
     "compare_invariants",
     "get_context",

@@ -7,7 +7,7 @@ import pytest
 
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.check import once
-from tam570_grader.checks.compare import Column, compare, compare_columns
+from tam570_grader.checks.compare import Column, compare
 from tam570_grader.checks.expect import Failed, check_context, expect
 from tam570_grader.checks.returns import array, group, number, rows
 from tam570_grader.reports.sentences import describe_failure
@@ -43,7 +43,7 @@ def test_a_result_of_any_length_with_another_length_is_wrong(count):
 def test_rows_are_judged_by_the_columns_of_results_and_tell_the_time():
     motion = rows(2, columns=(Column("x", "m", [0]), Column("v", "m/s", [1])))
     t, actual = np.array([0.0, 1.0, 2.5]), np.array([[1.0, 2.0], [1.0, 2.0], [1.0, 9.0]])
-    message = said(compare_columns, student(motion, actual), lambda t: np.tile([1.0, 2.0], (3, 1)), [Case(t)])
+    message = said(compare, student(motion, actual), lambda t: np.tile([1.0, 2.0], (3, 1)), [Case(t)])
     assert "v is wrong by 7 m/s (limit 2e-9) at t = 2.5 s" in message
 
 
