@@ -9,9 +9,10 @@ from parameters import first
 from scipy.integrate import solve_ivp
 
 from tam570_grader.checks.case import Case
+from tam570_grader.checks.compare import Column
 from tam570_grader.checks.expect import Failed
 from tam570_grader.checks.motions import BEHIND, NEARLY_FOLLOWS, ONE_ROW_AHEAD, TIGHT, Motion, diagnosed, obeys
-from tam570_grader.checks.trajectory import OwnRates
+from tam570_grader.checks.trajectory import OwnRates, compare_trajectory
 
 LOOSE = """
 
@@ -134,6 +135,20 @@ def test_a_hint_tells_whether_the_students_own_rates_are_right(factor, are_right
     own_rates = OwnRates("rates", lambda row: np.flip(row), lambda t, row: (row,))
     simulate = SimpleNamespace(student=SimpleNamespace(rates=function))
     assert own_rates.are_right(Motion(Case(T, RESTED), rows, rows, np.ones(2), simulate, swings)) == are_right
+
+
+def test_a_later_call_that_raises_follows_from_the_rates_along_its_motion():
+    def many(cases):
+        if len(cases) == 1:
+            return [swings(*cases[0].args)]
+        raise Failed("it raised", at=cases[-1])
+
+    rates = SimpleNamespace(source=lambda motion, ends: f"rates of {len(motion.t)} times")
+    returns = SimpleNamespace(columns=[Column("x", "m", [0, 1])], rates=rates)
+    function = SimpleNamespace(name="swings", returns=returns, many=many)
+    with pytest.raises(Failed) as failed:
+        compare_trajectory(function, swings, [Case(T[:n], RESTED) for n in (200, 30, 20)], tolerance=1e-3)
+    assert failed.value.failure.follows_from == "rates of 20 times"
 
 
 def test_where_the_function_cannot_be_asked_nobody_is_told_that_the_physics_is_right():
