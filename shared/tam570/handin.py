@@ -53,4 +53,4 @@ def _empty(work: dict[str, Path], slug: str) -> Iterator[str]:
             cells = json.loads(notebook.read_bytes())["cells"]
             count = sum("".join(cell["source"]).strip() == PLACEHOLDER for cell in cells)
             if count:
-                yield f"{count} of the cells for your answers are empty"
+                yield f"{count} of the cells for your answers {'is' if count == 1 else 'are'} empty"

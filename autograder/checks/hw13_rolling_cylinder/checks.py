@@ -87,7 +87,7 @@ def part_of_force(student, case, result, expected):
         return "Both parts are wrong, and acceleration is right: force and weight make m times the acceleration of G."
     if along:
         return "Normal is right, along is not: m times the acceleration of G down the ramp, less m g sin(slope)."
-    return "Along is right, normal is not: G is accelerated off the ramp too, by phi'' and by phi_dot squared."
+    return "Along is right, normal is not: m times the acceleration of G off the ramp, plus m g cos(slope)."
 
 
 def of_pull(student, case, result, expected):

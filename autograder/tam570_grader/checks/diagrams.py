@@ -260,10 +260,13 @@ def _elsewhere(force: Force) -> str:
 
 
 def _not_a_force(body: FreeBody, arrows: Sequence[Arrow], match: Match, near: float) -> str:
-    """Return an arrow that is no force on this body: without it the diagram is better."""
+    """Return an arrow that is no force on this body: without it the diagram is better, and no force may be meant."""
+    missing, extra = match
     for wrong, arrow in itertools.product(body.wrong, arrows):
         others = [other for other in arrows if other is not arrow]
-        if wrong.drawn_by(arrow, near) and _faults(_best_match(body, others, near)) < _faults(match):
+        meant = len(extra) == 1 and any(not force.sense and _at(force, arrow, near) for force in missing)
+        better = _faults(_best_match(body, others, near)) < _faults(match)
+        if wrong.drawn_by(arrow, near) and better and not meant:
             return wrong.message
     return ""
 
