@@ -26,8 +26,6 @@ from tam570.integrate.watch import (
 )
 from tam570.values import Numbers
 
-__all__ = ["Control", "Run", "Solution", "ensemble", "integrate", "of_steps", "shortest_step", "start_run", "step_n"]
-
 AT_A_TIME = 500  # steps, after which somebody may look
 WORTH_LANES = 16  # members: with fewer the code for eight motions is not worth its compilation
 KINKS = 30.0  # of the tolerance, so many times less where the rates may have kinks

@@ -11,8 +11,6 @@ from typing import NamedTuple
 from tam570.integrate.error_scale import NO_SCALE
 from tam570.values import Numbers
 
-__all__ = ["GENERATED", "RUNNING", "SETS_IN", "STOPPED", "State", "advance", "loop_with"]
-
 SAFETY = 0.9
 LARGEST, SMALLEST = 6.0, 0.2  # change of the step size from one step to the next (as dop853.f)
 DOUBLED = 2.0  # step size after an error that was rounding

@@ -10,8 +10,6 @@ from numpy.typing import ArrayLike, NDArray
 from tam570.integrate.error_scale import NO_SCALE
 from tam570.values import Numbers
 
-__all__ = ["SMALLEST_RTOL", "Array", "checked", "is_masked", "of_one_step", "positive", "sample_times", "tolerance"]
-
 Array = NDArray[np.float64]
 
 SMALLEST_RTOL = 1e-16  # below that nothing but rounding is left to control

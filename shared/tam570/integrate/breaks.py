@@ -11,8 +11,6 @@ import numpy as np
 
 from tam570.integrate.trace import Graph, Symbol, on_arrays
 
-__all__ = ["breaks_of"]
-
 TAME = {"sin", "cos", "log", "log2", "log10", "sqrt", "cbrt"}  # of a time: as wide as their argument is steep
 POINTS, MOST = 1000, 100_000  # of the grid on which functions of time are looked at
 A_TURN = 16  # points in a turn of a sine

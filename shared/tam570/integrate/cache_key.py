@@ -18,8 +18,6 @@ import numpy as np
 
 from tam570.values import Function, Parameters
 
-__all__ = ["Changeable", "Reach", "cache_key", "call_key", "global_names", "cache_slot"]
-
 Captured: TypeAlias = Any  # whatever a right-hand side refers to
 
 LONGEST = 1000  # numbers in a list or an array: more take longer to look at than to trace

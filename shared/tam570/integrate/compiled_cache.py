@@ -13,8 +13,6 @@ from tam570.integrate.engine import Engine
 from tam570.integrate.watch import COMPILED, available
 from tam570.values import Numbers, Parameters
 
-__all__ = ["CompiledRun", "Slot", "compile_run", "keep", "slot_of"]
-
 CompiledRun = Callable[[Numbers], Array | None]
 Slot = list[CompiledRun]  # empty, or with what to try last in it
 

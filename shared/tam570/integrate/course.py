@@ -23,8 +23,6 @@ from tam570.integrate.arguments import Array
 from tam570.integrate.trace import NUMPY_NAMES, OPERATORS, Module, Symbol, Tape, substituted
 from tam570.values import Function, Numbers
 
-__all__ = ["Course", "along", "copy_of"]
-
 FOREIGN = tuple(sysconfig.get_paths()[name] for name in ("stdlib", "platstdlib", "purelib", "platlib"))
 OURS = "tam570"
 FILLED = {"zeros", "ones", "empty", "full", "zeros_like", "ones_like", "empty_like", "full_like"}

@@ -22,8 +22,6 @@ from tam570.integrate.error_scale import NO_SCALE, PART
 from tam570.integrate.formulas import Formulas, call_of, names, tuple_of, unpacked
 from tam570.values import Function, Numbers
 
-__all__ = ["ESTIMATE_ROUNDOFF", "NODES", "REACH", "ROWS", "compiled", "rates", "rounding", "sampling", "stepping"]
-
 Row = dict[int, float]  # coefficient of each earlier stage's derivative
 
 # Row 12 holds the weights of the step itself; 13 to 15 serve the interpolant only.

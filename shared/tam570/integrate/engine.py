@@ -18,9 +18,6 @@ from tam570.integrate.switches import Switches
 from tam570.integrate.trace import Graph, Untraceable, traced
 from tam570.values import Function, Json, Parameters
 
-__all__ = ["Engine", "Mistraced", "engine"]
-
-
 KINKED = {"asin", "acos"}  # operations
 
 

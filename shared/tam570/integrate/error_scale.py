@@ -15,8 +15,6 @@ from collections.abc import Callable, Sequence
 
 from tam570.values import Numbers
 
-__all__ = ["CALM", "COARSE", "NO_SCALE", "PART", "SHARE", "error_scale"]
-
 SHARE = 0.25  # of rtol times the size: a component that passes zero is judged four times as strictly as at the start
 NO_SCALE = 1e-290  # of what is zero, and moved by nothing; never 0, as errors are divided by it
 EPS = 2.0**-52

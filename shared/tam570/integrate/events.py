@@ -18,8 +18,6 @@ from tam570.integrate.rates import bound
 from tam570.integrate.watch import PYTHON
 from tam570.values import Function, Numbers, Parameters
 
-__all__ = ["Crossing", "Motion", "Report", "motion", "step_by_step"]
-
 
 @dataclass(frozen=True)
 class Report:

@@ -22,8 +22,6 @@ from tam570.integrate.formulas import Formulas, halves, names, tuple_of, unpacke
 from tam570.integrate.watch import repays
 from tam570.values import Function, Numbers
 
-__all__ = ["FixedState", "states"]
-
 METHODS = {"gauss": 3.5, "composition": 0.5}  # step over the shortest that DOP853 takes at the same rtol
 SWEEPS = {"gauss": 0.7, "composition": 0.1}  # over the lines of the source in a step, a twelfth: as `repays` counts
 DIGITS = 45

@@ -6,8 +6,6 @@ from functools import cached_property
 
 from tam570.integrate.trace import Graph, Symbol, Value
 
-__all__ = ["Bounds", "Formulas", "by_call", "call_of", "halves", "names", "tuple_of", "unpacked", "written"]
-
 UNIT_ROUNDOFF = 2.0**-53
 SATURATING = {"exp", "expm1", "tanh", "erf", "erfc", "sinh", "cosh"}  # whose change takes place at arguments near zero
 KINKED = {"fabs", "cbrt"}  # where their argument passes zero

@@ -17,8 +17,6 @@ from tam570.integrate.course import copy_of
 from tam570.integrate.dop853 import ESTIMATE_ROUNDOFF
 from tam570.values import Function, Numbers, Parameters
 
-__all__ = ["TRIAL_ERRORS", "CalledRates", "Rates", "RhsError", "bound", "check_start", "is_same", "reversed_rates"]
-
 Rates = Callable[[float, Numbers], Numbers]
 ROUNDED = 4.0  # units in the last place: the time of two calls is rounded in two ways
 FEW_DIGITS = 8.0  # roundings of a rate: a smaller rtol asks for steps that follow them

@@ -14,8 +14,6 @@ from tam570.integrate.engine import engine
 from tam570.integrate.rates import RhsError
 from tam570.values import Function, Numbers, Parameters
 
-__all__ = ["solve_rotation"]
-
 # |B_2n| / (2n)! for n = 1, 2, ...: at a rotation of 1 rad in a step the next term, |B_20| / 20!, is 2.2e-16 of omega.
 _BERNOULLI = (
     1 / 12,

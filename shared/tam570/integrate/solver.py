@@ -45,8 +45,6 @@ from tam570.values import Function, Numbers, Parameters
 if TYPE_CHECKING:
     from tam570.integrate.events import Motion
 
-__all__ = ["prepared", "solve"]
-
 FIXED_STEP = ("gauss", "composition")
 METHODS = ("auto", "python", "compiled", *FIXED_STEP)
 

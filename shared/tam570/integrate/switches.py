@@ -19,8 +19,6 @@ from tam570.integrate.rates import Rates
 from tam570.integrate.watch import chatter
 from tam570.values import Numbers
 
-__all__ = ["Switches"]
-
 POINTS, ZOOMS = 17, 5  # of a step; how often a part of it is looked at closer
 X = np.linspace(0.0, 1.0, POINTS)
 SHORT = 1e-3  # of the way to a switch: so much shorter is the next step

@@ -21,8 +21,6 @@ import numpy as np
 from tam570.integrate.cache_key import global_names
 from tam570.values import Function, Numbers, Parameters
 
-__all__ = ["Graph", "Symbol", "Tape", "Untraceable", "Value", "on_arrays", "substituted", "traced"]
-
 
 class Untraceable(TypeError):
     """The function wants to know the value of a symbol."""

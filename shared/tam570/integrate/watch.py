@@ -14,20 +14,6 @@ from math import inf, sqrt
 from tam570.integrate.error_scale import NO_SCALE, PART
 from tam570.values import Function, Numbers
 
-__all__ = [
-    "CALLED",
-    "COMPILED",
-    "OUT_OF_REACH",
-    "PYTHON",
-    "Estimate",
-    "Look",
-    "WorthCompiling",
-    "available",
-    "chatter",
-    "repays",
-    "watch_for_end",
-]
-
 PROBE = 50  # steps in Python before the rest is estimated for the first time
 # On a machine of 2024, median of the public problems of `benchmarks`, s; another machine has about the same ratios:
 IN_PYTHON, BESIDE = 3e-8, 12.0  # an operation of the right-hand side, at a stage; a stage costs so many more

@@ -26,8 +26,6 @@ from tam570.integrate.trace import Graph
 from tam570.integrate.watch import Look
 from tam570.values import Function, Numbers
 
-__all__ = ["by_moments", "dop853", "fixed", "taylor_repeated", "taylor_run", "taylor_runs"]
-
 FEWEST, MOST = 1000, 16000  # steps in compiled code, after which Python may look for an interrupt
 REPEATED = 1000  # steps of a repeated run, after which Python looks for the first time whether it is stiff
 LINE = 64  # bytes

@@ -4,8 +4,6 @@ import struct
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
-__all__ = ["Array", "Slot", "Untranslatable", "Value", "Writer", "number"]
-
 Operand: TypeAlias = Any  # a value of the text, memory, or what is known while it is written: a number, a tuple
 
 

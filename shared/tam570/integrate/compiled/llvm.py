@@ -12,8 +12,6 @@ from typing import Any, TypeAlias
 
 Binding: TypeAlias = Any  # llvmlite and what it makes: it has no types
 
-__all__ = ["assembled", "folder", "function"]
-
 _LOADED: list[Binding] = []
 MARK = b"tam570 object 1\n"
 _CALLED = re.compile(r"call(?: \w+)*? (<\d+ x double>|double|void|i64) @([\w.]+)\(([^)]*)\)")

@@ -9,8 +9,6 @@ from tam570.integrate.compiled.ir import Array, Operand, Value, Writer
 from tam570.integrate.compiled.llvm import assembled
 from tam570.integrate.compiled.translate import Translator, functions_of
 
-__all__ = ["KINDS", "flat", "loop_text", "unflat"]
-
 POINTER, WHOLE, NUMBER = ctypes.c_void_p, ctypes.c_int64, ctypes.c_double
 KINDS = (POINTER, POINTER, POINTER, WHOLE, POINTER, NUMBER, NUMBER, NUMBER, WHOLE)
 HEAD = """define void @{name}(ptr %state, ptr %c, ptr %times, i64 %rows, ptr %out,

@@ -11,8 +11,6 @@ from dataclasses import dataclass
 
 from tam570.integrate.trace import Graph, Symbol, Value
 
-__all__ = ["NotAnalytic", "Recurrence", "Recurrences", "recurrences"]
-
 
 class NotAnalytic(TypeError):
     """A function without derivatives of all orders."""

@@ -19,8 +19,6 @@ from tam570.integrate.compiled.recurrences import Recurrence, Recurrences
 from tam570.integrate.dop853 import REACH
 from tam570.integrate.formulas import SATURATING
 
-__all__ = ["FAST", "HIGHEST", "LANES", "exponents", "layout", "padded_size", "series_module", "strides", "vector_width"]
-
 UNIT_ROUNDOFF = 2.0**-53
 LANES = 8
 HIGHEST = 2 * LANES + 2  # order: of the two factors of a sum one has an order of eight at most

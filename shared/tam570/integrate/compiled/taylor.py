@@ -16,8 +16,6 @@ from tam570.integrate.compiled.series import FAST, HIGHEST, exponents, padded_si
 from tam570.integrate.compiled.translate import Translator, functions_of
 from tam570.values import Json
 
-__all__ = ["CALL", "KINDS", "loop_module", "loop_of", "order_for"]
-
 KINDS = (ctypes.c_void_p,)  # one address: converting thirteen arguments takes longer than many a run
 ARGUMENTS = {
     **dict.fromkeys(("z", "work", "time", "c", "times"), "ptr"),

@@ -17,8 +17,6 @@ from tam570.integrate.compiled.series import HIGHEST
 from tam570.integrate.error_scale import CALM, COARSE, NO_SCALE, PART, SHARE
 from tam570.values import Numbers
 
-__all__ = ["DONE", "FRESH", "IDLE", "NUMBERS", "PLACES", "RUNNING", "STATUS", "advance", "advance_all", "memory"]
-
 NUMBERS = 16
 _PLACES = "ROW T H NEW STATUS STEPS REFUSALS TRIES LONGEST SIZED WHO MAXIMUM FIRST ACCEPTED AHEAD"  # in z
 PLACES = tuple(_PLACES.split(" "))

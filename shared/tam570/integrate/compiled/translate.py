@@ -13,8 +13,6 @@ from collections.abc import Callable, Mapping, Sequence
 from tam570.integrate.compiled.ir import Array, Operand, Slot, Untranslatable, Value, Writer, number
 from tam570.values import Function, Json, Parameters
 
-__all__ = ["Translator", "functions_of"]
-
 Names = Json
 
 _LIBM = "sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh exp exp2 expm1 log log1p log2 log10 cbrt erf erfc"
