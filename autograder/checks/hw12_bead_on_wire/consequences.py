@@ -1,7 +1,14 @@
-"""Right functions of hw12 in terms of others, which a student's results follow where those are the student's own."""
+"""Right functions of hw12 in other words, in which a student may make one mistake, or that follow from others."""
+
+import math
 
 
 def constraint_force(x, v, *, mass, curvature, gravity):
     """With the weight it makes m times the acceleration: x'', and y'' = 2 c (v^2 + x x'')."""
     acceleration = acceleration_newton(x, v, curvature=curvature, gravity=gravity)
     return mass * acceleration, mass * (2 * curvature * (v**2 + x * acceleration) + gravity)
+
+
+def energy(x, v, *, mass, curvature, gravity):
+    speed = math.hypot(v, 2 * curvature * x * v)
+    return mass * speed**2 / 2 + mass * gravity * curvature * x**2

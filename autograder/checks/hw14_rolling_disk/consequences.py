@@ -1,8 +1,39 @@
-"""Right functions of hw14 in terms of others, which a student's results follow where those are the student's own."""
+"""Right functions of hw14 by vectors in space, in terms of others, in which a student may make one mistake."""
 
 import numpy as np
 
 Z = np.array([0.0, 0.0, 1.0])
+
+
+def euler_state_derivative(t, state, *, mass, radius, inertia, gravity):
+    """Rates of omega = yaw' z + tilt' e1 + roll' e3, and the velocity of the contact, centre less arm."""
+    e1, e2, e3 = _axes(state)
+    omega, frame_rate = _turning(state)
+    omega_rate, _ = _balances(state, mass, radius, inertia, gravity)
+    turning = state[6] * state[5] * np.cross(Z, e1) + state[7] * np.cross(omega, e3)
+    velocity = np.cross(omega, radius * e2) - radius * np.cross(frame_rate, e2)
+    angles = np.linalg.solve(np.column_stack([Z, e1, e3]), omega_rate - turning)
+    return np.concatenate([velocity[:2], state[5:], angles])
+
+
+def matrix_state(state, *, radius):
+    e1, e2, e3 = _axes(state)
+    omega, _ = _turning(state)
+    c, s = np.cos(state[4]), np.sin(state[4])
+    R = np.column_stack([c * e1 + s * e2, c * e2 - s * e1, e3])
+    return np.concatenate([np.array([state[0], state[1], 0.0]) + radius * e2, R.ravel(), omega])
+
+
+def energy(state, *, mass, radius, inertia, gravity):
+    _, e2, e3 = _axes(state)
+    omega, _ = _turning(state)
+    velocity = np.cross(omega, radius * e2)
+    angular_momentum = _about_centre(e3, inertia) @ omega
+    return mass * velocity @ velocity / 2 + omega @ angular_momentum / 2 + mass * gravity * radius * e2[2]
+
+
+def contact_force(state, *, mass, radius, inertia, gravity):
+    return _balances(state, mass, radius, inertia, gravity)[1]
 
 
 def matrix_state_derivative(t, state, *, radius, **disk):
@@ -29,3 +60,33 @@ def steady_residual(lean, precession, spin, **disk):
     tilt = lean + np.pi / 2
     steady = np.array([0.0, 0.0, 0.0, tilt, 0.0, precession, 0.0, spin - precession * np.cos(tilt)])
     return euler_state_derivative(0.0, steady, **disk)[6]
+
+
+def _axes(state):
+    e1 = np.array([np.cos(state[2]), np.sin(state[2]), 0.0])
+    e3 = np.cos(state[3]) * Z - np.sin(state[3]) * np.cross(Z, e1)
+    return e1, np.cross(e3, e1), e3
+
+
+def _turning(state):
+    """omega of the disk, and of the frame e1, e2, e3."""
+    e1, _, e3 = _axes(state)
+    frame_rate = state[5] * Z + state[6] * e1
+    return frame_rate + state[7] * e3, frame_rate
+
+
+def _about_centre(e3, inertia):
+    A, C = inertia
+    return A * np.eye(3) + (C - A) * np.outer(e3, e3)
+
+
+def _balances(state, mass, radius, inertia, gravity):
+    """omega' and the force, by the moment of the force and the rate of angular momentum about the centre."""
+    _, e2, e3 = _axes(state)
+    omega, frame_rate = _turning(state)
+    arm, about_centre = radius * e2, _about_centre(e3, inertia)
+    at_rest = mass * np.cross(omega, radius * np.cross(frame_rate, e2)) + mass * gravity * Z  # force without omega'
+    moment = np.cross(omega, about_centre @ omega) + np.cross(arm, at_rest)
+    about_contact = about_centre + mass * (arm @ arm * np.eye(3) - np.outer(arm, arm))
+    omega_rate = -np.linalg.solve(about_contact, moment)
+    return omega_rate, mass * np.cross(omega_rate, arm) + at_rest

@@ -16,6 +16,7 @@ from tam570_grader.diagnosis.mistakes import OF_MOTIONS, WITHIN, is_motion, same
 INFORMATIVE = 1e-3  # of the right answer: what is smaller may be what cancels
 CLEARLY = 0.03  # of the size of a column: where a motion is off by so much, its later rows need not be compared
 FEW = 3  # rows of a motion that is right
+SHARE = 8  # one of so many rows is compared first
 # Of the error of a column: two accurate integrations of one wrong equation differ by less, and another equation that
 # happens to be near it for these numbers by more. A column that is off by less than a tenth tells no more than that.
 EXPLAINED, HARDLY = 3e-4, 0.1
@@ -65,6 +66,28 @@ class Rows(ComparedCall):
 
     def numbers(self) -> set[bytes]:
         return {row.tobytes() for row in flat(self.result)}
+
+
+class Beginning(ComparedCall):
+    """The first rows of a motion, which most variants do not have: no other rows need be integrated for these."""
+
+    def fits(self, answer: Numbers) -> bool:
+        return (
+            answer is not None and _shapes(answer) == _shapes(self.expected) and same(self.result, answer, OF_MOTIONS)
+        )
+
+    def numbers(self) -> set[bytes]:
+        return set()
+
+
+def beginning(call: ComparedCall) -> Beginning | None:
+    """Return the first share of the rows of a motion; None if it is short, or no motion."""
+    count = max(FEW, len(call.case.args[0]) // SHARE) if isinstance(call, Rows) else 0
+    if not count or count > len(call.case.args[0]) // 2:
+        return None
+    firsts = [[part[:count] for part in parts(answer)] for answer in (call.result, call.expected)]
+    result, expected = (tuple(first) if len(first) > 1 else first[0] for first in firsts)
+    return Beginning(call.name, call.case.replace(call.case.args[0][:count]), result, expected)
 
 
 def compared_call(call: Call, expected: Numbers) -> ComparedCall:

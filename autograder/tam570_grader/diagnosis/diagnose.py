@@ -7,7 +7,7 @@ from pathlib import Path
 
 from tam570_grader.checks.case import Call
 from tam570_grader.diagnosis.cause import Cause
-from tam570_grader.diagnosis.mistakes import candidates, explains, named_mistake
+from tam570_grader.diagnosis.mistakes import candidates, explains, named_mistake, other_functions
 from tam570_grader.diagnosis.search import general, wrong_arguments
 
 
@@ -29,7 +29,7 @@ def diagnose(
     calls : those that the failed check made, with the student's results
     earlier : the causes of the checks that failed before it
     may_follow : whether its results may follow from one of these
-    right : other functions, that passed their checks: no known mistake is in one of these
+    right : other functions, that passed their checks: no mistake is looked for in one of these
 
     Returns
     -------
@@ -40,7 +40,7 @@ def diagnose(
         return cause
     suspects = candidates(solution, folder, {call.name for call in calls})
     suspects = [suspect for suspect in suspects if not suspect.defined & right]
-    cause = named_mistake(solution, suspects, calls) or general(solution, calls)
+    cause = named_mistake(solution, suspects, calls) or general(solution, calls, other_functions(folder), right)
     if cause is None or not earlier:
         return cause
     causes = [cause, *wrong_arguments(solution, calls)] if may_follow else []

@@ -8,9 +8,11 @@ wrong branch at the special case.
 import ast
 import copy
 import functools
-from collections.abc import Callable, Iterator, Mapping
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 from functools import partial
+from itertools import combinations
 from typing import TypeVar
 
 COUNTERPARTS = {
@@ -68,7 +70,10 @@ def mutants_of(source: str) -> dict[str, list[Mutant]]:
         products = _products(function)
         mutants[function.name] = [
             Mutant(operator, node, mutant, replaced(text, node, ast.unparse(mutant)), products.get(id(node), node))
-            for node, operator, mutant in (*changed_expressions(function), *changed_expressions(function, MORE))
+            for node, operator, mutant in (
+                *changed_expressions(function),
+                *changed_expressions(function, MORE | _of_quantities(function)),
+            )
         ]
         mutants[function.name] += _everywhere(function)
     return mutants
@@ -84,9 +89,73 @@ def _products(function: ast.FunctionDef) -> dict[int, ast.expr]:
     return products
 
 
+def _of_quantities(function: ast.FunctionDef) -> dict[str, "Operator"]:
+    """Return the operators that need to know what else the function has: one name for another of its kind."""
+    inputs = {argument.arg for argument in (*function.args.args, *function.args.kwonlyargs)}
+    kinds, raw = [LENGTHS & inputs], dict[str, str]()
+    for node in ast.walk(function):
+        if isinstance(node, ast.Assign) and len(node.targets) == 1:
+            (target,) = node.targets
+            kinds.append({part.id for part in getattr(target, "elts", []) if isinstance(part, ast.Name)})
+            if isinstance(target, ast.Name) and isinstance(node.value, ast.Call) and len(node.value.args) == 1:
+                raw[target.id] = getattr(node.value.args[0], "id", "")
+    kinds = [kind for kind in kinds if 2 <= len(kind) <= MOST_ALIKE]
+    raw = {name: given for name, given in raw.items() if given in inputs - {name}}
+    return {
+        "another quantity": partial(_others_of_a_kind, kinds=kinds),
+        "two exchanged": partial(_exchanged_in_a_sum, kinds=kinds),
+        "sine and cosine": partial(_exchanged_in_a_sum, kinds=()),
+        "as given": partial(_as_given, raw=raw),
+    }
+
+
+def _as_given(node: ast.expr, raw: Mapping[str, str]) -> Iterator[ast.expr]:
+    """Yield what is computed from an argument becomes the argument."""
+    if isinstance(node, ast.Name) and node.id in raw and _is_read(node):
+        yield ast.Name(raw[node.id], ast.Load())
+
+
+def _is_read(node: ast.Name) -> bool:
+    return isinstance(node.ctx, ast.Load)
+
+
+def _others_of_a_kind(node: ast.expr, kinds: Sequence[Set[str]]) -> Iterator[ast.expr]:
+    """Yield A becomes C of `A, C = inertia`, and the radius the offset."""
+    if isinstance(node, ast.Name) and _is_read(node):
+        others = {other for kind in kinds if node.id in kind for other in kind - {node.id}}
+        yield from (ast.Name(other, ast.Load()) for other in sorted(others))
+
+
+def _exchanged_in_a_sum(node: ast.expr, kinds: Sequence[Set[str]]) -> Iterator[ast.expr]:
+    """Yield p sin + q cos becomes p cos + q sin, whether these are called or have names."""
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub):
+        names, called = names_used(node), {_name_of(each.func) for each in ast.walk(node) if isinstance(each, ast.Call)}
+        pairs = [pair for kind in kinds for pair in combinations(sorted(kind & names), 2)]
+        for first, other in pairs if kinds else [("sin", "cos")] if {"sin", "cos"} <= called else []:
+            yield _Renamed({first: other, other: first}).visit(copy.deepcopy(node))
+
+
+class _Renamed(ast.NodeTransformer):
+    """Gives other names to variables and to functions of modules."""
+
+    def __init__(self, names: Mapping[str, str]) -> None:
+        self.names = names
+
+    def visit_Name(self, node: ast.Name) -> ast.expr:  # noqa: N802
+        return _with(node, id=self.names.get(node.id, node.id))
+
+    def visit_Attribute(self, node: ast.Attribute) -> ast.expr:  # noqa: N802
+        return _with(node, value=self.visit(node.value), attr=self.names.get(node.attr, node.attr))
+
+
 def _everywhere(function: ast.FunctionDef) -> Iterator[Mutant]:
-    """One slip in every place: each sine a cosine, each square a product."""
-    for name, operator in EVERYWHERE:
+    """One slip in every place: each sine a cosine, each square a product; or sine and cosine of one angle."""
+    calls = [node for node in ast.walk(function) if isinstance(node, ast.Call) and len(node.args) == 1]
+    angles = {ast.dump(node.args[0]) for node in calls if _name_of(node.func) in ("sin", "cos")}
+    of_angles: list[tuple[str, Operator]] = [
+        ("sine and cosine", partial(_counterparts_of_angle, angle)) for angle in (None, *sorted(angles))
+    ]
+    for name, operator in (*EVERYWHERE, *of_angles):
         changer = _InEveryPlace(operator)
         changed = changer.visit(copy.deepcopy(function))
         if len(changer.places) > 1:
@@ -215,6 +284,14 @@ def _counterpart_of(name: str, node: ast.expr) -> Iterator[ast.expr]:
         yield from _counterparts(node)
 
 
+def _counterparts_of_angle(angle: str | None, node: ast.expr) -> Iterator[ast.expr]:
+    """Yield sine and cosine, of one angle or of all, change places."""
+    if not isinstance(node, ast.Call) or _name_of(node.func) not in ("sin", "cos") or len(node.args) != 1:
+        return
+    if angle in (None, ast.dump(node.args[0])):
+        yield from _counterparts(node)
+
+
 def _copies(node: ast.expr, inputs: set[str]) -> Iterator[ast.expr]:
     """Yield a copy of an input becomes the input."""
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
@@ -336,6 +413,83 @@ def _is_square(node: ast.expr) -> bool:
     return isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow) and _equal(node.right, ast.Constant(2))
 
 
+def _missing_first_terms(node: ast.expr) -> Iterator[ast.expr]:
+    """Yield a - b becomes -b."""
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Sub):
+        yield ast.UnaryOp(ast.USub(), node.right)
+
+
+def _missing_components(node: ast.expr) -> Iterator[ast.expr]:
+    """Yield a component, or one of several loads, becomes zero."""
+    if isinstance(node, ast.List | ast.Tuple) and not any(isinstance(part, ast.Slice) for part in node.elts):
+        for k, component in enumerate(node.elts):
+            if not isinstance(component, ast.Constant | ast.Name | ast.Starred | ast.Tuple | ast.List):
+                yield _with(node, elts=[*node.elts[:k], _times(0, component), *node.elts[k + 1 :]])
+
+
+def _tangents(node: ast.expr) -> Iterator[ast.expr]:
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr in ("sin", "cos"):
+        yield _with(node, func=_with(node.func, attr="tan"))
+
+
+def _roots(node: ast.expr) -> Iterator[ast.expr]:
+    """Yield a root is left out, or taken of a sum that divides."""
+    if isinstance(node, ast.Call) and _name_of(node.func) == "sqrt" and len(node.args) == 1:
+        yield node.args[0]
+    divisor = node.right if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div) else None
+    if isinstance(divisor, ast.BinOp) and isinstance(divisor.op, ast.Add | ast.Sub):
+        yield _with(node, right=ast.BinOp(divisor, ast.Pow(), ast.Constant(0.5)))
+
+
+def _norms(node: ast.expr) -> Iterator[ast.expr]:
+    """Yield the length of a vector becomes the sum of the sizes of its components."""
+    if not (isinstance(node, ast.Call) and len(node.args) == 1):
+        return
+    name, (vector,) = _name_of(node.func), node.args
+    if name == "sqrt" and isinstance(vector, ast.BinOp) and isinstance(vector.op, ast.MatMult):
+        vector = vector.left if ast.dump(vector.left) == ast.dump(vector.right) else vector
+    elif name == "hypot" and isinstance(vector, ast.Starred):
+        vector = vector.value
+    elif name != "norm":
+        return
+    size = ast.Call(ast.Name("abs", ast.Load()), [vector], [])
+    yield ast.Call(ast.Name("sum", ast.Load()), [size], [])
+
+
+def _degrees(node: ast.expr) -> Iterator[ast.expr]:
+    """Yield pi / 2 becomes 90."""
+    if _is_angle(node):
+        yield ast.BinOp(node, ast.Mult(), ast.Constant(180 / math.pi))
+
+
+def _angle_signs(node: ast.expr) -> Iterator[ast.expr]:
+    if _is_angle(node):
+        yield ast.UnaryOp(ast.USub(), node)
+
+
+def _is_angle(node: ast.expr) -> bool:
+    """Return whether it is a share of pi."""
+    if not (isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult | ast.Div)):
+        return False
+    sides = node.left, node.right
+    return any(_name_of(side) == "pi" for side in sides) and any(isinstance(side, ast.Constant) for side in sides)
+
+
+def _axes(node: ast.expr) -> Iterator[ast.expr]:
+    """Yield "z" becomes "x" or "y"."""
+    if isinstance(node, ast.Constant) and node.value in ("x", "y", "z"):
+        yield from (ast.Constant(axis) for axis in "xyz" if axis != node.value)
+
+
+def _tangent_parts(node: ast.expr) -> Iterator[ast.expr]:
+    """Yield one of the two numbers of arctan2 becomes twice and half of itself."""
+    if isinstance(node, ast.Call) and _name_of(node.func) in ("arctan2", "atan2") and len(node.args) == 2:
+        first, second = node.args
+        yield from (_with(node, args=parts) for parts in ([_times(2, first), second], [first, _times(2, second)]))
+
+
+LENGTHS = {"radius", "length", "offset"}
+MOST_ALIKE = 3  # names of one kind: of a state, many mean something else
 RATIOS = 2 / 3, 3 / 2, 1 / 3, 3, 1 / 4, 4, 1 / 6, 6, 3 / 4, 4 / 3
 MORE: dict[str, Operator] = {
     "a missing factor": _missing_factors,
@@ -344,11 +498,21 @@ MORE: dict[str, Operator] = {
     "linearised": _linearised,
     "a product for a square": _products_for_squares,
     "a missing square": _missing_squares,
+    "a missing first term": _missing_first_terms,
+    "a missing component": _missing_components,
+    "a tangent": _tangents,
+    "a root": _roots,
+    "a norm": _norms,
+    "degrees": _degrees,
+    "the sign of an angle": _angle_signs,
+    "an axis": _axes,
+    "parts of a tangent": _tangent_parts,
 }
 EVERYWHERE: tuple[tuple[str, Operator], ...] = (
     *(("another function", partial(_counterpart_of, name)) for name in ("sin", "cos")),
     ("linearised", _linearised),
     ("a product for a square", _products_for_squares),
+    ("degrees", _degrees),
 )
 
 

@@ -11,9 +11,9 @@ import functools
 import inspect
 import re
 import warnings
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from types import CodeType, ModuleType
 
@@ -28,6 +28,7 @@ from tam570.checking.transforms import (
     other_forms,
     other_products,
     other_results,
+    other_symbols,
     other_words,
     parts,
 )
@@ -35,26 +36,30 @@ from tam570.values import Function, Numbers
 from tam570_grader.checks.case import Call, Case
 from tam570_grader.checks.effort import Exhausted, compile_counted, count, limited
 from tam570_grader.diagnosis.cause import Answer, Cause
-from tam570_grader.diagnosis.compared_call import ComparedCall, compared_call, count_informative
+from tam570_grader.diagnosis.compared_call import ComparedCall, beginning, compared_call, count_informative
 from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, right_answer, solution_with
-from tam570_grader.diagnosis.mutants import Mutant, mutants_of, names_used, reached
+from tam570_grader.diagnosis.mutants import LENGTHS, Mutant, mutants_of, names_used, reached
 
 FEWEST = 2  # wrong answers: one may agree by chance
 MOST = 1_000_000  # steps of all variants, about a second; what is named takes a third of them
 OF_ONE = 100_000  # steps of one variant in one call: a mutant may go round for ever
 REVERSED = "has the opposite sign"
 ELEMENTS = 1000  # of a result, that are compared in a step
+FORMULA = 2_000  # steps that it takes to derive and to evaluate a formula
 Transform = Callable[[ComparedCall], Numbers]
 
 
-def general(solution: str, calls: Sequence[Call]) -> Cause | None:
+def general(
+    solution: str, calls: Sequence[Call], others: Sequence[str] = (), right: Set[str] = frozenset()
+) -> Cause | None:
     """Return the one variant of the right answers that has the student's numbers in every call, or None.
 
-    Of a formula the results alone are varied: to evaluate another takes long.
+    others : texts with other right functions, for the solution's own
+    right : functions of the student that passed: no slip is in these, nor in what they use
     """
     try:
         with limited(MOST):
-            return _general(solution, calls)
+            return _general(solution, calls, others, right)
     except Exhausted:
         return None
 
@@ -68,8 +73,14 @@ def _compared(solution: str, calls: Sequence[Call]) -> list[ComparedCall]:
     return [] if any(value is None for value in expected) else compared
 
 
-def _general(solution: str, calls: Sequence[Call]) -> Cause | None:
-    compared = _compared(solution, calls)
+def _quick_first(calls: Sequence[ComparedCall]) -> list[ComparedCall]:
+    """Return the calls, those first that most variants are told from the student's by, at the least cost."""
+    beginnings = [*filter(None, map(beginning, calls))]
+    return sorted((*beginnings, *calls), key=lambda call: (call.fits(call.expected), len(call.case.packed)))
+
+
+def _general(solution: str, calls: Sequence[Call], others: Sequence[str], right: Set[str]) -> Cause | None:
+    compared = _quick_first(_compared(solution, calls))
     wrong = [call for call in compared if not call.fits(call.expected)]
     names = {call.name for call in wrong}
     if len(names) != 1:
@@ -85,43 +96,58 @@ def _general(solution: str, calls: Sequence[Call]) -> Cause | None:
     exec(_code(solution), vars(module))
     vary = len(known_for) >= FEWEST or not wrong[0].case.kwargs
     results = other_results(name, getattr(module, name), wrong[0], vary=vary)
-    if first := next(_explaining(results, its_calls), None):
-        words, transform = first
-        return Cause(name, words, "transform", _with_variant(solution, name, transform), tuple(calls))
-    is_formula = any(call.case.points for call in its_calls)
-    return None if is_formula else _inside(solution, module, name, calls, compared)
+    cause = _transformed(solution, name, next(_explaining(results, its_calls), None))
+    cause = cause or _other_symbol(solution, name, its_calls) or _other_argument(solution, module, name, compared)
+    cause = cause or _mutant_of_any(solution, others, module, name, compared, right)
+    cause = cause or _other_form(solution, module, name, its_calls)
+    return cause and replace(cause, calls=tuple(calls))
 
 
-def _inside(
-    solution: str, module: ModuleType, name: str, calls: Sequence[Call], compared: Sequence[ComparedCall]
-) -> Cause | None:
-    """Return the one variant of the arguments or of the solution's code, or the one place where the result is wrong."""
+def _other_argument(solution: str, module: ModuleType, name: str, compared: Sequence[ComparedCall]) -> Cause | None:
+    """Return the one wrong argument, factor or word."""
     reference = getattr(module, name)
     its_calls = [call for call in compared if call.name == name]
-
-    def transformed(words: str, transform: Transform) -> Cause:
-        return Cause(name, words, "transform", _with_variant(solution, name, transform), tuple(calls))
-
     families = (
         other_arguments(name, reference, its_calls[0]),
         other_factors(name, reference, its_calls[0]),
         other_products(name, reference, its_calls[0]),
         other_words(name, reference, its_calls),
     )
-    for family in families:
-        if len(explaining := [*_explaining(family, its_calls)]) == 1:
-            return transformed(*explaining[0])
-    if one_word := _for_one_word(name, reference, compared):
-        return transformed(*one_word)
-    if mutant := _mutant(solution, module, name, compared):
-        words, texts = mutant
-        return Cause(name, words, "mutant", tuple(partial(answer, solution, text) for text in texts), tuple(calls))
-    if either := _either_reversed(name, reference, its_calls):
-        return transformed(*either)
-    if first := next(_explaining(other_forms(name, reference, its_calls[0]), its_calls), None):
-        return transformed(*first)
-    where = _single_entry(name, its_calls)
-    return Cause(name, where, "place") if where else None
+    explaining = ([*_explaining(family, its_calls)] for family in families)
+    variant = next((variants[0] for variants in explaining if len(variants) == 1), None)
+    return _transformed(solution, name, variant or _for_one_word(name, reference, compared))
+
+
+def _other_form(solution: str, module: ModuleType, name: str, calls: Sequence[ComparedCall]) -> Cause | None:
+    """Return what else an argument or a result may be, or the one place where the result is wrong."""
+    reference = getattr(module, name)
+    variant = _either_reversed(name, reference, calls)
+    variant = variant or next(_explaining(other_forms(name, reference, calls[0]), calls), None)
+    return _transformed(solution, name, variant) or _single_entry(name, calls)
+
+
+def _transformed(solution: str, name: str, variant: tuple[str, Transform] | None) -> Cause | None:
+    """Return the cause that a variant is; None without one."""
+    if variant is None:
+        return None
+    words, transform = variant
+    return Cause(name, words, "transform", _with_variant(solution, name, transform))
+
+
+def _other_symbol(solution: str, name: str, calls: Sequence[ComparedCall]) -> Cause | None:
+    """Return the one symbol of a formula that is taken for something else."""
+    changes = other_symbols(name, calls[0].case.args[0]) if calls[0].case.points else ()
+    variants = ((words, partial(_at_other_points, solution, change)) for words, change in changes)
+    explaining = {words: variant for words, variant in variants if _explains(variant, calls)}
+    return Cause(name, next(iter(explaining)), "transform", (*explaining.values(),)) if len(explaining) == 1 else None
+
+
+def _at_other_points(solution: str, change: Callable[[Numbers], Numbers], call: Call) -> Numbers:
+    """Return the value of the solution's formula where its symbols have other values; nothing of other functions."""
+    if not call.case.points:
+        return None
+    points = Case(change(call.case.args[0]))
+    return computed(solution_with(solution, ""), ComparedCall(call.name, points, None, None))
 
 
 def _either_reversed(name: str, reference: Function, calls: Sequence[ComparedCall]) -> tuple[str, Transform] | None:
@@ -229,7 +255,7 @@ def _explains(transform: Transform, calls: Sequence[ComparedCall]) -> bool:
 
 def _quietly(transform: Transform, call: ComparedCall) -> Numbers:
     """Return the answer of a variant; None where it has none, whatever is in its way."""
-    count(1 + sum(map(np.size, parts(call.expected))) // ELEMENTS)
+    count(FORMULA if call.case.points else 1 + sum(map(np.size, parts(call.expected))) // ELEMENTS)
     try:
         with np.errstate(all="ignore"), warnings.catch_warnings(action="ignore"), limited(OF_ONE):
             return transform(call)
@@ -237,11 +263,32 @@ def _quietly(transform: Transform, call: ComparedCall) -> Numbers:
         return None
 
 
-def _mutant(
-    solution: str, module: ModuleType, name: str, calls: Sequence[ComparedCall]
-) -> tuple[str, list[str]] | None:
-    """Say of the mutants that explain all calls, if they are of one kind, and the functions with them."""
+def _mutant_of_any(
+    solution: str, others: Sequence[str], module: ModuleType, name: str, calls: Sequence[ComparedCall], right: Set[str]
+) -> Cause | None:
+    """Return what the mutants of the solution, or of it with other functions, are that explain all calls."""
     public = set(inspect.signature(getattr(module, name)).parameters)
+    for other in ("", *others):
+        reach_of = reached(other or solution)
+        suspects = reach_of.get(name, set()).difference(*(reach_of.get(each, ()) for each in right))
+        if not suspects:
+            continue
+        exec(_code(other), vars(module))
+        if mutant := _mutant(other or solution, module, name, calls, public, suspects):
+            words, texts = mutant
+            answers = tuple(partial(answer, solution, f"{other}\n{text}") for text in texts)
+            return Cause(name, words, "mutant", answers)
+    return None
+
+
+def _mutant(
+    solution: str, module: ModuleType, name: str, calls: Sequence[ComparedCall], public: Set[str], suspects: Set[str]
+) -> tuple[str, list[str]] | None:
+    """Say of the mutants that explain all calls, if they are of one kind, and the functions with them.
+
+    public : the arguments of the function
+    suspects : the functions of the solution that may have the slip
+    """
     texts: dict[str, dict[str, str]] = {}
     factors = set[str]()
     numbers_last = sorted(_mutants(solution), key=lambda mutant: mutant[1] == KINDS["a number"])
@@ -249,13 +296,14 @@ def _mutant(
         if texts and words == KINDS["a number"]:
             break
         term = ", ".join(sorted(names_in_term & public))
-        if helper in reached(solution)[name] and term not in texts.get(words, ()):
+        if helper in suspects and term not in texts.get(words, ()):
             with _with_mutant(module, helper, _code(text)):
                 if _explains(partial(_called, module), calls):
                     texts.setdefault(words, {})[term] = text
                     factors.add(factor)
     if len(texts) > 1:
         texts.pop(KINDS["a factor"], None)  # a number is in the term that counts twice
+        texts.pop(KINDS["two exchanged"], None)  # a sine and a cosine
     if len(texts) != 1:
         return None
     ((words, by_term),) = texts.items()
@@ -266,6 +314,8 @@ def _mutant(
 
 
 def _called(module: ModuleType, call: ComparedCall) -> Numbers:
+    if call.case.points:
+        return computed(module, call)
     return getattr(module, call.name)(*call.case.args, **call.case.kwargs)
 
 
@@ -277,23 +327,23 @@ def shared_mutants(text: str, name: str, other: str, calls: Sequence[Call]) -> t
     try:
         with limited(MOST):
             module = solution_with.__wrapped__(text, "")  # its own, to put mutants in
-            mutant = _mutant(text, module, name, _compared(text, calls))
+            mutant = _mutant(text, module, name, _compared(text, calls), set(), reach_of[name] & reach_of[other])
     except Exhausted:
         return ()
     return tuple(partial(answer, text, changed) for changed in mutant[1]) if mutant else ()
 
 
-def _single_entry(name: str, calls: Sequence[ComparedCall]) -> str | None:
+def _single_entry(name: str, calls: Sequence[ComparedCall]) -> Cause | None:
     """Return where a matrix or a vector in space is wrong, if it is in one place, and the others are not mere zeros."""
     forms = {np.shape(answer_of) for call in calls for answer_of in (call.result, call.expected)}
-    if len(forms) > 1 or not (len(form := forms.pop()) == 2 or form == (SPACE,)):
+    if len(forms) > 1 or not (len(form := forms.pop()) == 2 or form == (SPACE,)) or calls[0].case.points:
         return None
     off = [np.abs(call.result - call.expected) > WITHIN * np.abs(call.expected).max() for call in calls]
     places = np.argwhere(np.any(off, axis=0))
     if len(places) != 1 or (len(form) == 1 and not np.any([call.expected for call in calls], axis=0).all()):
         return None
     where = ", ".join(f"{axis} {place + 1}" for axis, place in zip(AXES[len(form)], places[0], strict=True))
-    return f"Your result of {name} is wrong in {where} alone"
+    return Cause(name, f"Your result of {name} is wrong in {where} alone", "place")
 
 
 @contextmanager
@@ -316,15 +366,24 @@ def _mutants(solution: str) -> list[tuple[str, str, set[str], str, str]]:
             words,
             {
                 parameters.get(name, name)
-                for name in names_used(mutant.product if isinstance(term, ast.Constant) else term)
+                for name in _behind(mutant.product if isinstance(term, ast.Constant) else term, locals_of[function])
             },
             _missing(mutant, term, locals_of[function]) if mutant.operator == "a missing factor" else "",
             mutant.text,
         )
         for function, mutants in mutants_of(solution).items()
         for mutant in mutants
-        for words, term in _words(mutant)
+        for words, term in _words(mutant, parameters)
     ]
+
+
+def _behind(term: ast.expr, quantities: Mapping[str, ast.expr]) -> set[str]:
+    """Return the names in a term; where none is a parameter, what they are computed from."""
+    names = seen = names_used(term)
+    while names and not any(isinstance(quantities.get(name), ast.Name) for name in names):
+        names = set().union(*(names_used(quantities[name]) for name in names if name in quantities)) - seen
+        seen = seen | names
+    return names or names_used(term)
 
 
 def _unpacked(solution: str) -> dict[str, str]:
@@ -390,33 +449,67 @@ def _code(text: str) -> CodeType:
     return compile_counted(text, "<mutant>", in_python=True)
 
 
-def _words(mutant: Mutant) -> Iterator[tuple[str, ast.expr]]:
-    """Yield what a student reads of a mutant, and the term that it is about."""
+def _words(mutant: Mutant, parameters: Mapping[str, str]) -> Iterator[tuple[str, ast.expr]]:
+    """Yield what a student reads of a mutant, and the term that it is about.
+
+    parameters : what the parts of an argument belong to
+    """
     was, now = mutant.was, mutant.now
-    if mutant.operator in ("linearised", "a product for a square", "a missing square"):
+    if mutant.operator in WHOLE:
         yield KINDS[mutant.operator], was
-    elif mutant.operator == "a missing factor" and isinstance(was, ast.BinOp):
-        dropped = was.right if now is was.left else was.left
-        is_two = isinstance(dropped, ast.Constant) and dropped.value in (2, 0.5)
-        yield KINDS["a factor"] if is_two else "a factor{} is missing", dropped
-    elif mutant.operator == "a first sign" and isinstance(was, ast.BinOp):
-        yield KINDS["a sign"], was.left
-    elif isinstance(was, ast.BinOp) and isinstance(was.op, ast.Add | ast.Sub):
-        if now in (was.left, was.right):
-            yield "a term{} is missing", was.left if now is was.right else was.right
-        elif isinstance(now, ast.BinOp) and now.right is was.right:
-            yield "the sign of a term{} is reversed", was.right
-        else:
-            yield "a term{} counts twice", was.right
-    elif isinstance(was, ast.BinOp) and isinstance(was.op, ast.Mult | ast.Div) and mutant.operator != "an exponent":
-        multiplied = isinstance(was.op, ast.Mult)
-        yield f"a factor{{}} {'divides' if multiplied else 'multiplies'} where it should not", was.right
-    elif isinstance(was, ast.BinOp) and isinstance(was.op, ast.MatMult):
-        yield KINDS["a transpose"], was
+    elif mutant.operator in OF_TERMS:
+        yield "a term{} is missing", _dropped(was, now)
+    elif isinstance(was, ast.BinOp):
+        yield from _words_of_operation(mutant, was)
+    elif isinstance(now, ast.Name) and mutant.operator == "as given":
+        yield f"one term uses {now.id} as it is given", now
+    elif isinstance(now, ast.Name) and isinstance(was, ast.Name):
+        place = f"the wrong component of {parameters[was.id]} is used" if was.id in parameters else ""
+        yield place or (f"{now.id} is used for {was.id}" if was.id in LENGTHS else "the wrong quantity is used{}"), was
+    elif isinstance(now, ast.Constant) and isinstance(was, ast.Constant) and mutant.operator == "an axis":
+        yield f"the axis is {now.value!r} where it should be {was.value!r}", was
     elif isinstance(was, ast.Call) and mutant.operator == "another function" and any(map(_is_half, was.args)):
         yield "a cosine{} has the wrong sign", was  # 2 sin(x/2)^2 is 1 - cos x
     elif mutant.operator in KINDS:
         yield KINDS[mutant.operator], was
+
+
+def _dropped(was: ast.expr, now: ast.expr) -> ast.expr:
+    """Return the first term of a difference that is missing, or the component."""
+    if isinstance(was, ast.BinOp):
+        return was.left
+    assert isinstance(was, ast.List | ast.Tuple) and isinstance(now, ast.List | ast.Tuple)
+    return next(part for part in was.elts if part not in now.elts)
+
+
+def _words_of_operation(mutant: Mutant, was: ast.BinOp) -> Iterator[tuple[str, ast.expr]]:
+    """Yield the words of a mutant of a sum or a product, and the term."""
+    now, is_sum = mutant.now, isinstance(was.op, ast.Add | ast.Sub)
+    if mutant.operator == "a missing factor":
+        dropped = was.right if now is was.left else was.left
+        yield KINDS["a factor"] if _is_two(dropped) else "a factor{} is missing", dropped
+    elif mutant.operator == "a root":
+        yield "a divisor{} is its square root", was.right
+    elif mutant.operator == "a first sign":
+        yield KINDS["a sign"], was.left
+    elif is_sum and now is was.right and isinstance(was.op, ast.Sub):
+        return  # that has another sign, too
+    elif is_sum and now in (was.left, was.right):
+        yield "a term{} is missing", was.left if now is was.right else was.right
+    elif is_sum:
+        reversed_ = isinstance(now, ast.BinOp) and now.right is was.right
+        yield "the sign of a term{} is reversed" if reversed_ else "a term{} counts twice", was.right
+    elif isinstance(was.op, ast.Mult | ast.Div) and mutant.operator != "an exponent":
+        multiplied = isinstance(was.op, ast.Mult)
+        yield f"a factor{{}} {'divides' if multiplied else 'multiplies'} where it should not", was.right
+    elif isinstance(was.op, ast.MatMult):
+        yield KINDS["a transpose"], was
+    elif mutant.operator in KINDS:
+        yield KINDS[mutant.operator], was
+
+
+def _is_two(node: ast.expr) -> bool:
+    return isinstance(node, ast.Constant) and node.value in (2, 0.5)
 
 
 def _is_half(node: ast.expr) -> bool:
@@ -424,6 +517,11 @@ def _is_half(node: ast.expr) -> bool:
     return isinstance(node, ast.BinOp) and numbers in ([2], [0.5])
 
 
+OF_TERMS = "a missing component", "a missing first term"
+WHOLE = (  # of these the whole expression is meant
+    *("linearised", "a product for a square", "a missing square", "two exchanged", "sine and cosine", "a tangent"),
+    *("a norm", "degrees", "the sign of an angle", "parts of a tangent"),
+)
 KINDS = {
     "a sign": "the sign of a term{} is reversed",
     "an exponent": "an exponent{} is one too large or too small",
@@ -435,5 +533,13 @@ KINDS = {
     "linearised": "a sine or cosine{} is linearised, as for small angles",
     "a product for a square": "a square{} is a product of two quantities",
     "a missing square": "a quantity{} is not squared",
+    "sine and cosine": "sine and cosine{} are exchanged",
+    "two exchanged": "two quantities{} are exchanged",
+    "a tangent": "the wrong function is used{}, such as sine for cosine",
+    "a root": "a square root{} is missing",
+    "a norm": "a length{} is the sum of the components, not the root of the sum of their squares",
+    "degrees": "an angle is in degrees; it should be in radians",
+    "the sign of an angle": "an angle has the opposite sign",
+    "parts of a tangent": "a number{} is twice or half the right one",
     "a transpose": "matrices{} are multiplied in the wrong order, or one is transposed",
 }

@@ -194,10 +194,9 @@ def _check_result(run: _Run, check: Check) -> CheckResult:
     except NotWritten as unwritten:
         return _not_run(check, student.describe_missing(str(unwritten)), unwritten=str(unwritten))
     except Failed as failed:
-        cause, fault = _cause(run, check) if options.naming else (None, "")
-        if options.naming and not (cause and cause.follows_from):
-            source = _own_source(run, failed) or _shared_helper(run, cause)
-            cause = replace(source, answers=cause.answers, calls=cause.calls) if source and cause else source or cause
+        cause, fault = _cause(run, check, failed) if options.naming else (None, "")
+        if options.naming and not (cause and cause.follows_from) and (source := _shared_helper(run, cause)):
+            cause = replace(source, answers=cause.answers, calls=cause.calls) if cause else source
         if cause:
             run.causes[check.name] = cause
         return _failed(check, failed, cause, fault)
@@ -212,8 +211,11 @@ def _check_result(run: _Run, check: Check) -> CheckResult:
     return _passed(check)
 
 
-def _cause(run: _Run, check: Check) -> tuple[Cause | None, str]:
-    """Return the mistake that explains the calls of a failed check, and what went wrong on our side in the search."""
+def _cause(run: _Run, check: Check, failed: Failed) -> tuple[Cause | None, str]:
+    """Return the mistake that explains the calls of a failed check, and what went wrong on our side in the search.
+
+    What follows from a function of the student's own is not searched, which takes longest.
+    """
     earlier, assignment = _earlier(run.causes), run.assignment
     try:
         with budget():
@@ -221,11 +223,13 @@ def _cause(run: _Run, check: Check) -> tuple[Cause | None, str]:
             calls = [call for call in run.student.calls if not _is_drawn(assignment, call)]
             folder = assignments.checks_folder(assignment.root, assignment.slug)
             right = _passed_so_far(run) - {call.name for call in calls}
-            cause = diagnose(solution, folder, calls, earlier, right=right)
-            if cause and cause.follows_from not in ("", cause.function):
+            search = partial(diagnose, solution, folder, calls, earlier, right=right)
+            own = None if follows(solution, calls, earlier) else _own_source(run, failed)
+            cause = own or search()
+            if cause and not own and cause.follows_from not in ("", cause.function):
                 common = _earlier({check.name: cause})
                 if not _following(run, check, [*earlier, *common]):
-                    cause = diagnose(solution, folder, calls, earlier, may_follow=False, right=right)
+                    cause = _own_source(run, failed) or search(may_follow=False)
             return cause, ""
     except (Exhausted, MemoryError):
         return None, ""

@@ -82,6 +82,7 @@ THIN: dict[str, Change] = {
     "{} is that of a thin disk, C = 2 A, whatever C is": lambda inertia: (inertia[0], 2 * inertia[0]),
 }
 LENGTHS = ("radius", "length", "offset")  # from one point to the other, of a moment of inertia
+ANGLES = ("angle", "lean", "phi", "slope", "theta", "tilt")
 INERTIA = re.compile("inertia$")
 
 
@@ -157,6 +158,23 @@ def other_arguments(name: str, reference: Function, example: Compared) -> Iterat
     yield from _exchanges(name, reference, values)
 
 
+def other_symbols(name: str, points: Sequence[Parameters]) -> Iterator[tuple[str, Change]]:
+    """Yield a symbol of a formula of the wrong sign, counted twice, ignored or in another's place, at each point."""
+    for key in points[0]:
+        for words, change, _ in _other_values(np.asarray(1.0)):
+            yield f"In {name}, {words.format(key)}", partial(_at_points, {key: (key, change)})
+    for first, other in combinations(points[0], 2):
+        exchange = {first: (other, np.positive), other: (first, np.positive)}
+        yield f"In {name}, {first} and {other} are exchanged", partial(_at_points, exchange)
+
+
+def _at_points(changes: Mapping[str, tuple[str, Change]], points: Sequence[Parameters]) -> list[Parameters]:
+    def changed(point: Parameters) -> Parameters:
+        return {**point, **{key: change(point[other]) for key, (other, change) in changes.items() if key in point}}
+
+    return [changed(point) if {other for other, _ in changes.values()} <= point.keys() else point for point in points]
+
+
 def other_words(name: str, reference: Function, calls: Iterable[Compared]) -> Iterator[Transform]:
     """Yield an argument in which two words are exchanged, of those that the calls have there."""
     values = [_named(reference, call.case) for call in calls]
@@ -201,9 +219,17 @@ def _exchanges(name: str, function: Function, values: Parameters) -> Iterator[Tr
 
 
 def other_forms(name: str, reference: Function, example: Compared) -> Iterator[Transform]:
-    """Yield a result that is linear in what it starts from, or one of several results; components of both exchanged."""
+    """Yield a result that is linear in what it starts from, or one of several results; components of both exchanged.
+
+    Before these arguments without a sign, in other axes or without a step, and results with a sine or cosine too many.
+    """
     names = _parameters(reference)
     values = _named(reference, example.case)
+    for key, value in values.items():
+        for words, change in _rarer_values(value):
+            yield f"In {name}, {words.format(key)}", WrongArgument(reference, key, change)
+    yield from _other_axes(name, reference, values)
+    yield from _other_factors(name, reference, example)
     starts = [key for key in names[: len(example.case.args)] if np.asarray(values[key]).dtype.kind in "fi"]
     starts = [key for key in starts if key != "t"]
     single = [[key] for key in starts if np.size(values[key]) <= SPACE]
@@ -218,6 +244,49 @@ def other_forms(name: str, reference: Function, example: Compared) -> Iterator[T
             ordinal = "" if which is None else ORDINALS[which]
             words = f"Your {ordinal}result of {name} is linear in {', '.join(keys)}, as for small motions"
             yield words, partial(_linearised, reference, keys, which)
+
+
+def _rarer_values(value: Numbers) -> Iterator[tuple[str, Change]]:
+    """Yield what an argument may be taken for: a number without its sign, a list of steps without one."""
+    if isinstance(value, list) and len(value) > 1 and isinstance(value[0], tuple):
+        yield "the first of the {} is left out", lambda value: value[1:]
+        yield "the last of the {} is left out", lambda value: value[:-1]
+        yield "the order of the {} is reversed", lambda value: value[::-1]
+    elif np.asarray(value).dtype.kind in "fi":
+        yield "{} has lost its sign", np.abs
+
+
+def _other_axes(name: str, reference: Function, values: Parameters) -> Iterator[Transform]:
+    """Yield a vector whose components are taken for those along other axes, where a rotation is beside it."""
+    vectors = [key for key, value in values.items() if np.shape(value) == (SPACE,)]
+    for key in vectors if np.shape(values.get("R", 0)) == (SPACE, SPACE) else ():
+        yield f"In {name}, {key} is used as if it had space components", partial(_in_other_axes, reference, key, True)
+        yield f"In {name}, {key} is multiplied by R once more", partial(_in_other_axes, reference, key, False)
+
+
+def _in_other_axes(reference: Function, key: str, back: bool, call: Compared) -> Numbers:
+    values = _named(reference, call.case)
+    rotation = np.asarray(values["R"])
+    return reference(**{**values, key: (rotation.T if back else rotation) @ values[key]})
+
+
+def _other_factors(name: str, reference: Function, example: Compared) -> Iterator[Transform]:
+    """Yield a result with a factor, the sine or cosine of an angle, too many or too few."""
+    values, results = _named(reference, example.case), parts(example.result)
+    angles = [key for key, value in values.items() if np.ndim(value) == 0 and key in ANGLES]
+    for (which, label), key in product(enumerate(_labels(name, len(results))), angles):
+        for function, (words, power) in product((np.cos, np.sin), {"too many": 1, "too few": -1}.items()):
+            change = partial(_times_function, reference, function, key, power)
+            yield (
+                f"{label} has a factor {function.__name__}({key}) {words}",
+                partial(_with_result, which, len(results), change),
+            )
+
+
+def _times_function(
+    reference: Function, function: Change, key: str, power: int, value: Numbers, case: Arguments
+) -> Numbers:
+    return value * function(_named(reference, case)[key]) ** power
 
 
 def _linearised(reference: Function, keys: Sequence[str], which: int | None, call: Compared) -> Numbers:

@@ -178,7 +178,7 @@ HEAVY = "[[(m1 / 3 + m2) * l1**2", "[[(m1 / 3 + 2.5 * m2) * l1**2"
 NO_C = "(A - B) / C * p * q", "(A - B) * p * q"
 CENTRIFUGAL = "mass * offset * s * phi_dot**2,\n        -mass", "-mass * offset * s * phi_dot**2,\n        -mass"
 ABOVE = "-offset * math.sin(phi), radius - offset", "-offset * math.sin(phi), radius + offset"
-NO_WEIGHT = "- mass * gravity * radius * c) / (", ") / ("
+NO_WEIGHT = "+ mass * gravity * Z  #", "  #"
 BY_OTHERS = [
     ("hw02_ballistics", TWICE, ("best_angle", "flight_time"), "vy + m", "vy - m"),
     ("hw06_braking", ("sideways / car", "forward / car"), ("yaw_growth_rate", "state_derivative"), "(8 * s", "(9 * s"),
