@@ -61,6 +61,12 @@ def balance(angle, *, mass):
     moment = mass * np.sin(angle)
     return moment / 2, moment
 
+def disk(lean, speed, *, inertia):
+    A, C = inertia
+    axis = np.array([np.sin(lean), speed, 1.0])
+    length = np.sqrt(axis @ axis)
+    return (C - A) * speed ** 2 / (A + C * lean), A * length - lean
+
 def stairs(n, m):
     total = 0.0
     while n > 0:
@@ -96,6 +102,7 @@ def cases():
         "squares": [(Case(p, q, mass=2.0), {"p": p, "q": q}) for p, q in pairs],
         "stretch": [(Case(x, y), {"x": x, "y": y}) for x, y in pairs],
         "rates": [(Case(a, 0.7), {"a": a}) for a in DRAW.normal(size=(4, 3))],
+        "disk": [(Case(b, v, inertia=(a, 2 * c)), {"A": a, "C": 2 * c, "b": b, "v": v}) for a, b, v, c in positive],
         "balance": [(Case(a, mass=2.0), {"a": a}) for a in DRAW.uniform(0.3, 1.2, 4)],
     }
 
@@ -151,6 +158,27 @@ def calls(function, wrong):
         ("balance", "(a, 2*math.sin(a))", "Your first result of balance is linear in angle"),
         ("tumble", "w**2 + 2*w + mass*radius", "inertia is that of a thin disk, A = C/2"),
         ("rod", "np.array([[[x, y], [0.0, 1.0]]])", "has ends 1 and 2 exchanged"),
+        (
+            "disk",
+            "((C - A)*v**2/(A + A*b), A*math.hypot(math.sin(b), v, 1) - b)",
+            "the wrong component of inertia is used",
+        ),
+        (
+            "disk",
+            "((C - A)*v**2/(A + C*b)**0.5, A*math.hypot(math.sin(b), v, 1) - b)",
+            "a divisor with inertia, lean is",
+        ),
+        ("disk", "((C - A)*v**2/(A + C*b), A*(math.sin(b) + v + 1) - b)", "a length with lean, speed is the sum"),
+        (
+            "disk",
+            "((C - A)*v**2/(A + C*b), A*math.hypot(math.tan(b), v, 1) - b)",
+            "the wrong function is used with lean",
+        ),
+        (
+            "disk",
+            "((C - A)*v**2/(A + C*b)*math.cos(b), A*math.hypot(math.sin(b), v, 1) - b)",
+            "a factor cos(lean) too many",
+        ),
         ("cross", "np.cross(b, a)", "Your result of cross has the opposite sign"),
         ("cross", "np.cross(a, b)*[1, 1.1, 1]", "wrong in component 2 alone"),
     ],
