@@ -335,7 +335,8 @@ def shared_mutants(text: str, name: str, other: str, calls: Sequence[Call]) -> t
 
 def _single_entry(name: str, calls: Sequence[ComparedCall]) -> Cause | None:
     """Return where a matrix or a vector in space is wrong, if it is in one place, and the others are not mere zeros."""
-    forms = {np.shape(answer_of) for call in calls for answer_of in (call.result, call.expected)}
+    answers = [answer_of for call in calls for answer_of in (call.result, call.expected)]
+    forms = {() if isinstance(answer_of, tuple) else np.shape(answer_of) for answer_of in answers}
     if len(forms) > 1 or not (len(form := forms.pop()) == 2 or form == (SPACE,)) or calls[0].case.points:
         return None
     off = [np.abs(call.result - call.expected) > WITHIN * np.abs(call.expected).max() for call in calls]
