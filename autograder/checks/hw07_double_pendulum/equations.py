@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 M, F, G = TERMS = ("mass_matrix", "velocity_terms", "gravity_terms")
 DEPENDENT = 1e-9  # determinant of rows of unit length: below it two equations are one
 OBLIQUE = 0.2  # sine of the angle between the bars: above it {f} at unit rates gives W
-SAME_TWO = "Your other two terms belong to two equations that are not Lagrange's: take this one from the same two"
+SAME_TWO = "Your other two terms are of two equations that are not Lagrange's; this one does not fit them"
 CONTRADICTED = "It contradicts your third term: are all three from the same two equations, on the same side?"
 
 

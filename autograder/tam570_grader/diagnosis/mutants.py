@@ -421,7 +421,9 @@ def _missing_first_terms(node: ast.expr) -> Iterator[ast.expr]:
 
 def _missing_components(node: ast.expr) -> Iterator[ast.expr]:
     """Yield a component, or one of several loads, becomes zero."""
-    if isinstance(node, ast.List | ast.Tuple) and not any(isinstance(part, ast.Slice) for part in node.elts):
+    if not isinstance(node, ast.List | ast.Tuple) or not isinstance(node.ctx, ast.Load):
+        return
+    if not any(isinstance(part, ast.Slice) for part in node.elts):
         for k, component in enumerate(node.elts):
             if not isinstance(component, ast.Constant | ast.Name | ast.Starred | ast.Tuple | ast.List):
                 yield _with(node, elts=[*node.elts[:k], _times(0, component), *node.elts[k + 1 :]])

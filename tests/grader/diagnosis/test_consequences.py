@@ -97,7 +97,7 @@ def test_one_wrong_argument_in_all_functions_is_told_once(checked):
     )
     assert by_name(actual) == ["acceleration_balances_momentum_about_G"]
     pairs = following(actual)
-    assert {cause for _, cause in pairs} == {"acceleration"} and len(pairs) == 6
+    assert {cause for _, cause in pairs} == {"acceleration"} and len(dict(pairs).keys() - {"acceleration"}) == 6
 
 
 @pytest.mark.parametrize(("wrong", "outcome"), [("- np.sin(angle) * skew(n)", "passed"), ("+ no_name", "not_run")])
