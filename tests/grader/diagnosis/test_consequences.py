@@ -112,6 +112,13 @@ def test_a_function_that_is_always_zero_makes_nothing_else_right(checked):
     assert not {"axle_load", "friction_force"} & {source for _, source in following(actual)}
 
 
+def test_rows_of_zeros_are_judged_to_the_end(checked):
+    zeros = "\n\ndef euler_state_derivative(t, state, **disk):\n    return np.zeros(8)\n"
+    zeros += "\n\ndef simulate_euler(t, state, **disk):\n    return np.zeros((len(t), 8))\n"
+    outcomes = {check.outcome for check in checked("hw14_rolling_disk", more=zeros).values()}
+    assert outcomes == {"passed", "failed", "not_run"}
+
+
 @pytest.mark.parametrize("sign", ["-", "+"])
 def test_a_mistake_in_a_helper_is_told_once(checked, sign):
     helper = f"def _alpha(theta, length, gravity):\n    return {sign}gravity / length * math.sin(theta)\n\n\n"
