@@ -259,7 +259,7 @@ def _quietly(transform: Transform, call: ComparedCall) -> Numbers:
     try:
         with np.errstate(all="ignore"), warnings.catch_warnings(action="ignore"), limited(OF_ONE):
             return transform(call)
-    except (Exhausted, ArithmeticError, LookupError, TypeError, ValueError, AttributeError, NameError):
+    except (Exhausted, ArithmeticError, LookupError, TypeError, ValueError, AttributeError, NameError, RuntimeError):
         return None
 
 
