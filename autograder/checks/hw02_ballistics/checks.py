@@ -215,8 +215,8 @@ def of_maximum(student, case, angle, expected):
         student.horizontal_range.aside(Case(*case.args, angle * (1 + change), **case.kwargs))
         for change in (0, -NEAR, NEAR)
     ]
-    launch = Case(*case.args, angle, **case.kwargs)
-    if own_ranges[0] > max(own_ranges[1:]) and not is_right(student.horizontal_range, reference, [launch]):
+    flight = Case(*case.args, angle, **case.kwargs)
+    if own_ranges[0] > max(own_ranges[1:]) and not is_right(student.horizontal_range, reference, [flight]):
         return FollowsFrom("horizontal_range")
     if case.label == cases.SLOW and abs(angle - expected) > EARLY:
         return "45 degrees are for no drag: the angle falls in proportion to the drag, then by its next term."
@@ -234,21 +234,13 @@ def compare_angles(student, speeds):
 @check("best_angle", points=0.75)
 def best_angle_has_the_largest_range(student, rng):
     """best_angle maximises the range, for speeds below and above the terminal speed."""
-    compare(
-        student.best_angle,
-        cases.usual_speeds(rng),
-        tolerance=ANGLE,
-        partial=SEARCHED,
-        hint=partial(of_maximum, student),
-    )
+    compare_angles(student, cases.usual_speeds(rng))
 
 
 @check("best_angle", points=0.25, after=best_angle_has_the_largest_range)
 def best_angle_is_45_degrees_without_drag(student, rng):
     """best_angle is 45 degrees at no drag, and leaves them as the drag grows beside the weight."""
-    compare(
-        student.best_angle, cases.slow_speeds(rng), tolerance=ANGLE, partial=SEARCHED, hint=partial(of_maximum, student)
-    )
+    compare_angles(student, cases.slow_speeds(rng))
 
 
 VERY_FLAT = "The largest range is very flat there: solve for where its derivative vanishes, on a logarithmic scale."

@@ -20,7 +20,7 @@ def diagnose(
     may_follow: bool = True,
     right: Set[str] = frozenset(),
 ) -> Cause | None:
-    """Return why a check fails.
+    """Return why a check fails whose results do not follow, all of them, from an earlier cause.
 
     Parameters
     ----------
@@ -28,16 +28,14 @@ def diagnose(
     folder : the assignment's checks
     calls : those that the failed check made, with the student's results
     earlier : the causes of the checks that failed before it
-    may_follow : whether its results may follow from one of these
+    may_follow : whether the mistake may be that of one of these
     right : other functions, that passed their checks: no mistake is looked for in one of these
 
     Returns
     -------
-    What follows from an earlier cause; else a known mistake, a transform of arguments or results, or a mutant of the
+    A known mistake, a transform of arguments or results, or a mutant of the
     solution, of which one alone explains all calls; None if nothing does.
     """
-    if may_follow and (cause := follows(solution, calls, earlier)):
-        return cause
     suspects = candidates(solution, folder, {call.name for call in calls})
     suspects = [suspect for suspect in suspects if not suspect.defined & right]
     cause = named_mistake(solution, suspects, calls) or general(solution, calls, other_functions(folder), right)

@@ -15,6 +15,8 @@ from functools import partial
 from itertools import combinations
 from typing import TypeVar
 
+from tam570.checking.transforms import LENGTHS
+
 COUNTERPARTS = {
     "sin": "cos",
     "cos": "sin",
@@ -92,7 +94,7 @@ def _products(function: ast.FunctionDef) -> dict[int, ast.expr]:
 def _of_quantities(function: ast.FunctionDef) -> dict[str, "Operator"]:
     """Return the operators that need to know what else the function has: one name for another of its kind."""
     inputs = {argument.arg for argument in (*function.args.args, *function.args.kwonlyargs)}
-    kinds, raw = [LENGTHS & inputs], dict[str, str]()
+    kinds, raw = [inputs.intersection(LENGTHS)], dict[str, str]()
     for node in ast.walk(function):
         if isinstance(node, ast.Assign) and len(node.targets) == 1:
             (target,) = node.targets
@@ -490,7 +492,6 @@ def _tangent_parts(node: ast.expr) -> Iterator[ast.expr]:
         yield from (_with(node, args=parts) for parts in ([_times(2, first), second], [first, _times(2, second)]))
 
 
-LENGTHS = {"radius", "length", "offset"}
 MOST_ALIKE = 3  # names of one kind: of a state, many mean something else
 RATIOS = 2 / 3, 3 / 2, 1 / 3, 3, 1 / 4, 4, 1 / 6, 6, 3 / 4, 4 / 3
 MORE: dict[str, Operator] = {

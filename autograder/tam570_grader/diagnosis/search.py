@@ -21,6 +21,7 @@ import numpy as np
 
 from tam570.checking.transforms import (
     AXES,
+    LENGTHS,
     SPACE,
     WrongArgument,
     other_arguments,
@@ -38,7 +39,7 @@ from tam570_grader.checks.effort import Exhausted, compile_counted, count, limit
 from tam570_grader.diagnosis.cause import Answer, Cause
 from tam570_grader.diagnosis.compared_call import ComparedCall, beginning, compared_call, count_informative
 from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, right_answer, solution_with
-from tam570_grader.diagnosis.mutants import LENGTHS, Mutant, mutants_of, names_used, reached
+from tam570_grader.diagnosis.mutants import Mutant, mutants_of, names_used, reached
 
 FEWEST = 2  # wrong answers: one may agree by chance
 MOST = 1_000_000  # steps of all variants, about a second; what is named takes a third of them

@@ -121,7 +121,7 @@ def graded(
 
 
 @dataclass(frozen=True)
-class _Nobody:
+class _NoStudent:
     """In the place of a student: of a function a comparison asks these two alone."""
 
     assignment: LoadedAssignment
@@ -138,7 +138,7 @@ def rehearse(assignment: LoadedAssignment, seed: int) -> None:
     """
     for check in assignment.checks:
         with suppress(Exception), budget(), np.errstate(all="ignore"), check_context(is_rehearsal=True):
-            check.run(_Nobody(assignment), generator(seed, assignment.slug, check))
+            check.run(_NoStudent(assignment), generator(seed, assignment.slug, check))
 
 
 def not_graded(name: str, assignment: LoadedAssignment, status: str, message: str, seed: int) -> Result:
@@ -224,8 +224,9 @@ def _cause(run: _Run, check: Check, failed: Failed) -> tuple[Cause | None, str]:
             folder = assignments.checks_folder(assignment.root, assignment.slug)
             right = _passed_so_far(run) - {call.name for call in calls}
             search = partial(diagnose, solution, folder, calls, earlier, right=right)
-            own = None if follows(solution, calls, earlier) else _own_source(run, failed)
-            cause = own or search()
+            following = follows(solution, calls, earlier)
+            own = None if following else _own_source(run, failed)
+            cause = following or own or search()
             if cause and not own and cause.follows_from not in ("", cause.function):
                 common = _earlier({check.name: cause})
                 if not _following(run, check, [*earlier, *common]):

@@ -121,7 +121,9 @@ def close_early() -> None:
     while _early:
         _early.pop().close()
     while _trials:
-        _trials.pop().wait()
+        trial = _trials.pop()
+        trial.kill()
+        trial.wait()
 
 
 def _command(hidden: Sequence[Path]) -> list[str]:

@@ -8,7 +8,7 @@ from tam570.integrate.trace import Graph, Symbol, Value
 
 UNIT_ROUNDOFF = 2.0**-53
 SATURATING = {"exp", "expm1", "tanh", "erf", "erfc", "sinh", "cosh"}  # whose change takes place at arguments near zero
-KINKED = {"fabs", "cbrt"}  # where their argument passes zero
+BENT = {"fabs", "cbrt"}  # where their argument passes zero
 LONGEST = 200  # characters of one expression: brackets in brackets have a limit
 
 
@@ -145,7 +145,7 @@ def _written(graph: Graph, constants: dict[float, str]) -> Formulas:
     used = [symbol for symbol in graph.operations if uses[symbol.number]]
     read = {symbol.name for symbol in used if not symbol.arguments}
     reads = frozenset(int(name[1:]) for name in read if name != "t")
-    saturates, is_bent = (any(symbol.name in kind for symbol in used) for kind in (SATURATING, KINKED))
+    saturates, is_bent = (any(symbol.name in kind for symbol in used) for kind in (SATURATING, BENT))
     return Formulas(tuple(lines), expressions, len(constants), reads, "t" in read, saturates, is_bent, graph, constants)
 
 
@@ -170,7 +170,7 @@ def _bounds(graph: Graph, constants: dict[float, str]) -> Bounds:
         return tuple(dict.fromkeys(texts[a.number] for a in found if isinstance(a, Symbol) and _moves_with_state(a)))
 
     rates = tuple(bound(rate) or "0.0" for rate in graph.rates)
-    return Bounds(tuple(values), tuple(bounds), rates, arguments_of(SATURATING), arguments_of(KINKED))
+    return Bounds(tuple(values), tuple(bounds), rates, arguments_of(SATURATING), arguments_of(BENT))
 
 
 def _moves_with_state(symbol: Symbol) -> bool:
