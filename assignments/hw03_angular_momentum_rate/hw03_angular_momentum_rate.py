@@ -7,6 +7,7 @@ vectors have components in F: r from O, v and a as seen in F. Three definitions 
 "a" r_{P/C'} x m v_P, where C' is fixed in F at the place where C is now;
 "b" r_{P/C} x m v_P;
 "c" r_{P/C} x m v_{P/C}.
+A `definition` is "a", "b" or "c"; `mass` is that of P, in kg.
 """
 
 import numpy as np
@@ -20,7 +21,6 @@ def moment(r_p, a_p, r_c, *, mass):
     r_p : (3,) position of P, m
     a_p : (3,) acceleration of P, m/s^2
     r_c : (3,) position of C, m
-    mass: of P, kg
     Returns (3,), N m.
     """
     raise NotImplementedError
@@ -29,10 +29,8 @@ def moment(r_p, a_p, r_c, *, mass):
 def angular_momentum(definition, r_p, v_p, r_c, v_c, *, mass):
     """Angular momentum of P about C by one of the three definitions.
 
-    definition : "a", "b" or "c"
     r_p, v_p : (3,) position and velocity of P, m, m/s
     r_c, v_c : (3,) position and velocity of C, m, m/s
-    mass     : of P, kg
     Returns (3,), kg m^2/s.
     Raises ValueError for another definition.
     """
@@ -42,10 +40,8 @@ def angular_momentum(definition, r_p, v_p, r_c, v_c, *, mass):
 def rate(definition, r_p, v_p, a_p, r_c, v_c, a_c, *, mass):
     """Time derivative in F of that angular momentum, exact, for any motion of P and C.
 
-    definition : "a", "b" or "c"
     r_p, v_p, a_p : (3,) position, velocity, acceleration of P, m, m/s, m/s^2
     r_c, v_c, a_c : (3,) position, velocity, acceleration of C, m, m/s, m/s^2
-    mass          : of P, kg
     Returns (3,), N m.
     Raises ValueError for another definition.
     """
@@ -55,10 +51,8 @@ def rate(definition, r_p, v_p, a_p, r_c, v_c, a_c, *, mass):
 def discrepancy(definition, r_p, v_p, a_p, r_c, v_c, a_c, *, mass):
     """By how much the rate of that angular momentum differs from the moment: rate less moment.
 
-    definition : "a", "b" or "c"
     r_p, v_p, a_p : (3,) position, velocity, acceleration of P, m, m/s, m/s^2
     r_c, v_c, a_c : (3,) position, velocity, acceleration of C, m, m/s, m/s^2
-    mass          : of P, kg
     Returns (3,), N m.
     Raises ValueError for another definition.
     """
