@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from tam570.values import Json
 from tam570_grader.audit.local import (
     SEED,
     Key,
@@ -190,15 +189,6 @@ def _rows(cases: CaseReport) -> dict[tuple[str, str, str], tuple[int, int, Count
         if len(labels := {key[:3] for key in keys}) == 1:
             catches[labels.pop()].add(subject)
     return {row: (count[row], needed[row], Counter(name.split()[0] for name in catches[row])) for row in count}
-
-
-def as_json(cases: CaseReport) -> Json:
-    """Return the report as plain data."""
-    labels = [
-        {"check": key[0], "function": key[1], "label": key[2], "cases": count, "needed": needed, "alone": dict(alone)}
-        for key, (count, needed, alone) in _rows(cases).items()
-    ]
-    return {"assignment": cases.slug, "seeds": cases.seeds, "labels": labels}
 
 
 def report(cases: CaseReport) -> list[str]:

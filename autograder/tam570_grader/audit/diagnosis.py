@@ -10,7 +10,6 @@ from dataclasses import dataclass, replace
 from itertools import cycle
 from pathlib import Path
 
-from tam570.values import Json
 from tam570_grader.audit.gradings import Grading, submissions, tried
 from tam570_grader.checks import assignments
 from tam570_grader.diagnosis.mistakes import Mistake, mistakes
@@ -97,17 +96,6 @@ def faults(diagnosed: Sequence[Diagnosis]) -> int:
 def share(diagnosed: Sequence[Diagnosis]) -> float:
     """Of the mistakes that are named."""
     return sum(each.is_named for each in diagnosed) / len(diagnosed)
-
-
-def as_json(slug: str, diagnosed: Sequence[Diagnosis]) -> Json:
-    """Return the report as plain data."""
-    return {
-        "assignment": slug,
-        "wrong": len(diagnosed),
-        "named": sum(each.is_named for each in diagnosed),
-        "unnamed": [each.name for each in diagnosed if not each.is_named],
-        "misled": [each.name for each in diagnosed if each.misled],
-    }
 
 
 def report(slug: str, diagnosed: Sequence[Diagnosis]) -> list[str]:

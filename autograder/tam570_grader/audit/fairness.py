@@ -121,19 +121,6 @@ def upper_bound(failures: int, runs: int) -> float:
     return 1.0 if failures == runs else float(beta.ppf(CONFIDENCE, failures + 1, runs - failures))
 
 
-def as_json(slug: str, lines: Sequence[Line]) -> Json:
-    """Return the report as plain data."""
-    fails, bound = _rate(lines)
-    counts = {"assignment": slug, "runs": len(lines), "false_fails": fails, "upper_bound": bound}
-    return {**counts, "lines": lines}
-
-
-def _rate(lines: Sequence[Line]) -> tuple[int, float]:
-    """Return false fails, and the bound on their rate."""
-    fails = sum(bool(line["fails"]) for line in lines)
-    return fails, upper_bound(fails, len(lines))
-
-
 def report(lines: Sequence[Line]) -> list[str]:
     """Return the lines to print of an assignment's.
 
@@ -150,5 +137,5 @@ def report(lines: Sequence[Line]) -> list[str]:
 
 def counted(lines: Sequence[Line]) -> str:
     """Return runs, false fails and the bound, in words."""
-    fails, bound = _rate(lines)
-    return f"{len(lines):>6} runs, {fails} false fails, rate below {bound:.2%}"
+    fails = sum(bool(line["fails"]) for line in lines)
+    return f"{len(lines):>6} runs, {fails} false fails, rate below {upper_bound(fails, len(lines)):.2%}"

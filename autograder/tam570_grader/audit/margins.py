@@ -10,7 +10,6 @@ from pathlib import Path
 
 import numpy as np
 
-from tam570.values import Json
 from tam570_grader.audit.gradings import Grading, tried
 from tam570_grader.audit.local import calls_of_checks
 from tam570_grader.checks import assignments
@@ -143,12 +142,6 @@ def _smallest(errors: Sequence[tuple[str, float]]) -> tuple[str, float] | None:
 def faults(all_margins: Sequence[Margin]) -> int:
     """Margins that are too small."""
     return sum(margin_of.small for margin_of in all_margins)
-
-
-def as_json(slug: str, all_margins: Sequence[Margin]) -> Json:
-    """Return the report as plain data."""
-    checks = {each.check: [each.careful, each.physics, each.numerics] for each in all_margins}
-    return {"assignment": slug, "checks": checks}
 
 
 def report(slug: str, all_margins: Sequence[Margin]) -> list[str]:

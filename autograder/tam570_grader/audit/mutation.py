@@ -6,7 +6,6 @@ from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
-from tam570.values import Json
 from tam570_grader.audit.gradings import Grading, seeds_that_fail, tried
 from tam570_grader.audit.local import SEED, calls_of_checks
 from tam570_grader.audit.mutate import Mutant, Slip, entry, equivalents, idle, mutants
@@ -160,30 +159,6 @@ def catches(fates_of_all: Fates) -> dict[str, tuple[int, int]]:
     first = Counter(names[0] for names in failed)
     alone = Counter(names[0] for names in failed if len(names) == 1)
     return {name: (first[name], alone[name]) for name in fates_of_all.checks}
-
-
-def as_json(fates_of_all: Fates) -> Json:
-    """Return the report as plain data."""
-    counts = Counter(fates_of_all.fate.values())
-    return {
-        "assignment": fates_of_all.slug,
-        "mutants": len(fates_of_all.chosen),
-        **{fate: counts[fate] for fate in FATES},
-        "functions": {name: dict(fate) for name, fate in _by_function(fates_of_all).items()},
-        "checks": {name: {"first": f, "alone": a} for name, (f, a) in catches(fates_of_all).items()},
-        "survivors": [
-            {"function": mutant.function, "change": mutant.change, "line": mutant.line, "operator": mutant.operator}
-            for mutant in fates_of_all.survivors
-        ],
-        "crashing": [
-            {"function": mutant.function, "change": mutant.change, "line": mutant.line}
-            for mutant in fates_of_all.crashing
-        ],
-        "in_vain": [
-            {"function": name, "change": change, "fault": fault}
-            for (name, change), fault in fates_of_all.in_vain.items()
-        ],
-    }
 
 
 def _by_function(fates_of_all: Fates) -> dict[str, Counter[str]]:

@@ -1,7 +1,6 @@
 """The command that grades the grader: `tam570-grader audit`."""
 
 import argparse
-import json
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
@@ -14,7 +13,7 @@ from tam570_grader.errors import UsageError, say
 from tam570_grader.grading.executor import TaskExecutor, cores
 
 QUICK_SEEDS = 2
-Answer = tuple[object, list[str], int]  # plain data, lines to print, faults
+Answer = tuple[list[str], int]  # lines to print, faults
 Question = Callable[[Path, str, TaskExecutor, argparse.Namespace], Answer]
 
 
@@ -30,7 +29,6 @@ def add_audit(parser: argparse.ArgumentParser) -> None:
     add, asks = parser.add_argument, parser.add_mutually_exclusive_group().add_argument
     add("assignments", nargs="*", metavar="SLUG", help="default: all")
     add("--quick", action="store_true", help="a small fixed sample")
-    add("--json", action="store_true", help="print a JSON object for each assignment, one a line")
     fairness = "do right submissions ever lose points? with N seeds (default: %(const)s)"
     asks("--fairness", nargs="?", type=positive, const=100, metavar="N", help=fairness)
     for name, question in (
@@ -62,8 +60,8 @@ def _audit(arguments: argparse.Namespace) -> int:
     slugs = _with_functions(course, slugs, arguments.function) if arguments.function else slugs
     with executor_of(arguments, course, slugs) as executor:
         for slug in slugs:
-            data, lines, survived = question(course, slug, executor, arguments)
-            say("\n".join([json.dumps(data)] if arguments.json else lines))
+            lines, survived = question(course, slug, executor, arguments)
+            say("\n".join(lines))
             faults += survived
     return 1 if faults else 0
 
@@ -93,7 +91,7 @@ def _mutation(course: Path, slug: str, executor: TaskExecutor, arguments: argpar
     from tam570_grader.audit import mutation
 
     fates = mutation.fates(course, slug, executor, arguments.quick, arguments.function, arguments.seeds or 1)
-    return mutation.as_json(fates), mutation.report(fates), fates.faults
+    return mutation.report(fates), fates.faults
 
 
 def _fairness(course: Path, slug: str, executor: TaskExecutor, arguments: argparse.Namespace) -> Answer:
@@ -101,30 +99,28 @@ def _fairness(course: Path, slug: str, executor: TaskExecutor, arguments: argpar
 
     seeds = QUICK_SEEDS if arguments.quick else arguments.fairness
     lines = fairness.fair(course, slug, seeds, executor, arguments.keep)
-    counts = fairness.as_json(slug, lines)
-    return counts, fairness.report(lines), counts["false_fails"]
+    return fairness.report(lines), sum(bool(line["fails"]) for line in lines)
 
 
 def _diagnosis(course: Path, slug: str, executor: TaskExecutor, arguments: argparse.Namespace) -> Answer:
     from tam570_grader.audit import diagnosis
 
     diagnoses = diagnosis.diagnoses(course, slug, executor, arguments.quick, arguments.seeds or 1)
-    return diagnosis.as_json(slug, diagnoses), diagnosis.report(slug, diagnoses), diagnosis.faults(diagnoses)
+    return diagnosis.report(slug, diagnoses), diagnosis.faults(diagnoses)
 
 
 def _margins(course: Path, slug: str, executor: TaskExecutor, arguments: argparse.Namespace) -> Answer:
     from tam570_grader.audit import margins
 
     by_check = margins.margins(course, slug, QUICK_SEEDS if arguments.quick else margins.SEEDS, executor)
-    return margins.as_json(slug, by_check), margins.report(slug, by_check), margins.faults(by_check)
+    return margins.report(slug, by_check), margins.faults(by_check)
 
 
 def _cases(course: Path, slug: str, executor: TaskExecutor, arguments: argparse.Namespace) -> Answer:
     from tam570_grader.audit import cases
 
     seeds = arguments.seeds or (QUICK_SEEDS if arguments.quick else cases.SEEDS)
-    report = cases.report_cases(course, slug, executor, seeds)
-    return cases.as_json(report), cases.report(report), 0
+    return cases.report(cases.report_cases(course, slug, executor, seeds)), 0
 
 
 QUESTIONS: dict[str, Question] = {"fairness": _fairness, "diagnosis": _diagnosis, "cases": _cases, "margins": _margins}

@@ -1,6 +1,5 @@
 """Mutants of the solutions, hidden cases, and what the audit says of them; a slip in one function alone, too."""
 
-import json
 import math
 import re
 from dataclasses import replace
@@ -19,6 +18,7 @@ from tam570_grader.audit.mutate import mutants
 from tam570_grader.checks import assignments
 from tam570_grader.checks.failure import Failure
 from tam570_grader.diagnosis.mistakes import Mistake, solution_with
+from tam570_grader.grading.executor import executor
 
 SLUG = "hw08_axis_angle"
 LISTED = {  # what lists equivalent mutants, and a line of the audit
@@ -110,11 +110,11 @@ def test_a_diagnosis_tells_named_from_unnamed_and_misled():
 
 
 @pytest.mark.slow
-def test_the_margins_of_a_check_are_measured_from_both_sides(capsys):
-    assert cli.main(["audit", "hw12", "--margins", "--quick", "--jobs", "1", "--json"]) == 0
-    actual = json.loads(capsys.readouterr().out)["checks"]
-    careful, (name, careless), _ = actual["simulate_keeps_the_energy"]
-    assert 0 < 10 * careful < 1 < careless / 10 and name
+def test_the_margins_of_a_check_are_measured_from_both_sides(course):
+    with executor(1) as here:
+        actual = {margin.check: margin for margin in margins.margins(course, "hw12_bead_on_wire", 2, here)}
+    energy = actual["simulate_keeps_the_energy"]
+    assert 0 < 10 * energy.careful < 1 < energy.physics[1] / 10 and energy.physics[0]
     assert not any("accelerat" in check for check in actual)
 
 
