@@ -12,8 +12,6 @@ rotate: rotation_matrix.
 
 import numpy as np
 
-__all__ = ["rotate", "rotation_matrix", "skew"]
-
 
 def skew(v):
     """Matrix of the cross product: skew(v) @ r equals v x r.

@@ -260,8 +260,4 @@ def functions(text):
 
 
 def exported(text):
-    return next(
-        ast.literal_eval(node.value)
-        for node in ast.parse(text).body
-        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__"
-    )
+    return [name for name in functions(text) if not name.startswith("_")]

@@ -15,8 +15,6 @@ from tam570.show.plots import drift_caption, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Parameters
 
-__all__ = ["film", "moment"]
-
 EXAMPLE = {
     "inertia": ((1.2, 0.0, -0.4), (0.0, 1.5, 0.0), (-0.4, 0.0, 0.6)),  # kg m^2
     "spin": 3.0,  # rad/s

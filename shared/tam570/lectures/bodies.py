@@ -18,8 +18,6 @@ from tam570.show.plots import state_energy_plot, values
 from tam570.show.scene import Array, Panel, Scene, Shape, drawable_rate, frame_times
 from tam570.values import Parameters
 
-__all__ = ["angular_momentum", "energy", "film", "momentum", "rates"]
-
 STATE = {f"{part}{axis}{i}": unit for part, unit in (("", "m"), ("v", "m/s")) for i in (1, 2, 3) for axis in "xyz"}
 EXAMPLE: Parameters = {"masses": (1.0, 1.0, 1.0), "newton": 1.0}  # kg, m^3/(kg s^2)
 X, Y, VX, VY = 0.97000436, -0.24308753, 0.466203685, 0.43236573  # m, m, m/s, m/s

@@ -18,8 +18,6 @@ from math import inf, sqrt
 from tam570.arguments import finite, nonnegative, positive
 from tam570.show.scenes import chains, drawn_for
 
-__all__ = ["film", "folded", "lifted", "poured"]
-
 EXAMPLE = {"length": 40.0, "density": 1.0, "speed": 8.0, "gravity": 9.81, "supplied": 0.2}  # m, kg/m, m/s, m/s^2, 1
 
 

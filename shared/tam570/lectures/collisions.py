@@ -15,8 +15,6 @@ from tam570.arguments import array, numbers
 from tam570.show.scene import Array
 from tam570.show.scenes import collisions, drawn_for
 
-__all__ = ["collide", "cradle", "film"]
-
 EXAMPLE = {"restitution": 0.95}
 PARTED = 1e-12  # of the speeds at the contact: what rounding leaves of bodies that keep together
 SETTLED = 1e-14  # of the largest speed: an approach below this is rounding

@@ -17,8 +17,6 @@ from tam570.show.drawing import circle, cone
 from tam570.show.plots import drift_caption, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving, with_slider
 
-__all__ = ["axis", "body_cone", "body_rate", "film", "omega", "precession_rate", "space_cone"]
-
 EXAMPLE = {"axial": 2.0, "transverse": 1.1, "spin": 2.0, "wobble": 1.2}  # kg m^2, rad/s
 SHAPES = (0.4, 1.4)  # axial, of the scene's slider; from a rod to a disk
 

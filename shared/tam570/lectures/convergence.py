@@ -21,8 +21,6 @@ from tam570.show.scene import Array
 from tam570.show.scenes import convergence, drawn_for
 from tam570.values import Function, Parameters
 
-__all__ = ["energy", "errors", "film", "order", "rates", "wrong_rates"]
-
 STATE = {"th1": "rad", "th2": "rad", "om1": "rad/s", "om2": "rad/s"}
 EXAMPLE: Parameters = {"masses": (1.0, 0.6), "lengths": (1.0, 0.8), "gravity": 9.81}  # kg, m, m/s^2
 START = (1.2, 0.4, 0.0, 0.0)

@@ -14,8 +14,6 @@ from tam570.show.plots import value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Parameters
 
-__all__ = ["dyad", "film", "nine", "rotation"]
-
 EXAMPLE: Parameters = {  # triads, and a vector to turn, m
     "before": ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)),
     "after": ((0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0)),

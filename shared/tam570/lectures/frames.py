@@ -18,20 +18,6 @@ from tam570.arguments import array, finite, nonnegative, numbers, positive, sequ
 from tam570.show.scene import Array
 from tam570.show.scenes import drawn_for, frames
 
-__all__ = [
-    "angular_momentum",
-    "centrifugal",
-    "coriolis",
-    "exact",
-    "film",
-    "foucault",
-    "foucault_path",
-    "from_space",
-    "jacobi_integral",
-    "rates",
-    "to_space",
-]
-
 STATE = {"x": "m", "y": "m", "vx": "m/s", "vy": "m/s"}  # as seen from the turntable
 EXAMPLE = {"mass": 1.0, "stiffness": 0.5, "spin": 1.5}  # kg, N/m, rad/s
 START = (1.0, 0.0, -0.6, -1.2)

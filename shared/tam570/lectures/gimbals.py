@@ -17,8 +17,6 @@ from tam570.show.plots import drift_caption, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Parameters
 
-__all__ = ["angular_velocity", "euler_rates", "film", "rings"]
-
 EXAMPLE = {"sequence": "313", "miss": 0.12}  # rad, by which the scene's body misses the lock
 SEQUENCES = ("313", "312")
 LOCK = 1e-12  # volume that the three axes span, below which they are in one plane but for rounding

@@ -17,8 +17,6 @@ from tam570.show.plots import value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Parameters
 
-__all__ = ["film", "inertia", "of_box", "of_disk", "parallel_axis", "principal"]
-
 EXAMPLE: Parameters = {  # m, kg
     "points": ((1.0, 0.3, 0.2), (-0.9, 0.4, 0.0), (0.2, -1.0, 0.3), (0.1, 0.5, -0.7), (-0.3, -0.3, 0.5)),
     "masses": (1.0, 1.5, 1.0, 2.0, 1.0),

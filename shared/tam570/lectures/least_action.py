@@ -16,8 +16,6 @@ from tam570.arguments import finite, numbers, positive, whole_number
 from tam570.show.scene import Array
 from tam570.show.scenes import drawn_for, least_action
 
-__all__ = ["action", "film", "is_minimum", "path", "swing"]
-
 EXAMPLE = {"a": 0.3, "b": 0.5, "duration": 2.6, "points": 241, "length": 10.0, "gravity": 9.81}  # rad, s, 1, m, m/s^2
 FINISHED = 1e-11  # rad, of a Newton step, after which the next would be rounding
 ROUNDING = 1e-15  # of the terms of a derivative: near half a period a step does not tell, so flat is the action

@@ -19,8 +19,6 @@ from tam570.show.plots import drift_caption, value_plot, values
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Parameters
 
-__all__ = ["angular_momentum", "balances", "film", "kinetic"]
-
 EXAMPLE: Parameters = {"masses": (3.0, 1.0, 2.0)}  # kg
 TRIANGLE = ((0.2, -0.4), (1.4, -0.3), (0.7, 0.6))  # m, of the film's first particles; more stand on a circle
 STIFFNESS, LENGTH, PUSH, SPIN = 20.0, 1.0, (-0.15, 0.3), 1.5  # N/m, m, m/s, rad/s, of the film

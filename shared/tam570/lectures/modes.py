@@ -14,8 +14,6 @@ from tam570.show.plots import drift_caption, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times
 from tam570.values import Parameters
 
-__all__ = ["chain", "film", "inverted_pendulum", "modes", "pendulum", "saddle"]
-
 EXAMPLE = {"n": 4, "mass": 1.0, "stiffness": 40.0}  # kg, N/m
 SECONDS, SWING = 10.0, 0.22  # s, m
 

@@ -18,8 +18,6 @@ from tam570.show.live import Live, drag, energies
 from tam570.show.plots import drift_caption, state_energy_plot, value_plot, values
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 
-__all__ = ["angular_momentum", "energy", "exact", "film", "orbit_tensor", "rates"]
-
 STATE = {"x": "m", "y": "m", "z": "m", "vx": "m/s", "vy": "m/s", "vz": "m/s"}
 EXAMPLE = {"mass": 1.0, "stiffness": 4.0}  # kg, N/m
 START = (1.0, 0.0, 0.3, 0.2, 1.2, -0.4)

@@ -16,8 +16,6 @@ from tam570.arguments import numbers, positive, sequence
 from tam570.show.scene import Array
 from tam570.show.scenes import drawn_for, planet
 
-__all__ = ["angular_momentum", "elements", "energy", "exact", "film", "laplace_runge_lenz", "rates"]
-
 STATE = {"x": "m", "y": "m", "z": "m", "vx": "m/s", "vy": "m/s", "vz": "m/s"}
 EXAMPLE = {"gm": 1.0}  # m^3/s^2
 START = (1.5, 0.0, 0.0, 0.0, 0.6, 0.2)

@@ -17,8 +17,6 @@ from tam570.show.plots import value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, with_slider
 from tam570.values import Numbers
 
-__all__ = ["film", "hodograph", "rates", "terminal_speed"]
-
 STATE = {"x": "m", "y": "m", "vx": "m/s", "vy": "m/s"}
 EXAMPLE = {"mass": 5.0, "drag": 0.01, "gravity": 9.81}  # kg, kg/m, m/s^2: a cannon ball
 START = (0.0, 0.0, 90.0, 90.0)

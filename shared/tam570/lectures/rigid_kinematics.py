@@ -15,8 +15,6 @@ from tam570.arguments import finite, numbers, positive
 from tam570.show.plots import value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 
-__all__ = ["acceleration", "film", "five_terms", "turning_vector", "velocity"]
-
 EXAMPLE = {"length": 1.0, "spin": 1.6, "spin_rate": -0.5, "slide": 1.6}  # m, rad/s, rad/s^2, m/s
 TERMS = ("origin", "euler", "centripetal", "coriolis", "relative")
 SECONDS, SWAY = 4.0, 0.5  # s, m, of the film: A goes to and fro

@@ -16,8 +16,6 @@ from tam570.integrate import solve
 from tam570.show.plots import drift_caption, value_plot, values
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
 
-__all__ = ["coasting_energy", "exact", "film", "rates", "wrong_rates"]
-
 STATE = {"height": "m", "speed": "m/s", "mass": "kg"}
 EXAMPLE = {"burn_rate": 20.0, "exhaust_speed": 1500.0, "empty_mass": 400.0, "gravity": 9.81}  # kg/s, m/s, kg, m/s^2
 START = (0.0, 5.0, 600.0)

@@ -14,8 +14,6 @@ from tam570.show.plots import value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
 from tam570.values import Numbers, Parameters
 
-__all__ = ["by_constraint", "by_elimination", "film"]
-
 EXAMPLE: Parameters = {"masses": (1.0, 2.0), "forces": (3.0, -1.0)}  # kg, N
 SECONDS = 6.0  # of the scene
 

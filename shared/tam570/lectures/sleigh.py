@@ -17,8 +17,6 @@ from tam570.arguments import finite, numbers, positive, sequence
 from tam570.show.scene import Array
 from tam570.show.scenes import drawn_for, sleigh
 
-__all__ = ["energy", "exact", "film", "gyration", "rates", "straight_growth_rate"]
-
 STATE = {"x": "m", "y": "m", "heading": "rad", "speed": "m/s", "yaw_rate": "rad/s"}
 EXAMPLE = {"mass": 1.0, "inertia": 0.1, "offset": 0.4}  # kg, kg m^2, m
 START = (0.0, 0.0, 0.0, -1.0, 0.02)

@@ -18,8 +18,6 @@ from tam570.show.drawing import circle, solid
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times
 from tam570.values import Parameters
 
-__all__ = ["compose", "film"]
-
 EXAMPLE: Parameters = {"first": (0.0, 0.0, 1.6), "second": (1.2, 0.3, 0.0)}  # rad
 SECONDS = 9.0  # of the scene
 

@@ -20,8 +20,6 @@ from tam570.integrate import solve
 from tam570.show.scene import Array
 from tam570.show.scenes import drawn_for, stiff_impact
 
-__all__ = ["energy", "film", "push", "rates", "rebound", "two_contacts"]
-
 STATE = {"x": "m", "v": "m/s"}
 EXAMPLE = {"mass": 1.0, "stiffness": 400.0, "gravity": 9.81}  # kg, N/m, m/s^2
 START = (0.0, -2.5)

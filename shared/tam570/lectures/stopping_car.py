@@ -12,8 +12,6 @@ from tam570.arguments import nonnegative, one_of, positive
 from tam570.show.scenes import drawn_for, stopping_car
 from tam570.values import Parameters
 
-__all__ = ["by_centre_of_mass", "by_one_point", "by_three_points", "film"]
-
 EXAMPLE: Parameters = {  # m, m, m, -, m/s^2
     "height": 0.6,
     "front": 1.2,

@@ -19,8 +19,6 @@ from tam570.show.plots import drift_caption, state_energy_plot, value_plot, valu
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Numbers, Parameters
 
-__all__ = ["angular_momentum", "by_lagrange", "by_newton", "energy", "film", "rates"]
-
 STATE = {"r": "m", "th": "rad", "vr": "m/s", "om": "rad/s"}
 EXAMPLE = {"masses": (1.0, 1.5), "gravity": 9.81}  # kg, on the table and below it; m/s^2
 START = (0.6, 0.0, 0.0, 3.0)

@@ -17,8 +17,6 @@ from tam570.show.plots import drift_caption, value_plot, values
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Numbers, Parameters
 
-__all__ = ["constraint_force", "energy", "film", "height", "rates"]
-
 STATE = {"x": "m", "y": "m", "vx": "m/s", "vy": "m/s"}
 EXAMPLE = {"mass": 1.0, "gravity": 9.81, "surface": "bowl", "curvature": 0.6}  # kg, m/s^2, 1/m
 START = (-1.0, 0.4, 1.5, -0.9)

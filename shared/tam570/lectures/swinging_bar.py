@@ -21,8 +21,6 @@ from tam570.show.plots import state_energy_plot, values
 from tam570.show.rods import joints, rod_handles
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
 
-__all__ = ["energy", "exact", "film", "hinge_force", "rates"]
-
 STATE = {"th": "rad", "om": "rad/s"}
 EXAMPLE = {"mass": 2.0, "length": 1.0, "gravity": 9.81}  # kg, m, m/s^2
 START = (2.5, 0.0)

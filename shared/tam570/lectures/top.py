@@ -16,17 +16,6 @@ from numpy.typing import ArrayLike
 from tam570.arguments import finite, numbers, positive, sequence
 from tam570.show.scenes import drawn_for, top
 
-__all__ = [
-    "axial_momentum",
-    "classic_precession",
-    "energy",
-    "film",
-    "rates",
-    "sleeps",
-    "steady_precession",
-    "vertical_momentum",
-]
-
 STATE = {"psi": "rad", "theta": "rad", "phi": "rad", "psi_rate": "rad/s", "theta_rate": "rad/s", "phi_rate": "rad/s"}
 EXAMPLE = {"mass": 2.0, "distance": 1.5, "axial": 5.0, "transverse": 7.0, "gravity": 9.81}  # kg, m, kg m^2, m/s^2
 START = (0.0, 1.0, 0.0, 0.0, 0.0, 5.0)

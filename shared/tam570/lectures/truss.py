@@ -17,8 +17,6 @@ from tam570.show.scene import Array
 from tam570.show.scenes import drawn_for, truss
 from tam570.values import Numbers, Parameters
 
-__all__ = ["angular_momentum", "energy", "film", "momentum", "rates", "rigid"]
-
 STATE = {f"{part}{axis}{i}": unit for part, unit in (("", "m"), ("v", "m/s")) for i in (1, 2, 3, 4) for axis in "xy"}
 EXAMPLE: Parameters = {  # kg, -, m, N/m: a square with one diagonal
     "masses": (1.0, 1.0, 2.0, 1.0),

@@ -19,8 +19,6 @@ from tam570.show.plots import state_energy_plot, value_plot, values
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Parameters
 
-__all__ = ["energy", "exact", "film", "momentum", "rates", "spring_energy", "tension"]
-
 STATE = {"x1": "m", "x2": "m", "v1": "m/s", "v2": "m/s"}
 EXAMPLE: Parameters = {"masses": (1.0, 2.0), "stiffness": 6.0, "rest_length": 1.0}  # kg, N/m, m
 START = (0.0, 1.6, 0.0, 0.6)

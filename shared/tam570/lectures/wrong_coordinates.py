@@ -20,8 +20,6 @@ from tam570.show.scene import Array, Panel, Scene, Shape, frame_times, moving
 from tam570.show.turning import box_size, in_space, live_body, spin_arrow
 from tam570.values import Parameters
 
-__all__ = ["angular_momentum", "energy", "film", "rates", "wrong_rates"]
-
 STATE = {f"R{i}{j}": "1" for i in (1, 2, 3) for j in (1, 2, 3)} | {f"omega_{i}": "rad/s" for i in (1, 2, 3)}
 EXAMPLE = {"inertia": (1.0, 2.0, 2.6)}  # kg m^2
 START = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.4, 1.6, 0.9)

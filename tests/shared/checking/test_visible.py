@@ -30,7 +30,8 @@ def strict(function):
     return called
 
 solution = runpy.run_path({solution!r})
-globals().update({{name: strict(solution[name]) for name in solution["__all__"]}})
+written = {{name: it for name, it in solution.items() if getattr(it, "__module__", "") == solution["__name__"]}}
+globals().update({{name: strict(function) for name, function in written.items()}})
 """
 RIGHT = sorted((assignments.find() / "autograder" / "checks").glob("*/alternatives/*.py"))
 
