@@ -21,7 +21,15 @@ from tqdm import tqdm
 from tam570_grader.nbgrader.course import run as make_course
 
 STEPS = ("Execute", "IgnorePattern", "LimitOutput", "SaveAutoGrades", "AssignLatePenalties", "CheckCellMetadata")
-HANGS = "\n\ndef rotate(*args, **kwargs):\n    while True:\n        pass\n"  # of hw08
+HANGS = """
+
+def _for_ever(*args, **kwargs):
+    while True:
+        pass
+
+
+globals()[__all__[0]] = _for_ever
+"""
 WAYS = {  # and what the course's nbgrader_config.py says more
     "our preprocessors": "",
     "our preprocessors, 2 s a call": "c.SandboxGrades.call = 2",

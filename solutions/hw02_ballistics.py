@@ -15,6 +15,18 @@ import numpy as np
 
 from tam570.integrate import solve
 
+__all__ = [
+    "best_angle",
+    "flight_time",
+    "free_body_diagram",
+    "horizontal_range",
+    "limit_shape",
+    "plot_comparison",
+    "simulate",
+    "state_derivative",
+    "trajectory",
+]
+
 
 def free_body_diagram(state, *, mass, drag, gravity):
     """The forces on the particle.

@@ -15,6 +15,16 @@ import math
 
 import numpy as np
 
+__all__ = [
+    "acceleration",
+    "consistent_state",
+    "constraint_force",
+    "energy",
+    "free_body_diagram",
+    "simulate",
+    "wireframe",
+]
+
 
 def free_body_diagram(state, *, mass, length, gravity):
     """The forces on the particle, cut free from the rod.

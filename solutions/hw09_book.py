@@ -12,6 +12,8 @@ import math
 
 import numpy as np
 
+__all__ = ["axis_angle", "axis_rotation", "body_sequence", "book_edges", "book_rotations", "space_sequence"]
+
 
 def axis_rotation(axis, angle):
     """Matrix that turns vectors by `angle` about a coordinate axis.

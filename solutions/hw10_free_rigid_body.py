@@ -14,6 +14,21 @@ import math
 
 import numpy as np
 
+__all__ = [
+    "angular_momentum",
+    "attitude_rate",
+    "energy",
+    "euler_equations",
+    "euler_rates_313",
+    "growth_rate_squared",
+    "plot_rim_paths",
+    "simulate",
+    "symmetric_solution",
+    "tumble_period",
+    "wireframe",
+    "wobble_rate",
+]
+
 
 def euler_equations(omega, *, inertia):
     """Rate of change of omega, in body components.

@@ -18,6 +18,18 @@ Rolling means that the point of the disk on the ground has no velocity: a spin =
 
 import math
 
+__all__ = [
+    "common_precession",
+    "contact_force",
+    "moment_residual",
+    "rolling_precession",
+    "rolling_spin",
+    "rolling_track_radius",
+    "settling_energy",
+    "sliding_spin",
+    "sliding_track_radius",
+]
+
 
 def rolling_precession(lean, track_radius, *, mass, radius, inertia, gravity):
     """Precession Omega >= 0 of a disk that rolls steadily on a ground track of this radius.

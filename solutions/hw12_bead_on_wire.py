@@ -12,6 +12,17 @@ import math
 
 import numpy as np
 
+__all__ = [
+    "acceleration_newton",
+    "constraint_force",
+    "energy",
+    "free_body_diagram",
+    "lagrange_equation",
+    "lagrangian",
+    "period",
+    "simulate",
+]
+
 
 def free_body_diagram(x, *, mass, curvature, gravity):
     """The forces on the bead, cut free from the wire.

@@ -12,6 +12,17 @@ m/s^2, may be 0.
 
 import math
 
+__all__ = [
+    "acceleration",
+    "contact_force",
+    "contact_inertia",
+    "energy",
+    "free_body_diagram",
+    "missing_moment",
+    "naive_contact_acceleration",
+    "simulate",
+]
+
 
 def free_body_diagram(phi, *, mass, radius, offset, slope, gravity):
     """The forces on the cylinder, cut free from the ramp.

@@ -19,6 +19,22 @@ import math
 
 import numpy as np
 
+__all__ = [
+    "contact_force",
+    "critical_speed",
+    "energy",
+    "euler_state_derivative",
+    "free_body_diagram",
+    "growth_rate_squared",
+    "matrix_state",
+    "matrix_state_derivative",
+    "multiplier_state_derivative",
+    "simulate_euler",
+    "simulate_matrix",
+    "steady_residual",
+    "wireframe",
+]
+
 
 def free_body_diagram(state, *, mass, radius, gravity):
     """The forces on the disk, cut free from the ground, in space axes.

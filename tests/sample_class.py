@@ -6,18 +6,25 @@ Every assignment has right answers in different styles, answers that are wrong i
 done, one that hangs, one that crashes and one that attacks the grader. They are the submissions of the tests.
 """
 
-import ast
 import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 from tam570_grader.audit.gradings import submissions
 from tam570_grader.checks import assignments
-from tam570_grader.release.stubs import exported, stub
+from tam570_grader.release.stubs import stub
 
 TESTS = Path(__file__).parent
-REPLACED = "\n\ndef {name}(*args, **kwargs):\n    {body}\n"
-HANGS, CRASHES = "while True: pass", "__import__('os').abort()"
+REPLACED = """
+
+def _replacement(*args, **kwargs):
+    {body}
+
+
+globals()[__all__[0]] = _replacement
+"""
+HANGS = REPLACED.format(body="while True: pass")
+CRASHES = REPLACED.format(body="__import__('os').abort()")
 
 
 def sample_class() -> Iterator[tuple[str, str, str]]:
@@ -31,9 +38,8 @@ def sample_class() -> Iterator[tuple[str, str, str]]:
         for student, text in zip(("dev", "eli", "fay"), wrong[::3], strict=False):
             yield student, slug, f"{solution}\n\n{text}"
         yield "gus", slug, half_done(solution)
-        first = min(exported(ast.parse(solution)))
-        yield "hal", slug, solution + REPLACED.format(name=first, body=HANGS)
-        yield "ida", slug, solution + REPLACED.format(name=first, body=CRASHES)
+        yield "hal", slug, solution + HANGS
+        yield "ida", slug, solution + CRASHES
         yield "kim", slug, stub(solution)
     for path in sorted((TESTS / "hostile").glob("*.py"))[::7]:
         yield f"mallory-{path.stem}", "hw08_axis_angle", path.read_text()

@@ -260,4 +260,8 @@ def functions(text):
 
 
 def exported(text):
-    return [name for name in functions(text) if not name.startswith("_")]
+    return next(
+        ast.literal_eval(node.value)
+        for node in ast.parse(text).body
+        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__"
+    )

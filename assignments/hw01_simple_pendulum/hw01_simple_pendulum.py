@@ -17,6 +17,21 @@ Ways of my own
 
 import numpy as np
 
+__all__ = [
+    "action",
+    "angular_momentum_balance",
+    "energy_balance",
+    "free_body_diagram",
+    "lagrange_equation",
+    "lagrangian",
+    "linear_momentum_balance",
+    "period",
+    "power_balance",
+    "simulate",
+    "small_angle_solution",
+    "virtual_work",
+]
+
 
 def free_body_diagram(theta, omega, *, mass, length, gravity):
     """The forces on the mass, cut free from the rod.

@@ -11,6 +11,18 @@ Off limits inside `trajectory`: scipy.integrate and tam570.integrate. A closed f
 
 import numpy as np
 
+__all__ = [
+    "best_angle",
+    "flight_time",
+    "free_body_diagram",
+    "horizontal_range",
+    "limit_shape",
+    "plot_comparison",
+    "simulate",
+    "state_derivative",
+    "trajectory",
+]
+
 
 def free_body_diagram(state, *, mass, drag, gravity):
     """The forces on the particle.

@@ -12,6 +12,8 @@ A `definition` is "a", "b" or "c"; `mass` is that of P, in kg.
 
 import numpy as np
 
+__all__ = ["angular_momentum", "discrepancy", "moment", "rate", "special_motion"]
+
 
 def moment(r_p, a_p, r_c, *, mass):
     """Moment about C of the total force on P.

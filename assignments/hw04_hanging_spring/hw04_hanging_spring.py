@@ -12,6 +12,17 @@ Off limits in this file: tam570.lectures, which would answer it.
 
 import numpy as np
 
+__all__ = [
+    "energy",
+    "free_body_diagram",
+    "orbit",
+    "plot_projection",
+    "project",
+    "simulate",
+    "solution",
+    "state_derivative",
+]
+
 
 def free_body_diagram(state, *, mass, stiffness, gravity):
     """The forces on the mass, cut free from the spring.

@@ -13,6 +13,16 @@ Cartesian coordinates only: what is wanted is found from F = m a and the constra
 
 import numpy as np
 
+__all__ = [
+    "acceleration",
+    "consistent_state",
+    "constraint_force",
+    "energy",
+    "free_body_diagram",
+    "simulate",
+    "wireframe",
+]
+
 
 def free_body_diagram(state, *, mass, length, gravity):
     """The forces on the particle, cut free from the rod.

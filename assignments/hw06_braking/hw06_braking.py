@@ -17,6 +17,18 @@ gravity in m/s^2; friction and gravity may be 0.
 
 import numpy as np
 
+__all__ = [
+    "axle_load",
+    "critical_speed",
+    "free_body_diagram",
+    "friction_force",
+    "kinetic_energy",
+    "simulate",
+    "small_yaw_rate",
+    "state_derivative",
+    "yaw_growth_rate",
+]
+
 
 def free_body_diagram(state, locked, *, mass, front, rear, friction, gravity):
     """The forces on the car in the plane of the ground, seen from above.

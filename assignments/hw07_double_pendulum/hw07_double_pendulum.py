@@ -18,6 +18,21 @@ Nothing is off limits in this file.
 
 import numpy as np
 
+__all__ = [
+    "angular_acceleration",
+    "angular_momentum",
+    "energy",
+    "free_body_diagram",
+    "gravity_terms",
+    "mass_matrix",
+    "on_the_fly",
+    "plot_tip_path",
+    "simulate",
+    "small_oscillation_frequencies",
+    "velocity_terms",
+    "wireframe",
+]
+
 
 def free_body_diagram(bar, theta, *, masses, lengths, gravity):
     """The forces on one bar, cut free from the ceiling and from the other bar.

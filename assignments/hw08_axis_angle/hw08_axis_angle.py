@@ -12,6 +12,8 @@ rotate: rotation_matrix.
 
 import numpy as np
 
+__all__ = ["rotate", "rotation_matrix", "skew"]
+
 
 def skew(v):
     """Matrix of the cross product: skew(v) @ r equals v x r.

@@ -10,6 +10,8 @@ Off limits in this file: scipy.spatial.transform, tam570.rotations and tam570.le
 
 import numpy as np
 
+__all__ = ["axis_angle", "axis_rotation", "body_sequence", "book_edges", "book_rotations", "space_sequence"]
+
 
 def axis_rotation(axis, angle):
     """Matrix that turns vectors by `angle` about a coordinate axis.

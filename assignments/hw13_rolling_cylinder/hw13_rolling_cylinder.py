@@ -10,6 +10,17 @@ Units: phi and slope in rad, phi_dot in rad/s, mass in kg, radius and offset, >=
 m/s^2, may be 0.
 """
 
+__all__ = [
+    "acceleration",
+    "contact_force",
+    "contact_inertia",
+    "energy",
+    "free_body_diagram",
+    "missing_moment",
+    "naive_contact_acceleration",
+    "simulate",
+]
+
 
 def free_body_diagram(phi, *, mass, radius, offset, slope, gravity):
     """The forces on the cylinder, cut free from the ramp.

@@ -50,7 +50,7 @@ def _generated(course: Path, slug: str) -> dict[Path, str]:
 def stub(source: str) -> str:
     """Return the stub of a solution's source.
 
-    A function that students write keeps its signature and docstring; other public definitions stay as they are;
+    A function named in `__all__` keeps its signature and docstring; other public definitions stay as they are;
     private ones go, and with them their comments and the imports and constants that nothing uses any more.
     """
     tree = ast.parse(source)
@@ -63,11 +63,11 @@ def stub(source: str) -> str:
 
 
 def exported(tree: ast.Module) -> set[str]:
-    """Return the names of the functions that students write: those in `__all__`, or without one all public ones."""
+    """Return the names of the functions that students write."""
     for node in tree.body:
         if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__":
             return set(ast.literal_eval(node.value))
-    return {node.name for node in tree.body if isinstance(node, ast.FunctionDef) and not _private(node)}
+    raise ValueError("a solution must name what students write in __all__")
 
 
 def _names(node: ast.stmt) -> list[str]:

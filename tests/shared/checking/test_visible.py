@@ -30,8 +30,7 @@ def strict(function):
     return called
 
 solution = runpy.run_path({solution!r})
-written = {{name: it for name, it in solution.items() if getattr(it, "__module__", "") == solution["__name__"]}}
-globals().update({{name: strict(function) for name, function in written.items()}})
+globals().update({{name: strict(solution[name]) for name in solution["__all__"]}})
 """
 RIGHT = sorted((assignments.find() / "autograder" / "checks").glob("*/alternatives/*.py"))
 
