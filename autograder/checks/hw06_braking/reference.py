@@ -36,11 +36,9 @@ def velocity_of(point, state, locked, front, rear):
 
 def friction_force(state, locked, *, mass, front, rear, friction, gravity):
     forward, left = velocity_of(axles(locked, front, rear)[1], state, locked, front, rear)
-    size, sliding = (
-        friction * axle_load(locked, mass=mass, front=front, rear=rear, gravity=gravity),
-        hypot(forward, left),
-    )
-    return (-size * forward / sliding, -size * left / sliding) if sliding else (0.0, 0.0)
+    size = friction * axle_load(locked, mass=mass, front=front, rear=rear, gravity=gravity)
+    sliding = hypot(forward, left) + 1e-300  # at rest it has no direction
+    return -size * forward / sliding, -size * left / sliding
 
 
 def state_derivative(t, state, locked, *, yaw_inertia, **car):
@@ -76,7 +74,7 @@ def stopped(start, locked, car):
 
     def slowed(_, s):
         sliding = hypot(*velocity_of(dragging, s, locked, car["front"], car["rear"]))
-        return sliding * np.append(state_derivative(0.0, s[:5], locked, **car), 1.0)
+        return [sliding * rate for rate in (*state_derivative(0.0, s[:5], locked, **car), 1.0)]
 
     decays = 16 * (free - dragging) / (car["friction"] * car["gravity"] * free)  # to exp(-16) of the speed
     *state, time = solve(slowed, [0.0, decays], [*start, 0.0], rtol=1e-9, method="python")[-1]

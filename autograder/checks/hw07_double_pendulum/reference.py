@@ -61,7 +61,7 @@ def angular_momentum(theta, omega, masses, lengths):
 
 def rates(_, state, masses, lengths, gravity):
     """The derivative of a state: angular_acceleration in real numbers, in plain floats, which are fast."""
-    th1, th2, om1, om2 = map(float, state)
+    th1, th2, om1, om2 = state.tolist()
     (m1, m2), (l1, l2) = map(float, masses), map(float, lengths)
     both, lower, coupling = (m1 / 3 + m2) * l1**2, m2 * l2**2 / 3, m2 * l1 * l2 / 2
     between = coupling * math.cos(th1 - th2)

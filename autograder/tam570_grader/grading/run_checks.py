@@ -17,7 +17,7 @@ from tam570_grader.checks import assignments
 from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.checks.case import Call, Case
 from tam570_grader.checks.check import Check
-from tam570_grader.checks.effort import Exhausted
+from tam570_grader.checks.effort import Exhausted, uncounted
 from tam570_grader.checks.expect import LONGEST_FAULT, Failed, NotWritten, check_context
 from tam570_grader.checks.failure import Failure
 from tam570_grader.checks.returns import FreeBodyDiagram
@@ -136,9 +136,10 @@ def rehearse(assignment: LoadedAssignment, seed: int) -> None:
     A check that asks a student for more than results to compare ends there. What goes wrong here will go wrong, and
     be told, where a submission is graded.
     """
-    for check in assignment.checks:
-        with suppress(Exception), budget(), np.errstate(all="ignore"), check_context(is_rehearsal=True):
-            check.run(_NoStudent(assignment), generator(seed, assignment.slug, check))
+    with np.errstate(all="ignore"), uncounted(assignments.PACKAGES):  # no submission chooses its inputs
+        for check in assignment.checks:
+            with suppress(Exception), budget(), check_context(is_rehearsal=True):
+                check.run(_NoStudent(assignment), generator(seed, assignment.slug, check))
 
 
 def not_graded(name: str, assignment: LoadedAssignment, status: str, message: str, seed: int) -> Result:

@@ -1,14 +1,16 @@
 """What the grader spends on one check is counted: one that asks for too much fails alone, and the next ones run."""
 
+import sys
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from types import ModuleType
 
 import numpy as np
 import pytest
 from parameters import first
 
 from tam570_grader.checks import assignments
-from tam570_grader.checks.effort import compile_counted, limited
+from tam570_grader.checks.effort import Exhausted, compile_counted, limited, uncounted
 from tam570_grader.diagnosis import diagnose
 from tam570_grader.grading import budget, run_checks
 from tam570_grader.grading.run_checks import graded
@@ -107,3 +109,13 @@ def test_rows_that_are_absurd_are_judged_by_every_check(number, grade, solution_
     lines = {check.name: check.title for check in assignments.assignment(course, slug).checks}
     of_motions = ("simulate", "plot_rim_paths")  # which calls it
     assert all(check.outcome == "passed" for check in result.checks if not lines[check.name].startswith(of_motions))
+
+
+def test_what_is_uncounted_is_counted_again_afterwards(monkeypatch):
+    module = ModuleType("_checks_of_a_test")
+    exec(compile_counted(ENDLESS.replace("while True", "for _ in range(9)"), "<text>"), vars(module))
+    monkeypatch.setitem(sys.modules, module.__name__, module)
+    with limited(1), uncounted(module.__name__):
+        module.endless()
+    with limited(1), pytest.raises(Exhausted):
+        module.endless()
