@@ -6,7 +6,7 @@ import numpy as np
 from methods import METHODS
 
 OURS = ("tam570, prepared", "tam570, compiled")
-PEERS = ("heyoka", "CyRK", "numbalsoda")
+PEERS = ("heyoka", "CyRK")
 
 
 def tables(scenes, targets, sets):

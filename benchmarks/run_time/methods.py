@@ -15,9 +15,6 @@ LIBRARIES = {
     "tam570, prepared": ["llvmlite"],
     "heyoka": ["heyoka"],
     "CyRK": ["CyRK", "numba"],
-    "CyRK, Python": ["CyRK"],
-    "numbalsoda": ["numbalsoda", "numba"],
-    "diffrax": ["diffrax"],
 }
 
 
@@ -65,27 +62,11 @@ def odeint(scene, tolerance):
 
 
 def cyrk(scene, tolerance):
-    """Called from Python, with the right-hand side in Python."""
-    import numpy as np
-    from CyRK import pysolve_ivp
-
-    rhs, start, parameters, end = scene
-    f = functools.partial(rhs, **parameters)
-
-    def rates(dy, t, y):
-        dy[:] = f(t, y)
-
-    options = {"method": "DOP853", "rtol": tolerance, "atol": tolerance, "pass_dy_as_arg": True}
-    return lambda: pysolve_ivp(rates, (0.0, end), np.array(start), **options).y[:, -1]
-
-
-def cyrk_compiled(scene, tolerance):
     """Its numba interface, with the right-hand side as a callback in C."""
-    import numpy as np
     from CyRK.nb.numba_solver import cyjit, nbsolve2_ivp
 
     rhs, start, parameters, end = scene
-    address = _by_numba(rhs, parameters, len(start), "dy, t, y, args", "dy[{}] = {}", cyjit).address
+    address = _by_numba(rhs, parameters, len(start), cyjit).address
     start_array = np.array(start)
 
     def states():
@@ -97,29 +78,11 @@ def cyrk_compiled(scene, tolerance):
     return states
 
 
-def numbalsoda(scene, tolerance):
-    import numba
-    import numpy as np
-    from numbalsoda import dop853, lsoda_sig
-
-    rhs, start, parameters, end = scene
-    address = _by_numba(rhs, parameters, len(start), "t, y, dy, p", "dy[{}] = {}", numba.cfunc(lsoda_sig)).address
-    times = np.array([0.0, end])
-
-    def states():
-        rows, success = dop853(address, np.array(start), times, rtol=tolerance, atol=tolerance)
-        if not success:
-            raise RuntimeError("no success")
-        return rows[-1]
-
-    return states
-
-
 _WRITTEN = {}
 
 
-def _by_numba(rhs, parameters, size, arguments, assigned, compiler):
-    """The traced right-hand side as a function in numba's hands, as both peers' manuals advise; once a problem."""
+def _by_numba(rhs, parameters, size, compiler):
+    """The traced right-hand side as a function in numba's hands, as CyRK's manual advises; once a problem."""
     import math
 
     from tam570.integrate.formulas import written
@@ -127,13 +90,13 @@ def _by_numba(rhs, parameters, size, arguments, assigned, compiler):
 
     formulas, constants = written(traced(functools.partial(rhs, **parameters), size))
     lines = [f"c{i} = {c!r}" for i, c in enumerate(constants)] + [f"s{i} = y[{i}]" for i in range(size)]
-    lines += [*formulas.lines, *(assigned.format(i, rate) for i, rate in enumerate(formulas.rates))]
-    source = f"def rates({arguments}):\n    " + "\n    ".join(lines)
-    if (source, arguments) not in _WRITTEN:
+    lines += [*formulas.lines, *(f"dy[{i}] = {rate}" for i, rate in enumerate(formulas.rates))]
+    source = "def rates(dy, t, y, args):\n    " + "\n    ".join(lines)
+    if source not in _WRITTEN:
         names = dict(vars(math))
         exec(compile(source, "<rates>", "exec"), names)
-        _WRITTEN[source, arguments] = compiler(names["rates"])
-    return _WRITTEN[source, arguments]
+        _WRITTEN[source] = compiler(names["rates"])
+    return _WRITTEN[source]
 
 
 def _by_heyoka(scene):
@@ -142,7 +105,7 @@ def _by_heyoka(scene):
 
     rhs, start, parameters, _ = scene
     state = [hy.make_vars(f"s{i}") for i in range(len(start))]
-    rates = _rates_in(rhs, parameters, len(start), hy, hy.time)(state)
+    rates = _rates_in(rhs, parameters, len(start), hy)(state)
     rates = [rate if isinstance(rate, hy.expression) else hy.expression(rate) for rate in rates]
     return list(zip(state, rates, strict=True))
 
@@ -188,42 +151,8 @@ def heyoka_from(scene, starts, tolerance, lanes=8):
     return ends
 
 
-@functools.cache
-def _diffrax_kernel():
-    import diffrax
-    import jax
-
-    jax.config.update("jax_enable_x64", True)
-
-    @functools.partial(jax.jit, static_argnums=0)
-    def kernel(field, start, end, tolerance):
-        control = diffrax.PIDController(rtol=tolerance, atol=tolerance)
-        term, method = diffrax.ODETerm(field), diffrax.Dopri8()
-        return diffrax.diffeqsolve(
-            term, method, 0.0, end, None, start, stepsize_controller=control, max_steps=10**7, throw=False
-        ).ys
-
-    return kernel
-
-
-_FIELDS = {}  # jax compiles once for each function object
-
-
-def diffrax(scene, tolerance):
-    kernel = _diffrax_kernel()
-    import jax.numpy as jnp
-
-    rhs, start, parameters, end = scene
-    key = (rhs.__code__, str(parameters))
-    if key not in _FIELDS:
-        rates = _rates_in(rhs, parameters, len(start), jnp, None)
-        _FIELDS[key] = lambda t, y, _: jnp.stack([jnp.asarray(r, dtype=float) for r in rates(y)])
-    field = _FIELDS[key]
-    return lambda: kernel(field, jnp.array(start), end, tolerance)[0].block_until_ready()
-
-
-def _rates_in(rhs, parameters, size, library, time):
-    """The traced right-hand side with the functions of another library."""
+def _rates_in(rhs, parameters, size, library):
+    """The traced right-hand side with the functions of heyoka."""
     from tam570.integrate.formulas import written
     from tam570.integrate.trace import traced
 
@@ -234,7 +163,7 @@ def _rates_in(rhs, parameters, size, library, time):
     def rates(state):
         names = {name: getattr(library, name) for name in dir(library) if name in ("sin", "cos", "sqrt", "exp")}
         names |= {"hypot": lambda a, b: library.sqrt(a * a + b * b)}
-        names |= {"t": time, **{f"s{i}": state[i] for i in range(size)}}
+        names |= {"t": library.time, **{f"s{i}": state[i] for i in range(size)}}
         exec(code, names)
         return names["rates"]
 
@@ -253,9 +182,6 @@ METHODS = {
     "SciPy LSODA": functools.partial(scipy_ivp, "LSODA"),
     "SciPy Radau": functools.partial(scipy_ivp, "Radau"),
     "odeint": odeint,
-    "CyRK": cyrk_compiled,
-    "CyRK, Python": cyrk,
-    "numbalsoda": numbalsoda,
+    "CyRK": cyrk,
     "heyoka": heyoka,
-    "diffrax": diffrax,
 }
