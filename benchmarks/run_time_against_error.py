@@ -122,10 +122,7 @@ def _least_time(run):
 
 
 def curves(name, tolerances, reference, names):
-    """Return {method: [[tolerance, seconds, error], ...]} of one scene, and what compiling took, {method: seconds}.
-
-    The methods take turns.
-    """
+    """{method: [[tolerance, seconds, error], ...]} of one scene, and what compiling took, {method: seconds}."""
     scene, points, done, compiling = scenes.scene(name), {method: [] for method in names}, set(), {}
     for tolerance in tolerances:
         for method in (m for m in names if m not in done):

@@ -119,10 +119,7 @@ def slug_of(name: str, slugs: Sequence[str]) -> str | None:
 
 
 def match_slugs(names: Iterable[str], slugs: Sequence[str]) -> list[str]:
-    """Return the assignments that these names on the command line stand for.
-
-    All that are known if there are no names.
-    """
+    """Return the assignments that these names on the command line stand for; without names all."""
     matches = [(name, slug_of(name, slugs)) for name in names]
     if unknown := [name for name, slug in matches if slug is None]:
         raise UsageError(f"there is no assignment {unknown[0]!r}; there are: {', '.join(slugs)}")
@@ -154,10 +151,7 @@ def assignment(root: Path, slug: str) -> LoadedAssignment:
 
 @functools.cache
 def sandbox_imports(root: Path, slug: str) -> tuple[frozenset[str], frozenset[str]]:
-    """Return what the sandbox of an assignment imports and what is off limits in it, by the text of its checks.
-
-    To load them takes as long as to start the sandbox, which so starts meanwhile.
-    """
+    """Return what a sandbox imports and what is off limits in it, by the text of the checks, which load meanwhile."""
     (slug,) = match_slugs([slug], slugs(root))
     record = ast.parse((checks_folder(root, slug) / "checks.py").read_bytes()).body[-1]
     stated = record.value.keywords if isinstance(record, ast.Assign) and isinstance(record.value, ast.Call) else []
@@ -199,10 +193,7 @@ def _adapted(original: LoadedAssignment, folder: Path) -> LoadedAssignment:
 
 
 def manual_parts(root: Path, slug: str) -> Mapping[str, tuple[float, str]]:
-    """Return the parts that are graded by hand, with their points and what they ask.
-
-    No checks are loaded, if none change.
-    """
+    """Return the parts graded by hand, with their points and what they ask; no checks are loaded if none change."""
     folder = checks_folder(root, slug)
     if (folder / f"{OVERRIDES}.py").exists():
         return assignment(root, slug).manual
@@ -255,10 +246,7 @@ def _digest(*folders: Path) -> bytes:
 
 
 def _checks(folder: Path) -> ModuleType:
-    """Return the module `checks` of a folder, loaded as part of a package of a private name.
-
-    It may import its neighbours.
-    """
+    """Return the module `checks` of a folder, loaded in a package of a private name: it may import its neighbours."""
     name = f"{PACKAGES}{folder.name}"
     package = ModuleType(name)
     package.__path__ = [str(folder)]

@@ -344,10 +344,7 @@ def find_reference(reference: Reference, function: StudentFunction) -> Function:
 
 
 def trim_to_signature(reference: Function, cases: Iterable[Case]) -> list[Case]:
-    """Trim cases to the parameters and arguments of the right function.
-
-    So the same cases serve functions that are given more or less of the same thing.
-    """
+    """Trim cases to what the right function takes: so the same ones serve functions that are given more or less."""
     return Batch.of(reference, cases).cases
 
 
@@ -371,10 +368,7 @@ def _hint(hint: HintOfCase, case: Case, actual: Numbers, expected: Numbers, part
 
 
 def digits_lost(actual: Numbers, expected: Numbers) -> str:
-    """Return a sentence for the right numbers in single precision, or rounded.
-
-    Numbers that have few digits do not tell.
-    """
+    """Return a sentence for the right numbers in single precision, or rounded, where their digits tell."""
     actual, expected = np.asarray(actual, float), np.asarray(expected, float)
     off = float(np.max(np.abs(actual - expected), initial=0.0))
     exact = [places for places in PLACES if np.array_equal(actual, np.round(actual, places))]

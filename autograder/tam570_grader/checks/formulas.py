@@ -23,9 +23,7 @@ def in_symbols(cases: Iterable[Case], *symbols: str) -> list[Case]:
 
 
 def from_own_lagrangian(student: StudentModule, cases: Sequence[Case], otherwise: str) -> Callable[..., str]:
-    """Return a hint for `lagrange_equation`.
-
-    Whether a wrong x'' is that of the student's own `lagrangian` of x, v and more.
+    """Return a hint for `lagrange_equation`: whether a wrong x'' is that of the student's own `lagrangian`.
 
     cases : whose keywords are the Lagrangian's symbols, x and v not zero
     """

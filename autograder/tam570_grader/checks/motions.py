@@ -248,8 +248,6 @@ def _left(motion: Motion, rows: Array, row: int) -> float:
 def obeys(motion: Motion, *, everywhere: bool = False) -> bool:
     """Return whether each row nearly follows from the one before by the right equations.
 
-    Then only the steps are coarse.
-
     everywhere : ask at every row, and allow no exception; else at some
     """
     if not motion.error <= ABSURD or motion.errors[0].max() > ALIKE:
@@ -287,10 +285,7 @@ def _jumps(motion: Motion) -> bool:
 
 
 def _explained(motion: Motion) -> float:
-    """Return the share of the errors that wrong rates make.
-
-    Near zero where the physics is right, NaN where none can tell.
-    """
+    """Return the share of the errors that wrong rates make: near zero if the physics is right, NaN if none can tell."""
     rows, shares = _some(motion), list[float]()
     try:
         lost = _lost(motion, rows) / (motion.t[rows + 1] - motion.t[rows])

@@ -40,10 +40,7 @@ def _told_apart(points: Array) -> Array:
 
 
 def along(line: Line, path: Array) -> Array:
-    """Return the points of a drawn line in its order.
-
-    Those of a scatter, which has none, in that of the path next to them.
-    """
+    """Return the points of a drawn line in its order; of a scatter, which has none, in that of the path beside them."""
     if not line.scatter:
         return line.points
     tangents = np.gradient(path, axis=0)
@@ -172,9 +169,7 @@ def _some(points: ArrayLike, most: int) -> Complex:
 
 
 def curves_seen(picture: Drawing, count: int, of_small: Callable[[], str] = str) -> tuple[Line, ...]:
-    """Return the curves that can be seen, of which there must be so many.
-
-    Those that cannot are no fault beside them.
+    """Return the curves that can be seen, of which there must be so many; those that cannot are no fault beside them.
 
     of_small : what to say of a curve that is too small to be seen beside the other
     """

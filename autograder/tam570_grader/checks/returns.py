@@ -162,10 +162,7 @@ def result(returns: ReturnSpec, value: object, name: str, call: Case) -> Numbers
 
 
 def results_alike(returns: ReturnSpec, values: Sequence[Numbers]) -> list[Numbers] | None:
-    """Return the results of several calls, as `result` makes each, where all are as promised.
-
-    None where one may not be.
-    """
+    """Return the results of several calls, as `result` makes each; None where one may not be as promised."""
     if isinstance(returns, Group):
         if not all(is_sequence(value) and len(value) == len(returns.members) for value in values):
             return None

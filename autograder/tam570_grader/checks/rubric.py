@@ -44,10 +44,7 @@ class ManualPart:
 
 
 def load_rubric(released: Path) -> dict[str, ManualPart]:
-    """Return the parts graded by hand, by letter, of the released folder of an assignment; {} if it has none.
-
-    Raises KeyError or TypeError where the file has another form.
-    """
+    """Return the parts graded by hand, by letter; KeyError or TypeError where the file has another form."""
     path = released / FILE
     parts = tomllib.loads(path.read_text(encoding="utf-8"))["parts"] if path.exists() else {}
     claimed = {

@@ -24,9 +24,7 @@ def uneven(rng: np.random.Generator, span: float, count: int, start: float | Non
 def repeated_calls(rng: np.random.Generator, case: Case, *, start: Numbers = None, **parameters: Numbers) -> list[Case]:
     """Return the simulation of a case at other times, from another start, and with other parameters.
 
-    Nothing may be kept.
-
-    The times have the same first and last. The case itself must be asked before.
+    The times have the same first and last. The case itself must be asked before: nothing may be kept.
 
     start : the other arguments behind t, where a random change is not allowed
     parameters : other values, None for no other

@@ -99,10 +99,7 @@ def _located(root: str | Path | None, graded: Sequence[Path]) -> tuple[Path, str
 
 
 def _around(graded: Sequence[Path]) -> tuple[Path, str] | None:
-    """Return the nearest course above the working directory, if it is trusted; UsageError for one that is not.
-
-    A course that lies in what is graded is a student's, and passed by.
-    """
+    """Return the nearest course above the working directory that is no student's; UsageError if it is not trusted."""
     trusted = _trusted()
     for folder in filter(_holds_course, (Path.cwd(), *Path.cwd().parents)):
         if any(map(folder.is_relative_to, graded)):

@@ -22,7 +22,7 @@ from tam570_grader.grading.cluster import Cluster
 from tam570_grader.grading.executor import WorkerLost, cores, forks, run_tasks
 from tam570_grader.grading.executor import executor as local_executor
 from tam570_grader.grading.seeds import derive, new_seed
-from tam570_grader.grading.submissions import CannotRead, Submission, read, submissions
+from tam570_grader.grading.submissions import CannotRead, Submission, source_of, submissions
 from tam570_grader.grading.supervisor import GradeTask, WorkerConfig
 from tam570_grader.results import records as result_records
 from tam570_grader.results.records import Result
@@ -84,10 +84,7 @@ def grade(paths: Iterable[str | Path], config: RunConfig) -> Iterator[Result]:
 
 
 def records(config: RunConfig, store: ResultStore | None = None) -> Iterator[Record]:
-    """Yield the result lines, each as soon as it is there and written into the book, which is asked first.
-
-    Where the grader itself failed, it tries again.
-    """
+    """Yield the result lines, each as soon as it is in the book, which is asked first; what failed is graded again."""
     for outcome in outcomes(config, store):
         yield outcome.record if isinstance(outcome, CachedResult) else outcome
 
@@ -168,19 +165,10 @@ def _shared(config: RunConfig, jobs: int, stack: ExitStack) -> Path | None:
 
 
 def _task(config: RunConfig, code: Callable[[str], bytes], submission: Submission) -> GradeTask:
-    source = _source(submission)
+    source = source_of(submission)
     digest = _digest(code(submission.slug), config, submission, source)
     seed = config.seed_of(submission)
     return GradeTask(config.course, submission.student, submission.slug, seed, source, digest, submission.path is None)
-
-
-def _source(submission: Submission) -> Source | CannotRead:
-    if submission.path is None:
-        return CannotRead(submission.reason)
-    try:
-        return read(submission)
-    except CannotRead as error:
-        return error
 
 
 def _digest(code: bytes, config: RunConfig, submission: Submission, source: Source | CannotRead) -> str:

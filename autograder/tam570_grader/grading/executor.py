@@ -63,9 +63,7 @@ def executor(jobs: int) -> Iterator[TaskExecutor]:
 def run_tasks(
     executor: TaskExecutor, work: Callable[[T], Outcome], tasks: Iterable[T], count: int = 0
 ) -> Iterator[tuple[int, T, Outcome | WorkerLost]]:
-    """Yield each task with its number and its outcome, as soon as that is there.
-
-    The tasks of a lost process are repeated.
+    """Yield each task with its number and its outcome, as soon as that is there; those of a lost process are repeated.
 
     tasks : read only when they can be handed out
     count : how many there are, if known; many are handed out in bunches, which become smaller towards the end
@@ -200,10 +198,7 @@ def forks() -> bool:
 
 
 class _Process:
-    """A process of ours that does what it is told, one thing at a time.
-
-    Where that is safe it is forked, and has at once what this one has imported, loaded and computed.
-    """
+    """A process of ours that does one thing at a time; a fork, where that is safe, has all that this one has loaded."""
 
     def __init__(self, others: "Sequence[_Process]") -> None:
         self._socket, child_end = socket.socketpair()

@@ -34,13 +34,7 @@ def change(old: Record | None, new: Record) -> Change | None:
 def gone(
     old: Mapping[Key, Record], submissions: Sequence[Submission], paths: Iterable[Path], slugs: Container[str]
 ) -> list[Change]:
-    """Return what was handed in and is no longer.
-
-    By anybody if a path is a tree, else by those whose folders are graded.
-
-    submissions : what there is now at the paths
-    slugs : the assignments that are graded
-    """
+    """Return what was handed in and is no longer: by anybody if a path is a tree, else by those who are graded."""
     folders = {path.absolute() for path in paths}
     present = [submission for submission in submissions if submission.tree.parent in folders]
     is_tree = any(slug_of(submission.tree.name, [submission.slug]) is None for submission in present)

@@ -64,10 +64,7 @@ class Person:
 
 
 def people(path: Path) -> list[Person]:
-    """Return the students in a table, or in a list of one name a line.
-
-    UsageError for a table whose headings are unknown.
-    """
+    """Return the students in a table, or in a list of names; UsageError for a table whose headings are unknown."""
     rows = table(path)
     lower = [unicodedata.normalize("NFC", text).strip().lower() for text in rows[0]]
     headings = {*IDS, *NAMES, *(part for pair in PARTS for part in pair)}
@@ -188,10 +185,7 @@ def groups(path: Path, everyone: Directory) -> dict[str, list[Person]]:
 
 
 def students(path: Path, folders: Collection[str] = ()) -> list[str]:
-    """Return the students on a roster, as their folders are named.
-
-    By the id that is known already, else by their login.
-    """
+    """Return the students on a roster, as their folders are named: by the id that is known, else by their login."""
     everyone = Directory(people(path))
     here = {id(everyone.by_folder[name]): name for name in folders if name in everyone.by_folder}
     return [here.get(id(person), person.folder) for person in everyone.people]

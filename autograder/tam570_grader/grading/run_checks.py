@@ -213,10 +213,7 @@ def _check_result(run: _Run, check: Check) -> CheckResult:
 
 
 def _cause(run: _Run, check: Check, failed: Failed) -> tuple[Cause | None, str]:
-    """Return the mistake that explains the calls of a failed check, and what went wrong on our side in the search.
-
-    What follows from a function of the student's own is not searched, which takes longest.
-    """
+    """Return the mistake that explains the calls of a failed check, and what went wrong on our side in the search."""
     earlier, assignment = _earlier(run.causes), run.assignment
     try:
         with budget():
@@ -376,10 +373,7 @@ def _earlier(causes: Mapping[str, Cause]) -> list[Cause]:
 
 
 def _following(run: _Run, check: Check, earlier: Sequence[Cause]) -> Cause | None:
-    """Return the earlier mistake that explains every call of the check, when it is run to its end.
-
-    None if there is none.
-    """
+    """Return the earlier mistake, if there is one, that explains every call of the check when it is run to its end."""
     with run.student.aside():
         try:
             run.perform(check, recorder=lambda error: None)

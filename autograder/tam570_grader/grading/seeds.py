@@ -28,12 +28,7 @@ def new_seed() -> int:
 
 
 def derive(secret: int | bytes, *names: str) -> int:
-    """Return the seed of what is named, an assignment's check or a student.
-
-    It tells nothing of the secret, nor of others.
-
-    RFC 2104 (HMAC) with SHA-256, cut to as many bits as a seed has.
-    """
+    """Return the seed of what is named, which tells nothing of the secret or of others: HMAC-SHA256 (RFC 2104), cut."""
     if isinstance(secret, int):
         secret = secret.to_bytes(max(BITS, secret.bit_length()) // 8 + 1)
     return int.from_bytes(hmac.digest(secret, "\n".join(names).encode(), "sha256")[: BITS // 8])

@@ -67,10 +67,7 @@ def submissions(
 
 
 def handed_in(folder: Path, slug: str) -> Submission:
-    """Return what one student handed in of one assignment, with whatever else is there.
-
-    The shallowest folder that has it.
-    """
+    """Return what one student handed in of one assignment: the shallowest folder that has it counts."""
     tree, deeper = folder.resolve(), [folder.absolute()]
     first = of_folder(deeper[0], folder.name, slug, tree)
     candidates = [first]
@@ -111,6 +108,16 @@ def read(submission: Submission) -> Source:
     return Source(text, notebook=notebook)
 
 
+def source_of(submission: Submission) -> Source | CannotRead:
+    """Return the submission's text, or why there is none."""
+    if submission.path is None:
+        return CannotRead(submission.reason)
+    try:
+        return read(submission)
+    except CannotRead as why:
+        return why
+
+
 def _own(path: Path, tree: Path) -> bool:
     """Whether a path, links followed, lies in the student's folder, which may be a link itself, to a neighbour's."""
     if _is_plainly_in(str(path), str(tree)):
@@ -122,10 +129,7 @@ def _own(path: Path, tree: Path) -> bool:
 
 
 def _is_plainly_in(path: str, tree: str) -> bool:
-    """Return whether a path leads into a folder by its names alone, without a link.
-
-    So it is with most, and soon seen.
-    """
+    """Return whether a path leads into a folder by its names alone, without a link: most do, and that is soon seen."""
     below = path.removeprefix(tree)
     first, *names = below.split("/")
     if below == path or first or ".." in names:
@@ -231,10 +235,7 @@ def _of_student(home: Path, slugs: Sequence[str], chosen: str | None) -> Iterato
 
 
 def entries(folder: Path, most: int | None = None) -> list[tuple[Path, bool]]:
-    """Return what is in a folder, hidden files aside, and whether it is a folder.
-
-    Of a student's no more than `most`.
-    """
+    """Return what is in a folder, but hidden files, and whether it is a folder; of a student's no more than `most`."""
     try:
         os.stat(os.path.join(folder, "."))  # one that may be listed may be closed all the same
         with os.scandir(folder) as listed:
@@ -255,10 +256,7 @@ def _name(text: str) -> str:
 
 
 def folder_of(student: str) -> str:
-    """Return the name of the folder of a student who is known by an id.
-
-    Itself where it can be one, unlike any other's.
-    """
+    """Return the name of a student's folder: the id where that can be one, unlike any other's."""
     student = unicodedata.normalize("NFC", student)
     plain = "".join(c if c.isprintable() and c not in NO_NAME else "_" for c in student)
     plain = HIDDEN.sub("_", plain) or "_"
@@ -372,11 +370,7 @@ def _told_apart(work: list[Submission]) -> list[Submission]:
         else submission
         for submission in work
     ]
-    doubles = [
-        key
-        for key, n in collections.Counter((submission.student, submission.slug) for submission in renamed).items()
-        if n > 1
-    ]
-    if doubles:
-        raise BadPath(f"two submissions of {doubles[0][1]} by {doubles[0][0]}: give each student a folder of their own")
+    for (student, slug), n in collections.Counter((work.student, work.slug) for work in renamed).items():
+        if n > 1:
+            raise BadPath(f"two submissions of {slug} by {student}: give each student a folder of their own")
     return renamed

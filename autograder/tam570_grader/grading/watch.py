@@ -22,7 +22,7 @@ from tam570_grader.course import course_config
 from tam570_grader.errors import UsageError, counted, warn
 from tam570_grader.grading import seeds, supervisor
 from tam570_grader.grading.executor import TaskExecutor, WorkerLost, run_tasks
-from tam570_grader.grading.submissions import CannotRead, Submission, of_folder, read, submissions
+from tam570_grader.grading.submissions import CannotRead, Submission, of_folder, source_of, submissions
 from tam570_grader.grading.supervisor import GradeTask, WorkerConfig
 from tam570_grader.reports import feedback
 from tam570_grader.reports.feedback import AssignmentInfo
@@ -118,11 +118,8 @@ class Queue:
 
     def take(self, arrival: Arrival) -> None:
         """Add what arrived; it goes before an earlier one of the same student that has to wait."""
-        for earlier in [
-            earlier
-            for earlier in self.arrivals
-            if earlier.key == arrival.key and self.opening_time(earlier) > arrival.at
-        ]:
+        mine = [earlier for earlier in self.arrivals if earlier.key == arrival.key]
+        for earlier in [earlier for earlier in mine if self.opening_time(earlier) > arrival.at]:
             self.log("replaced", earlier)
         self.log("arrived", arrival)
         if self.opening_time(arrival) == math.inf:
@@ -209,11 +206,8 @@ class Desk:
             stamp = self._stamp(submission.path)
             if submission.path is not None and (stamp is None or stamp == self._stamps.get(submission.path)):
                 continue
-            try:
-                source: Source | CannotRead = read(submission) if submission.path else CannotRead(submission.reason)
-            except CannotRead as why:
-                source = why
-            text = source.text if not isinstance(source, CannotRead) else str(source).encode()
+            source = source_of(submission)
+            text = source.text if isinstance(source, Source) else str(source).encode()
             digest = digest or hashlib.sha256(text).hexdigest()
             if self.queue.newest.get((submission.student, submission.slug)) != digest and not self._is_known(
                 submission, digest
@@ -255,27 +249,13 @@ class Desk:
 
     def _kept(self, submission: Submission, digest: str, source: Source | CannotRead) -> Arrival:
         """Return what arrived, with a copy that no later hand-in changes."""
+        student, slug, origin = submission.student, submission.slug, submission.path or submission.tree
         if isinstance(source, CannotRead):
-            return Arrival(
-                submission.student,
-                submission.slug,
-                digest,
-                time.time(),
-                "",
-                str(submission.path or submission.tree),
-                str(source),
-            )
-        assert submission.path is not None
-        copy = (
-            self.queue.folder
-            / COPIES
-            / submission.student
-            / submission.slug
-            / f"{digest[:16]}{form(submission.path.name)}"
-        )
+            return Arrival(student, slug, digest, time.time(), "", str(origin), str(source))
+        copy = self.queue.folder / COPIES / student / slug / f"{digest[:16]}{form(origin.name)}"
         copy.parent.mkdir(parents=True, exist_ok=True)
         written(copy, source.text)
-        return Arrival(submission.student, submission.slug, digest, time.time(), str(copy), str(submission.path))
+        return Arrival(student, slug, digest, time.time(), str(copy), str(origin))
 
     def grade(self, batch: Sequence[Arrival]) -> None:
         """Grade some arrivals, each with inputs of its own; write each result down, then its page."""
@@ -295,9 +275,8 @@ class Desk:
     def _task(self, arrival: Arrival) -> GradeTask:
         attempt = len(self.queue.graded.get(arrival.key, [])) + 1
         seed = seeds.derive(self.secret, arrival.student, arrival.slug, str(attempt))
-        source: Source | CannotRead = CannotRead(arrival.reason)
-        if arrival.copy:
-            source = read(Submission(arrival.student, arrival.slug, Path(arrival.copy), Path(arrival.copy)))
+        copy = Path(arrival.copy) if arrival.copy else None
+        source = source_of(Submission(arrival.student, arrival.slug, copy, copy or Path(), arrival.reason))
         hidden = self.course, self.source, self.queue.folder.resolve()
         config = WorkerConfig(course_config.resource_limits(self.course), hidden)
         return GradeTask(self.course, arrival.student, arrival.slug, seed, source, arrival.digest, conditions=config)

@@ -198,10 +198,7 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
         return course_config.course(self.checkout or None)
 
     def _graded(self, slug: str, student: str) -> tuple[Submission, Record]:
-        """Return a submission and its result.
-
-        With the first, all that the command is about are graded, on warm workers.
-        """
+        """Return a submission and its result; the first has all that the command is about graded, on warm workers."""
         graded: dict[tuple[str, str], tuple[Submission, Record]] = self.parent.results
         if (slug, student) not in graded:
             coursedir = self.parent.parent.coursedir

@@ -83,10 +83,7 @@ def by_column(
 
 
 def lines(path: Path, errors: str = "strict") -> list[tuple[int, list[str]]]:
-    """Return the rows of a CSV file that are not empty, each with the line on which it ends.
-
-    `errors` as `open` has it.
-    """
+    """Return the rows of a CSV file that are not empty, each with the line on which it ends; `errors` as in `open`."""
     try:
         with open(path, newline="", encoding="utf-8-sig", errors=errors) as file:
             first = file.readline()
