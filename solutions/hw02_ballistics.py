@@ -39,11 +39,7 @@ def free_body_diagram(state, *, mass, drag, gravity):
 
 
 def state_derivative(t, state, *, mass, drag, gravity):
-    """Rate of change of the state: what solve and solve_ivp integrate.
-
-    t : s, not used
-    Returns (4,) vx, vy, ax, ay.
-    """
+    """Rate of change of the state, whatever t (s): what solve and solve_ivp integrate. Returns (4,) vx, vy, ax, ay."""
     _, _, vx, vy = state
     return np.array(_rates(t, (0.0, 0.0, vx, vy), rate=drag / mass, gravity=gravity))
 

@@ -35,11 +35,7 @@ def free_body_diagram(state, *, mass, stiffness, gravity):
 
 
 def state_derivative(t, state, *, mass, stiffness, gravity):
-    """Rates of the state.
-
-    t : s, not used
-    Returns (6,): velocity, acceleration.
-    """
+    """Rates of the state, whatever t (s). Returns (6,): velocity, acceleration."""
     x, y, z, vx, vy, vz = state
     k = stiffness / mass
     return vx, vy, vz, -k * x, -k * y, -k * z - gravity

@@ -37,20 +37,14 @@ def free_body_diagram(state, *, mass, length, gravity):
 
 
 def constraint_force(state, *, mass, length, gravity):
-    """The radial force that keeps the particle on the circle.
-
-    Returns (2,), N, the force on the particle.
-    """
+    """The radial force that keeps the particle on the circle. Returns (2,), N, the force on the particle."""
     x, y, vx, vy = state
     outward = mass * (gravity * y - vx**2 - vy**2) / length**2  # x^2 + y^2 = l^2 differentiated twice
     return np.array([outward * x, outward * y])
 
 
 def acceleration(state, *, mass, length, gravity):
-    """Acceleration of the particle on the circle.
-
-    Returns (2,), m/s^2.
-    """
+    """Acceleration of the particle on the circle. Returns (2,), m/s^2."""
     force = constraint_force(state, mass=mass, length=length, gravity=gravity)
     return force / mass - np.array([0.0, gravity])
 
@@ -71,10 +65,7 @@ def consistent_state(state, *, length):
 
 
 def energy(state, *, mass, gravity):
-    """Kinetic plus potential energy; the potential is 0 at y = 0.
-
-    Returns J.
-    """
+    """Kinetic plus potential energy; the potential is 0 at y = 0. Returns J."""
     _, y, vx, vy = state
     return mass * (vx**2 + vy**2) / 2 + mass * gravity * y
 
@@ -99,10 +90,7 @@ def simulate(t, state, *, mass, length, gravity):
 
 
 def wireframe(state, *, length):
-    """The rod, from the hinge to the particle.
-
-    Returns (1, 2, 2), m.
-    """
+    """The rod, from the hinge to the particle. Returns (1, 2, 2), m."""
     return np.array([[[0.0, 0.0], state[:2]]])
 
 

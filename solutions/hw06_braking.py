@@ -49,10 +49,7 @@ def free_body_diagram(state, locked, *, mass, front, rear, friction, gravity):
 
 
 def axle_load(locked, *, mass, front, rear, gravity):
-    """Load that the locked axle carries.
-
-    Returns N.
-    """
+    """Load that the locked axle carries. Returns N."""
     free, arm = _axles(locked, front, rear)
     return mass * gravity * abs(free / arm)
 
@@ -68,11 +65,7 @@ def friction_force(state, locked, *, mass, front, rear, friction, gravity):
 
 
 def state_derivative(t, state, locked, *, mass, yaw_inertia, front, rear, friction, gravity):
-    """Rates of x, y, heading, speed and yaw_rate; all zero at rest.
-
-    t : s, not used
-    Returns (5,).
-    """
+    """Rates of x, y, heading, speed and yaw_rate, whatever t (s); all zero at rest. Returns (5,)."""
     surface = {"friction": friction, "gravity": gravity}
     forward, sideways = friction_force(state, locked, mass=mass, front=front, rear=rear, **surface)
     car = _car(locked, mass, yaw_inertia, front, rear, 0.0, gravity)  # it glides, but for that force
@@ -102,10 +95,7 @@ def simulate(t, state, locked, *, mass, yaw_inertia, front, rear, friction, grav
 
 
 def kinetic_energy(state, locked, *, mass, yaw_inertia, front, rear):
-    """Kinetic energy of the car.
-
-    Returns J.
-    """
+    """Kinetic energy of the car. Returns J."""
     speed, yaw_rate = state[3:]
     sideways = -_axles(locked, front, rear)[0] * yaw_rate
     return (mass * (speed**2 + sideways**2) + yaw_inertia * yaw_rate**2) / 2

@@ -80,10 +80,7 @@ def velocity_terms(theta, omega, *, masses, lengths):
 
 
 def gravity_terms(theta, *, masses, lengths, gravity):
-    """{g} of the same two equations: what gravity adds.
-
-    Returns (2,), N m.
-    """
+    """{g} of the same two equations: what gravity adds. Returns (2,), N m."""
     th1, th2 = theta
     m1, m2 = masses
     l1, l2 = lengths
@@ -115,10 +112,7 @@ def on_the_fly(theta, omega, *, masses, lengths, gravity):
 
 
 def energy(theta, omega, *, masses, lengths, gravity):
-    """Kinetic plus potential energy; the potential is 0 at the height of the ceiling.
-
-    Returns J.
-    """
+    """Kinetic plus potential energy; the potential is 0 at the height of the ceiling. Returns J."""
     (m1, m2), (l1, l2) = masses, lengths
     kinetic = 0.5 * np.dot(omega, mass_matrix(theta, masses=masses, lengths=lengths) @ omega)
     height_moments = (m1 / 2 + m2) * l1 * math.cos(theta[0]) + m2 * l2 / 2 * math.cos(theta[1])
@@ -126,10 +120,7 @@ def energy(theta, omega, *, masses, lengths, gravity):
 
 
 def angular_momentum(theta, omega, *, masses, lengths):
-    """Angular momentum of both bars about the ceiling hinge, counter-clockwise positive.
-
-    Returns kg m^2/s.
-    """
+    """Angular momentum of both bars about the ceiling hinge, counter-clockwise positive. Returns kg m^2/s."""
     # M is Lagrange's: turning the whole adds the same angle to both: the momenta conjugate to th1 and th2 add up
     return float(np.sum(mass_matrix(theta, masses=masses, lengths=lengths) @ omega))
 
@@ -160,10 +151,7 @@ def small_oscillation_frequencies(*, masses, lengths, gravity):
 
 
 def wireframe(theta, *, lengths):
-    """The bars as line segments.
-
-    Returns (2, 2, 2): ceiling hinge to elbow, elbow to tip; x and y in m.
-    """
+    """The bars as line segments. Returns (2, 2, 2): ceiling hinge to elbow, elbow to tip; x and y in m."""
     elbow, relative_tip = _directions(theta)[0] * np.reshape(lengths, (2, 1))
     return np.array([[np.zeros(2), elbow], [elbow, elbow + relative_tip]])
 

@@ -31,20 +31,14 @@ __all__ = [
 
 
 def euler_equations(omega, *, inertia):
-    """Rate of change of omega, in body components.
-
-    Returns (3,) rad/s^2.
-    """
+    """Rate of change of omega, in body components. Returns (3,) rad/s^2."""
     p, q, r = omega
     A, B, C = inertia
     return (B - C) / A * q * r, (C - A) / B * r * p, (A - B) / C * p * q
 
 
 def attitude_rate(R, omega):
-    """Rate of change of R.
-
-    Returns (3, 3) 1/s.
-    """
+    """Rate of change of R. Returns (3, 3) 1/s."""
     p, q, r = omega
     return np.asarray(R) @ np.array([[0.0, -r, q], [r, 0.0, -p], [-q, p, 0.0]])
 
@@ -67,27 +61,19 @@ def euler_rates_313(angles, omega):
 
 
 def energy(omega, *, inertia):
-    """Kinetic energy of rotation.
-
-    Returns J.
-    """
+    """Kinetic energy of rotation. Returns J."""
     return 0.5 * sum(moment * w * w for moment, w in zip(inertia, omega, strict=True))
 
 
 def angular_momentum(R, omega, *, inertia):
-    """Angular momentum about the centre of mass, in space components.
-
-    Returns (3,) kg m^2/s.
-    """
+    """Angular momentum about the centre of mass, in space components. Returns (3,) kg m^2/s."""
     return np.asarray(R) @ np.multiply(inertia, omega)
 
 
 def simulate(t, R, omega, *, inertia):
     """Angular velocities and attitudes at the times `t`; rows 0 are those given.
 
-    t     : (n,) s, strictly increasing, n >= 2; its sampling does not change the motion
-    R     : (3, 3), body to space, at t[0]
-    omega : (3,) rad/s, body components, at t[0]
+    t : (n,) s, strictly increasing, n >= 2; its sampling does not change the motion
     Returns (omegas (n, 3), rotations (n, 3, 3)).
     """
     from tam570.integrate import solve

@@ -61,30 +61,21 @@ def lagrange_equation():
 
 
 def acceleration_newton(x, v, *, curvature, gravity):
-    """The acceleration x'' by Newton: F = m a, dotted with a tangent of the wire.
-
-    Returns m/s^2.
-    """
+    """The acceleration x'' by Newton: F = m a, dotted with a tangent of the wire. Returns m/s^2."""
     # a = (x'', slope x'' + 2 c v^2) and tangent = (1, slope): tangent . (a + g j) = 0 is free of the normal force.
     slope = 2 * curvature * x
     return -slope * (gravity + 2 * curvature * v**2) / (1 + slope**2)
 
 
 def constraint_force(x, v, *, mass, curvature, gravity):
-    """Force of the wire on the bead, normal to the wire.
-
-    Returns (2,): x and y components, N.
-    """
+    """Force of the wire on the bead, normal to the wire. Returns (2,): x and y components, N."""
     slope = 2 * curvature * x
     upward = mass * (gravity + 2 * curvature * v**2) / (1 + slope**2)
     return np.array([-slope * upward, upward])
 
 
 def energy(x, v, *, mass, curvature, gravity):
-    """Kinetic plus potential energy, zero at rest at the bottom.
-
-    Returns J.
-    """
+    """Kinetic plus potential energy, zero at rest at the bottom. Returns J."""
     slope = 2 * curvature * x
     return mass * (1 + slope**2) * v**2 / 2 + mass * gravity * curvature * x**2
 

@@ -37,10 +37,7 @@ def free_body_diagram(phi, *, mass, radius, offset, slope, gravity):
 
 
 def acceleration(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
-    """The angular acceleration, by the balance of angular momentum about G.
-
-    Returns rad/s^2.
-    """
+    """The angular acceleration, by the balance of angular momentum about G. Returns rad/s^2."""
     # I phi'' = e sin(phi) (-N) + (r - e cos(phi)) (-F), and F = m x'' - m g sin(slope), N = m y'' + m g cos(slope),
     # with x'' and y'' of G as in `contact_force`: the terms in phi'' make the inertia about C.
     turned = inertia + mass * _distance_squared(phi, radius, offset)
@@ -50,27 +47,18 @@ def acceleration(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity)
 
 
 def contact_inertia(phi, *, mass, radius, offset, inertia):
-    """Moment of inertia about the contact point C.
-
-    Returns kg m^2.
-    """
+    """Moment of inertia about the contact point C. Returns kg m^2."""
     return inertia + mass * _distance_squared(phi, radius, offset)
 
 
 def naive_contact_acceleration(phi, *, mass, radius, offset, inertia, slope, gravity):
-    """What M_C = I^C phi'' would give: right only where G is at the centre, or nothing turns.
-
-    Returns rad/s^2.
-    """
+    """What M_C = I^C phi'' would give: right only where G is at the centre, or nothing turns. Returns rad/s^2."""
     about_contact = contact_inertia(phi, mass=mass, radius=radius, offset=offset, inertia=inertia)
     return _weight_moment(phi, mass, radius, offset, slope, gravity) / about_contact
 
 
 def missing_moment(phi, phi_dot, *, mass, radius, offset):
-    """The term that M_C = I^C phi'' lacks: I^C phi'' + missing_moment = M_C is right.
-
-    Returns N m.
-    """
+    """The term that M_C = I^C phi'' lacks: I^C phi'' + missing_moment = M_C is right. Returns N m."""
     # The material point at C has the acceleration r phi'^2 towards the centre: r_{G/C} x m a of it.
     return mass * radius * offset * math.sin(phi) * phi_dot**2
 
@@ -89,10 +77,7 @@ def contact_force(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity
 
 
 def energy(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
-    """Kinetic plus potential energy; the potential is 0 with G where the centre is at phi = 0.
-
-    Returns J.
-    """
+    """Kinetic plus potential energy; the potential is 0 with G where the centre is at phi = 0. Returns J."""
     kinetic = contact_inertia(phi, mass=mass, radius=radius, offset=offset, inertia=inertia) * phi_dot**2 / 2
     height = -radius * phi * math.sin(slope) - offset * math.cos(phi + slope)
     return kinetic + mass * gravity * height

@@ -34,18 +34,12 @@ def free_body_diagram(state, *, mass, length, gravity):
 
 
 def constraint_force(state, *, mass, length, gravity):
-    """The radial force that keeps the particle on the circle.
-
-    Returns (2,), N, the force on the particle.
-    """
+    """The radial force that keeps the particle on the circle. Returns (2,), N, the force on the particle."""
     raise NotImplementedError
 
 
 def acceleration(state, *, mass, length, gravity):
-    """Acceleration of the particle on the circle.
-
-    Returns (2,), m/s^2.
-    """
+    """Acceleration of the particle on the circle. Returns (2,), m/s^2."""
     raise NotImplementedError
 
 
@@ -59,10 +53,7 @@ def consistent_state(state, *, length):
 
 
 def energy(state, *, mass, gravity):
-    """Kinetic plus potential energy; the potential is 0 at y = 0.
-
-    Returns J.
-    """
+    """Kinetic plus potential energy; the potential is 0 at y = 0. Returns J."""
     raise NotImplementedError
 
 
@@ -76,8 +67,5 @@ def simulate(t, state, *, mass, length, gravity):
 
 
 def wireframe(state, *, length):
-    """The rod, from the hinge to the particle.
-
-    Returns (1, 2, 2), m.
-    """
+    """The rod, from the hinge to the particle. Returns (1, 2, 2), m."""
     raise NotImplementedError

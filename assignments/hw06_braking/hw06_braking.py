@@ -41,10 +41,7 @@ def free_body_diagram(state, locked, *, mass, front, rear, friction, gravity):
 
 
 def axle_load(locked, *, mass, front, rear, gravity):
-    """Load that the locked axle carries.
-
-    Returns N.
-    """
+    """Load that the locked axle carries. Returns N."""
     raise NotImplementedError
 
 
@@ -57,11 +54,7 @@ def friction_force(state, locked, *, mass, front, rear, friction, gravity):
 
 
 def state_derivative(t, state, locked, *, mass, yaw_inertia, front, rear, friction, gravity):
-    """Rates of x, y, heading, speed and yaw_rate; all zero at rest.
-
-    t : s, not used
-    Returns (5,).
-    """
+    """Rates of x, y, heading, speed and yaw_rate, whatever t (s); all zero at rest. Returns (5,)."""
     raise NotImplementedError
 
 
@@ -75,10 +68,7 @@ def simulate(t, state, locked, *, mass, yaw_inertia, front, rear, friction, grav
 
 
 def kinetic_energy(state, locked, *, mass, yaw_inertia, front, rear):
-    """Kinetic energy of the car.
-
-    Returns J.
-    """
+    """Kinetic energy of the car. Returns J."""
     raise NotImplementedError
 
 

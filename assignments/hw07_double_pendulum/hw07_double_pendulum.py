@@ -62,10 +62,7 @@ def velocity_terms(theta, omega, *, masses, lengths):
 
 
 def gravity_terms(theta, *, masses, lengths, gravity):
-    """{g} of the same two equations: what gravity adds.
-
-    Returns (2,), N m.
-    """
+    """{g} of the same two equations: what gravity adds. Returns (2,), N m."""
     raise NotImplementedError
 
 
@@ -88,18 +85,12 @@ def on_the_fly(theta, omega, *, masses, lengths, gravity):
 
 
 def energy(theta, omega, *, masses, lengths, gravity):
-    """Kinetic plus potential energy; the potential is 0 at the height of the ceiling.
-
-    Returns J.
-    """
+    """Kinetic plus potential energy; the potential is 0 at the height of the ceiling. Returns J."""
     raise NotImplementedError
 
 
 def angular_momentum(theta, omega, *, masses, lengths):
-    """Angular momentum of both bars about the ceiling hinge, counter-clockwise positive.
-
-    Returns kg m^2/s.
-    """
+    """Angular momentum of both bars about the ceiling hinge, counter-clockwise positive. Returns kg m^2/s."""
     raise NotImplementedError
 
 
@@ -122,10 +113,7 @@ def small_oscillation_frequencies(*, masses, lengths, gravity):
 
 
 def wireframe(theta, *, lengths):
-    """The bars as line segments.
-
-    Returns (2, 2, 2): ceiling hinge to elbow, elbow to tip; x and y in m.
-    """
+    """The bars as line segments. Returns (2, 2, 2): ceiling hinge to elbow, elbow to tip; x and y in m."""
     raise NotImplementedError
 
 

@@ -29,18 +29,12 @@ __all__ = [
 
 
 def euler_equations(omega, *, inertia):
-    """Rate of change of omega, in body components.
-
-    Returns (3,) rad/s^2.
-    """
+    """Rate of change of omega, in body components. Returns (3,) rad/s^2."""
     raise NotImplementedError
 
 
 def attitude_rate(R, omega):
-    """Rate of change of R.
-
-    Returns (3, 3) 1/s.
-    """
+    """Rate of change of R. Returns (3, 3) 1/s."""
     raise NotImplementedError
 
 
@@ -55,27 +49,19 @@ def euler_rates_313(angles, omega):
 
 
 def energy(omega, *, inertia):
-    """Kinetic energy of rotation.
-
-    Returns J.
-    """
+    """Kinetic energy of rotation. Returns J."""
     raise NotImplementedError
 
 
 def angular_momentum(R, omega, *, inertia):
-    """Angular momentum about the centre of mass, in space components.
-
-    Returns (3,) kg m^2/s.
-    """
+    """Angular momentum about the centre of mass, in space components. Returns (3,) kg m^2/s."""
     raise NotImplementedError
 
 
 def simulate(t, R, omega, *, inertia):
     """Angular velocities and attitudes at the times `t`; rows 0 are those given.
 
-    t     : (n,) s, strictly increasing, n >= 2; its sampling does not change the motion
-    R     : (3, 3), body to space, at t[0]
-    omega : (3,) rad/s, body components, at t[0]
+    t : (n,) s, strictly increasing, n >= 2; its sampling does not change the motion
     Returns (omegas (n, 3), rotations (n, 3, 3)).
     """
     raise NotImplementedError

@@ -48,26 +48,17 @@ def lagrange_equation():
 
 
 def acceleration_newton(x, v, *, curvature, gravity):
-    """The acceleration x'' by Newton: F = m a, dotted with a tangent of the wire.
-
-    Returns m/s^2.
-    """
+    """The acceleration x'' by Newton: F = m a, dotted with a tangent of the wire. Returns m/s^2."""
     raise NotImplementedError
 
 
 def constraint_force(x, v, *, mass, curvature, gravity):
-    """Force of the wire on the bead, normal to the wire.
-
-    Returns (2,): x and y components, N.
-    """
+    """Force of the wire on the bead, normal to the wire. Returns (2,): x and y components, N."""
     raise NotImplementedError
 
 
 def energy(x, v, *, mass, curvature, gravity):
-    """Kinetic plus potential energy, zero at rest at the bottom.
-
-    Returns J.
-    """
+    """Kinetic plus potential energy, zero at rest at the bottom. Returns J."""
     raise NotImplementedError
 
 

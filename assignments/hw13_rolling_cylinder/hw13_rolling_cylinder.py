@@ -33,34 +33,22 @@ def free_body_diagram(phi, *, mass, radius, offset, slope, gravity):
 
 
 def acceleration(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
-    """The angular acceleration, by the balance of angular momentum about G.
-
-    Returns rad/s^2.
-    """
+    """The angular acceleration, by the balance of angular momentum about G. Returns rad/s^2."""
     raise NotImplementedError
 
 
 def contact_inertia(phi, *, mass, radius, offset, inertia):
-    """Moment of inertia about the contact point C.
-
-    Returns kg m^2.
-    """
+    """Moment of inertia about the contact point C. Returns kg m^2."""
     raise NotImplementedError
 
 
 def naive_contact_acceleration(phi, *, mass, radius, offset, inertia, slope, gravity):
-    """What M_C = I^C phi'' would give: right only where G is at the centre, or nothing turns.
-
-    Returns rad/s^2.
-    """
+    """What M_C = I^C phi'' would give: right only where G is at the centre, or nothing turns. Returns rad/s^2."""
     raise NotImplementedError
 
 
 def missing_moment(phi, phi_dot, *, mass, radius, offset):
-    """The term that M_C = I^C phi'' lacks: I^C phi'' + missing_moment = M_C is right.
-
-    Returns N m.
-    """
+    """The term that M_C = I^C phi'' lacks: I^C phi'' + missing_moment = M_C is right. Returns N m."""
     raise NotImplementedError
 
 
@@ -73,10 +61,7 @@ def contact_force(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity
 
 
 def energy(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
-    """Kinetic plus potential energy; the potential is 0 with G where the centre is at phi = 0.
-
-    Returns J.
-    """
+    """Kinetic plus potential energy; the potential is 0 with G where the centre is at phi = 0. Returns J."""
     raise NotImplementedError
 
 
