@@ -6,7 +6,7 @@ more in a right submission of another style: there its name is not found by cons
 
 import ast
 from collections.abc import Container, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import cycle
 from pathlib import Path
 
@@ -44,8 +44,8 @@ class Diagnosis:
     misled: bool  # another known mistake was named
 
 
-def diagnoses(course: Path, slug: str, executor: TaskExecutor, quick: bool) -> list[Diagnosis]:
-    """Return the diagnosis of each wrong submission of an assignment, or of a fixed sample."""
+def diagnoses(course: Path, slug: str, executor: TaskExecutor, quick: bool, seeds: int = 1) -> list[Diagnosis]:
+    """Return the diagnosis of each wrong submission of an assignment, or of a fixed sample, with each of the seeds."""
     solution = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
     wrong = submissions(course, slug, "mistakes")
     if not wrong:
@@ -56,6 +56,7 @@ def diagnoses(course: Path, slug: str, executor: TaskExecutor, quick: bool) -> l
     tasks = [Grading(course, slug, name, f"{solution}\n\n{text}", SEED, naming=True) for name, text in wrong.items()]
     for (name, text), (style, other) in zip(wrong.items(), cycle(styles.items())):
         tasks.append(Grading(course, slug, f"{name}{ON}{style}", other + _taken(solution, text), SEED, naming=True))
+    tasks = [replace(task, seed=SEED + seed) for seed in range(seeds) for task in tasks]
     results = progress(in_order(executor, tried, tasks), len(tasks), "submission")
     known_mistakes = {mistake.name: mistake for mistake in mistakes(assignments.checks_folder(course, slug))}
     messages = {mistake.message for mistake in known_mistakes.values()}

@@ -1,12 +1,12 @@
 """What becomes of the mutants of the solutions: killed, equivalent, or a hole in the checks."""
 
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Mapping, Sequence, Set
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
-from tam570_grader.audit.gradings import Grading, tried
+from tam570_grader.audit.gradings import Grading, seeds_that_fail, tried
 from tam570_grader.audit.local import SEED, calls_of_checks
 from tam570_grader.audit.mutate import Mutant, Slip, entry, equivalents, idle, mutants
 from tam570_grader.diagnosis.mutants import reached
@@ -24,7 +24,7 @@ KILLED, EQUIVALENT, SURVIVES, CRASHED = FATES = "killed", "equivalent", "survive
 
 @dataclass(frozen=True)
 class Fates:
-    """The mutants of an assignment, their fates by name, the checks that failed, and what is listed in vain."""
+    """The mutants of an assignment, their fates by name, the checks that failed, and the seeds that miss a mutant."""
 
     slug: str
     chosen: Sequence[Mutant]
@@ -32,6 +32,7 @@ class Fates:
     failed: Mapping[str, Sequence[str]]
     checks: Sequence[str]
     in_vain: Mapping[Slip, str]
+    missed: Mapping[str, Sequence[int]]
 
     @property
     def survivors(self) -> list[Mutant]:
@@ -47,8 +48,13 @@ class Fates:
         return len(self.survivors) + len(self.crashing) + len(self.in_vain)
 
 
-def fates(course: Path, slug: str, executor: TaskExecutor, quick: bool, functions: Sequence[str]) -> Fates:
-    """Grade the mutants of an assignment: all, or a fixed sample; of all functions, or of some."""
+def fates(
+    course: Path, slug: str, executor: TaskExecutor, quick: bool, functions: Sequence[str], seeds: int = 1
+) -> Fates:
+    """Grade the mutants of an assignment: all, or a fixed sample; of all functions, or of some.
+
+    A mutant that survives with one of the seeds survives; what survives with the first is not tried with others.
+    """
     text = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
     all_mutants, listed = mutants(slug, text), equivalents(course, slug)
     wanted = [mutant for mutant in all_mutants if not functions or mutant.function in functions]
@@ -66,17 +72,21 @@ def fates(course: Path, slug: str, executor: TaskExecutor, quick: bool, function
         for mutant in chosen
         if _is_shared(mutant.function, exported, reach_of[mutant.name])
     ]
-    graded = progress(in_order(executor, tried, tasks), len(tasks), "mutant")
-    results = {result.student: result for result in graded}
+    first = [*progress(in_order(executor, tried, tasks), len(tasks), "mutant")]
+    results = defaultdict[str, list[Result]](list, {result.student: [result] for result in first})
+    caught = [(task, _failed(result), seeds) for task, result in zip(tasks, first, strict=True) if _is_caught(result)]
+    for more in progress(in_order(executor, _with_other_seeds, caught if seeds > 1 else []), len(caught), "mutant"):
+        for result in more:
+            results[result.student].append(result)
     slips = {mutant.name: (mutant.function, mutant.change) for mutant in chosen}
     fate = {
-        name: _fate([results[each] for each in (name, f"{name} alone") if each in results], change in listed)
-        for name, change in slips.items()
+        name: _fate([*results[name], *results[f"{name} alone"]], change in listed) for name, change in slips.items()
     }
     killed = {change for name, change in slips.items() if fate[name] == KILLED}
     vain = idle(listed, {(mutant.function, mutant.change) for mutant in all_mutants}, killed)
-    failed = {name: _failed(result) for name, result in results.items()}
-    return Fates(slug, chosen, fate, failed, list(calls), vain)
+    failed = {name: _failed(runs[0]) for name, runs in results.items() if runs}
+    missed = {name: _missing(results[name] + results[f"{name} alone"]) for name in slips}
+    return Fates(slug, chosen, fate, failed, list(calls), vain, missed)
 
 
 def _fate(results: Sequence[Result], listed: bool) -> str:
@@ -109,8 +119,24 @@ def _is_shared(function: str, exported: Set[str], reach: Set[str]) -> bool:
     return function in exported and len(reach) > 1
 
 
+def _with_other_seeds(task: tuple[Grading, Sequence[str], int]) -> list[Result]:
+    """Return the results of a mutant with the seeds after the first, but for those that its first failed check fails.
+
+    A mutant that fails a check alone loses points in a full grading: each check draws from its own generator.
+    """
+    grading, failed, seeds = task
+    others = range(SEED + 1, SEED + seeds)
+    caught = seeds_that_fail(grading, failed[0], others) if failed else ()
+    return [tried(replace(grading, seed=seed)) for seed in others if seed not in caught]
+
+
 def _is_caught(result: Result) -> bool:
     return result.score is not None and result.score < result.max_score
+
+
+def _missing(results: Sequence[Result]) -> list[int]:
+    """Return the seeds with which a mutant has full points."""
+    return sorted({result.seed for result in results if result.score == result.max_score})
 
 
 def _failed(result: Result) -> list[str]:
@@ -153,7 +179,7 @@ def report(fates_of_all: Fates) -> list[str]:
         needless = "" if alone else "; no mutant tried needs it"
         lines.append(f"  {check:<48}{first:>6} caught first, {alone} by it alone{needless}")
     for mutant in fates_of_all.survivors:
-        lines += _shown(mutant)
+        lines += _shown(mutant, fates_of_all.missed[mutant.name])
     for mutant in fates_of_all.crashing:
         lines.append(f"  CRASHES A CHECK {mutant.function}: {mutant.change}")
     for (function, change), fault in fates_of_all.in_vain.items():
@@ -161,11 +187,11 @@ def report(fates_of_all: Fates) -> list[str]:
     return lines
 
 
-def _shown(mutant: Mutant) -> list[str]:
+def _shown(mutant: Mutant, seeds: Sequence[int]) -> list[str]:
     """Return where a survivor is, its line as it was and is, and the line that would list it."""
     where = f"solutions/{mutant.slug}.py:{mutant.line} in {mutant.function}"
     return [
-        f"  SURVIVES {where}: {mutant.operator}",
+        f"  SURVIVES {where}: {mutant.operator}; with seed {', '.join(map(str, seeds))}",
         f"      - {mutant.before.strip()}",
         f"      + {mutant.after.strip()}",
         *(f"    {line}" for line in entry(mutant).splitlines()),

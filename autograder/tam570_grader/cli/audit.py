@@ -38,6 +38,12 @@ def add_audit(parser: argparse.ArgumentParser) -> None:
     ):
         asks(name, action="store_true", default=None, help=question)
     add("--keep", type=Path, metavar="FILE", help="add the lines of --fairness there, and skip those that it has")
+    add(
+        "--seeds",
+        type=positive,
+        metavar="N",
+        help="seeds of mutants and --diagnosis (default: 1) or --cases (default: 20)",
+    )
     add("--function", nargs="+", metavar="NAME", default=[], help="mutants of these functions only")
     add("--jobs", type=positive, metavar="N", default=cores(), help="processes (default: %(default)s)")
     add_cluster(add)
@@ -64,6 +70,8 @@ def _question(arguments: argparse.Namespace) -> Question:
     questions = [name for name in QUESTIONS if getattr(arguments, name) is not None]
     if arguments.keep and questions != ["fairness"]:
         raise UsageError("--keep: it goes with --fairness alone")
+    if arguments.seeds and questions and questions[0] in ("fairness", "margins"):
+        raise UsageError(f"--seeds: it does not go with --{questions[0]}")
     if arguments.function and questions:
         raise UsageError(f"--function: it chooses mutants; it does not go with --{questions[0]}")
     return QUESTIONS[questions[0]] if questions else _mutation
@@ -82,7 +90,7 @@ def _with_functions(course: Path, slugs: Sequence[str], names: Sequence[str]) ->
 def _mutation(course: Path, slug: str, executor: TaskExecutor, arguments: argparse.Namespace) -> Answer:
     from tam570_grader.audit import mutation
 
-    fates = mutation.fates(course, slug, executor, arguments.quick, arguments.function)
+    fates = mutation.fates(course, slug, executor, arguments.quick, arguments.function, arguments.seeds or 1)
     return mutation.report(fates), fates.faults
 
 
@@ -97,7 +105,7 @@ def _fairness(course: Path, slug: str, executor: TaskExecutor, arguments: argpar
 def _diagnosis(course: Path, slug: str, executor: TaskExecutor, arguments: argparse.Namespace) -> Answer:
     from tam570_grader.audit import diagnosis
 
-    diagnoses = diagnosis.diagnoses(course, slug, executor, arguments.quick)
+    diagnoses = diagnosis.diagnoses(course, slug, executor, arguments.quick, arguments.seeds or 1)
     return diagnosis.report(slug, diagnoses), diagnosis.faults(diagnoses)
 
 
@@ -111,7 +119,7 @@ def _margins(course: Path, slug: str, executor: TaskExecutor, arguments: argpars
 def _cases(course: Path, slug: str, executor: TaskExecutor, arguments: argparse.Namespace) -> Answer:
     from tam570_grader.audit import cases
 
-    seeds = QUICK_SEEDS if arguments.quick else cases.SEEDS
+    seeds = arguments.seeds or (QUICK_SEEDS if arguments.quick else cases.SEEDS)
     return cases.report(cases.report_cases(course, slug, executor, seeds)), 0
 
 

@@ -11,6 +11,7 @@ from classes import check_result, result
 from tam570_grader import cli
 from tam570_grader.audit import diagnosis, fairness, margins, mutation
 from tam570_grader.audit.cases import fewest
+from tam570_grader.audit.gradings import Grading, seeds_that_fail, tried
 from tam570_grader.audit.local import Key, LocalStudent, Replies, failed_cases
 from tam570_grader.audit.margins import Margin
 from tam570_grader.audit.mutate import mutants
@@ -189,3 +190,14 @@ def test_a_function_without_a_check_of_its_own_is_a_hole(hole, capsys, monkeypat
     monkeypatch.setattr(mutation, "_is_shared", lambda function, *of: function == "skew")
     assert cli.main(["audit", "hw08", "--function", "skew", "--jobs", "1"]) == hole
     assert ("SURVIVES" in capsys.readouterr().out) == hole
+
+
+@pytest.mark.parametrize("outcome, most", [("return -right(v)", 8), ("os._exit(1)", 1)])
+def test_a_check_fails_with_the_seeds_with_which_a_grading_fails_it(outcome, most, course, solution_text):
+    wrong = f"\n\nimport os\nright = skew\ndef skew(v):\n    if v[0] > 1.4: {outcome}\n    return right(v)\n"
+    check, seeds = "skew_is_the_cross_product", range(8)
+    grading = Grading(course, SLUG, "", solution_text(SLUG) + wrong, 0, checks=frozenset({check}))
+    results = [tried(replace(grading, seed=seed)) for seed in seeds]
+    failing = [seed for seed, result in zip(seeds, results, strict=True) if result.score < result.max_score]
+    assert 1 < len(failing) < len(seeds)
+    assert seeds_that_fail(grading, check, seeds) == {*failing[:most]}  # a crash says nothing of the seeds after it
