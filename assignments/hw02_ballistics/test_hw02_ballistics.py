@@ -1,6 +1,7 @@
 """Visible tests of hw02: run them with `tam570 check hw02` (or plain pytest) as often as you like."""
 
 import math
+from functools import partial
 
 import hw02_ballistics as hw
 import numpy as np
@@ -13,11 +14,7 @@ BALL = {"mass": 2.0, "drag": 0.5, "gravity": 9.81}  # kg, kg/s, m/s^2
 VACUUM = {**BALL, "drag": 0.0}
 SPEED, ANGLE = 30.0, 0.8  # m/s, rad
 T = np.linspace(0.0, 6.0, 61)  # s
-
-
-def numbers(result):
-    """A result as an array of floats, whatever kind of numbers or lists it came as."""
-    return np.asarray(result, float)
+numbers = partial(np.asarray, dtype=float)  # of a result, whatever kind of numbers or lists it came as
 
 
 def test_two_forces_act_on_a_particle_that_flies():

@@ -1,6 +1,7 @@
 """Visible tests of hw07: run them with `tam570 check hw07` (or plain pytest) as often as you like."""
 
 import math
+from functools import partial
 
 import hw07_double_pendulum as hw
 import numpy as np
@@ -14,11 +15,7 @@ PENDULUM = {**BARS, "gravity": 9.81}  # m/s^2
 THETA, OMEGA = np.array([0.7, -0.4]), np.array([1.5, -2.0])  # rad, rad/s
 LEVEL = {"masses": np.array([1.0, 2.0]), "lengths": np.array([1.0, 2.0]), "gravity": 10.0}
 DOWN, STILL = np.zeros(2), np.zeros(2)
-
-
-def numbers(result):
-    """A result as an array of floats, whatever kind of numbers or lists it came as."""
-    return np.asarray(result, float)
+numbers = partial(np.asarray, dtype=float)  # of a result, whatever kind of numbers or lists it came as
 
 
 @pytest.mark.parametrize(("bar", "places"), [(1, [(0.0, 0.0), (0.5, 0.0), (1.0, 0.0)]), (2, [(1.0, -1.0), (1.0, 0.0)])])
