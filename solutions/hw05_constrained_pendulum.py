@@ -39,7 +39,7 @@ def free_body_diagram(state, *, mass, length, gravity):
 def constraint_force(state, *, mass, length, gravity):
     """The radial force that keeps the particle on the circle. Returns (2,), N, the force on the particle."""
     x, y, vx, vy = state
-    outward = mass * (gravity * y - vx**2 - vy**2) / length**2  # x^2 + y^2 = l^2 differentiated twice
+    outward = mass * (gravity * y - (vx**2 + vy**2)) / length**2  # x^2 + y^2 = l^2 differentiated twice
     return np.array([outward * x, outward * y])
 
 

@@ -360,9 +360,12 @@ def has_rates(motion: Motion, rates: Rates, *, ends: bool = True) -> bool:
             off = np.abs(np.array([instant_rate - models, models - expected_rate])) / motion.scales
             unexplained, wrong = np.maximum([unexplained, wrong], off.max(axis=2))
             undone = max(undone, float(np.max(np.abs(instant_rate - expected_rate) / motion.scales)))
-        if np.any((unexplained <= EXPLAINED * wrong) & (wrong > 0)):
-            return not ends or all(_leads_on(motion, row) for row in rows)
-        return bool(undone <= EXPLAINED * wrong[:2].min()) and rates.move()
+        explained = np.any((unexplained <= EXPLAINED * wrong) & (wrong > 0))
+        if explained and (not ends or all(_leads_on(motion, row) for row in rows)):
+            return True
+        # rows that are put back onto a constraint need not be those from which the motion goes on
+        is_undone = undone <= EXPLAINED * wrong[:2].min()
+        return bool(is_undone or (explained and rates.back)) and rates.move()
     except (Failed, NotWritten, ValueError, ArithmeticError, Exhausted):
         return False
 

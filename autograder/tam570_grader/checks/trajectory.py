@@ -39,6 +39,7 @@ Array = NDArray[np.float64]
 # Right physics at a loose tolerance keeps these shares of the points at these errors (of the scale), and in proportion
 # to the logarithm of the error between them and ten limits, so that no grade leaps with the seed.
 ASKED = 4  # rows of a motion, at which the rates are asked
+SETTING_OFF = 1e-3  # of the first step of a motion that breaks off
 TIGHTEN = "Use a tighter tolerance, or a smaller step"
 LOOSE_SHARES = {1e-3: UNLOCKING_SHARE, ROUGHLY: 0.25}
 
@@ -86,7 +87,8 @@ class OwnRates:
         ends : False of a motion without rows
         """
         own, back = self._function(motion), partial(self._back, motion) if self.passes else None
-        uses_them = partial(motion.function.uses, own.name, motion.case.replace(motion.t[:2]))
+        t = motion.t[:2] if ends else motion.t[0] + SETTING_OFF * np.array([0, motion.t[1] - motion.t[0]])
+        uses_them = partial(motion.function.uses, own.name, motion.case.replace(t))
         rates = Rates(lambda t, row: own.aside(self._case(motion, t, row)), uses_them, back)
         if not self.are_right(motion) and has_rates(motion, rates, ends=ends):
             return FollowsFrom(self.name)
@@ -244,10 +246,11 @@ def _motions(
             compared = batch.compared(function, batch.results(function))
         except Failed as failed:
             case, rates = failed.failure.at, function.returns.rates
-            places = [index for index, other in enumerate(batch.cases) if other is case]  # arrays have no one truth
-            if rates and places:
-                expected, scales = scaled_rows()[1][places[0]]
-                motion = Motion(case, expected, expected, scales, function, true, restart)
+            # arrays have no one truth; of a function that was given up the case is another
+            place = next((index for index, other in enumerate(batch.cases) if other is case), 0)
+            if rates:
+                expected, scales = scaled_rows()[1][place]
+                motion = Motion(batch.cases[place], expected, expected, scales, function, true, restart)
                 with get_context().aside():
                     failed.failure = replace(failed.failure, follows_from=str(rates.source(motion, ends=False)))
             raise

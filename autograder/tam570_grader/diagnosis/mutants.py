@@ -492,6 +492,12 @@ def _tangent_parts(node: ast.expr) -> Iterator[ast.expr]:
         yield from (_with(node, args=parts) for parts in ([_times(2, first), second], [first, _times(2, second)]))
 
 
+def _parallel_axes(node: ast.expr) -> Iterator[ast.expr]:
+    """Yield a third, of a bar about its end, becomes a third and a quarter."""
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div) and getattr(node.right, "value", 0) == 3:
+        yield _times(7 / 4, node)
+
+
 MOST_ALIKE = 3  # names of one kind: of a state, many mean something else
 RATIOS = 2 / 3, 3 / 2, 1 / 3, 3, 1 / 4, 4, 1 / 6, 6, 3 / 4, 4 / 3
 MORE: dict[str, Operator] = {
@@ -510,6 +516,7 @@ MORE: dict[str, Operator] = {
     "the sign of an angle": _angle_signs,
     "an axis": _axes,
     "parts of a tangent": _tangent_parts,
+    "the parallel axis": _parallel_axes,
 }
 EVERYWHERE: tuple[tuple[str, Operator], ...] = (
     *(("another function", partial(_counterpart_of, name)) for name in ("sin", "cos")),
@@ -527,7 +534,7 @@ def _with(node: Node, **fields: object) -> Node:
     return changed
 
 
-def _times(number: int, node: ast.expr) -> ast.expr:
+def _times(number: float, node: ast.expr) -> ast.expr:
     return ast.BinOp(ast.Constant(number), ast.Mult(), node)
 
 

@@ -271,14 +271,14 @@ def _mutant_of_any(
     public = set(inspect.signature(getattr(module, name)).parameters)
     for other in ("", *others):
         reach_of = reached(other or solution)
-        suspects = reach_of.get(name, set()).difference(*(reach_of.get(each, ()) for each in right))
-        if not suspects:
-            continue
-        exec(_code(other), vars(module))
-        if mutant := _mutant(other or solution, module, name, calls, public, suspects):
-            words, texts = mutant
-            answers = tuple(partial(answer, solution, f"{other}\n{text}") for text in texts)
-            return Cause(name, words, "mutant", answers)
+        reach = reach_of.get(name, set())
+        likely = reach.difference(*(reach_of.get(each, ()) for each in right))
+        for suspects in filter(None, (likely, reach - likely)):  # a copy of what is right elsewhere may be wrong
+            exec(_code(other), vars(module))
+            if mutant := _mutant(other or solution, module, name, calls, public, suspects):
+                words, texts = mutant
+                answers = tuple(partial(answer, solution, f"{other}\n{text}") for text in texts)
+                return Cause(name, words, "mutant", answers)
     return None
 
 
@@ -291,12 +291,12 @@ def _mutant(
     suspects : the functions of the solution that may have the slip
     """
     texts: dict[str, dict[str, str]] = {}
-    factors = set[str]()
+    factors, parameters = set[str](), _unpacked(solution)
     numbers_last = sorted(_mutants(solution), key=lambda mutant: mutant[1] == KINDS["a number"])
     for helper, words, names_in_term, factor, text in numbers_last:
         if texts and words == KINDS["a number"]:
             break
-        term = ", ".join(sorted(names_in_term & public))
+        term = ", ".join(sorted(name for name in names_in_term if parameters.get(name, name) in public))
         if helper in suspects and term not in texts.get(words, ()):
             with _with_mutant(module, helper, _code(text)):
                 if _explains(partial(_called, module), calls):
@@ -310,7 +310,8 @@ def _mutant(
     ((words, by_term),) = texts.items()
     if len(factors) == 1 and (factor := factors.pop()):
         return f"In {name}, {factor}", list(by_term.values())
-    (term,) = by_term if len(by_term) == 1 else ("",)
+    term = ", ".join(sorted(set.intersection(*(set(term.split(", ")) for term in by_term))))
+    term = term or (" or ".join(sorted(by_term)) if len(by_term) == 2 and all(by_term) else "")
     return f"In {name}, {words.format(f' with {term}' if term else '')}", list(by_term.values())
 
 
@@ -361,14 +362,16 @@ def _with_mutant(module: ModuleType, helper: str, code: CodeType) -> Iterator[No
 @functools.cache
 def _mutants(solution: str) -> list[tuple[str, str, set[str], str, str]]:
     """Of each mutant that has words: the function, the words, the names in the term, the factor it lacks, its text."""
-    parameters, locals_of = _unpacked(solution), _locals(solution)
+    parameters, locals_of, documented = _unpacked(solution), _locals(solution), _documented(solution)
     return [
         (
             function,
             words,
             {
-                parameters.get(name, name)
-                for name in _behind(mutant.product if isinstance(term, ast.Constant) else term, locals_of[function])
+                name if name in documented else parameters.get(name, name)
+                for name in _behind(
+                    mutant.product if isinstance(term, ast.Constant | ast.UnaryOp) else term, locals_of[function]
+                )
             },
             _missing(mutant, term, locals_of[function]) if mutant.operator == "a missing factor" else "",
             mutant.text,
@@ -386,6 +389,13 @@ def _behind(term: ast.expr, quantities: Mapping[str, ast.expr]) -> set[str]:
         names = set().union(*(names_used(quantities[name]) for name in names if name in quantities)) - seen
         seen = seen | names
     return names or names_used(term)
+
+
+def _documented(solution: str) -> set[str]:
+    """Return the words that students read of a file; "a" is an article."""
+    tree = ast.parse(solution)
+    documented = (tree, *(node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name[0] != "_"))
+    return set(re.findall(r"\w+", " ".join(ast.get_docstring(node) or "" for node in documented))) - {"a"}
 
 
 def _unpacked(solution: str) -> dict[str, str]:
@@ -522,7 +532,7 @@ def _is_half(node: ast.expr) -> bool:
 OF_TERMS = "a missing component", "a missing first term"
 WHOLE = (  # of these the whole expression is meant
     *("linearised", "a product for a square", "a missing square", "two exchanged", "sine and cosine", "a tangent"),
-    *("a norm", "degrees", "the sign of an angle", "parts of a tangent"),
+    *("a norm", "degrees", "the sign of an angle", "parts of a tangent", "the parallel axis"),
 )
 KINDS = {
     "a sign": "the sign of a term{} is reversed",
@@ -543,5 +553,6 @@ KINDS = {
     "degrees": "an angle is in degrees; it should be in radians",
     "the sign of an angle": "an angle has the opposite sign",
     "parts of a tangent": "a number{} is twice or half the right one",
+    "the parallel axis": "m l^2/4 is added to m l^2/3{}; a third is a bar's inertia about its end already",
     "a transpose": "matrices{} are multiplied in the wrong order, or one is transposed",
 }

@@ -38,7 +38,7 @@ class Asked(Protocol):
 
     def takes(self, name: str) -> str: ...
 
-    def aside(self) -> AbstractContextManager[None]: ...
+    def aside(self, again: str = "") -> AbstractContextManager[None]: ...
 
 
 @dataclass(frozen=True)
@@ -109,12 +109,12 @@ class SandboxFunction:
 
     def aside(self, call: Case) -> Any:
         """Return the result of a call that is made to choose the words: see `Student.aside`."""
-        with self.student.aside():
+        with self.student.aside(self.name):
             return self(*call.args, **call.kwargs)
 
     def uses(self, helper: str, call: Case) -> bool:
         """Return whether the result of a call moves where those of another function of the student's file do."""
-        with self.student.aside():
+        with self.student.aside(self.name):
             replies = [self.student.replies(self.name, [call], moved=moved)[0] for moved in (None, helper)]
         if any("value" not in reply for reply in replies):
             return False
