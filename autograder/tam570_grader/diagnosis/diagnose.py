@@ -41,7 +41,8 @@ def diagnose(
     cause = named_mistake(solution, suspects, calls) or general(solution, calls, other_functions(folder), right)
     if cause is None or not earlier:
         return cause
-    causes = [cause, *wrong_arguments(solution, calls)] if may_follow else []
+    before = [call for other in earlier for call in other.calls]
+    causes = [cause, *wrong_arguments(solution, calls, before)] if may_follow else []
     return _in_common(solution, causes, earlier) or _as_in(cause, earlier)
 
 
@@ -60,7 +61,7 @@ def follows(solution: str, calls: Sequence[Call], earlier: Iterable[Cause]) -> C
     """
     for cause in earlier:
         if any(explains(solution, answer, calls) for answer in cause.answers):
-            (wrong, *_) = *_others(cause.function, calls), cause.function
+            wrong = next((call.name for call in calls if call.name != cause.function), cause.function)
             return Cause(wrong, "", cause.source, follows_from=cause.function)  # nothing new follows from it
     return None
 
@@ -68,12 +69,6 @@ def follows(solution: str, calls: Sequence[Call], earlier: Iterable[Cause]) -> C
 def _in_common(solution: str, causes: Iterable[Cause], earlier: Sequence[Cause]) -> Cause | None:
     """Return the cause that was made in an earlier function, too: these results follow from it."""
     for cause, before in product(causes, earlier):
-        same = tuple(answer for answer in cause.answers if explains(solution, answer, before.calls))
-        if same and _others(before.function, cause.calls):
+        if same := tuple(answer for answer in cause.answers if explains(solution, answer, before.calls)):
             return replace(cause, message="", answers=same, follows_from=before.function)
     return None
-
-
-def _others(function: str, calls: Sequence[Call]) -> list[str]:
-    """Return the functions that are called besides one."""
-    return [call.name for call in calls if call.name != function]

@@ -112,7 +112,7 @@ def _other_argument(solution: str, module: ModuleType, name: str, compared: Sequ
         other_arguments(name, reference, its_calls[0]),
         other_factors(name, reference, its_calls[0]),
         other_products(name, reference, its_calls[0]),
-        other_words(name, reference, its_calls),
+        other_words(name, reference, [call.case for call in its_calls]),
     )
     explaining = ([*_explaining(family, its_calls)] for family in families)
     variant = next((variants[0] for variants in explaining if len(variants) == 1), None)
@@ -196,17 +196,18 @@ class _Where:
         return self.transform(call) if _word(call, self.index) == self.word else call.expected
 
 
-def wrong_arguments(solution: str, calls: Sequence[Call]) -> Iterator[Cause]:
+def wrong_arguments(solution: str, calls: Sequence[Call], before: Sequence[Call]) -> Iterator[Cause]:
     """Yield each wrong argument that explains all calls of a function.
 
-    There may be several, of which one was made before.
+    There may be several, of which one was made before, in calls that may have other words.
     """
     compared = _compared(solution, calls)
     if len({call.name for call in compared}) != 1:
         return
     name = compared[0].name
     reference = getattr(solution_with(solution, ""), name)
-    for words, transform in (*other_arguments(name, reference, compared[0]), *other_words(name, reference, compared)):
+    exchanged = other_words(name, reference, [call.case for call in (*calls, *before)])
+    for words, transform in (*other_arguments(name, reference, compared[0]), *exchanged):
         if isinstance(transform, WrongArgument) and _explains(transform, compared):
             yield Cause(name, words, "transform", _with_variant(solution, name, transform), tuple(calls))
 
@@ -394,7 +395,8 @@ def _behind(term: ast.expr, quantities: Mapping[str, ast.expr]) -> set[str]:
 def _documented(solution: str) -> set[str]:
     """Return the words that students read of a file; "a" is an article."""
     tree = ast.parse(solution)
-    documented = (tree, *(node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name[0] != "_"))
+    documented: list[ast.Module | ast.FunctionDef] = [tree]
+    documented += [node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name[0] != "_"]
     return set(re.findall(r"\w+", " ".join(ast.get_docstring(node) or "" for node in documented))) - {"a"}
 
 

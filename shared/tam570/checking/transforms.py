@@ -175,9 +175,9 @@ def _at_points(changes: Mapping[str, tuple[str, Change]], points: Sequence[Param
     return [changed(point) if {other for other, _ in changes.values()} <= point.keys() else point for point in points]
 
 
-def other_words(name: str, reference: Function, calls: Iterable[Compared]) -> Iterator[Transform]:
+def other_words(name: str, reference: Function, cases: Iterable[Arguments]) -> Iterator[Transform]:
     """Yield an argument in which two words are exchanged, of those that the calls have there."""
-    values = [_named(reference, call.case) for call in calls]
+    values = [_named(reference, case) for case in cases]
     for key in _parameters(reference):
         words = sorted({value[key] for value in values if isinstance(value.get(key), str)})
         for first, other in combinations(words, 2):
