@@ -254,6 +254,34 @@ def test_a_motion_that_steps_back_onto_a_constraint_follows_from_its_own_acceler
     assert (("simulate", "acceleration") in actual) == (factor == 1)
 
 
+def test_a_motion_that_ends_its_process_follows_from_the_accelerations_with_which_it_sets_off(checked):
+    lines = ("force / mass - np.array([0.0, gravity])", "force / mass - np.array([0.0, 1.5 * gravity])")
+    start = "    rows = ["
+    more = PUT_BACK.format(factor=1).replace(start, f"    if t[-1] - t[0] > 0.01:\n        os._exit(1)\n{start}")
+    actual = checked("hw05_constrained_pendulum", lines, more=f"\nimport os\n{more}")
+    assert ("simulate", "acceleration") in following(actual)
+    assert actual["it_stays_on_the_circle"].points > 0  # though the function was given up before
+
+
+def test_exchanged_definitions_are_one_mistake(checked):
+    exchanged = '    definition = {"b": "c", "c": "b"}.get(definition, definition)\n'
+    line = '    velocity = v_p - v_c if definition == "c"', '    if definition == "a":  # C'
+    actual = checked("hw03_angular_momentum_rate", *((each, exchanged + each) for each in line))
+    assert by_name(actual) == ["momentum_with_the_velocity_in_F"]
+
+
+SLIPS = [
+    ("hw05_constrained_pendulum", " - (vx**2 + vy**2)", "", "a term with vx, vy is missing"),
+    ("hw07_double_pendulum", "m2 * l2**2 / 3]", "m2 * l2**2 * (1 / 3 + 1 / 4)]", "m l^2/4 is added to m l^2/3"),
+]
+
+
+@pytest.mark.parametrize(("slug", "correct", "wrong", "words"), first(1, SLIPS))
+def test_a_slip_in_a_term_is_told_by_what_is_in_it(checked, slug, correct, wrong, words):
+    suspects = [check.suspect for check in checked(slug, (correct, wrong)).values() if check.suspect]
+    assert len(suspects) == 1 and words in suspects[0]
+
+
 def test_a_wrong_component_of_a_helper_is_told_once(checked):
     helper = "def _cross(a, b):\n    return np.cross(a, b) * [1.0, 1.1, 1.0]\n\n\n"
     slug, first = "hw03_angular_momentum_rate", "def moment("
