@@ -311,8 +311,9 @@ def _of_folders(folders: Sequence[Path], student: Path, slug: str) -> Submission
 def _of_files(held: Sequence[tuple[Path, bool]], student: str, slug: str, tree: Path) -> Submission:
     """Return the module among them, or the notebook where no module is written; a note where it is not clear which."""
     files = [entry for entry, is_folder in held if form(entry.name) and not is_folder]
-    if f"{slug}.ipynb" in {entry.name for entry in files}:
-        files = [entry for entry in files if entry.name != f"{slug}.py" or not _untouched(entry, tree)]
+    named = [entry for entry in files if entry.name != f"{slug}.py" and slug_of(entry.stem, [slug])]
+    if len(named) == 1 or f"{slug}.ipynb" in {entry.name for entry in named}:
+        files = [entry for entry in files if entry.name != f"{slug}.py" or not _untouched(entry, named, tree)]
     fits: tuple[Callable[[Path], bool], ...] = (
         lambda entry: entry.name == f"{slug}.py",
         lambda entry: entry.name == f"{slug}.ipynb",
@@ -335,16 +336,17 @@ def _listed(files: Iterable[Path]) -> str:
     return ", ".join(seen)
 
 
-def _untouched(module: Path, tree: Path) -> bool:
-    """Return whether every function of a module is still to be written, while the notebook beside it defines some."""
+def _untouched(module: Path, others: Iterable[Path], tree: Path) -> bool:
+    """Return whether every function of a module is still to be written, while a file beside it defines some."""
     texts = []
-    for path in (module, module.with_suffix(".ipynb")):
+    for path in (module, *others):
         try:
             texts.append(read(Submission("", "", path, tree)).text)
         except CannotRead:
             return False
     functions = len(re.findall(rb"^def ", texts[0], re.MULTILINE))
-    return 0 < functions == texts[0].count(b"raise NotImplementedError") and bool(re.search(rb'("|\\n)def ', texts[1]))
+    begun = any(re.search(rb'(?:^|"|\\n)def ', text, re.MULTILINE) for text in texts[1:])
+    return 0 < functions == texts[0].count(b"raise NotImplementedError") and begun
 
 
 def _modules_first(work: list[Submission]) -> list[Submission]:

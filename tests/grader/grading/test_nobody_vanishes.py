@@ -76,6 +76,19 @@ def test_a_file_beside_a_graded_one_is_warned_of(class_of):
     assert warning.startswith("ada/scratch.py is not graded")
 
 
+def test_of_two_modules_the_written_one_counts_and_the_other_is_warned_of(class_of):
+    tree = class_of([f"ada/{HW08}/{HW08}.py", f"ada/{HW08}/hw08 (1).py"])
+    stub = tree / "ada" / HW08 / f"{HW08}.py"
+
+    def chosen():
+        work = submissions([tree], SLUGS)
+        return work[0].path.name, *(warning.split(" is not")[0] for warning in skipped_files([tree], work, SLUGS))
+
+    assert chosen() == (f"{HW08}.py", "hw08 (1).py of ada")
+    stub.write_text("def skew(v):\n    raise NotImplementedError\n")
+    assert chosen() == ("hw08 (1).py", f"{HW08}.py of ada")
+
+
 def test_a_named_assignment_takes_lone_files_and_leaves_those_of_others(class_of):
     tree = class_of(["ada/work.py", "ben/hw07.py", "cho/hw08.py"])
     actual = submissions([tree], SLUGS, HW08)
