@@ -3,6 +3,7 @@
 import json
 import os
 import platform
+import shlex
 import sys
 from datetime import date
 from pathlib import Path
@@ -17,7 +18,7 @@ def facts():
     return {
         "machine": f"{processor}, {os.cpu_count()} cores, Python {platform.python_version()}",
         "date": str(date.today()),
-        "command": " ".join(["python", f"benchmarks/{Path(sys.argv[0]).name}", *map(_quoted, sys.argv[1:])]),
+        "command": shlex.join(["python", f"benchmarks/{Path(sys.argv[0]).name}", *sys.argv[1:]]),
     }
 
 
@@ -30,10 +31,6 @@ def write(path, **tables):
 def read(path):
     """Return what `write` wrote; an empty dict if there is no such file."""
     return json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
-
-
-def _quoted(argument):
-    return f'"{argument}"' if " " in argument else argument
 
 
 def _rounded(value):

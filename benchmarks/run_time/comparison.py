@@ -5,6 +5,8 @@ import itertools
 import numpy as np
 from methods import METHODS
 
+from tam570_grader.results.run_time import time_to
+
 OURS = ("tam570, prepared", "tam570, compiled")
 PEERS = ("heyoka", "CyRK")
 
@@ -19,13 +21,9 @@ def tables(scenes, targets, sets):
     }
 
 
-def time_to(target, curve):
-    """Seconds to an error of `target`, between the two runs that enclose it, in logarithms; None if not reached."""
-    for (_, t1, e1), (_, t2, e2) in zip(curve, curve[1:], strict=False):
-        if e1 > target >= e2 > 0:
-            share = np.log(e1 / target) / np.log(e1 / e2)
-            return float(t1 * (t2 / t1) ** share)
-    return curve[0][1] if curve and curve[0][2] <= target else None
+def _time_to(target, curve):
+    """Seconds to an error of `target`; None if not reached."""
+    return time_to(target, [(seconds, error) for _, seconds, error in curve if error > 0])
 
 
 def compiling(scenes):
@@ -40,7 +38,7 @@ def compiling(scenes):
 
 def against(curves, target, ours, peer):
     """(median, worst, its scene, number) of our time over the peer's at that error."""
-    pairs = {name: (time_to(target, s.get(ours, [])), time_to(target, s.get(peer, []))) for name, s in curves.items()}
+    pairs = {name: (_time_to(target, s.get(ours, [])), _time_to(target, s.get(peer, []))) for name, s in curves.items()}
     values = {name: a / b for name, (a, b) in pairs.items() if a and b}
     if not values:
         return None
@@ -53,7 +51,7 @@ def ratios(curves, target):
     table = {}
     for method in METHODS:
         pairs = [
-            (time_to(target, s.get(method, [])), time_to(target, s.get("SciPy DOP853", []))) for s in curves.values()
+            (_time_to(target, s.get(method, [])), _time_to(target, s.get("SciPy DOP853", []))) for s in curves.values()
         ]
         values = [ours / peer for ours, peer in pairs if ours and peer]
         if values:

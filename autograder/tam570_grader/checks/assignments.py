@@ -25,10 +25,7 @@ from tam570_grader.errors import UsageError
 INSTALLED = tuple(Path(tam570.__file__).resolve().parents[1:3])  # where an editable install has the course
 PACKAGES = "_checks_"  # how the names of the packages of checks begin
 sys.meta_path.insert(0, Finder(PACKAGES))  # what they spend is counted
-OVERRIDES, ADDITIONS = (
-    "adapted",
-    "own",
-)  # modules beside `checks` in a course of one's own: what it changes, what it adds
+OVERRIDES, ADDITIONS = "adapted", "own"  # modules beside `checks` in a course of one's own: what it changes, adds
 
 
 @dataclass(frozen=True)
@@ -165,10 +162,9 @@ def sandbox_imports(root: Path, slug: str) -> tuple[frozenset[str], frozenset[st
 
 def _adapted(original: LoadedAssignment, folder: Path) -> LoadedAssignment:
     """Return an assignment with the points, parts and checks of a course of one's own."""
-    change = importlib.import_module(f"_checks_{folder.name}.{OVERRIDES}")
-    added = (
-        importlib.import_module(f"_checks_{folder.name}.{ADDITIONS}") if (folder / f"{ADDITIONS}.py").exists() else None
-    )
+    change, added = importlib.import_module(f"{PACKAGES}{folder.name}.{OVERRIDES}"), None
+    if (folder / f"{ADDITIONS}.py").exists():
+        added = importlib.import_module(f"{PACKAGES}{folder.name}.{ADDITIONS}")
     checks = {
         check.name: replace(check, points=change.POINTS.get(check.name, check.points)) for check in original.checks
     }
@@ -180,10 +176,7 @@ def _adapted(original: LoadedAssignment, folder: Path) -> LoadedAssignment:
     return replace(
         original,
         checks=tuple(
-            replace(
-                check,
-                after=tuple(chosen[check_before.name] for check_before in check.after if check_before.name in chosen),
-            )
+            replace(check, after=tuple(chosen[each.name] for each in check.after if each.name in chosen))
             for check in chosen.values()
         ),
         results={**original.results, **(_stated(added).returns if added and hasattr(added, "ASSIGNMENT") else {})},

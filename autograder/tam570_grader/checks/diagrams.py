@@ -134,7 +134,9 @@ def compare_diagrams(
     """
     for case, arrows, body in call_cases(function, reference, cases):
         if message := complaint(body, arrows):
-            expected = [_arrow_of(force) for force in body.forces if force.acts]
+            acting = [force for force in body.forces if force.acts]
+            along = [None if force.along is None else np.asarray(force.along, float) for force in acting]
+            expected = [Arrow(np.asarray(force.point, float), line) for force, line in zip(acting, along, strict=True)]
             wrong = f"the free body diagram of {body.name} is wrong"
             hint = partial(_hint, message, arrows, case, own)
             fail(wrong, hint=hint, sketch=_sketch(body, arrows), expected=_sketch(body, expected))
@@ -148,10 +150,6 @@ def _hint(
         return FollowsFrom(own[0].name) if own and not complaint(own[1](case), arrows) else message
     except (Failed, NotWritten):
         return message
-
-
-def _arrow_of(force: Force) -> Arrow:
-    return Arrow(np.asarray(force.point, float), None if force.along is None else np.asarray(force.along, float))
 
 
 def complaint(body: FreeBody, arrows: Sequence[Arrow]) -> str:

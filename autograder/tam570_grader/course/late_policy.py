@@ -100,8 +100,12 @@ def apply_late_policy(
     notes = [f"{counted(untimed, 'file')} in {collected} have no time: nobody is late by them; {REMEDY}"] * bool(
         untimed
     )
-    anew = {row["assignment"] for row in table}  # the times of the others stand in no table now
-    manual = {key: entry for key, entry in adjustments.entries.items() if not _is_made_anew(entry, anew)}
+    anew = {(BY_TABLE, row["assignment"]) for row in table}  # the times of the others stand in no table now
+    manual = {
+        key: entry
+        for key, entry in adjustments.entries.items()
+        if _source(entry) != BY_COURSE and (_source(entry), entry.slug) not in anew
+    }
     rows = [entry for entry in _rows(policies) if entry.slug in slugs]
     for entry in rows:
         other = manual.get(entry.key)
@@ -110,9 +114,8 @@ def apply_late_policy(
                 f"{entry.item} of {entry.student} in {entry.slug} is {entry.points:g} in {FILE}, {other.points:g} by "
                 "hand: change one, or take the row back by one without points"
             )
-    late = [
-        entry for entry in days if entry.slug in slugs and entry.key not in manual
-    ]  # a row by hand knows better than a clock
+    # a row by hand knows better than a clock
+    late = [entry for entry in days if entry.slug in slugs and entry.key not in manual]
     return ManualAdjustments(manual.values()).with_([*rows, *late]), open_, notes
 
 
@@ -162,7 +165,9 @@ def _days(
     collected: Path | None,
 ) -> tuple[list[Entry], list[str]]:
     """Return the days of everyone whom collected.csv shows late, and a sentence for each late one without a time."""
-    late, open_, answered = dict[tuple[str, str], float](), [], _late_rows(adjustments)
+    late, open_ = dict[tuple[str, str], float](), []
+    by_hand = (entry for entry in adjustments.entries.values() if _source(entry) != BY_TABLE)
+    answered = {(entry.student, entry.slug) for entry in by_hand if entry.item == LATE}
     for cells in table:
         student, slug, when = cells["student"], cells["assignment"], cells["when"]
         due = policies.get(slug, LatePolicy()).due
@@ -172,15 +177,6 @@ def _days(
             open_.append(f"{student} is late in {slug}, and {collected} does not say when: add a row {LATE} by hand")
     rows = [(*key, LATE, math.ceil(100 * days) / 100, None, _by(policies[key[1]])) for key, days in late.items()]
     return [Entry(*row) for row in rows if row[3] > 0], open_
-
-
-def _late_rows(adjustments: ManualAdjustments) -> set[tuple[str, str]]:
-    """Return whose late days somebody wrote down."""
-    return {
-        (entry.student, entry.slug)
-        for entry in adjustments.entries.values()
-        if entry.item == LATE and _source(entry) != BY_TABLE
-    }
 
 
 def days_between(due: datetime, when: datetime, policy: LatePolicy) -> float:
@@ -203,11 +199,6 @@ def moment(text: str, collected: Path | None) -> datetime:
 
 def _by(policy: LatePolicy) -> str:
     return f"{BY_TABLE}, due {policy.due:%Y-%m-%d %H:%M}" if policy.due else BY_TABLE
-
-
-def _is_made_anew(entry: Entry, anew: Collection[str]) -> bool:
-    """Return whether a row comes from course.toml, or from the times of one of these assignments."""
-    return _source(entry) == BY_COURSE or _source(entry) == BY_TABLE and entry.slug in anew
 
 
 def _source(entry: Entry) -> str:

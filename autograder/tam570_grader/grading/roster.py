@@ -133,7 +133,7 @@ class Directory:
         must_agree : an id counts only if the name that comes with it is its owner's
         """
         keys = list(keys)
-        fits = list({id(person): person for key in keys for person in self._of(key)}.values())
+        fits = list({id(person): person for key in keys for person in self.of(key)}.values())
         if len(fits) > 1:
             return f"its ids are those of {' and of '.join(sorted(person.ids[0] for person in fits))}: who is it?"
         if fits and must_agree and letters(name) and letters(fits[0].name) not in ("", letters(name)):
@@ -146,12 +146,9 @@ class Directory:
         namesakes = self._names.get(letters(name), []) if not self.kinds & {id_kind for id_kind, _ in keys} else []
         return namesakes[0] if len(namesakes) == 1 else ""
 
-    def _of(self, key: tuple[str, str]) -> list[Person]:
+    def of(self, key: tuple[str, str]) -> list[Person]:
+        """Return everyone whom an id fits, whatever their names."""
         return self._by.get((key[0], _plain(key[1])), [])
-
-    def number_of(self, keys: Iterable[tuple[str, str]]) -> list[Person]:
-        """Everyone whom these ids fit, whatever their names."""
-        return [person for key in keys for person in self._of(key)]
 
     @cached_property
     def by_folder(self) -> dict[str, Person]:

@@ -188,7 +188,7 @@ def _owners(handed: Handed, students: Students) -> tuple[Sequence[Person], str]:
     if isinstance(who, Person):
         return [who], ""
     team = students.teams.get(rosters.group_key(handed.name), []) if handed.name else []
-    if system == "canvas" and team and not any(person in team for person in everyone.number_of(handed.keys)):
+    if system == "canvas" and team and not any(person in team for key in handed.keys for person in everyone.of(key)):
         return [], f"its number is of nobody in the group {handed.name}"
     return (team, "") if team else ([], who)
 

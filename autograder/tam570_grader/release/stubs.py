@@ -35,16 +35,15 @@ def _generated(course: Path, slug: str) -> dict[Path, str]:
     readme, rubric = released / "README.md", load_rubric(released)
     figure = assignments.figure(course, slug)
     worth = assignments.assignment(course, slug).worth
-    return {
-        **(
-            {readme: with_points(with_rubric(readme.read_text(encoding="utf-8"), rubric), worth)}
-            if readme.exists()
-            else {}
-        ),
+    texts = {
         released / f"{slug}.py": stub(solution.read_text(encoding="utf-8")),
         released / "contract.json": contract(assignments.assignment(course, slug)),
-        **({released / "figure.svg": figure.svg()} if figure else {}),
     }
+    if readme.exists():
+        texts[readme] = with_points(with_rubric(readme.read_text(encoding="utf-8"), rubric), worth)
+    if figure:
+        texts[released / "figure.svg"] = figure.svg()
+    return texts
 
 
 def stub(source: str) -> str:

@@ -156,8 +156,11 @@ def write_pages(folder: Path, results: Results, course: Path) -> list[Key]:
 
     A file beside the folder, not in it, says from what each page was made: the folder is for students.
     """
-    version = _version()
-    info_digests = {slug: _info_digest(course, slug, version) for slug in {slug for _, slug in results.lines}}
+    engine = assignments.engine_digest() + b"".join(path.read_bytes() for path in sorted(TEMPLATES.iterdir()))
+    info_digests = {  # of all that `load_assignment_info` reads, which is not loaded
+        slug: zlib.crc32(assignments.title(course, slug).encode() + assignments.checks_digest(course, slug) + engine)
+        for slug in {slug for _, slug in results.lines}
+    }
     adjustments = manual_points.read(folder.parent)
     adjusted = _settled(adjustments, results)
     digests = {key: f"{line.line_digest} {info_digests[key[1]]}" for key, line in results.lines.items()}
@@ -223,16 +226,6 @@ def _known(notes: Path) -> dict[str, str]:
     except (OSError, ValueError):
         return {}
     return made_from if isinstance(made_from, dict) else {}
-
-
-def _info_digest(course: Path, slug: str, version: int) -> int:
-    """Of all that `load_assignment_info` reads; nothing of it is loaded."""
-    return zlib.crc32(assignments.title(course, slug).encode() + assignments.checks_digest(course, slug), version)
-
-
-def _version() -> int:
-    """Of all that makes a page of a result."""
-    return zlib.crc32(assignments.engine_digest() + b"".join(path.read_bytes() for path in sorted(TEMPLATES.iterdir())))
 
 
 def table(rows: Sequence[tuple[str, ...]]) -> str:

@@ -148,8 +148,9 @@ class ResultStore(Results):
 
 def _locked(folder: Path, waits: Callable[[str], None] | None) -> BinaryIO:
     """Return the `results.jsonl` of a folder, open and ours alone."""
+    path = folder / "results.jsonl"
     while True:
-        file = _opened(folder)
+        file = _opened(path)
         try:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:
@@ -158,25 +159,19 @@ def _locked(folder: Path, waits: Callable[[str], None] | None) -> BinaryIO:
                 raise UsageError(f"another run is writing to {folder}") from None
             waits(f"Another run is writing to {folder}: this one waits for its end.")
             fcntl.flock(file, fcntl.LOCK_EX)
-        if _is_at(file, folder / "results.jsonl"):
-            return file
+        if path.exists() and os.path.samestat(os.fstat(file.fileno()), os.stat(path)):
+            return file  # a run that ends may have put another in its place
         file.close()
 
 
-def _is_at(file: BinaryIO, path: Path) -> bool:
-    """Return whether an open file is the one of that name: a run that ends may have put another in its place."""
-    return path.exists() and os.path.samestat(os.fstat(file.fileno()), os.stat(path))
-
-
-def _opened(folder: Path) -> BinaryIO:
-    path = folder / "results.jsonl"
+def _opened(path: Path) -> BinaryIO:
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        path.parent.mkdir(parents=True, exist_ok=True)
         if path.exists() and not path.is_file():
-            raise UsageError(f"cannot write results to {folder}: {path} is not a regular file; move it away")
+            raise UsageError(f"cannot write results to {path.parent}: {path} is not a regular file; move it away")
         return open(path, "a+b")
     except OSError as error:
-        raise UsageError(f"cannot write results to {folder}: {error.strerror}; name another folder") from None
+        raise UsageError(f"cannot write results to {path.parent}: {error.strerror}; name another folder") from None
 
 
 def results(path: Path, summary_row: SummaryRow = lambda record: ()) -> Results:

@@ -176,10 +176,6 @@ def test_an_ellipse_follows_from_the_students_own_motion(checked, sign):
     assert (("orbit", "solution") in following(actual)) == (sign == "")
 
 
-def in_terms_of_others(slug):
-    return (assignments.checks_folder(assignments.find(), slug) / "consequences.py").read_text(encoding="utf-8")
-
-
 TWICE, SMALL = ("2.0 * speed * math.sin", "speed * math.sin"), "small_oscillation_frequencies"
 HEAVY = "[[(m1 / 3 + m2) * l1**2", "[[(m1 / 3 + 2.5 * m2) * l1**2"
 NO_C = "(A - B) / C * p * q", "(A - B) * p * q"
@@ -201,7 +197,8 @@ BY_OTHERS = [
 def test_what_shares_a_wrong_helper_keeps_its_share_unless_it_has_its_own_slip(
     checked, slug, line, pair, correct, wrong
 ):
-    more, lines = in_terms_of_others(slug), [line]
+    more = (assignments.checks_folder(assignments.find(), slug) / "consequences.py").read_text()
+    lines = [line]
     if slug.startswith("hw14"):  # no formulation may call another's function
         lines.append(("euler_state_derivative(", "_euler("))
         more += "\n\ndef public(t, state, **disk):\n    return _euler(t, state, **disk)\n"

@@ -84,6 +84,7 @@ def rotated(v, angle):
 def cases():
     """Inputs of each function, with the names that a wrong formula uses."""
     pairs, positive = DRAW.uniform(1, 3, (4, 2)), DRAW.uniform(0.5, 3, (4, 4))
+    disks = positive * [1, 1, 1, 2]
     quadrants = np.array([[1, 1], [1, -1], [-1, 1], [-1, -1]]) * DRAW.uniform(0.2, 2, (4, 2))
     turns = list(zip(DRAW.normal(size=(4, 2)), DRAW.uniform(0.3, 1.2, 4), strict=True))
     t, fields = np.linspace(1, 3, 9) ** 2, {"gravity": 2.0, "drag": 0.7}
@@ -102,7 +103,9 @@ def cases():
         "squares": [(Case(p, q, mass=2.0), {"p": p, "q": q}) for p, q in pairs],
         "stretch": [(Case(x, y), {"x": x, "y": y}) for x, y in pairs],
         "rates": [(Case(a, 0.7), {"a": a}) for a in DRAW.normal(size=(4, 3))],
-        "disk": [(Case(b, v, inertia=(a, 2 * c)), {"A": a, "C": 2 * c, "b": b, "v": v}) for a, b, v, c in positive],
+        "disk": [
+            (Case(b, v, inertia=(a, c)), dict(A=a, C=c, b=b, v=v, s=math.sin(b), c=math.cos(b))) for a, b, v, c in disks
+        ],
         "balance": [(Case(a, mass=2.0), {"a": a}) for a in DRAW.uniform(0.3, 1.2, 4)],
     }
 
@@ -158,27 +161,11 @@ def calls(function, wrong):
         ("balance", "(a, 2*math.sin(a))", "Your first result of balance is linear in angle"),
         ("tumble", "w**2 + 2*w + mass*radius", "inertia is that of a thin disk, A = C/2"),
         ("rod", "np.array([[[x, y], [0.0, 1.0]]])", "has ends 1 and 2 exchanged"),
-        (
-            "disk",
-            "((C - A)*v**2/(A + A*b), A*math.hypot(math.sin(b), v, 1) - b)",
-            "the wrong component of inertia is used",
-        ),
-        (
-            "disk",
-            "((C - A)*v**2/(A + C*b)**0.5, A*math.hypot(math.sin(b), v, 1) - b)",
-            "a divisor with inertia, lean is",
-        ),
-        ("disk", "((C - A)*v**2/(A + C*b), A*(math.sin(b) + v + 1) - b)", "a length with lean, speed is the sum"),
-        (
-            "disk",
-            "((C - A)*v**2/(A + C*b), A*math.hypot(math.tan(b), v, 1) - b)",
-            "the wrong function is used with lean",
-        ),
-        (
-            "disk",
-            "((C - A)*v**2/(A + C*b)*math.cos(b), A*math.hypot(math.sin(b), v, 1) - b)",
-            "a factor cos(lean) too many",
-        ),
+        ("disk", "((C - A)*v**2/(A + A*b), A*math.hypot(s, v, 1) - b)", "the wrong component of inertia is used"),
+        ("disk", "((C - A)*v**2/(A + C*b)**0.5, A*math.hypot(s, v, 1) - b)", "a divisor with inertia, lean is"),
+        ("disk", "((C - A)*v**2/(A + C*b), A*(s + v + 1) - b)", "a length with lean, speed is the sum"),
+        ("disk", "((C - A)*v**2/(A + C*b), A*math.hypot(s/c, v, 1) - b)", "the wrong function is used with lean"),
+        ("disk", "((C - A)*v**2/(A + C*b)*c, A*math.hypot(s, v, 1) - b)", "a factor cos(lean) too many"),
         ("cross", "np.cross(b, a)", "Your result of cross has the opposite sign"),
         ("cross", "np.cross(a, b)*[1, 1.1, 1]", "wrong in component 2 alone"),
     ],
