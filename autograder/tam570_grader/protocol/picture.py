@@ -152,12 +152,13 @@ def _inks(axes: Artist, curves: list[Artist]) -> dict[Artist, Numbers]:
         visible = {artist: artist.get_visible() for artist in curves}
         for artist in (*curves, *(axis for other in figure.axes for axis in (other.xaxis, other.yaxis))):
             artist.set_visible(False)
-        empty = _printed(canvas).copy()
+        empty = (paper := _printed(canvas)).copy()
         inks = {axes: _ink(full, empty)}
         for artist in [artist for artist in curves if visible[artist]][:MOST_PRINTED]:
             artist.set_visible(True)
-            inks[artist] = _ink(_printed(canvas), empty)
-            artist.set_visible(False)
+            paper[:] = empty
+            artist.draw(canvas.renderer)
+            inks[artist] = _ink(paper, empty) & inks[axes]  # where nothing is drawn over it
     return inks
 
 
