@@ -6,13 +6,10 @@ The ground plane is x, y; heading is the angle from the x axis to the car's forw
 positive, never wrapped. G is on the centreline, at ground height, `front` behind the front axle and `rear` ahead of
 the rear one. The free axle rolls and does not slip sideways; the locked axle drags, as one point on the centreline,
 with Coulomb friction: `friction` times its static load, against the velocity of that point. `locked` is "front" or
-"rear"; every function raises ValueError for another.
+"rear".
 
 state = x, y of G; heading; speed, the forward component of velocity, the same for all points of the centreline,
 negative in reverse; yaw_rate, the rate of heading.
-
-Units: state (5,) in m, m, rad, m/s, rad/s, mass in kg, yaw_inertia, about G, in kg m^2, front and rear in m, > 0,
-gravity in m/s^2; friction and gravity may be 0.
 """
 
 import math
@@ -35,9 +32,16 @@ __all__ = [
 def free_body_diagram(state, locked, *, mass, front, rear, friction, gravity):
     """The forces on the car in the plane of the ground, seen from above.
 
+    state       : (5,) x, y, heading, speed, yaw_rate
+    locked      : "front" or "rear"
+    mass        : kg
+    front, rear : m, > 0, from G to the axles
+    friction    : coefficient, may be 0
+    gravity     : m/s^2, may be 0
     Returns a list of pairs (point, direction), one for each force: where it acts, (2,) in m, and a vector (2,) of any
     length along which it acts, or None where neither component is known, both along x and y of the ground. The order
     is free.
+    Raises ValueError for another `locked`.
     """
     x, y, heading, _, _ = state
     numbers = {"mass": mass, "front": front, "rear": rear, "friction": friction, "gravity": gravity}
@@ -49,7 +53,15 @@ def free_body_diagram(state, locked, *, mass, front, rear, friction, gravity):
 
 
 def axle_load(locked, *, mass, front, rear, gravity):
-    """Load that the locked axle carries. Returns N."""
+    """Load that the locked axle carries.
+
+    locked      : "front" or "rear"
+    mass        : kg
+    front, rear : m, > 0, from G to the axles
+    gravity     : m/s^2, may be 0
+    Returns N.
+    Raises ValueError for another `locked`.
+    """
     free, arm = _axles(locked, front, rear)
     return mass * gravity * abs(free / arm)
 
@@ -57,7 +69,14 @@ def axle_load(locked, *, mass, front, rear, gravity):
 def friction_force(state, locked, *, mass, front, rear, friction, gravity):
     """Force of the ground on the car at the locked axle, along its velocity; zero at rest.
 
+    state       : (5,) x, y, heading, speed, yaw_rate
+    locked      : "front" or "rear"
+    mass        : kg
+    front, rear : m, > 0, from G to the axles
+    friction    : coefficient, may be 0
+    gravity     : m/s^2, may be 0
     Returns (2,): forward and left components, N.
+    Raises ValueError for another `locked`.
     """
     arm = _axles(locked, front, rear)[1]
     drag = friction * axle_load(locked, mass=mass, front=front, rear=rear, gravity=gravity)
@@ -65,7 +84,19 @@ def friction_force(state, locked, *, mass, front, rear, friction, gravity):
 
 
 def state_derivative(t, state, locked, *, mass, yaw_inertia, front, rear, friction, gravity):
-    """Rates of x, y, heading, speed and yaw_rate, whatever t (s); all zero at rest. Returns (5,)."""
+    """Rates of x, y, heading, speed and yaw_rate; all zero at rest.
+
+    t           : s, not used
+    state       : (5,) x, y, heading, speed, yaw_rate
+    locked      : "front" or "rear"
+    mass        : kg
+    yaw_inertia : kg m^2, about G
+    front, rear : m, > 0, from G to the axles
+    friction    : coefficient, may be 0
+    gravity     : m/s^2, may be 0
+    Returns (5,).
+    Raises ValueError for another `locked`.
+    """
     surface = {"friction": friction, "gravity": gravity}
     forward, sideways = friction_force(state, locked, mass=mass, front=front, rear=rear, **surface)
     car = _car(locked, mass, yaw_inertia, front, rear, 0.0, gravity)  # it glides, but for that force
@@ -76,8 +107,16 @@ def state_derivative(t, state, locked, *, mass, yaw_inertia, front, rear, fricti
 def simulate(t, state, locked, *, mass, yaw_inertia, front, rear, friction, gravity):
     """Motion from `state` at t[0]; a car that has come to rest stays.
 
-    t : (n,) s, strictly increasing, n >= 2; its sampling does not change the motion
+    t           : (n,) s, strictly increasing, n >= 2; its sampling does not change the motion
+    state       : (5,) x, y, heading, speed, yaw_rate
+    locked      : "front" or "rear"
+    mass        : kg
+    yaw_inertia : kg m^2, about G
+    front, rear : m, > 0, from G to the axles
+    friction    : coefficient, may be 0
+    gravity     : m/s^2, may be 0
     Returns (n, 5); row i is the state at t[i].
+    Raises ValueError for another `locked`.
     """
     from tam570.integrate import solve
 
@@ -95,7 +134,16 @@ def simulate(t, state, locked, *, mass, yaw_inertia, front, rear, friction, grav
 
 
 def kinetic_energy(state, locked, *, mass, yaw_inertia, front, rear):
-    """Kinetic energy of the car. Returns J."""
+    """Kinetic energy of the car.
+
+    state       : (5,) x, y, heading, speed, yaw_rate
+    locked      : "front" or "rear"
+    mass        : kg
+    yaw_inertia : kg m^2, about G
+    front, rear : m, > 0, from G to the axles
+    Returns J.
+    Raises ValueError for another `locked`.
+    """
     speed, yaw_rate = state[3:]
     sideways = -_axles(locked, front, rear)[0] * yaw_rate
     return (mass * (speed**2 + sideways**2) + yaw_inertia * yaw_rate**2) / 2
@@ -104,18 +152,30 @@ def kinetic_energy(state, locked, *, mass, yaw_inertia, front, rear):
 def yaw_growth_rate(speed, locked, *, mass, yaw_inertia, front, rear, friction, gravity):
     """d(yaw acceleration)/d(yaw_rate) about straight motion: positive where a small yaw rate grows.
 
-    speed : m/s, > 0
+    speed       : m/s, > 0
+    locked      : "front" or "rear"
+    mass        : kg
+    yaw_inertia : kg m^2, about G
+    front, rear : m, > 0, from G to the axles
+    friction    : coefficient, may be 0
+    gravity     : m/s^2, may be 0
     Returns 1/s.
+    Raises ValueError for another `locked`.
     """
     car = _car(locked, mass, yaw_inertia, front, rear, friction, gravity)
-    turning, wheelbase = mass * car["free"] * speed, front + rear
-    return (turning - car["drag"] * wheelbase**2 / speed) / car["inertia"]
+    turning = mass * car["free"] * speed
+    return (turning - car["drag"] * car["arm"] ** 2 / speed) / car["inertia"]
 
 
 def critical_speed(locked, *, front, rear, friction, gravity):
     """Speed above which straight motion is unstable; math.inf where it never is.
 
+    locked      : "front" or "rear"
+    front, rear : m, > 0, from G to the axles
+    friction    : coefficient, may be 0
+    gravity     : m/s^2, may be 0
     Returns m/s; 0 for locked rear wheels without friction.
+    Raises ValueError for another `locked`.
     """
     free, arm = _axles(locked, front, rear)
     return math.sqrt(friction * gravity * abs(arm)) if free > 0 else math.inf
@@ -124,12 +184,17 @@ def critical_speed(locked, *, front, rear, friction, gravity):
 def small_yaw_rate(speed, speed0, yaw_rate0, locked, *, mass, yaw_inertia, front, rear, friction, gravity):
     """Yaw rate at `speed` of a car that had yaw_rate0 at speed0, exact by the equations linear in the yaw rate.
 
-    speed     : m/s, 0 < speed <= speed0
-    speed0    : m/s
-    yaw_rate0 : rad/s
-    friction  : coefficient, > 0
-    gravity   : m/s^2, > 0
+    speed       : m/s, 0 < speed <= speed0
+    speed0      : m/s
+    yaw_rate0   : rad/s
+    locked      : "front" or "rear"
+    mass        : kg
+    yaw_inertia : kg m^2, about G
+    front, rear : m, > 0, from G to the axles
+    friction    : coefficient, > 0
+    gravity     : m/s^2, > 0
     Returns rad/s.
+    Raises ValueError for another `locked`.
     """
     # dr/du = r'/u' with u' = -drag/mass is linear in r: two terms of ln r, one in ln u and one in u^2.
     car = _car(locked, mass, yaw_inertia, front, rear, friction, gravity)

@@ -35,7 +35,11 @@ def axis_rotation(axis, angle):
 
 
 def space_sequence(steps):
-    """Matrix of rotations one after the other, about axes fixed in space. Returns (3, 3), the identity for no steps."""
+    """Matrix of rotations one after the other, about axes that are fixed in space.
+
+    steps : list of (axis, angle), first step first
+    Returns (3, 3), the identity for no steps.
+    """
     R = np.eye(3)
     for axis, angle in steps:
         R = axis_rotation(axis, angle) @ R
@@ -45,6 +49,7 @@ def space_sequence(steps):
 def body_sequence(steps):
     """Matrix of rotations one after the other, about axes that turn with the body.
 
+    steps : list of (axis, angle), first step first
     Returns (3, 3), the identity for no steps.
     """
     # In the body's own components, the turns so far have changed nothing: the new turn acts on the vector first.

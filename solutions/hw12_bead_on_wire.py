@@ -2,8 +2,7 @@
 
 figure.svg, beside this file, shows the axes, the names and the positive senses.
 
-x is the generalised coordinate and v = dx/dt its rate, which is not the speed along the wire.
-Units: x in m, v in m/s, mass in kg, curvature in 1/m, > 0, gravity in m/s^2, may be 0.
+x is the generalised coordinate and v = dx/dt its rate, which is not the speed along the wire; curvature > 0.
 
 Off limits in this file: tam570.lagrange and tam570.lectures, which would answer it.
 """
@@ -27,6 +26,10 @@ __all__ = [
 def free_body_diagram(x, *, mass, curvature, gravity):
     """The forces on the bead, cut free from the wire.
 
+    x        : m
+    mass     : kg
+    curvature: 1/m, > 0
+    gravity  : m/s^2, may be 0
     Returns a list of pairs (point, direction), one for each force: where it acts, (2,) in m, and a vector (2,) of any
     length along which it acts, or None where neither component is known. The order is free.
     """
@@ -61,21 +64,41 @@ def lagrange_equation():
 
 
 def acceleration_newton(x, v, *, curvature, gravity):
-    """The acceleration x'' by Newton: F = m a, dotted with a tangent of the wire. Returns m/s^2."""
+    """The acceleration x'' by Newton: F = m a, dotted with a tangent of the wire.
+
+    x, v     : m, m/s
+    curvature: 1/m, > 0
+    gravity  : m/s^2, may be 0
+    Returns m/s^2.
+    """
     # a = (x'', slope x'' + 2 c v^2) and tangent = (1, slope): tangent . (a + g j) = 0 is free of the normal force.
     slope = 2 * curvature * x
     return -slope * (gravity + 2 * curvature * v**2) / (1 + slope**2)
 
 
 def constraint_force(x, v, *, mass, curvature, gravity):
-    """Force of the wire on the bead, normal to the wire. Returns (2,): x and y components, N."""
+    """Force of the wire on the bead, normal to the wire.
+
+    x, v     : m, m/s
+    mass     : kg
+    curvature: 1/m, > 0
+    gravity  : m/s^2, may be 0
+    Returns (2,): x and y components, N.
+    """
     slope = 2 * curvature * x
     upward = mass * (gravity + 2 * curvature * v**2) / (1 + slope**2)
     return np.array([-slope * upward, upward])
 
 
 def energy(x, v, *, mass, curvature, gravity):
-    """Kinetic plus potential energy, zero at rest at the bottom. Returns J."""
+    """Kinetic plus potential energy, zero at rest at the bottom.
+
+    x, v     : m, m/s
+    mass     : kg
+    curvature: 1/m, > 0
+    gravity  : m/s^2, may be 0
+    Returns J.
+    """
     slope = 2 * curvature * x
     return mass * (1 + slope**2) * v**2 / 2 + mass * gravity * curvature * x**2
 
@@ -83,7 +106,10 @@ def energy(x, v, *, mass, curvature, gravity):
 def simulate(t, x, v, *, curvature, gravity):
     """Motion from x and v at t[0].
 
-    t : (n,) s, strictly increasing, n >= 2; its sampling does not change the motion
+    t        : (n,) s, strictly increasing, n >= 2; its sampling does not change the motion
+    x, v     : m, m/s
+    curvature: 1/m, > 0
+    gravity  : m/s^2, may be 0
     Returns (n, 2): x in m, v in m/s; row i is the state at t[i].
     """
     from tam570.integrate import solve
@@ -100,8 +126,9 @@ def simulate(t, x, v, *, curvature, gravity):
 def period(amplitude, *, curvature, gravity):
     """Exact period of the motion between x = -amplitude and x = amplitude.
 
-    amplitude : m, > 0
-    gravity   : m/s^2, > 0
+    amplitude: m, > 0
+    curvature: 1/m, > 0
+    gravity  : m/s^2, > 0
     Returns s.
     """
     # With x = amplitude sin(phi) the energy gives sqrt(2 g c) dt = sqrt(cos^2 phi + b^2 sin^2 phi) dphi,

@@ -5,9 +5,6 @@ figure.svg, beside this file, shows the axes, the names and the positive senses.
 x points down the ramp, y off it. The ramp goes down at the angle `slope` and the cylinder does not slip: phi is its
 rotation, rolling down positive, and its centre is at x = radius * phi, y = radius. G is at `offset` from the centre, at
 phi = 0 towards the contact: offset (-sin phi, -cos phi). `inertia` is the moment of inertia about G. C is the contact.
-
-Units: phi and slope in rad, phi_dot in rad/s, mass in kg, radius and offset, >= 0, in m, inertia in kg m^2, gravity in
-m/s^2, may be 0.
 """
 
 import math
@@ -27,6 +24,12 @@ __all__ = [
 def free_body_diagram(phi, *, mass, radius, offset, slope, gravity):
     """The forces on the cylinder, cut free from the ramp.
 
+    phi     : rad
+    mass    : kg
+    radius  : m
+    offset  : m, >= 0
+    slope   : rad
+    gravity : m/s^2, may be 0
     Returns a list of pairs (point, direction), one for each force: where it acts, (2,) in m from the centre of the
     cylinder, and a vector (2,) of any length along which it acts, or None where neither component is known; x down
     the ramp, y off it. The order is free.
@@ -37,7 +40,17 @@ def free_body_diagram(phi, *, mass, radius, offset, slope, gravity):
 
 
 def acceleration(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
-    """The angular acceleration, by the balance of angular momentum about G. Returns rad/s^2."""
+    """The angular acceleration, by the balance of angular momentum about G.
+
+    phi, phi_dot : rad, rad/s
+    mass         : kg
+    radius       : m
+    offset       : m, >= 0
+    inertia      : kg m^2, about G
+    slope        : rad
+    gravity      : m/s^2, may be 0
+    Returns rad/s^2.
+    """
     # I phi'' = e sin(phi) (-N) + (r - e cos(phi)) (-F), and F = m x'' - m g sin(slope), N = m y'' + m g cos(slope),
     # with x'' and y'' of G as in `contact_force`: the terms in phi'' make the inertia about C.
     turned = inertia + mass * _distance_squared(phi, radius, offset)
@@ -47,18 +60,43 @@ def acceleration(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity)
 
 
 def contact_inertia(phi, *, mass, radius, offset, inertia):
-    """Moment of inertia about the contact point C. Returns kg m^2."""
+    """Moment of inertia about the contact point C.
+
+    phi     : rad
+    mass    : kg
+    radius  : m
+    offset  : m, >= 0
+    inertia : kg m^2, about G
+    Returns kg m^2.
+    """
     return inertia + mass * _distance_squared(phi, radius, offset)
 
 
 def naive_contact_acceleration(phi, *, mass, radius, offset, inertia, slope, gravity):
-    """What M_C = I^C phi'' would give: right only where G is at the centre, or nothing turns. Returns rad/s^2."""
+    """What M_C = I^C phi'' would give: right only where G is at the centre, or nothing turns.
+
+    phi     : rad
+    mass    : kg
+    radius  : m
+    offset  : m, >= 0
+    inertia : kg m^2, about G
+    slope   : rad
+    gravity : m/s^2, may be 0
+    Returns rad/s^2.
+    """
     about_contact = contact_inertia(phi, mass=mass, radius=radius, offset=offset, inertia=inertia)
     return _weight_moment(phi, mass, radius, offset, slope, gravity) / about_contact
 
 
 def missing_moment(phi, phi_dot, *, mass, radius, offset):
-    """The term that M_C = I^C phi'' lacks: I^C phi'' + missing_moment = M_C is right. Returns N m."""
+    """The term that M_C = I^C phi'' lacks: I^C phi'' + missing_moment = M_C is right.
+
+    phi, phi_dot : rad, rad/s
+    mass         : kg
+    radius       : m
+    offset       : m, >= 0
+    Returns N m.
+    """
     # The material point at C has the acceleration r phi'^2 towards the centre: r_{G/C} x m a of it.
     return mass * radius * offset * math.sin(phi) * phi_dot**2
 
@@ -66,6 +104,13 @@ def missing_moment(phi, phi_dot, *, mass, radius, offset):
 def contact_force(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
     """Force of the ramp on the cylinder, by the balance of linear momentum.
 
+    phi, phi_dot : rad, rad/s
+    mass         : kg
+    radius       : m
+    offset       : m, >= 0
+    inertia      : kg m^2, about G
+    slope        : rad
+    gravity      : m/s^2, may be 0
     Returns (along, normal), N: along is positive down the ramp; normal may be negative, contact is kept.
     """
     body = {"mass": mass, "radius": radius, "offset": offset, "inertia": inertia}
@@ -77,7 +122,17 @@ def contact_force(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity
 
 
 def energy(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
-    """Kinetic plus potential energy; the potential is 0 with G where the centre is at phi = 0. Returns J."""
+    """Kinetic plus potential energy; the potential is 0 with G where the centre is at phi = 0.
+
+    phi, phi_dot : rad, rad/s
+    mass         : kg
+    radius       : m
+    offset       : m, >= 0
+    inertia      : kg m^2, about G
+    slope        : rad
+    gravity      : m/s^2, may be 0
+    Returns J.
+    """
     kinetic = contact_inertia(phi, mass=mass, radius=radius, offset=offset, inertia=inertia) * phi_dot**2 / 2
     height = -radius * phi * math.sin(slope) - offset * math.cos(phi + slope)
     return kinetic + mass * gravity * height
@@ -86,7 +141,14 @@ def energy(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
 def simulate(t, phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
     """Rolling from phi and phi_dot at t[0].
 
-    t : (n,) s, strictly increasing, n >= 2; its sampling does not change the motion
+    t            : (n,) s, strictly increasing, n >= 2; its sampling does not change the motion
+    phi, phi_dot : rad, rad/s
+    mass         : kg
+    radius       : m
+    offset       : m, >= 0
+    inertia      : kg m^2, about G
+    slope        : rad
+    gravity      : m/s^2, may be 0
     Returns (n, 2): phi in rad, never wrapped, and phi_dot in rad/s; row i is the state at t[i].
     """
     from tam570.integrate import solve

@@ -13,7 +13,6 @@ R = Rz(yaw) Rx(tilt) Rz(roll) takes body to space components. The axle is e3 = R
 
 Euler state (8)   : x, y (m, of the contact), yaw, tilt, roll (rad, never wrapped), yaw', tilt', roll' (rad/s)
 Matrix state (15) : centre (3, m), R row by row (9), omega (3, rad/s, space axes)
-A `state` is an Euler state unless a function says otherwise; no rate depends on t (s).
 """
 
 import math
@@ -40,6 +39,7 @@ __all__ = [
 def free_body_diagram(state, *, mass, radius, gravity):
     """The forces on the disk, cut free from the ground, in space axes.
 
+    state : (8,) Euler state
     Returns a list of pairs (point, direction), one for each force: where it acts, (3,) in m, and a vector (3,) of any
     length along which it acts, or None where no component is known. The order is free.
     """
@@ -50,7 +50,12 @@ def free_body_diagram(state, *, mass, radius, gravity):
 
 
 def euler_state_derivative(t, state, *, mass, radius, inertia, gravity):
-    """Rates of the Euler state: Euler angles, momentum balances in the frame e1, e2, e3. Returns (8,)."""
+    """Rates of the Euler state: Euler angles, momentum balances in the frame e1, e2, e3.
+
+    t     : s, not used
+    state : (8,) Euler state
+    Returns (8,).
+    """
     x, y, yaw, tilt, roll, yaw_rate, tilt_rate, roll_rate = state
     A, C = inertia
     c, s = math.cos(tilt), math.sin(tilt)
@@ -78,6 +83,7 @@ def euler_state_derivative(t, state, *, mass, radius, inertia, gravity):
 def matrix_state_derivative(t, state, *, mass, radius, inertia, gravity):
     """Rates of the matrix state: no angles, momentum balances in space axes with the rolling constraint.
 
+    t     : s, not used
     state : (15,) matrix state that satisfies the constraints
     Returns (15,).
     """
@@ -112,6 +118,7 @@ def matrix_state_derivative(t, state, *, mass, radius, inertia, gravity):
 def multiplier_state_derivative(t, state, *, mass, radius, inertia, gravity):
     """Rates of the matrix state: a free body, the contact force as Lagrange multipliers of the constraint.
 
+    t     : s, not used
     state : (15,) matrix state that satisfies the constraints
     Returns (15,).
     """
@@ -136,7 +143,11 @@ def multiplier_state_derivative(t, state, *, mass, radius, inertia, gravity):
 
 
 def matrix_state(state, *, radius):
-    """The matrix state of an Euler state. Returns (15,)."""
+    """The matrix state of an Euler state.
+
+    state : (8,) Euler state
+    Returns (15,).
+    """
     x, y, _, tilt, roll, yaw_rate, tilt_rate, _ = state
     e1, e2, e3 = _frame(state)
     omega = tilt_rate * e1 + yaw_rate * math.sin(tilt) * e2 + _spin(state) * e3
@@ -168,6 +179,7 @@ def simulate_matrix(t, state, *, mass, radius, inertia, gravity):
 def energy(state, *, mass, radius, inertia, gravity):
     """Kinetic plus potential energy of the rolling disk.
 
+    state : (8,) Euler state
     Returns J; the potential is 0 with the centre on the ground.
     """
     _, _, _, tilt, _, yaw_rate, tilt_rate, _ = state
@@ -179,7 +191,11 @@ def energy(state, *, mass, radius, inertia, gravity):
 
 
 def contact_force(state, *, mass, radius, inertia, gravity):
-    """Force of the ground on the rolling disk. Returns (3,) N, space axes."""
+    """Force of the ground on the rolling disk.
+
+    state : (8,) Euler state
+    Returns (3,) N, space axes.
+    """
     disk = {"mass": mass, "radius": radius, "inertia": inertia, "gravity": gravity}
     *_, yaw_acceleration, tilt_acceleration, roll_acceleration = euler_state_derivative(0.0, state, **disk)
     _, _, _, tilt, _, yaw_rate, tilt_rate, _ = state
@@ -208,7 +224,10 @@ def steady_residual(lean, precession, spin, *, mass, radius, inertia, gravity):
 
 
 def critical_speed(*, mass, radius, inertia, gravity):
-    """Speed of the centre above which straight upright rolling is stable. Returns m/s."""
+    """Speed of the centre above which straight upright rolling is stable.
+
+    Returns m/s.
+    """
     A, C = inertia
     rolling = C + mass * radius**2
     return radius * math.sqrt(mass * gravity * radius / rolling * (A / C))
@@ -229,6 +248,7 @@ def growth_rate_squared(speed, *, mass, radius, inertia, gravity):
 def wireframe(state, *, radius, sides):
     """The disk as line segments in space: a polygon on its rim, and two diameters fixed in it.
 
+    state : (8,) Euler state
     sides : number of the polygon's sides
     Returns (sides + 2, 2, 3) m: the closed regular polygon, then two perpendicular diameters.
     """

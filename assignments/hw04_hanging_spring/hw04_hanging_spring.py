@@ -5,8 +5,6 @@ figure.svg, beside this file, shows the axes, the names and the positive senses.
 The spring is hung at the origin and pulls the mass there with stiffness times distance; z points up and gravity acts
 along -z. A state is (x, y, z, vx, vy, vz). The potential energy is zero at the origin.
 
-Units: position (3,) in m, velocity (3,) in m/s, mass in kg, stiffness in N/m, > 0, gravity in m/s^2, may be 0.
-
 Off limits in this file: tam570.lectures, which would answer it.
 """
 
@@ -27,6 +25,10 @@ __all__ = [
 def free_body_diagram(state, *, mass, stiffness, gravity):
     """The forces on the mass, cut free from the spring.
 
+    state     : (6,) position in m, velocity in m/s
+    mass      : kg
+    stiffness : N/m, > 0
+    gravity   : m/s^2, may be 0
     Returns a list of pairs (point, direction), one for each force: where it acts, (3,) in m, and a vector (3,) of any
     length along which it acts, or None where no component is known. The order is free.
     """
@@ -34,14 +36,27 @@ def free_body_diagram(state, *, mass, stiffness, gravity):
 
 
 def state_derivative(t, state, *, mass, stiffness, gravity):
-    """Rates of the state, whatever t (s). Returns (6,): velocity, acceleration."""
+    """Rates of the state.
+
+    t         : s, not used
+    state     : (6,) position in m, velocity in m/s
+    mass      : kg
+    stiffness : N/m, > 0
+    gravity   : m/s^2, may be 0
+    Returns (6,): velocity, acceleration.
+    """
     raise NotImplementedError
 
 
 def simulate(t, position, velocity, *, mass, stiffness, gravity):
     """Motion by numerical integration from position and velocity at t[0].
 
-    t : (n,) s, strictly increasing, n >= 2; its sampling does not change the motion
+    t         : (n,) s, strictly increasing, n >= 2; its sampling does not change the motion
+    position  : (3,) m
+    velocity  : (3,) m/s
+    mass      : kg
+    stiffness : N/m, > 0
+    gravity   : m/s^2, may be 0
     Returns (n, 6); row i is the state at t[i].
     """
     raise NotImplementedError
@@ -50,7 +65,12 @@ def simulate(t, position, velocity, *, mass, stiffness, gravity):
 def solution(t, position, velocity, *, mass, stiffness, gravity):
     """The same motion in closed form, position and velocity being those at t = 0.
 
-    t : (n,) s
+    t         : (n,) s
+    position  : (3,) m
+    velocity  : (3,) m/s
+    mass      : kg
+    stiffness : N/m, > 0
+    gravity   : m/s^2, may be 0
     Returns (n, 6).
     """
     raise NotImplementedError
@@ -59,6 +79,10 @@ def solution(t, position, velocity, *, mass, stiffness, gravity):
 def energy(state, *, mass, stiffness, gravity):
     """Kinetic plus potential energy, of the spring and of the weight.
 
+    state     : (6,) position in m, velocity in m/s
+    mass      : kg
+    stiffness : N/m, > 0
+    gravity   : m/s^2, may be 0
     Returns J; zero for a mass at rest at the origin.
     """
     raise NotImplementedError
@@ -67,8 +91,11 @@ def energy(state, *, mass, stiffness, gravity):
 def orbit(position, velocity, *, mass, stiffness, gravity):
     """The ellipse on which the mass moves. A line or a point is an ellipse with zero axes.
 
-    position : (3,) m, at any time
-    velocity : (3,) m/s, then
+    position  : (3,) m, at any time
+    velocity  : (3,) m/s, then
+    mass      : kg
+    stiffness : N/m, > 0
+    gravity   : m/s^2, may be 0
     Returns (centre, semi_axes): (3,) and (2, 3) in m; the larger semi-axis first, the other perpendicular to it,
     each in one of its two directions; of a circle any two perpendicular radii.
     """
@@ -89,9 +116,14 @@ def project(points, azimuth, elevation):
 def plot_projection(ax, t, position, velocity, azimuth, elevation, *, mass, stiffness, gravity):
     """Draw the simulated path, projected, as one line.
 
-    ax       : Matplotlib Axes to draw on
-    t        : (n,) s, strictly increasing
-    position : (3,) m, at t[0]
-    velocity : (3,) m/s, at t[0]
+    ax        : Matplotlib Axes to draw on
+    t         : (n,) s, strictly increasing
+    position  : (3,) m, at t[0]
+    velocity  : (3,) m/s, at t[0]
+    azimuth   : rad
+    elevation : rad
+    mass      : kg
+    stiffness : N/m, > 0
+    gravity   : m/s^2, may be 0
     """
     raise NotImplementedError

@@ -6,8 +6,6 @@ A particle in the plane is kept on the circle x^2 + y^2 = length^2 about a hinge
 right, y up. A state is (x, y, vx, vy). States are consistent, on the circle and tangent to it, but for the argument of
 `consistent_state`. The potential energy is zero at y = 0.
 
-Units: state (4,) in m and m/s, mass in kg, length in m, gravity in m/s^2, may be 0.
-
 Cartesian coordinates only: what is wanted is found from F = m a and the constraint, without an angle.
 """
 
@@ -27,6 +25,10 @@ __all__ = [
 def free_body_diagram(state, *, mass, length, gravity):
     """The forces on the particle, cut free from the rod.
 
+    state  : (4,) m, m/s
+    mass   : kg
+    length : m
+    gravity: m/s^2, may be 0
     Returns a list of pairs (point, direction), one for each force: where it acts, (2,) in m, and a vector (2,) of any
     length along which it acts, or None where neither component is known. The order is free.
     """
@@ -34,18 +36,34 @@ def free_body_diagram(state, *, mass, length, gravity):
 
 
 def constraint_force(state, *, mass, length, gravity):
-    """The radial force that keeps the particle on the circle. Returns (2,), N, the force on the particle."""
+    """The radial force that keeps the particle on the circle.
+
+    state  : (4,) m, m/s
+    mass   : kg
+    length : m
+    gravity: m/s^2, may be 0
+    Returns (2,), N, the force on the particle.
+    """
     raise NotImplementedError
 
 
 def acceleration(state, *, mass, length, gravity):
-    """Acceleration of the particle on the circle. Returns (2,), m/s^2."""
+    """Acceleration of the particle on the circle.
+
+    state  : (4,) m, m/s
+    mass   : kg
+    length : m
+    gravity: m/s^2, may be 0
+    Returns (2,), m/s^2.
+    """
     raise NotImplementedError
 
 
 def consistent_state(state, *, length):
     """The state put on the circle: the position along its radius, the velocity without its radial part.
 
+    state  : (4,) m, m/s
+    length : m
     Returns (4,).
     Raises ValueError if the position is the origin.
     """
@@ -53,19 +71,34 @@ def consistent_state(state, *, length):
 
 
 def energy(state, *, mass, gravity):
-    """Kinetic plus potential energy; the potential is 0 at y = 0. Returns J."""
+    """Kinetic plus potential energy; the potential is 0 at y = 0.
+
+    state  : (4,) m, m/s
+    mass   : kg
+    gravity: m/s^2, may be 0
+    Returns J.
+    """
     raise NotImplementedError
 
 
 def simulate(t, state, *, mass, length, gravity):
     """Motion from `state` at t[0]; however long it is, it stays on the circle and tangent to it.
 
-    t : (n,) s, strictly increasing, n >= 2; its sampling does not change the motion
+    t      : (n,) s, strictly increasing, n >= 2; its sampling does not change the motion
+    state  : (4,) m, m/s
+    mass   : kg
+    length : m
+    gravity: m/s^2, may be 0
     Returns (n, 4); row i is the state at t[i].
     """
     raise NotImplementedError
 
 
 def wireframe(state, *, length):
-    """The rod, from the hinge to the particle. Returns (1, 2, 2), m."""
+    """The rod, from the hinge to the particle.
+
+    state  : (4,) m, m/s
+    length : m
+    Returns (1, 2, 2), m.
+    """
     raise NotImplementedError

@@ -6,8 +6,6 @@ A rotation by the angle th about the unit vector n takes every r to
 
     r' = cos th r + (1 - cos th) (n . r) n + sin th n x r.
 
-An `axis` is (3,), of any nonzero length, an `angle` in rad; raise ValueError if the axis is zero or not finite.
-
 Off limits in this file: scipy.spatial.transform, tam570.rotations and tam570.lectures, which would answer it. In
 rotate: rotation_matrix.
 """
@@ -18,15 +16,32 @@ __all__ = ["rotate", "rotation_matrix", "skew"]
 
 
 def skew(v):
-    """Matrix of the cross product: skew(v) @ r equals v x r, for v (3,). Returns (3, 3)."""
+    """Matrix of the cross product: skew(v) @ r equals v x r.
+
+    v : (3,)
+    Returns (3, 3).
+    """
     raise NotImplementedError
 
 
 def rotation_matrix(axis, angle):
-    """Matrix that turns vectors by `angle` about `axis` (right-hand rule). Returns (3, 3)."""
+    """Matrix that turns vectors by `angle` about `axis` (right-hand rule).
+
+    axis  : (3,), any nonzero length
+    angle : rad
+    Returns (3, 3).
+    Raises ValueError if the axis is zero or not finite.
+    """
     raise NotImplementedError
 
 
 def rotate(r, axis, angle):
-    """The vector r (3,) turned by `angle` about `axis`, without forming the matrix. Returns (3,)."""
+    """The vector r turned by `angle` about `axis`, without forming the matrix.
+
+    r     : (3,)
+    axis  : (3,), any nonzero length
+    angle : rad
+    Returns (3,).
+    Raises ValueError if the axis is zero or not finite.
+    """
     raise NotImplementedError

@@ -25,13 +25,18 @@ def axis_rotation(axis, angle):
 
 
 def space_sequence(steps):
-    """Matrix of rotations one after the other, about axes fixed in space. Returns (3, 3), the identity for no steps."""
+    """Matrix of rotations one after the other, about axes that are fixed in space.
+
+    steps : list of (axis, angle), first step first
+    Returns (3, 3), the identity for no steps.
+    """
     raise NotImplementedError
 
 
 def body_sequence(steps):
     """Matrix of rotations one after the other, about axes that turn with the body.
 
+    steps : list of (axis, angle), first step first
     Returns (3, 3), the identity for no steps.
     """
     raise NotImplementedError

@@ -29,12 +29,22 @@ __all__ = [
 
 
 def euler_equations(omega, *, inertia):
-    """Rate of change of omega, in body components. Returns (3,) rad/s^2."""
+    """Rate of change of omega, in body components.
+
+    omega   : (3,) rad/s, body components
+    inertia : (A, B, C) kg m^2
+    Returns (3,) rad/s^2.
+    """
     raise NotImplementedError
 
 
 def attitude_rate(R, omega):
-    """Rate of change of R. Returns (3, 3) 1/s."""
+    """Rate of change of R.
+
+    R     : (3, 3), body to space
+    omega : (3,) rad/s, body components
+    Returns (3, 3) 1/s.
+    """
     raise NotImplementedError
 
 
@@ -42,6 +52,7 @@ def euler_rates_313(angles, omega):
     """Rates of the Euler angles of R = Rz(psi) Rx(theta) Rz(phi).
 
     angles : (psi, theta, phi) rad
+    omega  : (3,) rad/s, body components
     Returns (3,) rad/s, the rates of psi, theta, phi.
     Raises ValueError where abs(sin theta) < 1e-12.
     """
@@ -49,19 +60,33 @@ def euler_rates_313(angles, omega):
 
 
 def energy(omega, *, inertia):
-    """Kinetic energy of rotation. Returns J."""
+    """Kinetic energy of rotation.
+
+    omega   : (3,) rad/s, body components
+    inertia : (A, B, C) kg m^2
+    Returns J.
+    """
     raise NotImplementedError
 
 
 def angular_momentum(R, omega, *, inertia):
-    """Angular momentum about the centre of mass, in space components. Returns (3,) kg m^2/s."""
+    """Angular momentum about the centre of mass, in space components.
+
+    R       : (3, 3), body to space
+    omega   : (3,) rad/s, body components
+    inertia : (A, B, C) kg m^2
+    Returns (3,) kg m^2/s.
+    """
     raise NotImplementedError
 
 
 def simulate(t, R, omega, *, inertia):
     """Angular velocities and attitudes at the times `t`; rows 0 are those given.
 
-    t : (n,) s, strictly increasing, n >= 2; its sampling does not change the motion
+    t       : (n,) s, strictly increasing, n >= 2; its sampling does not change the motion
+    R       : (3, 3), body to space, at t[0]
+    omega   : (3,) rad/s, body components, at t[0]
+    inertia : (A, B, C) kg m^2
     Returns (omegas (n, 3), rotations (n, 3, 3)).
     """
     raise NotImplementedError
@@ -91,8 +116,9 @@ def wobble_rate(omega, *, inertia):
 def growth_rate_squared(axis, spin, *, inertia):
     """(b) Square of the rate at which a small deviation from spin about a principal axis grows.
 
-    axis : 0, 1 or 2, the axis of A, B or C
-    spin : rad/s about it
+    axis    : 0, 1 or 2, the axis of A, B or C
+    spin    : rad/s about it
+    inertia : (A, B, C) kg m^2
     Returns 1/s^2: positive where the spin is unstable; -(frequency^2) in (rad/s)^2 where it is stable.
     """
     raise NotImplementedError
@@ -101,6 +127,8 @@ def growth_rate_squared(axis, spin, *, inertia):
 def tumble_period(omega, *, inertia):
     """(b) Period of omega in body components, A < B < C.
 
+    omega   : (3,) rad/s, body components
+    inertia : (A, B, C) kg m^2
     Returns s; math.inf on the separatrix; for pure spin about axis 0 or 2 the limit of small oscillations.
     """
     raise NotImplementedError
@@ -109,6 +137,7 @@ def tumble_period(omega, *, inertia):
 def wireframe(R, *, size):
     """Edges of a box that is centred on the origin, turned by R.
 
+    R    : (3, 3), body to space
     size : (3,) m, lengths along the body's axes
     Returns (12, 2, 3) m: segment i runs from [i, 0] to [i, 1].
     """
@@ -118,10 +147,11 @@ def wireframe(R, *, size):
 def plot_rim_paths(ax, t, R, omega, *, inertia, radius):
     """(a) Draw the paths of the body points (radius, 0, 0) and (0, radius, 0), seen along space x.
 
-    ax     : Matplotlib Axes to draw on: y to the right, z up
-    t      : (n,) s, strictly increasing
-    R      : (3, 3), body to space, at t[0]
-    omega  : (3,) rad/s, body components, at t[0]
-    radius : m
+    ax      : Matplotlib Axes to draw on: y to the right, z up
+    t       : (n,) s, strictly increasing
+    R       : (3, 3), body to space, at t[0]
+    omega   : (3,) rad/s, body components, at t[0]
+    inertia : (A, B, C) kg m^2
+    radius  : m
     """
     raise NotImplementedError

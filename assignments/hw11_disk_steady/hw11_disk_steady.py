@@ -32,6 +32,8 @@ __all__ = [
 def rolling_precession(lean, track_radius, *, mass, radius, inertia, gravity):
     """Precession Omega >= 0 of a disk that rolls steadily on a ground track of this radius.
 
+    lean         : rad
+    track_radius : m, signed
     Returns rad/s; 0 without gravity, and 0 upright on a track that is no point.
     Raises ValueError where no steady rolling exists, or where every Omega will do, as with gravity upright on a point.
     """
@@ -41,6 +43,7 @@ def rolling_precession(lean, track_radius, *, mass, radius, inertia, gravity):
 def rolling_spin(lean, precession, *, mass, radius, inertia, gravity):
     """Spin of a disk that rolls steadily at this lean and precession.
 
+    lean       : rad
     precession : rad/s, nonzero, either sign
     Returns rad/s.
     """
@@ -50,6 +53,7 @@ def rolling_spin(lean, precession, *, mass, radius, inertia, gravity):
 def rolling_track_radius(lean, precession, *, mass, radius, inertia, gravity):
     """Radius of the ground track of a disk that rolls steadily at this lean and precession.
 
+    lean       : rad
     precession : rad/s, nonzero, either sign
     Returns m, signed.
     """
@@ -59,6 +63,7 @@ def rolling_track_radius(lean, precession, *, mass, radius, inertia, gravity):
 def sliding_spin(lean, precession, *, mass, radius, inertia, gravity):
     """Spin of a disk that slides steadily without friction, its centre G at rest.
 
+    lean       : rad
     precession : rad/s, nonzero, either sign
     Returns rad/s.
     """
@@ -68,6 +73,7 @@ def sliding_spin(lean, precession, *, mass, radius, inertia, gravity):
 def sliding_track_radius(lean, *, radius):
     """Radius of the ground track of a disk that slides steadily without friction, its centre G at rest.
 
+    lean : rad
     Returns m, signed.
     """
     raise NotImplementedError
@@ -86,6 +92,9 @@ def common_precession(lean, *, mass, radius, inertia, gravity):
 def contact_force(lean, precession, spin, *, mass, radius, gravity):
     """Force of the ground on a disk that rolls steadily.
 
+    lean       : rad
+    precession : rad/s
+    spin       : rad/s
     Returns (inward, normal) in N: towards the centre of the circle, and upwards.
     """
     raise NotImplementedError
@@ -94,8 +103,11 @@ def contact_force(lean, precession, spin, *, mass, radius, gravity):
 def moment_residual(lean, precession, spin, inward, normal, *, mass, radius, inertia):
     """Moment of a contact force about G minus the rate of angular momentum about G in steady precession.
 
-    inward : N, contact force towards the centre of the circle
-    normal : N, contact force upwards
+    lean       : rad
+    precession : rad/s
+    spin       : rad/s
+    inward     : N, contact force towards the centre of the circle
+    normal     : N, contact force upwards
     Returns N m, about the horizontal line through G across the axle: positive where the lean would grow, 0 in
     steady motion.
     """
@@ -105,6 +117,7 @@ def moment_residual(lean, precession, spin, inward, normal, *, mass, radius, ine
 def settling_energy(lean, *, mass, radius, inertia, gravity):
     """Kinetic plus potential energy of the motions that are steady rolling and steady sliding at once.
 
+    lean : rad
     Returns J; the potential is 0 with G on the ground.
     """
     raise NotImplementedError

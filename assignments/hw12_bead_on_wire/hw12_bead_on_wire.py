@@ -2,8 +2,7 @@
 
 figure.svg, beside this file, shows the axes, the names and the positive senses.
 
-x is the generalised coordinate and v = dx/dt its rate, which is not the speed along the wire.
-Units: x in m, v in m/s, mass in kg, curvature in 1/m, > 0, gravity in m/s^2, may be 0.
+x is the generalised coordinate and v = dx/dt its rate, which is not the speed along the wire; curvature > 0.
 
 Off limits in this file: tam570.lagrange and tam570.lectures, which would answer it.
 """
@@ -25,6 +24,10 @@ __all__ = [
 def free_body_diagram(x, *, mass, curvature, gravity):
     """The forces on the bead, cut free from the wire.
 
+    x        : m
+    mass     : kg
+    curvature: 1/m, > 0
+    gravity  : m/s^2, may be 0
     Returns a list of pairs (point, direction), one for each force: where it acts, (2,) in m, and a vector (2,) of any
     length along which it acts, or None where neither component is known. The order is free.
     """
@@ -48,24 +51,47 @@ def lagrange_equation():
 
 
 def acceleration_newton(x, v, *, curvature, gravity):
-    """The acceleration x'' by Newton: F = m a, dotted with a tangent of the wire. Returns m/s^2."""
+    """The acceleration x'' by Newton: F = m a, dotted with a tangent of the wire.
+
+    x, v     : m, m/s
+    curvature: 1/m, > 0
+    gravity  : m/s^2, may be 0
+    Returns m/s^2.
+    """
     raise NotImplementedError
 
 
 def constraint_force(x, v, *, mass, curvature, gravity):
-    """Force of the wire on the bead, normal to the wire. Returns (2,): x and y components, N."""
+    """Force of the wire on the bead, normal to the wire.
+
+    x, v     : m, m/s
+    mass     : kg
+    curvature: 1/m, > 0
+    gravity  : m/s^2, may be 0
+    Returns (2,): x and y components, N.
+    """
     raise NotImplementedError
 
 
 def energy(x, v, *, mass, curvature, gravity):
-    """Kinetic plus potential energy, zero at rest at the bottom. Returns J."""
+    """Kinetic plus potential energy, zero at rest at the bottom.
+
+    x, v     : m, m/s
+    mass     : kg
+    curvature: 1/m, > 0
+    gravity  : m/s^2, may be 0
+    Returns J.
+    """
     raise NotImplementedError
 
 
 def simulate(t, x, v, *, curvature, gravity):
     """Motion from x and v at t[0].
 
-    t : (n,) s, strictly increasing, n >= 2; its sampling does not change the motion
+    t        : (n,) s, strictly increasing, n >= 2; its sampling does not change the motion
+    x, v     : m, m/s
+    curvature: 1/m, > 0
+    gravity  : m/s^2, may be 0
     Returns (n, 2): x in m, v in m/s; row i is the state at t[i].
     """
     raise NotImplementedError
@@ -74,8 +100,9 @@ def simulate(t, x, v, *, curvature, gravity):
 def period(amplitude, *, curvature, gravity):
     """Exact period of the motion between x = -amplitude and x = amplitude.
 
-    amplitude : m, > 0
-    gravity   : m/s^2, > 0
+    amplitude: m, > 0
+    curvature: 1/m, > 0
+    gravity  : m/s^2, > 0
     Returns s.
     """
     raise NotImplementedError
