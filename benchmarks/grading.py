@@ -1,13 +1,16 @@
-"""How fast submissions are graded; beside nbgrader where it is asked for.
+"""How fast submissions are graded, and what of the time is the students' own; beside nbgrader where it is asked for.
 
     python benchmarks/grading.py                    60 submissions of each assignment, on all cores
     python benchmarks/grading.py --quick            20 of each
     python benchmarks/grading.py --peers nbgrader   the same functions and tests as a notebook, graded by nbgrader
+    python benchmarks/grading.py --cost             what one submission costs, and whom, one job, without a class
 
 Prints a table; --peers writes results/grading.json. Times of one run on one machine; compare them with each other.
 """
 
 import argparse
+import collections
+import functools
 import json
 import os
 import subprocess
@@ -16,22 +19,29 @@ import tempfile
 import time
 from pathlib import Path
 
+import numpy as np
 import record
 from tqdm import tqdm
 
 from tam570_grader.checks import assignments
+from tam570_grader.grading.supervisor import GradeTask, WorkerConfig, result
 from tam570_grader.sandbox.launch import isolation
+from tam570_grader.sandbox.pool import sandboxes
+from tam570_grader.sandbox.preload import imported
+from tam570_grader.sandbox.process import SandboxProcess
+from tam570_grader.sandbox.student import Source, Student
+from tam570_grader.sandbox.zygote import ResourceLimits
 
 OUTPUT = record.FOLDER / "grading.json"
 COURSE = assignments.find(Path(__file__).parents[1])
 SLUGS = assignments.slugs(COURSE)
 TOGETHER = 2e-3  # s, in which results of one chunk are read
 ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+WORKS = {"stub": "assignments/{0}/{0}.py", "solution": "solutions/{0}.py"}  # what everybody in a class hands in
 
 
-def work(slug):
-    """What everybody in a class hands in."""
-    return COURSE / "solutions" / f"{slug}.py"
+def work(slug, work_name="solution"):
+    return COURSE / WORKS[work_name].format(slug)
 
 
 def class_of(slug, count, folder):
@@ -42,6 +52,82 @@ def class_of(slug, count, folder):
         path.parent.mkdir(parents=True)
         path.write_text(f"{text}\n# {n}\n")
     return folder
+
+
+class Counter:
+    """What crosses the boundary of the sandbox: round trips, replies, calls, simulations, time that we wait for it."""
+
+    def __init__(self):
+        self.waited, self.count = 0.0, collections.Counter()
+
+    def __enter__(self):
+        self._before = {name: (owner, getattr(owner, name)) for owner, name in WATCHED}
+        for name, (owner, method) in self._before.items():
+            setattr(owner, name, _passing(getattr(self, f"_{name}"), method))
+        return self
+
+    def __exit__(self, *exception):
+        for name, (owner, method) in self._before.items():
+            setattr(owner, name, method)
+
+    def _send(self, process, method, request):
+        self.count["round trips"] += 1
+        return method(process, request)
+
+    def _receive(self, process, method, form):
+        started = time.perf_counter()
+        try:
+            return method(process, form)
+        finally:
+            self.waited += time.perf_counter() - started
+
+    def _replies(self, student, method, name, calls, *args, **more):
+        self.count["calls"] += len(calls)
+        if takes_times(student._assignment.slug, name):
+            self.count["simulations"] += sum(np.ndim(call.args[0]) == 1 for call in calls)
+        return method(student, name, calls, *args, **more)
+
+    def _leave(self, student, method):
+        self.student = student.seconds()
+        return method(student)
+
+
+@functools.cache
+def takes_times(slug, name):
+    """Whether a function of the contract is a simulation."""
+    return assignments.assignment(COURSE, slug).signature(name).startswith("t, ")
+
+
+def _passing(look, method):
+    return lambda *args, **kwargs: look(args[0], method, *args[1:], **kwargs)
+
+
+WATCHED = (SandboxProcess, "send"), (SandboxProcess, "receive"), (Student, "replies"), (Student, "leave")
+
+
+def cost(slug, work_name, count):
+    """What a submission costs, the references at hand: the least of so many, in ms, and counts of one."""
+    source = Source(work(slug, work_name).read_bytes())
+    conditions = WorkerConfig(ResourceLimits(), (COURSE,), tuple(imported(source.text)))  # as for a class
+    task = GradeTask(COURSE, work_name, slug, 570, source, conditions=conditions)
+    with sandboxes():
+        with Counter() as counter:
+            done = result(task)
+        counts = {name: counter.count[name] for name in ("round trips", "calls", "simulations")}
+        times = [_timed(task) for _ in range(count)]
+    assert done.score == (done.max_score if work_name == "solution" else 0)
+    wall, ours, waited = (1000 * min(column) for column in zip(*times, strict=True))
+    student = 1000 * counter.student  # its import too
+    times = {"wall": wall, "ours": ours, "waited": waited, "student": student}
+    return {"assignment": slug, "work": work_name, **times, **counts}
+
+
+def _timed(task):
+    """Seconds on the wall, of our processor, and of waiting for the sandbox, of one submission."""
+    with Counter() as counter:
+        wall, ours = time.perf_counter(), time.thread_time()
+        result(task)
+        return time.perf_counter() - wall, time.thread_time() - ours, counter.waited
 
 
 def graded(slug, count, jobs):
@@ -74,10 +160,19 @@ def steady(arrivals):
     return (arrivals[-1] - half) / (sum(arrival > half + TOGETHER for arrival in arrivals) or 1)
 
 
-def print_peers(slug, run, peers):
-    """How many times as fast as nbgrader the run is, its start included."""
+def print_jobs(slug, runs):
+    """How many times as fast several jobs are as one."""
+    for jobs, row in runs.items() if 1 in runs else ():
+        if jobs > 1:
+            faster, late = (runs[1][name] / row[name] for name in ("seconds", "steady_seconds_each"))
+            print(f"{slug:26} {jobs} jobs: {faster:.2f} times as fast as 1 job, {late:.2f} times once all have started")
+
+
+def print_peers(slug, runs, peers):
+    """How many times as fast as nbgrader the run with the most jobs is, its start included."""
+    most = runs[max(runs)]
     for peer in peers:
-        ratio, steady = (peer["seconds_each"] / run[name] for name in ("seconds_each", "steady_seconds_each"))
+        ratio, steady = (peer["seconds_each"] / most[name] for name in ("seconds_each", "steady_seconds_each"))
         print(f"{slug:26} {ratio:.1f} times as fast as {peer['grader']}, {steady:.1f} times once all have started")
 
 
@@ -148,23 +243,38 @@ def _notebook(path, slug):
     nbformat.write(new_notebook(cells=cells, metadata=kernel), path)
 
 
+def costs(slugs, count):
+    """Print what submissions cost."""
+    rows = [cost(slug, work_name, count) for slug in tqdm(slugs, leave=False, disable=None) for work_name in WORKS]
+    print("ms a submission: on the wall, ours (processor), waited; student (processor, import too); then counts")
+    for row in rows:
+        times = "".join(f"{row[name]:9.1f}" for name in ("wall", "ours", "waited", "student"))
+        counts = "".join(f"{row[name]:6}" for name in ("round trips", "calls", "simulations"))
+        print(f"{row['assignment']:26} {row['work']:9}{times}{counts}")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--assignments", nargs="+", choices=SLUGS, default=SLUGS)
     parser.add_argument("--submissions", type=int, default=60)
-    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--jobs", type=int, nargs="+", default=[os.cpu_count()], help="one run for each, in turn")
     parser.add_argument("--quick", action="store_true", help="20 submissions")
     parser.add_argument("--peers", nargs="*", choices=["nbgrader"], default=[])
+    parser.add_argument("--cost", action="store_true", help="what one submission costs")
     options = parser.parse_args()
     count = 20 if options.quick else options.submissions
+    if options.cost:
+        costs(options.assignments, min(count, 5))
+        return
     rows = []
     for slug in options.assignments:
-        run = graded(slug, count, options.jobs)
+        runs = {jobs: graded(slug, count, jobs) for jobs in options.jobs}
         peers = [nbgrader(slug, 10) for _ in options.peers]
-        rows += (new := [one_file(slug), run, *peers])
+        rows += (new := [one_file(slug), *runs.values(), *peers])
         for row in new:
             print_row(row)
-        print_peers(slug, run, peers)
+        print_jobs(slug, runs)
+        print_peers(slug, runs, peers)
         if options.peers and not options.quick:
             record.write(OUTPUT, rows=rows)  # a run takes an hour
 
