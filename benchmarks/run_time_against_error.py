@@ -122,7 +122,10 @@ def _least_time(run):
 
 
 def curves(name, tolerances, reference, names):
-    """{method: [[tolerance, seconds, error], ...]} of one scene, and what compiling took, {method: seconds}."""
+    """Return {method: [[tolerance, seconds, error], ...]} of one scene, and what compiling took, {method: seconds}.
+
+    The methods take turns.
+    """
     scene, points, done, compiling = scenes.scene(name), {method: [] for method in names}, set(), {}
     for tolerance in tolerances:
         for method in (m for m in names if m not in done):
@@ -218,18 +221,21 @@ def main():
     parser.add_argument("--scenes", nargs="+", choices=ALL, metavar="NAME", help="these alone; --out keeps its others")
     parser.add_argument("--sets", nargs="+", choices=scenes.SETS, help="the scenes of these sets alone")
     parser.add_argument("--methods", nargs="+", choices=methods.METHODS, help="these alone")
+    parser.add_argument("--tolerances", nargs="+", type=float, help="these alone")
+    parser.add_argument("--no-cold", action="store_true", help="no cold processes")
     parser.add_argument("--out", type=Path, help="JSON to write, also for a part of the scenes or methods")
     options = parser.parse_args()
     sets = [name for group in options.sets or () for name in scenes.SETS[group]]
     usual = [*scenes.SETS["scenes"], *(scenes.OTHERS if options.peers else ())]
     names = options.scenes or sets or (QUICK_SCENES if options.quick else usual)
-    tolerances = QUICK_TOLERANCES if options.quick else TOLERANCES
-    is_part = options.quick or options.scenes or sets or options.methods
-    out = options.out or (None if is_part else PEERS_OUTPUT if options.peers else OUTPUT)
+    tolerances = options.tolerances or (QUICK_TOLERANCES if options.quick else TOLERANCES)
+    is_part = options.scenes or sets or options.methods or options.tolerances
+    is_complete = not (options.quick or is_part or options.no_cold)
+    out = options.out or ((PEERS_OUTPUT if options.peers else OUTPUT) if is_complete else None)
     keep = (lambda results: record.write(out, **results)) if out else (lambda results: None)
     earlier = record.read(out).get("scenes", {}) if (options.scenes or sets) and out else {}
     requested = options.methods or (PEERS if options.peers else ())
-    cold = not (options.quick or options.peers)
+    cold = not (options.quick or options.no_cold or options.peers)
     with tempfile.TemporaryDirectory() as empty:  # so that compiling is measured
         os.environ["XDG_CACHE_HOME"] = empty
         results = measure(names, tolerances, cold, keep, earlier, requested)
