@@ -152,6 +152,9 @@ JUMPS = {
 }
 
 
+SINE_TO_20 = 3 * math.pi * math.comb(20, 10) / 2**20
+
+
 def narrow(t, y, *, centre=5.0, width=0.02):
     return y[1], math.exp(-(((t - centre) / width) ** 2)) / width - y[0]
 
@@ -165,6 +168,7 @@ PULSES = {
     "narrower": against(narrow, (0, 3), [0.0, 0.0], longest=1e-3, parameters={"centre": 2.1, "width": 0.004}),
     "tanh": forced(lambda t: 5 * (math.tanh((t - 5) / 0.1) - math.tanh((t - 5.5) / 0.1)), (0, 7), longest=5e-3),
     "expanded": forced(lambda t: 40 * math.exp(-400 * t * t + 2400 * t - 3600), (0, 5), longest=2e-3),
+    "at rest at both ends": against(lambda t, y: (math.sin(t) ** 20,), (0, 3 * math.pi), [0.0], exact=[SINE_TO_20]),
     "from nothing": forced(lambda t: math.exp(-1 / t) if t > 0 else 0.0, (0, 10)),  # whose derivatives are all zero
     "logistic": forced(lambda t: 1 / (1 + math.exp(-200 * (t - 2))), (0, 4), longest=2e-3),
     "train": forced(lambda t: 8 * math.exp(-((math.sin(2 * t) / 0.05) ** 2)), (0, 6), longest=2e-3),
@@ -466,6 +470,17 @@ def test_no_start_is_lucky_at_a_kink():
     assert ends == pytest.approx(np.column_stack([math.pi / 10 - 1 - starts[:, 0], -np.ones(40)]), rel=100 * RTOL)
 
 
+def test_a_whole_number_that_the_state_leaves_downwards_is_a_switch():
+    duration = 0.0005 + sum(1 / k for k in range(901, 1000))
+    end = solve(lambda t, y: (-round(y[0], 3),), [0, duration], [1.0], rtol=RTOL)[-1, 0]
+    assert end == pytest.approx(0.9005, abs=RTOL)
+
+
+def test_an_entry_of_a_table_takes_few_steps():
+    report = solve(lambda t, y: (np.interp(t, GRID, np.cos(GRID)),), [0, 2], [0.0], rtol=RTOL, report=True).report
+    assert report.steps + report.refusals < 8 * 200
+
+
 def test_what_a_function_keeps_are_numbers():
     assert {type(x) for x in WINDOWS["in an object"][0].inputs} <= {float}
     times = []
@@ -599,6 +614,13 @@ REFUSED = {  # rates, times, start, words, and the error if it is no ArithmeticE
     "a masked start": (Oscillator(1.0), (0, 1), np.ma.array([1.0, 0.0], mask=[0, 1]), "^y0.*masked", ValueError),
     "masked rates": (lambda t, y: np.ma.masked_less([y[1], -y[0]], -0.5), (0, 3), [1.0, 0.0], "masked", ValueError),
     "no rate later": (lambda t, y: (None if t > 0.5 else 1.0,), (0, 1), [0.0], "None", ValueError),
+    "a clock without digits": (
+        lambda t, y: (math.sin(3 * (t - 1.7e9)),),
+        (1.7e9, 1.7e9 + 9),
+        [0.0],
+        "^t: .*rounded",
+        ValueError,
+    ),
     "a generator": (lambda t, y: (-v for v in y), (0, 1), [1.0], "generator", ValueError),
     "a blow from rest": (struck(1e-10), (0, 3), [0.0, 0.0], "pulse"),
     "a shorter blow from rest": (struck(1e-12), (0, 3), [0.0, 0.0], "pulse"),

@@ -28,6 +28,9 @@ from tam570.values import Numbers
 
 AT_A_TIME = 500  # steps, after which somebody may look
 WORTH_LANES = 16  # members: with fewer the code for eight motions is not worth its compilation
+AT_A_SWITCH = 4  # steps that but lead to it and across
+FAR = 1e3  # times the length of a run: so far from zero a clock lacks digits
+ALLOWED = 100.0  # times the tolerance, by what the rounding of times does to the states
 KINKS = 30.0  # of the tolerance, so many times less where the rates may have kinks
 AFTER_A_JUMP = 6  # steps in a row, each as much longer than the one before as it may be
 FOREVER = 2**62
@@ -100,8 +103,9 @@ def integrate(engine: Engine, times: Array, start: Array, how: str, control: Con
     code: so the states are those of "python" or those of "compiled", to the last bit.
     ArithmeticError, with the time, where the rates or the state cease to be finite, or the equations become stiff.
     """
+    check_clock(engine, times, start, control.rtol)
     if engine.switches:
-        engine.switches.begin()
+        engine.switches.begin(control.rtol)
     in_python = control.project is not None or control.on_step is not None
     if how == "compiled" and (in_python or engine.graph is None):
         raise ValueError('method: "compiled" needs an rhs without branches or conversions, and no project; try "auto"')
@@ -115,6 +119,28 @@ def integrate(engine: Engine, times: Array, start: Array, how: str, control: Con
             return _integrate(engine, times, start, "compiled", control, None)
         except (ImportError, OSError, RuntimeError):  # a broken llvmlite: nobody asked for it
             return _integrate(engine, times, start, "python", control, None)
+
+
+def check_clock(engine: Engine, times: Array, start: Array, rtol: float) -> None:
+    """ValueError where the clock is far from its zero, and the rates depend on the digits that it lacks there."""
+    begin, end = float(times[0]), float(times[-1])
+    latest, span = max(abs(begin), abs(end)), end - begin
+    if latest < FAR * span:
+        return
+    rounding, y, rhs = math.ulp(latest), tuple(start.tolist()), engine.functions["rhs"]
+    clock = [begin + span * (k + 0.46) / 16 for k in range(16)]
+    try:
+        rates, later = (np.array([rhs(t + d, y, engine.constants) for t in clock]) for d in (0.0, rounding))
+    except TRIAL_ERRORS:  # the start may be no state of a later time
+        return
+    sizes = np.maximum(np.abs(start), span * np.abs(rates).max(axis=0))
+    changes = np.median(np.abs(later - rates), axis=0)
+    if (span * changes > ALLOWED * rtol * sizes).any():
+        raise ValueError(
+            f"t: times near {latest:.3g} are rounded to {rounding:.1g} s, within which the rates change by "
+            f"{changes.max():.1g}: more than rtol = {rtol:.1g} allows. Count time from the start of the run, in t and "
+            "in rhs, or give a larger rtol"
+        )
 
 
 def _integrate(
@@ -238,7 +264,8 @@ def step_n(run: Run, advance: Numbers, since: Numbers, look: Look, state: State,
         before = state.steps + state.refusals
         state = advance(run.origin, since, run.rows, state, run.engine.constants, run.rtol, run.control.max_step, some)
         run.last = state
-        look(state.t, state.y, partial(_sizes, state, run.rtol), state.steps, state.refusals)
+        in_vain = state.refusals + (AT_A_SWITCH * run.engine.switches.passages if run.engine.switches else 0)
+        look(state.t, state.y, partial(_sizes, state, run.rtol), state.steps, in_vain)
         if some == AT_A_TIME:
             _check_history(run.engine, run.origin + state.t, np.array(state.y), run.origin, run.rtol)
         if run.estimate is not None:

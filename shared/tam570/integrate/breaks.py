@@ -83,7 +83,7 @@ def _zeros_and_turns(
         u = values[symbol.number]
         slopes = np.diff(u)
         crossing = np.flatnonzero(u[:-1] * u[1:] < 0)
-        turning = np.flatnonzero(slopes[:-1] * slopes[1:] < 0)
+        turning = np.flatnonzero((slopes[:-1] != 0) & (slopes[:-1] * slopes[1:] <= 0))
         times += grid[1:-1][(u[1:-1] == 0.0) & (u[:-2] * u[2:] < 0)].tolist()
         times += [_refined(timed, symbol, grid[k], grid[k + 1], turns=False) for k in crossing]
         times += [_refined(timed, symbol, grid[k], grid[k + 2], turns=True) for k in turning]

@@ -37,7 +37,7 @@ class Course(Tape):
     slots      : of each operation and each constant the value, at m points or the same at all; the first are t and y
     operations : slot, function and slots of its operands
     seen       : slots of what it decides by; saturating : of the arguments of exp, tanh and their like;
-    denominators : of what has a pole where it is zero; lines : of what is affine in time alone
+    denominators : of what has a pole where it is zero; lines : of what is affine in time alone; is_line : of the seen
     """
 
     def __init__(self, t: Array, y: Array) -> None:
@@ -99,16 +99,21 @@ class Course(Tape):
     def rounded(self, x: Symbol, half: float = 0.0) -> float:
         """Return the whole number below, or the nearest with half = 0.5; note where it changes."""
         moved = self.record("+", x, half)
+        self.lines |= {moved.number} if x.number in self.lines else set()
         low = float(math.floor(self.soon(moved)))
         self.note_levels(moved, low, low + 1)
         return low
 
     def soon(self, x: Symbol) -> float:
         """Return it just beyond the start, where it may be whole."""
-        return float(self.values(x)[0] + INSIDE * (self.values(x)[1] - self.values(x)[0]))
+        first, second, *_ = values = self.values(x)
+        soon = first + INSIDE * (second - first)
+        return float(soon if soon != first else np.nextafter(first, values[np.argmax(values != first)]))
 
     def note_levels(self, x: Symbol, *levels: float) -> None:
-        self.seen += [self.record("-", x, level).number for level in levels]
+        distances = [self.record("-", x, level).number for level in levels]
+        self.seen += distances
+        self.lines |= {*distances} if x.number in self.lines else set()
 
     def note_table(self, x: Symbol, table: Sequence[float]) -> None:
         """Note the distance from the next numbers of a table, above and below."""
@@ -118,6 +123,7 @@ class Course(Tape):
     def forget_results(self) -> None:
         """Keep the operations that lead to what is noted; of a function that decides by nothing else no poles."""
         self.seen += self.denominators if self.seen else []
+        self.is_line = np.array([slot in self.lines for slot in self.seen], dtype=bool)
         needed = {*self.seen, *self.saturating}
         for slot, _, operands in reversed(self.operations):
             needed.update(operands if slot in needed else ())
@@ -236,8 +242,10 @@ def _parts(value: Numbers) -> Numbers:
     """Return the symbols in an argument."""
     if isinstance(value, Symbol):
         yield value
-    elif type(value) in (list, tuple) or isinstance(value, np.ndarray) and value.dtype == object:
-        for part in value.ravel() if isinstance(value, np.ndarray) else value:
+    elif isinstance(value, np.ndarray) and value.dtype == object:
+        yield from (part for part in value.ravel().tolist() if isinstance(part, Symbol))
+    elif type(value) in (list, tuple):
+        for part in value:
             yield from _parts(part)
 
 
@@ -248,7 +256,7 @@ def _replaced(value: Numbers, replace: Function) -> Numbers:
     if type(value) in (list, tuple):
         return type(value)(_replaced(part, replace) for part in value)
     if isinstance(value, np.ndarray) and value.dtype == object:
-        parts = [_replaced(part, replace) for part in value.ravel()]
+        parts = [replace(part) if isinstance(part, Symbol) else part for part in value.ravel().tolist()]
         keeps_symbols = any(isinstance(part, Symbol) for part in parts)
         return np.array(parts, dtype=object if keeps_symbols else None).reshape(value.shape)
     return value.copy() if isinstance(value, np.ndarray) else value

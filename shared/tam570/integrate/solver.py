@@ -255,6 +255,7 @@ def prepared(
             prepared_engine = engine(rhs, parameters, times, start.reshape(-1, start.shape[-1])[0], sign=sign)
         except RhsError as error:
             raise ValueError(str(error)) from None
+    adaptive.check_clock(prepared_engine, times, start.reshape(-1, start.shape[-1])[0], control.rtol)
     compiled_run = compile_run(prepared_engine, times, control)
 
     def run(y0: ArrayLike) -> Array:

@@ -28,7 +28,8 @@ UNSEEN = 1000.0  # steps at least of a run whose switches cannot be seen
 NOISE = 16.0  # times that change: what is less has no sign
 CHATTER = 60  # switches in a row
 LEAVING = 200  # points of a step from a switch
-SAME, SOON = 1e-6, 1e-5  # of a rate: what changes by less is no jump; of a run: so soon one switch follows another
+SAME_TIME, EXACT = 1.0 - 1e-6, 1e-6  # where time alone decides: a step to the switch itself would be rounded
+SAME, SOON = 30.0, 1e-5  # of the tolerance: rates that change by less move no digit; of a run: from switch to switch
 NEAR = 1e-9  # of a state: what it changes in a switching function is zero
 MOVES_ON = 1e-4  # of the step that they cut, from one switch to the next: with less the motion does not move on
 EPS = 2.0**-52
@@ -54,21 +55,25 @@ class Switches:
     def __init__(self, rates: Rates, size: int, span: float, sign: float) -> None:
         self.span, self.sign = span, sign
         self.profile = along(rates, size)
-        self.begin()
+        self.begin(0.0)
 
-    def begin(self) -> None:
+    def begin(self, rtol: float) -> None:
         """Forget the run before."""
+        self.same = SAME * rtol
         self.reason = ""
         self.is_smooth = False  # whether it decides nothing
         self.time, self.distance = math.nan, math.inf  # from the end of the last step to the next switch
+        self.expected = -math.inf  # when that is passed
         self.pace = self.longest = 0.0  # s, of steps before the last switches, and since
         self.decisions: Course | None = None  # what it decided by last
         self.signs = np.empty((0, 1))  # of that, at the start of the step
         self.is_near = False  # whether the last step was at a switch
         self.may_keep = self.is_accepted = False  # of the step: whether what is zero at its ends is zero inside
         self.leaving = 0.0  # s, until the state is another than at a start at a switch
+        self.is_line = np.empty(0, dtype=bool)  # of what decides in a step: whether it is affine in time alone
         self.crosses_unseen = False  # whether the step crosses a switch within rounding, or a state's errors
         self.crossings: list[float] = []  # times, each soon after the one before
+        self.passages = 0  # of switches so far
         self.idle: list[float] = []  # times of switches at which the rates do not jump
 
     def reach(self, start: float, h: float, y: Numbers, f: Numbers, c: Numbers) -> float:
@@ -102,7 +107,7 @@ class Switches:
             path = np.array(y)[:, None], moves.T
             self.may_keep, self.is_accepted = h > 2.0 * shortest, error <= 1.0
             self.crosses_unseen = False
-            part, ahead = self._first_switch(start, h, shortest, *path)
+            part, ahead, is_exact = self._first_switch(start, h, shortest, *path)
             if part == 0.0 and not self.leaving:
                 self.leaving = self._leave(start, h, shortest, *path)
         except Exception as reason:  # whatever it says to courses, it then gets numbers alone
@@ -117,13 +122,17 @@ class Switches:
             if error <= 1.0:
                 self.is_near = is_at_switch
                 self.time, self.longest = start + h, max(self.longest, h)
-                closeness = h / max(self.pace, self.longest)  # so much better is the slope known
-                self.distance = _just_before(ahead * h, closeness, shortest) if ahead < 1.0 else math.inf
+                closeness = EXACT if is_exact else h / max(self.pace, self.longest)  # so much better is the slope known
+                self.distance = shortest if is_at_switch and self.time <= self.expected + shortest else math.inf
+                if ahead < 1.0 and not is_at_switch:
+                    self.expected = self.time + ahead * h
+                    self.distance = _just_before(ahead * h, closeness, shortest)
             return math.inf
         if is_at_switch:
-            self.is_near = True
+            self.is_near, self.expected = True, -math.inf
             return h
-        return _just_before(part * h, 1.0, shortest)
+        self.expected = start + part * h
+        return _just_before(part * h, EXACT if is_exact else 1.0, shortest)
 
     def _count(self, start: float, y: Numbers, f: Numbers, g: Numbers) -> None:
         """Count a step at a switch. Raises ArithmeticError where the motion does not leave it.
@@ -131,7 +140,8 @@ class Switches:
         Where the rates stay the same across many, they are asked no more: whether an iteration has converged, it
         decides anew all the time.
         """
-        if all(abs(a - b) <= SAME * max(abs(a), abs(b)) for a, b in zip(f, g, strict=True)):
+        self.passages += 1
+        if all(abs(a - b) <= self.same * max(abs(a), abs(b)) for a, b in zip(f, g, strict=True)):
             self.idle.append(start)
             if len(self.idle) > CHATTER and start - self.idle[-CHATTER] < CHATTER * SOON * self.span:
                 self.reason = f"it switches all the time, from t = {self.sign * start:.9g}, and its rates stay the same"
@@ -142,15 +152,18 @@ class Switches:
         if len(self.crossings) > CHATTER and start - self.crossings[-CHATTER] < CHATTER * MOVES_ON * self.pace:
             raise chatter(self.sign * start, y)
 
-    def _first_switch(self, start: float, h: float, shortest: float, y: Array, moves: Array) -> tuple[float, float]:
+    def _first_switch(
+        self, start: float, h: float, shortest: float, y: Array, moves: Array
+    ) -> tuple[float, float, bool]:
         """Return the part of the step at which a switch is passed first, and how far beyond its end the next one is.
 
-        In parts of the step; infinite where there is none.
+        In parts of the step; infinite where there is none. And whether time alone decides there, so that it is exact.
         """
         look = partial(self._look, start, h, y, moves)
         positive, saturated = look(X, BASIS)
         if not len(positive):
-            return saturated, math.inf
+            return saturated, math.inf, False
+        is_line = self.is_line
         part, differences = _first_zero(X, positive), positive @ DIFFERENCES
         if 0.0 < part < X[1] or self.is_near:
             near = np.append(0.0, np.geomspace(min(shortest / h, 0.1 * X[1]), X[1], POINTS - 1))
@@ -158,8 +171,16 @@ class Switches:
             part = closer if closer < math.inf else part
         if math.isinf(part):
             part = _first_dip(positive, look)
+        part = min(part, saturated)
         zeros = zip(positive[:, -1].tolist(), differences[:, -1].tolist(), strict=True)
-        return min(part, saturated), min((-end / rate for end, rate in zeros if rate < 0), default=math.inf)
+        ahead = min((-end / rate for end, rate in zeros if rate < 0), default=math.inf)
+        lines = zip(positive[is_line, 0].tolist(), positive[is_line, -1].tolist(), strict=True)
+        exact = min((first / (first - end) for first, end in lines if end < first), default=math.inf)
+        if exact <= 1.0 and part >= SAME_TIME * exact > 0.0:
+            return exact, ahead, True
+        if exact >= 1.0 and ahead >= SAME_TIME * (exact - 1.0) and part > 1.0:
+            return part, exact - 1.0, True
+        return part, ahead, False
 
     def _leave(self, start: float, h: float, shortest: float, y: Array, moves: Array) -> float:
         """Return after how many s no switching function is zero as at the start: a state of 1 moves by no 1e-30."""
@@ -182,6 +203,7 @@ class Switches:
             self.signs = _signs(rows)
             positive = self.signs * rows
             self.is_smooth = not seen and not saturating
+        self.is_line = self.decisions.is_line if x is X else self.is_line
         if not (positive > 0.0).all():
             nearby = self.decisions.evaluate(t, path * (1.0 + EPS * np.resize(ROUNDED, path.shape[::-1]).T))[0]
             noise = np.abs(self.signs * nearby - positive).max(axis=1)
@@ -194,6 +216,7 @@ class Switches:
             is_left_out = is_noise | is_kept & self.may_keep
             if x is X:
                 left_out = positive[is_left_out]
+                self.is_line = self.is_line[~is_left_out]
                 self.crosses_unseen = bool(((left_out[:, 0] > 0.0) & (left_out[:, -1] <= 0.0)).any())
             positive = positive[~is_left_out]
         return positive, _saturated(saturating) if saturating else math.inf

@@ -104,7 +104,7 @@ def watch_for_end(
         is_idle, is_long = refused > tried / 4 and left > in_vain, end - t > too_many * h > 0.0
         is_stiff = (is_idle or is_long) and _decay(rhs, origin + t, y, m(), c) * h > DECAY
         stiff_looks = stiff_looks + 1 if is_stiff and is_long else 0
-        idle_looks = idle_looks + 1 if is_idle and not is_stiff else 0
+        idle_looks = idle_looks + (4 if left > OUT_OF_REACH else 1) if is_idle and not is_stiff else 0
         if stiff_looks >= LOOKS:
             raise ArithmeticError(_advice(sign * (origin + t), h, (end - t) / h))
         if idle_looks >= IDLE_LOOKS:
