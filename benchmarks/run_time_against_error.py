@@ -140,10 +140,7 @@ def curves(name, tolerances, reference, names):
 
 
 def cold_times(name, curves_of):
-    """{method: seconds} from the start of a new process to its first result, of those that reach 1e-9.
-
-    Compiled code kept on disk counts as warm: "(first)" has an empty cache.
-    """
+    """{method: seconds} of a new process to its first result, of those that reach 1e-9; (first) has no code on disk."""
     times = {}
     for method, curve in curves_of.items():
         tolerance = next((tol for tol, _, e in curve if e <= 1e-9), None)

@@ -156,10 +156,7 @@ def _told_apart(assignment: LoadedAssignment, check: Check, student: LocalStuden
 
 
 def fewest(caught: Mapping[Subject, frozenset[Key]], seconds: Mapping[Key, float]) -> list[Key]:
-    """Return a small set of cases that catches every subject.
-
-    Greedy, the cheap ones first, less what is then not needed.
-    """
+    """Return a small set of cases that catches every subject: greedy, the cheap ones first, less what is not needed."""
     catches = defaultdict[Key, set[Subject]](set)
     for subject, keys in caught.items():
         for key in keys:

@@ -31,10 +31,7 @@ class Class:
 
 
 def fair(course: Path, slug: str, seeds: int, executor: TaskExecutor, keep: Path | None = None) -> list[Line]:
-    """Return a line for each right submission and seed.
-
-    What the file `keep` has is not graded again, the rest is added.
-    """
+    """Return a line for each right submission and seed; what the file `keep` lacks is graded and added to it."""
     texts = {
         "solution": (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8"),
         **submissions(course, slug, "alternatives"),
@@ -122,10 +119,7 @@ def upper_bound(failures: int, runs: int) -> float:
 
 
 def report(lines: Sequence[Line]) -> list[str]:
-    """Return the lines to print of an assignment's.
-
-    Runs, false fails and bound of each submission, and every false fail.
-    """
+    """Return the lines to print: runs, false fails and bound of each submission, and every false fail."""
     shown = []
     for name in dict.fromkeys(line["submission"] for line in lines):
         of_it = [line for line in lines if line["submission"] == name]

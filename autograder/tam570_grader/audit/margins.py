@@ -52,10 +52,7 @@ class Margin:
 
 
 def _errors(grading: Grading) -> dict[str, float]:
-    """Return the largest error over its limit of each check of a grading, run one by one.
-
-    Infinite if it fails otherwise.
-    """
+    """Return the largest error over its limit of each check of a grading, run alone; infinite if it fails otherwise."""
     assert grading.checks is not None
     by_check = {check: _largest(replace(grading, checks=frozenset({check}))) for check in sorted(grading.checks)}
     return {check: error for check, error in by_check.items() if error is not None}

@@ -12,10 +12,7 @@ SEEDS = 3  # with which checks of a course's own are tried on the solution and t
 
 
 def prove(root: Path, slugs: Sequence[str]) -> None:
-    """Grade the reference solution and the stub by the checks that a course adds, before anybody is graded by them.
-
-    Raises UsageError for a check that the solution fails, or that the stub passes.
-    """
+    """Grade solution and stub by the checks that a course adds; UsageError if the one fails or the other passes one."""
     from tam570_grader.grading import supervisor
     from tam570_grader.grading.supervisor import GradeTask, WorkerConfig
     from tam570_grader.sandbox.student import Source

@@ -239,10 +239,7 @@ def _cause(run: _Run, check: Check, failed: Failed) -> tuple[Cause | None, str]:
 
 
 def _own_source(run: _Run, failed: Failed) -> Cause | None:
-    """Return the student's own wrong function from which the result follows, whatever is wrong in that.
-
-    The check has found it, or the solution gives the same numbers with the student's functions in the place of its own.
-    """
+    """Return the student's own wrong function from which the result follows, as the check found or a solution shows."""
     calls, assignment = run.student.calls, run.assignment
     if source := failed.failure.follows_from:
         return Cause(failed.failure.function, "", "own", follows_from=source)
@@ -387,10 +384,7 @@ def _following(run: _Run, check: Check, earlier: Sequence[Cause]) -> Cause | Non
 
 
 def _judge_consequences(run: _Run) -> None:
-    """Judge the checks that were not run for a mistake in another function, of which the name is known.
-
-    They are worth full points where that function is not used, and a share where they follow from the mistake.
-    """
+    """Judge checks not run for a named mistake elsewhere: full points if they do not use it, a share if they follow."""
     for check in run.assignment.checks if run.causes else ():
         before = {other.name: run.results[other.name] for other in check.after}
         ready = all(check_result.unlocks_dependents or name in run.causes for name, check_result in before.items())

@@ -54,10 +54,7 @@ def run(pages: Path, collected: Path, system: str, out: Path, only: Sequence[str
 def _named(
     rows: Sequence[Mapping[str, str]], system: str, everyone: rosters.Directory
 ) -> dict[tuple[str, str], tuple[str, bool]]:
-    """Map student and assignment to the name of their page, and to whether work was collected.
-
-    Who handed in only a PDF has a page that says so, under the name of the PDF.
-    """
+    """Map student and assignment to the name of their page, of a lone PDF too, and to whether work was collected."""
     names: dict[tuple[str, str], tuple[str, bool]] = {}
     for cells in sorted(rows, key=lambda cells: not form(cells["file"])):
         key = cells["student"], cells["assignment"]
