@@ -11,7 +11,7 @@ def rotate(r, axis, angle):
 
 
 def _turned(across, n, angle):
-    return across * np.cos(angle) + np.cross(n, across) * np.sin(angle)
+    return across * np.cos(angle) + skew(n) @ across * np.sin(angle)
 
 
 def rotation_matrix(axis, angle):

@@ -3,6 +3,11 @@
 import math
 
 
+def acceleration_newton(x, v, *, curvature, gravity):
+    slope = _slope(x, curvature)
+    return -slope * (gravity + 2 * curvature * v**2) / (1 + slope**2)
+
+
 def constraint_force(x, v, *, mass, curvature, gravity):
     """With the weight it makes m times the acceleration: x'', and y'' = 2 c (v^2 + x x'')."""
     acceleration = acceleration_newton(x, v, curvature=curvature, gravity=gravity)
@@ -10,5 +15,9 @@ def constraint_force(x, v, *, mass, curvature, gravity):
 
 
 def energy(x, v, *, mass, curvature, gravity):
-    speed = math.hypot(v, 2 * curvature * x * v)
+    speed = math.hypot(v, _slope(x, curvature) * v)
     return mass * speed**2 / 2 + mass * gravity * curvature * x**2
+
+
+def _slope(x, curvature):
+    return 2 * curvature * x

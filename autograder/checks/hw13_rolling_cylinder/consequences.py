@@ -29,17 +29,21 @@ def missing_moment(phi, phi_dot, *, mass, radius, offset):
     return -x * mass * radius * phi_dot**2
 
 
+def energy(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
+    x, y = _arm(phi, radius, offset)
+    kinetic = (inertia + mass * (x**2 + y**2)) * phi_dot**2 / 2
+    return kinetic + mass * gravity * ((y - radius) * math.cos(slope) - (radius * phi + x) * math.sin(slope))
+
+
 def _solved(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
     """phi'', along and normal: momentum balances of G, x down the ramp and y off it, and the moment about G."""
-    c, s = math.cos(phi), math.sin(phi)
-    x_rate, y_rate = radius - offset * c, offset * s  # of G, over phi'
+    x, y = _arm(phi, radius, offset)
     loads = (
-        mass * gravity * math.sin(slope) - mass * offset * s * phi_dot**2,
-        -mass * gravity * math.cos(slope) - mass * offset * c * phi_dot**2,
+        mass * gravity * math.sin(slope) + mass * x * phi_dot**2,
+        -mass * gravity * math.cos(slope) - mass * (radius - y) * phi_dot**2,
         0.0,
     )
-    along, normal = radius - offset * c, offset * s  # levers about G
-    balances = ((mass * x_rate, -1.0, 0.0), (mass * y_rate, 0.0, -1.0), (inertia, along, normal))
+    balances = ((mass * y, -1.0, 0.0), (-mass * x, 0.0, -1.0), (inertia, y, -x))
     return np.linalg.solve(balances, loads)
 
 

@@ -87,23 +87,16 @@ def acceleration(reference, phi, phi_dot, **cylinder):
 # The equation about C
 
 
-@mistake(first_fails=checks.contact_inertia_by_the_parallel_axis_theorem)
-def contact_inertia(reference, phi, *, mass, radius, offset, inertia):
+@mistake(first_fails=checks.acceleration_balances_momentum_about_G)
+def _distance_squared(reference, phi, radius, offset):
     """You use r^2 + e^2 as the distance from C to G squared; it depends on phi."""
-    return inertia + mass * (radius**2 + offset**2)
+    return radius**2 + offset**2
 
 
-@mistake(first_fails=checks.contact_inertia_by_the_parallel_axis_theorem)
-def contact_inertia(reference, phi, *, mass, radius, offset, inertia):
+@mistake(first_fails=checks.acceleration_balances_momentum_about_G)
+def _distance_squared(reference, phi, radius, offset):
     """You use the height of G above the ramp; use its distance from C."""
-    return inertia + mass * (radius - offset * math.cos(phi)) ** 2
-
-
-@mistake(first_fails=checks.naive_acceleration_is_the_moment_over_the_inertia)
-def naive_contact_acceleration(reference, phi, *, mass, radius, offset, inertia, **ramp):
-    """You use I^G + m r^2; I^C is that only with G at the centre."""
-    body = {"mass": mass, "radius": radius, "offset": offset, "inertia": inertia}
-    return reference(phi, **body, **ramp) * contact_inertia(phi, **body) / (inertia + mass * radius**2)
+    return (radius - offset * math.cos(phi)) ** 2
 
 
 @mistake(first_fails=checks.missing_moment_makes_it_right)
@@ -180,6 +173,12 @@ def energy(reference, phi, phi_dot, **c):
 def energy(reference, phi, phi_dot, **c):
     """You measure the height of G from the contact at phi = 0; measure it from the centre there."""
     return reference(phi, phi_dot, **c) + c["mass"] * c["gravity"] * c["radius"] * math.cos(c["slope"])
+
+
+@mistake(first_fails=checks.acceleration_balances_momentum_about_G)
+def _distance_squared(reference, phi, radius, offset):  # behind the energy, which has the same numbers
+    """You use I^G + m r^2; I^C is that only with G at the centre."""
+    return radius**2
 
 
 # The motion

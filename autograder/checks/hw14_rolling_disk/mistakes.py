@@ -121,6 +121,13 @@ def _contact_arm(reference, axle, omega, radius):
     return arm, np.zeros(3)
 
 
+@mistake(first_fails=checks.multiplier_equations_hold)
+def _contact_arm(reference, axle, omega, radius):
+    """You turn the arm to the contact with the body; the contact is no point of the body."""
+    arm, _ = reference(axle, omega, radius)
+    return arm, np.cross(omega, arm)
+
+
 @mistake(first_fails=checks.multiplier_equations_hold, compared=False)
 def multiplier_state_derivative(reference, t, state, **disk):
     """You call matrix_state_derivative; derive these equations on their own."""

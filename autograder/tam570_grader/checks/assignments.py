@@ -49,9 +49,9 @@ class LoadedAssignment:
 
     @property
     def solutions(self) -> list[str]:
-        """The text of the reference solution, and of some functions in terms of others, beside the checks."""
-        path = checks_folder(self.root, self.slug) / "consequences.py"
-        return [self.solution, *([path.read_text(encoding="utf-8")] if path.exists() else [])]
+        """The texts of the reference solution, and of it with functions in terms of others, beside the checks."""
+        others = other_functions(checks_folder(self.root, self.slug))
+        return [self.solution, *(f"{self.solution}\n\n{other}" for other in others)]
 
     def signature(self, name: str) -> str:
         """Return what a function of the contract must take: `amplitude, *, length, gravity`."""
@@ -91,6 +91,11 @@ def is_checkout(folder: Path) -> bool:
 def slugs(root: Path) -> list[str]:
     """Return the assignments that have checks, in order."""
     return sorted(path.parent.name for path in (root / "autograder" / "checks").glob("hw*/checks.py"))
+
+
+def other_functions(folder: Path) -> list[str]:
+    """Return the texts with right functions of the assignment in terms of others, or in other words."""
+    return [path.read_text(encoding="utf-8") for path in sorted(folder.glob("consequences*.py"))]
 
 
 def checks_folder(root: Path, slug: str) -> Path:

@@ -5,9 +5,10 @@ from dataclasses import replace
 from itertools import product
 from pathlib import Path
 
+from tam570_grader.checks.assignments import other_functions
 from tam570_grader.checks.case import Call
 from tam570_grader.diagnosis.cause import Cause
-from tam570_grader.diagnosis.mistakes import candidates, explains, named_mistake, other_functions
+from tam570_grader.diagnosis.mistakes import candidates, explains, named_mistake, right_answer
 from tam570_grader.diagnosis.search import general, wrong_arguments
 
 
@@ -36,6 +37,7 @@ def diagnose(
     A known mistake, a transform of arguments or results, or a mutant of the
     solution, of which one alone explains all calls; None if nothing does.
     """
+    calls = [call for call in calls if call.result is None or right_answer(solution, call) is not None]  # not refused
     suspects = candidates(solution, folder, {call.name for call in calls})
     suspects = [suspect for suspect in suspects if not suspect.defined & right]
     cause = named_mistake(solution, suspects, calls) or general(solution, calls, other_functions(folder), right)

@@ -99,7 +99,7 @@ def mistake(  # noqa: PLR0913  the fields of a `Mistake`
     return lambda function: function
 
 
-FILE, OTHER_FUNCTIONS = "mistakes.py", "consequences.py"
+FILE = "mistakes.py"
 OVERLAY = """{besides}
 
 _reference = {function}
@@ -118,12 +118,6 @@ def mistakes(folder: Path) -> tuple[Mistake, ...]:
     """Return the known mistakes of the assignment with this folder of checks, in order."""
     path = folder / FILE
     return tuple(_decorated(path.read_text(encoding="utf-8"))) if path.exists() else ()
-
-
-def other_functions(folder: Path) -> list[str]:
-    """Return the texts with right functions of the assignment in terms of others, or in other words."""
-    path = folder / OTHER_FUNCTIONS
-    return [path.read_text(encoding="utf-8")] if path.exists() else []
 
 
 def overlays(folder: Path) -> dict[str, str]:

@@ -94,11 +94,12 @@ def _products(function: ast.FunctionDef) -> dict[int, ast.expr]:
 def _of_quantities(function: ast.FunctionDef) -> dict[str, "Operator"]:
     """Return the operators that need to know what else the function has: one name for another of its kind."""
     inputs = {argument.arg for argument in (*function.args.args, *function.args.kwonlyargs)}
-    kinds, raw = [inputs.intersection(LENGTHS)], dict[str, str]()
+    kinds, raw, computed = [inputs.intersection(LENGTHS)], dict[str, str](), set[int]()
     for node in ast.walk(function):
         if isinstance(node, ast.Assign) and len(node.targets) == 1:
             (target,) = node.targets
             kinds.append({part.id for part in getattr(target, "elts", []) if isinstance(part, ast.Name)})
+            computed |= {id(value) for value in getattr(node.value, "elts", [node.value])}
             if isinstance(target, ast.Name) and isinstance(node.value, ast.Call) and len(node.value.args) == 1:
                 raw[target.id] = getattr(node.value.args[0], "id", "")
     kinds = [kind for kind in kinds if 2 <= len(kind) <= MOST_ALIKE]
@@ -108,6 +109,7 @@ def _of_quantities(function: ast.FunctionDef) -> dict[str, "Operator"]:
         "two exchanged": partial(_exchanged_in_a_sum, kinds=kinds),
         "sine and cosine": partial(_exchanged_in_a_sum, kinds=()),
         "as given": partial(_as_given, raw=raw),
+        "ignored": partial(_ignored, computed=computed),
     }
 
 
@@ -115,6 +117,12 @@ def _as_given(node: ast.expr, raw: Mapping[str, str]) -> Iterator[ast.expr]:
     """Yield what is computed from an argument becomes the argument."""
     if isinstance(node, ast.Name) and node.id in raw and _is_read(node):
         yield ast.Name(raw[node.id], ast.Load())
+
+
+def _ignored(node: ast.expr, computed: Set[int]) -> Iterator[ast.expr]:
+    """Yield a product that has a name becomes zero."""
+    if id(node) in computed and isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult):
+        yield ast.Constant(0.0)
 
 
 def _is_read(node: ast.Name) -> bool:
@@ -357,9 +365,9 @@ OPERATORS: dict[str, Operator] = {
 
 
 def _missing_factors(node: ast.expr) -> Iterator[ast.expr]:
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult | ast.Div):
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult | ast.MatMult | ast.Div):
         yield node.left
-        if isinstance(node.op, ast.Mult):
+        if not isinstance(node.op, ast.Div):
             yield node.right
 
 

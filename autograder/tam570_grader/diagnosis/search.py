@@ -245,7 +245,11 @@ class _InPlace:
         reference = getattr(module, self.name)
 
         def varied(*args: Numbers, **kwargs: Numbers) -> Numbers:
-            return self.transform(ComparedCall(self.name, Case(*args, **kwargs), None, reference(*args, **kwargs)))
+            try:
+                expected = reference(*args, **kwargs)
+            except ValueError:  # with another argument it may have a value
+                expected = np.nan
+            return self.transform(ComparedCall(self.name, Case(*args, **kwargs), None, expected))
 
         setattr(module, self.name, varied)
         return module
@@ -292,7 +296,7 @@ def _mutant(
     suspects : the functions of the solution that may have the slip
     """
     texts: dict[str, dict[str, str]] = {}
-    factors, parameters = set[str](), _unpacked(solution)
+    factors, parameters = dict[str, set[str]](), _unpacked(solution)
     numbers_last = sorted(_mutants(solution), key=lambda mutant: mutant[1] == KINDS["a number"])
     for helper, words, names_in_term, factor, text in numbers_last:
         if texts and words == KINDS["a number"]:
@@ -302,14 +306,16 @@ def _mutant(
             with _with_mutant(module, helper, _code(text)):
                 if _explains(partial(_called, module), calls):
                     texts.setdefault(words, {})[term] = text
-                    factors.add(factor)
+                    factors.setdefault(words, set()).add(factor)
     if len(texts) > 1:
         texts.pop(KINDS["a factor"], None)  # a number is in the term that counts twice
         texts.pop(KINDS["two exchanged"], None)  # a sine and a cosine
+    if len(texts) > 1:
+        texts.pop(KINDS["ignored"], None)  # the quantity is a term
     if len(texts) != 1:
         return None
     ((words, by_term),) = texts.items()
-    if len(factors) == 1 and (factor := factors.pop()):
+    if len(factors[words]) == 1 and (factor := factors[words].pop()):
         return f"In {name}, {factor}", list(by_term.values())
     term = ", ".join(sorted(set.intersection(*(set(term.split(", ")) for term in by_term))))
     term = term or (" or ".join(sorted(by_term)) if len(by_term) == 2 and all(by_term) else "")
@@ -374,7 +380,7 @@ def _mutants(solution: str) -> list[tuple[str, str, set[str], str, str]]:
                     mutant.product if isinstance(term, ast.Constant | ast.UnaryOp) else term, locals_of[function]
                 )
             },
-            _missing(mutant, term, locals_of[function]) if mutant.operator == "a missing factor" else "",
+            _missing(mutant, term, locals_of[function]),
             mutant.text,
         )
         for function, mutants in mutants_of(solution).items()
@@ -430,7 +436,11 @@ def _locals(solution: str) -> dict[str, dict[str, ast.expr]]:
 
 def _missing(mutant: Mutant, factor: ast.expr, quantities: Mapping[str, ast.expr]) -> str:
     """Return what is missing, and beside which parameters; "" if it has no short name."""
+    if mutant.operator not in ("a missing factor", "ignored"):
+        return ""
     words, names = _in_parameters(factor, quantities), names_used(mutant.product) - names_used(factor)
+    if mutant.operator == "ignored":
+        return words and f"{words} is ignored, as if it were zero"
     beside = ", ".join(sorted(name for name in names if ast.unparse(quantities.get(name, mutant.product)) == name))
     divides = isinstance(mutant.was, ast.BinOp) and isinstance(mutant.was.op, ast.Div)
     what = "division by" if divides else "factor"
@@ -534,7 +544,7 @@ def _is_half(node: ast.expr) -> bool:
 OF_TERMS = "a missing component", "a missing first term"
 WHOLE = (  # of these the whole expression is meant
     *("linearised", "a product for a square", "a missing square", "two exchanged", "sine and cosine", "a tangent"),
-    *("a norm", "degrees", "the sign of an angle", "parts of a tangent", "the parallel axis"),
+    *("a norm", "degrees", "the sign of an angle", "parts of a tangent", "ignored", "the parallel axis"),
 )
 KINDS = {
     "a sign": "the sign of a term{} is reversed",
@@ -556,5 +566,6 @@ KINDS = {
     "the sign of an angle": "an angle has the opposite sign",
     "parts of a tangent": "a number{} is twice or half the right one",
     "the parallel axis": "m l^2/4 is added to m l^2/3{}; a third is a bar's inertia about its end already",
+    "ignored": "a quantity{} is ignored, as if it were zero",
     "a transpose": "matrices{} are multiplied in the wrong order, or one is transposed",
 }

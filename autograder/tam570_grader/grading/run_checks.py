@@ -196,7 +196,7 @@ def _check_result(run: _Run, check: Check) -> CheckResult:
         return _not_run(check, student.describe_missing(str(unwritten)), unwritten=str(unwritten))
     except Failed as failed:
         cause, fault = _cause(run, check, failed) if options.naming else (None, "")
-        if options.naming and not (cause and cause.follows_from) and (source := _shared_helper(run, cause)):
+        if options.naming and not (cause and cause.follows_from) and (source := _shared_helper(run, cause, failed)):
             cause = replace(source, answers=cause.answers, calls=cause.calls) if cause else source
         if cause:
             run.causes[check.name] = cause
@@ -277,7 +277,7 @@ def _is_consequence(run: _Run, wrong: str, calls: Sequence[Call]) -> bool:
     return False
 
 
-def _shared_helper(run: _Run, cause: Cause | None) -> Cause | None:
+def _shared_helper(run: _Run, cause: Cause | None, failed: Failed) -> Cause | None:
     """Return an earlier wrong function whose mistake this one shares, by calling it or by a helper of both.
 
     Either both were told the same, or they return one wrong number where the right numbers are one, or this follows
@@ -288,6 +288,7 @@ def _shared_helper(run: _Run, cause: Cause | None) -> Cause | None:
     name = calls[0].name if calls else ""
     if not calls or {call.name for call in calls} != {name} or any(_is_drawn(run.assignment, call) for call in calls):
         return None
+    case = failed.failure.at if isinstance(failed.failure.at, Case) else calls[0].case
     helpers = [helper for helper in dict.fromkeys(HELPER.findall(student.text)) if helper not in results][:MOST_HELPERS]
     failures: dict[str, Failure] = {}  # the first of each function
     for before in run.results.values():
@@ -300,10 +301,9 @@ def _shared_helper(run: _Run, cause: Cause | None) -> Cause | None:
         try:
             with budget():
                 uses_helper = (
-                    function.uses(helper, calls[0].case) and other_function.uses(helper, failure.at)
-                    for helper in helpers
+                    function.uses(helper, case) and other_function.uses(helper, failure.at) for helper in helpers
                 )
-                if (function.uses(other, calls[0].case) or any(uses_helper)) and (
+                if (function.uses(other, case) or any(uses_helper)) and (
                     (cause and cause.repeats == other)
                     or (other in run.assignment.forbidden.get(name, ()) and _is_consequence(run, other, calls))
                     or _same_mutant(run, Call(other, failure.at, None), calls)
@@ -404,7 +404,7 @@ def _consequence(run: _Run, check: Check, functions: Container[str]) -> CheckRes
         run.perform(check)
     except Failed as failed:
         following = _following(run, check, _earlier(run.causes))
-        cause = following or _own_source(run, failed) or _shared_helper(run, None)
+        cause = following or _own_source(run, failed) or _shared_helper(run, None, failed)
         if cause is None:
             return None
         run.causes[check.name] = cause

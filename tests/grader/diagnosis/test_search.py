@@ -67,6 +67,14 @@ def disk(lean, speed, *, inertia):
     length = np.sqrt(axis @ axis)
     return (C - A) * speed ** 2 / (A + C * lean), A * length - lean
 
+def rolls(speed, *, mass, radius):
+    rolling = mass * radius ** 2
+    return speed / (2 + rolling) + rolling * speed ** 2 + mass * speed + radius
+
+def powers(a, b):
+    K = np.array([[a, b], [b, 2.0]])
+    return K + K @ K
+
 def stairs(n, m):
     total = 0.0
     while n > 0:
@@ -106,6 +114,8 @@ def cases():
         "disk": [
             (Case(b, v, inertia=(a, c)), dict(A=a, C=c, b=b, v=v, s=math.sin(b), c=math.cos(b))) for a, b, v, c in disks
         ],
+        "rolls": [(Case(w, mass=m, radius=r), {"w": w, "m": m, "r": r}) for m, r, w, _ in positive],
+        "powers": [(Case(*pair), {"K": np.array([pair, [pair[1], 2.0]])}) for pair in pairs],
         "balance": [(Case(a, mass=2.0), {"a": a}) for a in DRAW.uniform(0.3, 1.2, 4)],
     }
 
@@ -166,6 +176,8 @@ def calls(function, wrong):
         ("disk", "((C - A)*v**2/(A + C*b), A*(s + v + 1) - b)", "a length with lean, speed is the sum"),
         ("disk", "((C - A)*v**2/(A + C*b), A*math.hypot(s/c, v, 1) - b)", "the wrong function is used with lean"),
         ("disk", "((C - A)*v**2/(A + C*b)*c, A*math.hypot(s, v, 1) - b)", "a factor cos(lean) too many"),
+        ("rolls", "w/2 + m*w + r", "mass * radius ** 2 is ignored, as if it were zero"),
+        ("powers", "2*K", "a factor with a, b is missing"),
         ("cross", "np.cross(b, a)", "Your result of cross has the opposite sign"),
         ("cross", "np.cross(a, b)*[1, 1.1, 1]", "wrong in component 2 alone"),
     ],

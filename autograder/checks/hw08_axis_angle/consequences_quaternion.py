@@ -1,0 +1,17 @@
+"""Right functions of hw08 by a quaternion, in which a student may make one mistake."""
+
+import numpy as np
+
+
+def rotation_matrix(axis, angle):
+    w, v = _quaternion(axis, angle)
+    return np.eye(3) + 2.0 * w * skew(v) + 2.0 * skew(v) @ skew(v)
+
+
+def rotate(r, axis, angle):
+    w, v = _quaternion(axis, angle)
+    return r + 2.0 * w * np.cross(v, r) + 2.0 * np.cross(v, np.cross(v, r))
+
+
+def _quaternion(axis, angle):
+    return np.cos(angle / 2.0), np.sin(angle / 2.0) * _unit(axis)
