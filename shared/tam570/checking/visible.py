@@ -208,32 +208,48 @@ def difference(actual: Numbers, expected: Numbers) -> str:
     import numpy as np
 
     try:
-        actual, expected = np.asarray(actual, float), np.asarray(expected, float)
+        actual, expected = _real(actual), _real(expected)
     except (TypeError, ValueError):
         return f"Your code gives {actual!r}; {expected!r} is right."
     if actual.shape != expected.shape and expected.ndim:
         return f"Your code gives an array of shape {actual.shape}; {expected.shape} is right."
     if actual.size <= MOST_NUMBERS:
-        return f"Your code gives {_numbers(actual)}; {_numbers(np.broadcast_to(expected, actual.shape))} is right."
+        return "Your code gives {}; {} is right.".format(*_apart(actual, np.broadcast_to(expected, actual.shape)))
     off = np.abs(actual - expected)
     worst = np.unravel_index(int(np.argmax(np.where(np.isnan(off), np.inf, off))), off.shape)
-    wrong = float(np.broadcast_to(expected, actual.shape)[worst])
-    return f"Your code gives {actual[worst]:.6g} in {_place(worst)}; {wrong:.6g} is right."
+    first, other = _apart(actual[worst], np.broadcast_to(expected, actual.shape)[worst])
+    return f"Your code gives {first} in {_place(worst)}; {other} is right."
 
 
 def _limit(actual: Numbers, limit: Numbers, words: str) -> str:
     return f"Your code gives {_numbers(actual)}; {_numbers(limit)} {words}."
 
 
-def _numbers(value: Numbers) -> str:
+def _apart(actual: Numbers, expected: Numbers) -> list[str]:
+    """Return both in so many digits that they differ."""
+    pairs = [[_numbers(value, digits) for value in (actual, expected)] for digits in (6, 9, 12, 17)]
+    return next((pair for pair in pairs if pair[0] != pair[1]), pairs[-1])
+
+
+def _numbers(value: Numbers, digits: int = 6) -> str:
     import numpy as np
 
     try:
-        actual = np.asarray(value, float)
+        actual = _real(value)
     except (TypeError, ValueError):
         return repr(value)
-    text = np.array2string(actual, separator=", ", formatter={"float_kind": lambda x: f"{x:.6g}"})
+    text = np.array2string(actual, separator=", ", formatter={"float_kind": lambda x: f"{x:.{digits}g}"})
     return " ".join(text.split())
+
+
+def _real(value: Numbers) -> Numbers:
+    """Return an array of real numbers, of complex ones without an imaginary part, too; TypeError of others."""
+    import numpy as np
+
+    array = np.real_if_close(value)
+    if np.iscomplexobj(array):
+        raise TypeError
+    return np.asarray(array, float)
 
 
 def _place(index: Sequence[Numbers]) -> str:

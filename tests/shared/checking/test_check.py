@@ -8,6 +8,7 @@ import pytest
 from parameters import first
 
 from tam570.checking.examples import load_examples
+from tam570.checking.visible import difference
 from tam570.course import folder
 from tam570_grader.sandbox.zygote import ResourceLimits
 
@@ -156,6 +157,12 @@ def test_a_test_of_ones_own_is_run_beside_the_released_ones(hw08, tam570):
     (file.parent / f"test_{file.name}").write_text(mine)
     code, said = tam570("check")
     assert code == 1 and "Your code gives 1; 3 is right." in said and f"of {TESTS + 1} tests pass" in said
+
+
+@pytest.mark.parametrize(("actual", "numbers"), [(1 + 1e-12, ["1.000000000001", "1"]), (4.5 + 0j, ["4.5", "1"])])
+def test_two_numbers_that_differ_are_written_differently_and_real_ones_as_real(actual, numbers):
+    gives, is_right = difference(actual, 1.0).removesuffix(" is right.").split("; ")
+    assert [gives.rpartition(" ")[2][:14], is_right] == numbers
 
 
 def test_one_function_is_tested_alone(hw08, tam570):
