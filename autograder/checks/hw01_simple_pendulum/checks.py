@@ -8,6 +8,7 @@ from tam570_grader import (
     Assignment,
     Column,
     Invariant,
+    OwnRates,
     absolute,
     check,
     check_conserved,
@@ -64,6 +65,7 @@ def fastest(case, _):
 
 
 MOTION = (Column("theta", "rad", [0], turns=True, scale=absolute), Column("omega", "rad/s", [1], scale=fastest))
+RATES = OwnRates("lagrange_equation", reference, lambda t, row: (row[0],))
 KEPT = Invariant("the energy", "of its start", reference.energy_of_rows, None, ENERGY)
 ALPHA = number.described("alpha", "rad/s^2", RATE2)
 
@@ -311,7 +313,7 @@ ASSIGNMENT = Assignment(
         "action": number.described("the action", "J s", size_of_action),
         "small_angle_solution": rows(2, columns=MOTION),
         "period": number.described("the period", "s"),
-        "simulate": rows(2, columns=MOTION),
+        "simulate": rows(2, columns=MOTION, rates=RATES),
         "free_body_diagram": free_body_diagram(2),
     },
     forbidden={"*": ("tam570.lagrange", "tam570.lectures")},

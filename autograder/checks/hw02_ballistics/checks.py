@@ -223,7 +223,7 @@ def of_maximum(student, case, angle, expected):
     if abs(angle - expected) <= max(SEARCHED):
         return "Near its largest the range is flat, and a search stops early: set its derivative to zero."
     best, yours = (reference.horizontal_range(case.args[0], at, **case.kwargs) for at in (expected, angle))
-    return f"At your angle the range is {1 - yours / best:.1%} below the largest."
+    return f"At your angle the range is {100 * (1 - yours / best):.2g}% below the largest."
 
 
 def compare_angles(student, speeds):

@@ -220,6 +220,8 @@ def _with_variant(solution: str, name: str, transform: Transform) -> tuple[Answe
 
 
 def _everywhere(solution: str, wrong: WrongArgument, call: Call) -> Numbers:
+    if call.case.points:  # a formula has no arguments
+        return None
     function = getattr(solution_with(solution, ""), call.name)
     case = Case(**wrong.arguments(function, call.case))
     return answer(solution, "", ComparedCall(call.name, case, None, None))

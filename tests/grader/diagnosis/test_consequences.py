@@ -269,6 +269,15 @@ def test_exchanged_definitions_are_one_mistake(checked):
     assert by_name(actual) == ["momentum_with_the_velocity_in_F"]
 
 
+def test_a_sum_of_energies_is_told_in_the_action_too_and_the_motion_follows_from_its_equation(checked):
+    difference, total = "omega**2 / 2 - mass * gravity * length * (1", "omega**2 / 2 + mass * gravity * length * (1"
+    by_formula = "-gravity / length * math.sin(theta)", "gravity / length * math.sin(theta)"
+    lines = (difference, total), ("np.sum(kinetic - potential)", "np.sum(kinetic + potential)"), by_formula
+    actual = checked("hw01_simple_pendulum", *lines)
+    assert actual["action_is_stationary_on_motions"].suspect
+    assert ("simulate", "lagrange_equation") in following(actual)
+
+
 SLIPS = [
     ("hw05_constrained_pendulum", " - (vx**2 + vy**2)", "", "a term with vx, vy is missing"),
     ("hw07_double_pendulum", "m2 * l2**2 / 3]", "m2 * l2**2 * (1 / 3 + 1 / 4)]", "m l^2/4 is added to m l^2/3"),
