@@ -9,20 +9,16 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from tam570_grader.checks import assignments
+from tam570_grader.checks.assignments import solution
 
 ROUNDINGS = 1e-13  # relative; a closed form of a dozen operations
 NEXT_TO_TOP = math.pi - 1e-8  # rad
 BODY, SEPARATRIX = (1.0, 2.0, 2.7), (0.0, 1.0, 1e-12)  # kg m^2; omega next to it, rad/s
 
 
-def solved(slug):
-    return assignments.solution(slug)
-
-
 def pendulum():
     """The height of a small swing; the period next to the top."""
-    hw, rod = solved("hw01_simple_pendulum"), {"length": 1.7, "gravity": 9.3}
+    hw, rod = solution("hw01_simple_pendulum"), {"length": 1.7, "gravity": 9.3}
     for theta in (1e-8, 1e-3, 1.0, NEXT_TO_TOP):
         square = mp.sin(mp.mpf(theta) / 2) ** 2
         yield hw.energy_balance(theta, 0.0, mass=2.0, **rod)[2], 4 * mp.mpf(9.3) * mp.mpf(1.7) * square, 0
@@ -31,7 +27,7 @@ def pendulum():
 
 def spring():
     """Short times, at which a soft spring hardly differs from free fall."""
-    hw = solved("hw04_hanging_spring")
+    hw = solution("hw04_hanging_spring")
     for stiffness in (1e-12, 1e-6, 1.0):
         k, t = mp.sqrt(mp.mpf(stiffness)), mp.mpf(0.7)
         z = hw.solution(np.array([0.7]), np.zeros(3), np.zeros(3), mass=1.0, stiffness=stiffness, gravity=9.3)[0, 2]
@@ -40,7 +36,7 @@ def spring():
 
 def circle():
     """The nearest state on a circle, of any size."""
-    hw = solved("hw05_constrained_pendulum")
+    hw = solution("hw05_constrained_pendulum")
     for length in (1e-6, 1.7, 1e6):
         state = np.array([3e-5, -2.0, 1.4e3, 7.0])
         x, y, vx, vy = map(mp.mpf, state)
@@ -52,7 +48,7 @@ def circle():
 
 def bars():
     """Accelerations and frequencies, of bars as good as massless and of very different lengths."""
-    hw, g = solved("hw07_double_pendulum"), 9.81
+    hw, g = solution("hw07_double_pendulum"), 9.81
     theta, omega = np.array([1.0, 1.0 + 1e-9]), np.array([-1.7, 2.9])
     for masses in ((1.0, 1.0), (1.0, 1e-9), (1e-9, 1.0), (1e6, 1e-6)):
         for lengths in ((1.0, 1.6), (1e-3, 1e3), (1e6, 1e-6)):
@@ -77,7 +73,7 @@ def bars():
 
 def body():
     """The period of a tumble next to the separatrix, and any inertias."""
-    hw, rng = solved("hw10_free_rigid_body"), np.random.default_rng(10)
+    hw, rng = solution("hw10_free_rigid_body"), np.random.default_rng(10)
     random = [(np.sort(m.sum() - m), rng.normal(size=3)) for m in 10 ** rng.uniform(-6, 0, (50, 3))]
     near = [(BODY, omega) for omega in (SEPARATRIX, (1e-12, -1, 0), (0, 1, 1e-150), (1e-8, 1, 1e-12))]
     for inertia, omega in random + near:
@@ -92,7 +88,7 @@ def body():
 
 def bead():
     """The period at any steepness, curvature times amplitude."""
-    hw, c, g = solved("hw12_bead_on_wire"), mp.mpf(0.37), mp.mpf(9.3)
+    hw, c, g = solution("hw12_bead_on_wire"), mp.mpf(0.37), mp.mpf(9.3)
     for amplitude in (1e-8, 1e-3, 1.0, 30.0, 1e4):
         expected = 4 * mp.ellipe(-((2 * c * mp.mpf(amplitude)) ** 2)) / mp.sqrt(2 * g * c)
         yield hw.period(amplitude, curvature=0.37, gravity=9.3), expected, 0
@@ -100,7 +96,7 @@ def bead():
 
 def cylinder():
     """The inertia about the contact, of an offset near the radius."""
-    hw = solved("hw13_rolling_cylinder")
+    hw = solution("hw13_rolling_cylinder")
     for offset in (1.7 * (1 - 1e-6), 1.7 * (1 - 1e-9)):
         r, e, phi = map(mp.mpf, (1.7, offset, 1e-7))
         result = hw.contact_inertia(1e-7, mass=2.0, radius=1.7, offset=offset, inertia=0.0)
@@ -116,7 +112,7 @@ def test_closed_forms_keep_their_digits(results):
 
 def test_the_period_on_the_separatrix_is_infinite():
     """Where both sides of C (C - B) r^2 = A (B - A) p^2 are whole numbers, no rounding hides that they are equal."""
-    hw = solved("hw10_free_rigid_body")
+    hw = solution("hw10_free_rigid_body")
     bodies = [(a, b, c) for c in range(3, 40) for b in range(2, c) for a in range(max(1, c - b), b)]
     motions = [(A, B, C, math.isqrt(C * (C - B)), math.isqrt(A * (B - A))) for A, B, C in bodies]
     equal = [(A, B, C, p, r) for A, B, C, p, r in motions if p * p == C * (C - B) and r * r == A * (B - A)]

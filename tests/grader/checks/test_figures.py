@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from tam570_grader.checks import assignments
+from tam570_grader.checks.assignments import solution
 
 COURSE = assignments.find()
 SVG = "{http://www.w3.org/2000/svg}"
@@ -22,10 +23,6 @@ def moved(slug, name, **changed):
     """How far a named point moves, in m to the right and up, when the figure is drawn with other values."""
     before, after = assignments.figure(COURSE, slug), assignments.figure(COURSE, slug, **changed)
     return (drawn(after)[name] - drawn(before)[name]) * [1, -1] / before.scale
-
-
-def solution(slug):
-    return assignments.solution(slug, COURSE)
 
 
 def right_and_up(azimuth, elevation):
