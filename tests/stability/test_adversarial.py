@@ -368,6 +368,7 @@ EDGES = {
         exact=[7, math.pi**2 + 2 * (3.5 - math.pi) ** 2],
     ),
     "a cusp": against(lambda t, y: (1.0, 100 * math.exp(-abs(y[0] - 1) * 100)), (0, 3), [0.0, 0.0], exact=[3.0, 2.0]),
+    "slow": against(lambda t, y: (y[1] * 1e-150, -y[0] * 1e-150), (0, 3e150), [1.0, 0.0], exact=SINE),
     "tiny beside large": against(lambda t, y: (y[1], -y[0], -y[2]), (0, 3), [1e6, 0.0, 1e-6], longest=0.01),
 }
 CASES = {**CONTACT, **FRICTION, **JUMPS, **PULSES, **PASSED, **TRACES, **COMPLEX, **EDGES}
@@ -479,6 +480,12 @@ def test_a_whole_number_that_the_state_leaves_downwards_is_a_switch():
 def test_an_entry_of_a_table_takes_few_steps():
     report = solve(lambda t, y: (np.interp(t, GRID, np.cos(GRID)),), [0, 2], [0.0], rtol=RTOL, report=True).report
     assert report.steps + report.refusals < 8 * 200
+
+
+def test_a_series_far_from_a_pulse_takes_few_steps():
+    pulse = functools.partial(solve, lambda t, y: (10 * math.cosh(40 * (t - 5)) ** -2,), [0, 8], [0.0], rtol=RTOL)
+    report = pulse(method="compiled", report=True).report
+    assert report.steps + report.refusals < 1000
 
 
 def test_what_a_function_keeps_are_numbers():

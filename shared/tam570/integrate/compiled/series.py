@@ -230,6 +230,9 @@ class Coefficients(Writer):
             return self.negative(of[0])
         if r.rule == "shift":
             return of[0]
+        if r.rule == "/" and r.of[0] < 0:  # a number over a series: over the square of a large one it would vanish
+            product = self.op("mul", self.first[i], of[1])
+            earlier = self.op("add", earlier, product) if earlier else product
         if earlier and i in self.scales:
             earlier = self.op("mul", earlier, self.scales[i])
         for pointer, factor in self.multiples[i]:
@@ -291,9 +294,9 @@ class Coefficients(Writer):
         inverse = self.op("div", single, divisor)
         minus = self.negative(inverse)
         self.scales[i] = minus
-        if r.rule == "/":
+        if r.rule == "/" and r.of[0] >= 0:
             self.multiples[i] = [(0, inverse), (1, self.op("mul", self.first[i], minus))]
-        elif r.rule == "sqrt":
+        elif r.rule in ("/", "sqrt"):
             self.multiples[i] = [(0, inverse)]
         elif r.rule == "pow":
             self.scales[i] = inverse

@@ -33,6 +33,7 @@ LEFT_OUT = 0.4  # of the tolerance, by the terms that a step leaves out
 FINEST = 1e-14  # tolerance of a step, below which they fall as its square: in long runs they add up, rounding does not
 TOLERATED = 1.0  # the derivative may be off by so many times (ORDER + 1) of the tolerance in a step
 ROUNDINGS = 8.0  # and by so many times the bound of its rounding: the polynomial adds up as many terms
+FARTHEST = 1e15  # s, of a step: beyond that high coefficients are less than the least number
 GROWTH = 6.0  # of the step where all coefficients in the window are zero
 LONG, SHORT = 16.0, 1e-9  # times the first step of a series: how long the others are given at most and at least
 STILL = 0.1  # times it, where nothing turns over
@@ -298,6 +299,7 @@ def attempt_all(z: Numbers, work: Numbers, times: Numbers, limit: Numbers) -> No
     h = min(h, limit)
     shorter = z[each(H)] * (wide(0.5) if tries < 3.0 else wide(0.125))
     h = shorter if tries > 0.0 else h
+    h = h if h <= FARTHEST else wide(0.0)
     status = wide(RUNNING) if h > 0.0 else wide(SINGULAR)
     t = z[each(T)]
     end = times[len(times) - 1]
@@ -350,7 +352,7 @@ def settle(
             for n in range(ORDER + 1):
                 for i in components():
                     z[at(POLYNOMIAL + n, i)] = work[coefficient(i, n, 0)]
-            if not h > 0.0:
+            if not 0.0 < h <= FARTHEST:
                 z[STATUS] = SINGULAR
     if z[STATUS] == RUNNING:
         attempt(z, work, times, h)
