@@ -12,10 +12,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tam570.checking.transforms import undone
+from tam570.checking.transforms import WrongArgument, undone
 from tam570.forms import Form
 from tam570.values import Function, Json, Numbers, Parameters
 
+BEGINNING = "Your numbers match this mistake: "
 TIGHT = 1e-9
 QUICK = 0.01  # s of a call, up to which it is made with many other arguments
 INTEGRATORS = {"solve_ivp": ("rtol", "atol"), "odeint": ("rtol", "atol")}  # and the names of their tolerances
@@ -85,4 +86,9 @@ def candidates(
         yield Mistake(name, f"It would pass with the tolerances rtol=1e-9, atol=1e-9 in {name}.", None)
     if "array" in returns or "group" in returns:
         for words, repair in undone(name, function, example, seconds < QUICK):
-            yield Mistake(name, f"Your numbers match this mistake: {words}.", repair)
+            yield Mistake(name, f"{BEGINNING}{words}.", repair)
+
+
+def is_reversed(mistake: Mistake) -> bool:
+    """Return whether the mistake is the sign of an argument."""
+    return isinstance(mistake.repair, WrongArgument) and mistake.message.endswith("opposite sign.")

@@ -6,7 +6,7 @@ import sys
 import time
 import warnings
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from tam570.bans import HERE
@@ -15,7 +15,7 @@ from tam570.checking.changes import by_parameters, calls, keys, uses
 from tam570.checking.deadline import CALL, TooLong, limited
 from tam570.checking.examples import Examples, load_examples
 from tam570.checking.functions import Functions
-from tam570.checking.mistakes import Mistake, candidates
+from tam570.checking.mistakes import BEGINNING, Mistake, candidates, is_reversed
 from tam570.checking.trail import Trail
 from tam570.checking.visible import Outcomes, Test, collect_tests
 from tam570.course import Stub, contract, folder, stubs
@@ -262,11 +262,15 @@ def _explained(outcomes: Outcomes, used: Mapping[str, set[str]], reached: Progre
             if budget < 0:
                 break
             mended = [test for test in failed if _passes(outcomes, mistake, test)]
+            is_as_good = named and mended == best and is_reversed(named) and is_reversed(mistake)
             if (
-                len(mended) > len(best)
+                (is_as_good or len(mended) > len(best))
                 and its_own <= {*mended}
                 and all(_passes(outcomes, mistake, test) for test in alone)
             ):
+                if named and is_as_good:  # nothing tells the two arguments apart
+                    reversed_too = mistake.message.removeprefix(BEGINNING + f"In {name}, ")
+                    mistake = replace(named, message=f"{named.message[:-1]}, or {reversed_too}")
                 best, named = mended, mistake
         if named:
             mistakes.append(named)
@@ -295,7 +299,7 @@ def _known_mistakes(outcomes: Outcomes, examples: Examples, used: Mapping[str, s
     explanations = dict[str, str]()
     for test in outcomes.failures:
         if len(names := used.get(test, set())) == 1 and (mistake := examples.mistake(*names)):
-            explanations[test] = f"Your numbers match this mistake: {mistake}"
+            explanations[test] = f"{BEGINNING}{mistake}"
     return explanations
 
 

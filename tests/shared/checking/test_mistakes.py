@@ -3,17 +3,18 @@
 import pytest
 from parameters import first
 
-HW08 = "hw08_axis_angle"
+HW08, HW13 = "hw08_axis_angle", "hw13_rolling_cylinder"
 NAMED = [  # a function of an assignment, what it returns instead, and what is said of it
     (HW08, "rotation_matrix", "kept(axis, angle).T", "Your result of rotation_matrix is transposed."),
     (HW08, "rotation_matrix", "kept(axis, np.radians(angle))", "In rotation_matrix, angle is read as degrees."),
     (HW08, "rotation_matrix", "2 * kept(axis, angle)", "rotation_matrix is twice as large as the right one."),
     (HW08, "rotation_matrix", "-kept(axis, angle)", "Your result of rotation_matrix has the opposite sign."),
     (HW08, "skew", "kept(v).T", "Your result of skew has the opposite sign."),
-    ("hw13_rolling_cylinder", "energy", "kept(*args, **how) / how['mass']", "should be multiplied by mass."),
+    (HW13, "energy", "kept(*args, **how) / how['mass']", "should be multiplied by mass."),
+    (HW13, "contact_inertia", "kept(phi, **{**how, 'offset': -how['offset']})", "sign, or offset has the opposite"),
     ("hw07_double_pendulum", "gravity_terms", "-kept(*args, **how)", "gravity_terms has the opposite sign."),
     ("hw01_simple_pendulum", "power_balance", "kept(*args, **how)[::-1]", "results of power_balance are exchanged."),
-    ("hw13_rolling_cylinder", "missing_moment", "-kept(*args, **how)", "missing_moment has the opposite sign."),
+    (HW13, "missing_moment", "-kept(*args, **how)", "missing_moment has the opposite sign."),
 ]
 CARELESS = """
 
@@ -55,7 +56,8 @@ def test_what_follows_from_a_mistake_in_another_function_is_no_mistake(desk, tam
 
 @pytest.mark.parametrize(("slug", "name", "body", "remedy"), NAMED)
 def test_a_known_mistake_is_named(desk, tam570, solution_text, slug, name, body, remedy):
-    arguments = {"skew": "v", "rotation_matrix": "axis, angle"}.get(name, "*args, **how")
+    arguments = {"skew": "v", "rotation_matrix": "axis, angle", "contact_inertia": "phi, **how"}
+    arguments = arguments.get(name, "*args, **how")
     changed = f"\n\nkept = {name}\n\n\ndef {name}({arguments}):\n    return {body}\n"
     (desk / f"{slug}.py").write_text(solution_text(slug) + changed)
     code, said = tam570("check", f"{slug}.py")
