@@ -33,15 +33,21 @@ def progress(
 
     A test is a function's own if it calls none that stands below it in the README. A function has its points when all
     of its own tests pass, or, if it has none, all that call it: to mend one function never takes points from another.
+    A failure for which another function is at fault for certain costs no function whose tests of it alone all pass.
     Next is a function that a test finds wrong by itself, if there is one.
     """
+    causes = causes or {}
     worth = {name: float(points) for name, points in ROW.findall(_readme(slug))}
     calling = {name: [test for test in used if name in used[test]] for name in worth}
     last = {test: max(used[test] & set(worth), key=list(worth).index, default="") for test in used}
     judging = {name: [test for test in calling[name] if last[test] == name] or calling[name] for name in worth}
-    failed = {name: [test for test in judging[name] if outcomes.get(test) != PASSED] for name in worth if calling[name]}
+    sound = {name for name in worth if {outcomes.get(test) for test in used if used[test] == {name}} == {PASSED}}
+    counts = {
+        name: [test for test in judging[name] if name not in sound or causes.get(test) in (None, name)]
+        for name in worth
+    }
+    failed = {name: [test for test in counts[name] if outcomes.get(test) != PASSED] for name in worth if calling[name]}
     missing = [name for name in failed if failed[name]]
-    causes = causes or {}
     alone = {test: name for name in missing for test in failed[name] if used[test] == {name}}
     certain = [name for test, name in alone.items() if causes.get(test) in (None, name)]
     reasons = [causes.get(test) for test in failed[missing[0]]] if missing else []

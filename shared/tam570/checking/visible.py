@@ -34,6 +34,7 @@ COMPARISONS: dict[type[ast.cmpop], tuple[Callable[[Numbers, Numbers], Numbers], 
 }
 MOST_NUMBERS = 6  # of an array that is printed whole
 COMPARE, HOLDS, ALLCLOSE = "_tam570_compare", "_tam570_holds", "_tam570_allclose"
+RIGHT, AGREE = "Your code gives {0}{2}; {1} is right.", "Your code gives {0} and {1}{2}; they must agree."
 
 
 @dataclass(frozen=True)
@@ -113,7 +114,7 @@ def collect_tests(path: Path, text: str, names: Parameters | None = None) -> lis
     module = ModuleType(path.stem)
     module.__file__ = str(path)
     linecache.cache[str(path)] = (len(text), None, text.splitlines(keepends=True), str(path))
-    tree = ast.fix_missing_locations(_Telling(text).visit(ast.parse(text)))
+    tree = ast.fix_missing_locations(_Telling().visit(ast.parse(text)))
     vars(module).update({COMPARE: _compare, HOLDS: _holds, ALLCLOSE: _allclose, **(names or {})})
     exec(compile(tree, str(path), "exec", dont_inherit=True), vars(module))
     functions = [
@@ -153,8 +154,15 @@ def _needs_pytest(fixture: str) -> None:
 class _Telling(ast.NodeTransformer):
     """Compiles asserts and calls of assert_allclose so that they say what is compared."""
 
-    def __init__(self, text: str) -> None:
-        self._text = text
+    def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.AST:  # noqa: N802
+        self._names: set[str] = set()  # of what comes from the student's functions
+        for part in ast.walk(node):
+            if isinstance(part, ast.Assign) and self._is_students(part.value):
+                self._names |= {name.id for target in part.targets for name in _names_in(target)}
+        return self.generic_visit(node)
+
+    def _is_students(self, node: ast.expr) -> bool:
+        return any(name.id.startswith("hw") or name.id in self._names for name in _names_in(node))
 
     def visit_Assert(self, node: ast.Assert) -> ast.AST | list[ast.AST]:  # noqa: N802
         if isinstance(node.test, ast.BoolOp) and isinstance(node.test.op, ast.And) and node.msg is None:
@@ -162,63 +170,72 @@ class _Telling(ast.NodeTransformer):
         return self._told(node, node.test) if node.msg is None else node
 
     def _told(self, node: ast.Assert, test: ast.expr) -> ast.AST:
-        source = ast.Constant(" ".join((ast.get_source_segment(self._text, test) or "").split()))
         if isinstance(test, ast.Compare) and len(test.ops) == 1 and type(test.ops[0]) in COMPARISONS:
-            name = ast.Constant(type(test.ops[0]).__name__)
-            call = _call(COMPARE, test.left, name, test.comparators[0], source)
+            name, expected = ast.Constant(type(test.ops[0]).__name__), test.comparators[0]
+            call = _call(COMPARE, test.left, name, expected, ast.Constant(self._is_students(expected)))
         else:
-            call = _call(HOLDS, test, source)
+            call = _call(HOLDS, test)
         return ast.copy_location(ast.Expr(ast.copy_location(call, node)), node)
 
     def visit_Call(self, node: ast.Call) -> ast.AST:  # noqa: N802
         self.generic_visit(node)
         if isinstance(node.func, ast.Attribute) and node.func.attr == "assert_allclose":
             node.func = ast.copy_location(ast.Name(ALLCLOSE, ast.Load()), node.func)
+            both = ast.Constant(any(map(self._is_students, node.args[1:2])))
+            node.keywords.append(ast.keyword("both", ast.copy_location(both, node)))
         return node
+
+
+def _names_in(node: ast.AST) -> Iterator[ast.Name]:
+    return (part for part in ast.walk(node) if isinstance(part, ast.Name))
 
 
 def _call(name: str, *arguments: ast.expr) -> ast.Call:
     return ast.Call(ast.Name(name, ast.Load()), list(arguments), [])
 
 
-def _compare(actual: Numbers, name: str, expected: Numbers, source: str) -> None:
+def _compare(actual: Numbers, name: str, expected: Numbers, both: bool) -> None:
     compare, words = next(words for operation, words in COMPARISONS.items() if operation.__name__ == name)
     holds = compare(actual, expected)
     if not (holds if isinstance(holds, bool) else bool(holds)):
         expected = getattr(expected, "expected", expected)  # of pytest's approx
-        raise AssertionError(difference(actual, expected) if words == "is right" else _limit(actual, expected, words))
+        is_equal = words == "is right"
+        raise AssertionError(difference(actual, expected, both) if is_equal else _limit(actual, expected, words))
 
 
-def _holds(value: Numbers, source: str) -> None:
+def _holds(value: Numbers) -> None:
     if not value:
         raise AssertionError("This is false.")
 
 
-def _allclose(actual: Numbers, desired: Numbers, rtol: float = 1e-7, atol: float = 0.0, **_: Numbers) -> None:
+def _allclose(
+    actual: Numbers, desired: Numbers, rtol: float = 1e-7, atol: float = 0.0, both: bool = False, **_: Numbers
+) -> None:
     import numpy as np
 
     actual, desired = np.asarray(actual, float), np.asarray(desired, float)
     fits = actual.shape == desired.shape or desired.ndim == 0
     if not fits or not (np.abs(actual - desired) <= atol + rtol * np.abs(desired)).all():
-        raise AssertionError(difference(actual, desired))
+        raise AssertionError(difference(actual, desired, both))
 
 
-def difference(actual: Numbers, expected: Numbers) -> str:
-    """Return what was returned and what is right: whole where it is short, else where it is furthest off."""
+def difference(actual: Numbers, expected: Numbers, both: bool = False) -> str:
+    """Return what was returned and what is right, or `both` of the student: whole, or where it is furthest off."""
     import numpy as np
 
+    sentence = AGREE if both else RIGHT
     try:
         actual, expected = _real(actual), _real(expected)
     except (TypeError, ValueError):
-        return f"Your code gives {actual!r}; {expected!r} is right."
+        return sentence.format(repr(actual), repr(expected), "")
     if actual.shape != expected.shape and expected.ndim:
-        return f"Your code gives an array of shape {actual.shape}; {expected.shape} is right."
+        return sentence.format(f"an array of shape {actual.shape}", expected.shape, "")
     if actual.size <= MOST_NUMBERS:
-        return "Your code gives {}; {} is right.".format(*_apart(actual, np.broadcast_to(expected, actual.shape)))
+        return sentence.format(*_apart(actual, np.broadcast_to(expected, actual.shape)), "")
     off = np.abs(actual - expected)
     worst = np.unravel_index(int(np.argmax(np.where(np.isnan(off), np.inf, off))), off.shape)
     first, other = _apart(actual[worst], np.broadcast_to(expected, actual.shape)[worst])
-    return f"Your code gives {first} in {_place(worst)}; {other} is right."
+    return sentence.format(first, other, f" in {_place(worst)}")
 
 
 def _limit(actual: Numbers, limit: Numbers, words: str) -> str:

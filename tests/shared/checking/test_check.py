@@ -165,6 +165,13 @@ def test_two_numbers_that_differ_are_written_differently_and_real_ones_as_real(a
     assert [gives.rpartition(" ")[2][:14], is_right] == numbers
 
 
+def test_a_function_that_agrees_with_no_wrong_one_is_right_all_the_same(hw08, tam570):
+    hw08("def rotation_matrix(axis, angle):\n    return np.eye(3)\n")
+    code, said = tam570("check")
+    failure = said.partition("- rotate agrees with the matrix")[2].partition("\n- ")[0]
+    assert code == 1 and " 5 of 10 points" in said and failure and "is right" not in failure
+
+
 def test_one_function_is_tested_alone(hw08, tam570):
     hw08("def rotate(r, axis, angle):\n    return 2 * np.asarray(r)\n")
     assert tam570("check", "hw08", "skew")[0] == 0
