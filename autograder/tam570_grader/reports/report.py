@@ -28,6 +28,7 @@ SLOWEST = 20  # submissions that are listed
 SCENES = 3  # of the commonest mistakes
 BINS = 10  # of a distribution of scores
 OUTCOMES = ("passed", "failed", "not_run", "grader_error")
+FAILED = "Not passed:"  # of a check that no known mistake explains
 SCRIPT = Path(__file__).parent / "templates" / "report.js"
 Everyone = Callable[[Collection[str]], Iterable[str]]
 Class = Mapping[Key, Result]  # the newest result of every student and assignment, in order
@@ -113,7 +114,9 @@ def newest(results: Iterable[Result], signs: Signs | None = None, examples: Exam
         checks = []
         for check in result.checks:
             failure = check.failure
-            bare = replace(check, message=failure.hint if failure and failure.hint else "", failure=None)
+            hint = failure.hint if failure else ""
+            source = f"It follows from {failure.follows_from}." if failure and failure.follows_from else ""
+            bare = replace(check, message=source or hint, failure=None)
             checks.append(equal.setdefault(bare, bare))
             if failure and examples is not None:
                 examples.setdefault((result.assignment, _what_went_wrong(bare)), failure)
@@ -258,7 +261,7 @@ def _discrimination(results: Sequence[Result]) -> dict[tuple[str, str], float]:
 
 
 def _suspects(results: Iterable[Result], infos: Mapping[str, AssignmentInfo]) -> list[Json]:
-    """Return what went wrong, known mistakes and failed checks with their hints, those of most students first."""
+    """Return what went wrong, of most students first: known mistakes before failed checks with hints or sources."""
     who: dict[tuple[str, str], set[str]] = defaultdict(set)
     sentences: dict[tuple[str, str], str] = {}
     for result in results:
@@ -266,10 +269,10 @@ def _suspects(results: Iterable[Result], infos: Mapping[str, AssignmentInfo]) ->
             if check.suspect or check.outcome == "failed":
                 key = result.assignment, _what_went_wrong(check)
                 line = infos[result.assignment].lines.get(check.name, check.name.replace("_", " "))
-                sentences[key] = check.suspect or f"Not passed: {line} {check.message}".strip()
+                sentences[key] = check.suspect or f"{FAILED} {line} {check.message}".strip()
                 who[key].add(result.student)
     mistakes = [{"slug": key[0], "key": key[1], "says": sentences[key], "who": sorted(who[key])} for key in who]
-    return sorted(mistakes, key=lambda it: (-len(it["who"]), it["slug"], it["says"]))
+    return sorted(mistakes, key=lambda it: (-len(it["who"]), it["says"].startswith(FAILED), it["slug"], it["says"]))
 
 
 def _what_went_wrong(check: CheckResult) -> str:

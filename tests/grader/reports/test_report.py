@@ -67,6 +67,13 @@ def test_mistakes_are_counted_by_students_and_checks_by_those_who_handed_in(rows
     }
 
 
+def test_what_follows_from_a_mistake_is_told_after_it_and_without_its_hint():
+    follows = check("rotate", "failed", failure=Failure("x", hint="What becomes of it?", follows_from="skew"))
+    ada = result("ada", follows, check("skew", "failed", "the wrong sign"))
+    page = report.report(report.newest([ada]), INFOS)
+    assert "What becomes" not in page and page.index("the wrong sign") < page.index("It follows from skew.")
+
+
 def test_a_class_whose_files_do_not_run_is_not_said_to_fail_nothing():
     ada = result("ada", check("first"), slug=SLUGS[0])
     fallen = result("ben", check("first", "not_run"), slug=SLUGS[0], status="unreadable")
