@@ -71,9 +71,7 @@ class Reach:
         self.changes = False  # something sets items
         self.is_fixed = True  # the same objects are the same key
         self.key: Hashable = None
-        self.parameters: tuple[tuple[str, ...], tuple[Captured, ...], Hashable] | None = (
-            None  # the last, with the whole key
-        )
+        self.parameters: tuple[tuple[str, ...], tuple[Captured, ...], Hashable] | None = None  # with the whole key
 
     def is_same(self) -> bool:
         """Return whether all refer to the very objects of the time when the key was made."""
