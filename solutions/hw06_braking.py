@@ -163,8 +163,8 @@ def yaw_growth_rate(speed, locked, *, mass, yaw_inertia, front, rear, friction, 
     Raises ValueError for another `locked`.
     """
     car = _car(locked, mass, yaw_inertia, front, rear, friction, gravity)
-    turning = mass * car["free"] * speed
-    return (turning - car["drag"] * car["arm"] ** 2 / speed) / car["inertia"]
+    turning, wheelbase = mass * car["free"] * speed, front + rear
+    return (turning - car["drag"] * wheelbase**2 / speed) / car["inertia"]
 
 
 def critical_speed(locked, *, front, rear, friction, gravity):
