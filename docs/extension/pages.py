@@ -163,7 +163,7 @@ def _numbers(module):
         ]
         yield "## The state\n\n| name | unit | start of the scene |\n|---|---|---|\n" + "\n".join(rows) + "\n"
     if hasattr(module, "INVARIANTS"):
-        firsts = {name: (law.__doc__ or "").partition("\n")[0] for name, law in module.INVARIANTS.items()}
+        firsts = {name: (invariant.__doc__ or "").partition("\n")[0] for name, invariant in module.INVARIANTS.items()}
         laws = [f"- `{name}`: {readable(first)}" for name, first in firsts.items()]
         yield "## The conserved quantities in the code\n\n" + "\n".join(laws) + "\n"
     rows = [f"| `{name}` | `{value!r}` |" for name, value in module.EXAMPLE.items()]

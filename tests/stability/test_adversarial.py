@@ -521,17 +521,17 @@ def hysteresis():
 
 
 def rounded_memory():
-    found = {}
-    return lambda t, y: (-found.setdefault(round(float(y[0]), 3), math.sin(y[0])),)
+    rounded = {}
+    return lambda t, y: (-rounded.setdefault(round(float(y[0]), 3), math.sin(y[0])),)
 
 
 def kept_integral():
-    kept = {"t": 0.0, "sum": 0.0}
+    memory = {"t": 0.0, "sum": 0.0}
 
     def rates(t, y):
-        kept["sum"] += (1 - y[0]) * max(t - kept["t"], 0.0)
-        kept["t"] = t
-        return (kept["sum"] - y[0],)
+        memory["sum"] += (1 - y[0]) * max(t - memory["t"], 0.0)
+        memory["t"] = t
+        return (memory["sum"] - y[0],)
 
     return rates
 

@@ -124,8 +124,8 @@ def two_integrals(rows, *, mass, radius, inertia, gravity):
     weights = np.ones(len(TERMS))
     weights[2::2], weights[3::2] = np.cumprod(ratios[:-2:2]), np.cumprod(ratios[1:-2:2])
     powers = x**TERMS
-    terms, slopes = weights * powers, (TERMS * weights)[1:] * powers[:, :-1]
-    w3 = [terms[:, first::2].sum(axis=1) for first in (0, 1)]  # of w3 = 1 and of w2 = -1/share upright
+    summands, slopes = weights * powers, (TERMS * weights)[1:] * powers[:, :-1]
+    w3 = [summands[:, first::2].sum(axis=1) for first in (0, 1)]  # of w3 = 1 and of w2 = -1/share upright
     w2 = [-np.sin(rows[:, 3]) / share * slopes[:, first::2].sum(axis=1) for first in (1, 0)]
     turning = np.transpose(components(rows.T)[1:])[..., None]
     upright = np.linalg.solve(np.moveaxis(np.array([w2, w3]), 2, 0), turning)[..., 0]

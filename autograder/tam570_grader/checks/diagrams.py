@@ -126,11 +126,11 @@ def compare_diagrams(
     function: StudentFunction,
     reference: Function,
     cases: Iterable[Case],
-    own: tuple[StudentFunction, Callable[[Case], FreeBody]] | None = None,
+    source: tuple[StudentFunction, Callable[[Case], FreeBody]] | None = None,
 ) -> None:
     """Fail unless the student draws, in every case, the forces of the `FreeBody` that `reference` returns.
 
-    own : the student's function of a force, and the same body with the results of it
+    source : the student's function of a force, and the same body with the results of it
     """
     for case, arrows, body in call_cases(function, reference, cases):
         if message := complaint(body, arrows):
@@ -138,16 +138,16 @@ def compare_diagrams(
             along = [None if force.along is None else np.asarray(force.along, float) for force in acting]
             expected = [Arrow(np.asarray(force.point, float), line) for force, line in zip(acting, along, strict=True)]
             wrong = f"the free body diagram of {body.name} is wrong"
-            hint = partial(_hint, message, arrows, case, own)
+            hint = partial(_hint, message, arrows, case, source)
             fail(wrong, hint=hint, sketch=_sketch(body, arrows), expected=_sketch(body, expected))
 
 
 def _hint(
-    message: str, arrows: Sequence[Arrow], case: Case, own: tuple[StudentFunction, Callable[[Case], FreeBody]] | None
+    message: str, arrows: Sequence[Arrow], case: Case, source: tuple[StudentFunction, Callable[[Case], FreeBody]] | None
 ) -> str:
     """Return what is wrong, or the student's own function of a force whose results are rightly drawn."""
     try:
-        return FollowsFrom(own[0].name) if own and not complaint(own[1](case), arrows) else message
+        return FollowsFrom(source[0].name) if source and not complaint(source[1](case), arrows) else message
     except (Failed, NotWritten):
         return message
 

@@ -336,8 +336,8 @@ class Rates:
 
     def models(self, t: float, row: Array, rate: Array, instant: float) -> Array:
         """(models, k) the rates at which a motion may go on from a row, where `rate` is right."""
-        own, models = np.ravel(self.at(t, row)), np.array([rate] * 3)
-        models[0, : own.size] = models[1, -own.size :] = own
+        rates, models = np.ravel(self.at(t, row)), np.array([rate] * 3)
+        models[0, : rates.size] = models[1, -rates.size :] = rates
         if self.back:
             models[2] = (np.ravel(self.back(row + models[1] * instant)) - row) / instant
         return models

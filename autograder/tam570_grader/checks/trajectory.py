@@ -86,10 +86,10 @@ class OwnRates:
 
         ends : False of a motion without rows
         """
-        own, back = self._function(motion), partial(self._back, motion) if self.passes else None
+        student_rates, back = self._function(motion), partial(self._back, motion) if self.passes else None
         t = motion.t[:2] if ends else motion.t[0] + SETTING_OFF * np.array([0, motion.t[1] - motion.t[0]])
-        uses_them = partial(motion.function.uses, own.name, motion.case.replace(t))
-        rates = Rates(lambda t, row: own.aside(self._case(motion, t, row)), uses_them, back)
+        uses_them = partial(motion.function.uses, student_rates.name, motion.case.replace(t))
+        rates = Rates(lambda t, row: student_rates.aside(self._case(motion, t, row)), uses_them, back)
         if not self.are_right(motion) and has_rates(motion, rates, ends=ends):
             return FollowsFrom(self.name)
         if back and ends:
@@ -247,10 +247,10 @@ def _motions(
         except Failed as failed:
             case, rates = failed.failure.at, function.returns.rates
             # arrays have no one truth; of a function that was given up the case is another
-            place = next((index for index, other in enumerate(batch.cases) if other is case), 0)
+            number = next((index for index, other in enumerate(batch.cases) if other is case), 0)
             if rates:
-                expected, scales = scaled_rows()[1][place]
-                motion = Motion(batch.cases[place], expected, expected, scales, function, true, restart)
+                expected, scales = scaled_rows()[1][number]
+                motion = Motion(batch.cases[number], expected, expected, scales, function, true, restart)
                 with get_context().aside():
                     failed.failure = replace(failed.failure, follows_from=str(rates.source(motion, ends=False)))
             raise

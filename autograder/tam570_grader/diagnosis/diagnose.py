@@ -51,8 +51,8 @@ def diagnose(
 def _as_in(cause: Cause, earlier: Sequence[Cause]) -> Cause:
     """Return the cause, beside the function that was told the same before."""
     told_before = (other.function for other in earlier if other.source == cause.source != "known mistake")
-    others, told = (name for name in told_before if name != cause.function), {other.message for other in earlier}
-    same = [name for name in others if cause.message.replace(cause.function, name) in told]
+    others, messages = (name for name in told_before if name != cause.function), {other.message for other in earlier}
+    same = [name for name in others if cause.message.replace(cause.function, name) in messages]
     return replace(cause, message=f"{cause.message}, as in {same[0]}", repeats=same[0]) if same else cause
 
 

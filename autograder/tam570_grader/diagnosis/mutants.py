@@ -103,7 +103,7 @@ def _of_quantities(function: ast.FunctionDef) -> dict[str, "Operator"]:
             if isinstance(target, ast.Name) and isinstance(node.value, ast.Call) and len(node.value.args) == 1:
                 raw[target.id] = getattr(node.value.args[0], "id", "")
     kinds = [kind for kind in kinds if 2 <= len(kind) <= MOST_ALIKE]
-    raw = {name: given for name, given in raw.items() if given in inputs - {name}}
+    raw = {name: argument for name, argument in raw.items() if argument in inputs - {name}}
     return {
         "another quantity": partial(_others_of_a_kind, kinds=kinds),
         "two exchanged": partial(_exchanged_in_a_sum, kinds=kinds),
@@ -139,9 +139,9 @@ def _others_of_a_kind(node: ast.expr, kinds: Sequence[Set[str]]) -> Iterator[ast
 def _exchanged_in_a_sum(node: ast.expr, kinds: Sequence[Set[str]]) -> Iterator[ast.expr]:
     """Yield p sin + q cos becomes p cos + q sin, whether these are called or have names."""
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub):
-        names, called = names_used(node), {_name_of(each.func) for each in ast.walk(node) if isinstance(each, ast.Call)}
+        names, calls = names_used(node), {_name_of(each.func) for each in ast.walk(node) if isinstance(each, ast.Call)}
         pairs = [pair for kind in kinds for pair in combinations(sorted(kind & names), 2)]
-        for first, other in pairs if kinds else [("sin", "cos")] if {"sin", "cos"} <= called else []:
+        for first, other in pairs if kinds else [("sin", "cos")] if {"sin", "cos"} <= calls else []:
             yield _Renamed({first: other, other: first}).visit(copy.deepcopy(node))
 
 
@@ -203,7 +203,7 @@ def reached(text: str) -> dict[str, set[str]]:
         reach_of = wider
 
 
-def called(text: str, name: str) -> set[str]:
+def names_reached(text: str, name: str) -> set[str]:
     """Return the names that a function of a module may come to use; none where the module has no such function."""
     reach = reached(text).get(name, set())
     nodes = (node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef) and node.name in reach)

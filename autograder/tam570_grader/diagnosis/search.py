@@ -115,23 +115,23 @@ def _other_argument(solution: str, module: ModuleType, name: str, compared: Sequ
         other_words(name, reference, [call.case for call in its_calls]),
     )
     explaining = ([*_explaining(family, its_calls)] for family in families)
-    variant = next((variants[0] for variants in explaining if len(variants) == 1), None)
-    return _transformed(solution, name, variant or _for_one_word(name, reference, compared))
+    change = next((variants[0] for variants in explaining if len(variants) == 1), None)
+    return _transformed(solution, name, change or _for_one_word(name, reference, compared))
 
 
 def _other_form(solution: str, module: ModuleType, name: str, calls: Sequence[ComparedCall]) -> Cause | None:
     """Return what else an argument or a result may be, or the one place where the result is wrong."""
     reference = getattr(module, name)
-    variant = _either_reversed(name, reference, calls)
-    variant = variant or next(_explaining(other_forms(name, reference, calls[0]), calls), None)
-    return _transformed(solution, name, variant) or _single_entry(name, calls)
+    change = _either_reversed(name, reference, calls)
+    change = change or next(_explaining(other_forms(name, reference, calls[0]), calls), None)
+    return _transformed(solution, name, change) or _single_entry(name, calls)
 
 
-def _transformed(solution: str, name: str, variant: tuple[str, Transform] | None) -> Cause | None:
+def _transformed(solution: str, name: str, change: tuple[str, Transform] | None) -> Cause | None:
     """Return the cause that a variant is; None without one."""
-    if variant is None:
+    if change is None:
         return None
-    words, transform = variant
+    words, transform = change
     return Cause(name, words, "transform", _with_variant(solution, name, transform))
 
 
@@ -139,7 +139,7 @@ def _other_symbol(solution: str, name: str, calls: Sequence[ComparedCall]) -> Ca
     """Return the one symbol of a formula that is taken for something else."""
     changes = other_symbols(name, calls[0].case.args[0]) if calls[0].case.points else ()
     variants = ((words, partial(_at_other_points, solution, change)) for words, change in changes)
-    explaining = {words: variant for words, variant in variants if _explains(variant, calls)}
+    explaining = {words: change for words, change in variants if _explains(change, calls)}
     return Cause(name, next(iter(explaining)), "transform", (*explaining.values(),)) if len(explaining) == 1 else None
 
 
@@ -354,7 +354,7 @@ def _single_entry(name: str, calls: Sequence[ComparedCall]) -> Cause | None:
     places = np.argwhere(np.any(off, axis=0))
     if len(places) != 1 or (len(form) == 1 and not np.any([call.expected for call in calls], axis=0).all()):
         return None
-    where = ", ".join(f"{axis} {place + 1}" for axis, place in zip(AXES[len(form)], places[0], strict=True))
+    where = ", ".join(f"{axis} {index + 1}" for axis, index in zip(AXES[len(form)], places[0], strict=True))
     return Cause(name, f"Your result of {name} is wrong in {where} alone", "place")
 
 
@@ -490,8 +490,8 @@ def _words(mutant: Mutant, parameters: Mapping[str, str]) -> Iterator[tuple[str,
     elif isinstance(now, ast.Name) and mutant.operator == "as given":
         yield f"one term uses {now.id} as it is given", now
     elif isinstance(now, ast.Name) and isinstance(was, ast.Name):
-        place = f"the wrong component of {parameters[was.id]} is used" if was.id in parameters else ""
-        yield place or (f"{now.id} is used for {was.id}" if was.id in LENGTHS else "the wrong quantity is used{}"), was
+        part = f"the wrong component of {parameters[was.id]} is used" if was.id in parameters else ""
+        yield part or (f"{now.id} is used for {was.id}" if was.id in LENGTHS else "the wrong quantity is used{}"), was
     elif isinstance(now, ast.Constant) and isinstance(was, ast.Constant) and mutant.operator == "an axis":
         yield f"the axis is {now.value!r} where it should be {was.value!r}", was
     elif isinstance(was, ast.Call) and mutant.operator == "another function" and any(map(_is_half, was.args)):

@@ -105,10 +105,10 @@ def outcomes(
     for submission in config.submissions:
         task = _task(config, code, submission)
         if task.digest in cached:
-            known = cached[task.digest]
-            if store is not None and known.results is not store:
-                store.add(known.record)
-            yield known
+            earlier = cached[task.digest]
+            if store is not None and earlier.results is not store:
+                store.add(earlier.record)
+            yield earlier
             continue
         text = task.source.text if isinstance(task.source, Source) else b""
         users.update(imported(text))

@@ -25,7 +25,7 @@ from tam570_grader.checks.student import StudentFunction
 from tam570_grader.diagnosis.cause import Cause
 from tam570_grader.diagnosis.diagnose import diagnose, follows
 from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, explains, is_motion, same, solution_with
-from tam570_grader.diagnosis.mutants import called
+from tam570_grader.diagnosis.mutants import names_reached
 from tam570_grader.diagnosis.search import shared_mutants
 from tam570_grader.errors import Over
 from tam570_grader.grading.budget import budget
@@ -223,9 +223,9 @@ def _cause(run: _Run, check: Check, failed: Failed) -> tuple[Cause | None, str]:
             right = _passed_so_far(run) - {call.name for call in calls}
             search = partial(diagnose, solution, folder, calls, earlier, right=right)
             following = follows(solution, calls, earlier)
-            own = None if following else _own_source(run, failed)
-            cause = following or own or search()
-            if cause and not own and cause.follows_from not in ("", cause.function):
+            own_source = None if following else _own_source(run, failed)
+            cause = following or own_source or search()
+            if cause and not own_source and cause.follows_from not in ("", cause.function):
                 common = _earlier({check.name: cause})
                 if not _following(run, check, [*earlier, *common]):
                     cause = _own_source(run, failed) or search(may_follow=False)
@@ -255,12 +255,12 @@ def _own_source(run: _Run, failed: Failed) -> Cause | None:
 def _is_consequence(run: _Run, wrong: str, calls: Sequence[Call]) -> bool:
     """Return whether calls follow from a wrong function, as some solution uses it."""
     name, assignment = calls[0].name, run.assignment
-    named = [cause for cause in run.causes.values() if not cause.follows_from]
-    zeros = {cause.function for cause in named if cause.source == "transform" and not cause.answers}
+    causes = [cause for cause in run.causes.values() if not cause.follows_from]
+    zeros = {cause.function for cause in causes if cause.source == "transform" and not cause.answers}
     if any(is_motion(call) for call in calls):
         return False
     for text in assignment.solutions:
-        used = (called(text, name) & assignment.results.keys()) - {name}
+        used = (names_reached(text, name) & assignment.results.keys()) - {name}
         if wrong not in used or used & zeros:
             continue
         module = solution_with.__wrapped__(text, "")  # its own
@@ -358,15 +358,15 @@ def _has_failed(result: CheckResult | None) -> bool:
 
 def _passed_so_far(run: _Run) -> set[str]:
     """Return the functions that passed each of their checks so far."""
-    judged = [check for check in run.assignment.checks if check.name in run.results]
-    wrong = {check.function for check in judged if run.results[check.name].outcome != "passed"}
-    return {check.function for check in judged} - wrong
+    checks = [check for check in run.assignment.checks if check.name in run.results]
+    wrong = {check.function for check in checks if run.results[check.name].outcome != "passed"}
+    return {check.function for check in checks} - wrong
 
 
 def _earlier(causes: Mapping[str, Cause]) -> list[Cause]:
     """Return the causes from which something may follow, or that may be repeated, by the functions named first."""
-    told = [cause for cause in causes.values() if cause.answers or cause.source == "place"]
-    return [replace(cause, function=cause.follows_from or cause.function) for cause in told]
+    sources = [cause for cause in causes.values() if cause.answers or cause.source == "place"]
+    return [replace(cause, function=cause.follows_from or cause.function) for cause in sources]
 
 
 def _following(run: _Run, check: Check, earlier: Sequence[Cause]) -> Cause | None:

@@ -311,9 +311,9 @@ def _of_folders(folders: Sequence[Path], student: Path, slug: str) -> Submission
 def _of_files(held: Sequence[tuple[Path, bool]], student: str, slug: str, tree: Path) -> Submission:
     """Return the module among them, or the notebook where no module is written; a note where it is not clear which."""
     files = [entry for entry, is_folder in held if form(entry.name) and not is_folder]
-    named = [entry for entry in files if entry.name != f"{slug}.py" and slug_of(entry.stem, [slug])]
-    if len(named) == 1 or f"{slug}.ipynb" in {entry.name for entry in named}:
-        files = [entry for entry in files if entry.name != f"{slug}.py" or not _untouched(entry, named, tree)]
+    candidates = [entry for entry in files if entry.name != f"{slug}.py" and slug_of(entry.stem, [slug])]
+    if len(candidates) == 1 or f"{slug}.ipynb" in {entry.name for entry in candidates}:
+        files = [entry for entry in files if entry.name != f"{slug}.py" or not _untouched(entry, candidates, tree)]
     fits: tuple[Callable[[Path], bool], ...] = (
         lambda entry: entry.name == f"{slug}.py",
         lambda entry: entry.name == f"{slug}.ipynb",

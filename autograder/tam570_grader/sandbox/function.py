@@ -72,7 +72,7 @@ class SandboxFunction:
         early = [self.early[call.packed] for call in calls if call.packed in self.early]
         if len(early) < len(calls):
             return self.student.replies(self.name, calls, every=every)
-        first_error = next((place for place, reply in enumerate(early) if "error" in reply), len(early))
+        first_error = next((number for number, reply in enumerate(early) if "error" in reply), len(early))
         return early if every else early[: first_error + 1]
 
     def many(self, calls: Sequence[Case]) -> list[Any]:

@@ -126,7 +126,7 @@ def other_results(name: str, reference: Function, example: Compared, vary: bool)
 def other_factors(name: str, reference: Function, example: Compared) -> Iterator[Transform]:
     """Yield a result that lacks a factor, or has one too many, which is an argument without a keyword."""
     results = parts(example.result)
-    numbers = {key: place for key, place in _numbers(reference, example.case).items() if place is not None}
+    numbers = {key: position for key, position in _numbers(reference, example.case).items() if position is not None}
     for which, label in enumerate(_labels(name, len(results))):
         for words, change, _ in _multiples(numbers):
             yield f"{label} {words}", partial(_with_result, which, len(results), change)
@@ -324,7 +324,7 @@ def other_products(name: str, reference: Function, example: Compared) -> Iterato
 
 def _numbers(function: Function, case: Arguments) -> dict[str, int | None]:
     """Return the arguments that are numbers, each with its place among those without a keyword."""
-    places = {key: place for place, key in enumerate(_parameters(function)[: len(case.args)])}
+    places = {key: position for position, key in enumerate(_parameters(function)[: len(case.args)])}
     numbers = {key: np.asarray(value) for key, value in _named(function, case).items()}
     return {key: places.get(key) for key, value in numbers.items() if value.ndim == 0 and value.dtype.kind in "fiu"}
 
@@ -347,8 +347,8 @@ def _changes(
 
 def _multiples(numbers: Mapping[str, int | None]) -> Iterator[tuple[str, ResultChange, ResultChange]]:
     """Yield a factor or divisor that a result lacks, of the numbers among the arguments."""
-    for key, place in numbers.items():
-        times = partial(_times, key, place)
+    for key, position in numbers.items():
+        times = partial(_times, key, position)
         for words, power in {"multiplied": -1, "divided": 1}.items():
             yield f"should be {words} by {key}", partial(times, power), partial(times, -power)
             yield f"should be {words} by {key} squared", partial(times, 2 * power), partial(times, -2 * power)
@@ -368,9 +368,9 @@ def _scaled(factor: float, value: Numbers, case: Arguments) -> Numbers:
     return value * factor
 
 
-def _times(key: str, place: int | None, power: int, value: Numbers, case: Arguments) -> Numbers:
+def _times(key: str, position: int | None, power: int, value: Numbers, case: Arguments) -> Numbers:
     """Return a product with an argument; without it where the call has another order."""
-    factor = case.kwargs[key] if place is None else case.args[place]
+    factor = case.kwargs[key] if position is None else case.args[position]
     return value * float(factor) ** power
 
 

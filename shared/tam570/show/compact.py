@@ -207,8 +207,8 @@ def _packed_shape(shape: Shape, points: Array, store: _Points) -> Json:
 def shape_entry(shape: Shape, at: Sequence[int]) -> Json:
     """Return a shape as the page reads it; `at` tells where its points are."""
     optional = {"name": shape.name, "words": shape.words, "faint": shape.faint}
-    given = {name: value for name, value in optional.items() if value}
-    return {"kind": shape.form, "at": at, "color": shape.color, "width": shape.width, **given}
+    stated = {name: value for name, value in optional.items() if value}
+    return {"kind": shape.form, "at": at, "color": shape.color, "width": shape.width, **stated}
 
 
 def _packed_time_plot(time_plot: TimePlot) -> Json:

@@ -137,10 +137,10 @@ def test_a_mistake_in_a_helper_is_told_once(checked, sign):
 @pytest.mark.parametrize(("drag", "weight"), [("-", "mass * gravity"), ("-0.7 * ", "1.2 * gravity")])  # one has a name
 def test_a_flight_follows_from_its_own_rates(checked, drag, weight):
     integrated = 'solve(_rates, t, start, parameters={"rate": drag / mass, "gravity": gravity}'
-    own = 'solve(state_derivative, t, start, parameters={"mass": mass, "drag": drag, "gravity": gravity}'
+    own_call = 'solve(state_derivative, t, start, parameters={"mass": mass, "drag": drag, "gravity": gravity}'
     correct = "_rates(t, (0.0, 0.0, vx, vy), rate=drag / mass, gravity=gravity)"
     own_rates = f"[vx, vy, {drag}drag / mass * vx, -drag / mass * vy - {weight}]"
-    actual = checked("hw02_ballistics", (integrated, own), (correct, own_rates))
+    actual = checked("hw02_ballistics", (integrated, own_call), (correct, own_rates))
     assert ("simulate", "state_derivative") in following(actual)
 
 

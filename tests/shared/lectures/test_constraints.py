@@ -50,10 +50,10 @@ def test_the_rigid_body_keeps_lengths_and_momenta():
     r = states[:, :8].reshape(8, 4, 2)
     lengths = np.linalg.norm(r[:, :, None] - r[:, None], axis=-1)
     assert lengths == pytest.approx(np.broadcast_to(lengths[0], lengths.shape), abs=1e-13)
-    for law in ("momentum", "angular_momentum"):
-        expected = truss.INVARIANTS[law](start, **truss.EXAMPLE)
+    for name in ("momentum", "angular_momentum"):
+        expected = truss.INVARIANTS[name](start, **truss.EXAMPLE)
         for state in states:
-            assert truss.INVARIANTS[law](state, **truss.EXAMPLE) == pytest.approx(expected, abs=1e-12)
+            assert truss.INVARIANTS[name](state, **truss.EXAMPLE) == pytest.approx(expected, abs=1e-12)
     h = 1e-6
     after, before = truss.rigid([2.0, 5.0 + h, 5.0 - h], start, **truss.EXAMPLE)[1:]
     between = truss.rigid([2.0, 5.0], start, **truss.EXAMPLE)[1, 8:]

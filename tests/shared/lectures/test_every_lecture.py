@@ -29,7 +29,7 @@ def parts(name):
     def rates(t, state):
         return module.rates(t, state, **module.EXAMPLE)
 
-    laws = {law: lambda state, f=f: f(state, **module.EXAMPLE) for law, f in module.INVARIANTS.items()}
+    laws = {name: lambda state, f=f: f(state, **module.EXAMPLE) for name, f in module.INVARIANTS.items()}
     return rates, laws, np.array(module.START)
 
 
@@ -102,8 +102,8 @@ def test_invariants_stay_for_many_characteristic_times(name, count):
     rates, laws, start = parts(name)
     times = np.linspace(0.0, load(name).SECONDS if name in ENDING else count * characteristic_time(name), 60)
     states = solve(rates, times, start, rtol=1e-13)
-    for law, invariant in laws.items():
-        assert wandered(invariant, states) < 1e-9, law  # a thousand times rtol would be 1e-10 if all errors added up
+    for name, invariant in laws.items():
+        assert wandered(invariant, states) < 1e-9, name  # a thousand times rtol would be 1e-10 if all errors added up
 
 
 @pytest.mark.parametrize("name", EXACT)

@@ -42,8 +42,8 @@ def test_elements_and_exact_orbits_of_any_eccentricity(eccentricity):
     assert np.linalg.norm(far[1, :3]) == pytest.approx(1 + eccentricity, rel=1e-9)
     solved = solve(planet.rates, [0.0, 0.77 * T - T / 2], far[1], parameters={"gm": gm}, rtol=1e-13)
     assert far[2] == pytest.approx(solved[1], abs=1e-10)
-    for law in planet.INVARIANTS.values():
-        values = np.array([law(state, gm=gm) for state in far])
+    for invariant in planet.INVARIANTS.values():
+        values = np.array([invariant(state, gm=gm) for state in far])
         assert np.abs(values - values[0]).max() < 1e2 * lost
 
 

@@ -47,7 +47,7 @@ def _tops(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Sequ
     precessing = [
         part for color, states in enumerate(steadily) for part in _top(states, color, ("slow", "fast")[color])
     ]
-    constants = {name: values(law, free, **parameters) for name, law in lecture.INVARIANTS.items()}
+    constants = {name: values(constant, free, **parameters) for name, constant in lecture.INVARIANTS.items()}
     changes = {name: sizes / (abs(sizes[0]) or 1.0) for name, sizes in constants.items()}
     drift = drift_caption(changes, 1.0, "energy and both momenta")
     return Scene(
