@@ -130,6 +130,9 @@ JUMPS = {
     "by a shift": forced(lambda t: 3.0 if (t - 1.3) * 2 > 1 else 0.0, (0, 3), [1.0, 0.0], stops=(1.8,)),
     "where in time": forced(lambda t: float(np.where(t < 2, 1.0, -1.0)), (0, 4), [1.0, 0.0], stops=(2,)),
     "heaviside": forced(lambda t: np.heaviside(t - 2.2, 0.5), (0, 4), [1.0, 0.0], stops=(2.2,)),
+    "a product of heavisides": newton(
+        lambda t, x, v: np.heaviside(t - 1, 0.5) * np.heaviside(2 - t, 0.5) - x, (0, 4), stops=(1, 2)
+    ),
     "sign": forced(lambda t: np.sign(t - 2.2), (0, 4), [1.0, 0.0], stops=(2.2,)),
     "floor": forced(lambda t: math.floor(2 * t) % 3, (0, 2.9), [1.0, 0.0], stops=HALVES[:5]),
     "int": forced(lambda t: (1.0, -2.0, 3.0)[int(t) % 3], (0, 3.5), [1.0, 0.0], stops=(1, 2, 3)),

@@ -126,7 +126,7 @@ class Switches:
                 self.distance = shortest if is_at_switch and self.time <= self.expected + shortest else math.inf
                 if ahead < 1.0 and not is_at_switch:
                     self.expected = self.time + ahead * h
-                    self.distance = _just_before(ahead * h, closeness, shortest)
+                    self.distance = _just_before(ahead * h, closeness, max(shortest, 4.0 * EPS * abs(self.time)))
             return math.inf
         if is_at_switch:
             self.is_near, self.expected = True, -math.inf
