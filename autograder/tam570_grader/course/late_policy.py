@@ -166,8 +166,8 @@ def _days(
 ) -> tuple[list[Entry], list[str]]:
     """Return the days of everyone whom collected.csv shows late, and a sentence for each late one without a time."""
     late, open_ = dict[tuple[str, str], float](), []
-    by_hand = (entry for entry in adjustments.entries.values() if _source(entry) != BY_TABLE)
-    answered = {(entry.student, entry.slug) for entry in by_hand if entry.item == LATE}
+    manual_rows = (entry for entry in adjustments.entries.values() if _source(entry) != BY_TABLE)
+    answered = {(entry.student, entry.slug) for entry in manual_rows if entry.item == LATE}
     for cells in table:
         student, slug, when = cells["student"], cells["assignment"], cells["when"]
         due = policies.get(slug, LatePolicy()).due

@@ -19,7 +19,7 @@ def diagnose(
     earlier: Sequence[Cause] = (),
     *,
     may_follow: bool = True,
-    right: Set[str] = frozenset(),
+    passed: Set[str] = frozenset(),
 ) -> Cause | None:
     """Return why a check fails whose results do not follow, all of them, from an earlier cause.
 
@@ -30,7 +30,7 @@ def diagnose(
     calls : those that the failed check made, with the student's results
     earlier : the causes of the checks that failed before it
     may_follow : whether the mistake may be that of one of these
-    right : other functions, that passed their checks: no mistake is looked for in one of these
+    passed : other functions, that passed their checks: no mistake is looked for in one of these
 
     Returns
     -------
@@ -39,8 +39,8 @@ def diagnose(
     """
     calls = [call for call in calls if call.result is None or right_answer(solution, call) is not None]  # not refused
     suspects = candidates(solution, folder, {call.name for call in calls})
-    suspects = [suspect for suspect in suspects if not suspect.defined & right]
-    cause = named_mistake(solution, suspects, calls) or general(solution, calls, other_functions(folder), right)
+    suspects = [suspect for suspect in suspects if not suspect.defined & passed]
+    cause = named_mistake(solution, suspects, calls) or general(solution, calls, other_functions(folder), passed)
     if cause is None or not earlier:
         return cause
     before = [call for other in earlier for call in other.calls]

@@ -51,16 +51,16 @@ Transform = Callable[[ComparedCall], Numbers]
 
 
 def general(
-    solution: str, calls: Sequence[Call], others: Sequence[str] = (), right: Set[str] = frozenset()
+    solution: str, calls: Sequence[Call], others: Sequence[str] = (), passed: Set[str] = frozenset()
 ) -> Cause | None:
     """Return the one variant of the right answers that has the student's numbers in every call, or None.
 
     others : texts with other right functions, for the solution's own
-    right : functions of the student that passed: no slip is in these, nor in what they use
+    passed : functions of the student that passed: no slip is in these, nor in what they use
     """
     try:
         with limited(MOST):
-            return _general(solution, calls, others, right)
+            return _general(solution, calls, others, passed)
     except Exhausted:
         return None
 
@@ -80,7 +80,7 @@ def _quick_first(calls: Sequence[ComparedCall]) -> list[ComparedCall]:
     return sorted((*beginnings, *calls), key=lambda call: (call.fits(call.expected), len(call.case.packed)))
 
 
-def _general(solution: str, calls: Sequence[Call], others: Sequence[str], right: Set[str]) -> Cause | None:
+def _general(solution: str, calls: Sequence[Call], others: Sequence[str], passed: Set[str]) -> Cause | None:
     compared = _quick_first(_compared(solution, calls))
     wrong = [call for call in compared if not call.fits(call.expected)]
     names = {call.name for call in wrong}
@@ -99,7 +99,7 @@ def _general(solution: str, calls: Sequence[Call], others: Sequence[str], right:
     results = other_results(name, getattr(module, name), wrong[0], vary=vary)
     cause = _transformed(solution, name, next(_explaining(results, its_calls), None))
     cause = cause or _other_symbol(solution, name, its_calls) or _other_argument(solution, module, name, compared)
-    cause = cause or _mutant_of_any(solution, others, module, name, compared, right)
+    cause = cause or _mutant_of_any(solution, others, module, name, compared, passed)
     cause = cause or _other_form(solution, module, name, its_calls)
     return cause and replace(cause, calls=tuple(calls))
 
@@ -272,14 +272,14 @@ def _quietly(transform: Transform, call: ComparedCall) -> Numbers:
 
 
 def _mutant_of_any(
-    solution: str, others: Sequence[str], module: ModuleType, name: str, calls: Sequence[ComparedCall], right: Set[str]
+    solution: str, others: Sequence[str], module: ModuleType, name: str, calls: Sequence[ComparedCall], passed: Set[str]
 ) -> Cause | None:
     """Return what the mutants of the solution, or of it with other functions, are that explain all calls."""
     public = set(inspect.signature(getattr(module, name)).parameters)
     for other in ("", *others):
         reach_of = reached(other or solution)
         reach = reach_of.get(name, set())
-        likely = reach.difference(*(reach_of.get(each, ()) for each in right))
+        likely = reach.difference(*(reach_of.get(each, ()) for each in passed))
         for suspects in filter(None, (likely, reach - likely)):  # a copy of what is right elsewhere may be wrong
             exec(_code(other), vars(module))
             if mutant := _mutant(other or solution, module, name, calls, public, suspects):

@@ -220,8 +220,8 @@ def _cause(run: _Run, check: Check, failed: Failed) -> tuple[Cause | None, str]:
             solution = assignment.solution
             calls = [call for call in run.student.calls if not _is_drawn(assignment, call)]
             folder = assignments.checks_folder(assignment.root, assignment.slug)
-            right = _passed_so_far(run) - {call.name for call in calls}
-            search = partial(diagnose, solution, folder, calls, earlier, right=right)
+            passed = _passed_so_far(run) - {call.name for call in calls}
+            search = partial(diagnose, solution, folder, calls, earlier, passed=passed)
             following = follows(solution, calls, earlier)
             own_source = None if following else _own_source(run, failed)
             cause = following or own_source or search()

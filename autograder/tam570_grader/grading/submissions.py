@@ -345,8 +345,8 @@ def _untouched(module: Path, others: Iterable[Path], tree: Path) -> bool:
         except CannotRead:
             return False
     functions = len(re.findall(rb"^def ", texts[0], re.MULTILINE))
-    begun = any(re.search(rb'(?:^|"|\\n)def ', text, re.MULTILINE) for text in texts[1:])
-    return 0 < functions == texts[0].count(b"raise NotImplementedError") and begun
+    is_begun = any(re.search(rb'(?:^|"|\\n)def ', text, re.MULTILINE) for text in texts[1:])
+    return 0 < functions == texts[0].count(b"raise NotImplementedError") and is_begun
 
 
 def _modules_first(work: list[Submission]) -> list[Submission]:

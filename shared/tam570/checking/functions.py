@@ -35,7 +35,7 @@ class Functions:
     off_limits: Mapping[str, Sequence[str]]
     calls: list[str] = field(default_factory=list)  # in the test that runs, in order
     mistake: Mistake | None = None  # what is tried on the results
-    inside: bool = False  # whether it is tried where other functions of the module call this one, too
+    everywhere: bool = False  # whether it is tried where other functions of the module call this one, too
     cache: dict[tuple[str, bool, bytes], Numbers] = field(default_factory=dict)  # results, by function and arguments
     observed: dict[str, ObservedCall] = field(default_factory=dict)  # the first call of each function
     hanging: dict[str, str] = field(default_factory=dict)  # functions that are not called again, and why
@@ -84,16 +84,16 @@ class Functions:
         return self.mistake.repair(ObservedCall(arguments, result))
 
     @contextmanager
-    def tried(self, mistake: Mistake, *, inside: bool = False) -> Iterator[None]:
-        """Call a function with a mistake undone; `inside`, where the others of the module call it, too."""
+    def tried(self, mistake: Mistake, *, everywhere: bool = False) -> Iterator[None]:
+        """Call a function with a mistake undone; `everywhere`, where the others of the module call it, too."""
         before = getattr(self.module, mistake.function)
-        self.mistake, self.inside = mistake, inside
-        if inside:
+        self.mistake, self.everywhere = mistake, everywhere
+        if everywhere:
             setattr(self.module, mistake.function, self._watched(mistake.function, before))
         try:
             yield
         finally:
-            self.mistake, self.inside = None, False
+            self.mistake, self.everywhere = None, False
             setattr(self.module, mistake.function, before)
 
     def plain(self, name: str) -> Function:
@@ -108,7 +108,7 @@ class Functions:
         """
         tight = self.mistake is not None and self.mistake.repair is None and self.mistake.function == name
         key = (name, tight, _contents(arguments))
-        if self.inside:  # they may be others
+        if self.everywhere:  # they may be others
             return self._called(name, function, arguments)
         if self.mistake is None or key not in self.cache:
             self.cache[key] = self._called(name, function, arguments)

@@ -89,6 +89,7 @@ def candidates(
             yield Mistake(name, f"{BEGINNING}{words}.", repair)
 
 
-def is_reversed(mistake: Mistake) -> bool:
-    """Return whether the mistake is the sign of an argument."""
-    return isinstance(mistake.repair, WrongArgument) and mistake.message.endswith("opposite sign.")
+def reversed_argument(mistake: Mistake) -> str:
+    """Return the argument of which the mistake reverses the sign; "" of another mistake."""
+    repair = mistake.repair
+    return repair.key if isinstance(repair, WrongArgument) and repair.change is np.negative else ""

@@ -15,7 +15,7 @@ from tam570.checking.changes import by_parameters, calls, keys, uses
 from tam570.checking.deadline import CALL, TooLong, limited
 from tam570.checking.examples import Examples, load_examples
 from tam570.checking.functions import Functions
-from tam570.checking.mistakes import BEGINNING, Mistake, candidates, is_reversed
+from tam570.checking.mistakes import BEGINNING, Mistake, candidates, reversed_argument
 from tam570.checking.trail import Trail
 from tam570.checking.visible import Outcomes, Test, collect_tests
 from tam570.course import Stub, contract, folder, stubs
@@ -253,7 +253,7 @@ def _explained(outcomes: Outcomes, used: Mapping[str, set[str]], reached: Progre
         ]
         its_own = {test for test in failed if used[test] == {name}}  # all explained by its one mistake
         best: list[str] = []
-        named: Mistake | None = None
+        best_mistake: Mistake | None = None
         if not failed or name not in functions.observed:
             continue
         observed = functions.results[name], functions.plain(name), functions.observed[name], functions.longest[name]
@@ -262,19 +262,19 @@ def _explained(outcomes: Outcomes, used: Mapping[str, set[str]], reached: Progre
             if budget < 0:
                 break
             mended = [test for test in failed if _passes(outcomes, mistake, test)]
-            is_as_good = named and mended == best and is_reversed(named) and is_reversed(mistake)
+            key = reversed_argument(mistake)
+            is_as_good = best_mistake and mended == best and reversed_argument(best_mistake) and key
             if (
                 (is_as_good or len(mended) > len(best))
                 and its_own <= {*mended}
                 and all(_passes(outcomes, mistake, test) for test in alone)
             ):
-                if named and is_as_good:  # nothing tells the two arguments apart
-                    reversed_too = mistake.message.removeprefix(BEGINNING + f"In {name}, ")
-                    mistake = replace(named, message=f"{named.message[:-1]}, or {reversed_too}")
-                best, named = mended, mistake
-        if named:
-            mistakes.append(named)
-            explanations |= dict.fromkeys(best, named.message)
+                if best_mistake and is_as_good:  # nothing tells the two arguments apart
+                    mistake = replace(best_mistake, message=f"{best_mistake.message[:-1]}, or {key} has it.")
+                best, best_mistake = mended, mistake
+        if best_mistake:
+            mistakes.append(best_mistake)
+            explanations |= dict.fromkeys(best, best_mistake.message)
     return explanations | _consequences(outcomes, mistakes, used, code)
 
 
@@ -289,7 +289,7 @@ def _consequences(
             callers = [name for name in names if mistake.function in uses(code, [name])]
             if mistake.function in names or len(callers) != 1 or failure.function or test in explanations:
                 continue
-            if _passes(outcomes, mistake, test, inside=True):
+            if _passes(outcomes, mistake, test, everywhere=True):
                 explanations[test] = f"Your {callers[0]} uses or repeats the mistake in {mistake.function}."
     return explanations
 
@@ -303,11 +303,11 @@ def _known_mistakes(outcomes: Outcomes, examples: Examples, used: Mapping[str, s
     return explanations
 
 
-def _passes(outcomes: Outcomes, mistake: Mistake, test: str, *, inside: bool = False) -> bool:
-    """Return whether a test passes with this change; `inside`, where others of the student's functions call it, too."""
+def _passes(outcomes: Outcomes, mistake: Mistake, test: str, *, everywhere: bool = False) -> bool:
+    """Return whether a test passes with this change; `everywhere`: where others of the module call it, too."""
     import numpy as np
 
-    tried = outcomes.functions.tried(mistake, inside=inside)
+    tried = outcomes.functions.tried(mistake, everywhere=everywhere)
     try:
         with tried, contextlib.redirect_stdout(None), np.errstate(all="ignore"), warnings.catch_warnings():
             warnings.simplefilter("ignore")

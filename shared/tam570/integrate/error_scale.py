@@ -80,7 +80,7 @@ def _spread(
     for _ in range(len(sizes) + 1):
         moved = _moved_by(rhs, t, duration, y, f, sizes, c)
         grows = [new > max(CALM * size, NO_SCALE) for size, new in zip(sizes, moved, strict=True)]
-        if any(own and more for own, more in zip(is_own, grows, strict=True)):
+        if any(is_fixed and more for is_fixed, more in zip(is_own, grows, strict=True)):
             return None
         if not any(grows):
             break

@@ -166,8 +166,8 @@ def _bounds(graph: Graph, constants: dict[float, str]) -> Bounds:
             bounds.append(f"{bound(symbol)} = {_bound_of(symbol.name, texts[symbol.number], arguments)}")
 
     def arguments_of(kind: set[str]) -> tuple[str, ...]:
-        found = [s.arguments[0] for s in graph.operations if uses[s.number] and s.name in kind]
-        return tuple(dict.fromkeys(texts[a.number] for a in found if isinstance(a, Symbol) and _moves_with_state(a)))
+        firsts = [s.arguments[0] for s in graph.operations if uses[s.number] and s.name in kind]
+        return tuple(dict.fromkeys(texts[a.number] for a in firsts if isinstance(a, Symbol) and _moves_with_state(a)))
 
     rates = tuple(bound(rate) or "0.0" for rate in graph.rates)
     return Bounds(tuple(values), tuple(bounds), rates, arguments_of(SATURATING), arguments_of(BENT))

@@ -95,12 +95,12 @@ def watch_for_end(
 
     def look(t: float, y: Sequence[float], m: Callable[[], Sequence[float]], steps: int, refusals: int) -> None:
         nonlocal before, stiff_looks, idle_looks
-        moved, taken, refused = t - before[0], steps - before[1], refusals - before[2]
-        tried = taken + refused
+        moved, accepted, refused = t - before[0], steps - before[1], refusals - before[2]
+        tried = accepted + refused
         if tried < BETWEEN_LOOKS:
             return
         before = t, steps, refusals
-        left, h = (end - t) * tried / moved if moved > 0.0 else inf, moved / max(taken, 1)
+        left, h = (end - t) * tried / moved if moved > 0.0 else inf, moved / max(accepted, 1)
         is_idle, is_long = refused > tried / 4 and left > in_vain, end - t > too_many * h > 0.0
         is_stiff = (is_idle or is_long) and _decay(rhs, origin + t, y, m(), c) * h > DECAY
         stiff_looks = stiff_looks + 1 if is_stiff and is_long else 0

@@ -11,7 +11,7 @@ NAMED = [  # a function of an assignment, what it returns instead, and what is s
     (HW08, "rotation_matrix", "-kept(axis, angle)", "Your result of rotation_matrix has the opposite sign."),
     (HW08, "skew", "kept(v).T", "Your result of skew has the opposite sign."),
     (HW13, "energy", "kept(*args, **how) / how['mass']", "should be multiplied by mass."),
-    (HW13, "contact_inertia", "kept(phi, **{**how, 'offset': -how['offset']})", "sign, or offset has the opposite"),
+    (HW13, "contact_inertia", "kept(phi, **{**how, 'offset': -how['offset']})", "sign, or offset has it"),
     ("hw07_double_pendulum", "gravity_terms", "-kept(*args, **how)", "gravity_terms has the opposite sign."),
     ("hw01_simple_pendulum", "power_balance", "kept(*args, **how)[::-1]", "results of power_balance are exchanged."),
     (HW13, "missing_moment", "-kept(*args, **how)", "missing_moment has the opposite sign."),

@@ -47,7 +47,7 @@ class Loop(NamedTuple):
 
 def loop_of(laws: Recurrences, lanes: int) -> Loop:
     """Return that of these recurrences."""
-    return Loop(len(laws.rates), lanes, bool(exponents(laws)), any(law.rule == "time" for law in laws.series))
+    return Loop(len(laws.rates), lanes, bool(exponents(laws)), any(series.rule == "time" for series in laws.series))
 
 
 def loop_module(loop: Loop) -> str:

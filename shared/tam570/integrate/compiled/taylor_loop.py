@@ -18,9 +18,9 @@ from tam570.integrate.error_scale import CALM, COARSE, NO_SCALE, PART, SHARE
 from tam570.values import Numbers
 
 NUMBERS = 16
-_PLACES = "ROW T H NEW STATUS STEPS REFUSALS TRIES LONGEST SIZED WHO MAXIMUM FIRST ACCEPTED AHEAD"  # in z
+_PLACES = "ROW T H NEW STATUS STEPS REFUSALS TRIES LONGEST SIZED WHO MAXIMUM FIRST ACCEPTED LIMIT"  # in z
 PLACES = tuple(_PLACES.split(" "))
-ROW, T, H, NEW, STATUS, STEPS, REFUSALS, TRIES, LONGEST, SIZED, WHO, MAXIMUM, FIRST, ACCEPTED, AHEAD = range(15)
+ROW, T, H, NEW, STATUS, STEPS, REFUSALS, TRIES, LONGEST, SIZED, WHO, MAXIMUM, FIRST, ACCEPTED, LIMIT = range(15)
 Y, REST, M, SLOPE, NEXT, BASE, NOISE, POLYNOMIAL = range(8)
 # of a component: at the end of the step tried; what rounding took from its start; its size at the start; the
 # polynomial's derivative at the end; what rounding takes from the end; the derivative there; what a rounding does to it
@@ -239,13 +239,13 @@ def advance_all(
             if motion[ACCEPTED] > 0.0:
                 sample(motion, times, shifted(out, int(motion[WHO]) * len(times) * SIZE))
         take_steps(z)
-        z[each(AHEAD)] = longest(z, work, pace)
+        z[each(LIMIT)] = longest(z, work, pace)
         if is_new:
             for lane in range(LANES):
                 motion = shifted(z, lane)
                 if motion[H] == 0.0 and motion[STATUS] == RUNNING:
-                    scale_start(motion, work, time, c, lane, motion[AHEAD])
-            z[each(AHEAD)] = longest(z, work, pace)
+                    scale_start(motion, work, time, c, lane, motion[LIMIT])
+            z[each(LIMIT)] = longest(z, work, pace)
         attempt_all(z, work, times, limit)
 
 
@@ -294,7 +294,7 @@ def take_steps(z: Numbers) -> None:
 def attempt_all(z: Numbers, work: Numbers, times: Numbers, limit: Numbers) -> None:
     """Try the next steps of all motions."""
     tries = z[each(TRIES)]
-    h = z[each(AHEAD)]
+    h = z[each(LIMIT)]
     h = h if h < inf else GROWTH * z[each(LONGEST)]
     h = min(h, limit)
     shorter = z[each(H)] * (wide(0.5) if tries < 3.0 else wide(0.125))
