@@ -34,7 +34,7 @@ def progress(
     A test is a function's own if it calls none that stands below it in the README. A function has its points when all
     of its own tests pass, or, if it has none, all that call it: to mend one function never takes points from another.
     A failure for which another function is at fault for certain costs no function whose tests of it alone all pass.
-    Next is a function that a test finds wrong by itself, if there is one.
+    Next is a function that a test finds wrong by itself, if there is one, or that alone is called in all failed tests.
     """
     causes = causes or {}
     worth = {name: float(points) for name, points in ROW.findall(_readme(slug))}
@@ -50,14 +50,16 @@ def progress(
     missing = [name for name in failed if failed[name]]
     alone = {test: name for name in missing for test in failed[name] if used[test] == {name}}
     certain = [name for test, name in alone.items() if causes.get(test) in (None, name)]
-    reasons = [causes.get(test) for test in failed[missing[0]]] if missing else []
+    calls = [used[test] & set(worth) for test in used if outcomes.get(test) != PASSED]
+    common = set.intersection(*calls) if len(calls) > 1 else set()
+    reasons = [*common] if len(common) == 1 else [causes.get(test) for test in failed[missing[0]]] if missing else []
     return {
         "points": sum(worth[name] for name in failed if name not in missing),
         "most": sum(worth[name] for name in failed),
         "passed": sum(outcome == PASSED for outcome in outcomes.values()),
         "tests": len(used),
         "missing": missing,
-        "next": next((name for name in [*certain, *reasons[:1], *missing] if name in missing), None),
+        "next": next((name for name in [*certain, *reasons[:1], *missing] if name in {*missing, *common}), None),
     }
 
 
