@@ -52,14 +52,17 @@ def progress(
     certain = [name for test, name in alone.items() if causes.get(test) in (None, name)]
     calls = [used[test] & set(worth) for test in used if outcomes.get(test) != PASSED]
     common = set.intersection(*calls) if len(calls) > 1 else set()
-    reasons = [*common] if len(common) == 1 else [causes.get(test) for test in failed[missing[0]]] if missing else []
+    shared = common if len(common) == 1 else set()
+    reasons = [causes.get(test) for test in failed[missing[0]]] if missing else []
     return {
         "points": sum(worth[name] for name in failed if name not in missing),
         "most": sum(worth[name] for name in failed),
         "passed": sum(outcome == PASSED for outcome in outcomes.values()),
         "tests": len(used),
         "missing": missing,
-        "next": next((name for name in [*certain, *reasons[:1], *missing] if name in {*missing, *common}), None),
+        "next": next(
+            (name for name in [*certain, *reasons[:1], *shared, *missing] if name in {*missing, *shared}), None
+        ),
     }
 
 
