@@ -21,53 +21,28 @@ METHODS = ("SciPy RK45", "SciPy DOP853", "odeint", "tam570, Python")
 SAME = 1e-6  # of the state: the solution reaches 1e-9 in every scene
 
 
-def call(name):
-    """(assignment, function, arguments, keywords) that a scene hands to a solution."""
-    calls, original = [], scenes._handed_over
-
-    def noted(slug, function, *arguments, **keywords):
-        calls.append((slug, function, arguments, keywords))
-        return original(slug, function, *arguments, **keywords)
-
-    scenes._handed_over = noted
-    try:
-        scenes.scene(name)
-    finally:
-        scenes._handed_over = original
-    return calls[-1]
-
-
-def end_row(slug, function, arguments, keywords):
-    """The last row of the solution's result, None if it is not an array of rows."""
-    rows = getattr(scenes._loaded(scenes.SOLUTIONS / f"{slug}.py"), function)(*arguments, **keywords)
-    return None if isinstance(rows, tuple) else np.asarray(rows)[-1]
-
-
 def shared():
     """{assignment: what its page needs}, as it is written."""
     results = json.loads((HERE / "results" / "run_time_against_error.json").read_text())
     ends = json.loads((HERE / "results" / "run_time_references.json").read_text())
     pages = {}
     for name, scene in results["scenes"].items():
-        slug, function, arguments, keywords = call(name)
-        row, reference = end_row(slug, function, arguments, keywords), np.array(ends[name]["state"], float)
-        if (
-            row is None
-            or row.shape != reference.shape
-            or np.abs(row - reference).max() > SAME * np.abs(reference).max()
-        ):
+        call, reference = scenes.SCENES[name], np.array(ends[name]["state"], float)
+        rows = call.of(scenes.loaded(call.slug))
+        is_state = not isinstance(rows, tuple) and np.shape(rows[-1]) == reference.shape
+        if not is_state or np.abs(rows[-1] - reference).max() > SAME * np.abs(reference).max():
             continue
         curves = {
             method: [[_short(seconds), _short(error)] for _, seconds, error in scene["curves"][method] if error > 0]
             for method in METHODS
         }
-        pages[slug] = {
+        pages[call.slug] = {
             "scene": name,
-            "function": function,
+            "function": call.function,
             "end": reference.tolist(),
             "curves": curves,
-            "arguments": [np.asarray(argument).tolist() for argument in arguments],
-            "keywords": {key: np.asarray(argument).tolist() for key, argument in keywords.items()},
+            "arguments": [np.asarray(argument).tolist() for argument in call.arguments],
+            "keywords": {key: np.asarray(argument).tolist() for key, argument in call.parameters.items()},
         }
     return pages
 

@@ -2,7 +2,10 @@
 
 import importlib.util
 import sys
+from dataclasses import dataclass
 from pathlib import Path
+
+import numpy as np
 
 import tam570.integrate
 
@@ -22,8 +25,9 @@ class _Captured(Exception):
     """Raised in place of the integration, with its arguments."""
 
 
-def _loaded(path):
-    spec = importlib.util.spec_from_file_location(f"_{path.stem}", path)
+def loaded(slug):
+    """The reference solution of an assignment, as a module of its own."""
+    spec = importlib.util.spec_from_file_location(f"_{slug}", SOLUTIONS / f"{slug}.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
@@ -33,94 +37,80 @@ def _capture(rhs, t, y0, *, parameters=None, **_):
     raise _Captured(rhs, tuple(float(y) for y in y0), dict(parameters or {}))
 
 
-def _handed_over(slug, function, *arguments, **keywords):
-    """rhs, y0 and parameters of the first integration that a solution's function asks for."""
-    original = tam570.integrate.solve
-    tam570.integrate.solve = _capture
-    try:
-        module = _loaded(SOLUTIONS / f"{slug}.py")  # loaded now, so that it takes `solve` from above
-        getattr(module, function)(*arguments, **keywords)
-    except _Captured as captured:
-        return captured.args
-    finally:
-        tam570.integrate.solve = original
-    raise LookupError(f"{slug}.{function} integrates nothing")
+@dataclass(frozen=True)
+class Call:
+    """A simulation that a solution is asked for."""
 
+    slug: str
+    start: tuple
+    parameters: dict
+    end: float  # s
+    function: str = "simulate"
 
-def _times(end):
-    import numpy as np
+    @property
+    def arguments(self):
+        return np.array([0.0, self.end]), *self.start
 
-    return np.array([0.0, end])
+    def of(self, module):
+        """What the function of a solution returns."""
+        return getattr(module, self.function)(*self.arguments, **self.parameters)
 
-
-def _pendulum():
-    end = 100 * 10.1  # s, about 200 periods of 2 pi sqrt(l/g) and 100 of an amplitude of 3 rad
-    rest = _handed_over("hw01_simple_pendulum", "simulate", _times(end), 3.0, 0.0, length=9.81, gravity=G)
-    return *rest, end
-
-
-def _ballistics():
-    keywords = {"mass": 0.5, "drag": 0.1, "gravity": G}
-    return *_handed_over("hw02_ballistics", "simulate", _times(20.0), 50.0, 0.8, **keywords), 20.0
-
-
-def _spring():
-    keywords = {"mass": 1.0, "stiffness": 7.0, "gravity": G}
-    start = [1.0, 0.2, -0.5], [0.3, -1.0, 0.4]
-    return *_handed_over("hw04_hanging_spring", "simulate", _times(100.0), *start, **keywords), 100.0
-
-
-def _constrained_pendulum():
-    keywords = {"mass": 1.0, "length": 1.0, "gravity": G}
-    start = [1.0, 0.0, 0.0, 0.0]
-    return *_handed_over("hw05_constrained_pendulum", "simulate", _times(100.0), start, **keywords), 100.0
-
-
-def _braking_car():
-    car = {"mass": 1200.0, "yaw_inertia": 1500.0, "front": 1.1, "rear": 1.5, "friction": 0.8, "gravity": G}
-    start = [0.0, 0.0, 0.1, 25.0, 0.05]
-    return *_handed_over("hw06_braking", "simulate", _times(4.0), start, "rear", **car), 4.0  # stops later
-
-
-def _double_pendulum():
-    keywords = {"masses": (1.0, 1.0), "lengths": (1.0, 1.0), "gravity": G}
-    start = [PI / 2, PI / 2], [0.0, 0.0]
-    return *_handed_over("hw07_double_pendulum", "simulate", _times(10.0), *start, **keywords), 10.0
-
-
-def _free_rigid_body():
-    start = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [0.1, 1.0, 0.2]
-    keywords = {"inertia": (1.0, 2.0, 3.0)}
-    return *_handed_over("hw10_free_rigid_body", "simulate", _times(100.0), *start, **keywords), 100.0
-
-
-def _bead():
-    keywords = {"curvature": 0.5, "gravity": G}
-    return *_handed_over("hw12_bead_on_wire", "simulate", _times(100.0), 2.0, 0.0, **keywords), 100.0
-
-
-def _rolling_cylinder():
-    keywords = {"mass": 2.0, "radius": 0.5, "offset": 0.2, "inertia": 0.15, "slope": 0.1, "gravity": G}
-    return *_handed_over("hw13_rolling_cylinder", "simulate", _times(20.0), 0.3, 0.0, **keywords), 20.0
-
-
-def _rolling_disk():
-    keywords = {"mass": 1.0, "radius": 0.5, "inertia": (0.0625, 0.125), "gravity": G}
-    start = [0.0, 0.0, 0.0, 1.2, 0.0, 0.5, 0.1, 8.0]
-    return *_handed_over("hw14_rolling_disk", "simulate_euler", _times(10.0), start, **keywords), 10.0
+    def handed_over(self):
+        """rhs, y0, parameters and end of the first integration that the solution asks for."""
+        original = tam570.integrate.solve
+        tam570.integrate.solve = _capture
+        try:
+            self.of(loaded(self.slug))  # loaded now, so that it takes `solve` from above
+        except _Captured as captured:
+            return *captured.args, self.end
+        finally:
+            tam570.integrate.solve = original
+        raise LookupError(f"{self.slug}.{self.function} integrates nothing")
 
 
 SCENES = {
-    "simple pendulum": _pendulum,
-    "ballistics": _ballistics,
-    "hanging spring": _spring,
-    "constrained pendulum": _constrained_pendulum,
-    "braking car": _braking_car,
-    "double pendulum": _double_pendulum,
-    "free rigid body": _free_rigid_body,
-    "bead on wire": _bead,
-    "rolling cylinder": _rolling_cylinder,
-    "rolling disk": _rolling_disk,
+    "simple pendulum": Call(  # about 200 periods of 2 pi sqrt(l/g) and 100 of an amplitude of 3 rad
+        "hw01_simple_pendulum", (3.0, 0.0), {"length": 9.81, "gravity": G}, 100 * 10.1
+    ),
+    "ballistics": Call("hw02_ballistics", (50.0, 0.8), {"mass": 0.5, "drag": 0.1, "gravity": G}, 20.0),
+    "hanging spring": Call(
+        "hw04_hanging_spring",
+        ([1.0, 0.2, -0.5], [0.3, -1.0, 0.4]),
+        {"mass": 1.0, "stiffness": 7.0, "gravity": G},
+        100.0,
+    ),
+    "constrained pendulum": Call(
+        "hw05_constrained_pendulum", ([1.0, 0.0, 0.0, 0.0],), {"mass": 1.0, "length": 1.0, "gravity": G}, 100.0
+    ),
+    "braking car": Call(
+        "hw06_braking",
+        ([0.0, 0.0, 0.1, 25.0, 0.05], "rear"),
+        {"mass": 1200.0, "yaw_inertia": 1500.0, "front": 1.1, "rear": 1.5, "friction": 0.8, "gravity": G},
+        4.0,  # stops later
+    ),
+    "double pendulum": Call(
+        "hw07_double_pendulum",
+        ([PI / 2, PI / 2], [0.0, 0.0]),
+        {"masses": (1.0, 1.0), "lengths": (1.0, 1.0), "gravity": G},
+        10.0,
+    ),
+    "free rigid body": Call(
+        "hw10_free_rigid_body", (np.eye(3).tolist(), [0.1, 1.0, 0.2]), {"inertia": (1.0, 2.0, 3.0)}, 100.0
+    ),
+    "bead on wire": Call("hw12_bead_on_wire", (2.0, 0.0), {"curvature": 0.5, "gravity": G}, 100.0),
+    "rolling cylinder": Call(
+        "hw13_rolling_cylinder",
+        (0.3, 0.0),
+        {"mass": 2.0, "radius": 0.5, "offset": 0.2, "inertia": 0.15, "slope": 0.1, "gravity": G},
+        20.0,
+    ),
+    "rolling disk": Call(
+        "hw14_rolling_disk",
+        ([0.0, 0.0, 0.0, 1.2, 0.0, 0.5, 0.1, 8.0],),
+        {"mass": 1.0, "radius": 0.5, "inertia": (0.0625, 0.125), "gravity": G},
+        10.0,
+        function="simulate_euler",
+    ),
 }
 
 
@@ -138,7 +128,7 @@ SETS = {
 def scene(name):
     """(rhs, start, parameters, end): states at `end`, s, are compared."""
     if name in SCENES:
-        return SCENES[name]()
+        return SCENES[name].handed_over()
     if name in lectures.PROBLEMS:
         return lectures.PROBLEMS[name]
     rhs, start, end = OTHERS[name]
