@@ -30,6 +30,7 @@ UNIX = (1,)  # other families are modules that the kernel would load, and keep
 # futex: to wait, and what is private to a process; to wake others through a file that all map is a message
 FUTEX = (0, 9, 265, *range(128, 142), 393)
 NOTHING = (0,)
+Pair = tuple[int, int | None]
 
 
 @dataclass(frozen=True)
@@ -50,76 +51,63 @@ COMMON = {
     **{"io_uring_setup": 425, "pidfd_getfd": 438, "process_madvise": 440, "memfd_secret": 447},
     **{"landlock_create_ruleset": 444, "landlock_add_rule": 445, "landlock_restrict_self": 446},  # uncounted memory
 }
-X86_64 = Calls(
-    0xC000003E,
-    {
-        # ways to others and to the kernel
-        **{"ptrace": 101, "process_vm_readv": 310, "process_vm_writev": 311, "bpf": 321, "perf_event_open": 298},
-        **{"userfaultfd": 323, "unshare": 272, "setns": 308, "seccomp": 317},
-        # has no namespace: keys, the kernel's messages (who crashed, and at what address)
-        **{"add_key": 248, "request_key": 249, "keyctl": 250, "syslog": 103},
-        # memory that no limit counts
-        **{"shmget": 29, "shmat": 30, "semget": 64, "msgget": 68, "mq_open": 240, "memfd_create": 319, "io_setup": 206},
-        # the ports of a zygote's network are remembered
-        "socket": 41,
-        # a note on a file that all may read: a lock, a watch of who opens it
-        **{"flock": 73, "inotify_init": 253, "inotify_init1": 294, "inotify_add_watch": 254, "fanotify_init": 300},
-        # what of a file is in memory: to put it there or to ask
-        **{"fadvise64": 221, "readahead": 187, "mincore": 27, "splice": 275, "tee": 276, "vmsplice": 278},
-        "getrusage": 98,  # counts the pages that had to be read
-        # a limit of its own would end it by a signal that looks like somebody else's
-        "setrlimit": 160,
-        "set_robust_list": 273,  # by which the kernel wakes others when it ends
-    },
-    {
-        "fcntl": (72, 1, FCNTL),
-        "ioctl": (16, 1, IOCTL),
-        "madvise": (28, 2, MADVISE),
-        "prlimit64": (302, 2, NOTHING),
-        "preadv2": (327, 5, NOTHING),
-        "pwritev2": (328, 5, NOTHING),
-        "wait4": (61, 3, NOTHING),  # as getrusage
-        "waitid": (247, 4, NOTHING),
-        "getsockopt": (55, 2, SOCKET),
-        "socketpair": (53, 0, UNIX),
-        "futex": (202, 1, FUTEX),
-    },
-    clone=56,
-    prctl=157,
-    signals=(62, 129, 200, 234, 297, 424),  # kill, rt_sigqueueinfo, tkill, tgkill, rt_tgsigqueueinfo, pidfd_send_signal
-    forks=(57, 58),  # fork, vfork
-)
-ARM64 = Calls(
-    0xC00000B7,
-    {
-        **{"ptrace": 117, "process_vm_readv": 270, "process_vm_writev": 271, "bpf": 280, "perf_event_open": 241},
-        **{"userfaultfd": 282, "unshare": 97, "setns": 268, "seccomp": 277},
-        **{"add_key": 217, "request_key": 218, "keyctl": 219, "syslog": 116},
-        **{"shmget": 194, "shmat": 196, "semget": 190, "msgget": 186, "mq_open": 180, "memfd_create": 279},
-        **{"io_setup": 0, "socket": 198, "flock": 32},
-        **{"inotify_init1": 26, "inotify_add_watch": 27, "fanotify_init": 262},
-        **{"fadvise64": 223, "readahead": 213, "mincore": 232, "splice": 76, "tee": 77, "vmsplice": 75},
-        **{"getrusage": 165, "setrlimit": 164, "set_robust_list": 99},
-    },
-    {
-        "fcntl": (25, 1, FCNTL),
-        "ioctl": (29, 1, IOCTL),
-        "madvise": (233, 2, MADVISE),
-        "prlimit64": (261, 2, NOTHING),
-        "preadv2": (286, 5, NOTHING),
-        "pwritev2": (287, 5, NOTHING),
-        "wait4": (260, 3, NOTHING),
-        "waitid": (95, 4, NOTHING),
-        "getsockopt": (209, 2, SOCKET),
-        "socketpair": (199, 0, UNIX),
-        "futex": (98, 1, FUTEX),
-    },
-    clone=220,
-    prctl=167,
-    signals=(129, 138, 130, 131, 240, 424),
-    forks=(),
-)
-CALLS = {"x86_64": X86_64, "aarch64": ARM64}
+# The others by their numbers on x86_64 and on aarch64; None where a machine has no such call.
+REFUSED = {
+    # ways to others and to the kernel
+    **{"ptrace": (101, 117), "process_vm_readv": (310, 270), "process_vm_writev": (311, 271), "bpf": (321, 280)},
+    **{"perf_event_open": (298, 241), "userfaultfd": (323, 282), "unshare": (272, 97), "setns": (308, 268)},
+    "seccomp": (317, 277),
+    # has no namespace: keys, the kernel's messages (who crashed, and at what address)
+    **{"add_key": (248, 217), "request_key": (249, 218), "keyctl": (250, 219), "syslog": (103, 116)},
+    # memory that no limit counts
+    **{"shmget": (29, 194), "shmat": (30, 196), "semget": (64, 190), "msgget": (68, 186), "mq_open": (240, 180)},
+    **{"memfd_create": (319, 279), "io_setup": (206, 0)},
+    # the ports of a zygote's network are remembered
+    "socket": (41, 198),
+    # a note on a file that all may read: a lock, a watch of who opens it
+    **{"flock": (73, 32), "inotify_init": (253, None), "inotify_init1": (294, 26), "inotify_add_watch": (254, 27)},
+    "fanotify_init": (300, 262),
+    # what of a file is in memory: to put it there or to ask
+    **{"fadvise64": (221, 223), "readahead": (187, 213), "mincore": (27, 232)},
+    **{"splice": (275, 76), "tee": (276, 77), "vmsplice": (278, 75)},
+    "getrusage": (98, 165),  # counts the pages that had to be read
+    # a limit of its own would end it by a signal that looks like somebody else's
+    "setrlimit": (160, 164),
+    "set_robust_list": (273, 99),  # by which the kernel wakes others when it ends
+}
+ALLOWED = {  # the argument (from 0), and its values
+    "fcntl": ((72, 25), 1, FCNTL),
+    "ioctl": ((16, 29), 1, IOCTL),
+    "madvise": ((28, 233), 2, MADVISE),
+    "prlimit64": ((302, 261), 2, NOTHING),
+    "preadv2": ((327, 286), 5, NOTHING),
+    "pwritev2": ((328, 287), 5, NOTHING),
+    "wait4": ((61, 260), 3, NOTHING),  # as getrusage
+    "waitid": ((247, 95), 4, NOTHING),
+    "getsockopt": ((55, 209), 2, SOCKET),
+    "socketpair": ((53, 199), 0, UNIX),
+    "futex": ((202, 98), 1, FUTEX),
+}
+SIGNALS = {
+    **{"kill": (62, 129), "rt_sigqueueinfo": (129, 138), "tkill": (200, 130), "tgkill": (234, 131)},
+    **{"rt_tgsigqueueinfo": (297, 240), "pidfd_send_signal": (424, 424)},
+}
+FORKS = {"fork": (57, None), "vfork": (58, None)}
+OTHERS = {"clone": (56, 220), "prctl": (157, 167)}
+
+
+def _calls(machine: int, which: int) -> Calls:
+    """Return the calls of a machine, whose numbers are these of each pair."""
+
+    def numbers(table: Mapping[str, Pair]) -> dict[str, int]:
+        return {name: number for name, pair in table.items() if (number := pair[which]) is not None}
+
+    allowed = {name: (pair[which], argument, values) for name, (pair, argument, values) in ALLOWED.items()}
+    signals, forks = tuple(numbers(SIGNALS).values()), tuple(numbers(FORKS).values())
+    return Calls(machine, numbers(REFUSED), allowed, **numbers(OTHERS), signals=signals, forks=forks)
+
+
+CALLS = {"x86_64": _calls(0xC000003E, 0), "aarch64": _calls(0xC00000B7, 1)}
 CLONE3 = 435  # clone is taken where it is absent
 NEWER = 450  # and above: no call that this table knows; programs fall back on older ones
 FOREIGN_CALLS = 0x40000000  # and above: the numbers of x32, whose calls have the name of x86-64
