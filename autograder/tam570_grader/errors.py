@@ -16,8 +16,8 @@ class UsageError(Exception):
     """Something that was asked for cannot be done; the message names the input and the remedy."""
 
 
-class Over(Exception):
-    """Nothing more of this submission is graded on this worker."""
+class Over(BaseException):
+    """Nothing more of this submission is graded on this worker, whatever errors of its code are borne with."""
 
 
 def printable(text: str) -> str:

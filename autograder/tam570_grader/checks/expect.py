@@ -19,7 +19,6 @@ from tam570_grader.checks.curves import Curve, curve
 from tam570_grader.checks.effort import Exhausted
 from tam570_grader.checks.failure import Failure
 from tam570_grader.checks.student import StudentFunction
-from tam570_grader.errors import Over
 
 NEAR_MISS = 10  # limits: wrong physics lies further off, a loose tolerance is often nearer
 NEAR_MISS_SHARE = 0.9  # of the points, for what is right but for a loose tolerance
@@ -188,7 +187,7 @@ def _said(hint: Hint, running: CheckContext) -> tuple[str, str]:
     try:
         with running.aside():
             return hint(), ""
-    except (Over, MemoryError):
+    except MemoryError:
         raise
     except (Failed, NotWritten, Exhausted):  # what the student's function does then is not judged
         return "", ""

@@ -23,6 +23,7 @@ from queue import Empty, SimpleQueue
 from typing import Any, TypeVar
 
 from tam570.values import Function
+from tam570_grader.errors import Over
 from tam570_grader.sandbox.launch import hide_from_submissions
 from tam570_grader.sandbox.pool import TRIES, sandboxes
 
@@ -284,7 +285,7 @@ def serve(number: int) -> None:
                 work, args, kwargs = pickle.load(file)  # of our parent: no student's bytes are ever unpickled
                 try:
                     reply = True, work(*args, **kwargs)
-                except Exception as error:
+                except (Exception, Over) as error:
                     reply = False, error
                 pickle.dump(reply, file, pickle.HIGHEST_PROTOCOL)
                 file.flush()

@@ -27,7 +27,6 @@ from tam570_grader.diagnosis.diagnose import diagnose, follows
 from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, explains, is_motion, same, solution_with
 from tam570_grader.diagnosis.mutants import names_reached
 from tam570_grader.diagnosis.search import shared_mutants
-from tam570_grader.errors import Over
 from tam570_grader.grading.budget import budget
 from tam570_grader.grading.seeds import derive
 from tam570_grader.grading.speed import Yardstick
@@ -205,8 +204,6 @@ def _check_result(run: _Run, check: Check) -> CheckResult:
         what = "memory" if isinstance(spent, MemoryError) else "work"
         failure = Failure(message=TOO_MUCH.format(what), at=student.calls[-1].case if student.calls else None)
         return _failed(check, Failed(**vars(failure)), None)
-    except Over:
-        raise
     except Exception as error:
         return _grader_error(check, repr(error))
     return _passed(check)
@@ -232,8 +229,6 @@ def _cause(run: _Run, check: Check, failed: Failed) -> tuple[Cause | None, str]:
             return cause, ""
     except (Exhausted, MemoryError):
         return None, ""
-    except Over:
-        raise
     except Exception as error:  # a mistake without a name is no reason to lose a grade
         return None, repr(error)[:LONGEST_FAULT]
 
@@ -270,8 +265,6 @@ def _is_consequence(run: _Run, wrong: str, calls: Sequence[Call]) -> bool:
             with budget():
                 if explains(assignment.solution, partial(computed, module), calls):
                     return True
-        except Over:
-            raise
         except Exception:  # whatever a wrong function returns in the place of a right one
             continue
     return False
@@ -310,8 +303,6 @@ def _shared_helper(run: _Run, cause: Cause | None, failed: Failed) -> Cause | No
                     or _same_number(run, other, calls)
                 ):
                     return Cause(name, "", "own", follows_from=other)
-        except Over:
-            raise
         except (Failed, NotWritten, Exhausted, TypeError, ValueError):  # other arguments, or other numbers of results
             continue
     return None
@@ -374,8 +365,6 @@ def _following(run: _Run, check: Check, earlier: Sequence[Cause]) -> Cause | Non
     with run.student.aside():
         try:
             run.perform(check, recorder=lambda error: None)
-        except Over:
-            raise
         except Exception:  # to its end it goes on from numbers with which it would have failed: rows of zeros
             return None
         if any(_is_drawn(run.assignment, call) for call in run.student.calls):
@@ -409,8 +398,6 @@ def _consequence(run: _Run, check: Check, functions: Container[str]) -> CheckRes
             return None
         run.causes[check.name] = cause
         return _failed(check, failed, cause)
-    except Over:
-        raise
     except Exception:  # it was not run before, and is not now
         return None
     function_names = {call.name for call in run.student.calls} or {check.function}

@@ -99,9 +99,10 @@ def result(task: GradeTask) -> Result:
         raise UsageError(NO_JAIL.format(why=why)) from None
     except UsageError:
         raise
+    except ZygoteLost as lost:
+        return failed_by_us(task.student, assignment, str(lost), task.seed)
     except Exception as fault:
-        error = str(fault) if isinstance(fault, ZygoteLost) else repr(fault)
-        return failed_by_us(task.student, assignment, error, task.seed)
+        return failed_by_us(task.student, assignment, repr(fault), task.seed)
 
 
 def _graded(task: GradeTask, zygote: Zygote, attempt: Attempt) -> Result:

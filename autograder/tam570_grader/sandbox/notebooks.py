@@ -35,9 +35,9 @@ def statements_of(text: bytes) -> str:
 def _read(request: Json) -> Json:
     try:
         process = _reader().process(READING.cpu)
-    except ZygoteLost:
+    except ZygoteLost as lost:
         _reader.cache_clear()  # the next one has a new reader
-        raise
+        raise ConnectionError(str(lost)) from None
     try:
         process.send(request)
         reply: Json = process.receive(lambda reply: reply)
