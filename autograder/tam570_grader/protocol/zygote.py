@@ -39,6 +39,7 @@ LENGTH = struct.Struct(">I")
 LONGEST_ORDER = 2**14  # bytes
 LONGEST_TEXT, MOST_TOLD = 300, 50  # of what is told of a notebook's cells
 HOLD = 0.02  # s that a reply may wait for the next one
+READINGS = {"cells": plain_cells, "python": python, "statements": statements}
 
 
 def main() -> None:
@@ -148,12 +149,8 @@ def _serve(channel: int, limits: jail.Limits, folder: str) -> None:
         module = None
         while True:
             request = _received()
-            if "book" in request:
-                _send(_read("cells", plain_cells, request["book"]))
-            elif "code" in request:
-                _send(_read("code", python, request["code"]))
-            elif "module" in request:
-                _send(_read("code", statements, request["module"]))
+            if "read" in request:
+                _send(_read(READINGS[request["read"]], request["text"]))
             elif "source" in request:
                 module = _loaded(request)
             else:
@@ -174,10 +171,10 @@ def _confined(limits: jail.Limits, channel: int, folder: str) -> None:
     _send({"confined": True})
 
 
-def _read(name: str, reading: Callable[[bytes], object], text: bytes) -> Json:
+def _read(reading: Callable[[bytes], object], text: bytes) -> Json:
     """Return what is read of a notebook or a module, nothing of which is run."""
     try:
-        return {name: reading(text)}
+        return {"read": reading(text)}
     except Exception as error:
         return {"error": error_report(error)}
 

@@ -2,6 +2,7 @@
 
 import atexit
 import functools
+from typing import Any
 
 from tam570.values import Json
 from tam570_grader.sandbox.imports import python_class
@@ -18,28 +19,27 @@ class Unshown(Exception):
 
 def cells_of(text: bytes) -> list[Json]:
     """Return the cells of a notebook, as `inside.cells` describes them, or Unshown; nothing of it has run."""
-    cells: list[Json] = _read({"book": text})["cells"]
-    return cells
+    return list(_read("cells", text))
 
 
 def python_of(text: bytes) -> str:
     """Return the code of a notebook without magics and what is no Python, or Unshown; nothing of it has run."""
-    return str(_read({"code": text})["code"])
+    return str(_read("python", text))
 
 
 def statements_of(text: bytes) -> str:
     """Return the statements of a module in one form, or Unshown; nothing of it has run."""
-    return str(_read({"module": text})["code"])
+    return str(_read("statements", text))
 
 
-def _read(request: Json) -> Json:
+def _read(what: str, text: bytes) -> Any:
     try:
         process = _reader().process(READING.cpu)
     except ZygoteLost as lost:
         _reader.cache_clear()  # the next one has a new reader
         raise ConnectionError(str(lost)) from None
     try:
-        process.send(request)
+        process.send({"read": what, "text": text})
         reply: Json = process.receive(lambda reply: reply)
     except ProcessTimeout:
         raise Unshown("it takes too long to read") from None
@@ -49,7 +49,7 @@ def _read(request: Json) -> Json:
         process.end()
     if "error" in reply:
         raise Unshown(python_class(error_of(reply)))
-    return reply
+    return reply["read"]
 
 
 @functools.cache
