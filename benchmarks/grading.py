@@ -144,14 +144,14 @@ def graded(slug, count, jobs):
                 assert result["score"] == result["max_score"]
         seconds = time.perf_counter() - started
     assert len(arrivals) == count
-    return {
-        "grader": f"tam570-grader, {isolation()}, {jobs} jobs",
-        "assignment": slug,
-        "submissions": count,
-        "seconds": seconds,
-        "seconds_each": seconds / count,
-        "steady_seconds_each": steady(arrivals),
-    }
+    row = row_of(f"tam570-grader, {isolation()}, {jobs} jobs", slug, count, seconds)
+    return row | {"steady_seconds_each": steady(arrivals)}
+
+
+def row_of(grader, slug, count, seconds):
+    """A row of the table."""
+    each = seconds / count
+    return {"grader": grader, "assignment": slug, "submissions": count, "seconds": seconds, "seconds_each": each}
 
 
 def steady(arrivals):
@@ -184,13 +184,7 @@ def one_file(slug):
         started = time.perf_counter()
         subprocess.run(command, check=True, capture_output=True, env=ENVIRONMENT)
         times.append(time.perf_counter() - started)
-    return {
-        "grader": "tam570-grader, one file from the command line",
-        "assignment": slug,
-        "submissions": 1,
-        "seconds": min(times),
-        "seconds_each": min(times),
-    }
+    return row_of("tam570-grader, one file from the command line", slug, 1, min(times))
 
 
 def nbgrader(slug, count):
@@ -206,14 +200,7 @@ def nbgrader(slug, count):
             _notebook(course / "submitted" / f"s{n:03}" / slug / "work.ipynb", slug)
         started = time.perf_counter()
         _nbgrader(course, "autograde", slug, "--create")
-        seconds = time.perf_counter() - started
-    return {
-        "grader": "nbgrader",
-        "assignment": slug,
-        "submissions": count,
-        "seconds": seconds,
-        "seconds_each": seconds / count,
-    }
+        return row_of("nbgrader", slug, count, time.perf_counter() - started)
 
 
 def _nbgrader(course, *arguments):
