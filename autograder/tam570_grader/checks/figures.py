@@ -15,6 +15,7 @@ import math
 import re
 from collections.abc import Callable, Sequence
 from html import escape
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -25,24 +26,7 @@ WIDTH = 520  # px
 HEAD, SLIM = 11.0, 0.3  # px, length of an arrowhead; half its width over its length
 HATCH, COIL, TURNS = 9.0, 7.0, 9  # px, px, of a spring
 SUBSCRIPT = re.compile(r"_(\S+)")
-STYLE = (
-    ":root{--ink:#1c2024;--soft:#6a737d;--paper:#fff;--body:#1f5fbf;--fill:#1f5fbf22;--vector:#c0392b;--angle:#1a7f4b}"
-    "@media(prefers-color-scheme:dark){:root{--ink:#e6e8eb;--soft:#98a2ad;--paper:#16191d;--body:#7fb0ff;"
-    "--fill:#7fb0ff2e;--vector:#ff8a7a;--angle:#6fd39b}}"
-    "path{fill:none;stroke-linecap:round;stroke-linejoin:round}"
-    ".body{stroke:var(--body);stroke-width:3.2}.solid{stroke:var(--body);stroke-width:2.4;fill:var(--fill)}"
-    ".thick{stroke:var(--body);stroke-width:7}.plane{stroke:var(--soft);stroke-width:1;fill:#8881}"
-    ".thin{stroke:var(--ink);stroke-width:1.3}.dash{stroke:var(--soft);stroke-width:1.3;stroke-dasharray:5 5}"
-    ".soft{stroke:var(--soft);stroke-width:1.3}.vector{stroke:var(--vector);stroke-width:2.4}"
-    ".angle{stroke:var(--angle);stroke-width:1.8}"
-    ".h{stroke:none}.h.thin{fill:var(--ink)}.h.soft{fill:var(--soft)}.h.vector{fill:var(--vector)}"
-    ".h.angle{fill:var(--angle)}.h.body{fill:var(--body)}"
-    "circle{fill:var(--ink)}rect{fill:var(--paper)}"
-    "text,text.thin,text.soft,text.angle,text.vector,text.body{stroke:var(--paper);stroke-width:4px}"
-    "text{font:italic 18px 'STIX Two Text','Cambria Math',Cambria,'DejaVu Serif',Georgia,serif;fill:var(--ink);"
-    "text-anchor:middle;dominant-baseline:central;paint-order:stroke}"
-    "text.angle{fill:var(--angle)}text.vector{fill:var(--vector)}text.soft{fill:var(--soft)}text.body{fill:var(--body)}"
-)
+STYLE = "".join(map(str.strip, Path(__file__).with_name("figure.css").read_text(encoding="utf-8").splitlines()))
 
 
 class Figure:
