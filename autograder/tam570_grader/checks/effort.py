@@ -145,7 +145,6 @@ class Finder:
     def find_spec(
         self, name: str, path: Sequence[str] | None = None, target: ModuleType | None = None
     ) -> ModuleSpec | None:
-        spec = importlib.machinery.PathFinder.find_spec(name, path) if name.startswith(self.prefix) else None
-        if spec and isinstance(spec.loader, importlib.machinery.SourceFileLoader):
-            spec.loader = _Loader(name, spec.loader.path)
-        return spec
+        if not path or not name.startswith(self.prefix):
+            return None
+        return importlib.machinery.FileFinder(path[0], (_Loader, [".py"])).find_spec(name)
