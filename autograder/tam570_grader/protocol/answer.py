@@ -23,6 +23,7 @@ LONGEST_TEXT = 300
 
 def answer(module: ModuleType, request: Json, args: list[Numbers], kwargs: Json) -> Json:
     """Return the reply to one call: {"value": ..., "changed": were the arguments changed} or {"error": ...}."""
+    args, kwargs = [*map(_own, args)], {key: _own(argument) for key, argument in kwargs.items()}
     try:
         function = getattr(module, request["function"])
         before = _contents(args, kwargs)
@@ -35,6 +36,15 @@ def answer(module: ModuleType, request: Json, args: list[Numbers], kwargs: Json)
         return {"value": value, "changed": _contents(args, kwargs) != before}
     except BaseException as error:
         return {"error": error_report(error)}
+
+
+def _own(argument: Numbers) -> Numbers:
+    """Return a writable copy of an array; a list of tuples of a list of lists."""
+    if type(argument) is float:
+        return argument
+    if isinstance(argument, list):
+        return [tuple(item) if isinstance(item, list) else item for item in argument]
+    return argument.copy() if hasattr(argument, "copy") else argument
 
 
 def error_report(error: BaseException) -> Json:

@@ -23,7 +23,7 @@ from collections.abc import Callable
 from types import ModuleType
 from typing import Any
 
-from tam570.values import Json, Numbers
+from tam570.values import Json
 
 from . import jail
 from .answer import answer, error_report, evaluate_a_formula, seed_generators
@@ -205,7 +205,7 @@ def _answer_all(module: Any, request: Json) -> None:
     """
     unsent, sent = list[Json](), time.monotonic()
     for args, kwargs in request["calls"]:
-        reply = answer(module, request, [*map(_own, args)], {key: _own(arg) for key, arg in kwargs.items()})
+        reply = answer(module, request, args, kwargs)
         unsent.append(reply)
         if "error" in reply and not request.get("every"):
             break
@@ -221,15 +221,6 @@ def _together(replies: list[Json]) -> Json:
     good = all(reply.get("changed") is False for reply in replies)
     values = stacked([reply["value"] for reply in replies]) if good else None
     return {"replies": replies} if values is None else {"values": values}
-
-
-def _own(argument: Numbers) -> Numbers:
-    """Return a writable copy of an array; a list of tuples of a list of lists."""
-    if type(argument) is float:
-        return argument
-    if isinstance(argument, list):
-        return [tuple(item) if isinstance(item, list) else item for item in argument]
-    return argument.copy() if hasattr(argument, "copy") else argument
 
 
 def _received() -> Json:
