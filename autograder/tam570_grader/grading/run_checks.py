@@ -29,7 +29,7 @@ from tam570_grader.diagnosis.mutants import names_reached
 from tam570_grader.diagnosis.search import shared_mutants
 from tam570_grader.grading.budget import budget
 from tam570_grader.grading.seeds import derive
-from tam570_grader.grading.speed import Yardstick
+from tam570_grader.grading.speed import speed_of
 from tam570_grader.reports.sentences import full_message
 from tam570_grader.results.records import CheckResult, Result
 from tam570_grader.sandbox.imports import NotLoaded
@@ -53,14 +53,14 @@ class CheckOptions:
     enough    : failed checks after which the rest is not run
     recorder  : told the check and every error over its limit; no comparison fails then
     naming    : look for the mistake behind each failed check
-    yardstick : measures the speed of the simulation too, when all is graded
+    speed     : measure the speed of the simulation too, when all is graded
     attempt   : which try of the submission it is
     """
 
     enough: int | None = None
     recorder: Recorder | None = None
     naming: bool = True
-    yardstick: Yardstick | None = None
+    speed: bool = False
     attempt: Attempt = ONLY
 
 
@@ -107,7 +107,7 @@ def graded(
             if not run.has_enough():
                 run.results[check.name] = _check_result(run, check)
         message = _skipped(student.skipped)
-        speed = options.yardstick.speed(student, assignment, zygote) if options.yardstick else None
+        speed = speed_of(student, assignment, zygote) if options.speed else None
         if not options.enough:
             _judge_consequences(run)
     except (NotLoaded, BudgetSpent) as ended:

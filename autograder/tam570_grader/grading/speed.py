@@ -1,12 +1,10 @@
 """Run time against error of a student's simulation, on a scene that the integrators were measured on."""
 
-import threading
-from pathlib import Path
-
 import numpy as np
 
 from tam570.values import Json, Numbers
 from tam570_grader.checks.assignments import LoadedAssignment
+from tam570_grader.checks.check import Memory
 from tam570_grader.checks.expect import Failed, NotWritten
 from tam570_grader.results.run_time import Speed, scenes, time_to
 from tam570_grader.sandbox.imports import NotLoaded
@@ -17,51 +15,40 @@ from tam570_grader.sandbox.zygote import Zygote
 OURS = "tam570, Python"  # the method of the reference solutions, in the sandbox
 USELESS = 1e-2  # an error beyond which the time says nothing
 SHORTEST = 5e-3  # s of the reference solution; below it the call into the sandbox is a good part of the time
+_machines = Memory[float | None](most=100)  # how fast this machine is, by assignment: the curves come from another
 
 
-class Yardstick:
-    """Measures students, and this machine by the reference solutions: the curves come from another."""
+def speed_of(student: Student, assignment: LoadedAssignment, zygote: Zygote) -> Speed | None:
+    """Return the student's point among the methods; None where there is no scene, or no motion to speak of."""
+    scene = scenes().get(assignment.slug)
+    point = _point(student, scene) if scene else None
+    machine = (
+        _machines.value((assignment.root, assignment.slug), lambda: _measured(assignment, zygote)) if point else None
+    )
+    if scene is None or point is None or machine is None:
+        return None
+    seconds, error = (float(f"{number:.2g}") for number in point)
+    return {
+        "function": scene["function"],
+        "scene": scene["scene"],
+        "seconds": seconds,
+        "error": error,
+        "machine": float(f"{machine:.2g}"),
+    }
 
-    def __init__(self, course: Path) -> None:
-        self._course = course
-        self._machine: dict[str, float | None] = {}
-        self._lock = threading.Lock()
 
-    def speed(self, student: Student, assignment: LoadedAssignment, zygote: Zygote) -> Speed | None:
-        """Return the student's point among the methods; None where there is no scene, or no motion to speak of."""
-        scene = scenes().get(assignment.slug)
-        point = _point(student, scene) if scene else None
-        machine = self._scale(assignment, zygote) if point else None
-        if scene is None or point is None or machine is None:
-            return None
-        seconds, error = (float(f"{number:.2g}") for number in point)
-        return {
-            "function": scene["function"],
-            "scene": scene["scene"],
-            "seconds": seconds,
-            "error": error,
-            "machine": float(f"{machine:.2g}"),
-        }
-
-    def _scale(self, assignment: LoadedAssignment, zygote: Zygote) -> float | None:
-        """Return how many times as long as on the machine of the curves the reference solution takes here."""
-        with self._lock:
-            if assignment.slug not in self._machine:
-                self._machine[assignment.slug] = self._measured(assignment, zygote)
-            return self._machine[assignment.slug]
-
-    def _measured(self, assignment: LoadedAssignment, zygote: Zygote) -> float | None:
-        text = (self._course / "solutions" / f"{assignment.slug}.py").read_bytes()
-        reference, scene = Student(Source(text), assignment, zygote), scenes()[assignment.slug]
-        try:
-            _point(reference, scene)  # what is made once for a system is not counted
-            point = _point(reference, scene)
-        finally:
-            reference.leave()
-        if point is None or point[0] < SHORTEST:
-            return None
-        curve = scene["curves"][OURS]
-        return point[0] / (time_to(max(point[1], curve[-1][1]), curve) or curve[-1][0])
+def _measured(assignment: LoadedAssignment, zygote: Zygote) -> float | None:
+    """Return how many times as long as on the machine of the curves the reference solution takes here."""
+    reference, scene = Student(Source(assignment.solution.encode()), assignment, zygote), scenes()[assignment.slug]
+    try:
+        _point(reference, scene)  # what is made once for a system is not counted
+        point = _point(reference, scene)
+    finally:
+        reference.leave()
+    if point is None or point[0] < SHORTEST:
+        return None
+    curve = scene["curves"][OURS]
+    return point[0] / (time_to(max(point[1], curve[-1][1]), curve) or curve[-1][0])
 
 
 def _point(student: Student, scene: Json) -> tuple[float, float] | None:

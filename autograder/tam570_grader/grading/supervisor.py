@@ -9,7 +9,6 @@ from pathlib import Path
 from tam570_grader.checks import assignments, expected
 from tam570_grader.errors import UsageError
 from tam570_grader.grading.run_checks import CheckOptions, failed_by_us, graded, not_graded, rehearse
-from tam570_grader.grading.speed import Yardstick
 from tam570_grader.grading.submissions import CannotRead
 from tam570_grader.results.records import Result
 from tam570_grader.sandbox.launch import write_bytecode
@@ -113,10 +112,5 @@ def _graded(task: GradeTask, zygote: Zygote, attempt: Attempt) -> Result:
         assignments.assignment(task.course, task.slug),
         zygote,
         task.seed,
-        CheckOptions(yardstick=_yardstick(task.course) if task.conditions.speed else None, attempt=attempt),
+        CheckOptions(speed=task.conditions.speed, attempt=attempt),
     )
-
-
-@functools.cache
-def _yardstick(course: Path) -> Yardstick:
-    return Yardstick(course)

@@ -9,7 +9,6 @@ import pytest
 from tam570_grader.checks import assignments
 from tam570_grader.diagnosis.mistakes import overlays
 from tam570_grader.grading.run_checks import not_graded
-from tam570_grader.grading.speed import Yardstick
 from tam570_grader.reports import feedback, report
 from tam570_grader.results import store
 
@@ -25,12 +24,12 @@ FILES = ["report.html", "feedback/ada/hw07_double_pendulum.html", *(f"feedback/b
 def folder(tmp_path_factory, course, grade):
     """The results of a small class with its pages and its report."""
     folder = tmp_path_factory.mktemp("class")
-    records, yardstick = [], Yardstick(course)
+    records = []
     for slug, mistake in SHOWN.items():
         correct = (course / "solutions" / f"{slug}.py").read_text()
         wrong = overlays(CHECKS / slug)[mistake]
         for student, text in {"ada": correct, "ben": f"{correct}\n\n{wrong}", "cora": ""}.items():
-            records.append(replace(grade(slug, text, 1, yardstick=yardstick), student=student).record())
+            records.append(replace(grade(slug, text, 1, speed=True), student=student).record())
     for slug in ("hw03_angular_momentum_rate", "hw05_constrained_pendulum"):  # one with a long title
         records.append(not_graded("dan", assignments.assignment(course, slug), "missing", "no file", 1).record())
     (folder / "results.jsonl").write_text("".join(json.dumps(item) + "\n" for item in records))
