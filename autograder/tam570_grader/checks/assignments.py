@@ -59,11 +59,6 @@ class LoadedAssignment:
         return next((ast.unparse(node.args) for node in defined if node.name == name), "...")
 
     @property
-    def manual(self) -> Mapping[str, tuple[float, str]]:
-        """Points given by hand, and for what, by part."""
-        return {letter: (part.points, part.asks) for letter, part in self.rubric.items()}
-
-    @property
     def worth(self) -> dict[str, float]:
         """The points of each function: those of the checks that are about it."""
         checks = self.checks
@@ -190,12 +185,10 @@ def _adapted(original: LoadedAssignment, folder: Path) -> LoadedAssignment:
     )
 
 
-def manual_parts(root: Path, slug: str) -> Mapping[str, tuple[float, str]]:
-    """Return the parts graded by hand, with their points and what they ask; no checks are loaded if none change."""
-    folder = checks_folder(root, slug)
-    if (folder / f"{OVERRIDES}.py").exists():
-        return assignment(root, slug).manual
-    return {letter: (part.points, part.asks) for letter, part in load_rubric(root / "assignments" / slug).items()}
+def rubric_of(root: Path, slug: str) -> Mapping[str, ManualPart]:
+    """Return the parts graded by hand; no checks are loaded if none change."""
+    is_adapted = (checks_folder(root, slug) / f"{OVERRIDES}.py").exists()
+    return assignment(root, slug).rubric if is_adapted else load_rubric(root / "assignments" / slug)
 
 
 def solution(slug: str, root: Path | None = None) -> ModuleType:

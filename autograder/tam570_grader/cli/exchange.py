@@ -190,7 +190,7 @@ def _open_questions(folder: Path, course: Path, only: Sequence[str] = ()) -> tup
         stale = late_policy.stale(folder, adjustments, course, {slug for _, slug in graded})
         here = [key for key, line in sorted(graded.lines.items()) if line.graded.status != "missing"]
     for slug in assignments.match_slugs(only, sorted({slug for _, slug in here})):
-        for part in assignments.manual_parts(course, slug) if slug in slugs else ():
+        for part in assignments.rubric_of(course, slug) if slug in slugs else ():
             waiting = [key[0] for key in here if key[1] == slug and adjustments.is_missing(key, part)]
             if waiting:
                 everybody = "nobody has" if len(waiting) == sum(which == slug for _, which in here) else "these lack"

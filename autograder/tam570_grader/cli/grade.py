@@ -175,8 +175,8 @@ def _print_tables(summary: RunSummary, config: RunConfig) -> None:
 
 def _missing_points(summary: RunSummary, config: RunConfig) -> str:
     """Return how many points of which assignments were not given by hand yet."""
-    parts = {slug: assignments.manual_parts(config.course, slug) for slug in sorted({row[1] for row in summary.rows})}
-    lacking = {slug: sum(of for of, _ in manual.values()) for slug, manual in parts.items() if manual}
+    parts = {slug: assignments.rubric_of(config.course, slug) for slug in sorted({row[1] for row in summary.rows})}
+    lacking = {slug: sum(part.points for part in rubric.values()) for slug, rubric in parts.items() if rubric}
     counted = {slug for slug in lacking if summary.adjustments and summary.adjustments.counts_parts(slug)}
     return ", ".join(f"{most:g} of {slug}" for slug, most in lacking.items() if slug not in counted)
 

@@ -46,15 +46,14 @@ def _points(arguments: argparse.Namespace) -> int:
         slugs = sorted({slug for _, slug in graded})
         offered = assignments.slugs(course)
         here = {slug: assignments.assignment(course, slug) for slug in slugs if slug in offered}
-        manual = {slug: here[slug].manual if slug in here else {} for slug in slugs}
+        rubrics = {slug: here[slug].rubric if slug in here else {} for slug in slugs}
         checks = {slug: {check.name: check.points for check in assignment.checks} for slug, assignment in here.items()}
         policies = late_policy.policies_of(course)
         if not arguments.table and (arguments.template or not (policies or arguments.collected)):
             raise UsageError("name the table, too: tam570-grader points DIR CSV")
         if arguments.template:
-            rubrics = {slug: assignment.rubric for slug, assignment in here.items()}
             return write_template(arguments.table, graded, rubrics, manual_points.read(folder))
-        new = list(checked_rows(arguments.table, graded, manual, checks)) if arguments.table else []
+        new = list(checked_rows(arguments.table, graded, rubrics, checks)) if arguments.table else []
     feedback.must_write_pages()
     with writing(folder), contextlib.closing(ResultStore(folder)) as store:  # nobody else adds rows meanwhile
         adjustments, open_, notes = late_policy.apply_late_policy(

@@ -245,7 +245,7 @@ def _part(path: Path, key: str, table: Json) -> Changes:
 
 def _check(path: Path, assignment: LoadedAssignment, part: Changes) -> None:
     """Require that the assignment has what is changed."""
-    key, parts = assignment.slug[:4], sorted({check.part for check in assignment.checks} | {*assignment.manual})
+    key, parts = assignment.slug[:4], sorted({check.part for check in assignment.checks} | {*assignment.rubric})
     forbidden = sorted({name for names in assignment.forbidden.values() for name in names})
     no_other(path, f"[{key}.points] ", part.points, [check.name for check in assignment.checks])
     no_other(path, f"[{key}] leave_out: ", part.leave_out, parts)

@@ -27,13 +27,12 @@ from tam570_grader.results.store import Results
 from tam570_grader.results.tables import write_table
 
 NEED_A_REASON = (ADJUST, TOTAL, EXCUSED)  # and a check
-Manual = Mapping[str, tuple[float, str]]  # part: points given by hand, and for what
 Rubric = Mapping[str, ManualPart]  # by part
 Checks = Mapping[str, float]  # check: its points
 
 
 def checked_rows(
-    path: Path, results: Results, manual: Mapping[str, Manual], checks: Mapping[str, Checks]
+    path: Path, results: Results, rubrics: Mapping[str, Rubric], checks: Mapping[str, Checks]
 ) -> Iterator[Entry]:
     """Yield the entries of a table, each part with its most; UsageError for the first row that is wrong."""
     students = {student for student, _ in results} | {EVERYONE}
@@ -44,20 +43,20 @@ def checked_rows(
                 raise UsageError(f"{path}, line {line}: there are no results of a student {entry.student!r}")
             yield entry
             continue
-        slug = slug_of(entry.slug, [*manual])
+        slug = slug_of(entry.slug, [*rubrics])
         if slug is None:
             raise UsageError(f"{path}, line {line}: there are no results of an assignment {entry.slug!r}")
-        parts = manual[slug]
+        parts = rubrics[slug]
         if wrong := _wrong(entry, students, parts, checks.get(slug, {})):
             raise UsageError(f"{path}, line {line}: {wrong}")
-        of = parts[entry.item][0] if entry.item in parts else None
+        of = parts[entry.item].points if entry.item in parts else None
         touched |= {slug} if of is not None else set()
         yield Entry(entry.student, slug, entry.item, entry.points, of, entry.comment)
     for slug in sorted(touched):  # everybody is graded out of the same
-        yield from (Entry(EVERYONE, slug, part, None, of) for part, (of, _) in manual[slug].items())
+        yield from (Entry(EVERYONE, slug, part, None, asked.points) for part, asked in rubrics[slug].items())
 
 
-def _wrong(entry: Entry, students: set[str], parts: Manual, checks: Checks) -> str:
+def _wrong(entry: Entry, students: set[str], parts: Rubric, checks: Checks) -> str:
     """Return what is wrong with a row, and the remedy; empty if nothing is."""
     letters = ", ".join(parts) or "none"
     if entry.student not in students:
@@ -70,7 +69,7 @@ def _wrong(entry: Entry, students: set[str], parts: Manual, checks: Checks) -> s
         return ""
     if entry.item in checks and not 0 <= entry.points <= checks[entry.item]:
         return f"{entry.item} has from 0 to {checks[entry.item]:g} points, not {entry.points:g}; use adjust for more"
-    if entry.item in parts and not 0 <= entry.points <= (most := parts[entry.item][0]):
+    if entry.item in parts and not 0 <= entry.points <= (most := parts[entry.item].points):
         return f"part ({entry.item}) has from 0 to {most:g} points, not {entry.points:g}; use adjust for more"
     if entry.item in parts and entry.student == EVERYONE:
         return "the points of a part are one student's; write a name, or adjust everybody's"

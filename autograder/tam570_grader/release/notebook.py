@@ -77,7 +77,7 @@ def notebook(assignment: LoadedAssignment, readme: str, tests: str, pictures: st
         _code("setup", SETUP.format(slug=assignment.slug)),
     ]
     shown, tested = dict(FENCE.findall(pictures)), visible_by_part(assignment, tests)
-    for part in sorted({*problem_cells.parts, *part_points(assignment), *assignment.manual}):
+    for part in sorted({*problem_cells.parts, *part_points(assignment), *assignment.rubric}):
         cells += _part(
             assignment, part, problem_cells.parts.get(part, f"**({part})**"), shown.get(part), tested.get(part, [])
         )

@@ -14,6 +14,7 @@ from unicodedata import combining, east_asian_width
 from tam570.values import Json
 from tam570_grader.checks import assignments
 from tam570_grader.checks.curves import Curve
+from tam570_grader.checks.rubric import ManualPart
 from tam570_grader.errors import UsageError, progress, warn
 from tam570_grader.reports.pictures import Picture, among, picture, sketch
 from tam570_grader.reports.sentences import capitalized, describe_failure, known_mistake, points, sentence, typeset
@@ -45,7 +46,7 @@ class AssignmentInfo:
     title: str
     lines: Mapping[str, str]  # what each check tests
     functions: Mapping[str, str]  # what each check is about: there are hints for it
-    manual: Mapping[str, tuple[float, str]]  # part: points given by hand, and for what
+    manual: Mapping[str, ManualPart]  # what is graded by hand, by part
 
 
 def load_assignment_info(course: Path, slug: str) -> AssignmentInfo:
@@ -55,7 +56,7 @@ def load_assignment_info(course: Path, slug: str) -> AssignmentInfo:
     assignment = assignments.assignment(course, slug)
     lines = {check.name: check.title for check in assignment.checks}
     functions = {check.name: check.function for check in assignment.checks}
-    return AssignmentInfo(assignments.title(course, slug), lines, functions, assignment.manual)
+    return AssignmentInfo(assignments.title(course, slug), lines, functions, assignment.rubric)
 
 
 def page(result: Result, info: AssignmentInfo, adjusted: AdjustedScore | None = None) -> str:
@@ -78,7 +79,9 @@ def page(result: Result, info: AssignmentInfo, adjusted: AdjustedScore | None = 
         stopped=result.status in STOPPED,
         parts=parts,
         manual=[
-            (letter, points(most), what) for letter, (most, what) in info.manual.items() if letter not in adjusted.parts
+            (letter, points(part.points), part.asks)
+            for letter, part in info.manual.items()
+            if letter not in adjusted.parts
         ],
         adjustments=adjusted.message,
         first=next(iter(wrong), None),

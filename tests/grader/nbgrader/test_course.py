@@ -40,10 +40,10 @@ def test_every_part_has_its_text_and_its_points(course, slug, released, cells):
     assignment, text = assignments.assignment(course, slug), problem((released / "README.md").read_text())
     of_nbgrader = [item["metadata"]["nbgrader"] for item in cells.values() if item["metadata"]]
     graded = {item["grade_id"]: item["points"] for item in of_nbgrader}
-    assert text.parts and {*part_points(assignment), *assignment.manual} <= set(text.parts)
+    assert text.parts and {*part_points(assignment), *assignment.rubric} <= set(text.parts)
     assert {f"part-{part}": points for part, points in part_points(assignment).items()}.items() <= graded.items()
-    assert {f"manual-{part}": points for part, (points, _) in assignment.manual.items()}.items() <= graded.items()
-    assert sum(graded.values()) == assignment.max_score + sum(points for points, _ in assignment.manual.values())
+    assert {f"manual-{letter}": part.points for letter, part in assignment.rubric.items()}.items() <= graded.items()
+    assert sum(graded.values()) == assignment.max_score + sum(part.points for part in assignment.rubric.values())
 
 
 def test_every_visible_test_belongs_to_one_part_and_every_function_to_its_check(course, slug, released):

@@ -122,7 +122,7 @@ def test_scores_are_those_of_the_grader(term, nbgrader_grades, tmp_path):
     rows = csv.DictReader((term.course / "grades.csv").read_text().splitlines())
     exported = {(row["student_id"], row["assignment"]): row for row in rows}
     for slug in MISTAKES:
-        manual = sum(points for points, _ in assignments.assignment(term.checkout, slug).manual.values())
+        manual = sum(part.points for part in assignments.assignment(term.checkout, slug).rubric.values())
         for record in regraded(term.course, term.checkout, slug, tmp_path / slug):
             who, parts = (record["student"], slug), Counter()
             for check in record["checks"]:

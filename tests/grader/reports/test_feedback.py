@@ -14,6 +14,7 @@ from parameters import SLUGS, first
 from tam570_grader.checks import assignments
 from tam570_grader.checks.curves import BITS, CEILING, FLOOR, SLOTS, curve
 from tam570_grader.checks.failure import WHOLE
+from tam570_grader.checks.rubric import ManualPart
 from tam570_grader.diagnosis.mistakes import overlays
 from tam570_grader.reports import feedback
 from tam570_grader.reports.pictures import picture
@@ -66,7 +67,9 @@ def test_a_name_takes_its_columns_of_the_table(name, columns):
 def test_what_a_student_calls_things_is_text_and_no_markup(page, grade):
     evil = "<script>alert(1)</script><img src=x onerror=alert(2)>\"'&</style>{{ 7 * 7 }}{% include '/etc/passwd' %}"
     result = grade("hw08_axis_angle", f"raise ValueError({evil!r})")
-    built = feedback.page(replace(result, student=evil), feedback.AssignmentInfo(evil, {}, {}, {"a": (1, evil)}))
+    built = feedback.page(
+        replace(result, student=evil), feedback.AssignmentInfo(evil, {}, {}, {"a": ManualPart(evil, ((1.0, evil),))})
+    )
     assert "<script" not in built and "<img" not in built
     assert texts(built).count("<script>alert(1)</script>") >= 3 and texts(built).count("{{ 7 * 7 }}{% include") >= 3
     assert "default-src 'none'" in built
