@@ -179,19 +179,21 @@ def _at_other_times(motion: Motion) -> bool:
 
 
 def _steps(motion: Motion) -> Iterator[float]:
-    """Durations after which the right motion passes by the student's second row."""
-    from scipy.optimize import minimize_scalar
-
+    """Durations after which the right motion passes through the student's second row."""
     start, later = motion.t[0], LONGER * (motion.t[-1] - motion.t[0]) * np.linspace(0, 1, LONGER * DENSER + 1)
 
-    def missed(step: float) -> float:
-        row = motion.truly(np.array([start, start + step]))[-1]
-        return float(np.sum(((row - motion.actual[1]) / motion.scales) ** 2))
+    def missed(durations: Array) -> Array:
+        return np.asarray(np.abs(motion.truly(start + durations) - motion.actual[1]) / motion.scales)
 
-    off = np.max(np.abs(motion.truly(start + later) - motion.actual[1]) / motion.scales, axis=1)
+    off = missed(later).max(axis=1)
     closest = (off[1:-1] <= off[:-2]) & (off[1:-1] <= off[2:]) & (off[1:-1] < ROUGHLY)
     for index in np.flatnonzero(closest)[:MOST_STEPS]:
-        yield float(minimize_scalar(missed, bounds=later[[index, index + 2]], method="bounded").x)
+        fine = np.append(0.0, np.linspace(later[index], later[index + 2], DENSER + 1)[1:])
+        rows = missed(fine)
+        squares = np.sum(rows**2, axis=1)
+        if 1 < (least := int(np.argmin(squares))) < DENSER and rows[least].max() <= 2 * ALIKE:
+            before, at, after = squares[least - 1 : least + 2]
+            yield float(fine[least] + (fine[-1] - fine[-2]) * (before - after) / (before - 2 * at + after) / 2)
 
 
 def _from_zero(motion: Motion) -> bool:
@@ -207,10 +209,12 @@ def _from_zero(motion: Motion) -> bool:
 
 
 def _reordered(motion: Motion) -> bool:
-    from scipy.optimize import linear_sum_assignment
-
     columns = motion.actual.T[:, :, None] - motion.expected[None]  # each of the student's less each of the right ones
     off = np.fmin(np.abs(columns / motion.scales).max(axis=1), 1.0)  # a NaN, too, is as far off as can be
+    if off.min(axis=1).max() > ALIKE:
+        return False
+    from scipy.optimize import linear_sum_assignment
+
     return motion.near(motion.expected[:, linear_sum_assignment(off)[1]])
 
 
