@@ -2,7 +2,7 @@
 
 Contact, friction, jumps, pulses, lookups, branches, tuples, closures, state, randomness, edges of a domain. Each is
 compared with SciPy's DOP853 at its best tolerance and with short steps, stretch by stretch where there are jumps in
-time, or with an exact answer. The same call is made three times: no answer depends on what ran before.
+time, or with an exact answer. The same call is made again: no answer depends on what ran before.
 """
 
 import bisect
@@ -67,16 +67,16 @@ def two_balls(t, y):
 WALLS = (1e4, 1e6, 1e7, 1e8, 1e9)  # N/m
 CONTACT = {
     **{f"wall {k:.0e}": against(wall(k), (0, 2), [1.0, -1.0], exact=[1 - math.pi / k**0.5, 1.0]) for k in WALLS},
-    "ball 1e4": against(bouncing(1e4), (0, 1), [1.0, 0.0], longest=1e-3),
-    "ball 1e6": against(bouncing(1e6), (0, 0.6), [1.0, 0.0], longest=1e-4),
-    "damped ball": against(bouncing(1e6, 200.0), (0, 0.6), [1.0, 0.0], longest=1e-4),
-    "Hertz": against(lambda t, y: (y[1], -G + 100000.0 * max(-y[0], 0.0) ** 1.5), (0, 0.6), [0.3, 0.0], longest=2e-4),
+    "ball 1e4": against(bouncing(1e4), (0, 1), [1.0, 0.0], longest=5e-3),
+    "ball 1e6": against(bouncing(1e6), (0, 0.6), [1.0, 0.0], longest=5e-4),
+    "damped ball": against(bouncing(1e6, 200.0), (0, 0.6), [1.0, 0.0], longest=5e-4),
+    "Hertz": against(lambda t, y: (y[1], -G + 100000.0 * max(-y[0], 0.0) ** 1.5), (0, 0.6), [0.3, 0.0], longest=1e-3),
     "two walls": newton(
-        lambda t, x, v: -1e6 * (x - 1) if x > 1 else -1e6 * min(x + 1, 0.0), (0, 2.3), [0.0, 2.0], longest=1e-3
+        lambda t, x, v: -1e6 * (x - 1) if x > 1 else -1e6 * min(x + 1, 0.0), (0, 2.3), [0.0, 2.0], longest=5e-3
     ),
-    "two balls": against(two_balls, (0, 1), [0.0, 1.0, 2.0, 0.0], longest=1e-3),
+    "two balls": against(two_balls, (0, 1), [0.0, 1.0, 2.0, 0.0], longest=5e-3),
     "gap": against(lambda t, y: (y[1], -y[0] - 100.0 * np.maximum(y[0] - 0.5, 0.0)), (0, 5), [1.0, 0.0]),
-    "where": newton(lambda t, x, v: np.where(x < 0, -1e5 * x, 0.0), (0, 1.4), [1.0, -1.0], longest=1e-3),
+    "where": newton(lambda t, x, v: np.where(x < 0, -1e5 * x, 0.0), (0, 1.4), [1.0, -1.0], longest=5e-3),
     "clip": against(lambda t, y: np.array([y[1], -50.0 * np.clip(y[0], -0.3, 0.3)]), (0, 3), [1.0, 0.0]),
     "abs of a state": against(lambda t, y: (y[1], -500.0 * (abs(y[0]) + y[0]) / 2 - y[0]), (0, 3), [1.0, 0.0]),
 }
@@ -100,14 +100,14 @@ FRICTION = {
     "Coulomb": against(coulomb, (0, 5), [2.0, 0.0], exact=[-0.5 + 0.5 * math.cos(5), -0.5 * math.sin(5)]),
     "quadratic drag": against(lambda t, y: (y[1], -abs(y[1]) * y[1] - 1.0), (0, 3), [0.0, 2.0]),
     "belt": newton(lambda t, x, v: -4.0 * x - 0.3 * math.tanh((v - 0.5) / 0.05), (0, 5), [0.1, 0.0], longest=5e-3),
-    "relay": against(lambda t, y: (y[1], -y[0] + (0.5 if y[0] > 0 else -0.5)), (0, 4), [1.0, 0.0], longest=2e-3),
-    "magnet": against(lambda t, y: (y[1], -y[0] / (0.01 + y[0] ** 2)), (0, 3), [0.5, 0.0], longest=2e-3),
-    "saturated": against(lambda t, y: (y[1], -max(-1.0, min(1.0, 20.0 * y[0]))), (0, 3), [0.4, 0.0], longest=2e-3),
-    "thermostat": against(lambda t, y: (1.0 - y[0] if y[0] < 0.3 else 0.5 - y[0],), (0, 2), [0.1], longest=1e-3),
-    "dictionary": against(lambda t, y: -{True: y, False: 2 * y}[bool(y[0] > 0.5)], (0, 2), [1.0], longest=1e-3),
+    "relay": against(lambda t, y: (y[1], -y[0] + (0.5 if y[0] > 0 else -0.5)), (0, 4), [1.0, 0.0], longest=0.01),
+    "magnet": against(lambda t, y: (y[1], -y[0] / (0.01 + y[0] ** 2)), (0, 3), [0.5, 0.0], longest=0.01),
+    "saturated": against(lambda t, y: (y[1], -max(-1.0, min(1.0, 20.0 * y[0]))), (0, 3), [0.4, 0.0], longest=0.01),
+    "thermostat": against(lambda t, y: (1.0 - y[0] if y[0] < 0.3 else 0.5 - y[0],), (0, 2), [0.1], longest=5e-3),
+    "dictionary": against(lambda t, y: -{True: y, False: 2 * y}[bool(y[0] > 0.5)], (0, 2), [1.0], longest=5e-3),
     "while": against(by_while, (0, 5), [0.0, 0.0], exact=[5.0, math.sin(5.0)]),
-    "any": against(lambda t, y: -y if np.any(y > 0.5) else -2 * y, (0, 2), [1.0, -1.0], longest=1e-3),
-    "index": against(lambda t, y: -np.array([1.0, 2.0, 3.0])[int(min(2 * y[0], 2))] * y, (0, 2), [1.2], longest=1e-3),
+    "any": against(lambda t, y: -y if np.any(y > 0.5) else -2 * y, (0, 2), [1.0, -1.0], longest=5e-3),
+    "index": against(lambda t, y: -np.array([1.0, 2.0, 3.0])[int(min(2 * y[0], 2))] * y, (0, 2), [1.2], longest=5e-3),
 }
 
 
@@ -167,22 +167,22 @@ def by_numpy(t, y):
 
 
 PULSES = {
-    "narrow": against(narrow, (0, 6), [0.0, 0.0], longest=2e-3),
-    "narrower": against(narrow, (0, 3), [0.0, 0.0], longest=1e-3, parameters={"centre": 2.1, "width": 0.004}),
+    "narrow": against(narrow, (0, 6), [0.0, 0.0], longest=0.01),
+    "narrower": against(narrow, (0, 3), [0.0, 0.0], longest=5e-3, parameters={"centre": 2.1, "width": 0.004}),
     "tanh": forced(lambda t: 5 * (math.tanh((t - 5) / 0.1) - math.tanh((t - 5.5) / 0.1)), (0, 7), longest=5e-3),
-    "expanded": forced(lambda t: 40 * math.exp(-400 * t * t + 2400 * t - 3600), (0, 5), longest=2e-3),
+    "expanded": forced(lambda t: 40 * math.exp(-400 * t * t + 2400 * t - 3600), (0, 5), longest=0.01),
     "at rest at both ends": against(lambda t, y: (math.sin(t) ** 20,), (0, 3 * math.pi), [0.0], exact=[SINE_TO_20]),
     "from nothing": forced(lambda t: math.exp(-1 / t) if t > 0 else 0.0, (0, 10)),  # whose derivatives are all zero
-    "logistic": forced(lambda t: 1 / (1 + math.exp(-200 * (t - 2))), (0, 4), longest=2e-3),
-    "train": forced(lambda t: 8 * math.exp(-((math.sin(2 * t) / 0.05) ** 2)), (0, 6), longest=2e-3),
-    "Lorentzian": forced(lambda t: 1 / (1 + ((t - 3) / 0.001) ** 2) * 100, (0, 5), longest=5e-4),
-    "not traced": against(by_numpy, (0, 6), [0.0, 0.0], longest=2e-3),
+    "logistic": forced(lambda t: 1 / (1 + math.exp(-200 * (t - 2))), (0, 4), longest=0.01),
+    "train": forced(lambda t: 8 * math.exp(-((math.sin(2 * t) / 0.05) ** 2)), (0, 6), longest=0.01),
+    "Lorentzian": forced(lambda t: 1 / (1 + ((t - 3) / 0.001) ** 2) * 100, (0, 5), longest=2e-3),
+    "not traced": against(by_numpy, (0, 6), [0.0, 0.0], longest=0.01),
 }
 
 
 def passing(force):
     """A particle at unit speed, pushed where it is."""
-    return newton(lambda t, x, v: force(x), (0, 8), [0.0, 1.0], longest=2e-3)
+    return newton(lambda t, x, v: force(x), (0, 8), [0.0, 1.0], longest=0.01)
 
 
 def kicked(t, x, v):
@@ -200,8 +200,8 @@ PASSED = {
     "window": passing(lambda x: 2 * (math.tanh((x - 3) / 0.01) - math.tanh((x - 3.1) / 0.01))),
     "sech": passing(lambda x: 4 / math.cosh((x - 4) / 0.02) ** 2),
     "edge by erf": passing(lambda x: math.erf((x - 4) / 0.02) + 1),
-    "kicked from rest": newton(kicked, (0, 6), [1.0, 0.0], longest=2e-3),
-    "a clock in the state": against(clock_in_the_state, (0, 7), [0.0, 0.0, 0.0], longest=2e-3),
+    "kicked from rest": newton(kicked, (0, 6), [1.0, 0.0], longest=0.01),
+    "a clock in the state": against(clock_in_the_state, (0, 7), [0.0, 0.0, 0.0], longest=0.01),
 }
 
 
@@ -294,7 +294,7 @@ TRACES = {
     "class": against(Oscillator(4.0), (0, 3), [1.0, 0.0], exact=[math.cos(6.0), -2 * math.sin(6.0)]),
     "frompyfunc": against(lambda t, y: (y[1], float(BENT(y[0]))), (0, 3), [1.0, 0.0]),
     "by Newton's iteration": against(by_newton, (0, 2), [0.0]),
-    "by exception": against(by_exception, (0, 1.5), [1.0, 0.0], longest=1e-3),
+    "by exception": against(by_exception, (0, 1.5), [1.0, 0.0], longest=5e-3),
     **{name: against(rhs, (0, 3), START, exact=SINE) for name, rhs in OSCILLATORS.items()},
     "empty cell": against(empty_cell(), (0, 3), [1.0, 0.0], exact=SINE),
 }
@@ -334,7 +334,7 @@ def vortices(t, y):
 
 COMPLEX = {
     "spiral": against(spiral, (0, 3), [1.0, 0.2]),
-    "limited": against(limited, (0, 3), [1.0, 0.2], longest=1e-4),
+    "limited": against(limited, (0, 3), [1.0, 0.2], longest=5e-4),
     "modes": against(modes, (0, 3), [1.0, 0.2, 0.3, -0.4]),
     "viewed": against(viewed, (0, 3), [1.0, 0.2]),
     "vortices": against(vortices, (0, 3), [0.5, 0.3, -0.4, 0.2, 1.0, 0.9]),
@@ -358,9 +358,9 @@ EDGES = {
     "relativistic": against(lambda t, y: (y[1], -y[0] * math.sqrt(1 - y[1] ** 2)), (0, 2), [0.1, 0.9]),
     "hypot of three": against(lambda t, y: (y[1], -math.hypot(y[0], y[1], 1.0)), (0, 2), [1.0, 0.0]),
     "its own fallback": against(rooted, (0, 3), [1.0], exact=[0.0]),
-    "stiff": against(lambda t, y: (-1e4 * (y[0] - math.cos(t)),), (0, 0.3), [1.0], longest=1e-3),
+    "stiff": against(lambda t, y: (-1e4 * (y[0] - math.cos(t)),), (0, 0.3), [1.0], longest=5e-3),
     "fast start": against(lambda t, y: (-1e5 * y[0], y[0]), (0, 0.05), [1.0, 0.0], exact=[0.0, 1e-5]),
-    "from zero": against(lambda t, y: (y[1], 1e6 * (math.sin(t) - y[0])), (0, 0.5), [0.0, 0.0], longest=1e-3),
+    "from zero": against(lambda t, y: (y[1], 1e6 * (math.sin(t) - y[0])), (0, 0.5), [0.0, 0.0], longest=5e-3),
     "on a circle": newton(lambda t, x, v: -x if x * x + v * v > 1 else -x, (0, 3), [1.0, 0.0], exact=SINE),
     "from a switch": newton(lambda t, x, v: 0.0 if x < 0.5 else -1.0, (0, 1), [0.5, 0.275], exact=[0.37625, -0.275]),
     "zero over zero": newton(lambda t, x, v: math.sin(t - 2) / (t - 2) - (x if v < 9 else 0.0), (0.1, 3)),
@@ -382,15 +382,17 @@ def test_it_is_right_and_the_same_whatever_ran_before(name):
     rhs, span, start, stops, longest, exact, options = CASES[name]
     if exact is None:
         exact = by_scipy(functools.partial(rhs, **options.get("parameters", {})), span, start, stops, longest)
-    first, *repeats = (solve(rhs, span, start, rtol=RTOL, **options)[-1] for _ in range(3))
+    motion = solve(rhs, span, start, rtol=RTOL, report=True, **options)
+    is_traced, first = not motion.report.untraced_reason, motion.states[-1]
+    repeats = [solve(rhs, span, start, rtol=RTOL, **options)[-1] for _ in range(3 if is_traced else 1)]  # runs are kept
     assert all((state == first).all() for state in repeats)
     assert first == pytest.approx(exact, rel=100 * RTOL, abs=100 * RTOL)
-    report = solve(rhs, span, start, rtol=RTOL, report=True, **options).report
-    assert name not in COMPLEX or (not report.unseen_reason and report.steps < 200)  # they are looked into
-    if report.untraced_reason:
-        return
-    compiled = solve(rhs, span, start, rtol=RTOL, method="compiled", **options)[-1]
-    assert compiled == pytest.approx(exact, rel=100 * RTOL, abs=100 * RTOL)
+    assert name not in COMPLEX or (
+        not motion.report.unseen_reason and motion.report.steps < 200
+    )  # they are looked into
+    if is_traced:
+        compiled = solve(rhs, span, start, rtol=RTOL, method="compiled", **options)[-1]
+        assert compiled == pytest.approx(exact, rel=100 * RTOL, abs=100 * RTOL)
 
 
 class Window:
