@@ -26,8 +26,6 @@ from tam570_grader.sandbox.zygote import ResourceLimits, Zygote
 
 COURSE = assignments.find()
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "chrome")
-# Their fixtures take up to a minute.
-WHOLE = ("test_nbgrader.py", "test_nbgrader_odd.py", "test_feedback_browser.py", "test_site_browser.py")
 LONGEST_ID = 80  # characters
 NBGRADER = """
 import json, os, sys, warnings
@@ -53,13 +51,10 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
-    """What shares expensive fixtures, or an assignment's workers, runs in one process; the long ones come first."""
+    """What is about one assignment runs in one process, and so does a module: they share workers, scenes, a class."""
     for item in items:
-        module = item.nodeid.partition("::")[0]
-        graded = re.search(r"\bhw\d\d", item.nodeid) if module.endswith("test_laws.py") else None
-        if graded or module.endswith(WHOLE):
-            item.add_marker(pytest.mark.xdist_group(module + (graded[0] if graded else "")))
-    items.sort(key=lambda item: "xdist_group" not in item.keywords)
+        assignment = re.search(r"\bhw\d\d", item.nodeid)
+        item.add_marker(pytest.mark.xdist_group(assignment[0] if assignment else item.nodeid.partition("::")[0]))
 
 
 def pytest_make_parametrize_id(val):

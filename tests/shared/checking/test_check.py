@@ -28,7 +28,6 @@ TOP = {  # and the words of `check` that tell them apart
     "import time; time.sleep(60)": "longer than 2 s",
 }
 CALLS = {
-    "import itertools; sum(itertools.count())": "rotate did not return within 2 s, and cannot be interrupted.",
     "import os; os._exit(0)": "rotate ended the process that tests it",
     "return [1.0, 2.0]": "rotate returned an array of shape (2,), not",
     "r[:] = r + np.cross(axis, r); return r": "rotate changes the arrays",
@@ -50,6 +49,7 @@ CALLS = {
     "raise NotImplementedError": "not written yet: rotate",
     "return r\n\ndel rotate": "not written yet: rotate",
     "return open('data.csv').read()": "FileNotFoundError",
+    "import itertools; sum(itertools.count())": "rotate did not return within 2 s, and cannot be interrupted.",
 }
 HW08 = "hw08_axis_angle"
 TESTS = 11 + len(load_examples(folder(HW08)).calls)
