@@ -22,7 +22,6 @@ from tam570_grader.checks.student import StudentFunction
 
 NEAR_MISS = 10  # limits: wrong physics lies further off, a loose tolerance is often nearer
 NEAR_MISS_SHARE = 0.9  # of the points, for what is right but for a loose tolerance
-UNLOCKING_SHARE = 0.5  # from which on a function has shown that the physics is right: what builds on it is judged
 LONGEST_FAULT = 400  # characters of an exception of ours
 Hint = str | Callable[[], str]
 
@@ -158,8 +157,9 @@ def expect(  # noqa: PLR0913  what a check says of a comparison, each by its nam
             plotted = curve(t, actual, expected, scale, tolerance=tolerance, quantity=quantity, unit=unit)
             numbers["curve"] = {**plotted, "keeps": keeps()} if plotted and keeps else plotted
         share = _share(error, tolerance if near_miss_credit else 0.0, partial)
+        # a share that a function leaves of a larger error says that the physics is right: what builds on it is judged
         numbers["near_miss"] = near_miss_credit and (
-            error <= NEAR_MISS * tolerance or (callable(partial) and share >= UNLOCKING_SHARE)
+            error <= NEAR_MISS * tolerance or (callable(partial) and share > 0)
         )
         fail("", quantity=quantity, unit=unit, hint=hint, label=label, at=at, share=share, **numbers)
 

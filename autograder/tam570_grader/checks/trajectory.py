@@ -20,16 +20,7 @@ from tam570_grader.checks.compare import (
     trim_to_signature,
 )
 from tam570_grader.checks.curves import Curve, conserved_curve
-from tam570_grader.checks.expect import (
-    NEAR_MISS,
-    NEAR_MISS_SHARE,
-    UNLOCKING_SHARE,
-    Failed,
-    FollowsFrom,
-    NotWritten,
-    expect,
-    get_context,
-)
+from tam570_grader.checks.expect import NEAR_MISS, NEAR_MISS_SHARE, Failed, FollowsFrom, NotWritten, expect, get_context
 from tam570_grader.checks.formulas import in_symbols
 from tam570_grader.checks.motions import OF_STEPS, ROUGHLY, Motion, Rates, Restart, diagnosed, flat, has_rates, obeys
 from tam570_grader.checks.returns import Formula
@@ -41,7 +32,7 @@ Array = NDArray[np.float64]
 ASKED = 4  # rows of a motion, at which the rates are asked
 SETTING_OFF = 1e-3  # of the first step of a motion that breaks off
 TIGHTEN = "Use a tighter tolerance, or a smaller step"
-LOOSE_SHARES = {1e-3: UNLOCKING_SHARE, ROUGHLY: 0.25}
+LOOSE_SHARES = {1e-3: 0.5, ROUGHLY: 0.25}
 
 
 @dataclass(frozen=True)
@@ -94,7 +85,8 @@ class OwnRates:
             return FollowsFrom(self.name)
         if back and ends:
             try:
-                if motion.near(np.array([back(row) for row in motion.expected])):
+                near = motion.near(np.array([back(row) for row in motion.expected]))
+                if near and motion.function.uses(self.passes, motion.case):
                     return FollowsFrom(self.passes)
             except (Failed, NotWritten):
                 pass

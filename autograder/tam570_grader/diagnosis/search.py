@@ -15,6 +15,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import partial
+from itertools import chain
 from types import CodeType, ModuleType
 
 import numpy as np
@@ -27,6 +28,7 @@ from tam570.checking.transforms import (
     other_arguments,
     other_factors,
     other_forms,
+    other_motions,
     other_products,
     other_results,
     other_symbols,
@@ -44,6 +46,7 @@ from tam570_grader.diagnosis.mutants import Mutant, mutants_of, names_used, reac
 FEWEST = 2  # wrong answers: one may agree by chance
 MOST = 1_000_000  # steps of all variants, about a second; what is named takes a third of them
 OF_ONE = 100_000  # steps of one variant in one call: a mutant may go round for ever
+VAGUE = "counts twice", "counts half"  # a number may be forgotten beside it, or be too many
 REVERSED = "has the opposite sign"
 ELEMENTS = 1000  # of a result, that are compared in a step
 FORMULA = 2_000  # steps that it takes to derive and to evaluate a formula
@@ -97,9 +100,11 @@ def _general(solution: str, calls: Sequence[Call], others: Sequence[str], passed
     exec(_code(solution), vars(module))
     vary = len(known_for) >= FEWEST or not wrong[0].case.kwargs
     results = other_results(name, getattr(module, name), wrong[0], vary=vary)
-    cause = _transformed(solution, name, next(_explaining(results, its_calls), None))
+    motions = other_motions(name, getattr(module, name), wrong)
+    cause = _transformed(solution, name, next(_explaining(chain(results, motions), its_calls), None))
     cause = cause or _other_symbol(solution, name, its_calls) or _other_argument(solution, module, name, compared)
-    cause = cause or _mutant_of_any(solution, others, module, name, compared, passed)
+    if cause is None or cause.message.endswith(VAGUE):
+        cause = _mutant_of_any(solution, others, module, name, compared, passed) or cause
     cause = cause or _other_form(solution, module, name, its_calls)
     return cause and replace(cause, calls=tuple(calls))
 

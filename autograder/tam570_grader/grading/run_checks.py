@@ -20,6 +20,7 @@ from tam570_grader.checks.check import Check
 from tam570_grader.checks.effort import Exhausted, uncounted
 from tam570_grader.checks.expect import LONGEST_FAULT, Failed, NotWritten, check_context
 from tam570_grader.checks.failure import Failure
+from tam570_grader.checks.motions import OF_ROWS
 from tam570_grader.checks.returns import FreeBodyDiagram
 from tam570_grader.checks.student import StudentFunction
 from tam570_grader.diagnosis.cause import Cause
@@ -226,6 +227,8 @@ def _cause(run: _Run, check: Check, failed: Failed) -> tuple[Cause | None, str]:
                 common = _earlier({check.name: cause})
                 if not _following(run, check, [*earlier, *common]):
                     cause = _own_source(run, failed) or search(may_follow=False)
+            if cause is None and failed.failure.hint in OF_ROWS:
+                cause = Cause(failed.failure.function, "", "rule")
             return cause, ""
     except (Exhausted, MemoryError):
         return None, ""
@@ -236,7 +239,7 @@ def _cause(run: _Run, check: Check, failed: Failed) -> tuple[Cause | None, str]:
 def _own_source(run: _Run, failed: Failed) -> Cause | None:
     """Return the student's own wrong function from which the result follows, as the check found or a solution shows."""
     calls, assignment = run.student.calls, run.assignment
-    if source := failed.failure.follows_from:
+    if source := failed.failure.follows_from or _repeats_rule(run, failed.failure):
         return Cause(failed.failure.function, "", "own", follows_from=source)
     if len({call.name for call in calls}) != 1 or any(_is_drawn(assignment, call) for call in calls):
         return None
@@ -245,6 +248,13 @@ def _own_source(run: _Run, failed: Failed) -> Cause | None:
     allowed = (other for other in dict.fromkeys(failures) if other not in assignment.forbidden.get(name, ()))
     source = next((other for other in allowed if _is_consequence(run, other, calls)), "")
     return Cause(name, "", "own", follows_from=source) if source else None
+
+
+def _repeats_rule(run: _Run, failure: Failure) -> str:
+    """Return the function if the rows of its motions were wrong in the same way before; else nothing."""
+    before = [result.failure for result in run.results.values() if result.failure]
+    told = any((other.function, other.hint) == (failure.function, failure.hint) for other in before)
+    return failure.function if told and failure.hint in OF_ROWS else ""
 
 
 def _is_consequence(run: _Run, wrong: str, calls: Sequence[Call]) -> bool:
@@ -373,15 +383,16 @@ def _following(run: _Run, check: Check, earlier: Sequence[Cause]) -> Cause | Non
 
 
 def _judge_consequences(run: _Run) -> None:
-    """Judge checks not run for a named mistake elsewhere: full points if they do not use it, a share if they follow."""
+    """Judge checks not run for a named mistake: full points if they pass with it, a share if they follow."""
     for check in run.assignment.checks if run.causes else ():
         before = {other.name: run.results[other.name] for other in check.after}
         ready = all(check_result.unlocks_dependents or name in run.causes for name, check_result in before.items())
         if run.results[check.name].outcome == "not_run" and ready and not run.results[check.name].unwritten:
             causes = [run.causes[name] for name in before if name in run.causes]
+            unclear = [cause for cause in causes if not cause.answers and cause.source != "rule"]
             try:
                 with run.student.aside():
-                    result = _consequence(run, check, {cause.follows_from or cause.function for cause in causes})
+                    result = _consequence(run, check, {cause.follows_from or cause.function for cause in unclear})
             except BudgetSpent:
                 return
             run.results[check.name] = result or run.results[check.name]
