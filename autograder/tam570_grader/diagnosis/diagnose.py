@@ -12,13 +12,14 @@ from tam570_grader.diagnosis.mistakes import candidates, explains, named_mistake
 from tam570_grader.diagnosis.search import general, wrong_arguments
 
 
-def diagnose(
+def diagnose(  # noqa: PLR0913  what is known of a failed check
     solution: str,
     folder: Path,
     calls: Sequence[Call],
     earlier: Sequence[Cause] = (),
     *,
     may_follow: bool = True,
+    is_told: bool = False,
     passed: Set[str] = frozenset(),
 ) -> Cause | None:
     """Return why a check fails whose results do not follow, all of them, from an earlier cause.
@@ -30,6 +31,7 @@ def diagnose(
     calls : those that the failed check made, with the student's results
     earlier : the causes of the checks that failed before it
     may_follow : whether the mistake may be that of one of these
+    is_told : whether the check says what is wrong: only a known mistake says more
     passed : other functions, that passed their checks: no mistake is looked for in one of these
 
     Returns
@@ -40,7 +42,9 @@ def diagnose(
     calls = [call for call in calls if call.result is None or right_answer(solution, call) is not None]  # not refused
     suspects = candidates(solution, folder, {call.name for call in calls})
     suspects = [suspect for suspect in suspects if not suspect.defined & passed]
-    cause = named_mistake(solution, suspects, calls) or general(solution, calls, other_functions(folder), passed)
+    cause = named_mistake(solution, suspects, calls)
+    if cause is None and not is_told:
+        cause = general(solution, calls, other_functions(folder), passed)
     if cause is None or not earlier:
         return cause
     before = [call for other in earlier for call in other.calls]

@@ -15,7 +15,6 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import partial
-from itertools import chain
 from types import CodeType, ModuleType
 
 import numpy as np
@@ -28,7 +27,6 @@ from tam570.checking.transforms import (
     other_arguments,
     other_factors,
     other_forms,
-    other_motions,
     other_products,
     other_results,
     other_symbols,
@@ -100,8 +98,7 @@ def _general(solution: str, calls: Sequence[Call], others: Sequence[str], passed
     exec(_code(solution), vars(module))
     vary = len(known_for) >= FEWEST or not wrong[0].case.kwargs
     results = other_results(name, getattr(module, name), wrong[0], vary=vary)
-    motions = other_motions(name, getattr(module, name), wrong)
-    cause = _transformed(solution, name, next(_explaining(chain(results, motions), its_calls), None))
+    cause = _transformed(solution, name, next(_explaining(results, its_calls), None))
     cause = cause or _other_symbol(solution, name, its_calls) or _other_argument(solution, module, name, compared)
     if cause is None or cause.message.endswith(VAGUE):
         cause = _mutant_of_any(solution, others, module, name, compared, passed) or cause

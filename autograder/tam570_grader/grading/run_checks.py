@@ -219,7 +219,8 @@ def _cause(run: _Run, check: Check, failed: Failed) -> tuple[Cause | None, str]:
             calls = [call for call in run.student.calls if not _is_drawn(assignment, call)]
             folder = assignments.checks_folder(assignment.root, assignment.slug)
             passed = _passed_so_far(run) - {call.name for call in calls}
-            search = partial(diagnose, solution, folder, calls, earlier, passed=passed)
+            is_told = failed.failure.hint in OF_ROWS
+            search = partial(diagnose, solution, folder, calls, earlier, is_told=is_told, passed=passed)
             following = follows(solution, calls, earlier)
             own_source = None if following else _own_source(run, failed)
             cause = following or own_source or search()
@@ -227,7 +228,7 @@ def _cause(run: _Run, check: Check, failed: Failed) -> tuple[Cause | None, str]:
                 common = _earlier({check.name: cause})
                 if not _following(run, check, [*earlier, *common]):
                     cause = _own_source(run, failed) or search(may_follow=False)
-            if cause is None and failed.failure.hint in OF_ROWS:
+            if cause is None and is_told:
                 cause = Cause(failed.failure.function, "", "rule")
             return cause, ""
     except (Exhausted, MemoryError):

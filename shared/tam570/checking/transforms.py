@@ -158,42 +158,6 @@ def other_arguments(name: str, reference: Function, example: Compared) -> Iterat
     yield from _exchanges(name, reference, values)
 
 
-def other_motions(name: str, reference: Function, calls: Sequence[Compared]) -> Iterator[Transform]:
-    """Yield a motion at other times, from another start, with its angles wrapped or in degrees."""
-    values = _named(reference, calls[0].case)
-    if np.ndim(calls[0].expected) != 2 or np.shape(values.get("t", ())) != np.shape(calls[0].expected)[:1]:
-        return
-    for change in OTHER_TIMES:
-        yield f"In {name}, the times are taken as evenly spaced: use those in t", WrongArgument(reference, "t", change)
-    yield f"In {name}, the start is taken at t = 0: it is the state at t[0]", partial(_from_zero, reference)
-    rows = [call for call in calls if np.shape(call.result) == np.shape(call.expected)]
-    off = [~np.isclose(call.result, call.expected, rtol=SHARE, atol=SHARE).all(axis=0) for call in rows]
-    columns: NDArray[np.bool_] = np.any(off, axis=0)
-    for words, change in OF_ANGLES.items():
-        yield f"In {name}, angles are {words}", partial(_in_columns, columns, change)
-
-
-def _from_zero(reference: Function, call: Compared) -> Numbers:
-    values = _named(reference, call.case)
-    start = () if values["t"][0] == 0 else (0.0,)
-    return reference(**{**values, "t": np.append(start, values["t"])})[len(start) :]
-
-
-def _in_columns(columns: NDArray[np.bool_], change: Change, call: Compared) -> Numbers:
-    return np.where(columns, change(call.expected), call.expected)
-
-
-OTHER_TIMES: tuple[Change, ...] = (
-    lambda t: np.linspace(t[0], t[-1], len(t)),
-    lambda t: t[0] + (t[1] - t[0]) * np.arange(len(t)),
-)
-OF_ANGLES: dict[str, Change] = {
-    "wrapped to less than half a turn either way: never wrap them": partial(_into_turn, 2 * math.pi),
-    "wrapped to one turn: never wrap them": lambda angle: np.mod(angle, 2 * math.pi),
-    "in degrees: they should be in radians": np.degrees,
-}
-
-
 def other_symbols(name: str, points: Sequence[Parameters]) -> Iterator[tuple[str, Change]]:
     """Yield a symbol of a formula of the wrong sign, counted twice, ignored or in another's place, at each point."""
     for key in points[0]:
