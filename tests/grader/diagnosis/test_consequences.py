@@ -296,3 +296,33 @@ def test_a_wrong_component_of_a_helper_is_told_once(checked):
     actual = checked(slug, (first, helper + first), ("np.cross(", "_cross("), (helper.replace("np.", "_"), helper))
     assert by_name(actual) == ["moment_is_about_C"]
     assert {("angular_momentum", "moment"), ("rate", "moment")} <= following(actual)
+
+
+def test_rows_at_even_times_are_one_mistake(checked):
+    line = 'return solve(_rates, {}, start, parameters={{"rate": drag / mass, "gravity": gravity}}, rtol=1e-13)'
+    actual = checked("hw02_ballistics", (line.format("t"), line.format("np.linspace(t[0], t[-1], len(t))")))
+    assert following(actual) == {("simulate", "simulate")} and not by_name(actual)
+
+
+def test_what_passes_with_a_named_mistake_keeps_its_points(checked):
+    line = "return {}rate(definition, *motion, mass=mass) {} moment(r_p, a_p, r_c, mass=mass)"
+    actual = checked("hw03_angular_momentum_rate", (line.format("", "-"), line.format("-", "+")))
+    assert by_name(actual) == ["discrepancy_with_the_velocity_in_F"]
+    assert actual["no_discrepancy_about_a_fixed_point"].outcome == "passed"
+
+
+def test_constants_follow_from_nothing(grade, solution_text):
+    checks = grade("hw05_constrained_pendulum", solution_text("hw05_constrained_pendulum") + ONES).checks
+    assert not any(check.points for check in checks if check.failure and check.failure.function == "simulate")
+
+
+ONES = """
+def consistent_state(state, *, length):
+    return np.ones(4)
+
+def acceleration(state, *, mass, length, gravity):
+    return np.ones(2)
+
+def simulate(t, state, *, mass, length, gravity):
+    return np.ones((len(t), 4))
+"""
