@@ -20,24 +20,23 @@ from PIL import Image
 from tam570.show import Trouble, scene_of
 from tam570.show.pictures import write
 from tam570.show.scene import Scene
-from tam570.values import Json
 from tam570_grader.checks.assignments import checks_folder
 from tam570_grader.checks.failure import Failure
 from tam570_grader.diagnosis.mistakes import mistakes, solution_with
+from tam570_grader.reports.pictures import Sketch, sketch
 
 SIZE = (5.0, 2.8)  # inches
 COLOURS = 32
-ARROW = 50  # of a diagram's 200
 FEW = 7  # rows of numbers that are drawn as bars
 SAME = 1e-9
 
 
 @dataclass(frozen=True)
 class Pair:
-    """Two images as addresses of data."""
+    """Two images as addresses of data, or two diagrams."""
 
-    wrong: str
-    reference: str
+    wrong: str | Sketch
+    reference: str | Sketch
 
 
 def wrong_and_right(course: Path, slug: str, message: str, failure: Failure | None) -> Pair | None:
@@ -84,22 +83,7 @@ def _diagrams(failure: Failure | None) -> Pair | None:
     """Return a student's free body diagram and the right one."""
     if failure is None or not (failure.sketch and isinstance(failure.expected, dict)):
         return None
-    return Pair(*(_diagram(sketch) for sketch in (failure.sketch, failure.expected)))
-
-
-def _diagram(sketch: Json) -> str:
-    figure = Figure(SIZE)
-    axes = figure.add_axes((0, 0, 1, 1), aspect="equal", adjustable="datalim", frameon=False)
-    axes.set_axis_off()
-    axes.margins(0.2)
-    for x1, y1, x2, y2 in sketch["outline"]:
-        axes.plot([x1, x2], [y1, y2], "0.5", lw=2)
-    for x, y, angle in sketch["arrows"]:
-        along = 0 if angle is None else ARROW * np.exp(1j * np.radians(angle))
-        axes.plot([x, x + np.real(along)], [y, y + np.imag(along)], "k")
-        style = {"arrowstyle": "->", "lw": 2} if along else {}
-        axes.annotate("" if along else "?", (x + np.real(along), y + np.imag(along)), (x, y), arrowprops=style or None)
-    return _drawn(figure)
+    return Pair(sketch(failure.sketch), sketch(failure.expected))
 
 
 def _numbers(failure: Failure | None) -> Pair | None:

@@ -119,13 +119,14 @@ def test_a_mistake_is_drawn_beside_what_is_right(course):
     """By its scene where that shows it, else by a student's numbers or diagram; of words nothing is drawn."""
     messages = [item.message for item in mistakes(checks_folder(course, SLUGS[1]))]
     seen = next(pair for message in messages if (pair := wrong_and_right(course, SLUGS[1], message, None)))
-    sketch = {"outline": [[0, 0, 200, 0]], "arrows": [[0, 0, 90], [0, 0, None]]}
+    sketch = {"body": "the mass", "outline": [[0, 0, 200, 0]], "arrows": [[0, 0, 90], [0, 0, None]]}
     failures = [
         Failure(actual=[1.0, 2.0, 3.0], expected=[1.0, 2.0, 4.0]),
         Failure(actual=np.zeros((20, 2)), expected=np.ones((20, 2))),
-        Failure(sketch=sketch, expected={"outline": [], "arrows": []}),
+        Failure(sketch=sketch, expected={**sketch, "arrows": []}),
     ]
-    pairs = [wrong_and_right(course, SLUGS[1], "another", failure) for failure in failures]
+    *pairs, diagrams = [wrong_and_right(course, SLUGS[1], "another", failure) for failure in failures]
+    assert diagrams.wrong.arrows and diagrams.wrong.unknown and not diagrams.reference.arrows
     for pair in [seen, *pairs]:
         pictures = [base64.b64decode(text.partition(",")[2]) for text in (pair.wrong, pair.reference)]
         wrong, correct = (Image.open(io.BytesIO(picture)) for picture in pictures)
