@@ -1,7 +1,6 @@
 """Helps the notebook: shows what your module does, runs its tests, and lines what is missing instead of stopping."""
 
 import contextlib
-import json
 import os
 import subprocess
 import sys
@@ -14,16 +13,8 @@ import numpy as np
 
 __all__ = ["animation", "shown", "tests"]
 
-LARGEST_DRAWING = 420  # px
-FRAMES = 300  # at most, in an animation
+HEIGHT = 480  # px, of an animation
 TESTS_TAKE = 120  # s, at most
-
-PLAYER = """<canvas id="NAME" width="WIDTH" height="HEIGHT" role="img" aria-label="LABEL"></canvas>
-<script>{const frames=FRAMES_, dt=DT, c=document.getElementById("NAME"), g=c.getContext("2d"); let start=null;
-function draw(now){if(!c.isConnected)return; start??=now; const f=frames[Math.floor((now-start)/dt)%frames.length];
-g.fillStyle="white";g.fillRect(0,0,c.width,c.height);g.lineWidth=2;g.strokeStyle="#1f4e8c";g.beginPath();
-for(const [x,y,u,v] of f){g.moveTo(x,y);g.lineTo(u,v)} g.stroke();requestAnimationFrame(draw)}
-requestAnimationFrame(draw)}</script>"""
 
 
 @contextlib.contextmanager
@@ -40,32 +31,19 @@ def shown() -> Iterator[None]:
 
 
 def animation(t: Any, wires: Any, label: str = "animation of the motion") -> Any:
-    """Return the wires moving, drawn in the plane in real time; of three coordinates, y and z are seen, x a little.
+    """Return the wires moving, as `tam570.show` shows scenes: of three coordinates, a hand turns the view.
 
     t     : (n,) s, evenly spaced
     wires : (n, k, 2, 2) or (n, k, 2, 3) line segments at these times
     """
-    from IPython.display import HTML
+    from tam570.show import Shown
+    from tam570.show.scene import Panel, Scene, Shape
 
-    every = max(1, -(-len(t) // FRAMES))
-    flat = _in_the_plane(np.asarray(wires, float))[::every]
-    low, high = flat.min(axis=(0, 1, 2)), flat.max(axis=(0, 1, 2))
-    scale = (LARGEST_DRAWING - 20) / max(float(np.max(high - low)), 1e-300)
-    width, height = (high - low) * scale + 20
-    pixels = np.stack([(flat[..., 0] - low[0]) * scale + 10, (high[1] - flat[..., 1]) * scale + 10], axis=-1)
-    frames = np.round(pixels, 1).reshape(len(flat), -1, 4).tolist()
-    values = {
-        "NAME": f"lab{id(frames)}",
-        "WIDTH": f"{width:.0f}",
-        "HEIGHT": f"{height:.0f}",
-        "LABEL": label,
-        "DT": f"{1000 * every * float(t[1] - t[0]):.3g}",
-        "FRAMES_": json.dumps(frames),
-    }
-    page = PLAYER
-    for name, text in values.items():
-        page = page.replace(name, text)
-    return HTML(page)  # type: ignore[no-untyped-call]
+    ends = np.asarray(wires, float)
+    if not np.isfinite(ends).all():
+        raise ValueError("not all of the wires' numbers are finite")
+    points = ends.reshape(len(ends), -1, ends.shape[-1])
+    return Shown(Scene(label, label, np.asarray(t, float), [Panel([Shape("lines", points, 0)])]), height=HEIGHT)
 
 
 def tests(*names: str, points: float, functions: Sequence[str] = ()) -> float:
@@ -116,14 +94,6 @@ def _said(error: Exception) -> str:
         return f"Nothing to see yet: {error.name} comes from a cell above that shows nothing yet."
     where = f"in {of_file[-1].name}, line {of_file[-1].lineno}" if of_file else "with what your functions returned"
     return f"This stopped {where}: {type(error).__name__}: {error}"
-
-
-def _in_the_plane(wires: Any) -> Any:
-    """Oblique projection of three coordinates; two stay as they are."""
-    if wires.shape[-1] == 2:
-        return wires
-    x, y, z = np.moveaxis(wires, -1, 0)
-    return np.stack([y - 0.35 * x, z - 0.35 * x], axis=-1)
 
 
 def _main(names: list[str]) -> int:
