@@ -22,7 +22,11 @@ class Over(BaseException):
 
 def printable(text: str) -> str:
     """Return a text with what is no text escaped: what moves a terminal's cursor, and bytes that are not UTF-8."""
-    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
+    return (
+        text
+        if text.isprintable()
+        else "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
+    )
 
 
 def warn(message: str, prefix: str = "warning: ") -> None:

@@ -2,6 +2,7 @@
 
 import argparse
 import contextlib
+import gc
 import importlib
 import os
 import signal
@@ -73,6 +74,7 @@ class _Command(argparse.ArgumentParser):
         if self.load is None:
             return super().parse_known_args(*args, **kwargs)
         if self.grades:
+            gc.set_threshold(100_000)  # modules and records are without circles, which would be sought again and again
             launch_early()
         load, self.load = self.load, None
         load()

@@ -83,8 +83,7 @@ def _seed(text: str) -> int:
 
 
 def _grade(arguments: argparse.Namespace) -> int:
-    gc.set_threshold(100_000)  # a large class is many records without circles, which would be sought again and again
-    atexit.register(gc.freeze)  # and at the end, where all memory is given back anyway
+    atexit.register(gc.freeze)  # no circles are sought at the end, where all memory is given back anyway
     course = course_config.course_of(arguments.root, arguments.paths)
     chosen = _submissions(arguments, assignments.slugs(course))
     if arguments.format == "gradescope" and len(chosen) != 1:

@@ -3,6 +3,7 @@
 import functools
 import json
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -12,7 +13,7 @@ from tam570_grader.grading.run_checks import CheckOptions, failed_by_us, graded,
 from tam570_grader.grading.submissions import CannotRead
 from tam570_grader.results.records import Result
 from tam570_grader.sandbox.launch import write_bytecode
-from tam570_grader.sandbox.pool import Attempt, start, tried, try_out
+from tam570_grader.sandbox.pool import Attempt, start, tried, zygote
 from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.zygote import NotConfined, ResourceLimits, Zygote, ZygoteLost
 
@@ -47,7 +48,8 @@ class GradeTask:
 def prepare(course: Path, slugs: Sequence[str], conditions: WorkerConfig, seed: int | None) -> None:
     """Start the sandboxes of assignments; load their checks while these start: both stay with this process.
 
-    The first sandbox is tried out too: the others may take longer to start than the first submissions take to grade.
+    The first sandbox is tried out too, for all processes that will be forked from this one; the others may take longer
+    to start than the first submissions take to grade. One that is lost is lost again when a submission asks for it.
 
     seed : of the whole class, for which the checks are rehearsed; None where there is none
     """
@@ -56,10 +58,12 @@ def prepare(course: Path, slugs: Sequence[str], conditions: WorkerConfig, seed: 
     write_bytecode()
     for slug in slugs:
         assignment = assignments.assignment(course, slug)
+        zygote(*_sandbox(course, slug, conditions)).compile_steps(assignment.states)
         if seed is not None:
             rehearse(assignment, seed)
     for slug in slugs[:1]:
-        try_out(*_sandbox(course, slug, conditions))
+        with suppress(ZygoteLost):
+            zygote(*_sandbox(course, slug, conditions)).try_out()
 
 
 def _sandbox(course: Path, slug: str, conditions: WorkerConfig) -> tuple[list[str], ResourceLimits, list[Path]]:

@@ -65,6 +65,9 @@ def main() -> None:
         order, leashes, _, _ = socket.recv_fds(control, 1, 1)
         if not order:
             return
+        if not leashes:
+            _compile_step(order[0])
+            continue
         if os.fork() == 0:
             control.close()
             os.close(held)

@@ -2,7 +2,7 @@
 
 import threading
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeVar
@@ -55,13 +55,9 @@ def start(preload: Sequence[str], limits: ResourceLimits, hidden: Sequence[Path]
     return key
 
 
-def try_out(preload: Sequence[str], limits: ResourceLimits, hidden: Sequence[Path] = ()) -> None:
-    """Wait for a zygote, and try it out for all processes that will be forked from this one.
-
-    One that is lost is found lost again when a submission asks for it.
-    """
-    with suppress(ZygoteLost):
-        _warm[start(preload, limits, hidden)].try_out()
+def zygote(preload: Sequence[str], limits: ResourceLimits, hidden: Sequence[Path] = ()) -> Zygote:
+    """Return a warm zygote, which may still be starting."""
+    return _warm[start(preload, limits, hidden)]
 
 
 def _make_room(thread: Any) -> None:

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from parameters import first
 
-from tam570_grader.checks import assignments
-from tam570_grader.checks.effort import Exhausted, compile_counted, limited, uncounted
+from tam570_grader.checks import assignments, effort
+from tam570_grader.checks.effort import Exhausted, Finder, compile_counted, limited, uncounted
 from tam570_grader.diagnosis import diagnose
 from tam570_grader.grading import budget, run_checks
 from tam570_grader.grading.run_checks import graded
@@ -119,3 +119,22 @@ def test_what_is_uncounted_is_counted_again_afterwards(monkeypatch):
         module.endless()
     with limited(1), pytest.raises(Exhausted):
         module.endless()
+
+
+def test_a_module_that_was_left_compiled_is_read_until_its_text_changes(tmp_path, monkeypatch):
+    monkeypatch.setattr(sys, "dont_write_bytecode", False)
+    monkeypatch.setattr(sys, "pycache_prefix", None)
+    file = tmp_path / "endless.py"
+
+    def loaded(text):
+        file.write_text(text)
+        names = {}
+        exec(Finder("").find_spec("endless", [str(tmp_path)]).loader.get_code("endless"), names)
+        return names["endless"]
+
+    for _ in range(2):
+        with limited(9), pytest.raises(Exhausted):
+            loaded(ENDLESS)()
+        monkeypatch.setattr(effort, "compile_counted", None)
+    monkeypatch.undo()
+    assert loaded(ENDLESS.replace("while True", "for _ in range(9)"))() is None
