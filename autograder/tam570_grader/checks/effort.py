@@ -9,18 +9,16 @@ in the code that counts, and nowhere else.
 """
 
 import ast
-import hashlib
 import importlib.machinery
-import importlib.util
-import marshal
 import sys
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 from importlib.machinery import ModuleSpec
 from types import CodeType, ModuleType
 
+from tam570.bytecode import cached_code
 from tam570.values import Function, Numbers
 
 INTEGRATE = "tam570.integrate"  # its compiled loops count nothing
@@ -136,19 +134,9 @@ def solve(rhs: Function, *args: Numbers, **keywords: Numbers) -> Numbers:
 
 class _Loader(importlib.machinery.SourceFileLoader):
     def get_code(self, fullname: str) -> CodeType:
-        """Compile the module, or read it where it was left, beside Python's own bytecode."""
-        text, ours = self.get_data(self.path), self.get_data(__file__)
-        place = importlib.util.cache_from_source(self.path, optimization="counted")
-        parts = (importlib.util.MAGIC_NUMBER, f"{self.path}\0{sys.flags.optimize}".encode(), ours, text)
-        key = hashlib.sha256(b"".join(hashlib.sha256(part).digest() for part in parts)).digest()
-        with suppress(OSError):
-            if (left := self.get_data(place)).startswith(key):
-                code: CodeType = marshal.loads(left[len(key) :])
-                return code
-        code = compile_counted(text, self.path)
-        if not sys.dont_write_bytecode:
-            self.set_data(place, key + marshal.dumps(code))
-        return code
+        text = self.get_data(self.path)
+        inputs = b"\0".join((self.path.encode(), self.get_data(__file__), text))
+        return cached_code(self.path, "counted", inputs, lambda: compile_counted(text, self.path))
 
 
 class Finder:

@@ -11,13 +11,14 @@ scene. An error of component i is measured in units of a_i + b_i + rtol max(|y_i
 import math
 from collections.abc import Callable
 from dataclasses import replace
-from functools import cache, lru_cache
+from functools import cache, lru_cache, partial
 from math import sqrt
 from types import CodeType
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tam570.bytecode import cached_code
 from tam570.integrate.error_scale import NO_SCALE, PART
 from tam570.integrate.formulas import Formulas, call_of, names, tuple_of, unpacked
 from tam570.values import Function, Numbers
@@ -135,6 +136,7 @@ AMPLIFIED = 0.5  # at the end of a smooth step both derivatives are one to a ten
 REACH = 4.0  # tanh(4) is 1 to 7e-4, exp(-4) is 0.02: from twice that on a pulse is seen
 # The weights of both estimates add up to less: a rate known to N makes an error of 8 h N of them.
 ESTIMATE_ROUNDOFF = 8.0
+MOST_CACHED = 16  # components, for which the code of a step is left on the disk
 SWEEPS = (1.0, 2.0, 3.0)  # the rounding of one rate shifts that component, and so on the others' rates: chains of four
 
 
@@ -393,7 +395,7 @@ def compiled(formulas: Formulas, sampled: bool, called_function: Function | None
     if called_function is None:
         exec(_code(rates, formulas), namespace)
     for write in (stepping, sampling)[: 1 + sampled]:
-        exec(_code(write, call_of(formulas.size, formulas.timed)), namespace)
+        exec(_loop_code(write, formulas.size, formulas.timed), namespace)
     raw_rhs, nothing = namespace["rhs"], (math.nan,) * formulas.size
 
     def rhs(t: float, s: Numbers, c: Numbers) -> Numbers:
@@ -417,3 +419,11 @@ def compiled(formulas: Formulas, sampled: bool, called_function: Function | None
 @lru_cache(maxsize=256)
 def _code(write: Callable[[Formulas], str], formulas: Formulas) -> CodeType:
     return compile(write(formulas), "<tam570 step>", "exec")
+
+
+@lru_cache(maxsize=256)
+def _loop_code(write: Callable[[Formulas], str], size: int, timed: bool) -> CodeType:
+    text = write(call_of(size, timed))
+    compiled = partial(compile, text, "<tam570 step>", "exec")
+    name = f"{write.__name__}{size}{'timed' if timed else ''}"
+    return cached_code(__file__, name, text.encode(), compiled) if size <= MOST_CACHED else compiled()

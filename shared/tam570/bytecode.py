@@ -1,0 +1,26 @@
+"""Compiled code that is left beside Python's own, for the processes that come."""
+
+import importlib.util
+import marshal
+import sys
+from collections.abc import Callable
+from contextlib import suppress
+from importlib.machinery import SourceFileLoader
+from types import CodeType
+
+
+def cached_code(file: str, name: str, inputs: bytes, compiled: Callable[[], CodeType]) -> CodeType:
+    """Return what `compiled` makes of these inputs, which an earlier process may have left beside the code of a file.
+
+    inputs : all that the code depends on
+    """
+    loader, place = SourceFileLoader(name, file), importlib.util.cache_from_source(file, optimization=name)
+    key = importlib.util.MAGIC_NUMBER + importlib.util.source_hash(bytes([sys.flags.optimize]) + inputs)
+    with suppress(OSError):
+        if (left := loader.get_data(place)).startswith(key):
+            code: CodeType = marshal.loads(left[len(key) :])
+            return code
+    code = compiled()
+    if not sys.dont_write_bytecode:
+        loader.set_data(place, key + marshal.dumps(code))  # as a whole, or not at all
+    return code
