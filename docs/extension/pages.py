@@ -135,11 +135,9 @@ def _card(name, address, words):
 
 
 def _lecture(lecture):
-    """The page of a lecture: its scene, its text of docs/lectures or else its docstring, its numbers, its code."""
+    """The page of a lecture: its scene, its text of docs/lectures, its numbers, its code."""
     module, file = load(lecture.name), f"{lecture.name}.py"
     text = f":::{{include}} ../../lectures/{lecture.name}.md\n:::\n"
-    if not (COURSE / "docs" / "lectures" / f"{lecture.name}.md").exists():
-        text = readable((module.__doc__ or "").partition("\n")[2].strip()) + "\n"
     source = f"../../../shared/tam570/lectures/{file}"
     parts = [
         WIDE,
