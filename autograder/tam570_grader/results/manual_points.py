@@ -106,8 +106,6 @@ class ManualAdjustments:
     def adjust(self, key: Key, score: float | None, most: float, earned_of: Earned) -> AdjustedScore:
         """Return what a score of `most` becomes."""
         mine = self._rows(key)
-        if not mine:
-            return AdjustedScore(score, most)
         parts = [row for row in mine.values() if row.of is not None]
         added = [row.points for row in parts if row.points is not None]
         most += sum(row.of or 0.0 for row in parts)
