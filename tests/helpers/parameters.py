@@ -9,9 +9,5 @@ SLUGS = sorted(path.stem for path in (Path(__file__).parents[2] / "solutions").g
 
 def first(n, cases):
     """Return the cases for `parametrize`; those after the first n are slow."""
-    marked = [pytest.param(*_values(case), marks=pytest.mark.slow) for case in list(cases)[n:]]
-    return [*list(cases)[:n], *marked]
-
-
-def _values(case):
-    return case if isinstance(case, tuple) else (case,)
+    values = [case if isinstance(case, tuple) else (case,) for case in cases]
+    return [*list(cases)[:n], *(pytest.param(*each, marks=pytest.mark.slow) for each in values[n:])]

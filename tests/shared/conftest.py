@@ -19,7 +19,6 @@ def desk(tmp_path, monkeypatch):
     desk.mkdir()
     monkeypatch.chdir(desk)
     monkeypatch.setenv("TAM570_HOME", str(tmp_path / "home"))
-    monkeypatch.setenv("TAM570_CALL_LIMIT", "2")  # s: tests do not wait for longer
     return desk
 
 

@@ -50,12 +50,16 @@ def test_start_in_the_folder_of_an_assignment_puts_another_one_beside_it(hw08, d
     assert (desk / "hw09_book" / "hw09_book.py").exists()
 
 
-@pytest.mark.parametrize("folder", first(2, ["hw08_axis_angle/plots", "hw09_book", ".", "hw08_axis_angle"]))
-def test_check_knows_where_it_is(hw08, desk, tam570, folder):
-    """Above the folder, in it, below it, and in that of a neighbour."""
-    hw08()
+PLACES = [(f"{SLUG}/plots", "hw08"), ("hw09_book", "hw08"), (".", "mine.py --assignment axis_angle")]
+PLACES += [(".", "hw08"), (SLUG, "hw08"), (".", SLUG), (".", f"{SLUG}/{SLUG}.py")]
+
+
+@pytest.mark.parametrize(("folder", "what"), first(3, PLACES))
+def test_check_knows_where_it_is_and_takes_a_folder_and_a_file_of_any_name(hw08, desk, tam570, folder, what):
+    """Above the folder of the assignment, in it, below it, and in that of a neighbour."""
+    (desk / "mine.py").write_text(hw08().read_text())
     (desk / folder).mkdir(exist_ok=True)
-    code, said = tam570("check", "hw08", cwd=desk / folder)
+    code, said = tam570("check", *what.split(), cwd=desk / folder)
     assert code == 0 and "all done here" in said
 
 
@@ -64,13 +68,6 @@ def test_check_without_a_name_means_the_folder_where_it_is_given(hw08, desk, tam
     hw08()
     assert "hw03" not in tam570("check", cwd=desk / SLUG)[1]
     assert tam570("check")[1].startswith("hw03: nothing is written yet")
-
-
-@pytest.mark.parametrize("what", first(1, [["mine.py", "--assignment", "axis_angle"], [SLUG], [f"{SLUG}/{SLUG}.py"]]))
-def test_check_takes_a_folder_a_file_and_a_file_of_another_name(hw08, desk, tam570, what):
-    (desk / "mine.py").write_text(hw08().read_text())
-    code, said = tam570("check", *what)
-    assert code == 0 and "all done here" in said
 
 
 BAD = {  # and a word that tells what to do

@@ -156,10 +156,3 @@ def test_an_unstable_start_grows_as_it_should_beside_what_is_large(size):
     result = solve(rates, [0, 5.0], [100.0, size, 3.0, 0.0], rtol=1e-10, method="python")[-1]
     reference = solve_ivp(rates, (0, 5), [0.0, size, 0.0, 0.0], method="DOP853", rtol=1e-12, atol=1e-14 * size).y[:, -1]
     assert result[[1, 3]] == pytest.approx(reference[[1, 3]], rel=1e-8)
-
-
-def test_a_jump_is_nothing_for_steps_of_one_length():
-    from tam570.lectures import rocket
-
-    with pytest.raises(ValueError, match=r"jump of rhs near t = 10; try \"auto\""):
-        solve(rocket.rates, [0, 18], rocket.START, parameters=rocket.EXAMPLE, method="gauss")

@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
-from systems import EPS
+from systems import EPS, PENDULUM, pendulum
 
 from tam570.integrate import solve
 from tam570.invariants import drift, growth_exponent
@@ -15,10 +15,6 @@ from tam570_grader.checks import assignments
 
 G = 9.81  # m/s^2
 BENCHMARK = runpy.run_path(str(assignments.find() / "benchmarks" / "run_time" / "scenes.py"))
-
-
-def pendulum(t, state, *, length):
-    return state[1], -G / length * math.sin(state[0])
 
 
 def pendulum_energy(state):
@@ -74,7 +70,7 @@ def test_energy_over_ten_thousand_periods(method):
     errors, share = [], np.geomspace(0.01, 1, 60)
     for amplitude in np.linspace(0.5, 3.0, 12):
         t = np.concatenate([[0.0], 1e4 * period(amplitude) * share])
-        states = solve(pendulum, t, [amplitude, 0.0], parameters={"length": 1.0}, method=method, rtol=1e-13)
+        states = solve(pendulum, t, [amplitude, 0.0], parameters=PENDULUM, method=method, rtol=1e-13)
         errors.append(drift(pendulum_energy, states)[1:])
     assert np.max(errors) < 5e-14
     mean = np.sqrt(np.mean(np.square(errors), axis=0))

@@ -8,7 +8,6 @@ import pytest
 from classes import HW08, hand_in, notebook, rows
 
 from tam570_grader import cli
-from tam570_grader.grading import submissions
 
 NOTHING = "def skew(v): return None\n"
 CELLS = [3], ["x"], [{}], [{"cell_type": "code"}], [{"cell_type": "code", "source": [1]}], {"a": 1}, None, "code", []
@@ -61,21 +60,6 @@ def test_a_link_with_too_long_a_target_is_no_folder(run, tree, scores):
     os.mkfifo(tree / "cora" / HW08 / f"{HW08}.py")  # which nobody reads
     code, lines, _ = run(tree)
     assert (code, scores(lines)) == (0, {"ada": 10.0, "ben": 0.0, "cora": 0.0})
-
-
-def test_a_students_folder_that_is_closed_is_a_note(run, tree, monkeypatch, scores):
-    entries = submissions.entries
-
-    def closed(folder, most=None):
-        if folder.name == "dan":
-            raise submissions.BadPath("dan cannot be read")
-        return entries(folder, most)
-
-    monkeypatch.setattr(submissions, "entries", closed)
-    (tree / "dan").mkdir()
-    code, lines, _ = run(tree)
-    assert (code, scores(lines)) == (0, {"ada": 10.0, "ben": 0.0, "cora": 0.0, "dan": 0.0})
-    assert next(line for line in lines if line["student"] == "dan")["message"] == "dan cannot be read"
 
 
 def test_names_and_messages_that_are_no_text_are_escaped(tree, tmp_path, capsys):

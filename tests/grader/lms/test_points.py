@@ -66,8 +66,6 @@ def test_a_check_has_the_points_given_by_hand_whatever_it_earned_and_keeps_them(
     hand_in(results.parent / "submitted", {"ann": solution_text(SLUG)}, SLUG)
     graded(results.parent)
     assert scores(results) == {"ann": ("9.75", "12.0"), "ben": ("1.0", "12.0")}
-    points(results, "ben,hw07,c,,")  # takes it back
-    assert scores(results)["ben"] == ("0.0", "12.0")
 
 
 @pytest.mark.parametrize(

@@ -96,9 +96,10 @@ def test_of_the_cells_that_were_skipped_three_are_named(grade, solution_text):
     assert result.message.endswith("and others")
 
 
-def test_a_folder_of_many_files_is_a_note(run, tree, scores):
+@pytest.mark.parametrize("folder", ["ben", f"ben/{HW08}"])
+def test_a_folder_of_many_files_is_a_note(run, tree, scores, folder):
     for i in range(submissions.MOST_FILES + 1):
-        (tree / "ben" / HW08 / f"{i}.py").touch()
+        (tree / folder / f"{i}.py").touch()
     _, lines, _ = run(tree)
     assert scores(lines) == {"ada": 10.0, "ben": 0.0, "cora": 0.0}
     assert "hand in the module" in next(line for line in lines if line["student"] == "ben")["message"]

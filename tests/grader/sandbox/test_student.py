@@ -68,13 +68,11 @@ def test_one_that_sleeps_at_every_import_and_call_is_ended(grade, solution_text,
         assert outcome.status == "timeout" and "little processor time" in outcome.message
 
 
-def test_a_submission_has_a_process_group_of_its_own(grade, solution_text):
-    text = "import os\nassert os.getpgrp() == os.getpid() == os.getsid(0)\n" + solution_text(SLUG)
-    assert grade(SLUG, text).score == 10
-
-
-def test_the_libraries_of_a_zygote_are_not_a_submissions_memory(grade, solution_text):
-    text = solution_text(SLUG) + "\nblock = bytearray(200 * 2**20)\n"
+@pytest.mark.parametrize(
+    "text", ["assert os.getpgrp() == os.getpid() == os.getsid(0)", "block = bytearray(200 * 2**20)"]
+)
+def test_a_submission_has_a_process_group_of_its_own_and_its_memory_without_the_libraries(grade, solution_text, text):
+    text = f"import os\n{text}\n{solution_text(SLUG)}"
     assert grade(SLUG, text, limits=ResourceLimits(memory=2**28)).score == 10
 
 

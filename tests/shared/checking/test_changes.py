@@ -127,17 +127,17 @@ def test_all_tests_passed_are_all_points_and_mending_one_never_takes_points(slug
     assert come["points"] == come["passed"] == 0 and come["next"] == next(iter(rows(slug)))
 
 
-def test_a_failure_is_charged_to_what_no_test_has_proven():
-    called_by = {"test_a": {"skew"}, "test_b": {"skew", "rotate"}}
-    come = progress(SLUG, {"test_a": "passed", "test_b": "failed"}, called_by)
-    assert come["next"] == "rotate" and come["points"] > 0
-    come = progress(SLUG, {"test_a": "failed", "test_b": "passed"}, called_by)
-    assert come["next"] == "skew"
-
-
-def test_what_is_at_fault_for_certain_is_next():
+@pytest.mark.parametrize(
+    ("outcomes", "at_fault", "following"),
+    [
+        (("passed", "failed"), {}, "rotation_matrix"),  # of what no test has proven
+        (("failed", "passed"), {}, "skew"),
+        (("failed", "failed"), {}, "skew"),
+        (("failed", "failed"), {"test_a": "rotate"}, "rotate"),
+        (("passed", "failed"), {"test_b": "skew"}, "rotation_matrix"),
+    ],
+)
+def test_what_is_at_fault_for_certain_and_what_no_test_has_proven_is_next(outcomes, at_fault, following):
     called_by = {"test_a": {"skew"}, "test_b": {"skew", "rotation_matrix", "rotate"}}
-    outcomes = {"test_a": "failed", "test_b": "failed"}
-    assert progress(SLUG, outcomes, called_by)["next"] == "skew"
-    assert progress(SLUG, outcomes, called_by, {"test_a": "rotate"})["next"] == "rotate"
-    assert progress(SLUG, outcomes | {"test_a": "passed"}, called_by, {"test_b": "skew"})["next"] == "rotation_matrix"
+    come = progress(SLUG, dict(zip(called_by, outcomes, strict=True)), called_by, at_fault)
+    assert come["next"] == following and (come["points"] > 0) == ("passed" in outcomes)

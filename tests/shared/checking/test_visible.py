@@ -35,12 +35,6 @@ globals().update({{name: strict(solution[name]) for name in solution["__all__"]}
 RIGHT = sorted((assignments.find() / "autograder" / "checks").glob("*/alternatives/*.py"))
 
 
-@pytest.fixture(autouse=True)
-def unhurried(desk, monkeypatch):
-    """Right work has the limit that students have: on a busy machine SciPy alone may take two seconds to import."""
-    monkeypatch.delenv("TAM570_CALL_LIMIT")
-
-
 def test_the_visible_tests_pass_on_the_solution_and_fail_on_the_stub(desk, slug, course, capsys):
     assert session.check(course / "solutions" / f"{slug}.py", slug, Trail(), lost={}), capsys.readouterr()
     capsys.readouterr()

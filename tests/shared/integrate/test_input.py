@@ -7,12 +7,16 @@ import pytest
 from systems import oscillator
 
 from tam570.integrate import solve, solve_rotation
+from tam570.lectures import rocket
+
+ROCKET = {"rhs": rocket.rates, "y0": rocket.START, "parameters": rocket.EXAMPLE}
 
 
 @pytest.mark.parametrize(
     ("change", "message"),
     [
         ({"t": [0, 1, 1]}, r"^t: must increase, but t\[2\] = 1"),
+        ({"t": [2.0, 0.0, 1.0]}, r"^t: must decrease, but t\[2\] = 1 does not come before t\[1\]"),
         ({"t": [0.0]}, "^t: need"),
         ({"t": [0, math.nan]}, "^t: "),
         ({"t": [0, 1j]}, "^t: must be"),
@@ -36,6 +40,10 @@ from tam570.integrate import solve, solve_rotation
         ({"y0": [[1.0, 0.0], [0.0, 1.0]], "step": 0.1}, '^step: goes with method "gauss" or "composition" alone'),
         ({"method": "composition", "rhs": lambda t, y: (y[1], -y[0] - y[1])}, "^method: "),
         ({"method": "gauss", "project": lambda y: y}, "^project: "),
+        ({"method": "gauss", "dense": True}, "^events, dense, report: "),
+        ({"project": lambda y: y, "dense": True}, "^events, dense, report: "),
+        ({"y0": [[1.0, 0.0]], "dense": True}, "^events, dense, report: "),
+        ({**ROCKET, "t": [0, 18], "method": "gauss"}, r'jump of rhs near t = 10; try "auto"'),
         ({"y0": [[1.0, 0.0], [0.0, 1.0]], "project": lambda y: y}, "^project: "),
         ({"y0": [[1.0, 0.0], [0.0, 1.0]], "method": "gauss"}, "^y0: "),
         ({"method": "compiled", "rhs": lambda t, y: (y[1], -y[0]) if y[0] > 0 else (0.0, 1.0)}, "^method: "),

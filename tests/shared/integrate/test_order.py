@@ -76,20 +76,6 @@ def test_gauss_knows_the_time_of_its_stages():
     assert observed_order(steps, errors) > 10.5
 
 
-@pytest.mark.parametrize(
-    ("rhs", "start", "exact"),
-    [
-        (lambda t, y: (t**3,), [0.0], lambda t: t**4 / 4),  # derivative and its first two derivatives zero
-        (lambda t, y: (0.0,), [1.5], lambda t: 1.5),
-        (lambda t, y: (2.0,), [0.0], lambda t: 2 * t),
-    ],
-)
-def test_zero_derivatives_at_the_start(rhs, start, exact):
-    t = np.array([0.0, 3.0, 30.0])
-    result = solve(rhs, t, start, rtol=1e-12)[:, 0]
-    assert result == pytest.approx([exact(x) for x in t], rel=1e-10, abs=1e-12)
-
-
 def test_tolerances_beyond_rounding_finish():
     for rtol in (1e-15, 1e-17, 1e-30):
         state = solve(oscillator, [0, 100], [1.0, 0.0], rtol=rtol)[-1]
