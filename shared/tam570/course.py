@@ -91,10 +91,7 @@ def title(slug: str) -> str:
 
 
 def contract(slug: str) -> Json:
-    """Return what the functions of an assignment return, and what is off limits: {"results".
-
-    ..., "off_limits": ...}.
-    """
+    """Return what an assignment's functions return, and what is off limits: {"results": ..., "off_limits": ...}."""
     data: Json = json.loads((folder(slug) / "contract.json").read_text(encoding="utf-8"))
     return data
 

@@ -20,10 +20,7 @@ CellRecord = dict[str, Any]  # of nbformat
 
 
 def plain_cells(source: bytes) -> list[CellRecord]:
-    """Return the cells of a notebook of format 4 or 3.
-
-    {"kind", "source", "id", "grade_id", "outputs", "attachments"}.
-    """
+    """Return the cells of a notebook of format 4 or 3: kind, source, id, grade_id, outputs, attachments of each."""
     book = json.loads(source)
     cells = book["cells"] if "cells" in book else [c for sheet in book["worksheets"] for c in sheet["cells"]]
     plain = [_plain(cell) for cell in cells[:MOST_CELLS]]

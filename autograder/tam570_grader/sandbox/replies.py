@@ -56,10 +56,7 @@ def _reply(reply: object, mode: str) -> Reply:
 
 
 def imported(reply: object) -> Reply:
-    """Return a reply to the text of a submission: {"names": [...], "skipped": [...]} or {"error".
-
-    ...}, of short strings.
-    """
+    """Return a reply to a submission's text: {"names": [...], "skipped": [...]} or {"error": ...}, of short strings."""
     if not isinstance(reply, dict) or not ("error" in reply or strings(reply.get("names"))):
         raise ProcessLost
     if "error" in reply:
@@ -68,10 +65,7 @@ def imported(reply: object) -> Reply:
 
 
 def error_of(reply: object) -> Reply:
-    """Return the error of a reply, {"kinds".
-
-    [], ...} where there is none, and nothing that is not of the right type.
-    """
+    """Return the error of a reply, NO_ERROR where there is none, and nothing that is not of the right type."""
     error = reply.get("error") if isinstance(reply, dict) else None
     if not isinstance(error, dict) or not strings(error.get("kinds")):
         return NO_ERROR
