@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
+from tam570.handin import WRITTEN
 from tam570.notebooks import LARGEST, LARGEST_WITH_OUTPUTS, without_outputs
 from tam570_grader.errors import UsageError, printable
 from tam570_grader.results.collected import form
@@ -20,7 +21,6 @@ METADATA, LARGEST_METADATA = "submission_metadata.yml", 200 * 2**20  # Gradescop
 LONGEST_PATH = 1000  # characters
 ENTRY = 46  # bytes that a zip file's directory has for a file, at least
 METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)  # the others unpack a piece whole, however large it becomes
-BESIDE = (".pdf", ".png", ".jpg", ".jpeg", ".gif", ".svg", ".md", ".txt", ".docx", ".tex")  # as `tam570 handin` packs
 JUNK = ("__MACOSX", ".DS_Store")  # what systems put beside the files
 
 
@@ -85,7 +85,7 @@ def unpack_zip(packed: File, quota: Quota) -> list[File]:
 
 def is_beside(name: str) -> bool:
     """Return whether a file holds drawings or words that go with the work, by its name."""
-    return name.lower().endswith(BESIDE)
+    return name.lower().endswith(WRITTEN)
 
 
 def shortened(text: str) -> str:
