@@ -15,8 +15,8 @@ class Cause:
 
     function     : whose results are wrong
     message      : what the student reads; empty where it follows from an earlier cause
-    source       : "known mistake", "transform", "mutant", "place"; "rule": the check told it by the rows of a motion;
-                   "own": the check found what it follows from
+    source       : "known mistake", "result", "transform", "mutant", "place"; "rule": the check told it by the rows of a
+                   motion; "own": the check found what it follows from
     answers      : what the solution gives with this mistake in it, one for each way to make it; nothing follows of none
     calls        : those that it explains
     follows_from : the function with the mistake that explains these results

@@ -49,15 +49,18 @@ def diagnose(  # noqa: PLR0913  what is known of a failed check
         return cause
     before = [call for other in earlier for call in other.calls]
     causes = [cause, *wrong_arguments(solution, calls, before)] if may_follow else []
-    return _in_common(solution, causes, earlier) or _as_in(cause, earlier)
+    return _in_common(solution, causes, earlier) or _as_in(cause, earlier, may_follow=may_follow)
 
 
-def _as_in(cause: Cause, earlier: Sequence[Cause]) -> Cause:
-    """Return the cause, beside the function that was told the same before."""
-    told_before = (other.function for other in earlier if other.source == cause.source != "known mistake")
-    others, messages = (name for name in told_before if name != cause.function), {other.message for other in earlier}
-    same = [name for name in others if cause.message.replace(cause.function, name) in messages]
-    return replace(cause, message=f"{cause.message}, as in {same[0]}", repeats=same[0]) if same else cause
+def _as_in(cause: Cause, earlier: Sequence[Cause], *, may_follow: bool) -> Cause:
+    """Return the cause, beside the function that was told the same before; of a term or an argument it is one slip."""
+    others = {other.function: other.message for other in earlier if other.source == cause.source}
+    messages = {name: (cause.message, cause.message.replace(cause.function, name)) for name in others}
+    same = next((name for name in others if name != cause.function and others[name] in messages[name]), "")
+    if same and may_follow and cause.source != "result":
+        return replace(cause, message="", follows_from=same)
+    is_as_in = same and cause.source != "known mistake"
+    return replace(cause, message=f"{cause.message}, as in {same}", repeats=same) if is_as_in else cause
 
 
 def follows(solution: str, calls: Sequence[Call], earlier: Iterable[Cause]) -> Cause | None:

@@ -90,7 +90,7 @@ def _general(solution: str, calls: Sequence[Call], others: Sequence[str], passed
     (name,) = names
     its_calls = [call for call in compared if call.name == name]
     if not any(np.any(part) for call in its_calls for part in parts(call.result)):
-        return Cause(name, f"Your result of {name} is zero", "transform")
+        return Cause(name, f"Your result of {name} is zero", "result")
     if count_informative(wrong) < FEWEST:
         return None
     known_for = {str(call.case.kwargs) for call in wrong}
@@ -98,7 +98,7 @@ def _general(solution: str, calls: Sequence[Call], others: Sequence[str], passed
     exec(_code(solution), vars(module))
     vary = len(known_for) >= FEWEST or not wrong[0].case.kwargs
     results = other_results(name, getattr(module, name), wrong[0], vary=vary)
-    cause = _transformed(solution, name, next(_explaining(results, its_calls), None))
+    cause = _transformed(solution, name, next(_explaining(results, its_calls), None), source="result")
     cause = cause or _other_symbol(solution, name, its_calls) or _other_argument(solution, module, name, compared)
     if cause is None or cause.message.endswith(VAGUE):
         cause = _mutant_of_any(solution, others, module, name, compared, passed) or cause
@@ -129,12 +129,14 @@ def _other_form(solution: str, module: ModuleType, name: str, calls: Sequence[Co
     return _transformed(solution, name, change) or _single_entry(name, calls)
 
 
-def _transformed(solution: str, name: str, change: tuple[str, Transform] | None) -> Cause | None:
+def _transformed(
+    solution: str, name: str, change: tuple[str, Transform] | None, source: str = "transform"
+) -> Cause | None:
     """Return the cause that a variant is; None without one."""
     if change is None:
         return None
     words, transform = change
-    return Cause(name, words, "transform", _with_variant(solution, name, transform))
+    return Cause(name, words, source, _with_variant(solution, name, transform))
 
 
 def _other_symbol(solution: str, name: str, calls: Sequence[ComparedCall]) -> Cause | None:
@@ -314,6 +316,7 @@ def _mutant(
     if len(texts) > 1:
         texts.pop(KINDS["a factor"], None)  # a number is in the term that counts twice
         texts.pop(KINDS["two exchanged"], None)  # a sine and a cosine
+        texts.pop(KINDS["linearised"], None)  # a cosine is a factor
     if len(texts) > 1:
         texts.pop(KINDS["ignored"], None)  # the quantity is a term
     if len(texts) != 1:
@@ -556,13 +559,13 @@ KINDS = {
     "a factor": "a number{} is twice or half the right one",
     "a number": "a number{} is not the right one",
     "another function": "the wrong function is used{}, such as sine for cosine",
-    "swapped arguments": "two quantities{} are exchanged",
+    "swapped arguments": "two quantities{} are exchanged, or their signs reversed",
     "an index": "the wrong component is used{}",
     "linearised": "a sine or cosine{} is linearised, as for small angles",
     "a product for a square": "a square{} is a product of two quantities",
     "a missing square": "a quantity{} is not squared",
     "sine and cosine": "sine and cosine{} are exchanged",
-    "two exchanged": "two quantities{} are exchanged",
+    "two exchanged": "two quantities{} are exchanged, or their signs reversed",
     "a tangent": "the wrong function is used{}, such as sine for cosine",
     "a root": "a square root{} is missing",
     "a norm": "a length{} is the sum of the components, not the root of the sum of their squares",

@@ -224,7 +224,9 @@ def _cause(run: _Run, check: Check, failed: Failed) -> tuple[Cause | None, str]:
             following = follows(solution, calls, earlier)
             own_source = None if following else _own_source(run, failed)
             cause = following or own_source or search()
-            if cause and not own_source and cause.follows_from not in ("", cause.function):
+            pairs = {(before.function, before.follows_from) for before in run.causes.values()}
+            is_new = cause and (cause.function, cause.follows_from) not in pairs
+            if cause and is_new and not own_source and cause.follows_from not in ("", cause.function):
                 common = _earlier({check.name: cause})
                 if not _following(run, check, [*earlier, *common]):
                     cause = _own_source(run, failed) or search(may_follow=False)
@@ -262,7 +264,7 @@ def _is_consequence(run: _Run, wrong: str, calls: Sequence[Call]) -> bool:
     """Return whether calls follow from a wrong function, as some solution uses it."""
     name, assignment = calls[0].name, run.assignment
     causes = [cause for cause in run.causes.values() if not cause.follows_from]
-    zeros = {cause.function for cause in causes if cause.source == "transform" and not cause.answers}
+    zeros = {cause.function for cause in causes if cause.source == "result" and not cause.answers}
     if any(is_motion(call) for call in calls):
         return False
     for text in assignment.solutions:
@@ -384,10 +386,13 @@ def _following(run: _Run, check: Check, earlier: Sequence[Cause]) -> Cause | Non
 
 
 def _judge_consequences(run: _Run) -> None:
-    """Judge checks not run for a named mistake: full points if they pass with it, a share if they follow."""
-    for check in run.assignment.checks if run.causes else ():
+    """Judge checks not run for a wrong result: full points if they pass with its named mistake, a share if they follow.
+
+    So those are that build on a motion whose tolerance is loose.
+    """
+    for check in run.assignment.checks:
         before = {other.name: run.results[other.name] for other in check.after}
-        ready = all(check_result.unlocks_dependents or name in run.causes for name, check_result in before.items())
+        ready = all(result.unlocks_dependents or result.points or name in run.causes for name, result in before.items())
         if run.results[check.name].outcome == "not_run" and ready and not run.results[check.name].unwritten:
             causes = [run.causes[name] for name in before if name in run.causes]
             unclear = [cause for cause in causes if not cause.answers and cause.source != "rule"]
@@ -399,21 +404,23 @@ def _judge_consequences(run: _Run) -> None:
             run.results[check.name] = result or run.results[check.name]
 
 
-def _consequence(run: _Run, check: Check, functions: Container[str]) -> CheckResult | None:
-    """Return the result of a check that builds on wrong functions; None where it passes these, or fails by itself."""
+def _consequence(run: _Run, check: Check, unclear: Container[str]) -> CheckResult | None:
+    """Return the result of a check that builds on wrong functions; None where it fails by itself.
+
+    It may pass by chance where all that it calls is unclear: wrong throughout, as zeros are.
+    """
     try:
         run.perform(check)
     except Failed as failed:
         following = _following(run, check, _earlier(run.causes))
         cause = following or _own_source(run, failed) or _shared_helper(run, None, failed)
-        if cause is None:
-            return None
-        run.causes[check.name] = cause
-        return _failed(check, failed, cause)
+        if cause:
+            run.causes[check.name] = cause
+        return _failed(check, failed, cause) if cause or failed.share else None
     except Exception:  # it was not run before, and is not now
         return None
     function_names = {call.name for call in run.student.calls} or {check.function}
-    return _passed(check) if any(name not in functions for name in function_names) else None
+    return _passed(check) if any(name not in unclear for name in function_names) else None
 
 
 def _is_drawn(assignment: LoadedAssignment, call: Call) -> bool:

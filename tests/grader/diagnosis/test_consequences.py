@@ -326,3 +326,30 @@ def acceleration(state, *, mass, length, gravity):
 def simulate(t, state, *, mass, length, gravity):
     return np.ones((len(t), 4))
 """
+
+
+FORGOTTEN = [
+    ("hw11_disk_steady", ("C + mass * radius**2", "C"), ("rolling_precession", "rolling_spin")),
+    ("hw12_bead_on_wire", (" (1 + slope**2) * v", " v"), ("energy", "lagrangian")),
+]
+
+
+@pytest.mark.parametrize(("slug", "line", "pair"), first(1, FORGOTTEN))
+def test_a_term_that_is_forgotten_twice_is_charged_once(checked, slug, line, pair):
+    assert pair in following(checked(slug, line))
+
+
+LOOSE = """
+
+def simulate(t, x, v, *, curvature, gravity):
+    from scipy.integrate import solve_ivp
+
+    rates = lambda t, y: (y[1], acceleration_newton(*y, curvature=curvature, gravity=gravity))
+    return solve_ivp(rates, (t[0], t[-1]), [x, v], t_eval=t).y.T
+"""
+
+
+@pytest.mark.slow
+def test_a_loose_tolerance_is_judged_to_the_end(checked):
+    actual = checked("hw12_bead_on_wire", more=LOOSE)
+    assert 0 < actual["simulate_slides"].points < 0.5 and actual["simulate_without_gravity"].points > 0

@@ -204,7 +204,7 @@ def test_what_is_no_one_thing_is_not_named(of):
 
 
 def test_what_was_told_of_another_function_is_told_as_the_same(tmp_path):
-    earlier = [Cause("lift", "Your result of lift has the opposite sign", "transform")]
+    earlier = [Cause("lift", "Your result of lift has the opposite sign", "result")]
     cause = diagnose(SOLUTION, tmp_path, calls("cross", "np.cross(b, a)"), earlier)
     assert cause.message == "Your result of cross has the opposite sign, as in lift"
 
