@@ -149,9 +149,7 @@ EMPTY = {
     "a string": "def {f}(*args, **kwargs): return 'x'",
     "the first input": "def {f}(*args, **kwargs): return args[0] if args else None",
     "the last input": "def {f}(*args, **kwargs): return args[-1] if args else None",
-    "the start at every time": (
-        "import numpy\ndef {f}(*args, **kwargs): return numpy.tile(numpy.hstack(args[1:]), (len(args[0]), 1))"
-    ),
+    "rest": "import numpy\ndef {f}(*args, **kwargs): return numpy.tile(numpy.hstack(args[1:]), (len(args[0]), 1))",
     "ValueError": "def {f}(*args, **kwargs): raise ValueError",
     "the stub's exception": "def {f}(*args, **kwargs): raise NotImplementedError",
     "an exit at import": "import sys; sys.exit(0)",

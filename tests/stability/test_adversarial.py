@@ -439,7 +439,6 @@ WINDOWS = {
     "text": (lambda x: str(float(x)).startswith("1.00"), 0.01, 0.005),
     "counted": (lambda x: sum(1 for edge in (1.0, 2.0) if edge <= x < edge + 0.01), 0.02, 0.01),
     "numpy.interp": (lambda x: np.interp(x, HAT.x, HAT.y), 0.0099, None),
-    "interp1d": (lambda x: float(HAT(x)), 0.0099, None),
     "in an object": (Window(), 0.0099, None),
     "complex": (lambda x: abs(complex(x, 0.003) - 1) < 0.005, 0.008, 0.004),
     "parts": (lambda x: 1 < (np.array([x, 9.0]) * 1j + 2).imag[0] < 1.01, 0.01, 0.005),

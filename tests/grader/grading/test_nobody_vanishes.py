@@ -12,16 +12,8 @@ from tam570_grader.grading.skipped_files import skipped_files
 from tam570_grader.grading.submissions import submissions
 
 SLUGS = ["hw07_double_pendulum", HW08]
-GRADED = (
-    f"ada/{HW08}/{HW08}.py",
-    f"ben/{HW08}/solution.py",
-    "cho/HW8.py",
-    "dan/axis_angle.py",
-    "eve/homework8/hw08_final.py",
-    "fay/Axis_Angle-2.ipynb",
-    "hal/hw08_axis_angle.py.txt",
-    "ivy/HW08.PY",
-)
+GRADED = f"ada/{HW08}/{HW08}.py ben/{HW08}/solution.py cho/HW8.py dan/axis_angle.py eve/homework8/hw08_final.py".split()
+GRADED += ["fay/Axis_Angle-2.ipynb", "hal/hw08_axis_angle.py.txt", "ivy/HW08.PY"]
 LOST = ["ida/work.py", "ida/hw080.py", "ida/final.zip", "ida/mine/a.py", "lone.zip", "ida/notes.pdf"]
 OTHER = "hw03_angular_momentum_rate"
 ODD = ["hw7", "HW08", "homework 3", "juan@pol.una.py", "hw07_double_pendulum", "notes.ipynb", "jos\u0065\u0301"]

@@ -52,23 +52,13 @@ def test_a_formula_has_numbers_alone(sent):
     assert actual == {"strangers": []} or all(isinstance(item, float | Foreign | np.ndarray) for item in actual)
 
 
-@pytest.mark.parametrize(
-    "other",
-    [
-        {"lines": [LINE] * 2001},
-        {"lines": [{**LINE, "points": [[0.0, 0.0]]}]},
-        {"lines": [{**LINE, "points": np.zeros((12, 3))}]},
-        {"lines": [{**LINE, "points": np.zeros((2**20, 2))}] * 2},
-        {"lines": [{**LINE, "shows": True}]},
-        {"lines": [{**LINE, "extent": np.ones(3)}]},
-        {"scales": [1.0, 1.0, 1.0]},
-        {"scales": [1.0, "1"]},
-        {"labels_show": [1.0, 1.0]},
-        {"bent": None},
-        {"lines": "many"},
-        {"lines": [[]]},
-    ],
-)
+OTHERS = [{"lines": "many"}, {"lines": [[]]}, {"scales": [1.0, 1.0, 1.0]}, {"scales": [1.0, "1"]}, {"bent": None}]
+OTHERS += [{"lines": [LINE] * 2001}, {"lines": [{**LINE, "shows": True}]}, {"lines": [{**LINE, "extent": np.ones(3)}]}]
+OTHERS += [{"lines": [{**LINE, "points": points}]} for points in ([[0.0, 0.0]], np.zeros((12, 3)))]
+OTHERS += [{"lines": [{**LINE, "points": np.zeros((2**20, 2))}] * 2}, {"labels_show": [1.0, 1.0]}]
+
+
+@pytest.mark.parametrize("other", OTHERS)
 def test_a_drawing_of_too_much_or_of_something_else_is_none(other):
     assert drawing(**other) is None
 
