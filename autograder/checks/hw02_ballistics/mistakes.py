@@ -53,12 +53,6 @@ def state_derivative(reference, t, state, *, mass, drag, gravity):
 # Motion
 
 
-@mistake(first_fails=checks.simulation_follows_the_motion)
-def simulate(reference, t, speed, angle, **parameters):
-    """You launch the particle at t = 0; launch it at t[0]."""
-    return trajectory(t, speed, angle, **parameters)
-
-
 @mistake(first_fails=checks.simulation_follows_the_motion, compared=False)
 def simulate(reference, t, speed, angle, **parameters):
     """You stop the particle at launch height; there is no ground."""

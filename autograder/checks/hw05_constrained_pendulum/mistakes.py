@@ -173,12 +173,6 @@ def simulate(reference, t, state, **parameters):
     return reference(t, np.array([x, y, sign * vx, sign * vy]), **parameters)
 
 
-@mistake(first_fails=checks.without_gravity_it_goes_round_uniformly, name="from_time_zero", compared=False)
-def simulate(reference, t, state, **parameters):
-    """You begin the motion at t = 0; the given state is that at t[0]."""
-    return reference(np.append(0.0, t), state, **parameters)[1:] if t[0] > 0 else reference(t, state, **parameters)
-
-
 @mistake(first_fails=checks.with_gravity_it_swings_or_goes_round, name="gravity_up")
 def simulate(reference, t, state, *, gravity, **parameters):
     """You let gravity pull up; it pulls down."""

@@ -152,12 +152,6 @@ def simulate(reference, t, state, locked, **car):
     return rows
 
 
-@mistake(first_fails=checks.simulate_brakes, name="even_times")
-def simulate(reference, t, state, locked, **car):
-    """You assume evenly spaced times; use the given times."""
-    return reference(np.linspace(t[0], t[-1], len(t)), state, locked, **car)
-
-
 @mistake(first_fails=checks.simulate_brakes)
 def simulate(reference, t, state, locked, **car):
     """You stop a car that goes back because its speed is not positive; it stops where speed and yaw rate are zero."""

@@ -180,12 +180,6 @@ def angular_momentum(reference, theta, omega, *, masses, lengths):
 # Motion
 
 
-@mistake(first_fails=checks.simulation_follows_the_equations, name="uniform_times_assumed")
-def simulate(reference, t, theta, omega, **parameters):
-    """You assume evenly spaced times; use the given times."""
-    return reference(np.linspace(t[0], t[-1], len(t)), theta, omega, **parameters)
-
-
 @mistake(first_fails=checks.simulation_follows_the_equations)
 def simulate(reference, t, theta, omega, **parameters):
     """You start the motion at t = 0; it starts at t[0]."""

@@ -307,7 +307,7 @@ def _mutant(
     for helper, words, names_in_term, factor, text in numbers_last:
         if texts and words == KINDS["a number"]:
             break
-        term = ", ".join(sorted(name for name in names_in_term if parameters.get(name, name) in public))
+        term = ", ".join(sorted(name for name in names_in_term if {name, parameters.get(name)} & public))
         if helper in suspects and term not in texts.get(words, ()):
             with _with_mutant(module, helper, _code(text)):
                 if _explains(partial(_called, module), calls):
@@ -414,10 +414,12 @@ def _documented(solution: str) -> set[str]:
 
 
 def _unpacked(solution: str) -> dict[str, str]:
-    """Return what the parts of an argument are called: `m1, m2 = masses`."""
+    """Return what the parts of an argument are called: `m1, m2 = masses`; a helper may take them from another."""
+    functions = (node for node in ast.parse(solution).body if isinstance(node, ast.FunctionDef))
     return {
         part.id: node.value.id
-        for node in ast.walk(ast.parse(solution))
+        for function in sorted(functions, key=lambda function: function.name[0] != "_")
+        for node in ast.walk(function)
         if isinstance(node, ast.Assign) and isinstance(node.value, ast.Name) and isinstance(node.targets[0], ast.Tuple)
         for part in node.targets[0].elts
         if isinstance(part, ast.Name)
