@@ -280,6 +280,13 @@ def test_a_sum_of_energies_is_told_in_the_action_too_and_the_motion_follows_from
 
 SLIPS = [
     ("hw05_constrained_pendulum", " - (vx**2 + vy**2)", "", "a term with vx, vy is missing"),
+    ("hw06_braking", "(speed0 - speed) * (speed0 + speed)", "(speed0 - speed) ** 2", "a term with speed is reversed"),
+    (
+        "hw07_double_pendulum",
+        "2 * math.cos(th1 - th2)",
+        "2 * math.cos(th1 + th2)",
+        "a term with th1 or th2 is reversed",
+    ),
     ("hw07_double_pendulum", "m2 * l2**2 / 3]", "m2 * l2**2 * (1 / 3 + 1 / 4)]", "m l^2/4 is added to m l^2/3"),
 ]
 
