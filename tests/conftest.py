@@ -97,6 +97,14 @@ def _warm_workers():
 
 
 @pytest.fixture
+def here(tmp_path, monkeypatch):
+    """An empty folder, in which commands are given, and nothing remembered."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("TAM570_HOME", str(tmp_path / "home"))
+    return tmp_path
+
+
+@pytest.fixture
 def cold():
     """No worker is warm: the test starts its own."""
     with sandboxes():

@@ -20,15 +20,7 @@ FILES = "report results --out", "lms grades.csv --to canvas --out", "audit hw08 
 TARGETS = [*itertools.product(FOLDERS, ["file", "file/x"]), *itertools.product(FILES, ["none/x", "file/x"])]
 
 
-@pytest.fixture
-def desk(tmp_path, monkeypatch):
-    """A student's empty folder."""
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("TAM570_HOME", str(tmp_path / "home"))
-    return tmp_path
-
-
-def test_grading_hw08_imports_numpy_and_nothing_heavier(desk, course):
+def test_grading_hw08_imports_numpy_and_nothing_heavier(here, course):
     path = course / "solutions" / f"{SLUG}.py"
     code = f"from tam570_grader.cli import main\nassert main(['--root', {str(course)!r}, 'grade', {str(path)!r}]) == 0"
     modules = imported_modules(code)
@@ -36,7 +28,7 @@ def test_grading_hw08_imports_numpy_and_nothing_heavier(desk, course):
 
 
 @pytest.mark.parametrize("arguments", [["grade", "--help"], ["--help", "grade"]])
-def test_the_help_of_the_grader_imports_nothing_heavy(desk, arguments):
+def test_the_help_of_the_grader_imports_nothing_heavy(here, arguments):
     code = f"from tam570_grader.cli import main\ntry: main({arguments})\nexcept SystemExit: pass"
     assert not imported_modules(code) & HEAVY
 
@@ -56,12 +48,12 @@ def test_algebra_has_one_thread(monkeypatch):
 
 
 @pytest.mark.parametrize(("command", "path"), TARGETS)
-def test_what_cannot_be_written_is_named(desk, capsys, command, path):
+def test_what_cannot_be_written_is_named(here, capsys, command, path):
     """A file is where a folder should be, or a folder is not there."""
-    (desk / "results").mkdir()
-    (desk / "results" / "results.jsonl").write_text(json.dumps(result("ada").record()) + "\n")
-    (desk / "grades.csv").write_text(f"student,assignment,score,max_score\nada,{SLUG},1,1\n")
-    (desk / "file").touch()
+    (here / "results").mkdir()
+    (here / "results" / "results.jsonl").write_text(json.dumps(result("ada").record()) + "\n")
+    (here / "grades.csv").write_text(f"student,assignment,score,max_score\nada,{SLUG},1,1\n")
+    (here / "file").touch()
     assert grader.main([*command.split(), path]) == 2
     err = capsys.readouterr().err
     assert f"tam570-grader: error: cannot write to {path}" in err and len(err.splitlines()) == 2

@@ -68,10 +68,8 @@ class Desk:
 
 
 @pytest.fixture
-def desk(tmp_path, monkeypatch, course, capsys):
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("TAM570_HOME", str(tmp_path / "home"))
-    return Desk(tmp_path, course, capsys)
+def desk(here, course, capsys):
+    return Desk(here, course, capsys)
 
 
 @pytest.fixture

@@ -49,15 +49,13 @@ EVIL = "from pathlib import Path\n\nPath({!r}).touch()\n"
 
 
 @pytest.fixture
-def desk(tmp_path, monkeypatch, solution_text):
+def desk(here, solution_text):
     """A folder with course.toml and the work of ann, who is right, and ben, whose vectors stay where they are."""
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("TAM570_HOME", str(tmp_path / "home"))
-    (tmp_path / "course.toml").write_text(COURSE)
+    (here / "course.toml").write_text(COURSE)
     assert cli.main(["trust"]) == 0
-    (tmp_path / "mine.py").write_text(MINE)
-    hand_in(tmp_path / "submitted", {"ann": solution_text(SLUG), "ben": solution_text(SLUG) + HALF})
-    return tmp_path
+    (here / "mine.py").write_text(MINE)
+    hand_in(here / "submitted", {"ann": solution_text(SLUG), "ben": solution_text(SLUG) + HALF})
+    return here
 
 
 def run(*arguments):
