@@ -12,6 +12,7 @@ import dataclasses
 import functools
 import math
 import pickle
+import unittest.mock
 
 import numpy as np
 import pytest
@@ -87,6 +88,11 @@ def coulomb(t, y):
     return y[1], -y[0] - 0.5 * np.sign(y[1])
 
 
+def at_rest_near_zero(t, y):
+    x, v = np.zeros(2) if np.allclose(y, 0) else y
+    return v, -x - G
+
+
 def by_while(t, y):
     angle = y[0]
     while angle > math.pi:
@@ -105,6 +111,7 @@ FRICTION = {
     "saturated": against(lambda t, y: (y[1], -max(-1.0, min(1.0, 20.0 * y[0]))), (0, 3), [0.4, 0.0], longest=0.01),
     "thermostat": against(lambda t, y: (1.0 - y[0] if y[0] < 0.3 else 0.5 - y[0],), (0, 2), [0.1], longest=5e-3),
     "dictionary": against(lambda t, y: -{True: y, False: 2 * y}[bool(y[0] > 0.5)], (0, 2), [1.0], longest=5e-3),
+    "at rest near zero": against(at_rest_near_zero, (0, 5), [0.0, 0.0], exact=[G * math.cos(5) - G, -G * math.sin(5)]),
     "while": against(by_while, (0, 5), [0.0, 0.0], exact=[5.0, math.sin(5.0)]),
     "any": against(lambda t, y: -y if np.any(y > 0.5) else -2 * y, (0, 2), [1.0, -1.0], longest=5e-3),
     "index": against(lambda t, y: -np.array([1.0, 2.0, 3.0])[int(min(2 * y[0], 2))] * y, (0, 2), [1.2], longest=5e-3),
@@ -172,6 +179,7 @@ PULSES = {
     "tanh": forced(lambda t: 5 * (math.tanh((t - 5) / 0.1) - math.tanh((t - 5.5) / 0.1)), (0, 7), longest=5e-3),
     "expanded": forced(lambda t: 40 * math.exp(-400 * t * t + 2400 * t - 3600), (0, 5), longest=0.01),
     "at rest at both ends": against(lambda t, y: (math.sin(t) ** 20,), (0, 3 * math.pi), [0.0], exact=[SINE_TO_20]),
+    "from rest to rest": against(lambda t, y: (math.sin(t) ** 20,), (math.pi, 4 * math.pi), [0.0], exact=[SINE_TO_20]),
     "from nothing": forced(lambda t: math.exp(-1 / t) if t > 0 else 0.0, (0, 10)),  # whose derivatives are all zero
     "logistic": forced(lambda t: 1 / (1 + math.exp(-200 * (t - 2))), (0, 4), longest=0.01),
     "train": forced(lambda t: 8 * math.exp(-((math.sin(2 * t) / 0.05) ** 2)), (0, 6), longest=0.01),
@@ -483,13 +491,22 @@ def test_a_whole_number_that_the_state_leaves_downwards_is_a_switch():
 @pytest.mark.parametrize(
     ("rate", "end", "method", "most"),
     [
-        (lambda t: np.interp(t, GRID, np.cos(GRID)), 2, "auto", 8 * 200),  # entries of a table
+        (lambda t: np.interp(t, GRID, np.cos(GRID)), 2, "auto", 6 * 200),  # entries of a table
+        (lambda t: np.cos(GRID)[np.searchsorted(GRID, t)], 2, "auto", 6 * 200),
         (lambda t: 10 * math.cosh(40 * (t - 5)) ** -2, 8, "compiled", 1000),  # a series far from a pulse
     ],
 )
 def test_it_takes_few_steps(rate, end, method, most):
     report = solve(lambda t, y: (rate(t),), [0, end], [0.0], rtol=RTOL, method=method, report=True).report
     assert report.steps + report.refusals < most
+
+
+@pytest.mark.parametrize("rtol", [RTOL, 1e-12])
+def test_what_jumps_all_the_time_is_soon_refused(rtol):
+    rounded = unittest.mock.Mock(side_effect=lambda t, y: (-round(y[0], 5),))
+    with pytest.raises(ArithmeticError, match="no round"):
+        solve(rounded, [0, 2], [1.0], rtol=rtol)
+    assert rounded.call_count < 100_000
 
 
 def test_what_a_function_keeps_are_numbers():

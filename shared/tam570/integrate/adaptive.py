@@ -28,7 +28,7 @@ from tam570.values import Numbers
 
 AT_A_TIME = 500  # steps, after which somebody may look
 WORTH_LANES = 16  # members: with fewer the code for eight motions is not worth its compilation
-AT_A_SWITCH = 4  # steps that but lead to it and across
+AT_A_SWITCH = 6  # steps that but lead to it and across
 FAR = 1e3  # times the length of a run: so far from zero a clock lacks digits
 ALLOWED = 100.0  # times the tolerance, by what the rounding of times does to the states
 KINKS = 30.0  # of the tolerance, so many times less where the rates may have kinks

@@ -13,6 +13,7 @@ from tam570.integrate.trace import Graph, Symbol, on_arrays
 
 TAME = {"sin", "cos", "log", "log2", "log10", "sqrt", "cbrt"}  # of a time: as wide as their argument is steep
 POINTS, MOST = 1000, 100_000  # of the grid on which functions of time are looked at
+REFINED = 2.0**-20
 A_TURN = 16  # points in a turn of a sine
 
 Affine = tuple[float, float]  # rate, shift
@@ -87,11 +88,12 @@ def _zeros_and_turns(
         times += grid[1:-1][(u[1:-1] == 0.0) & (u[:-2] * u[2:] < 0)].tolist()
         times += [_refined(timed, symbol, grid[k], grid[k + 1], turns=False) for k in crossing]
         times += [_refined(timed, symbol, grid[k], grid[k + 2], turns=True) for k in turning]
-    return times
+    edge = REFINED * (grid[1] - grid[0])  # a run may begin at a zero
+    return [time for time in times if start + edge < time < end - edge]
 
 
 def _refined(timed: list[Symbol], symbol: Symbol, low: float, high: float, *, turns: bool) -> float:
-    """Return the zero or the turning point between two times, to a part in ten millions of their distance."""
+    """Return the zero or the turning point between two times, to a part REFINED of their distance."""
     for _ in range(4):
         grid = np.linspace(low, high, 65)
         u = _values(timed, grid)[symbol.number]

@@ -92,7 +92,7 @@ class Course(Tape):
         """Note a difference; return its sign on the path that the function takes. TypeError if it is complex."""
         if self.is_complex(x):
             raise TypeError("complex numbers have no order")
-        self.seen.append(x.number)
+        self.seen += [] if x.number in self.seen else [x.number]
         first = self.values(x)[0] or next((v for v in self.values(x) if v), 0.0)
         return math.copysign(1.0, first) if first else 0.0
 

@@ -28,7 +28,7 @@ UNSEEN = 1000.0  # steps at least of a run whose switches cannot be seen
 NOISE = 16.0  # times that change: what is less has no sign
 CHATTER = 60  # switches in a row
 LEAVING = 200  # points of a step from a switch
-SAME_TIME, EXACT = 1.0 - 1e-6, 1e-6  # where time alone decides: a step to the switch itself would be rounded
+SAME_TIME = 1.0 - 1e-6  # of what time alone decides
 SAME, SOON = 30.0, 1e-5  # of the tolerance: rates that change by less move no digit; of a run: from switch to switch
 NEAR = 1e-9  # of a state: what it changes in a switching function is zero
 MOVES_ON = 1e-4  # of the step that they cut, from one switch to the next: with less the motion does not move on
@@ -122,17 +122,17 @@ class Switches:
             if error <= 1.0:
                 self.is_near = is_at_switch
                 self.time, self.longest = start + h, max(self.longest, h)
-                closeness = EXACT if is_exact else h / max(self.pace, self.longest)  # so much better is the slope known
+                closeness = 0.0 if is_exact else h / max(self.pace, self.longest)  # so much better is the slope known
                 self.distance = shortest if is_at_switch and self.time <= self.expected + shortest else math.inf
                 if ahead < 1.0 and not is_at_switch:
                     self.expected = self.time + ahead * h
-                    self.distance = _just_before(ahead * h, closeness, max(shortest, 4.0 * EPS * abs(self.time)))
+                    self.distance = _just_before(ahead * h, closeness, max(shortest, 4.0 * EPS * abs(self.expected)))
             return math.inf
         if is_at_switch:
-            self.is_near, self.expected = True, -math.inf
+            self.is_near, self.expected, self.distance = True, -math.inf, math.inf
             return h
         self.expected = start + part * h
-        return _just_before(part * h, EXACT if is_exact else 1.0, shortest)
+        return _just_before(part * h, 0.0 if is_exact else 1.0, max(shortest, 4.0 * EPS * abs(self.expected)))
 
     def _count(self, start: float, y: Numbers, f: Numbers, g: Numbers) -> None:
         """Count a step at a switch. Raises ArithmeticError where the motion does not leave it.
@@ -166,7 +166,7 @@ class Switches:
         is_line = self.is_line
         part, differences = _first_zero(X, positive), positive @ DIFFERENCES
         if 0.0 < part < X[1] or self.is_near:
-            near = np.append(0.0, np.geomspace(min(shortest / h, 0.1 * X[1]), X[1], POINTS - 1))
+            near = np.append(0.0, X[1] * min(shortest / h / X[1], 0.1) ** X[:0:-1])
             closer = _first_zero(near, look(near, _basis(near))[0])
             part = closer if closer < math.inf else part
         if math.isinf(part):
@@ -242,11 +242,10 @@ def _first_zero(x: Array, positive: Array) -> float:
     """
     if (positive > 0.0).all():
         return math.inf
-    if x[0] == 0.0 and ((positive[:, 0] == 0.0) & (positive != 0.0).any(axis=1)).any():
-        return 0.0
     below = positive < 0.0
     if not below.any():
-        return math.inf
+        leaves = x[0] == 0.0 and ((positive[:, 0] == 0.0) & (positive != 0.0).any(axis=1)).any()
+        return 0.0 if leaves else math.inf
     k = int(np.argmax(below.any(axis=0)))
     rows = positive[below[:, k], k - 1 : k + 1]
     return float(x[k - 1] + (x[k] - x[k - 1]) * (rows[:, 0] / (rows[:, 0] - rows[:, 1])).min())

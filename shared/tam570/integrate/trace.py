@@ -84,7 +84,7 @@ def _comparison(compare: Callable[[Numbers, Numbers], bool]) -> Numbers:
     def method(self: "Symbol", other: Numbers) -> Numbers:
         if not isinstance(other, Symbol | Real):
             return NotImplemented
-        return compare(self.tape.sign(self.tape.record("-", self, other)), 0.0)
+        return compare(self.tape.sign(self.tape.combine("-", self, other)), 0.0)
 
     return method
 

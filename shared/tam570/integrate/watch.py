@@ -69,7 +69,7 @@ COMPILED = 30_000_000
 CALLED = 100_000  # the same, of steps that are refused as often as not, of a function that is called as it stands
 OUT_OF_REACH = 1e9  # the same, of any function
 BETWEEN_LOOKS = 500  # steps tried
-LOOKS, IDLE_LOOKS = 20, 40  # in a row: stiffness, where that is the cause, is told before
+LOOKS, IDLE_LOOKS = 20, 10  # in a row
 DECAY = 1.5  # h times the fastest decay: accuracy alone asks for less
 SWEEPS = 8  # of the power method, enough for a factor of two where one decay is far faster than the rest
 
@@ -104,7 +104,7 @@ def watch_for_end(
         is_idle, is_long = refused > tried / 4 and left > in_vain, end - t > too_many * h > 0.0
         is_stiff = (is_idle or is_long) and _decay(rhs, origin + t, y, m(), c) * h > DECAY
         stiff_looks = stiff_looks + 1 if is_stiff and is_long else 0
-        idle_looks = idle_looks + (4 if left > OUT_OF_REACH else 1) if is_idle and not is_stiff else 0
+        idle_looks = idle_looks + 1 if is_idle and not is_stiff else 0
         if stiff_looks >= LOOKS:
             raise ArithmeticError(_advice(sign * (origin + t), h, (end - t) / h))
         if idle_looks >= IDLE_LOOKS:
