@@ -222,7 +222,8 @@ def the_path_is_drawn(student, rng):
     picture = student.plot_projection.drawn(case)
     (line,) = curves_seen(picture, 1)
     others = {"These are x and y, not right and up.": places[:, :2]}
-    wrong_source = first_wrong(reference, case, student.simulate, student.solution)
+    wrong_motion = first_wrong(reference, case, student.simulate, student.solution)
+    wrong_picture = first_wrong(reference, Case(places, *view), student.project)
     path = reference.project(places, *view)
 
     def own_paths():
@@ -230,7 +231,12 @@ def the_path_is_drawn(student, rng):
         for function in (student.simulate, student.solution):
             yield student.project.aside(Case(function.aside(Case(t, r, v, **case.kwargs))[:, :3], *view))
 
-    words = {"quantity": "the curve", "others": others, "wrong_source": wrong_source, "own_paths": own_paths}
+    words = {
+        "quantity": "the curve",
+        "others": others,
+        "wrong_source": lambda: wrong_motion() or wrong_picture(),
+        "own_paths": own_paths,
+    }
     path_drawn(line, path, tolerance=DRAWN, **words)
     judge_axes_of_lengths(picture, "right horizontal", "up vertical")
 

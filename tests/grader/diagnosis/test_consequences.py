@@ -311,6 +311,11 @@ def test_rows_at_even_times_are_one_mistake(checked):
     assert following(actual) == {("simulate", "simulate")} and not by_name(actual)
 
 
+def test_a_path_follows_from_its_own_picture(checked):
+    actual = checked("hw04_hanging_spring", ("[-sa, ca, 0.0]", "[sa, -ca, 0.0]"))
+    assert following(actual) == {("plot_projection", "project")}
+
+
 def test_what_passes_with_a_named_mistake_keeps_its_points(checked):
     line = "return {}rate(definition, *motion, mass=mass) {} moment(r_p, a_p, r_c, mass=mass)"
     actual = checked("hw03_angular_momentum_rate", (line.format("", "-"), line.format("-", "+")))
