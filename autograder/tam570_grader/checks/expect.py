@@ -13,10 +13,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tam570.meter import Exhausted
 from tam570.values import Json, Numbers
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.curves import Curve, curve
-from tam570_grader.checks.effort import Exhausted
 from tam570_grader.checks.failure import Failure
 from tam570_grader.checks.student import StudentFunction
 

@@ -7,9 +7,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from tam570.meter import Exhausted, limited
 from tam570.values import Function, Numbers
 from tam570_grader.checks.case import Case
-from tam570_grader.checks.effort import Exhausted, limited
 from tam570_grader.checks.expect import Failed, NotWritten
 from tam570_grader.checks.expected import expected_result
 from tam570_grader.checks.student import StudentFunction

@@ -33,9 +33,10 @@ from tam570.checking.transforms import (
     other_words,
     parts,
 )
+from tam570.meter import Exhausted, count, limited
 from tam570.values import Function, Numbers
 from tam570_grader.checks.case import Call, Case
-from tam570_grader.checks.effort import Exhausted, compile_counted, count, limited
+from tam570_grader.checks.effort import compile_counted
 from tam570_grader.diagnosis.cause import Answer, Cause
 from tam570_grader.diagnosis.compared_call import ComparedCall, beginning, compared_call, count_informative
 from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, right_answer, solution_with
@@ -252,7 +253,7 @@ class _InPlace:
 
         def varied(*args: Numbers, **kwargs: Numbers) -> Numbers:
             try:
-                expected = reference(*args, **kwargs)
+                expected = None if isinstance(self.transform, WrongArgument) else reference(*args, **kwargs)
             except ValueError:  # with another argument it may have a value
                 expected = np.nan
             return self.transform(ComparedCall(self.name, Case(*args, **kwargs), None, expected))
@@ -479,7 +480,7 @@ LONGEST, WORDS = 24, {"sin", "cos", "tan", "sqrt", "exp", "pi"}
 
 @functools.cache
 def _code(text: str) -> CodeType:
-    return compile_counted(text, "<mutant>", in_python=True)
+    return compile_counted(text, "<mutant>", may_trace=False)
 
 
 def _words(mutant: Mutant, parameters: Mapping[str, str]) -> Iterator[tuple[str, ast.expr]]:

@@ -8,7 +8,7 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 
-from tam570_grader.checks.effort import limited
+from tam570.meter import limited
 from tam570_grader.protocol.jail import address_space
 
 STEPS = 20_000_000  # of a check, and of the search for what is wrong; an honest submission takes a hundredth

@@ -12,12 +12,12 @@ from types import SimpleNamespace
 import numpy as np
 
 from tam570.checking.transforms import parts
+from tam570.meter import Exhausted
 from tam570.values import Numbers
 from tam570_grader.checks import assignments
 from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.checks.case import Call, Case
 from tam570_grader.checks.check import Check
-from tam570_grader.checks.effort import Exhausted, uncounted
 from tam570_grader.checks.expect import LONGEST_FAULT, Failed, NotWritten, check_context
 from tam570_grader.checks.failure import Failure
 from tam570_grader.checks.motions import OF_ROWS
@@ -136,7 +136,7 @@ def rehearse(assignment: LoadedAssignment, seed: int) -> None:
     A check that asks a student for more than results to compare ends there. What goes wrong here will go wrong, and
     be told, where a submission is graded.
     """
-    with np.errstate(all="ignore"), uncounted(assignments.PACKAGES):  # no submission chooses its inputs
+    with np.errstate(all="ignore"):
         for check in assignment.checks:
             with suppress(Exception), budget(), check_context(is_rehearsal=True):
                 check.run(_NoStudent(assignment), generator(seed, assignment.slug, check))

@@ -24,8 +24,10 @@ from tam570.integrate.watch import (
     repays,
     watch_for_end,
 )
+from tam570.meter import count
 from tam570.values import Numbers
 
+STEP, CALLED_STEP = 60, 180  # calls of a short function in Python that take as long as a step
 AT_A_TIME = 500  # steps, after which somebody may look
 WORTH_LANES = 16  # members: with fewer the code for eight motions is not worth its compilation
 AT_A_SWITCH = 6  # steps that but lead to it and across
@@ -264,6 +266,7 @@ def step_n(run: Run, advance: Numbers, since: Numbers, look: Look, state: State,
         before = state.steps + state.refusals
         state = advance(run.origin, since, run.rows, state, run.engine.constants, run.rtol, run.control.max_step, some)
         run.last = state
+        count((STEP if run.engine.is_traced else CALLED_STEP) * (state.steps + state.refusals - before))
         in_vain = state.refusals + (AT_A_SWITCH * run.engine.switches.passages if run.engine.switches else 0)
         look(state.t, state.y, partial(_sizes, state, run.rtol), state.steps, in_vain)
         if some == AT_A_TIME:

@@ -12,6 +12,7 @@ from collections.abc import Callable, Sequence
 from math import inf, sqrt
 
 from tam570.integrate.error_scale import NO_SCALE, PART
+from tam570.meter import is_limited
 from tam570.values import Function, Numbers
 
 PROBE = 50  # steps in Python before the rest is estimated for the first time
@@ -58,8 +59,12 @@ def repays(steps: float, operations: int) -> bool:
 
 
 def available() -> bool:
-    """Return whether llvmlite is installed, and not forbidden by TAM570_COMPILED=0; it is not imported for that."""
-    return os.environ.get("TAM570_COMPILED") != "0" and importlib.util.find_spec("llvmlite") is not None
+    """Return whether llvmlite is installed, not forbidden by TAM570_COMPILED=0, and no step is to be counted."""
+    return (
+        not is_limited()
+        and os.environ.get("TAM570_COMPILED") != "0"
+        and importlib.util.find_spec("llvmlite") is not None
+    )
 
 
 Look = Callable[[float, Sequence[float], Callable[[], Sequence[float]], int, int], None]

@@ -3,14 +3,14 @@
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
-from types import ModuleType
 
 import numpy as np
 import pytest
 from parameters import first
 
+from tam570.meter import Exhausted, limited
 from tam570_grader.checks import assignments, effort
-from tam570_grader.checks.effort import Exhausted, Finder, compile_counted, limited, uncounted
+from tam570_grader.checks.effort import Finder, compile_counted
 from tam570_grader.diagnosis import diagnose
 from tam570_grader.grading import budget, run_checks
 from tam570_grader.grading.run_checks import graded
@@ -28,7 +28,7 @@ def endless(*_):
 SPRING = """
 def simulate(n):
     from tam570.integrate import solve
-    return solve(lambda t, y: (y[1], -n * y[0]), [0.0, 1.0], [1.0, 0.0])[-1]
+    return solve(lambda t, y: (y[1], -n * y[0]), [0.0, 1.0], [1.0, 0.0], report=True)
 """
 
 
@@ -81,15 +81,18 @@ def test_to_look_for_a_mistake_is_part_of_it(evaluated, solution_text, monkeypat
     assert {check.suspect for check in result.checks} == {None}
 
 
-def test_every_evaluation_of_a_rate_is_counted_where_it_would_be_compiled():
+def test_steps_are_counted_of_rates_that_are_traced_and_would_be_compiled():
     names = {}
-    exec(compile_counted(SPRING, "<text>", in_python=True), names)
+    exec(compile_counted(SPRING, "<text>"), names)
     with limited(10**6) as slow:
         names["simulate"](1.0)
     with limited(10**6) as fast:
-        end = names["simulate"](1e4)
+        motion = names["simulate"](1e4)
     assert slow.remaining > fast.remaining + 1000
-    assert end[0] == pytest.approx(np.cos(100), abs=1e-6)
+    assert not motion.report.untraced_reason
+    assert motion.states[-1, 0] == pytest.approx(np.cos(100), abs=1e-6)
+    with limited(1000), pytest.raises(Exhausted):
+        names["simulate"](1e4)
 
 
 @pytest.mark.parametrize("number", first(1, ["1e300", "-1e30", "1e6"]))
@@ -109,16 +112,6 @@ def test_rows_that_are_absurd_are_judged_by_every_check(number, grade, solution_
     lines = {check.name: check.title for check in assignments.assignment(course, slug).checks}
     of_motions = ("simulate", "plot_rim_paths")  # which calls it
     assert all(check.outcome == "passed" for check in result.checks if not lines[check.name].startswith(of_motions))
-
-
-def test_what_is_uncounted_is_counted_again_afterwards(monkeypatch):
-    module = ModuleType("_checks_of_a_test")
-    exec(compile_counted(ENDLESS.replace("while True", "for _ in range(9)"), "<text>"), vars(module))
-    monkeypatch.setitem(sys.modules, module.__name__, module)
-    with limited(1), uncounted(module.__name__):
-        module.endless()
-    with limited(1), pytest.raises(Exhausted):
-        module.endless()
 
 
 def test_a_module_that_was_left_compiled_is_read_until_its_text_changes(tmp_path, monkeypatch):
