@@ -33,6 +33,13 @@ def simulate(t, phi, phi_dot, **cylinder):
         return y[1], acceleration(*y, **cylinder) - {damping} * y[1]
     return solve_ivp(rates, (t[0], t[-1]), (phi, phi_dot), t_eval=t, rtol={tolerance}, atol={tolerance}).y.T
 """
+FORGETS_WHERE_IT_STOPS = """
+_right = simulate
+
+def simulate(t, state, locked, **car):
+    rows = _right(t, state, locked, **car)
+    return rows * rows[:, 3:].any(axis=1)[:, None]
+"""
 CREEPING = """
 
 def simulate(t, state, locked, **car):
@@ -200,6 +207,12 @@ def test_wrong_physics_of_small_effect_is_not_called_right(grade, solution_text,
     said = " ".join(check.message for check in grade(slug, solution_text(slug) + text).checks if check.failure)
     assert ("The physics is right" in said) == reference
     assert "is wrong by" in said
+
+
+def test_rows_after_a_stop_are_wrong_in_the_check_of_stops_alone(grade, solution_text):
+    text = solution_text("hw06_braking") + FORGETS_WHERE_IT_STOPS
+    failed = [check.name for check in grade("hw06_braking", text, 570).checks if check.outcome == "failed"]
+    assert failed == ["simulate_comes_to_rest_and_stays"]
 
 
 @pytest.mark.parametrize(("count", "step"), first(1, [(3, 0.2), (3, 2.3), (200, 0.011)]))
