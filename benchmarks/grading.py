@@ -4,6 +4,7 @@
     python benchmarks/grading.py --quick            20 of each
     python benchmarks/grading.py --peers nbgrader   the same functions and tests as a notebook, graded by nbgrader
     python benchmarks/grading.py --cost             what one submission costs, and whom, one job, without a class
+    python benchmarks/grading.py --wrong            the same of the known mistakes, the most expensive first
 
 Prints a table; --peers writes results/grading.json. Times of one run on one machine; compare them with each other.
 """
@@ -24,6 +25,7 @@ import record
 from tqdm import tqdm
 
 from tam570_grader.checks import assignments
+from tam570_grader.diagnosis.mistakes import overlays
 from tam570_grader.grading.supervisor import GradeTask, WorkerConfig, result
 from tam570_grader.sandbox.launch import isolation
 from tam570_grader.sandbox.pool import sandboxes
@@ -120,6 +122,19 @@ def cost(slug, work_name, count):
     student = 1000 * counter.student  # its import too
     times = {"wall": wall, "ours": ours, "waited": waited, "student": student}
     return {"assignment": slug, "work": work_name, **times, **counts}
+
+
+def wrong_costs(slug):
+    """For each known mistake ms of our processor and of the student's, the references at hand, and calls."""
+    conditions, solution = WorkerConfig(ResourceLimits(), (COURSE,)), work(slug).read_text()
+    with sandboxes():
+        for name, text in {"right": "", **overlays(assignments.checks_folder(COURSE, slug))}.items():
+            source = Source(f"{solution}\n{text}".encode())
+            task = GradeTask(COURSE, name, slug, 570, source, conditions=conditions)
+            for _ in range(2 if name == "right" else 1):
+                with Counter() as counter:
+                    _, ours, _ = _timed(task)
+            yield 1000 * ours, 1000 * counter.student, counter.count["calls"], slug, name
 
 
 def _timed(task):
@@ -240,6 +255,16 @@ def costs(slugs, count):
         print(f"{row['assignment']:26} {row['work']:9}{times}{counts}")
 
 
+def print_wrong(slugs):
+    """Print the most expensive wrong submissions, and the medians of wrong and of right ones."""
+    rows = sorted((row for slug in tqdm(slugs, leave=False, disable=None) for row in wrong_costs(slug)), reverse=True)
+    print("processor ms of a submission: ours, the student's; calls")
+    for ours, student, calls, slug, name in rows[:40]:
+        print(f"{slug:26} {name:40}{ours:9.1f}{student:9.1f}{calls:6}")
+    wrong, right = ([row[0] for row in rows if (row[-1] == "right") == is_right] for is_right in (False, True))
+    print(f"medians: {np.median(wrong):.1f} of {len(wrong)} wrong ones, {np.median(right):.1f} of right ones")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--assignments", nargs="+", choices=SLUGS, default=SLUGS)
@@ -248,8 +273,12 @@ def main():
     parser.add_argument("--quick", action="store_true", help="20 submissions")
     parser.add_argument("--peers", nargs="*", choices=["nbgrader"], default=[])
     parser.add_argument("--cost", action="store_true", help="what one submission costs")
+    parser.add_argument("--wrong", action="store_true", help="what each known mistake costs")
     options = parser.parse_args()
     count = 20 if options.quick else options.submissions
+    if options.wrong:
+        print_wrong(options.assignments)
+        return
     if options.cost:
         costs(options.assignments, min(count, 5))
         return
