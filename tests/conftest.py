@@ -53,8 +53,8 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 def pytest_collection_modifyitems(items):
     """What is about one assignment runs in one process, and so does a module: they share workers, scenes, a class."""
     for item in items:
-        assignment = re.search(r"\bhw\d\d", item.nodeid)
-        item.add_marker(pytest.mark.xdist_group(assignment[0] if assignment else item.nodeid.partition("::")[0]))
+        assignment = re.search(r"[-[](hw\d\d)", item.nodeid)
+        item.add_marker(pytest.mark.xdist_group(assignment[1] if assignment else item.nodeid.partition("::")[0]))
 
 
 def pytest_make_parametrize_id(val):
