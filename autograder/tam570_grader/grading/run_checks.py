@@ -386,13 +386,10 @@ def _following(run: _Run, check: Check, earlier: Sequence[Cause]) -> Cause | Non
 
 
 def _judge_consequences(run: _Run) -> None:
-    """Judge checks not run for a wrong result: full points if they pass with its named mistake, a share if they follow.
-
-    So those are that build on a motion whose tolerance is loose.
-    """
-    for check in run.assignment.checks:
+    """Judge checks not run for a named mistake: full points if they pass with it, a share if they follow."""
+    for check in run.assignment.checks if run.causes else ():
         before = {other.name: run.results[other.name] for other in check.after}
-        ready = all(result.unlocks_dependents or result.points or name in run.causes for name, result in before.items())
+        ready = all(result.unlocks_dependents or name in run.causes for name, result in before.items())
         if run.results[check.name].outcome == "not_run" and ready and not run.results[check.name].unwritten:
             causes = [run.causes[name] for name in before if name in run.causes]
             unclear = [cause for cause in causes if not cause.answers and cause.source != "rule"]
@@ -414,9 +411,10 @@ def _consequence(run: _Run, check: Check, unclear: Container[str]) -> CheckResul
     except Failed as failed:
         following = _following(run, check, _earlier(run.causes))
         cause = following or _own_source(run, failed) or _shared_helper(run, None, failed)
-        if cause:
-            run.causes[check.name] = cause
-        return _failed(check, failed, cause) if cause or failed.share else None
+        if cause is None:
+            return None
+        run.causes[check.name] = cause
+        return _failed(check, failed, cause)
     except Exception:  # it was not run before, and is not now
         return None
     function_names = {call.name for call in run.student.calls} or {check.function}
