@@ -205,13 +205,8 @@ def nbgrader(tmp_path_factory):
     """`nbgrader(folder, *command)` -> what it says; the command line in a process that has imported it already."""
     log = tmp_path_factory.mktemp("log") / "log.txt"
     path = f"{os.path.dirname(sys.executable)}{os.pathsep}{os.environ['PATH']}"  # nbgrader starts alembic and jupyter
-    server = subprocess.Popen(
-        [sys.executable, "-c", NBGRADER],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        text=True,
-        env={**os.environ, "PATH": path},
-    )
+    pipes, environment = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}, {**os.environ, "PATH": path}
+    server = subprocess.Popen([sys.executable, "-c", NBGRADER], **pipes, text=True, env=environment)
 
     def nbgrader(folder, *command):
         log.write_text("")
