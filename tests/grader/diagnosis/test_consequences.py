@@ -185,6 +185,8 @@ SLOPE = "return 2 * curvature * x\n", "return curvature * x\n"
 CENTRIFUGAL = "+ mass * x * phi_dot**2", "- mass * x * phi_dot**2"
 ABOVE = "-offset * math.sin(phi), radius - offset", "-offset * math.sin(phi), radius + offset"
 NO_WEIGHT = "+ mass * gravity * Z  #", "  #"
+MATRIX, EULER = "matrix_state_derivative", "euler_state_derivative"
+BY_VECTORS = "hw14_rolling_disk", NO_WEIGHT, (MATRIX, EULER), "+ turning", "- turning"
 BY_OTHERS = [
     ("hw02_ballistics", TWICE, ("best_angle", "flight_time"), "vy + m", "vy - m"),
     ("hw06_braking", ("sideways / car", "forward / car"), ("yaw_growth_rate", "state_derivative"), "(8 * s", "(9 * s"),
@@ -193,7 +195,7 @@ BY_OTHERS = [
     ("hw12_bead_on_wire", SLOPE, ("energy", "acceleration_newton"), "speed**2 / 2", "speed**2"),
     ("hw13_rolling_cylinder", CENTRIFUGAL, ("contact_force", "acceleration"), "cylinder)[1:])", "cylinder)[:0:-1])"),
     ("hw13_rolling_cylinder", ABOVE, ("naive_contact_acceleration", "acceleration"), "x * math.cos(s", "math.cos(s"),
-    ("hw14_rolling_disk", NO_WEIGHT, ("matrix_state_derivative", "euler_state_derivative"), "+ turning", "- turning"),
+    pytest.param(*BY_VECTORS, marks=pytest.mark.slow),  # its rates take a millisecond
 ]
 
 
