@@ -183,7 +183,7 @@ def action_is_the_integral(student, rng):
         student.action,
         [*cases.paths(rng), *cases.plain_paths(rng)],
         tolerance=ACTION,
-        hint="Is V zero at the lowest point, and does half the step quarter the error?",
+        hint="V is zero at the lowest point; half the step must quarter the error.",
     )
 
 
