@@ -134,12 +134,11 @@ JUMPS = {
     "short": forced(lambda t: 20.0 if 1 <= t <= 1.05 else 0.0, (0, 6), stops=(1, 1.05)),
     "very short": forced(lambda t: 1e4 if abs(t - 2.5) < 5e-5 else 0.0, (0, 6), stops=(2.49995, 2.50005)),
     "square wave": forced(lambda t: 1.0 if t % 2 < 1 else -1.0, (0, 4.5), [0.3, 0.0], stops=(1, 2, 3, 4)),
+    "a wave that begins with rest": forced(lambda t: 1 if math.sin(t) > 0 else -1, (0, 4.5), [1, 0], stops=(math.pi,)),
     "by a shift": forced(lambda t: 3.0 if (t - 1.3) * 2 > 1 else 0.0, (0, 3), [1.0, 0.0], stops=(1.8,)),
     "where in time": forced(lambda t: float(np.where(t < 2, 1.0, -1.0)), (0, 4), [1.0, 0.0], stops=(2,)),
     "heaviside": forced(lambda t: np.heaviside(t - 2.2, 0.5), (0, 4), [1.0, 0.0], stops=(2.2,)),
-    "a product of heavisides": newton(
-        lambda t, x, v: np.heaviside(t - 1, 0.5) * np.heaviside(2 - t, 0.5) - x, (0, 4), stops=(1, 2)
-    ),
+    "two heavisides": forced(lambda t: np.heaviside(t - 1, 0.5) * np.heaviside(2 - t, 0.5), (0, 4), stops=(1, 2)),
     "sign": forced(lambda t: np.sign(t - 2.2), (0, 4), [1.0, 0.0], stops=(2.2,)),
     "floor": forced(lambda t: math.floor(2 * t) % 3, (0, 2.9), [1.0, 0.0], stops=HALVES[:5]),
     "int": forced(lambda t: (1.0, -2.0, 3.0)[int(t) % 3], (0, 3.5), [1.0, 0.0], stops=(1, 2, 3)),

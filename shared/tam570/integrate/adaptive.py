@@ -13,17 +13,7 @@ from tam570.integrate.arguments import SMALLEST_RTOL, Array
 from tam570.integrate.engine import Engine, Mistraced
 from tam570.integrate.error_scale import NO_SCALE, SHARE, Rates, error_scale
 from tam570.integrate.rates import TRIAL_ERRORS, check_start
-from tam570.integrate.watch import (
-    CALLED,
-    COMPILED,
-    OUT_OF_REACH,
-    PYTHON,
-    Estimate,
-    Look,
-    WorthCompiling,
-    repays,
-    watch_for_end,
-)
+from tam570.integrate.watch import COMPILED, OUT_OF_REACH, PYTHON, Estimate, Look, WorthCompiling, repays, watch_for_end
 from tam570.meter import count
 from tam570.values import Numbers
 
@@ -94,7 +84,7 @@ class Run:
     def watch(self, too_many: int) -> Look:
         """Return whether the run is to be given up, so many steps left being too many."""
         rhs, end = self.engine.functions["rhs"], float(self.since[-1])
-        in_vain = OUT_OF_REACH if self.engine.is_traced else CALLED
+        in_vain = OUT_OF_REACH if self.engine.is_traced else PYTHON
         return watch_for_end(rhs, self.engine.constants, self.origin, end, self.engine.sign, too_many, in_vain)
 
 
@@ -324,9 +314,11 @@ def start_state(run: Run, a: Sequence[float] = ()) -> State:
         g = tuple(0.0 if abs(rate) < RAMP * abs(later) else rate for rate, later in both)
     h, t = _first_step(rhs, origin, span, y, g, c), origin
     if h < SOON * span:  # the rates may jump at the very start
-        t, y = origin + h, _euler(h, y, g)
-        g = rhs(t, y, c)
-        h = max(h, _first_step(rhs, t, span, y, g, c))
+        t, moved = origin + h, _euler(h, y, g)
+        h = max(h, _first_step(rhs, t, span, moved, rhs(t, moved, c), c))
+        both = zip(g, rhs(t, moved, c), strict=True)  # what moves at that instant alone is at rest
+        g = tuple(0.0 if abs(later) < RAMP * abs(rate) else later for rate, later in both)
+        y = tuple(onward if rate else v for v, onward, rate in zip(y, moved, g, strict=True))
     if not control.atol and min(a, default=0.0) <= NO_SCALE:
         later = _doubling(t, h, span) if engine.formulas.timed else ()
         sizes = error_scale(rhs, t, h, y, g, c, later)

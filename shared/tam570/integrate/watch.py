@@ -71,8 +71,7 @@ Look = Callable[[float, Sequence[float], Callable[[], Sequence[float]], int, int
 
 PYTHON = 300_000  # steps left that are too many: some ten seconds and up
 COMPILED = 30_000_000
-CALLED = 100_000  # the same, of steps that are refused as often as not, of a function that is called as it stands
-OUT_OF_REACH = 1e9  # the same, of any function
+OUT_OF_REACH = 1e9  # the same, of any function, where steps are refused as often as not
 BETWEEN_LOOKS = 500  # steps tried
 LOOKS, IDLE_LOOKS = 20, 10  # in a row
 DECAY = 1.5  # h times the fastest decay: accuracy alone asks for less
