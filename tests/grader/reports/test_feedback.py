@@ -82,9 +82,9 @@ def test_what_a_student_calls_things_is_text_and_no_markup(page, grade):
         [
             ("hw01_simple_pendulum", "upside_down", False),
             ("hw05_constrained_pendulum", "gravity_up", False),
-            ("hw05_constrained_pendulum", "from_time_zero", True),
+            ("hw05_constrained_pendulum", "simulate_2", True),
             ("hw07_double_pendulum", "sign_of_the_sine_term", False),
-            ("hw07_double_pendulum", "uniform_times_assumed", True),
+            ("hw07_double_pendulum", "simulate", True),
         ],
     ),
 )
