@@ -14,13 +14,13 @@ def cached_code(file: str, name: str, inputs: bytes, compiled: Callable[[], Code
 
     inputs : all that the code depends on
     """
-    loader, place = SourceFileLoader(name, file), importlib.util.cache_from_source(file, optimization=name)
+    loader, path = SourceFileLoader(name, file), importlib.util.cache_from_source(file, optimization=name)
     key = importlib.util.MAGIC_NUMBER + importlib.util.source_hash(bytes([sys.flags.optimize]) + inputs)
     with suppress(OSError):
-        if (left := loader.get_data(place)).startswith(key):
-            code: CodeType = marshal.loads(left[len(key) :])
+        if (stored := loader.get_data(path)).startswith(key):
+            code: CodeType = marshal.loads(stored[len(key) :])
             return code
     code = compiled()
     if not sys.dont_write_bytecode:
-        loader.set_data(place, key + marshal.dumps(code))  # as a whole, or not at all
+        loader.set_data(path, key + marshal.dumps(code))  # as a whole, or not at all
     return code

@@ -256,8 +256,8 @@ def _own_source(run: _Run, failed: Failed) -> Cause | None:
 def _repeats_rule(run: _Run, failure: Failure) -> str:
     """Return the function if the rows of its motions were wrong in the same way before; else nothing."""
     before = [result.failure for result in run.results.values() if result.failure]
-    told = any((other.function, other.hint) == (failure.function, failure.hint) for other in before)
-    return failure.function if told and failure.hint in OF_ROWS else ""
+    is_repeated = any((other.function, other.hint) == (failure.function, failure.hint) for other in before)
+    return failure.function if is_repeated and failure.hint in OF_ROWS else ""
 
 
 def _is_consequence(run: _Run, wrong: str, calls: Sequence[Call]) -> bool:

@@ -53,7 +53,7 @@ def checked_rows(
         touched |= {slug} if of is not None else set()
         yield Entry(entry.student, slug, entry.item, entry.points, of, entry.comment)
     for slug in sorted(touched):  # everybody is graded out of the same
-        yield from (Entry(EVERYONE, slug, part, None, asked.points) for part, asked in rubrics[slug].items())
+        yield from (Entry(EVERYONE, slug, part, None, manual.points) for part, manual in rubrics[slug].items())
 
 
 def _wrong(entry: Entry, students: set[str], parts: Rubric, checks: Checks) -> str:
