@@ -54,9 +54,9 @@ def diagnose(  # noqa: PLR0913  what is known of a failed check
 
 def _as_in(cause: Cause, earlier: Sequence[Cause], *, may_follow: bool) -> Cause:
     """Return the cause, beside the function that was told the same before; of a term or an argument it is one slip."""
-    others = {other.function: other.message for other in earlier if other.source == cause.source}
-    messages = {name: (cause.message, cause.message.replace(cause.function, name)) for name in others}
-    same = next((name for name in others if name != cause.function and others[name] in messages[name]), "")
+    others = [(other.function, other.message) for other in earlier if other.source == cause.source and other.message]
+    messages = {name: (cause.message, cause.message.replace(cause.function, name)) for name, _ in others}
+    same = next((name for name, message in others if name != cause.function and message in messages[name]), "")
     if same and may_follow and cause.source != "result":
         return replace(cause, message="", follows_from=same)
     is_as_in = same and cause.source != "known mistake"
