@@ -315,8 +315,9 @@ def start_state(run: Run, a: Sequence[float] = ()) -> State:
     h, t = _first_step(rhs, origin, span, y, g, c), origin
     if h < SOON * span:  # the rates may jump at the very start
         t, moved = origin + h, _euler(h, y, g)
-        h = max(h, _first_step(rhs, t, span, moved, rhs(t, moved, c), c))
-        both = zip(g, rhs(t, moved, c), strict=True)  # what moves at that instant alone is at rest
+        beyond = rhs(t, moved, c)
+        h = max(h, _first_step(rhs, t, span, moved, beyond, c))
+        both = zip(g, beyond, strict=True)  # what moves at that instant alone is at rest
         g = tuple(0.0 if abs(later) < RAMP * abs(rate) else later for rate, later in both)
         y = tuple(onward if rate else v for v, onward, rate in zip(y, moved, g, strict=True))
     if not control.atol and min(a, default=0.0) <= NO_SCALE:
