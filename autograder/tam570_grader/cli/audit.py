@@ -52,7 +52,14 @@ def add_audit(parser: argparse.ArgumentParser) -> None:
 def _audit(arguments: argparse.Namespace) -> int:
     """Print what is asked for, an assignment at a time; 1 if there is a fault."""
     course = course_config.course_of(arguments.root)
-    question = _question(arguments)
+    questions = [name for name in QUESTIONS if getattr(arguments, name) is not None]
+    if arguments.keep and questions != ["fairness"]:
+        raise UsageError("--keep: it goes with --fairness alone")
+    if arguments.seeds and questions and questions[0] in ("fairness", "margins"):
+        raise UsageError(f"--seeds: it does not go with --{questions[0]}")
+    if arguments.function and questions:
+        raise UsageError(f"--function: it chooses mutants; it does not go with --{questions[0]}")
+    question = QUESTIONS[questions[0]] if questions else _mutation
     if not arguments.cluster:
         warn_of_isolation()
     faults = 0
@@ -64,17 +71,6 @@ def _audit(arguments: argparse.Namespace) -> int:
             say("\n".join(lines))
             faults += survived
     return 1 if faults else 0
-
-
-def _question(arguments: argparse.Namespace) -> Question:
-    questions = [name for name in QUESTIONS if getattr(arguments, name) is not None]
-    if arguments.keep and questions != ["fairness"]:
-        raise UsageError("--keep: it goes with --fairness alone")
-    if arguments.seeds and questions and questions[0] in ("fairness", "margins"):
-        raise UsageError(f"--seeds: it does not go with --{questions[0]}")
-    if arguments.function and questions:
-        raise UsageError(f"--function: it chooses mutants; it does not go with --{questions[0]}")
-    return QUESTIONS[questions[0]] if questions else _mutation
 
 
 def _with_functions(course: Path, slugs: Sequence[str], names: Sequence[str]) -> list[str]:

@@ -119,13 +119,20 @@ def _what_is_kept(out: Path | None, summary: RunSummary) -> str:
 
 def _print_results(arguments: argparse.Namespace, course: Path, config: RunConfig, summary: RunSummary) -> int:
     """Print what was asked for; the exit code."""
-    if arguments.format == "gradescope":
-        return _print_gradescope(course, summary)
-    if not arguments.json:
-        _print_tables(summary, config)
+    if arguments.format == "gradescope" and not summary.faults:
+        checks = assignments.assignment(course, summary.last["assignment"]).checks
+        say(json.dumps(autograder.results(summary.last, {check.name: check.title for check in checks}), indent=1))
+    elif arguments.format != "gradescope" and not arguments.json:
+        say(feedback.table(sorted(summary.rows, key=lambda row: (row[1], row[0]))))
+        inputs = "the same key" if config.key else f"seed {config.seed}; the same seed"
+        say(f"\n{inputs} gives the same hidden inputs and the same scores")
+        if lacking := _missing_points(summary, config):
+            say(f"the points that you give by hand are not in it yet: {lacking}")
         if arguments.against:
             say("\n" + regrade.table(summary.changes, summary.compared))
-    return _warn_of_faults(summary)
+    for fault in summary.faults:
+        warn(fault, "")
+    return 1 if summary.faults else 0
 
 
 def _config(arguments: argparse.Namespace, course: Path, chosen: list[Submission], earlier: list[Results]) -> RunConfig:
@@ -164,29 +171,12 @@ def executor_of(
     return cluster.executor(course, slugs, arguments.jobs) if cluster else executor(arguments.jobs)
 
 
-def _print_tables(summary: RunSummary, config: RunConfig) -> None:
-    say(feedback.table(sorted(summary.rows, key=lambda row: (row[1], row[0]))))
-    inputs = "the same key" if config.key else f"seed {config.seed}; the same seed"
-    say(f"\n{inputs} gives the same hidden inputs and the same scores")
-    if lacking := _missing_points(summary, config):
-        say(f"the points that you give by hand are not in it yet: {lacking}")
-
-
 def _missing_points(summary: RunSummary, config: RunConfig) -> str:
     """Return how many points of which assignments were not given by hand yet."""
     parts = {slug: assignments.rubric_of(config.course, slug) for slug in sorted({row[1] for row in summary.rows})}
     lacking = {slug: sum(part.points for part in rubric.values()) for slug, rubric in parts.items() if rubric}
     counted = {slug for slug in lacking if summary.adjustments and summary.adjustments.counts_parts(slug)}
     return ", ".join(f"{most:g} of {slug}" for slug, most in lacking.items() if slug not in counted)
-
-
-def _print_gradescope(course: Path, summary: RunSummary) -> int:
-    """Print results.json of the one submission, or nothing if the grader failed on it; the exit code."""
-    if code := _warn_of_faults(summary):
-        return code
-    checks = assignments.assignment(course, summary.last["assignment"]).checks
-    say(json.dumps(autograder.results(summary.last, {check.name: check.title for check in checks}), indent=1))
-    return 0
 
 
 def _shard_of(student: str, parts: int) -> int:
@@ -217,13 +207,6 @@ def _submissions(arguments: argparse.Namespace, slugs: list[str]) -> list[Submis
     everyone = chosen + (not_handed_in(arguments.roster, chosen) if arguments.roster else [])
     k, n = arguments.shard or (1, 1)
     return [submission for submission in everyone if _shard_of(submission.student, n) == k]
-
-
-def _warn_of_faults(summary: RunSummary) -> int:
-    """Say what the grader failed on; the exit code."""
-    for fault in summary.faults:
-        warn(fault, "")
-    return 1 if summary.faults else 0
 
 
 def warn_of_isolation() -> None:

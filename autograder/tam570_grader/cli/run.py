@@ -52,7 +52,9 @@ def whole_run(
             manual_points.join(arguments.out, arguments.join)
         _run(config, store, old, summary, arguments)
         if arguments.against and not arguments.json:
-            gone = _gone(old[-1], config, arguments)
+            names = arguments.only or filter(None, [arguments.assignment])
+            slugs = assignments.match_slugs(names, assignments.slugs(course))
+            gone = regrade.gone(old[-1], config.submissions, arguments.paths, slugs)  # who are no longer there
             summary.changes += gone
             summary.compared += len(gone)
         if store is not None:  # the pages of all results that are there; of a finished run, of those that changed
@@ -74,30 +76,15 @@ def _run(
             continue
         record = outcome.record if isinstance(outcome, CachedResult) else outcome
         summary.rows.append(row(record))
-        summary.faults += _faults(record)
-        summary.last = record
-        change = _change(old[-1], record, summary) if arguments.against else {}
+        if record["score"] is None:
+            errors = {check["error"] for check in record["checks"] if check["outcome"] == "grader_error"}
+            who = f"{record['student']} {record['assignment']}"
+            summary.faults.append(f"the grader failed on {who}: {'; '.join(errors)}")
+        summary.last, more = record, Json()
+        if arguments.against:
+            change = regrade.change(old[-1].get(key_of(record)), record)
+            summary.changes += [change] if change else []
+            summary.compared += 1
+            more = {"change": change and asdict(change)}
         if arguments.json:
-            say(json.dumps({**record, **change}, allow_nan=False))
-
-
-def _change(old: Results, record: Record, summary: RunSummary) -> Json:
-    """Return what became of the old score, as `--json` has it."""
-    change = regrade.change(old.get(key_of(record)), record)
-    summary.changes += [change] if change else []
-    summary.compared += 1
-    return {"change": change and asdict(change)}
-
-
-def _gone(old: Results, config: RunConfig, arguments: argparse.Namespace) -> list[Change]:
-    """Return the changes of those who are no longer there; they count among what is compared."""
-    names = arguments.only or filter(None, [arguments.assignment])
-    slugs = assignments.match_slugs(names, assignments.slugs(config.course))
-    return regrade.gone(old, config.submissions, arguments.paths, slugs)
-
-
-def _faults(record: Record) -> list[str]:
-    if record["score"] is not None:
-        return []
-    errors = {check["error"] for check in record["checks"] if check["outcome"] == "grader_error"}
-    return [f"the grader failed on {record['student']} {record['assignment']}: {'; '.join(errors)}"]
+            say(json.dumps({**record, **more}, allow_nan=False))

@@ -286,18 +286,14 @@ def computed(module: ModuleType, call: Call) -> Numbers:
     try:
         with np.errstate(all="ignore"):
             if case.points:
-                return _values(function(), case.points)
+                import sympy
+
+                symbols = [sympy.Symbol(name) for name in case.points[0]]
+                value = sympy.lambdify(symbols, function(), "numpy")
+                return np.array([value(*point.values()) for point in case.points], float)
             return function(*case.args, **case.kwargs)
     except (ArithmeticError, ValueError, np.linalg.LinAlgError):
         return NoValue
-
-
-def _values(formula: Numbers, points: list[dict[str, float]]) -> Numbers:
-    """Of a formula in plain symbols, at each of the points."""
-    import sympy
-
-    value = sympy.lambdify([sympy.Symbol(name) for name in points[0]], formula, "numpy")
-    return np.array([value(*point.values()) for point in points], float)
 
 
 @functools.lru_cache(maxsize=256)

@@ -115,7 +115,7 @@ def _of_quantities(function: ast.FunctionDef) -> dict[str, "Operator"]:
 
 def _as_given(node: ast.expr, raw: Mapping[str, str]) -> Iterator[ast.expr]:
     """Yield what is computed from an argument becomes the argument."""
-    if isinstance(node, ast.Name) and node.id in raw and _is_read(node):
+    if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load) and node.id in raw:
         yield ast.Name(raw[node.id], ast.Load())
 
 
@@ -125,13 +125,9 @@ def _ignored(node: ast.expr, computed: Set[int]) -> Iterator[ast.expr]:
         yield ast.Constant(0.0)
 
 
-def _is_read(node: ast.Name) -> bool:
-    return isinstance(node.ctx, ast.Load)
-
-
 def _others_of_a_kind(node: ast.expr, kinds: Sequence[Set[str]]) -> Iterator[ast.expr]:
     """Yield A becomes C of `A, C = inertia`, and the radius the offset."""
-    if isinstance(node, ast.Name) and _is_read(node):
+    if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
         others = {other for kind in kinds if node.id in kind for other in kind - {node.id}}
         yield from (ast.Name(other, ast.Load()) for other in sorted(others))
 
@@ -163,7 +159,7 @@ def _everywhere(function: ast.FunctionDef) -> Iterator[Mutant]:
     calls = [node for node in ast.walk(function) if isinstance(node, ast.Call) and len(node.args) == 1]
     angles = {ast.dump(node.args[0]) for node in calls if _name_of(node.func) in ("sin", "cos")}
     of_angles: list[tuple[str, Operator]] = [
-        ("sine and cosine", partial(_counterparts_of_angle, angle)) for angle in (None, *sorted(angles))
+        ("sine and cosine", partial(_sines_and_cosines, ("sin", "cos"), angle)) for angle in (None, *sorted(angles))
     ]
     for name, operator in (*EVERYWHERE, *of_angles):
         changer = _InEveryPlace(operator)
@@ -229,7 +225,10 @@ def changed_expressions(
     function: ast.FunctionDef, chosen: Mapping[str, Operator] | None = None
 ) -> Iterator[tuple[ast.expr, str, ast.expr]]:
     """Yield every expression of a body, and what an operator makes of it; messages and tolerances are no physics."""
-    spared = {id(inner) for node in ast.walk(function) if _is_spared(node) for inner in ast.walk(node)}
+    spared = set[int]()
+    for node in ast.walk(function):
+        if isinstance(node, ast.Raise) or (isinstance(node, ast.keyword) and node.arg == "rtol"):
+            spared |= {id(inner) for inner in ast.walk(node)}
     inputs = {argument.arg for argument in (*function.args.args, *function.args.kwonlyargs)}
     operators = chosen or {**OPERATORS, "a missing copy": partial(_copies, inputs=inputs)}
     for statement in function.body:
@@ -240,10 +239,6 @@ def changed_expressions(
                 for name, operator in operators.items():
                     for change in operator(node):
                         yield node, name, change
-
-
-def _is_spared(node: ast.AST) -> bool:
-    return isinstance(node, ast.Raise) or (isinstance(node, ast.keyword) and node.arg == "rtol")
 
 
 def _signs(node: ast.expr) -> Iterator[ast.expr]:
@@ -266,8 +261,8 @@ def _operations(node: ast.expr) -> Iterator[ast.expr]:
 
 def _exponents(node: ast.expr) -> Iterator[ast.expr]:
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow) and isinstance(node.right, ast.Constant):
-        yield _with(node, right=ast.Constant(_number(node.right) + 1))
-        yield _with(node, right=ast.Constant(_number(node.right) - 1))
+        power = ast.literal_eval(node.right)
+        yield from (_with(node, right=ast.Constant(other)) for other in (power + 1, power - 1))
 
 
 def _factors(node: ast.expr) -> Iterator[ast.expr]:
@@ -289,14 +284,9 @@ def _counterparts(node: ast.expr) -> Iterator[ast.expr]:
         yield _with(node, func=_with(node.func, attr=COUNTERPARTS[node.func.attr]))
 
 
-def _counterpart_of(name: str, node: ast.expr) -> Iterator[ast.expr]:
-    if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == name:
-        yield from _counterparts(node)
-
-
-def _counterparts_of_angle(angle: str | None, node: ast.expr) -> Iterator[ast.expr]:
-    """Yield sine and cosine, of one angle or of all, change places."""
-    if not isinstance(node, ast.Call) or _name_of(node.func) not in ("sin", "cos") or len(node.args) != 1:
+def _sines_and_cosines(names: Sequence[str], angle: str | None, node: ast.expr) -> Iterator[ast.expr]:
+    """Yield sine and cosine, one of them or both, of one angle or of all, change places."""
+    if not isinstance(node, ast.Call) or _name_of(node.func) not in names or len(node.args) != 1:
         return
     if angle in (None, ast.dump(node.args[0])):
         yield from _counterparts(node)
@@ -527,7 +517,7 @@ MORE: dict[str, Operator] = {
     "the parallel axis": _parallel_axes,
 }
 EVERYWHERE: tuple[tuple[str, Operator], ...] = (
-    *(("another function", partial(_counterpart_of, name)) for name in ("sin", "cos")),
+    *(("another function", partial(_sines_and_cosines, (name,), None)) for name in ("sin", "cos")),
     ("linearised", _linearised),
     ("a product for a square", _products_for_squares),
     ("degrees", _degrees),
@@ -548,8 +538,3 @@ def _times(number: float, node: ast.expr) -> ast.expr:
 
 def _name_of(function: ast.expr) -> str:
     return getattr(function, "attr", getattr(function, "id", ""))
-
-
-def _number(node: ast.Constant) -> float:
-    assert isinstance(node.value, int | float)
-    return node.value

@@ -12,7 +12,6 @@ import inspect
 import re
 import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
-from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import partial
 from types import CodeType, ModuleType
@@ -76,14 +75,11 @@ def _compared(solution: str, calls: Sequence[Call]) -> list[ComparedCall]:
     return [] if any(value is None for value in expected) else compared
 
 
-def _quick_first(calls: Sequence[ComparedCall]) -> list[ComparedCall]:
-    """Return the calls, those first that most variants are told from the student's by, at the least cost."""
-    beginnings = [*filter(None, map(beginning, calls))]
-    return sorted((*beginnings, *calls), key=lambda call: (call.fits(call.expected), len(call.case.packed)))
-
-
 def _general(solution: str, calls: Sequence[Call], others: Sequence[str], passed: Set[str]) -> Cause | None:
-    compared = _quick_first(_compared(solution, calls))
+    compared = _compared(solution, calls)
+    compared += filter(None, map(beginning, compared))
+    # Those first that most variants are told from the student's by, at the least cost.
+    compared.sort(key=lambda call: (call.fits(call.expected), len(call.case.packed)))
     wrong = [call for call in compared if not call.fits(call.expected)]
     names = {call.name for call in wrong}
     if len(names) != 1:
@@ -103,7 +99,11 @@ def _general(solution: str, calls: Sequence[Call], others: Sequence[str], passed
     cause = cause or _other_symbol(solution, name, its_calls) or _other_argument(solution, module, name, compared)
     if cause is None or cause.message.endswith(VAGUE):
         cause = _mutant_of_any(solution, others, module, name, compared, passed) or cause
-    cause = cause or _other_form(solution, module, name, its_calls)
+    if cause is None:  # what else an argument or a result may be, or the one place where the result is wrong
+        reference = getattr(module, name)
+        change = _either_reversed(name, reference, its_calls)
+        change = change or next(_explaining(other_forms(name, reference, its_calls[0]), its_calls), None)
+        cause = _transformed(solution, name, change) or _single_entry(name, its_calls)
     return cause and replace(cause, calls=tuple(calls))
 
 
@@ -120,14 +120,6 @@ def _other_argument(solution: str, module: ModuleType, name: str, compared: Sequ
     explaining = ([*_explaining(family, its_calls)] for family in families)
     change = next((variants[0] for variants in explaining if len(variants) == 1), None)
     return _transformed(solution, name, change or _for_one_word(name, reference, compared))
-
-
-def _other_form(solution: str, module: ModuleType, name: str, calls: Sequence[ComparedCall]) -> Cause | None:
-    """Return what else an argument or a result may be, or the one place where the result is wrong."""
-    reference = getattr(module, name)
-    change = _either_reversed(name, reference, calls)
-    change = change or next(_explaining(other_forms(name, reference, calls[0]), calls), None)
-    return _transformed(solution, name, change) or _single_entry(name, calls)
 
 
 def _transformed(
@@ -178,7 +170,8 @@ def _for_one_word(name: str, reference: Function, calls: Sequence[ComparedCall])
     for index, word in enumerate(wrong[0].case.args):
         if isinstance(word, str) and all(_word(call, index) == word for call in wrong):
             family = other_arguments(name, reference, wrong[0])
-            explaining = [*_explaining(((words, _Where(index, word, transform)) for words, transform in family), calls)]
+            variants = ((words, partial(_where, index, word, transform)) for words, transform in family)
+            explaining = [*_explaining(variants, calls)]
             if len(explaining) == 1:
                 ((words, transform),) = explaining
                 return f"{words} where {keys[index]} is {word!r}", transform
@@ -189,16 +182,9 @@ def _word(call: ComparedCall, index: int) -> Numbers:
     return call.case.args[index] if index < len(call.case.args) else None
 
 
-@dataclass(frozen=True)
-class _Where:
-    """A variant for one word, the right answer for all others."""
-
-    index: int
-    word: str
-    transform: Transform
-
-    def __call__(self, call: ComparedCall) -> Numbers:
-        return self.transform(call) if _word(call, self.index) == self.word else call.expected
+def _where(index: int, word: str, transform: Transform, call: ComparedCall) -> Numbers:
+    """Return the answer of a variant for one word, the right answer for all others."""
+    return transform(call) if _word(call, index) == word else call.expected
 
 
 def wrong_arguments(solution: str, calls: Sequence[Call], before: Sequence[Call]) -> Iterator[Cause]:
@@ -310,10 +296,12 @@ def _mutant(
             break
         term = ", ".join(sorted(name for name in names_in_term if {name, parameters.get(name)} & public))
         if helper in suspects and term not in texts.get(words, ()):
-            with _with_mutant(module, helper, _code(text)):
-                if _explains(partial(_called, module), calls):
-                    texts.setdefault(words, {})[term] = text
-                    factors.setdefault(words, set()).add(factor)
+            reference = getattr(module, helper)
+            exec(_code(text), vars(module))
+            if _explains(partial(_called, module), calls):
+                texts.setdefault(words, {})[term] = text
+                factors.setdefault(words, set()).add(factor)
+            setattr(module, helper, reference)
     if len(texts) > 1:
         texts.pop(KINDS["a factor"], None)  # a number is in the term that counts twice
         texts.pop(KINDS["two exchanged"], None)  # a sine and a cosine
@@ -362,16 +350,6 @@ def _single_entry(name: str, calls: Sequence[ComparedCall]) -> Cause | None:
         return None
     where = ", ".join(f"{axis} {index + 1}" for axis, index in zip(AXES[len(form)], places[0], strict=True))
     return Cause(name, f"Your result of {name} is wrong in {where} alone", "place")
-
-
-@contextmanager
-def _with_mutant(module: ModuleType, helper: str, code: CodeType) -> Iterator[None]:
-    reference = getattr(module, helper)
-    exec(code, vars(module))
-    try:
-        yield
-    finally:
-        setattr(module, helper, reference)
 
 
 @functools.cache
@@ -521,7 +499,8 @@ def _words_of_operation(mutant: Mutant, was: ast.BinOp) -> Iterator[tuple[str, a
     now, is_sum = mutant.now, isinstance(was.op, ast.Add | ast.Sub)
     if mutant.operator == "a missing factor":
         dropped = was.right if now is was.left else was.left
-        yield KINDS["a factor"] if _is_two(dropped) else "a factor{} is missing", dropped
+        is_two = isinstance(dropped, ast.Constant) and dropped.value in (2, 0.5)
+        yield KINDS["a factor"] if is_two else "a factor{} is missing", dropped
     elif mutant.operator == "a root":
         yield "a divisor{} is its square root", was.right
     elif mutant.operator == "a first sign":
@@ -540,10 +519,6 @@ def _words_of_operation(mutant: Mutant, was: ast.BinOp) -> Iterator[tuple[str, a
         yield KINDS["a transpose"], was
     elif mutant.operator in KINDS:
         yield KINDS[mutant.operator], was
-
-
-def _is_two(node: ast.expr) -> bool:
-    return isinstance(node, ast.Constant) and node.value in (2, 0.5)
 
 
 def _is_half(node: ast.expr) -> bool:

@@ -56,7 +56,17 @@ class Quota:
 def members(source: Path) -> Iterator[File]:
     """Yield all files of a zip file or a folder, those that are refused, too."""
     if source.is_dir():
-        yield from map(lambda path: _of_folder(path, source), _regular(source))
+        # Links and devices are left out, and what Git keeps for itself.
+        paths = [
+            Path(folder) / name
+            for folder, _, names in os.walk(source)
+            for name in names
+            if name not in JUNK and "/.git/" not in f"{folder}/"
+        ]
+        for path in sorted(path for path in paths if stat.S_ISREG(path.lstat().st_mode)):
+            name = path.relative_to(source).as_posix()
+            with open(path, "rb") as file:
+                yield _checked(name, file.read(_most(name) + 1))
         return
     try:
         with zipfile.ZipFile(source) as archive:
@@ -70,7 +80,10 @@ def members(source: Path) -> Iterator[File]:
 def unpack_zip(packed: File, quota: Quota) -> list[File]:
     """Return the work in a student's own zip file; one file without a path that says why where it cannot be read."""
     try:
-        if _size_of_directory(packed.data) > MOST_INSIDE * (ENTRY + LONGEST_PATH):
+        end = packed.data.rfind(b"PK\5\6")  # tells the directory's size before any of it is read: each entry costs time
+        if end >= 0 and int.from_bytes(packed.data[end + 12 : end + 16], "little") > MOST_INSIDE * (
+            ENTRY + LONGEST_PATH
+        ):
             raise UsageError(f"it holds more than {MOST_INSIDE} files")
         with zipfile.ZipFile(io.BytesIO(packed.data)) as archive:
             infos = [
@@ -91,12 +104,6 @@ def is_beside(name: str) -> bool:
 def shortened(text: str) -> str:
     """Cut a text to the longest path of a file."""
     return text if len(text) <= LONGEST_PATH else f"{text[: LONGEST_PATH // 5]}..."
-
-
-def _size_of_directory(data: bytes) -> int:
-    """Return the bytes of a zip file's directory, by its end, before any of it is read: each entry costs time."""
-    end = data.rfind(b"PK\5\6")
-    return int.from_bytes(data[end + 12 : end + 16], "little") if end >= 0 else 0
 
 
 def _files(archive: zipfile.ZipFile, most: int, name: str) -> list[zipfile.ZipInfo]:
@@ -122,23 +129,6 @@ def _member(archive: zipfile.ZipFile, info: zipfile.ZipInfo) -> File:
             return _checked(info.filename, file.read(min(info.file_size, _most(info.filename)) + 1))
     except Exception as error:  # as above
         return File(info.filename, b"", f"it cannot be unpacked: {shortened(str(error))}")
-
-
-def _of_folder(path: Path, source: Path) -> File:
-    name = path.relative_to(source).as_posix()
-    with open(path, "rb") as file:
-        return _checked(name, file.read(_most(name) + 1))
-
-
-def _regular(source: Path) -> list[Path]:
-    """Return the regular files below a folder; links and devices are left out, and what Git keeps for itself."""
-    files = [
-        Path(folder) / name
-        for folder, _, names in os.walk(source)
-        for name in names
-        if name not in JUNK and "/.git/" not in f"{folder}/"
-    ]
-    return sorted(path for path in files if stat.S_ISREG(path.lstat().st_mode))
 
 
 def _most(name: str) -> int:

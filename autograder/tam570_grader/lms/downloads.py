@@ -51,7 +51,11 @@ def fields_of(path: str, system: System) -> dict[str, str] | None:
 
 
 def _of_names(files: Sequence[File], system: System) -> Iterator[Handed | File]:
-    for file in _unwrapped(files, system) if system is SYSTEMS["canvas"] else files:
+    # A folder around all files is stripped: its name, `hw_2026_09_14` say, may look like a student's.
+    if system is SYSTEMS["canvas"] and len({file.path.partition("/")[0] for file in files}) == 1:
+        inner = [replace(file, path=file.path.partition("/")[2]) for file in files]
+        files = inner if any(fields_of(file.path, system) for file in inner) else files
+    for file in files:
         fields = fields_of(file.path, system)
         is_file = fields is not None and file.path.endswith(fields["whole"])
         if fields and is_file and file.path.endswith(".txt") and not fields.get("file"):
@@ -82,13 +86,6 @@ def time_of(text: str) -> str:
     except (ValueError, OverflowError):
         return ""
     return moment.isoformat(" ")
-
-
-def _unwrapped(files: Sequence[File], system: System) -> Sequence[File]:
-    """Strip a folder around all files; its name, `hw_2026_09_14` say, may look like a student's."""
-    inner = [replace(file, path=file.path.partition("/")[2]) for file in files]
-    wrapped = len({file.path.partition("/")[0] for file in files}) == 1
-    return inner if wrapped and any(fields_of(file.path, system) for file in inner) else files
 
 
 def _of_repositories(files: Sequence[File], system: System) -> Iterator[Handed | File]:

@@ -6,7 +6,7 @@ attachment, Moodle by the participant (`mod/assign/feedback/file/importziplib.ph
 
 import io
 import zipfile
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from tam570_grader.checks import assignments
@@ -28,9 +28,11 @@ def run(pages: Path, collected: Path, system: str, out: Path, only: Sequence[str
     only      : names of assignments; a zip file holds the pages of one, for it is uploaded there
     roster    : Moodle's worksheet: a member of a group gets a page of their own by it
     """
-    if SYSTEMS[system].page is None:
+    page_name = SYSTEMS[system].page
+    if page_name is None:
         raise UsageError(f"{SYSTEMS[system].title} takes no zip file of pages: hand back the folder {pages}")
-    names = _named(listed(collected, NEEDED), system, rosters.Directory(rosters.people(roster) if roster else ()))
+    everyone = rosters.Directory(rosters.people(roster) if roster else ())
+    names = _named(listed(collected, NEEDED), system, page_name, everyone)
     slugs = sorted({slug for _, slug in names})
     if not names:
         raise UsageError(f"{collected} names no file as {system} does: is --to right?")
@@ -52,23 +54,18 @@ def run(pages: Path, collected: Path, system: str, out: Path, only: Sequence[str
 
 
 def _named(
-    rows: Sequence[Mapping[str, str]], system: str, everyone: rosters.Directory
+    rows: Sequence[Mapping[str, str]], system: str, page: str, everyone: rosters.Directory
 ) -> dict[tuple[str, str], tuple[str, bool]]:
     """Map student and assignment to the name of their page, of a lone PDF too, and to whether work was collected."""
     names: dict[tuple[str, str], tuple[str, bool]] = {}
     for cells in sorted(rows, key=lambda cells: not form(cells["file"])):
-        key = cells["student"], cells["assignment"]
-        for name in _page(cells, system, everyone) if key[1] else ():
-            names.setdefault(key, (name, bool(form(cells["file"]))))
+        student, slug = cells["student"], cells["assignment"]
+        fields = fields_of(cells["from"], SYSTEMS[system])
+        if not slug or fields is None or (system == "canvas" and "start" not in fields):
+            continue
+        person = everyone.by_folder.get(student)
+        participant = dict(person.keys).get("participant") if person else None
+        if person and participant and system == "moodle":  # a group's number is no participant's
+            fields |= {"name": person.name.replace("_", " ") or fields["name"], "user": participant}
+        names.setdefault((student, slug), (page.format(**fields, slug=slug), bool(form(cells["file"]))))
     return names
-
-
-def _page(cells: Mapping[str, str], system: str, everyone: rosters.Directory) -> Iterator[str]:
-    fields, page = fields_of(cells["from"], SYSTEMS[system]), SYSTEMS[system].page
-    if fields is None or page is None or (system == "canvas" and "start" not in fields):
-        return
-    person = everyone.by_folder.get(cells["student"])
-    participant = dict(person.keys).get("participant") if person else None
-    if person and participant and system == "moodle":  # a group's number is no participant's
-        fields |= {"name": person.name.replace("_", " ") or fields["name"], "user": participant}
-    yield page.format(**fields, slug=cells["assignment"])

@@ -34,7 +34,9 @@ class Table:
 
 def table_in(files: Iterable[File]) -> Table:
     """Return the class's table: the outermost of that name, for a student may hand in another."""
-    file = min(filter(_may_be_it, files), key=lambda file: file.path.count("/"), default=None)
+    named = [file for file in files if file.path.rsplit("/", 1)[-1] == METADATA]
+    outside = [file for file in named if not any(map(FOLDER.fullmatch, file.path.split("/")))]  # of all submissions
+    file = min(outside, key=lambda file: file.path.count("/"), default=None)
     if file is None:
         raise UsageError(f"the export holds no {METADATA} beside its submissions: {AGAIN}, by Export Submissions")
     if file.refused:
@@ -43,7 +45,15 @@ def table_in(files: Iterable[File]) -> Table:
     if not isinstance(entries, dict) or not entries:
         size = f", and is larger than {LARGEST // 2**20} MiB" if len(file.data) > LARGEST else ""
         raise UsageError(f"{file.path} lists no submissions{size}; {AGAIN}")
-    return Table(file, {str(folder): _submission(entry, f"{file.path}, {folder}") for folder, entry in entries.items()})
+    submissions = {}
+    for folder, entry in entries.items():
+        where = f"{file.path}, {folder}"
+        fields = entry if isinstance(entry, dict) else {":submitters": "none"}
+        submitters, when = fields.get(":submitters") or [], fields.get(":created_at", "")
+        if not isinstance(submitters, list) or not isinstance(when, str):
+            raise UsageError(f"{where}: this is not what Gradescope writes of a submission; {AGAIN}")
+        submissions[str(folder)] = tuple(_person(who, where) for who in submitters), when
+    return Table(file, submissions)
 
 
 def _without_results(data: bytes) -> bytes:
@@ -59,12 +69,6 @@ def _without_results(data: bytes) -> bytes:
     return b"".join(lines)
 
 
-def _may_be_it(file: File) -> bool:
-    """Return whether a file has the table's name, outside of all submissions."""
-    *folders, name = file.path.split("/")
-    return name == METADATA and not any(map(FOLDER.fullmatch, folders))
-
-
 def _read(file: File) -> object:
     try:
         return yaml.load(file.data, Loader=_Plain)
@@ -72,15 +76,6 @@ def _read(file: File) -> object:
         raise UsageError(f"{file.path} cannot be read: {' '.join(str(error).split())}; {AGAIN}") from None
     except (RecursionError, MemoryError):
         raise UsageError(f"{file.path} cannot be read: its parts lie too deep in one another; {AGAIN}") from None
-
-
-def _submission(entry: object, where: str) -> tuple[People, str]:
-    """Return whose it is, and when it came."""
-    fields = entry if isinstance(entry, dict) else {":submitters": "none"}
-    submitters, when = fields.get(":submitters") or [], fields.get(":created_at", "")
-    if not isinstance(submitters, list) or not isinstance(when, str):
-        raise UsageError(f"{where}: this is not what Gradescope writes of a submission; {AGAIN}")
-    return tuple(_person(who, where) for who in submitters), when
 
 
 def _person(who: object, where: str) -> tuple[dict[str, str], str]:

@@ -88,37 +88,43 @@ def export(scores: Scores, options: ExportOptions) -> Export:
     everyone = Directory(rosters.people(roster))
     result = Export([[*own_keys, *headings.values(), *_end(layout, 0)]])
     if layout.possible:
-        first = next((row for row in below if row and row[0].strip() == layout.possible), None)
-        result.rows.append(_possible_row(first, heading, own_keys, headings, scores, result))
+        first = next((row for row in below if row and row[0].strip() == layout.possible), [])
+        there = dict(zip(heading, first, strict=False))
+        cells = [
+            there.get(own_keys[0], "") or f"    {layout.possible}",
+            *(there.get(name, "") for name in own_keys[1:]),
+        ]
+        for slug, name in headings.items():
+            ours, theirs = _possible(scores, slug), there.get(name, "").strip()
+            if theirs and _number(theirs) != _number(ours):
+                result.troubles.append(f"{name} has {theirs} points possible in the gradebook, and {slug} has {ours}")
+            cells.append(theirs or ours)
+        result.rows.append(cells)
     joined = _joined(scores, everyone, result)
     for person in everyone.people:
         scored = {slug: joined.get((id(person), slug), "") for slug in slugs}
-        ours = {slug: layout.excused if score == EX else score for slug, score in scored.items()}
-        cells = [_cell(ours[slug], person, headings[slug], result, options.overwrite) for slug in slugs]
+        given = {slug: layout.excused if score == EX else score for slug, score in scored.items()}
+        cells = [_cell(given[slug], person, headings[slug], result, options.overwrite) for slug in slugs]
         result.rows.append([*(person.row.get(name, "") for name in own_keys), *cells, *_end(layout, 1)])
     return result
 
 
 def _without_roster(scores: Scores, slugs: Sequence[str], layout: Table, keys: Sequence[str]) -> Export:
     """Return a row for each student, known by the login that their folder is named after."""
+    rare = ("LastName", "FirstName", "Integration ID", "Root Account", "Last Name", "First Name", "Student ID")
+    ids = [name for name in keys if name not in (*rare, "OrgDefinedId")]
     headings = [layout.heading.format(slug=slug) for slug in slugs]
-    export = Export([[*_default(keys), *headings, *_end(layout, 0)]])
+    export = Export([[*ids, *headings, *_end(layout, 0)]])
     if layout.possible:
-        blanks = [""] * (len(_default(keys)) - 1)
+        blanks = [""] * (len(ids) - 1)
         export.rows.append([f"    {layout.possible}", *blanks, *(_possible(scores, slug) for slug in slugs)])
     for student in sorted({student for student, _ in scores}):
         marked = f"{layout.prefix}{student}"  # quoted where it stands for a name, for no name is matched
-        ids = {name: cell(marked) if name == "Student" else marked for name in layout.login}
-        who = [ids.get(name, marked if len(keys) == 1 else "") for name in _default(keys)]
+        logins = {name: cell(marked) if name == "Student" else marked for name in layout.login}
+        who = [logins.get(name, marked if len(keys) == 1 else "") for name in ids]
         points = [scores.get((student, slug), ("", ""))[0].replace(EX, layout.excused) for slug in slugs]
         export.rows.append([*who, *points, *_end(layout, 1)])
     return export
-
-
-def _default(keys: Sequence[str]) -> list[str]:
-    """Return the headings of a table that nobody exported."""
-    rare = ("LastName", "FirstName", "Integration ID", "Root Account", "Last Name", "First Name", "Student ID")
-    return [name for name in keys if name not in (*rare, "OrgDefinedId")]
 
 
 def _end(layout: Table, which: int) -> list[str]:
@@ -151,26 +157,6 @@ def _tells(layout: Table, name: str) -> list[str]:
     """Return what a heading is known by: its title, and its id."""
     match = layout.column.fullmatch(name)
     return [match[key] for key in ("title", "id") if match and key in match.groupdict()]
-
-
-def _possible_row(
-    first: Sequence[str] | None,
-    heading: Sequence[str],
-    keys: Sequence[str],
-    columns: Mapping[str, str],
-    scores: Scores,
-    export: Export,
-) -> list[str]:
-    """Return the row of the points possible, as the gradebook has them; those that differ from ours are named."""
-    there = dict(zip(heading, first or [], strict=False))
-    points = []
-    for slug, name in columns.items():
-        ours, theirs = _possible(scores, slug), there.get(name, "").strip()
-        if theirs and _number(theirs) != _number(ours):
-            export.troubles.append(f"{name} has {theirs} points possible in the gradebook, and {slug} has {ours}")
-        points.append(theirs or ours)
-    blanks = [there.get(name, "") for name in keys[1:]]
-    return [there.get(keys[0], "") or "    Points Possible", *blanks, *points]
 
 
 def _joined(scores: Scores, everyone: Directory, export: Export) -> dict[tuple[int, str], str]:
@@ -243,11 +229,8 @@ def read_scores(grades: Path, absent: str) -> Scores:
         here = {row["assignment"] for row in records if row["timestamp"] or float(row["score"] or 0)}
         records = [row if row["assignment"] in here else {**row, "score": ""} for row in records]
     if absent == "blank":
-        records = [{**row, "score": ""} if _is_absent(row) else row for row in records]
+        for row in records:
+            nothing = row["status"] == "missing" if "status" in row else not row.get("timestamp", "unknown")
+            if nothing and row["score"] != EX and not float(row["score"] or 0):  # no points by hand either
+                row["score"] = ""
     return {(true_name(row[name]), row["assignment"]): (row["score"], row["max_score"]) for row in records}
-
-
-def _is_absent(row: Mapping[str, str]) -> bool:
-    """Return whether a student handed in nothing and has no points by hand."""
-    nothing = row["status"] == "missing" if "status" in row else not row.get("timestamp", "unknown")
-    return nothing and row["score"] != EX and not float(row["score"] or 0)

@@ -64,23 +64,18 @@ def pairs(course: Path, slug: str, texts: Mapping[str, str]) -> Iterator[Pair]:
     ours = list(_fingerprint(_statements(stub), []).hashes)
     prints = {student: _fingerprint(text, ours) for student, text in sorted(texts.items())}
     everyone = list(combinations(prints, 2))
+    from copydetect import compare_files  # type: ignore[import-untyped]  # _fingerprint has told who lacks it
+
     for student, other in progress(everyone, len(everyone), "pair"):
-        shares = _shares(prints[student], prints[other])
-        if any(shares):
-            yield Pair(slug, student, other, shares)
+        _, (first, second), _ = compare_files(prints[student], prints[other])
+        if first or second:
+            yield Pair(slug, student, other, (min(1.0, float(first)), min(1.0, float(second))))
 
 
 def _fingerprint(text: str, ours: Sequence[int]) -> Any:
     """Return the fingerprints of a module, without those of what was handed out."""
     try:
-        from copydetect import CodeFingerprint  # type: ignore[import-untyped]
+        from copydetect import CodeFingerprint
     except ImportError:
         raise UsageError("alike needs copydetect: pip install 'tam570[grader]'") from None
     return CodeFingerprint("module.py", SHORTEST, WINDOW, boilerplate=ours, language="python", fp=io.StringIO(text))
-
-
-def _shares(code: Any, other_code: Any) -> tuple[float, float]:
-    from copydetect import compare_files
-
-    _, (first, second), _ = compare_files(code, other_code)
-    return min(1.0, float(first)), min(1.0, float(second))

@@ -1,7 +1,7 @@
 """Puts a download of a learning management system into `submitted/<student>/<assignment>/`: `tam570-grader collect`."""
 
 from collections import Counter, defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -59,15 +59,6 @@ class Lists:
     times: Path | None = None
 
 
-@dataclass(frozen=True)
-class Students:
-    """Who may have handed in, as a system names them."""
-
-    system: str
-    everyone: Directory
-    teams: Mapping[str, Sequence[Person]]
-
-
 def run(source: Path, system: str, out: Path, slugs: Sequence[str], slug_given: str | None, lists: Lists) -> int:
     """Collect a download; the exit code is 1 if anything is left that needs the instructor.
 
@@ -78,14 +69,19 @@ def run(source: Path, system: str, out: Path, slugs: Sequence[str], slug_given: 
     everyone = Directory(rosters.people(path) if (path := lists.roster or lists.groups) else ())
     tables = filter(None, (lists.roster, lists.groups))
     teams = {name: who for path in tables for name, who in rosters.groups(path, everyone).items()}
-    students = Students(system, everyone, teams)
     everything = list(read(members(source), system))
     strays = [handed for handed in everything if isinstance(handed, File)]
     unpacked = _unpacked([handed for handed in everything if isinstance(handed, Handed)])
     if not unpacked:
         raise UsageError(f"no name in {source} has the form that {SYSTEMS[system].title} gives: is --from right?")
     slug = slug_given or _assignment_of(unpacked, slugs)
-    rows = [row for handed in unpacked for row in _taken(handed, students, slug, slugs, slug_given)]
+    rows: list[Taken] = []
+    for handed in unpacked:
+        owners, why = _owners(handed, system, everyone, teams)
+        target, reason = _place(handed, why, slug, slugs, slug_given)
+        rows += [Taken(person.folder, person, handed, slug, target, reason) for person in owners]
+        if not owners:
+            rows.append(Taken(folder_of(handed.who), None, handed, slug, target, reason))
     rows = _with_work(_newest(_told_apart(rows, everyone)))
     rows = _timed(rows, lists.times, everyone)
     replaced = _write(rows, out)
@@ -94,7 +90,7 @@ def run(source: Path, system: str, out: Path, slugs: Sequence[str], slug_given: 
         for row in rows
         if row.reason not in ("", OLDER, RELEASED)
     ]
-    troubles += [(row.student, message) for row, message in _newer_notebooks(rows, out)]
+    troubles += _newer_notebooks(rows, out)
     why = "is nobody's by " + METADATA if system == "gradescope" else f"is not named as {system} names submissions"
     troubles += [("", f"{stray.path} {stray.refused or why}") for stray in strays]
     unmatched = {row.student: row for row in rows if everyone.people and row.person is None and row.target}
@@ -119,52 +115,41 @@ def _assignment_of(unpacked: Sequence[Handed], slugs: Sequence[str]) -> str:
 def _unpacked(handed: Sequence[Handed]) -> list[Handed]:
     """Return the files themselves, and the work that zip files hold; no student fills the memory."""
     quotas: dict[str, Quota] = defaultdict(Quota)
-    return [each for upload in handed for each in _unpack(upload, quotas[upload.who])]
+    unpacked = []
+    for upload in handed:
+        file, quota = upload.file, quotas[upload.who]
+        empty = replace(upload, file=replace(file, data=b""))
+        if file.refused or not upload.title.lower().endswith(".zip"):
+            is_kept = bool(form(upload.title)) or is_beside(upload.title)
+            full = quota.takes([file]) if is_kept else ""
+            unpacked.append(replace(upload, file=File(file.path, b"", full)) if full else upload if is_kept else empty)
+            continue
+        held = unpack_zip(file, quota)
+        for member in held:  # below the zip file's path, for by its name a page is handed back
+            path = f"{file.path}/{member.path}".rstrip("/")
+            unpacked.append(replace(upload, file=replace(member, path=path), title=member.path.rsplit("/", 1)[-1]))
+        unpacked += [] if held else [empty]
+    return unpacked
 
 
-def _unpack(handed: Handed, quota: Quota) -> list[Handed]:
-    file = handed.file
-    if file.refused or not handed.title.lower().endswith(".zip"):
-        is_kept = bool(form(handed.title)) or is_beside(handed.title)
-        if is_kept and (full := quota.takes([file])):
-            return [replace(handed, file=File(file.path, b"", full))]
-        return [replace(handed, file=file if is_kept else replace(file, data=b""))]
-    held = unpack_zip(file, quota)
-    outer = file.path  # by its name a page is handed back
-    files = [
-        (replace(member, path=f"{outer}/{member.path}".rstrip("/")), member.path.rsplit("/", 1)[-1]) for member in held
-    ]
-    return [replace(handed, file=member, title=title) for member, title in files] or [
-        replace(handed, file=replace(file, data=b""))
-    ]
-
-
-def _taken(handed: Handed, students: Students, slug: str, slugs: Sequence[str], slug_given: str | None) -> list[Taken]:
-    """Return a row for the student, or for each member of the group, to whom a file goes."""
-    owners, why = _owners(handed, students)
+def _place(handed: Handed, why_not: str, slug: str, slugs: Sequence[str], slug_given: str | None) -> tuple[str, str]:
+    """Return the name that a file gets; none, and the reason, where it gets none."""
     title = handed.title
     other = of_name(title, slugs)
     if handed.file.refused:
-        target, reason = "", handed.file.refused
-    elif not (ending := form(title)):
-        target, reason = ("", NOT_WORK) if why or not is_beside(title) else (_plain(title), "")
-    elif GIVEN.fullmatch(Path(title.removesuffix(".txt")).stem):
-        target, reason = "", RELEASED
-    elif not (other or slug_given):
-        target, reason = "", NAMELESS
-    elif other not in (None, slug):
-        target, reason = "", ELSEWHERE.format(other=other, slug=slug)
-    else:
-        target, reason = ("", why) if why else (f"{slug}{ending}", "")
-    if not owners:
-        return [Taken(folder_of(handed.who), None, handed, slug, target, reason)]
-    return [Taken(person.folder, person, handed, slug, target, reason) for person in owners]
-
-
-def _plain(title: str) -> str:
-    """Return the name of a drawing or a text beside the work: one that says nothing to a system or a terminal."""
-    plain = "".join(c if c.isalnum() or c in "-_." else "_" for c in title).lstrip(".")
-    return f"beside-{plain[-100:]}"
+        return "", handed.file.refused
+    if not (ending := form(title)):
+        if why_not or not is_beside(title):
+            return "", NOT_WORK
+        plain = "".join(c if c.isalnum() or c in "-_." else "_" for c in title).lstrip(".")
+        return f"beside-{plain[-100:]}", ""  # a name that says nothing to a system or a terminal
+    if GIVEN.fullmatch(Path(title.removesuffix(".txt")).stem):
+        return "", RELEASED
+    if not (other or slug_given):
+        return "", NAMELESS
+    if other not in (None, slug):
+        return "", ELSEWHERE.format(other=other, slug=slug)
+    return ("", why_not) if why_not else (f"{slug}{ending}", "")
 
 
 def _with_work(rows: Sequence[Taken]) -> list[Taken]:
@@ -181,13 +166,14 @@ def _left(row: Taken, reason: str) -> Taken:
     return replace(row, target="", reason=reason)
 
 
-def _owners(handed: Handed, students: Students) -> tuple[Sequence[Person], str]:
+def _owners(
+    handed: Handed, system: str, everyone: Directory, teams: Mapping[str, Sequence[Person]]
+) -> tuple[Sequence[Person], str]:
     """Return the students whose a file is; none and a sentence if somebody has to say whose."""
-    everyone, system = students.everyone, students.system
     who = everyone.owner(handed.keys, handed.name, must_agree=SYSTEMS[system].must_agree)
     if isinstance(who, Person):
         return [who], ""
-    team = students.teams.get(rosters.group_key(handed.name), []) if handed.name else []
+    team = teams.get(rosters.group_key(handed.name), []) if handed.name else []
     if system == "canvas" and team and not any(person in team for key in handed.keys for person in everyone.of(key)):
         return [], f"its number is of nobody in the group {handed.name}"
     return (team, "") if team else ([], who)
@@ -275,22 +261,16 @@ def _write(rows: Sequence[Taken], out: Path) -> list[str]:
                     replaced.append(f"{target} is replaced by {row.handed.file.path}")
                 written(target, row.handed.file.data)
         out.mkdir(parents=True, exist_ok=True)
-        write_table(path, [COLUMNS, *_all_rows(path, rows)])
+        # Of earlier downloads those rows stay that no row of this one replaces.
+        new = {(row.student, row.slug, row.target) for row in rows}
+        earlier = [tuple(row[name] for name in COLUMNS) for row in (listed(path) if path.exists() else [])]
+        lines = [line for line in earlier if line[2] and (line[0], line[2], line[3]) not in new]
+        for row in rows:
+            handed, late = row.handed, "LATE" if row.handed.late else ""
+            who = row.student, handed.name, row.slug, row.target
+            lines.append((*who, handed.when, late, handed.file.path, row.reason))
+        write_table(path, [COLUMNS, *sorted(lines, key=lambda line: (line[0], line[2]))])
     return replaced
-
-
-def _all_rows(path: Path, rows: Sequence[Taken]) -> list[tuple[str, ...]]:
-    """Return the rows of the table: of earlier downloads those that no row of this one replaces."""
-    new = {(row.student, row.slug, row.target) for row in rows}
-    earlier = [tuple(row[name] for name in COLUMNS) for row in (listed(path) if path.exists() else [])]
-    unchanged = [row for row in earlier if row[2] and (row[0], row[2], row[3]) not in new]
-    return sorted([*unchanged, *map(_row, rows)], key=lambda row: (row[0], row[2]))
-
-
-def _row(row: Taken) -> tuple[str, ...]:
-    handed = row.handed
-    late = "LATE" if handed.late else ""
-    return row.student, handed.name, row.slug, row.target, handed.when, late, handed.file.path, row.reason
 
 
 def _warn(troubles: Iterable[tuple[str, str]]) -> None:
@@ -305,21 +285,17 @@ def _warn(troubles: Iterable[tuple[str, str]]) -> None:
             warn(f"{number - MOST_WARNINGS} more of {student}: {TABLE} lists them")
 
 
-def _newer_notebooks(rows: Iterable[Taken], out: Path) -> list[tuple[Taken, str]]:
-    """Return the notebooks that came after the module that counts, with a sentence for each."""
+def _newer_notebooks(rows: Iterable[Taken], out: Path) -> Iterator[tuple[str, str]]:
+    """Yield for each notebook that came after the module that counts its student, and a sentence."""
     work = [row for row in rows if row.target]
     modules = {(row.student, row.slug): row.handed.order for row in work if row.target.endswith(".py")}
-    notebooks = []
     for row in work:
         folder = out / row.student / row.slug
         newer = row.target.endswith(".ipynb") and row.handed.order > modules.get((row.student, row.slug), ())
         counts = of_folder(folder, row.student, row.slug, folder).path if newer else None
         if counts and counts.suffix == ".py":
             remedy = "delete the module if the notebook should count"
-            notebooks.append(
-                (row, f"{row.handed.file.path} of {row.student} is newer than {counts}, which counts: {remedy}")
-            )
-    return notebooks
+            yield row.student, f"{row.handed.file.path} of {row.student} is newer than {counts}, which counts: {remedy}"
 
 
 def _say(rows: Sequence[Taken], out: Path, everyone: Directory, slug: str) -> None:
