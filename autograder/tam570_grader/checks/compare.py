@@ -107,8 +107,24 @@ def compare(  # noqa: PLR0913  what a check says of a comparison, each by its na
         scales = [scale or description.scale or largest for description in each]
         parts, key = functools.partial(_by_members, descriptions, scales, only), (str(only), *scales)
     results = batch.results(function)
-    if get_context().listens or not batch.includes(results, tolerance, key, parts):
-        _compare_parts(function, batch, results, parts, tolerance, hint, partial or {}, near_miss_credit)
+    if not get_context().listens and batch.includes(results, tolerance, key, parts):
+        return results
+    for case, result, expected in batch.compared(function, results):
+        for part in parts(case, result, expected):
+            ask = functools.partial(_hint, hint, case, result, expected, part)
+            words = {"quantity": part.quantity, "scale": part.size, "tolerance": tolerance}
+            get_context().add_example(function, case, part.member, part.columns, part.expected, **words)
+            few_or_many = "many" if np.size(part.actual) > np.size(part.expected) else "few"
+            has_shape = np.shape(part.actual) == np.shape(part.expected)
+            expect_that(has_shape, f"{part.quantity}: you return too {few_or_many} numbers")
+            infinite, right_infinite = (
+                np.isinf(part.actual),
+                np.isinf(part.expected),
+            )  # of these nothing is wrong by a limit
+            message = f"{part.quantity} is {'not ' if right_infinite.any() else ''}infinite"
+            expect_that(np.array_equal(infinite, right_infinite), message, hint=ask)
+            limits = _limits(part.size, tolerance, partial or {}) | {"near_miss_credit": near_miss_credit}
+            expect(part.actual, part.expected, quantity=part.quantity, unit=part.unit, t=part.t, hint=ask, **limits)
     return results
 
 
@@ -136,30 +152,6 @@ def _by_columns(columns: Sequence[Column], case: Case, actual: Numbers, expected
         yield Comparison(actual[..., where], expected[..., where], *words, columns=where, t=t)
 
 
-def _compare_parts(  # noqa: PLR0913  as `compare`
-    function: StudentFunction,
-    batch: "Batch",
-    results: Sequence[Numbers],
-    parts: Comparisons,
-    tolerance: float,
-    hint: HintOfCase,
-    partial: Mapping[float, float],
-    near_miss_credit: bool,
-) -> None:
-    """Fail unless every part of every result is right."""
-    for case, result, expected in batch.compared(function, results):
-        for part in parts(case, result, expected):
-            ask = functools.partial(_hint, hint, case, result, expected, part)
-            words = {"quantity": part.quantity, "scale": part.size, "tolerance": tolerance}
-            get_context().add_example(function, case, part.member, part.columns, part.expected, **words)
-            few_or_many = "many" if np.size(part.actual) > np.size(part.expected) else "few"
-            has_shape = np.shape(part.actual) == np.shape(part.expected)
-            expect_that(has_shape, f"{part.quantity}: you return too {few_or_many} numbers")
-            _infinite_alike(part, ask)
-            limits = _limits(part.size, tolerance, partial) | {"near_miss_credit": near_miss_credit}
-            expect(part.actual, part.expected, quantity=part.quantity, unit=part.unit, t=part.t, hint=ask, **limits)
-
-
 def compare_with(
     reference: Reference, *, by: Callable[..., Any] = compare, **defaults: Any
 ) -> Callable[..., list[Numbers]]:
@@ -183,13 +175,6 @@ def _limits(size: Numbers, tolerance: float, partial: Mapping[float, float]) -> 
         return {"tolerance": tolerance, "scale": size, "partial": partial}
     size = float(size)
     return {"tolerance": tolerance * size, "partial": {limit * size: share for limit, share in partial.items()}}
-
-
-def _infinite_alike(part: Comparison, hint: Callable[[], str]) -> None:
-    """Of infinity nothing is wrong by some limit."""
-    actual, expected = np.isinf(part.actual), np.isinf(part.expected)
-    message = f"{part.quantity} is {'not ' if expected.any() else ''}infinite"
-    expect_that(np.array_equal(actual, expected), message, hint=hint)
 
 
 def absolute(*_: Numbers) -> float:

@@ -72,7 +72,8 @@ class Force:
         if not arrows or any(math.dist(arrow.point, np.asarray(self.point, float)) > near for arrow in arrows):
             return False
         if len(arrows) > 1:
-            pulls = self.push is not None and any(_opposite(arrow, self.push) for arrow in arrows)
+            drawn = [arrow.direction for arrow in arrows if arrow.direction is not None]
+            pulls = self.push is not None and any(_parallel(-line, self.push, sense=True) for line in drawn)
             return self.along is None and _perpendicular(arrows) and not pulls
         (direction,) = (arrow.direction for arrow in arrows)
         if not self.acts or self.along is None:
@@ -309,10 +310,6 @@ def _parallel(direction: Vector, along: ArrayLike, sense: bool) -> bool:
     first, other = _unit(direction), _unit(along)
     apart = math.dist(first, other) if sense else min(math.dist(first, other), math.dist(first, -other))
     return apart <= SAME
-
-
-def _opposite(arrow: Arrow, push: ArrayLike) -> bool:
-    return arrow.direction is not None and _parallel(-arrow.direction, push, sense=True)
 
 
 def _perpendicular(arrows: Sequence[Arrow]) -> bool:

@@ -11,7 +11,6 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tam570.meter import Exhausted
 from tam570.values import Json, Numbers
@@ -149,11 +148,13 @@ def expect(  # noqa: PLR0913  what a check says of a comparison, each by its nam
     worst = int(np.argmax(errors)) if errors.size else 0  # the first NaN, if there is one
     error = float(errors.flat[worst]) if errors.size else np.nan
     if recorder := get_context().recorder:
-        recorder(_in_limits(error, tolerance))
+        over_limit = error / tolerance if tolerance else np.inf if error else 0.0  # 0 where a number must be exact
+        recorder(np.inf if np.isnan(error) else over_limit)
     elif not error <= tolerance:
         numbers = {"error": error, "limit": tolerance, "expected": expected, "actual": actual}
-        numbers["time"] = _time(t, errors, worst)
         if t is not None:
+            row = int(np.unravel_index(worst, errors.shape)[0])
+            numbers["time"] = float(f"{t[row]:.2g}")
             plotted = curve(t, actual, expected, scale, tolerance=tolerance, quantity=quantity, unit=unit)
             numbers["curve"] = {**plotted, "keeps": keeps()} if plotted and keeps else plotted
         share = _share(error, tolerance if near_miss_credit else 0.0, partial)
@@ -195,13 +196,6 @@ def _said(hint: Hint, running: CheckContext) -> tuple[str, str]:
         return "", repr(error)[:LONGEST_FAULT]
 
 
-def _in_limits(error: float, tolerance: float) -> float:
-    """Return the error over its limit, which is 0 where a number must be exact."""
-    if np.isnan(error):
-        return np.inf
-    return error / tolerance if tolerance else np.inf if error else 0.0
-
-
 def distance(actual: Numbers, expected: Numbers) -> Numbers:
     """Return the size of the difference; zero where both are infinite: infinity may be right."""
     with np.errstate(invalid="ignore"):
@@ -214,10 +208,3 @@ def _share(error: float, tolerance: float, partial: Mapping[float, float] | Call
         return NEAR_MISS_SHARE if error <= NEAR_MISS * tolerance else partial(error)
     shares = {**(partial or {}), NEAR_MISS * tolerance: NEAR_MISS_SHARE}
     return max((share for limit, share in shares.items() if error <= limit), default=0.0)
-
-
-def _time(t: Numbers, errors: NDArray[np.float64], worst: int) -> float | None:
-    if t is None:
-        return None
-    row = int(np.unravel_index(worst, errors.shape)[0])
-    return float(f"{t[row]:.2g}")

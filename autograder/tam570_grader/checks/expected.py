@@ -61,7 +61,8 @@ def shared(function: str, name: str, inputs: bytes, compute: Callable[[], Number
     path, expensive = folder / digest, function in _expensive
     with _only_one(folder / digest[:3]) if expensive else contextlib.nullcontext():
         if expensive and path.exists():
-            return _restored(unpacked(path.read_bytes()))
+            value = unpacked(path.read_bytes())
+            return tuple(part.copy() for part in value["parts"]) if isinstance(value, dict) else value.copy()
         began = time.thread_time()
         value = compute()
         if time.thread_time() - began > EXPENSIVE and _is_data(value):
@@ -74,7 +75,7 @@ def _keep(path: Path, value: object) -> None:
     """Leave a value where the others look; a full disk costs them the time to compute it."""
     with contextlib.suppress(OSError):
         draft = path.with_suffix(f".{os.getpid()}")
-        draft.write_bytes(packed(_written(value)))
+        draft.write_bytes(packed({"parts": [*value]} if isinstance(value, tuple) else value))
         draft.rename(path)
 
 
@@ -95,11 +96,3 @@ def _only_one(path: Path) -> Iterator[None]:
 def _is_data(value: object) -> bool:
     parts = value if type(value) is tuple else (value,)
     return all(type(part) is np.ndarray and part.dtype == np.float64 for part in parts)
-
-
-def _written(value: object) -> object:
-    return {"parts": [*value]} if type(value) is tuple else value
-
-
-def _restored(value: Numbers) -> Numbers:
-    return tuple(part.copy() for part in value["parts"]) if isinstance(value, dict) else value.copy()

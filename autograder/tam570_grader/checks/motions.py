@@ -238,7 +238,9 @@ def _joined(motion: Motion) -> bool:
     if row == 0 or len(motion.t) < 3 or not DENSE < motion.error < 1:
         return False
     repeated = motion.repeated_at(motion.t[[0, row]])
-    return repeated is not None and _left(motion, repeated[-1:], row) <= BETTER * motion.error
+    if repeated is None:
+        return False
+    return bool(np.max(np.abs(repeated[-1] - motion.expected[row]) / motion.scales) <= BETTER * motion.error)
 
 
 def _denser(motion: Motion) -> bool:
@@ -249,11 +251,6 @@ def _denser(motion: Motion) -> bool:
     if repeated is None:
         return False
     return bool(np.max(np.abs(repeated[::between] - motion.expected) / motion.scales) <= BETTER * motion.error)
-
-
-def _left(motion: Motion, rows: Array, row: int) -> float:
-    """Return the error of a row that was asked for in another way."""
-    return float(np.max(np.abs(rows - motion.expected[row]) / motion.scales))
 
 
 def obeys(motion: Motion, *, everywhere: bool = False) -> bool:

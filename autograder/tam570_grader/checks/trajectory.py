@@ -256,9 +256,13 @@ def _motions(
 
 def _scaled_rows(batch: Batch, columns: Sequence[Column]) -> tuple[Sequence[Column], list[tuple[Array, Array]]]:
     """Return the right rows of each case and their scales; with the columns, by which they are remembered."""
-    rows = map(flat, batch.expected)
-    pairs = zip(batch.cases, rows, strict=True)
-    return columns, [(expected, _scales(columns, case, expected)) for case, expected in pairs]
+    scaled_rows = []
+    for case, expected in zip(batch.cases, map(flat, batch.expected), strict=True):
+        scales = np.ones(expected.shape[1])  # where all is zero
+        for column in columns:
+            scales[column.where] = column.size(case, expected)
+        scaled_rows.append((expected, scales))
+    return columns, scaled_rows
 
 
 def _note(motion: Motion, columns: Sequence[Column], tolerance: float) -> None:
@@ -273,14 +277,6 @@ def _note(motion: Motion, columns: Sequence[Column], tolerance: float) -> None:
 def _telling(tolerance: float, motion: Motion) -> tuple[bool, int, float]:
     hopeless = motion.error > NEAR_MISS * tolerance
     return hopeless, len(motion.actual) if hopeless else 0, motion.error
-
-
-def _scales(columns: Sequence[Column], case: Case, expected: Array) -> Array:
-    """(k,) the scale of each column; 1 where all is zero."""
-    scales = np.ones(expected.shape[1])
-    for column in columns:
-        scales[column.where] = column.size(case, expected)
-    return scales
 
 
 def loose_tolerance_share(motion: Motion, tolerance: float, size: float, error: float) -> float:

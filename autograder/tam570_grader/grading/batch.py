@@ -22,7 +22,7 @@ from tam570_grader.grading.cluster import Cluster
 from tam570_grader.grading.executor import WorkerLost, cores, forks, run_tasks
 from tam570_grader.grading.executor import executor as local_executor
 from tam570_grader.grading.seeds import derive, new_seed
-from tam570_grader.grading.submissions import CannotRead, Submission, source_of, submissions
+from tam570_grader.grading.submissions import Submission, source_of, submissions
 from tam570_grader.grading.supervisor import GradeTask, WorkerConfig
 from tam570_grader.results import records as result_records
 from tam570_grader.results.records import Result
@@ -149,7 +149,11 @@ def lines(
         else:
             executor = stack.enter_context(local_executor(jobs))
         hidden = () if config.cluster else tuple(config.hidden)  # nothing of ours is there but the course
-        conditions = WorkerConfig(config.limits, hidden, tuple(preload), config.speed, _shared(config, jobs, stack))
+        shared = None  # a folder for dear answers, where several processes of this machine need the same
+        if config.key is None and jobs > 1 and (not config.cluster or config.cluster.is_local):
+            folder = tempfile.TemporaryDirectory(prefix="tam570-", ignore_cleanup_errors=True)
+            shared = Path(stack.enter_context(folder))
+        conditions = WorkerConfig(config.limits, hidden, tuple(preload), config.speed, shared)
         if not config.cluster and (jobs == 1 or forks()):
             supervisor.prepare(config.course, slugs, conditions, config.seed if config.key is None else None)
         configured = (replace(task, conditions=conditions) for task in tasks)
@@ -157,22 +161,9 @@ def lines(
             yield supervisor.lost(task, str(line)) if isinstance(line, WorkerLost) else line
 
 
-def _shared(config: RunConfig, jobs: int, stack: ExitStack) -> Path | None:
-    """Return a folder for dear answers, where several processes of this machine need the same."""
-    if config.key is not None or jobs == 1 or (config.cluster and not config.cluster.is_local):
-        return None
-    return Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="tam570-", ignore_cleanup_errors=True)))
-
-
 def _task(config: RunConfig, code: Callable[[str], bytes], submission: Submission) -> GradeTask:
-    source = source_of(submission)
-    digest = _digest(code(submission.slug), config, submission, source)
-    seed = config.seed_of(submission)
-    return GradeTask(config.course, submission.student, submission.slug, seed, source, digest, submission.path is None)
-
-
-def _digest(code: bytes, config: RunConfig, submission: Submission, source: Source | CannotRead) -> str:
-    """Return a name for all that the result depends on."""
+    """Return what a supervisor gets, with a digest of all that the result depends on."""
+    source, seed = source_of(submission), config.seed_of(submission)
     text = source.text if isinstance(source, Source) else str(source).encode()
     kind_name = type(source).__name__ + (".ipynb" if isinstance(source, Source) and source.notebook else "")
     parts = (  # each with its length: no two lists of them are the same text
@@ -180,10 +171,11 @@ def _digest(code: bytes, config: RunConfig, submission: Submission, source: Sour
         submission.student.encode(),
         submission.slug.encode(),
         text,
-        code,
-        str(config.seed_of(submission)).encode(),
+        code(submission.slug),
+        str(seed).encode(),
     )
-    return hashlib.sha256(b"".join(len(part).to_bytes(8) + part for part in parts)).hexdigest()
+    digest = hashlib.sha256(b"".join(len(part).to_bytes(8) + part for part in parts)).hexdigest()
+    return GradeTask(config.course, submission.student, submission.slug, seed, source, digest, submission.path is None)
 
 
 def _code_digests(config: RunConfig) -> Callable[[str], bytes]:

@@ -63,7 +63,7 @@ class Cluster:
         """Open the cluster's workers, each with these assignments."""
         from distributed.scheduler import KilledWorker
 
-        from tam570_grader.grading.cluster_worker import Course, course_for, there
+        from tam570_grader.grading.cluster_worker import Course, course_for, refusal, there
 
         for name in ("distributed", "distributed.client", "tornado.application"):
             logging.getLogger(name).setLevel(logging.CRITICAL)  # what matters comes as an exception
@@ -72,7 +72,12 @@ class Cluster:
             stack.callback(_left, client)
             sent: Course = course_for(course, slugs, self.unconfined)
             client.register_plugin(sent, name=sent.name)
-            _must_fit(client, sent.name, self.address)
+            refusals = client.run(refusal, sent.name)  # those that join later say so themselves
+            if not refusals:
+                say(f"tam570-grader: no worker has joined {self.address} yet; waiting for one", error=True)
+            for worker, why in refusals.items():
+                if why:
+                    raise UsageError(f"the worker {worker} cannot grade: {why}")
             try:
                 yield TaskExecutor(
                     client.get_executor(pure=False),
@@ -97,9 +102,11 @@ class Cluster:
             )
             return dask.Client(stack.enter_context(cluster), security=security, set_as_default=False)
         try:
-            return dask.Client(
-                self.address, security=_security(self.certificates), timeout=PATIENCE, set_as_default=False
-            )
+            assert self.certificates is not None
+            certificate, key = certificate_and_key(self.certificates)
+            tls = {"tls_ca_file": certificate, "tls_client_cert": certificate, "tls_client_key": key}
+            security = dask.Security(require_encryption=True, **tls)
+            return dask.Client(self.address, security=security, timeout=PATIENCE, set_as_default=False)
         except (OSError, TimeoutError) as error:
             raise UsageError(f"no scheduler lets us in at {self.address}: {error}") from None
 
@@ -116,25 +123,6 @@ def certificate_and_key(folder: Path) -> tuple[str, str]:
     if lacking := [path for path in paths if not path.is_file()]:
         raise UsageError(f"{lacking[0]} is not there; make it with: tam570-grader certificates {folder}")
     return str(paths[0]), str(paths[1])
-
-
-def _security(folder: Path | None) -> Dask:
-    assert folder is not None
-    certificate, key = certificate_and_key(folder)
-    tls = {"tls_ca_file": certificate, "tls_client_cert": certificate, "tls_client_key": key}
-    return importlib.import_module("distributed").Security(require_encryption=True, **tls)
-
-
-def _must_fit(client: Dask, name: str, address: str) -> None:
-    """Raise UsageError if a worker refuses; those that join later say so themselves."""
-    from tam570_grader.grading.cluster_worker import refusal
-
-    refusals = client.run(refusal, name)
-    if not refusals:
-        say(f"tam570-grader: no worker has joined {address} yet; waiting for one", error=True)
-    for worker, why in refusals.items():
-        if why:
-            raise UsageError(f"the worker {worker} cannot grade: {why}")
 
 
 def _prefetch(client: Dask) -> Callable[[], int]:

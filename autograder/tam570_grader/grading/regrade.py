@@ -25,10 +25,17 @@ def change(old: Record | None, new: Record) -> Change | None:
     before = old["score"] if old else None
     if old and before == new["score"]:
         return None
-    because = _because(_marks(old), _marks(new)) if old else ("not in the old results",)
-    if old and old["status"] != new["status"]:
-        because = (f"{old['status']} -> {new['status']}", *because)
-    return Change(new["student"], new["assignment"], before, new["score"], because)
+    because = [] if old else ["not in the old results"]
+    if old:
+        if old["status"] != new["status"]:
+            because.append(f"{old['status']} -> {new['status']}")
+        was, now = ({check["name"]: check for check in record["checks"]} for record in (old, new))
+        because += [  # the checks whose points differ, those that are new or gone among them
+            f"{name}: {_check_result(was.get(name))} -> {_check_result(now.get(name))}"
+            for name in {**was, **now}
+            if _points(was.get(name)) != _points(now.get(name))
+        ]
+    return Change(new["student"], new["assignment"], before, new["score"], tuple(because))
 
 
 def gone(
@@ -45,19 +52,6 @@ def gone(
         for record in old.values()
         if key_of(record) not in here and record["assignment"] in slugs and (is_tree or record["student"] in students)
     ]
-
-
-def _marks(record: Record) -> dict[str, Record]:
-    return {check_result["name"]: check_result for check_result in record["checks"]}
-
-
-def _because(old: Mapping[str, Record], new: Mapping[str, Record]) -> tuple[str, ...]:
-    """Return the checks whose points differ, those that are new or gone among them."""
-    return tuple(
-        f"{name}: {_check_result(old.get(name))} -> {_check_result(new.get(name))}"
-        for name in {**old, **new}
-        if _points(old.get(name)) != _points(new.get(name))
-    )
 
 
 def _points(check_result: Record | None) -> tuple[float | None, float] | None:

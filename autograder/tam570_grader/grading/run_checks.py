@@ -76,10 +76,6 @@ class _Run:
     results: dict[str, CheckResult] = field(default_factory=dict)
     causes: dict[str, Cause] = field(default_factory=dict)
 
-    def has_enough(self) -> bool:
-        failed = sum(check_result.outcome == "failed" for check_result in self.results.values())
-        return bool(self.options.enough) and failed >= (self.options.enough or 0)
-
     def perform(self, check: Check, recorder: Callable[[float], None] | None = None) -> None:
         """Run a check; the student's calls are then its own."""
         self.student.calls.clear()
@@ -105,9 +101,11 @@ def graded(
     try:
         student.load()
         for check in assignment.checks:
-            if not run.has_enough():
+            failed = sum(result.outcome == "failed" for result in run.results.values())
+            if not options.enough or failed < options.enough:
                 run.results[check.name] = _check_result(run, check)
-        message = _skipped(student.skipped)
+        if student.skipped:
+            message = f"Notebook cells that raised were skipped: {'; '.join(student.skipped)}"
         speed = speed_of(student, assignment, zygote) if options.speed else None
         if not options.enough:
             _judge_consequences(run)
@@ -181,14 +179,10 @@ def _result(
 
 def _check_result(run: _Run, check: Check) -> CheckResult:
     """Run one check, unless one that it builds on is wrong or missing."""
-    before = {other.name: run.results[other.name] for other in check.after}
-    missing = [
-        name
-        for name, other in before.items()
-        if not (other.unlocks_dependents or (check.refusals and other.has_numbers))
-    ]
-    if missing:
-        return _not_run(check, f"Not run: it needs “{_line(run.assignment.checks, missing[0])}” to pass first.")
+    for other in check.after:
+        before = run.results[other.name]
+        if not (before.unlocks_dependents or (check.refusals and before.has_numbers)):
+            return _not_run(check, f"Not run: it needs “{other.title.rstrip('.')}” to pass first.")
     student, options = run.student, run.options
     try:
         run.perform(check, options.recorder and partial(options.recorder, check.name))
@@ -447,11 +441,3 @@ def _grader_error(check: Check, error: str) -> CheckResult:
     return CheckResult(
         check.name, check.part, None, check.points, "grader_error", OUR_FAULT, error=error[:LONGEST_FAULT]
     )
-
-
-def _line(checks: Sequence[Check], name: str) -> str:
-    return next(check.title.rstrip(".") for check in checks if check.name == name)
-
-
-def _skipped(cells: Sequence[str]) -> str:
-    return f"Notebook cells that raised were skipped: {'; '.join(cells)}" if cells else ""

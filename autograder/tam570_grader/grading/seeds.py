@@ -42,7 +42,11 @@ def key(path: Path, needed: bool) -> bytes:
                 f"there is no key in {path}, and there are earlier results. Name the key that they were varied by. "
                 "If they were graded with a seed, leave --vary away or name a new folder with --out."
             )
-        _make_key(path)
+        with writing(path):
+            new_file = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+        with open(new_file, "w", encoding="ascii") as file:
+            file.write(secrets.token_hex(32) + "\n")
+        warn(f"a new key: {path}; keep it, the scores hang on it", "")
     try:
         key = path.read_bytes().strip()
         if path.stat().st_mode & OTHERS:
@@ -54,11 +58,3 @@ def key(path: Path, needed: bool) -> bytes:
             f"{path} is not a key: it holds fewer than {SHORTEST_KEY} bytes; name a new file to have one made"
         )
     return key
-
-
-def _make_key(path: Path) -> None:
-    with writing(path):
-        file = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
-    with open(file, "w", encoding="ascii") as key:
-        key.write(secrets.token_hex(32) + "\n")
-    warn(f"a new key: {path}; keep it, the scores hang on it", "")

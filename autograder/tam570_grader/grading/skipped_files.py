@@ -32,20 +32,15 @@ def skipped_files(
                 yield from _beside(entry, graded, slugs)
             elif entry not in trees and entry not in graded and (is_students or not _names_another(entry, slugs)):
                 yield f"{_shown(entry)}{_holding(entry)} is not graded: no name in it tells the assignment; {REMEDY}"
-    for submission in work:
-        yield from _passed_over(submission)
-
-
-def _passed_over(submission: Submission) -> Iterator[str]:
-    """Yield what a student named after the assignment, too, in the form of the file that counts."""
-    path = submission.path
-    if path is None or not submission.tree.is_dir():
-        return
-    for entry, is_folder in entries(path.parent):
-        is_rival = not is_folder and form(entry.name) == form(path.name) and slug_of(entry.stem, [submission.slug])
-        if entry != path and is_rival:
-            student, file = submission.student, printable(entry.name)
-            yield f"{file} of {student} is not graded: {printable(path.name)} is; remove the one that should not count"
+    for submission in work:  # what is named after the assignment, too, in the form of the file that counts
+        path, student = submission.path, submission.student
+        if path is None or not submission.tree.is_dir():
+            continue
+        for entry, is_folder in entries(path.parent):
+            is_rival = not is_folder and form(entry.name) == form(path.name) and slug_of(entry.stem, [submission.slug])
+            if entry != path and is_rival:
+                file, counts = printable(entry.name), printable(path.name)
+                yield f"{file} of {student} is not graded: {counts} is; remove the one that should not count"
 
 
 def _beside(folder: Path, graded: set[Path | None], slugs: Sequence[str]) -> Iterator[str]:

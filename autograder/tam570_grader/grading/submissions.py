@@ -171,7 +171,11 @@ def _trees(folder: Path, all_slugs: Sequence[str], chosen: str | None, students:
                 work += _of_student(entry, all_slugs, chosen)
             except BadPath as unreadable:
                 closed[entry] = str(unreadable)
-    work += [_of_folders(each, folder, slug) for slug, each in own_folders.items()]
+    for slug, each in own_folders.items():
+        if len(each) == 1:
+            work.append(of_folder(each[0], folder.name, slug, each[0]))
+        else:
+            work.append(_of_files([(entry, True) for entry in each], folder.name, slug, folder))
     if closed and not work:
         raise BadPath(next(iter(closed.values())))
     slugs = sorted({submission.slug for submission in work})  # what the others have handed in
@@ -299,13 +303,6 @@ def of_folder(folder: Path, student: str, slug: str, tree: Path) -> Submission:
     except BadPath as unreadable:
         message = str(unreadable)
     return Submission(_name(student), slug, None, tree, message)
-
-
-def _of_folders(folders: Sequence[Path], student: Path, slug: str) -> Submission:
-    """Return what is in the only folder of an assignment that a student has; of several a note."""
-    if len(folders) == 1:
-        return of_folder(folders[0], student.name, slug, folders[0])
-    return _of_files([(folder, True) for folder in folders], student.name, slug, student)
 
 
 def _of_files(held: Sequence[tuple[Path, bool]], student: str, slug: str, tree: Path) -> Submission:

@@ -209,18 +209,15 @@ class Desk:
             source = source_of(submission)
             text = source.text if isinstance(source, Source) else str(source).encode()
             digest = digest or hashlib.sha256(text).hexdigest()
-            if self.queue.newest.get((submission.student, submission.slug)) != digest and not self._is_known(
-                submission, digest
-            ):
+            key = submission.student, submission.slug
+            known = {self.queue.newest.get(key)}
+            if self.is_exchange:  # an older folder is there beside a newer
+                known |= {attempt["digest"] for attempt in self.queue.graded.get(key, [])}
+                known |= {arrival.digest for arrival in self.queue.arrivals if arrival.key == key}
+            if digest not in known:
                 self.queue.take(self._kept(submission, digest, source))
             if submission.path is not None and stamp is not None:
                 self._stamps[submission.path] = stamp
-
-    def _is_known(self, submission: Submission, digest: str) -> bool:
-        """Return whether this folder of the exchange was taken: an older one is there beside a newer."""
-        done = self.queue.graded.get((submission.student, submission.slug), [])
-        waiting = [each.digest for each in self.queue.arrivals if each.key == (submission.student, submission.slug)]
-        return self.is_exchange and digest in (*(each["digest"] for each in done), *waiting)
 
     def _stamp(self, path: Path | None) -> tuple[int, int, int] | None:
         """Return what tells one state of a file from another; None while it may be being written."""
@@ -328,7 +325,9 @@ class Desk:
         done = [attempts[-1] for attempts in self.queue.graded.values()]
         for event in sorted(done, key=lambda event: float(event["at"]), reverse=True):
             waited, attempt = f"{event['waited']:.1f} s", str(event["attempt"])
-            rows.append((event["student"], event["slug"], _clock(event["at"]), waited, attempt, _points(event)))
+            score, most = event["record"]["score"], event["record"]["max_score"]
+            points = "the grader failed" if score is None else f"{score:g} / {most:g}"
+            rows.append((event["student"], event["slug"], _clock(event["at"]), waited, attempt, points))
         page = feedback.template("arrivals.html").render(rows=rows, summary=self.summary())
         written(self.queue.folder / STATUS, page)
 
@@ -372,8 +371,3 @@ def _write_in(folder: Path, name: str, text: str) -> None:
 
 def _clock(moment: float) -> str:
     return time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(moment)) if moment < math.inf else "never"
-
-
-def _points(event: Json) -> str:
-    record = event["record"]
-    return "the grader failed" if record["score"] is None else f"{record['score']:g} / {record['max_score']:g}"

@@ -102,13 +102,12 @@ def python_class(error: Json) -> str:
 def skipped_cells(reports: Sequence[str], text: bytes) -> list[str]:
     """Return the first cells that were skipped, and why, by what ran in them."""
     matches = filter(None, map(SKIPPED.fullmatch, reports))
-    sentences = [_skipped(match, text) for match in matches if _is_python(match[2]) or match[2] == "Forbidden"]
+    sentences = []
+    for match in matches:
+        if _is_python(match[2]) or match[2] == "Forbidden":
+            words = sentence_of_ban((match[3] or "").strip()) or _own_words(match[3] or "", text)
+            sentences.append(f"cell {match[1]}: {match[2]}{': ' + words if words else ''}")
     return [*sentences[:MOST_CELLS], *(["and others"] if len(sentences) > MOST_CELLS else [])]
-
-
-def _skipped(match: re.Match[str], text: bytes) -> str:
-    words = sentence_of_ban((match[3] or "").strip()) or _own_words(match[3] or "", text)
-    return f"cell {match[1]}: {match[2]}{': ' + words if words else ''}"
 
 
 def _unreadable(error: Json, words: str) -> NotLoaded:

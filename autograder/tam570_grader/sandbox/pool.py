@@ -50,7 +50,9 @@ def start(preload: Sequence[str], limits: ResourceLimits, hidden: Sequence[Path]
     """Start a zygote where none is warm, without waiting for it; the key of the warm one."""
     key = (threading.get_ident(), *preload, limits, *hidden)
     if key not in _warm:
-        _make_room(key[0])
+        mine = [other for other in _warm if other[0] == key[0]]
+        for other in mine[: len(mine) + 1 - MOST]:
+            _warm.pop(other).close()
         _warm[key] = Zygote(preload, limits, hidden)
     return key
 
@@ -58,12 +60,6 @@ def start(preload: Sequence[str], limits: ResourceLimits, hidden: Sequence[Path]
 def zygote(preload: Sequence[str], limits: ResourceLimits, hidden: Sequence[Path] = ()) -> Zygote:
     """Return a warm zygote, which may still be starting."""
     return _warm[start(preload, limits, hidden)]
-
-
-def _make_room(thread: Any) -> None:
-    mine = [key for key in _warm if key[0] == thread]
-    for key in mine[: len(mine) + 1 - MOST]:
-        _warm.pop(key).close()
 
 
 @contextmanager

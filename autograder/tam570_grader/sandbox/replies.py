@@ -104,12 +104,10 @@ def _values(value: object) -> Any:
     if isinstance(value, dict):
         return {"strangers": value["strangers"]} if strings(value.get("strangers")) else {"strangers": []}
     if isinstance(value, list):
-        return [item if _is_number(item) else Foreign("an object") for item in value]
+        are_numbers = [type(item) is float or (isinstance(item, np.ndarray) and item.ndim == 0) for item in value]
+        pairs = zip(value, are_numbers, strict=True)
+        return [item if is_number else Foreign("an object") for item, is_number in pairs]
     return _numbers(value)
-
-
-def _is_number(value: object) -> bool:
-    return type(value) is float or (isinstance(value, np.ndarray) and value.ndim == 0)
 
 
 def _drawing(value: object) -> Drawing | None:

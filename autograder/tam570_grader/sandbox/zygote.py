@@ -61,7 +61,9 @@ class Zygote:
     def __init__(self, preload: Sequence[str], limits: ResourceLimits, hidden: Sequence[Path] = ()) -> None:
         self.limits, self._serial, self._launched = limits, next(_serial), launch(hidden)
         self._control = self._launched.control
-        settings = json.dumps({"limits": _limits(limits), "preload": list(preload)}).encode()
+        of_all: Json = {"file_size": FILE_SIZE, "processes": limits.processes}  # what comes with no process
+        of_all |= {"memory": limits.memory, "namespaces": isolation() == "bubblewrap"}
+        settings = json.dumps({"limits": of_all, "preload": list(preload)}).encode()
         with suppress(OSError):  # that it has ended is noticed when it is waited for
             self._control.sendall(LENGTH.pack(len(settings)) + settings)
         self._ready = False
@@ -218,16 +220,6 @@ class Zygote:
             raise ZygoteLost(f"the sandbox did not start: {self._launched.errors()}")
 
 
-def _limits(limits: ResourceLimits) -> Json:
-    """protocol.jail.Limits, but for what comes with each process."""
-    return {
-        "memory": limits.memory,
-        "file_size": FILE_SIZE,
-        "processes": limits.processes,
-        "namespaces": isolation() == "bubblewrap",
-    }
-
-
 def _is_stopped(process: SandboxProcess) -> bool:
     """Return whether a call that does not end is late when its time is over."""
     process.limit = STOPPED_AFTER
@@ -247,12 +239,9 @@ def _maps_users() -> bool:
 
     In a rootless container it may be alone.
     """
-    maps = (Path("/proc/self/uid_map"), Path("/proc/self/gid_map"))
-    return all(
-        not map_file.exists() or any(_holds(line) for line in map_file.read_text().splitlines()) for map_file in maps
-    )
-
-
-def _holds(line: str) -> bool:
-    first, _, count = map(int, line.split())
-    return first <= LOWEST_USER and first + count >= LOWEST_USER + USERS
+    for path in filter(Path.exists, (Path("/proc/self/uid_map"), Path("/proc/self/gid_map"))):
+        ranges = [(int(first), int(count)) for first, _, count in map(str.split, path.read_text().splitlines())]
+        last = LOWEST_USER + USERS
+        if not any(first <= LOWEST_USER and first + count >= last for first, count in ranges):
+            return False
+    return True
