@@ -10,6 +10,7 @@ import subprocess
 import sys
 import warnings
 import zlib
+from functools import cache
 
 import numpy as np
 import pytest
@@ -93,6 +94,7 @@ def _warm_workers():
     """Commands of one process share the workers of the sandbox: to start one takes longer than to grade with it."""
     with pytest.MonkeyPatch.context() as patch, sandboxes():
         patch.setattr(executor, "sandboxes", contextlib.nullcontext)
+        patch.setattr("tam570_grader.sandbox.pool.sandboxes", contextlib.nullcontext)
         yield
 
 
@@ -166,37 +168,41 @@ def solution_text():
 
 
 @pytest.fixture(scope="session")
-def browser():
-    """Headless Chromium, driven by Playwright; skips where one of the two is missing."""
+def tabs():
+    """`tabs(**options)` -> a tab of headless Chromium, always the same one: to start its process takes a second."""
     driver = pytest.importorskip("playwright.sync_api", reason="no playwright: pip install playwright")
     chromium = next((path for name in BROWSERS if (path := shutil.which(name))), None)
     if chromium is None:
         pytest.skip("there is no Chromium here")
     with driver.sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
-        yield browser
+        yield cache(lambda **options: browser.new_context(**options).new_page())
         browser.close()
 
 
 @pytest.fixture
-def open_tab(browser):
+def open_tab(tabs):
     """`open_tab(address, (width, height), **options)` -> the tab; it must not complain, nor ask other servers."""
-    contexts, complaints = [], []
+    complaints, opened = [], contextlib.ExitStack()
 
     def open_tab(address, size=(1280, 800), allowed=("file:", "data:"), **options):
-        viewport = dict(zip(("width", "height"), size, strict=True))
-        contexts.append(browser.new_context(viewport=viewport, **options))
-        tab = contexts[-1].new_page()
+        tab = tabs(**options)
+        for event, hear in {
+            "console": lambda entry: complaints.append(entry.text) if entry.type in ("error", "warning") else None,
+            "pageerror": lambda error: complaints.append(str(error)),
+            "request": lambda request: request.url.startswith(allowed) or complaints.append(request.url),
+        }.items():
+            tab.on(event, hear)
+            opened.callback(tab.remove_listener, event, hear)
         tab.set_default_timeout(300_000)  # ms: a busy machine fails no test
-        tab.on("console", lambda entry: complaints.append(entry.text) if entry.type in ("error", "warning") else None)
-        tab.on("pageerror", lambda error: complaints.append(str(error)))
-        tab.on("request", lambda request: request.url.startswith(allowed) or complaints.append(request.url))
+        tab.set_viewport_size(dict(zip(("width", "height"), size, strict=True)))
+        tab.emulate_media(media="null")
         tab.goto(address)
+        opened.callback(tab.goto, "about:blank")
         return tab
 
-    yield open_tab
-    for context in contexts:
-        context.close()
+    with opened:
+        yield open_tab
     assert not complaints
 
 

