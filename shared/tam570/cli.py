@@ -10,23 +10,23 @@ import tomllib
 from collections.abc import Callable, Sequence
 from difflib import get_close_matches
 from pathlib import Path
-from typing import Any
 
 from tam570 import __version__, releases, work
 from tam570.course import Unknown, assignments, contract, folder, title
-from tam570.handin import HOW, hand_in
+from tam570.handin import HOW, before_handing_in, hand_in
 from tam570.lectures import catalogue, is_lecture
 from tam570.predictions import ask_for_predictions
 from tam570.progress import hints_given, recalled, remember_hints
 from tam570.values import Json
 
 INTERRUPTED = 130
-Commands = Any  # what argparse calls the commands of a parser
 
 
 def main(argv: list[str] | None = None) -> int:
     """Run the command; the exit code is 0, 1 (a test failed), 2 (bad usage) or 130 (interrupted)."""
-    _printable()
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):  # a question mark, where it has no exponent or Greek letter
+            stream.reconfigure(errors="replace")
     parser = _parser()
     try:
         _must_be_a_command(parser, (sys.argv[1:] if argv is None else argv)[:1])
@@ -53,13 +53,6 @@ def _fitted(text: str) -> str:
     return "\n".join(textwrap.fill(line, 80, break_long_words=False, break_on_hyphens=False) for line in lines)
 
 
-def _printable() -> None:
-    """Where a file or an old terminal has no character for an exponent or a Greek letter, print a question mark."""
-    for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors="replace")
-
-
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="tam570",
@@ -69,20 +62,6 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"tam570 {__version__}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
-    _add_work(commands)
-    _add_help(commands)
-    return parser
-
-
-def _must_be_a_command(parser: argparse.ArgumentParser, words: Sequence[str]) -> None:
-    """Unknown, with the command that was meant, where the first word is none."""
-    (action,) = (action for action in parser._actions if isinstance(action, argparse._SubParsersAction))
-    if words and not words[0].startswith("-") and words[0] not in action.choices:
-        close = "".join(f"; did you mean {word}?" for word in get_close_matches(words[0], action.choices, 1))
-        raise Unknown(f"there is no command {words[0]!r}{close or '; there are ' + ', '.join(action.choices)}")
-
-
-def _add_work(commands: Commands) -> None:
     command = commands.add_parser("list", help="list all assignments and your progress")
     command.set_defaults(command=_list)
     command.add_argument("--lectures", action="store_true", help="list the systems shown in class, by date")
@@ -115,8 +94,6 @@ def _add_work(commands: Commands) -> None:
     command.set_defaults(command=_handin)
     command.add_argument("what", nargs="?", metavar="ASSIGNMENT|FILE", help="default: the one in this folder")
 
-
-def _add_help(commands: Commands) -> None:
     command = commands.add_parser("hint", help="one more hint each time you ask")
     command.set_defaults(command=_hint)
     command.add_argument("assignment", nargs="?", help="default: the one in this folder")
@@ -131,6 +108,16 @@ def _add_help(commands: Commands) -> None:
     command = commands.add_parser("completion", help="a script that completes commands in your shell")
     command.set_defaults(command=_completion)
     command.add_argument("shell", choices=["bash", "zsh", "tcsh"])
+
+    return parser
+
+
+def _must_be_a_command(parser: argparse.ArgumentParser, words: Sequence[str]) -> None:
+    """Unknown, with the command that was meant, where the first word is none."""
+    (action,) = (action for action in parser._actions if isinstance(action, argparse._SubParsersAction))
+    if words and not words[0].startswith("-") and words[0] not in action.choices:
+        close = "".join(f"; did you mean {word}?" for word in get_close_matches(words[0], action.choices, 1))
+        raise Unknown(f"there is no command {words[0]!r}{close or '; there are ' + ', '.join(action.choices)}")
 
 
 def _list(arguments: argparse.Namespace) -> int:
@@ -219,8 +206,6 @@ def _check(arguments: argparse.Namespace) -> int:
             raise Unknown(f"there is no function {function!r} to write; there are {names}")
     code = checking.check(files, arguments.functions)
     if arguments.final:
-        from tam570.checking.final import before_handing_in
-
         for file, slug in files:
             before_handing_in(file, slug)
     return code
@@ -287,18 +272,14 @@ def _completion(arguments: argparse.Namespace) -> int:
     import shtab
 
     parser = _parser()
-    for action in parser._actions:  # argparse has no public way to its commands
-        for command in (action.choices or {}).values() if isinstance(action.choices, dict) else ():
-            _named_in_full(command)
-    print(shtab.complete(parser, arguments.shell))
-    return 0
-
-
-def _named_in_full(command: argparse.ArgumentParser) -> None:
-    """Let a shell offer the assignments where a command takes one."""
-    for action in command._actions:
+    # argparse has no public way to its commands
+    choices = [action.choices for action in parser._actions if isinstance(action.choices, dict)]
+    commands = [command for several in choices for command in several.values()]
+    for action in (action for command in commands for action in command._actions):
         if action.dest in ("what", "assignment"):
             action.choices = assignments()
+    print(shtab.complete(parser, arguments.shell))
+    return 0
 
 
 if __name__ == "__main__":

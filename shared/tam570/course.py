@@ -98,21 +98,15 @@ def contract(slug: str) -> Json:
 
 def stubs(source: str | bytes) -> dict[str, Stub]:
     """Return the functions of a module. SyntaxError if it is not Python."""
-    nodes = [node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)]
-    return {node.name: _stub(node) for node in nodes}
-
-
-def _stub(node: ast.FunctionDef) -> Stub:
-    body = node.body[1:] if ast.get_docstring(node) else node.body
-    empty = len(body) == 1 and isinstance(body[0], ast.Raise) and "NotImplementedError" in ast.dump(body[0])
-    signature = node.args
-    positions = tuple(argument.arg for argument in signature.posonlyargs + signature.args)
-    return Stub(
-        positions,
-        tuple(argument.arg for argument in signature.kwonlyargs),
-        not empty,
-        bool(signature.vararg or signature.kwarg),
-    )
+    functions = {}
+    for node in (node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)):
+        body = node.body[1:] if ast.get_docstring(node) else node.body
+        empty = len(body) == 1 and isinstance(body[0], ast.Raise) and "NotImplementedError" in ast.dump(body[0])
+        signature = node.args
+        positions = tuple(argument.arg for argument in signature.posonlyargs + signature.args)
+        keywords = tuple(argument.arg for argument in signature.kwonlyargs)
+        functions[node.name] = Stub(positions, keywords, not empty, bool(signature.vararg or signature.kwarg))
+    return functions
 
 
 def _home() -> Path:

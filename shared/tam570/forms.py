@@ -95,16 +95,15 @@ def _forces(dimension: int, value: Numbers, name: str) -> list[tuple[Numbers, Nu
         raise WrongForm(f"{name} returned {_kind(value)}, not a list of pairs (point, direction)", _remedy(value))
     if len(value) > MOST_FORCES:
         raise WrongForm(f"{name} returned more than {MOST_FORCES} forces")
-    pairs = [_force(dimension, pair, f"{name} (force {index})") for index, pair in enumerate(value, start=1)]
-    return [(point, direction) for point, direction in pairs if direction is None or direction.any()]
-
-
-def _force(dimension: int, pair: Numbers, name: str) -> tuple[Numbers, Numbers]:
-    if not is_sequence(pair) or len(pair) != 2:
-        raise WrongForm(f"{name} is not a pair (point, direction)")
-    point, direction = pair
-    unknown = direction is None or (is_sequence(direction) and all(component is None for component in direction))
-    return _vector(dimension, point, name), None if unknown else _vector(dimension, direction, name)
+    forces = []
+    for index, pair in enumerate(value, start=1):
+        force = f"{name} (force {index})"
+        if not is_sequence(pair) or len(pair) != 2:
+            raise WrongForm(f"{force} is not a pair (point, direction)")
+        point, direction = pair
+        unknown = direction is None or (is_sequence(direction) and all(component is None for component in direction))
+        forces.append((_vector(dimension, point, force), None if unknown else _vector(dimension, direction, force)))
+    return [(point, direction) for point, direction in forces if direction is None or direction.any()]
 
 
 def _vector(dimension: int, value: Numbers, name: str) -> Numbers:

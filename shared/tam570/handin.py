@@ -1,19 +1,36 @@
-"""Makes one archive of what a student hands in: code, notebook, plots and written parts; and names what is empty."""
+"""Says what the hidden tests look at, and makes one archive of what a student hands in, naming what is empty."""
 
 import contextlib
 import json
+import re
+import textwrap
 import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 
 from tam570.course import folder, stubs
-from tam570.releases import released_names
+from tam570.progress import rows
+from tam570.releases import differing, released_names
 
 # said wherever a student reads how to hand in
 HOW = "Hand in the archive that `tam570 handin {name}` makes: it packs your code, notebook, plots and written parts."
 
 WRITTEN = (".pdf", ".png", ".jpg", ".jpeg", ".svg", ".gif", ".md", ".txt", ".docx", ".tex")  # drawings, plots, words
 PLACEHOLDER = "*Your answer*"  # in a notebook's cell, where words are asked for
+ACCURACY = re.compile(r"^Motions are compared .*?(?:\n\n|\Z)", re.MULTILINE | re.DOTALL)  # of a README
+
+
+def before_handing_in(file: Path, slug: str) -> None:
+    """Print what the hidden tests look at, and what in the folder is out of date."""
+    print(f"\nBefore you hand in {file.name}:\nThe hidden tests have other inputs than yours. They look at")
+    for name, tested in rows(slug).items():
+        print(textwrap.fill(f"{name}: {tested}", 80, initial_indent="  ", subsequent_indent="      "))
+    readme = (folder(slug) / "README.md").read_text(encoding="utf-8")
+    for accuracy in ACCURACY.findall(readme):
+        print(textwrap.fill(" ".join(accuracy.split()), 80))
+    for name in differing(file.parent, slug):
+        print(f"{name} is not as this kit has it: tam570 update {slug[:4]}")
+    print(textwrap.fill(HOW.format(name=slug[:4]), 80))
 
 
 def hand_in(file: Path, slug: str) -> Path:

@@ -60,19 +60,17 @@ def loaded(file: Path, slug: str, replacements: Builtins | None = None) -> tuple
     module.__dict__["__file__"] = f"{slug}.py"
     before, sys.modules[slug] = sys.modules.get(slug), module  # a dataclass looks for its module there
     try:
-        return module, list(_cells_run(source, module)) if file.suffix == ".ipynb" else _run(source, file, module)
+        if file.suffix == ".ipynb":
+            return module, list(_cells_run(source, module))
+        linecache.checkcache(str(file))
+        exec(compile(source, str(file), "exec", dont_inherit=True), module.__dict__)
+        return module, []
     except (Exception, SystemExit) as error:
         raise Trouble(f"{file.name} cannot be imported.\n{said(error, str(file))}") from error
     finally:
         _loading.reset(token)
         if before is not None:
             sys.modules[slug] = before
-
-
-def _run(source: bytes, file: Path, module: ModuleType) -> list[str]:
-    linecache.checkcache(str(file))
-    exec(compile(source, str(file), "exec", dont_inherit=True), module.__dict__)
-    return []
 
 
 def _cells_run(source: bytes, module: ModuleType) -> Iterator[str]:
@@ -104,15 +102,11 @@ def guarded_import(slug: str, banned: Sequence[str]) -> Callable[..., ModuleType
             explanation = f"the grader does not have {error.name}; it has Python itself, {', '.join(LIBRARIES)}"
             raise ModuleNotFoundError(explanation, name=error.name) from None
         module = import_module(name, globals, locals, fromlist, level)
-        if name.partition(".")[0] == "matplotlib":
-            sys.modules["matplotlib"].use = _no_window  # type: ignore[attr-defined]
+        if name.partition(".")[0] == "matplotlib":  # no windows: where work is graded nothing is shown on a screen
+            sys.modules["matplotlib"].use = lambda *backend, **how: None  # type: ignore[attr-defined]
         return module
 
     return guarded
-
-
-def _no_window(*backend: object, **how: object) -> None:
-    """Keep figures closed: where work is graded nothing is shown on a screen."""
 
 
 @contextmanager

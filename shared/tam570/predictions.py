@@ -12,14 +12,9 @@ from tam570.course import folder
 
 def ask_for_predictions(work: Path, slug: str) -> list[str]:
     """Ask on a terminal for what is not predicted yet; a sentence for each prediction that is kept in `work`."""
-    return [_prediction(work, letter, question) for letter, question in _questions(slug).items()]
-
-
-def _questions(slug: str) -> dict[str, str]:
-    """Return the question of each part that asks for a prediction."""
     rubric = folder(slug) / "rubric.toml"
     parts = tomllib.loads(rubric.read_text(encoding="utf-8"))["parts"] if rubric.exists() else {}
-    return {letter: part["before"] for letter, part in parts.items() if "before" in part}
+    return [_prediction(work, letter, part["before"]) for letter, part in parts.items() if "before" in part]
 
 
 def _prediction(work: Path, letter: str, question: str) -> str:

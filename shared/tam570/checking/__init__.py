@@ -58,7 +58,9 @@ def watch(work: Work) -> int:
             saved = [(file, slug) for file, slug in work if _stamp(file, slug) not in (None, seen[file])]
             if saved:
                 seen |= {file: _stamp(file, slug) for file, slug in saved}
-                runner = runner if runner.idle else runner.replaced(work)
+                if not runner.idle:
+                    runner.end()
+                    runner = Runner(work)
                 print(f"\n{time.strftime('%H:%M:%S')} {', '.join(slug for _, slug in saved)}", flush=True)
                 runner.run(saved, changed=True)
     except KeyboardInterrupt:
@@ -72,7 +74,6 @@ class Runner:
     """An interpreter that waits for an order, runs the tests once, and ends; `ahead` is what it may prepare for."""
 
     def __init__(self, ahead: Work) -> None:
-        group = getattr(subprocess, "CREATE_NEW_PROCESS_GROUP", 0)  # Ctrl-C is for the one that watches
         prepared = [[str(file.resolve()), slug] for file, slug in ahead]
         self.idle = True
         self._folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
@@ -85,7 +86,7 @@ class Runner:
             text=True,
             env=_environment(),
             start_new_session=os.name == "posix",
-            creationflags=group,
+            creationflags=getattr(subprocess, "CREATE_NEW_PROCESS_GROUP", 0),  # Ctrl-C is for the one that watches
         )
 
     def run(self, work: Work, *, changed: bool, functions: Sequence[str] = ()) -> None:
@@ -131,11 +132,6 @@ class Runner:
             )
             print(FAILED if code == OUR_FAULT else ended, file=sys.stderr, flush=True)
         return 0 if code == ALL_PASS else 1
-
-    def replaced(self, work: Work) -> "Runner":
-        """End it in the middle of its work; a new one."""
-        self.end()
-        return Runner(work)
 
     def end(self) -> None:
         self._process.kill()

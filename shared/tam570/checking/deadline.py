@@ -79,18 +79,14 @@ def _watch(hung: str) -> None:
         if ended is not None and time.monotonic() - ended > GRACE:
             print("hung", file=file, flush=True)
             os._exit(HUNG)
-        if ended is not None or _over(since):
+        if ended is not None or _over(since):  # again and again: a bare `except:` may have caught the first
             _now.ended = ended or time.monotonic()
-            _interrupt()  # again and again: a bare `except:` may have caught the first
+            if hasattr(signal, "pthread_kill"):  # wakes a sleeping one too
+                signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
+            else:
+                _thread.interrupt_main()
 
 
 def _over(since: float) -> bool:
     lasted, used = time.monotonic() - since, time.process_time() - _now.used
     return used > _now.limit or lasted > _now.limit and (used < ASLEEP * lasted or lasted > PATIENCE * _now.limit)
-
-
-def _interrupt() -> None:
-    if hasattr(signal, "pthread_kill"):  # wakes a sleeping one too
-        signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
-    else:
-        _thread.interrupt_main()

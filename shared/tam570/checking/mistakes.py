@@ -19,14 +19,14 @@ from tam570.values import Function, Json, Numbers, Parameters
 BEGINNING = "Your numbers match this mistake: "
 TIGHT = 1e-9
 QUICK = 0.01  # s of a call, up to which it is made with many other arguments
-INTEGRATORS = {"solve_ivp": ("rtol", "atol"), "odeint": ("rtol", "atol")}  # and the names of their tolerances
+INTEGRATORS = ("solve_ivp", "odeint")
 
 
 @contextmanager
 def tightened(names: Json) -> Iterator[None]:
     """Let SciPy's integrators, under whatever name a module has them, keep to TIGHT."""
     integrate = sys.modules.get("scipy.integrate")
-    integrators: dict[Function, str] = {getattr(integrate, name): name for name in INTEGRATORS} if integrate else {}
+    integrators: set[Function] = {getattr(integrate, name) for name in INTEGRATORS} if integrate else set()
     replaced: list[tuple[Json, str, Function]] = [
         (namespace, key, value)
         for namespace in ([vars(integrate), names] if integrate else [])
@@ -34,7 +34,7 @@ def tightened(names: Json) -> Iterator[None]:
         if callable(value) and isinstance(value, Hashable) and value in integrators
     ]
     for namespace, key, value in replaced:
-        namespace[key] = partial(_tight, value, integrators[value])
+        namespace[key] = partial(_tight, value)
     try:
         yield
     finally:
@@ -42,8 +42,8 @@ def tightened(names: Json) -> Iterator[None]:
             namespace[key] = value
 
 
-def _tight(integrator: Function, name: str, *args: Numbers, **how: Numbers) -> Numbers:
-    for tolerance in INTEGRATORS[name]:
+def _tight(integrator: Function, *args: Numbers, **how: Numbers) -> Numbers:
+    for tolerance in ("rtol", "atol"):
         how[tolerance] = np.minimum(how.get(tolerance) or TIGHT, TIGHT)
     return integrator(*args, **how)
 

@@ -48,6 +48,7 @@ class Work:
 
     file: Path
     slug: str
+    code: str
     used: Mapping[str, set[str]]  # by test, the functions that it calls
     examples: Examples | None
 
@@ -78,7 +79,8 @@ def check(
             remember(file, {}, progress(slug, {}, used))
             return False
         student, skipped, printed = _functions(file, slug)
-        now = _keys(file, modules, slug)
+        code = text_of(source_of(file), file.suffix)
+        now = {name: key for module in reversed(modules) for name, key in keys(module.text, code, slug).items()}
         tests = _collected(modules)
     except Trouble as trouble:
         report.trouble(slug, str(trouble))
@@ -96,7 +98,7 @@ def check(
     lasted = time.time() - file.stat().st_mtime
     since = f"      {len(tests)} tests run, {lasted:.2f} s after saving\n" if changed else ""
     examples = next((module.examples for module in modules if module.examples), None)
-    return _report(Work(file, slug, used, examples), valid, outcomes, functions, since)
+    return _report(Work(file, slug, code, used, examples), valid, outcomes, functions, since)
 
 
 def _chosen(
@@ -118,9 +120,12 @@ def _report(work: Work, valid: Remembered, outcomes: Outcomes, functions: Collec
     causes = {test: _cause(test, outcomes, calling, results) for test in outcomes.failures}
     reached = progress(work.slug, results, calling, causes)
     remember(work.file, valid, reached)
-    explanations = _known_mistakes(outcomes, work.examples, calling) if work.examples else {}
-    code = text_of(source_of(work.file), work.file.suffix)
-    explanations |= _explained(outcomes, calling, reached, code)  # true of more numbers than a few examples have
+    explanations = dict[str, str]()
+    for test in outcomes.failures:
+        names = calling.get(test, set())
+        if work.examples and len(names) == 1 and (mistake := work.examples.mistake(*names)):
+            explanations[test] = f"{BEGINNING}{mistake}"
+    explanations |= _explained(outcomes, calling, reached, work.code)  # true of more numbers than a few examples have
     report.failures(outcomes, explanations)
     report.slow(outcomes.functions.longest, outcomes.functions.total)
     if functions:
@@ -204,12 +209,6 @@ def _functions(file: Path, slug: str) -> tuple[Functions, list[str], str]:
     return functions, skipped, printed.getvalue()
 
 
-def _keys(file: Path, modules: Sequence[Module], slug: str) -> dict[str, str]:
-    """Return what the outcome of each test depends on."""
-    code = text_of(source_of(file), file.suffix)
-    return {name: key for module in reversed(modules) for name, key in keys(module.text, code, slug).items()}
-
-
 def _untouched(file: Path, released: Mapping[str, Stub]) -> list[str]:
     """Return the functions to be written, if all of them are and nothing is added; else nothing."""
     with contextlib.suppress(SyntaxError, ValueError):
@@ -224,12 +223,6 @@ def _untouched(file: Path, released: Mapping[str, Stub]) -> list[str]:
 def _function(test: str) -> str:
     """Return the test's function, without its parameters."""
     return test.partition("[")[0]
-
-
-def warm_up() -> None:
-    """Import what every module of tests imports."""
-    import numpy  # noqa: F401
-    import pytest  # noqa: F401
 
 
 def _explained(outcomes: Outcomes, used: Mapping[str, set[str]], reached: Progress, code: str) -> dict[str, str]:
@@ -291,15 +284,6 @@ def _consequences(
                 continue
             if _passes(outcomes, mistake, test, everywhere=True):
                 explanations[test] = f"Your {callers[0]} uses or repeats the mistake in {mistake.function}."
-    return explanations
-
-
-def _known_mistakes(outcomes: Outcomes, examples: Examples, used: Mapping[str, set[str]]) -> dict[str, str]:
-    """For each failed test of a single function that the function's known mistake explains, which it is."""
-    explanations = dict[str, str]()
-    for test in outcomes.failures:
-        if len(names := used.get(test, set())) == 1 and (mistake := examples.mistake(*names)):
-            explanations[test] = f"{BEGINNING}{mistake}"
     return explanations
 
 

@@ -14,7 +14,6 @@ from itertools import combinations, permutations, product
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tam570.values import Function, Numbers, Parameters
 
@@ -387,22 +386,17 @@ def _components(result: Numbers) -> Iterator[tuple[str, Change]]:
         for j, k in combinations(numbers, 2):
             order = np.arange(count)
             order[[j, k]] = k, j
-            yield f"has {what}s {j + 1} and {k + 1} exchanged", partial(_ordered, order, axis)
+            yield f"has {what}s {j + 1} and {k + 1} exchanged", partial(np.take, indices=order, axis=axis)
         if count > 2 and not count % 2:
-            yield f"has its first and last {count // 2} {what}s exchanged", partial(_rolled, count // 2, axis)
+            yield (
+                f"has its first and last {count // 2} {what}s exchanged",
+                partial(np.roll, shift=count // 2, axis=axis),
+            )
 
 
 def _negated(which: int, axis: int, value: Numbers) -> Numbers:
     signs = np.where(np.arange(np.shape(value)[axis]) == which, -1.0, 1.0)
     return np.moveaxis(np.moveaxis(np.asarray(value), axis, -1) * signs, -1, axis)
-
-
-def _rolled(count: int, axis: int, value: Numbers) -> Numbers:
-    return np.roll(value, count, axis)
-
-
-def _ordered(order: NDArray[np.int_], axis: int, value: Numbers) -> Numbers:
-    return np.take(value, order, axis)
 
 
 VALUES: tuple[tuple[str, Change, Change | None], ...] = (  # the words, what it is taken for, and what undoes that

@@ -196,11 +196,11 @@ def _call(name: str, *arguments: ast.expr) -> ast.Call:
 
 def _compare(actual: Numbers, name: str, expected: Numbers, both: bool) -> None:
     compare, words = next(words for operation, words in COMPARISONS.items() if operation.__name__ == name)
-    holds = compare(actual, expected)
-    if not (holds if isinstance(holds, bool) else bool(holds)):
+    if not compare(actual, expected):
         expected = getattr(expected, "expected", expected)  # of pytest's approx
-        is_equal = words == "is right"
-        raise AssertionError(difference(actual, expected, both) if is_equal else _limit(actual, expected, words))
+        if words == "is right":
+            raise AssertionError(difference(actual, expected, both))
+        raise AssertionError(f"Your code gives {_numbers(actual)}; {_numbers(expected)} {words}.")
 
 
 def _holds(value: Numbers) -> None:
@@ -236,10 +236,6 @@ def difference(actual: Numbers, expected: Numbers, both: bool = False) -> str:
     worst = np.unravel_index(int(np.argmax(np.where(np.isnan(off), np.inf, off))), off.shape)
     first, other = _apart(actual[worst], np.broadcast_to(expected, actual.shape)[worst])
     return sentence.format(first, other, f" in {_place(worst)}")
-
-
-def _limit(actual: Numbers, limit: Numbers, words: str) -> str:
-    return f"Your code gives {_numbers(actual)}; {_numbers(limit)} {words}."
 
 
 def _apart(actual: Numbers, expected: Numbers) -> list[str]:

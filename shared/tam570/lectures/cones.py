@@ -79,11 +79,8 @@ def _round(t: ArrayLike, out: float, up: float, rate: float) -> Array:
 
 def film(parameters: Mapping[str, float]) -> Scene:
     """Return the body with a slider that makes a rod of it, or a disk."""
-
-    def make(axial: float) -> Scene:
-        return _film({**parameters, "axial": axial})
-
-    return with_slider(make, "moment of inertia about the axis", "kg m²", SHAPES, parameters["axial"])
+    name = "moment of inertia about the axis"
+    return with_slider(lambda C: _film({**parameters, "axial": C}), name, "kg m²", SHAPES, parameters["axial"])
 
 
 def _film(parameters: Mapping[str, float]) -> Scene:

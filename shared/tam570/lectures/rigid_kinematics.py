@@ -79,6 +79,8 @@ def film(parameters: Mapping[str, float]) -> Scene:
     total = np.sum(list(parts.values()), axis=0)
     tip = np.array([velocity(v, w, length * d) for v, w, d in zip(v_a, omega, e, strict=True)])
     sizes = {name: np.linalg.norm(term, axis=1) for name, term in parts.items()}
+    unit, end = 0.4, A + length * e  # s
+    arrows = {"v of A": (end, v_a), "omega x arm": (end + unit * v_a, tip - v_a), "v of the tip": (end, tip)}
     return Scene(
         "Points of a rigid body",
         "A bar turns while its end A goes to and fro. On the left, the velocity of its tip is that of A and "
@@ -86,8 +88,8 @@ def film(parameters: Mapping[str, float]) -> Scene:
         "other, add up to the sum.",
         times,
         [
-            Panel([*_bar(A, A + length * e), *_velocities(A, length * e, v_a, tip)], "velocity of the tip"),
-            Panel([*_bar(A, A + length * e), *_polygon(bead, parts, total)], "acceleration of the bead"),
+            Panel([*_bar(A, end), *_arrows(arrows, unit, (1, 2, 0))], "velocity of the tip"),
+            Panel([*_bar(A, end), *_polygon(bead, parts, total)], "acceleration of the bead"),
         ],
         [value_plot("size of each term", times, sizes, "m/s²")],
         still_time=0.06,
@@ -104,12 +106,6 @@ def _bar(A: Array, tip: Array) -> list[Shape]:
         Shape("lines", moving(A, tip)[..., :2], INK, "bar", width=5),
         Shape("dot", A[:, None, :2], GREY, "A", width=7),
     ]
-
-
-def _velocities(A: Array, arm: Array, v_a: Array, tip: Array) -> list[Shape]:
-    unit, ends = 0.4, A + arm  # s
-    arrows = {"v of A": (ends, v_a), "omega x arm": (ends + unit * v_a, tip - v_a), "v of the tip": (ends, tip)}
-    return _arrows(arrows, unit, (1, 2, 0))
 
 
 def _polygon(bead: Array, parts: Mapping[str, Array], total: Array) -> list[Shape]:

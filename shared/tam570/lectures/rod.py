@@ -11,7 +11,7 @@ import numpy as np
 
 from tam570.arguments import numbers
 from tam570.show.plots import value_plot
-from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
+from tam570.show.scene import GREY, Panel, Scene, Shape, frame_times, moving
 from tam570.values import Numbers, Parameters
 
 EXAMPLE: Parameters = {"masses": (1.0, 2.0), "forces": (3.0, -1.0)}  # kg, N
@@ -68,21 +68,17 @@ def film(parameters: Parameters) -> Scene:
         ),
         *(Shape("dot", end[:, None], 0, "particles", width=9) for end in ends),
     ]
+    forces: Numbers = np.outer(wave, parameters["forces"])
+    tensions = {
+        name: np.array([way(pair, masses=parameters["masses"])[1] for pair in forces])
+        for name, way in {"by constraint": by_constraint, "by elimination": by_elimination}.items()
+    }
     return Scene(
         "Two particles and a rod",
         "Two particles at the ends of a rod are pushed and pulled along it by forces that swing to and fro. Arrows "
         "show the forces and what the rod does to each particle.",
         times,
         [Panel(shapes, ruler=False)],
-        [_tension(times, parameters)],
+        [value_plot("tension", times, tensions, "N", "the two curves are one")],
         still_time=0.02,
     )
-
-
-def _tension(times: Array, parameters: Parameters) -> TimePlot:
-    forces: Numbers = np.outer(np.cos(2 * np.pi * times / (SECONDS / 2)), parameters["forces"])
-    tension = {
-        name: np.array([way(pair, masses=parameters["masses"])[1] for pair in forces])
-        for name, way in {"by constraint": by_constraint, "by elimination": by_elimination}.items()
-    }
-    return value_plot("tension", times, tension, "N", "the two curves are one")

@@ -158,7 +158,13 @@ class _Frame:
 
 
 def _frame(panels: Sequence[Panel]) -> _Frame:
-    low, high = _box(panels)
+    """Return what fits all that the panels ever show. Trouble if that is too large for numbers."""
+    rows = [shape.points.reshape(-1, shape.points.shape[-1]) for panel in panels for shape in panel.shapes]
+    low = np.min([row.min(axis=0) for row in rows], axis=0)
+    high = np.max([row.max(axis=0) for row in rows], axis=0)
+    with np.errstate(over="ignore"):
+        if not np.isfinite(high - low).all():
+            raise Trouble(f"the motion goes as far as {max(high.max(), -low.min()):.1e} m: no screen shows that")
     middle, unit = (low + high) / 2, float((high - low).max() or 1.0) / (PIXELS * STEPS)
     if len(low) == 2:
         return _Frame(middle, unit, tuple((high - low) / unit), True)
@@ -169,7 +175,12 @@ def _frame(panels: Sequence[Panel]) -> _Frame:
 
 
 def _packed_panel(panel: Panel, frame: _Frame, points: _Points, in_space: bool) -> Json:
-    scaled = [_in_space((shape.points - frame.middle) / frame.unit, in_space) for shape in panel.shapes]
+    shapes = []
+    for shape in panel.shapes:
+        at = (shape.points - frame.middle) / frame.unit
+        if in_space and at.shape[-1] == 2:  # of a flat panel
+            at = np.concatenate([at, np.zeros((*at.shape[:-1], 1))], axis=-1)
+        shapes.append(shape_entry(shape, [points.still(row) for row in at] if at.ndim == 2 else points.body(at)))
     return {
         "title": panel.title,
         "flat": frame.flat,
@@ -177,31 +188,8 @@ def _packed_panel(panel: Panel, frame: _Frame, points: _Points, in_space: bool) 
         "unit": frame.unit,
         "middle": [_figures(number) for number in frame.middle],
         "size": [_figures(side, 6) for side in frame.size],
-        "shapes": [_packed_shape(shape, at, points) for shape, at in zip(panel.shapes, scaled, strict=True)],
+        "shapes": shapes,
     }
-
-
-def _box(panels: Sequence[Panel]) -> tuple[Array, Array]:
-    """Corners of the box around all that the panels ever show. Trouble if it is too large for numbers."""
-    rows = [shape.points.reshape(-1, shape.points.shape[-1]) for panel in panels for shape in panel.shapes]
-    low = np.min([row.min(axis=0) for row in rows], axis=0)
-    high = np.max([row.max(axis=0) for row in rows], axis=0)
-    with np.errstate(over="ignore"):
-        if not np.isfinite(high - low).all():
-            raise Trouble(f"the motion goes as far as {max(high.max(), -low.min()):.1e} m: no screen shows that")
-    return low, high
-
-
-def _in_space(points: Array, in_space: bool) -> Array:
-    """Points of a flat panel get a third coordinate where the scene has three."""
-    if in_space and points.shape[-1] == 2:
-        return np.concatenate([points, np.zeros((*points.shape[:-1], 1))], axis=-1)
-    return points
-
-
-def _packed_shape(shape: Shape, points: Array, store: _Points) -> Json:
-    still = points.ndim == 2
-    return shape_entry(shape, [store.still(point) for point in points] if still else store.body(points))
 
 
 def shape_entry(shape: Shape, at: Sequence[int]) -> Json:

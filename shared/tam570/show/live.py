@@ -171,7 +171,11 @@ class _Writer:
         return {
             "start": [float(number) for number in self.live.start],
             "parameters": [
-                {"name": name if i is None else f"{name} {i + 1}", "value": value, "range": _range(value)}
+                {
+                    "name": name if i is None else f"{name} {i + 1}",
+                    "value": value,
+                    "range": sorted((LEAST * value, MOST * value)) if value else (-1.0, 1.0),
+                }
                 for name, i, value in self.sliders
             ],
             "shapes": shapes,
@@ -223,13 +227,6 @@ def _composed(functions: Sequence[Function]) -> Callable[..., list[Numbers]]:
         return [number for result in results for number in result.tolist()]
 
     return composed
-
-
-def _range(value: float) -> tuple[float, float]:
-    if value == 0.0:
-        return -1.0, 1.0
-    low, high = sorted((LEAST * value, MOST * value))
-    return low, high
 
 
 def _packed(shapes: Sequence[Shape]) -> tuple[list[Json], list[Value]]:

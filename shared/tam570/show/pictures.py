@@ -78,12 +78,20 @@ class _GifWriter(PillowWriter):
 
 def write(scene: Scene, file: Path) -> None:
     """Save a picture (.png), one that moves (.gif, .webp) or a video (.mp4). Trouble if its writer is not installed."""
-    if file.suffix != ".png":
-        return save_frames(scene, file, _writer(file.suffix), EVERY[file.suffix])
-    figure, moving = _drawn(scene)
-    for _, update in moving:
-        update(round(scene.still_time * (len(scene.times) - 1)))
-    figure.savefig(file)
+    if file.suffix == ".png":
+        figure, moving = _drawn(scene)
+        for _, update in moving:
+            update(round(scene.still_time * (len(scene.times) - 1)))
+        return figure.savefig(file)
+    every = EVERY[file.suffix]
+    writer: AbstractMovieWriter
+    if file.suffix != ".mp4":
+        writer = (_GifWriter if file.suffix == ".gif" else PillowWriter)(fps=RATE // every)
+    elif FFMpegWriter.isAvailable():
+        writer = FFMpegWriter(fps=RATE // every, bitrate=1800)
+    else:
+        raise Trouble("a video needs ffmpeg, which is not installed; .gif and .html need nothing more")
+    save_frames(scene, file, writer, every)
 
 
 def save_frames(scene: Scene, file: Path, writer: AbstractMovieWriter, every: int) -> None:
@@ -96,14 +104,6 @@ def save_frames(scene: Scene, file: Path, writer: AbstractMovieWriter, every: in
             update(sample)
         writer.grab_frame()
     writer.finish()  # not `with writer.saving`, which writes the frames so far after a Ctrl-C
-
-
-def _writer(suffix: str) -> AbstractMovieWriter:
-    if suffix != ".mp4":
-        return {".gif": _GifWriter, ".webp": PillowWriter}[suffix](fps=RATE // EVERY[suffix])
-    if not FFMpegWriter.isAvailable():
-        raise Trouble("a video needs ffmpeg, which is not installed; .gif and .html need nothing more")
-    return FFMpegWriter(fps=RATE // EVERY[suffix], bitrate=1800)
 
 
 @cache
@@ -120,7 +120,8 @@ def _drawn(scene: Scene) -> tuple[_Film, list[Moving]]:
     wide, narrow = halves[0]
     figure.suptitle(scene.title)
     figure.set_layout_engine(ConstrainedLayoutEngine(rect=(0.0, 0.0, 0.985, 1.0)))
-    columns = 1 if _is_wide(scene.panels[0]) else min(len(scene.panels), 3)
+    sides = np.ptp(np.concatenate([s.points.reshape(-1, s.points.shape[-1]) for s in scene.panels[0].shapes]), axis=0)
+    columns = 1 if sides[0] > 2.0 * sides[-1] else min(len(scene.panels), 3)  # wide panels go below each other
     axes = wide.subplots(-(-len(scene.panels) // columns), columns, squeeze=False).ravel()
     moving = [artist for ax, panel in zip(axes, scene.panels, strict=False) for artist in _panel(ax, panel, scene)]
     for ax in axes:
@@ -150,13 +151,6 @@ def _panel(ax: Axes, panel: Panel, scene: Scene) -> list[Moving]:
         if points.ndim > 2:
             moving.append((artist, update))
     return moving
-
-
-def _is_wide(panel: Panel) -> bool:
-    """Return whether it is much wider than high, so that panels go below each other."""
-    rows = np.concatenate([shape.points.reshape(-1, shape.points.shape[-1]) for shape in panel.shapes])
-    sides = np.ptp(rows, axis=0)
-    return bool(sides[0] > 2.0 * sides[-1])
 
 
 def _seen(points: Array, view: tuple[float, float]) -> Array:

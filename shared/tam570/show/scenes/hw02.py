@@ -8,7 +8,7 @@ import numpy as np
 from tam570.loading import Trouble
 from tam570.show.diagrams import force_shapes
 from tam570.show.plots import gap_caption, value_plot
-from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times
 from tam570.show.student import Student
 from tam570.values import Parameters
 
@@ -30,6 +30,9 @@ def film(student: Student, parameters: Parameters) -> Scene:
     shapes = [part for angle, pair in zip(angles, pairs, strict=True) for part in _throw(*pair, angle == best)]
     farthest = max(closed[:, 0].max() for _, closed in pairs)
     ground = Shape("lines", np.array([[0.0, 0.0], [1.02 * farthest, 0.0]]), GREY, width=2)
+    gaps = np.max([np.linalg.norm(numerical - closed, axis=1) for numerical, closed in pairs], axis=0)
+    caption = gap_caption(float(gaps.max()) / farthest, LARGE, " of the range", "from the closed form: ")
+    heights = {f"{math.degrees(a):.0f}°": numerical[:, 1] for a, (numerical, _) in zip(angles, pairs, strict=True)}
     forces = force_shapes(student, motions[angles.index(best)][0], size=0.08 * farthest, **ball)
     return Scene(
         "Ballistics with drag",
@@ -37,7 +40,7 @@ def film(student: Student, parameters: Parameters) -> Scene:
         f"at {math.degrees(best):.1f} degrees. The numerical solution runs on the curve of the closed form.",
         times,
         [Panel([ground, *shapes, *forces])],
-        [_heights(times, angles, pairs, farthest)],
+        [value_plot("height", times, heights, "m", *caption)],
         still_time=0.45,
     )
 
@@ -63,10 +66,3 @@ def _throw(numerical: Array, closed: Array, best: bool) -> list[Shape]:
         Shape("dot", closed[:, None], 1, "closed form", width=size + 3),
         Shape("dot", numerical[:, None], color, width=size),
     ]
-
-
-def _heights(times: Array, angles: list[float], pairs: list[tuple[Array, Array]], farthest: float) -> TimePlot:
-    gaps = np.max([np.linalg.norm(path - other, axis=1) for path, other in pairs], axis=0)
-    caption = gap_caption(float(gaps.max()) / farthest, LARGE, " of the range", "from the closed form: ")
-    heights = {f"{math.degrees(a):.0f}°": numerical[:, 1] for a, (numerical, _) in zip(angles, pairs, strict=True)}
-    return value_plot("height", times, heights, "m", *caption)

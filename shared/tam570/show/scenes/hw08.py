@@ -35,19 +35,18 @@ def film(student: Student, parameters: Parameters) -> Scene:
         Shape("lines", turned[:, np.ravel(ends)], 0, "box by rotation_matrix()", width=2.5),
         *(Shape("trail", path[:, None], 1, "a corner by rotate()", width=2.5) for path in paths),
     ]
+    defect = gap_caption(float(rotation_defect(rotations).max()), LARGE, about="RᵀR - I is ", warning="not zero: ")
+    diagonal = {f"R{i + 1}{i + 1}": rotations[:, i, i] for i in range(3)}
     return Scene(
         "Axis and angle",
         "A box turns once about a fixed axis through its centre; one of its corners draws a circle.",
         times,
         [Panel(shapes, ruler=False)],
-        [_defect(times, rotations), *(_apart(times, path, turned[:, -1]) for path in paths)],
+        [
+            value_plot("on the diagonal of R", times, diagonal, "", *defect),
+            *(_apart(times, path, turned[:, -1]) for path in paths),
+        ],
     )
-
-
-def _defect(times: Array, rotations: Array) -> TimePlot:
-    caption = gap_caption(float(rotation_defect(rotations).max()), LARGE, about="RᵀR - I is ", warning="not zero: ")
-    entries = {f"R{i + 1}{i + 1}": rotations[:, i, i] for i in range(3)}
-    return value_plot("on the diagonal of R", times, entries, "", *caption)
 
 
 def _apart(times: Array, path: Array, by_matrix: Array) -> TimePlot:

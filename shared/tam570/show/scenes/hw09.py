@@ -49,15 +49,10 @@ def film(student: Student, parameters: Parameters) -> Scene:
 
 def _turns(student: Student, times: Array, order: str) -> Array:
     """(n, 3, 3) rotations: one axis after the other."""
-    angles = [math.pi / 2 * _gently((times - begin) / LASTS) for begin in BEGINS]
+    shares = [np.clip((times - begin) / LASTS, 0.0, 1.0) for begin in BEGINS]
+    angles = [math.pi / 2 * share**2 * (3.0 - 2.0 * share) for share in shares]  # with no jerk at the ends
     steps = [list(zip(order, pair, strict=True)) for pair in zip(*angles, strict=True)]
     return student.each("space_sequence", steps)
-
-
-def _gently(share: Array) -> Array:
-    """From 0 to 1 with no jerk at the ends."""
-    share = np.clip(share, 0.0, 1.0)
-    return share**2 * (3.0 - 2.0 * share)
 
 
 def _axis(student: Student, R: Array) -> Shape:

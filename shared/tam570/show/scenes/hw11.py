@@ -94,15 +94,13 @@ def _coin(times: Array, coin: Circling, radius: float, color: int) -> list[Shape
 
 
 def _residuals(student: Student, times: Array, coins: list[Circling], parameters: Parameters) -> TimePlot:
-    weight = parameters["mass"] * parameters["gravity"] * parameters["radius"]
-    off = {f"lean {c.lean:g}": np.full(2, 100.0 * _residual(student, c, parameters) / weight) for c in coins}
+    disk, inertia, gravity = {name: parameters[name] for name in COIN}, parameters["inertia"], parameters["gravity"]
+    off = {}
+    for coin in coins:
+        motion = coin.lean, coin.precession, coin.spin
+        inward, normal = student("contact_force", *motion, **disk, gravity=gravity)
+        residual = student("moment_residual", *motion, inward, normal, **disk, inertia=inertia)
+        off[f"lean {coin.lean:g}"] = np.full(2, 100.0 * residual / (disk["mass"] * gravity * disk["radius"]))
     largest = max(float(np.abs(residual).max()) for residual in off.values()) / 100.0
     caption = gap_caption(largest, LARGE, " of m g a", warning="not steady: ")
     return value_plot("moment_residual()", times[[0, -1]], off, "%", *caption, least=1.0)
-
-
-def _residual(student: Student, coin: Circling, parameters: Parameters) -> float:
-    disk = {name: parameters[name] for name in COIN}
-    motion = coin.lean, coin.precession, coin.spin
-    inward, normal = student("contact_force", *motion, **disk, gravity=parameters["gravity"])
-    return float(student("moment_residual", *motion, inward, normal, **disk, inertia=parameters["inertia"]))

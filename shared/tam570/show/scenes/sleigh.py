@@ -10,7 +10,7 @@ from tam570.integrate import solve
 from tam570.show.drawing import graph, placed, solid, unit_circle
 from tam570.show.live import Handle, Live, drag, energies
 from tam570.show.plots import drift_caption, value_plot, values
-from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, moving, with_slider
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving, with_slider
 from tam570.values import Numbers
 
 SHARES = (0.6, 0.8, 1.0, 1.25)  # of the speed
@@ -40,6 +40,9 @@ def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Seque
 
 def _one(times: Array, states: Array, offset: float, k: float, caption: tuple[str, bool]) -> Scene:
     speeds = {"speed": states[:, 3], "k yaw rate": k * states[:, 4]}
+    turned = np.degrees(states[:, 2] - states[0, 2])
+    total = 180.0 * k / abs(offset) if offset else float("inf")
+    most = f"at most pi k/offset = {total:.4g} degrees" if offset else "G at the blade: it turns for ever"
     return Scene(
         "Chaplygin's sleigh",
         "A sleigh on ice glides on one blade that cannot slip sideways. It starts with its centre of mass behind the "
@@ -50,7 +53,10 @@ def _one(times: Array, states: Array, offset: float, k: float, caption: tuple[st
             Panel(_sleigh(states, offset, offset or k)),
             Panel(_phase_plane(states, offset, k), "phase plane", ruler=False),
         ],
-        [_turn(times, states, offset, k), value_plot("speed, and k times yaw rate", times, speeds, "m/s", *caption)],
+        [
+            value_plot("turned", times, {"": turned}, "degrees", most),
+            value_plot("speed, and k times yaw rate", times, speeds, "m/s", *caption),
+        ],
         still_time=0.5,
     )
 
@@ -91,10 +97,3 @@ def _phase_plane(states: Array, offset: float, k: float) -> list[Shape]:
         Shape("trail", way, 1, width=2.5),
         Shape("dot", way, 0, "now", width=7),
     ]
-
-
-def _turn(times: Array, states: Array, offset: float, k: float) -> TimePlot:
-    turned = np.degrees(states[:, 2] - states[0, 2])
-    total = 180.0 * k / abs(offset) if offset else float("inf")
-    caption = f"at most pi k/offset = {total:.4g} degrees" if offset else "G at the blade: it turns for ever"
-    return value_plot("turned", times, {"": turned}, "degrees", caption)
