@@ -175,16 +175,13 @@ def steady(arrivals):
     return (arrivals[-1] - half) / (sum(arrival > half + TOGETHER for arrival in arrivals) or 1)
 
 
-def print_jobs(slug, runs):
-    """How many times as fast several jobs are as one."""
+def print_ratios(slug, runs, peers):
+    """How many times as fast several jobs are as one, and the most jobs as nbgrader, its start included."""
     for jobs, row in runs.items() if 1 in runs else ():
         if jobs > 1:
             faster, late = (runs[1][name] / row[name] for name in ("seconds", "steady_seconds_each"))
             print(f"{slug:26} {jobs} jobs: {faster:.2f} times as fast as 1 job, {late:.2f} times once all have started")
 
-
-def print_peers(slug, runs, peers):
-    """How many times as fast as nbgrader the run with the most jobs is, its start included."""
     most = runs[max(runs)]
     for peer in peers:
         ratio, steady = (peer["seconds_each"] / most[name] for name in ("seconds_each", "steady_seconds_each"))
@@ -289,8 +286,7 @@ def main():
         rows += (new := [one_file(slug), *runs.values(), *peers])
         for row in new:
             print_row(row)
-        print_jobs(slug, runs)
-        print_peers(slug, runs, peers)
+        print_ratios(slug, runs, peers)
         if options.peers and not options.quick:
             record.write(OUTPUT, rows=rows)  # a run takes an hour
 

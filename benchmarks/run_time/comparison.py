@@ -12,12 +12,20 @@ PEERS = ("heyoka", "CyRK")
 
 
 def tables(scenes, targets, sets):
-    """All of it; scenes : {scene: its curves and compiling}, sets : {name: scenes}."""
-    curves = {name: scene["curves"] for name, scene in scenes.items()}
+    """All of it; scenes : {scene: its curves and compiling}, sets : {name: scenes}.
+
+    In "against" are rows of our method, the peer, the error and what `against` tells.
+    """
+    curves, rows = {name: scene["curves"] for name, scene in scenes.items()}, {}
+    for group, members in sets.items():
+        part = {name: curves[name] for name in curves if name in members}
+        runs = itertools.product(OURS, PEERS, targets)
+        compared = [(ours, peer, target, against(part, target, ours, peer)) for ours, peer, target in runs]
+        rows[group] = [row for row in compared if row[-1]]
     return {
         "ratios": {f"{target:g}": ratios(curves, target) for target in targets},
         "compiling": compiling(scenes),
-        "against": {group: list(_against(curves, members, targets)) for group, members in sets.items()},
+        "against": rows,
     }
 
 
@@ -48,21 +56,5 @@ def against(curves, target, ours, peer):
 
 def ratios(curves, target):
     """Median over the scenes, and the largest, of each method's time over that of SciPy's DOP853 at that error."""
-    table = {}
-    for method in METHODS:
-        pairs = [
-            (_time_to(target, s.get(method, [])), _time_to(target, s.get("SciPy DOP853", []))) for s in curves.values()
-        ]
-        values = [ours / peer for ours, peer in pairs if ours and peer]
-        if values:
-            table[method] = {"median": float(np.median(values)), "worst": max(values), "scenes": len(values)}
-    return table
-
-
-def _against(scenes, members, targets):
-    """Rows of our method, the peer, the error and what `against` tells."""
-    part = {name: curves for name, curves in scenes.items() if name in members}
-    for ours, peer, target in itertools.product(OURS, PEERS, targets):
-        row = against(part, target, ours, peer)
-        if row:
-            yield ours, peer, target, row
+    rows = {method: against(curves, target, method, "SciPy DOP853") for method in METHODS}
+    return {method: {"median": row[0], "worst": row[1], "scenes": row[3]} for method, row in rows.items() if row}

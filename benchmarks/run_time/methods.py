@@ -103,9 +103,17 @@ def _by_heyoka(scene):
     """The variables and their rates, as heyoka's integrators take them."""
     import heyoka as hy
 
+    from tam570.integrate.formulas import written
+    from tam570.integrate.trace import traced
+
     rhs, start, parameters, _ = scene
     state = [hy.make_vars(f"s{i}") for i in range(len(start))]
-    rates = _rates_in(rhs, parameters, len(start), hy)(state)
+    formulas, constants = written(traced(functools.partial(rhs, **parameters), len(start)))
+    names = {name: getattr(hy, name) for name in ("sin", "cos", "sqrt", "exp")}
+    names |= {"t": hy.time, "hypot": lambda a, b: hy.sqrt(a * a + b * b)}
+    names |= {f"s{i}": s for i, s in enumerate(state)} | {f"c{i}": c for i, c in enumerate(constants)}
+    exec("\n".join(formulas.lines), names)
+    rates = [eval(rate, names) for rate in formulas.rates]
     rates = [rate if isinstance(rate, hy.expression) else hy.expression(rate) for rate in rates]
     return list(zip(state, rates, strict=True))
 
@@ -132,11 +140,11 @@ def ours_from(scene, starts, tolerance):
     return lambda: solve(rhs, (0.0, end), starts, parameters=parameters, rtol=tolerance, method="compiled")[:, -1]
 
 
-def heyoka_from(scene, starts, tolerance, lanes=8):
-    """The same by heyoka's batches; there must be a multiple of `lanes` motions."""
+def heyoka_from(scene, starts, tolerance):
+    """The same by heyoka's batches of eight; there must be a multiple of that."""
     import heyoka as hy
 
-    end, size = scene[-1], starts.shape[1]
+    end, size, lanes = scene[-1], starts.shape[1], 8
     run = hy.taylor_adaptive_batch(_by_heyoka(scene), np.zeros((size, lanes)), tol=tolerance)
 
     def ends():
@@ -149,25 +157,6 @@ def heyoka_from(scene, starts, tolerance, lanes=8):
         return last
 
     return ends
-
-
-def _rates_in(rhs, parameters, size, library):
-    """The traced right-hand side with the functions of heyoka."""
-    from tam570.integrate.formulas import written
-    from tam570.integrate.trace import traced
-
-    formulas, constants = written(traced(functools.partial(rhs, **parameters), size))
-    lines = [f"c{i} = {c!r}" for i, c in enumerate(constants)] + list(formulas.lines)
-    code = compile("\n".join([*lines, f"rates = [{', '.join(formulas.rates)}]"]), "<rates>", "exec")
-
-    def rates(state):
-        names = {name: getattr(library, name) for name in dir(library) if name in ("sin", "cos", "sqrt", "exp")}
-        names |= {"hypot": lambda a, b: library.sqrt(a * a + b * b)}
-        names |= {"t": library.time, **{f"s{i}": state[i] for i in range(size)}}
-        exec(code, names)
-        return names["rates"]
-
-    return rates
 
 
 METHODS = {

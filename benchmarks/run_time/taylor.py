@@ -128,15 +128,11 @@ def _called(name, arguments, pairs, key):
     raise NotImplementedError(name)
 
 
-def _time(t):
-    return Series(lambda k: t if k == 0 else mpmath.mpf(k == 1))
-
-
 def _expansion(formulas, constants, state, t):
     """Taylor coefficients of the solution through `state`: (k, ORDER + 1)."""
     series = [Series(None) for _ in state]
     names = {f"s{i}": s for i, s in enumerate(series)} | {f"c{i}": _constant(c) for i, c in enumerate(constants)}
-    names["t"] = _time(t)
+    names["t"] = Series(lambda k: t if k == 0 else mpmath.mpf(k == 1))
     pairs = {}
     for line in formulas.lines:
         target, expression = line.split(" = ", 1)

@@ -32,8 +32,9 @@ def setup(app):
 def _draw():
     INTO.mkdir(parents=True, exist_ok=True)
     for name, make in TABLES.items():
-        text = make(_results(name))
-        (INTO / f"{name}.md").write_text(f"{text}\n\n{_origin(name)}\n", encoding="utf-8")
+        results = _results(name)
+        origin = f"`{results['command']}` on a shared machine ({results['machine']}), {results['date']}."
+        (INTO / f"{name}.md").write_text(f"{make(results)}\n\n{origin}\n", encoding="utf-8")
     for name in PICTURES:
         picture, results = INTO / f"{name}.webp", RESULTS_FOLDER / f"{name}.json"
         if not picture.exists() or results.stat().st_mtime > picture.stat().st_mtime:
@@ -42,12 +43,6 @@ def _draw():
 
 def _results(name):
     return json.loads((RESULTS_FOLDER / f"{name}.json").read_text())
-
-
-def _origin(name):
-    """Return how and where a benchmark was measured."""
-    results = _results(name)
-    return f"`{results['command']}` on a shared machine ({results['machine']}), {results['date']}."
 
 
 def _picture(name):

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from tam570.course import Stub, folder, stubs
+from tam570.course import folder, stubs
 
 KEPT_BACK = ("contract.json", "examples.json", "hints.toml", "rubric.toml")  # used by the commands, not copied
 RECORD = ".tam570.json"  # in the student's folder: the digest of each file as it was copied
@@ -75,18 +75,13 @@ def _signatures(mine: Path, slug: str) -> list[str]:
         have = stubs(mine.read_bytes())
     except (OSError, SyntaxError, ValueError):
         return []
-    expected = stubs((folder(slug) / f"{slug}.py").read_bytes())
-    return [
-        f"{name}({', '.join([*signature.positions, *(['*', *signature.keywords] if signature.keywords else [])])})"
-        for name, signature in expected.items()
-        if name not in have or _differ(signature, have[name])
-    ]
-
-
-def _differ(expected: Stub, have: Stub) -> bool:
-    """Return whether a function does not have the parameters that are asked for."""
-    same = (expected.positions, set(expected.keywords)) == (have.positions, set(have.keywords))
-    return not (same or have.takes_any)
+    signatures = []
+    for name, expected in stubs((folder(slug) / f"{slug}.py").read_bytes()).items():
+        there, keywords = have.get(name), ["*", *expected.keywords] if expected.keywords else []
+        same = there and (expected.positions, {*expected.keywords}) == (there.positions, {*there.keywords})
+        if not (there and (same or there.takes_any)):
+            signatures.append(f"{name}({', '.join([*expected.positions, *keywords])})")
+    return signatures
 
 
 def _copy(path: Path, work: Path) -> None:

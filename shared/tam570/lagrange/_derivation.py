@@ -34,7 +34,10 @@ def motion(
 ) -> Motion:
     """d/dt dL/dv - dL/dq = Q + A^T lam, the derivative along the motion written out."""
     q, v, t = tuple(coordinates), tuple(velocities), sympy.Symbol("t") if time is None else time
-    _check_lengths(q, v, forces)
+    if not q or len(q) != len(v):
+        raise ValueError(f"velocities: one for each coordinate, got {len(v)} for {len(q)}")
+    if forces and len(forces) != len(q):
+        raise ValueError(f"forces: one for each coordinate, got {len(forces)} for {len(q)}")
     L = sympy.sympify(lagrangian)
     Q = tuple(sympy.sympify(force) for force in forces) or (sympy.Integer(0),) * len(q)
     all_constraints = tuple(sympy.sympify(constraint) for constraint in constraints)
@@ -68,13 +71,6 @@ def motion(
 def _carried(expression: Expression, q: Sequence[Symbol], v: Sequence[Symbol], t: Symbol) -> Expression:
     """Return the rate of an expression along the motion at constant velocities."""
     return sum((sympy.diff(expression, x) * w for x, w in zip(q, v, strict=True)), sympy.diff(expression, t))
-
-
-def _check_lengths(q: Sequence[Symbol], v: Sequence[Symbol], forces: Sequence[Expression]) -> None:
-    if not q or len(q) != len(v):
-        raise ValueError(f"velocities: one for each coordinate, got {len(v)} for {len(q)}")
-    if forces and len(forces) != len(q):
-        raise ValueError(f"forces: one for each coordinate, got {len(forces)} for {len(q)}")
 
 
 def _check_pivots(mass: Expression, matrix: Expression) -> None:

@@ -17,7 +17,7 @@ from tam570.loading import Trouble
 from tam570.show.patience import patience
 from tam570.show.scene import Scene, drawable_rate
 from tam570.show.student import Student, load_student
-from tam570.values import Json, Numbers, Parameters
+from tam570.values import Json, Parameters
 
 LONGEST = 600.0  # s, of a scene
 MOST_WORK = 20.0  # s of processor time, until its motion is known
@@ -36,20 +36,16 @@ def lecture_module(what: str) -> ModuleType:
 
 def settings(texts: Sequence[str]) -> Json:
     """Return the numbers in "mass=2", "start.speed=3", "masses=1,2", by name. Unknown says which text is none."""
-    result = {}
+    result: Json = {}
     for text in texts:
         name, equals, value = text.partition("=")
         if not (name.strip() and equals and value.strip()):
             raise Unknown(f"--set takes NAME=VALUE, as in mass=2, and not {text!r}")
-        result[name.strip()] = _value(value.strip())
+        try:
+            result[name.strip()] = ast.literal_eval(value.strip())
+        except (ValueError, SyntaxError):
+            result[name.strip()] = value.strip()  # a choice, such as saddle
     return result
-
-
-def _value(text: str) -> Numbers:
-    try:
-        return ast.literal_eval(text)
-    except (ValueError, SyntaxError):
-        return text  # a choice, such as saddle
 
 
 def filmed(source: ModuleType, numbers: Parameters | None = None, *before: Student) -> Scene:

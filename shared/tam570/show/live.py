@@ -156,19 +156,9 @@ class _Writer:
         count = len(graphs["drawn"].rates) - first - len(measures)
         of_math = f"const {{{','.join(IN_JAVASCRIPT)}}} = Math, fabs = Math.abs;"
         code = f"const program = (() => {{ {of_math} return {{{code}}}; }})();"
-        return Program(code, self._data(shapes, first, count, list(measures)))
-
-    def _is_traceable(self, measure: Function) -> bool:
-        try:
-            self._traced(lambda t, state, parameters, target: [measure(state, **parameters)])
-        except Untraceable:
-            return False
-        return True
-
-    def _data(self, shapes: list[Json], first: int, count: int, measures: list[str]) -> Json:
         dim = count // max(len(self.live.handles), 1)
-        has_first = measures[:1] == list(self.live.measures)[:1] != []
-        return {
+        has_first = [*measures][:1] == [*self.live.measures][:1] != []
+        data = {
             "start": [float(number) for number in self.live.start],
             "parameters": [
                 {
@@ -180,11 +170,19 @@ class _Writer:
             ],
             "shapes": shapes,
             "handles": [{"at": first + i * dim, "dim": dim} for i in range(len(self.live.handles))],
-            "measures": measures,
+            "measures": [*measures],
             "first": first + count,
             "constant": has_first and self.live.conserved,
             "rests": has_first and self.live.rests,
         }
+        return Program(code, data)
+
+    def _is_traceable(self, measure: Function) -> bool:
+        try:
+            self._traced(lambda t, state, parameters, target: [measure(state, **parameters)])
+        except Untraceable:
+            return False
+        return True
 
     def _traced(self, function: Function) -> Graph:
         def flat(t: Numbers, symbols: Numbers) -> Numbers:
