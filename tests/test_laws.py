@@ -179,7 +179,7 @@ def test_the_untouched_stub_scores_nothing(slug, grade, course):
     assert outcomes(result, "not_run") == {check.name for check in assignments.assignment(course, slug).checks}
 
 
-@pytest.mark.parametrize("slug", first(2, SLUGS))
+@pytest.mark.parametrize("slug", first(1, SLUGS))
 def test_an_endless_loop_scores_nothing(slug, grade, course):
     names = assignments.assignment(course, slug).results
     text = "\n".join(f"def {name}(*args, **kwargs):\n    while True: pass" for name in names)
@@ -193,7 +193,7 @@ def called_functions(slug):
     return calls_of_checks(COURSE, slug)[0]
 
 
-@pytest.mark.parametrize("slug", first(2, SLUGS))
+@pytest.mark.parametrize("slug", first(1, SLUGS))
 def test_every_function_that_draws_nothing_is_called_by_a_check(slug):
     results = assignments.assignment(COURSE, slug).results
     undrawn = {name for name, returns in results.items() if not isinstance(returns, Drawing)}
@@ -210,7 +210,7 @@ def test_right_numbers_in_a_wrong_form_score_nothing(slug, what, grade, course, 
     assert not {name for name in earning if called_functions(slug)[name] & numeric}, failures(result)
 
 
-@pytest.mark.parametrize("slug", first(2, SLUGS))
+@pytest.mark.parametrize("slug", first(1, SLUGS))
 @pytest.mark.parametrize("form", ["lambda x: np.asarray(x).tolist()", "lambda x: np.asarray(x, dtype=object)"])
 def test_right_numbers_in_any_form_that_asarray_takes_have_full_marks(slug, form, grade, course, solution_text):
     result = grade(slug, solution_text(slug) + wrapped(assignments.assignment(course, slug).results, form))

@@ -161,7 +161,6 @@ JUMPS = {
     "a blow": forced(lambda t: 1e6 if abs(t - 1.5) < 5e-7 else 0.0, (0, 3), exact=[math.sin(1.5), math.cos(1.5)]),
 }
 
-
 SINE_TO_20 = 3 * math.pi * math.comb(20, 10) / 2**20
 
 
@@ -342,7 +341,7 @@ def vortices(t, y):
 
 COMPLEX = {
     "spiral": against(spiral, (0, 3), [1.0, 0.2]),
-    "limited": against(limited, (0, 3), [1.0, 0.2], longest=5e-4),
+    "limited": against(limited, (0, 3), [1.0, 0.2], longest=5e-3),
     "modes": against(modes, (0, 3), [1.0, 0.2, 0.3, -0.4]),
     "viewed": against(viewed, (0, 3), [1.0, 0.2]),
     "vortices": against(vortices, (0, 3), [0.5, 0.3, -0.4, 0.2, 1.0, 0.9]),

@@ -112,6 +112,7 @@ def test_a_function_that_is_always_zero_makes_nothing_else_right(checked):
     assert not {"axle_load", "friction_force"} & {source for _, source in following(actual)}
 
 
+@pytest.mark.slow  # rates by vectors
 def test_rows_of_zeros_are_judged_to_the_end(checked):
     zeros = "\n\ndef euler_state_derivative(t, state, **disk):\n    return np.zeros(8)\n"
     zeros += "\n\ndef simulate_euler(t, state, **disk):\n    return np.zeros((len(t), 8))\n"
@@ -226,7 +227,7 @@ def simulate(t, x, v, *, curvature, gravity):
 """
 
 
-@pytest.mark.parametrize("factor", [1, 2])
+@pytest.mark.parametrize("factor", first(1, [1, 2]))
 def test_a_motion_follows_from_the_students_own_equation(checked, factor):
     lines = ("v**2 / 2 - mass", "v**2 - mass")
     actual = following(checked("hw12_bead_on_wire", lines, more=BY_EQUATION.format(factor=factor)))

@@ -16,7 +16,6 @@ from tam570.integrate import solve
 
 pytest.importorskip("llvmlite")
 
-
 RUN = """
 import sys, math
 from tam570.integrate import solve
