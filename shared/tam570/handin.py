@@ -10,7 +10,7 @@ from pathlib import Path
 
 from tam570.course import folder, stubs
 from tam570.progress import rows
-from tam570.releases import differing, released_names
+from tam570.releases import differing, released
 
 # said wherever a student reads how to hand in
 HOW = "Hand in the archive that `tam570 handin {name}` makes: it packs your code, notebook, plots and written parts."
@@ -36,8 +36,8 @@ def before_handing_in(file: Path, slug: str) -> None:
 def hand_in(file: Path, slug: str) -> Path:
     """Pack the work beside `file` into `<slug>_handin.zip` there, and print what it holds and what is still empty."""
     where, archive = file.parent, file.parent / f"{slug}_handin.zip"
-    released = set(released_names(slug)) - {f"{slug}.py", f"{slug}.ipynb"}
-    beside = [path for path in sorted(where.iterdir()) if path.suffix.lower() in WRITTEN and path.name not in released]
+    kit = {path.name for path in released(slug, notebook=True)} - {f"{slug}.py", f"{slug}.ipynb"}
+    beside = [path for path in sorted(where.iterdir()) if path.suffix.lower() in WRITTEN and path.name not in kit]
     both = file, file.with_suffix(".ipynb")  # a module that nothing is written in would count in the notebook's place
     work = {f"{slug}{path.suffix}": path for path in both if path.is_file()}
     packed = work | {path.name: path for path in beside}

@@ -29,7 +29,7 @@ def start(name: str, where: Path, *, notebook: bool = False) -> Copied:
     slug = folder(name, or_lecture=True).name
     work = where / slug
     work.mkdir(parents=True, exist_ok=True)
-    new = [path for path in _released(slug, notebook) if not (work / path.name).exists()]
+    new = [path for path in released(slug, notebook) if not (work / path.name).exists()]
     for path in new:
         _copy(path, work)
     return Copied(work, [path.name for path in new], differing=differing(work, slug))
@@ -39,7 +39,7 @@ def update(work: Path, slug: str) -> Copied:
     """Bring the files that the student has not changed to this kit's; the others stay, and are named."""
     record, refreshed, new = _record(work), [], []
     notebook = (work / f"{slug}.ipynb").exists()
-    for path in _released(slug, notebook):
+    for path in released(slug, notebook):
         mine = work / path.name
         if not mine.exists():
             new.append(path.name)
@@ -53,16 +53,11 @@ def update(work: Path, slug: str) -> Copied:
 
 def differing(work: Path, slug: str) -> list[str]:
     """Return the files beside the student's own that are not as this kit has them."""
-    common = [path for path in _released(slug, True) if path.stem != slug and (work / path.name).exists()]
+    common = [path for path in released(slug, True) if path.stem != slug and (work / path.name).exists()]
     return [path.name for path in common if _digest(work / path.name) != _digest(path)]
 
 
-def released_names(slug: str) -> list[str]:
-    """Return the names of the files that a student may have from the kit."""
-    return [path.name for path in _released(slug, True)]
-
-
-def _released(slug: str, notebook: bool) -> list[Path]:
+def released(slug: str, notebook: bool) -> list[Path]:
     """Return the files of an assignment for a student; those of the notebook form only if it is asked for."""
     files = [path for path in folder(slug).iterdir() if path.is_file() and path.name not in KEPT_BACK]
     more = (folder(slug) / "notebook").glob("*.*") if notebook else []

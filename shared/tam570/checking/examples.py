@@ -40,6 +40,8 @@ class Examples:
 
     def run(self, function: Function, number: int) -> None:
         """Call the function as the example does; AssertionError where a result is not right."""
+        from tam570.checking.visible import difference
+
         call = self.calls[number]
         refused = any(comparison.get("raises") for comparison in call["compare"])
         try:
@@ -58,14 +60,10 @@ class Examples:
                 raise AssertionError(f"Your code gives an array of shape {actual.shape}; {expected.shape} is right.")
             error = float(np.max(np.where(actual == expected, 0.0, np.abs(actual - expected)) / scale, initial=0.0))
             if not error <= comparison["tolerance"]:
-                raise AssertionError(self._message(call, comparison, actual, expected))
-
-    def _message(self, call: Json, comparison: Json, actual: Numbers, expected: Numbers) -> str:
-        from tam570.checking.visible import difference
-
-        label = f" for {call['label']}" if call["label"] else ""
-        quantity = comparison["quantity"] or "the result"
-        return f"{quantity[:1].upper()}{quantity[1:]} is wrong{label}. {difference(actual, expected)}"
+                label = f" for {call['label']}" if call["label"] else ""
+                quantity = comparison["quantity"] or "the result"
+                sentence = f"{quantity[:1].upper()}{quantity[1:]} is wrong{label}."
+                raise AssertionError(f"{sentence} {difference(actual, expected)}")
 
     def mistake(self, function: str) -> str | None:
         """Return the known mistake of a function that gives the student's results."""

@@ -82,9 +82,10 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
         arguments = {**parameters, "surface": name}
         states = solve(rates, times, start, parameters=arguments)
         forces = np.array([constraint_force(state, **arguments) for state in states])
-        panels.append(
-            Panel([*_net(states, arguments), *_draw(states, arguments), _arrow(states, forces, arguments)], name)
-        )
+        unit = 0.4 / (float(np.linalg.norm(forces, axis=1).max()) or 1.0)  # m/N
+        particle = np.column_stack(_place(states.T, **arguments))
+        arrow = Shape("arrow", moving(particle, particle + unit * forces), 3, "force of the surface", width=2.5)
+        panels.append(Panel([*_net(states, arguments), *_draw(states, arguments), arrow], name))
         totals[name] = values(energy, states, **arguments)
         kinetic[name] = totals[name] - values(energy, states * [1, 1, 0, 0], **arguments)
     largest = max(float(curve.max()) for curve in kinetic.values())
@@ -114,12 +115,6 @@ HANDLE = Handle(_place, lambda point, state, **parameters: [point[0], point[1], 
 def _draw(states: Array, parameters: Parameters) -> list[Shape]:
     particle = np.column_stack(_place(states.T, **parameters))[:, None]
     return [Shape("trail", particle, 2, "path", width=2), Shape("dot", particle, 0, "particle", width=9)]
-
-
-def _arrow(states: Array, forces: Array, parameters: Parameters) -> Shape:
-    particle = np.column_stack(_place(states.T, **parameters))
-    unit = 0.4 / (float(np.linalg.norm(forces, axis=1).max()) or 1.0)  # m/N
-    return Shape("arrow", moving(particle, particle + unit * forces), 3, "force of the surface", width=2.5)
 
 
 def _net(states: Array, parameters: Parameters) -> list[Shape]:
