@@ -178,16 +178,6 @@ def fewest(caught: Mapping[Subject, frozenset[Key]], seconds: Mapping[Key, float
     return needed
 
 
-def _rows(cases: CaseReport) -> dict[tuple[str, str, str], tuple[int, int, Counter[str]]]:
-    """For each check, function and label: the cases, those needed, and what these alone catch, by kind."""
-    count, needed = (Counter(key[:3] for key in keys) for keys in (cases.seconds, cases.needed))
-    catches = defaultdict[tuple[str, str, str], set[str]](set)
-    for (_, subject), keys in cases.caught.items():
-        if len(labels := {key[:3] for key in keys}) == 1:
-            catches[labels.pop()].add(subject)
-    return {row: (count[row], needed[row], Counter(name.split()[0] for name in catches[row])) for row in count}
-
-
 def report(cases: CaseReport) -> list[str]:
     """Return the lines to print, a table in Markdown."""
     lines = [
@@ -196,11 +186,16 @@ def report(cases: CaseReport) -> list[str]:
         "| check | label | cases | needed | catches alone |",
         "|---|---|---|---|---|",
     ]
+    count, needed = (Counter(key[:3] for key in keys) for keys in (cases.seconds, cases.needed))
+    catches = defaultdict[tuple[str, str, str], list[str]](list)  # what the cases of a row alone catch
+    for (_, subject), keys in cases.caught.items():
+        if len(rows := {key[:3] for key in keys}) == 1:
+            catches[rows.pop()].append(subject)
     check = ""
-    for (name, _, label), (count, needed, catches) in _rows(cases).items():
-        summary = ", ".join(
-            f"{number} {catch_kind}{'s' * (number > 1)}" for catch_kind, number in sorted(catches.items())
-        )
-        lines.append(f"| {name if name != check else ''} | {label} | {count} | {needed or ''} | {summary} |")
+    for row in count:
+        name, _, label = row
+        numbers = Counter(subject.split()[0] for subject in {*catches[row]})
+        summary = ", ".join(f"{number} {subject}{'s' * (number > 1)}" for subject, number in sorted(numbers.items()))
+        lines.append(f"| {name if name != check else ''} | {label} | {count[row]} | {needed[row] or ''} | {summary} |")
         check = name
     return [*lines, ""]

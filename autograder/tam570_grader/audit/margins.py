@@ -54,19 +54,15 @@ class Margin:
 def _errors(grading: Grading) -> dict[str, float]:
     """Return the largest error over its limit of each check of a grading, run alone; infinite if it fails otherwise."""
     assert grading.checks is not None
-    by_check = {check: _largest(replace(grading, checks=frozenset({check}))) for check in sorted(grading.checks)}
-    return {check: error for check, error in by_check.items() if error is not None}
-
-
-def _largest(grading: Grading) -> float | None:
-    """Return the largest error over its limit of a grading of one check; None if it passes without a comparison."""
-    shares: list[float] = []
-    result = tried(grading, lambda _, error: shares.append(error))
-    largest = max(shares, default=0.0)
-    passed = all(check_result.outcome == "passed" for check_result in result.checks)
-    if not shares and passed:
-        return None
-    return largest if passed or largest > 1 else np.inf
+    by_check, shares = dict[str, float](), list[float]()
+    for check in sorted(grading.checks):
+        shares.clear()
+        result = tried(replace(grading, checks=frozenset({check})), lambda _, error: shares.append(error))
+        largest = max(shares, default=0.0)
+        passed = all(check_result.outcome == "passed" for check_result in result.checks)
+        if shares or not passed:  # else it passes without a comparison
+            by_check[check] = largest if passed or largest > 1 else np.inf
+    return by_check
 
 
 def margins(course: Path, slug: str, seeds: int, executor: TaskExecutor) -> list[Margin]:
@@ -77,10 +73,10 @@ def margins(course: Path, slug: str, seeds: int, executor: TaskExecutor) -> list
         return []
     wrong = {mistake.name: mistake for mistake in mistakes(assignments.checks_folder(course, slug))}
     sources = [(method, _careful(text, method), checks) for method in METHODS]
-    sources += [
-        (name, f"{text}\n\n{mistake.text}", checks & _not_passed(course, slug, mistake))
-        for name, mistake in wrong.items()
-    ]
+    order = [check.name for check in assignments.assignment(course, slug).checks]
+    for name, mistake in wrong.items():
+        not_passed = order[order.index(mistake.first_fails) :]  # or it may not be, at least
+        sources.append((name, f"{text}\n\n{mistake.text}", checks.intersection(not_passed)))
     tasks = [
         Grading(course, slug, name, source, seed, checks=checks_asked)
         for name, source, checks_asked in sources
@@ -89,14 +85,7 @@ def margins(course: Path, slug: str, seeds: int, executor: TaskExecutor) -> list
     ]
     errors = progress(in_order(executor, _errors, tasks), len(tasks), "grading")
     named_errors = [(grading.name, by_check) for grading, by_check in zip(tasks, errors, strict=True)]
-    order = [check.name for check in assignments.assignment(course, slug).checks]
     return [by_check for check in order if (by_check := margin(check, named_errors, wrong))]
-
-
-def _not_passed(course: Path, slug: str, mistake: Mistake) -> frozenset[str]:
-    """Return the checks that a wrong submission may not pass: from the first that fails on."""
-    order = [check.name for check in assignments.assignment(course, slug).checks]
-    return frozenset(order[order.index(mistake.first_fails) :])
 
 
 def _careful(text: str, method: str) -> str:

@@ -79,13 +79,14 @@ def fates(
         for result in more:
             results[result.student].append(result)
     slips = {mutant.name: (mutant.function, mutant.change) for mutant in chosen}
-    fate = {
-        name: _fate([*results[name], *results[f"{name} alone"]], change in listed) for name, change in slips.items()
-    }
+    runs_of = {name: results[name] + results[f"{name} alone"] for name in slips}
+    fate = {name: _fate(runs_of[name], change in listed) for name, change in slips.items()}
     killed = {change for name, change in slips.items() if fate[name] == KILLED}
     vain = idle(listed, {(mutant.function, mutant.change) for mutant in all_mutants}, killed)
     failed = {name: _failed(runs[0]) for name, runs in results.items() if runs}
-    missed = {name: _missing(results[name] + results[f"{name} alone"]) for name in slips}
+    missed = {  # the seeds with which a mutant has full points
+        name: sorted({run.seed for run in runs if run.score == run.max_score}) for name, runs in runs_of.items()
+    }
     return Fates(slug, chosen, fate, failed, list(calls), vain, missed)
 
 
@@ -134,11 +135,6 @@ def _is_caught(result: Result) -> bool:
     return result.score is not None and result.score < result.max_score
 
 
-def _missing(results: Sequence[Result]) -> list[int]:
-    """Return the seeds with which a mutant has full points."""
-    return sorted({result.seed for result in results if result.score == result.max_score})
-
-
 def _failed(result: Result) -> list[str]:
     return [check_result.name for check_result in result.checks if check_result.outcome == "failed"]
 
@@ -161,19 +157,15 @@ def catches(fates_of_all: Fates) -> dict[str, tuple[int, int]]:
     return {name: (first[name], alone[name]) for name in fates_of_all.checks}
 
 
-def _by_function(fates_of_all: Fates) -> dict[str, Counter[str]]:
-    counts: dict[str, Counter[str]] = {}
-    for mutant in fates_of_all.chosen:
-        counts.setdefault(mutant.function, Counter())[fates_of_all.fate[mutant.name]] += 1
-    return counts
-
-
 def report(fates_of_all: Fates) -> list[str]:
     """Return the lines to print: counts by function and check, the checks that no mutant needs, and the faults."""
     counts = Counter(fates_of_all.fate.values())
     summary = [counted(len(fates_of_all.chosen), "mutant"), *(f"{counts[fate]} {fate}" for fate in FATES)]
     lines = [f"{fates_of_all.slug}: {', '.join(summary)}"]
-    for function, fate in _by_function(fates_of_all).items():
+    by_function: dict[str, Counter[str]] = {}
+    for mutant in fates_of_all.chosen:
+        by_function.setdefault(mutant.function, Counter())[fates_of_all.fate[mutant.name]] += 1
+    for function, fate in by_function.items():
         lines.append(f"  {function:<48}" + "".join(f"{fate[name]:>6} {name}" for name in FATES if fate[name]))
     for check, (first, alone) in catches(fates_of_all).items():
         needless = "" if alone else "; no mutant tried needs it"

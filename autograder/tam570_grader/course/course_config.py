@@ -145,17 +145,12 @@ def root_of(path: Path, base: Path) -> Path:
             _make(path, base, parts, new)
             root.parent.mkdir(exist_ok=True)
             (root.parent / ".gitignore").write_text("*\n", encoding="utf-8")  # solutions and checks are in it
-            _move_into_place(new, root)
+            try:
+                os.rename(new, root)
+            except OSError:
+                if not root.is_dir():  # another command has made the same one meanwhile
+                    raise
     return root
-
-
-def _move_into_place(new: Path, target: Path) -> None:
-    """Give a folder its place, unless another command has made the same one meanwhile."""
-    try:
-        os.rename(new, target)
-    except OSError:
-        if not target.is_dir():
-            raise
 
 
 def limits(root: Path) -> dict[str, int]:

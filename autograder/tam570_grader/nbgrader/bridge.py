@@ -7,7 +7,7 @@ import glob
 import os
 import re
 import stat
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -204,17 +204,13 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
             coursedir = self.parent.parent.coursedir
             everyone = _class(coursedir, slug)
             store: ResultStore = self.parent.stores[slug]
-            by_student = {
-                record["student"]: record for record in records(self._plan(coursedir, store, everyone), store)
-            }
+            checkout, seed = self.found_checkout(), new_seed() if store.seed is None else store.seed
+            limits = course_config.resource_limits(checkout, memory=self.memory, cpu=self.cpu, call=self.call)
+            hidden = [checkout, Path(coursedir.root).resolve()]
+            config = RunConfig(checkout, everyone, seed, self.jobs or cores(), limits, hidden)
+            by_student = {record["student"]: record for record in records(config, store)}
             graded.update({(slug, record.student): (record, by_student[record.student]) for record in everyone})
         return graded[slug, student]
-
-    def _plan(self, coursedir: Any, store: ResultStore, everyone: Sequence[Submission]) -> RunConfig:
-        checkout, seed = self.found_checkout(), new_seed() if store.seed is None else store.seed
-        limits = course_config.resource_limits(checkout, memory=self.memory, cpu=self.cpu, call=self.call)
-        hidden = [checkout, Path(coursedir.root).resolve()]
-        return RunConfig(checkout, everyone, seed, self.jobs or cores(), limits, hidden)
 
 
 def _class(coursedir: Any, slug: str) -> list[Submission]:

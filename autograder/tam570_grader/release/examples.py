@@ -5,7 +5,7 @@ comparison that a right submission in another style fails, nothing is released.
 """
 
 import json
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -85,7 +85,9 @@ def _candidates(assignment: LoadedAssignment) -> list[Example]:
         if key not in examples:
             label = collected["function"], case.label, collected["compare"]["member"]
             count[label] = count.get(label, 0) + 1
-            if count[label] > MOST_OF_A_LABEL or _size(case.args, case.kwargs.values()) > MOST_NUMBERS:
+            inputs = (*case.args, *case.kwargs.values())
+            size = sum(int(np.size(value)) for value in inputs if not isinstance(value, str))
+            if count[label] > MOST_OF_A_LABEL or size > MOST_NUMBERS:
                 continue
             args = [plain(value) for value in case.args]
             kwargs = {name: plain(value) for name, value in case.kwargs.items()}
@@ -98,10 +100,6 @@ def _candidates(assignment: LoadedAssignment) -> list[Example]:
 
 def _rounded(value: Numbers) -> Numbers:
     return np.asarray(value, float) if isinstance(value, np.ndarray | np.generic | tuple) else value
-
-
-def _size(*groups: Iterable[Numbers]) -> int:
-    return sum(int(np.size(value)) for group in groups for value in group if not isinstance(value, str))
 
 
 def _fair(course: Path, assignment: LoadedAssignment, candidates: Sequence[Example]) -> Iterator[Example]:
@@ -137,17 +135,14 @@ def _answers(assignment: LoadedAssignment, mistake: Mistake, candidates: Sequenc
 def _chosen(candidates: Sequence[Example], answers: Sequence[Mapping[int, Numbers]]) -> list[int]:
     """Return the fewest examples, greedily, of which each mistake fails one; and one of each function."""
     unmet = [{*answer} for answer in answers if answer]
-    unmet += [{k for k, other in enumerate(candidates) if other["function"] == name} for name in _functions(candidates)]
+    functions = dict.fromkeys(example["function"] for example in candidates)
+    unmet += [{k for k, other in enumerate(candidates) if other["function"] == name} for name in functions]
     chosen: list[int] = []
     while unmet:
         best = max(range(len(candidates)), key=lambda k: sum(k in unmet_by for unmet_by in unmet))
         chosen.append(best)
         unmet = [unmet_by for unmet_by in unmet if best not in unmet_by]
     return sorted(chosen)
-
-
-def _functions(candidates: Sequence[Example]) -> list[str]:
-    return [*dict.fromkeys(example["function"] for example in candidates)]
 
 
 def _fingerprints(

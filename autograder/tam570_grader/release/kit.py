@@ -68,19 +68,14 @@ def _staged(course: Path, stage: Path) -> str:
         write_notebook(course, slug, target)
     for name in ("README.md", "LICENSE"):
         shutil.copyfile(course / name, stage / name)
+    digest = hashlib.sha256()
+    for path in sorted(path for path in package.rglob("*") if path.is_file()):
+        digest.update(f"{path.relative_to(package).as_posix()}\0{path.stat().st_size}\0".encode() + path.read_bytes())
     start = package / "__init__.py"
     text = start.read_text(encoding="utf-8")
-    version = re.sub(r'[\s\S]*__version__ = "(.*?)"[\s\S]*', rf"\1+{_digest(package)}", text)
+    version = re.sub(r'[\s\S]*__version__ = "(.*?)"[\s\S]*', rf"\1+{digest.hexdigest()[:10]}", text)
     start.write_text(re.sub(r'__version__ = ".*?"', f'__version__ = "{version}"', text), encoding="utf-8")
     return version
-
-
-def _digest(folder: Path) -> str:
-    """Return a digest of all files in a folder."""
-    digest = hashlib.sha256()
-    for path in sorted(path for path in folder.rglob("*") if path.is_file()):
-        digest.update(f"{path.relative_to(folder).as_posix()}\0{path.stat().st_size}\0".encode() + path.read_bytes())
-    return digest.hexdigest()[:10]
 
 
 def _project(course: Path, version: str) -> Json:

@@ -146,12 +146,6 @@ def _part(
     return cells
 
 
-def _used_in(assignment: LoadedAssignment, part: str) -> list[str]:
-    """Return the functions that the checks of a part are about."""
-    used = {check.function for check in assignment.checks if check.part == part}
-    return sorted(used & {*assignment.results})
-
-
 def _by_hand(part: str, manual: ManualPart) -> list[CellRecord]:
     """Return the task, a cell to compute in, and the answer's cell, which carries the points."""
     answer = text_cell(f"manual-{part}", manual.prompt)
@@ -165,7 +159,8 @@ def _locked(assignment: LoadedAssignment, part: str, tests: Iterable[str]) -> Ce
     """Return the cell that runs the visible tests of a part for the student, and carries the points of its checks."""
     points = part_points(assignment)[part]
     names = "".join(f"    {json.dumps(name)},\n" for name in tests)
-    functions = "" if names else f"    functions={json.dumps(_used_in(assignment, part))},\n"
+    used = sorted({check.function for check in assignment.checks if check.part == part})
+    functions = "" if names else f"    functions={json.dumps(used)},\n"
     call = f"lab.tests(\n{names}{functions}    points={points!r},\n)"
     cell = _code(f"{LOCKED}{part}", TESTS.format(part=part, call=call))
     cell["metadata"] = _nbgrader(f"{LOCKED}{part}", points, locked=True, solution=False)

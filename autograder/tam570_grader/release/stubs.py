@@ -5,6 +5,7 @@ Beside it stand the contract, what each function returns, as the checks have it,
 
 import ast
 import re
+from itertools import pairwise
 from pathlib import Path
 
 from tam570_grader.checks import assignments
@@ -97,27 +98,16 @@ def _unused(node: ast.stmt, others_too: list[ast.stmt], texts: dict[ast.stmt, st
     """Return whether an import or a constant is used by nothing that is left; `np` stays, for students expect it."""
     if not isinstance(node, ast.Import | ast.ImportFrom | ast.Assign) or {"__all__", "np"} & set(_names(node)):
         return False
-    others = " ".join(_code(texts[other]) for other in others_too if other is not node)
-    return not any(re.search(rf"\b{re.escape(name)}\b", others) for name in _names(node))
-
-
-def _code(text: str) -> str:
-    """Return the text without docstrings."""
-    return re.sub(r'"""[\s\S]*?"""', "", text)
+    others = " ".join(texts[other] for other in others_too if other is not node)
+    code = re.sub(r'"""[\s\S]*?"""', "", others)  # without docstrings
+    return not any(re.search(rf"\b{re.escape(name)}\b", code) for name in _names(node))
 
 
 def _joined(parts: list[tuple[ast.stmt, str]]) -> str:
     """Return the texts, two blank lines around functions and one between other things, imports together."""
-    out = ""
-    for before, (node, text) in zip([None, *(node for node, _ in parts)], parts, strict=False):
-        out += _gap(before, node) + text
+    out = parts[0][1]
+    for (before, _), (node, text) in pairwise(parts):
+        has_definition = any(isinstance(each, ast.FunctionDef | ast.ClassDef) for each in (before, node))
+        both_imports = all(isinstance(each, ast.Import | ast.ImportFrom) for each in (before, node))
+        out += ("\n\n\n" if has_definition else "\n" if both_imports else "\n\n") + text
     return out + "\n"
-
-
-def _gap(before: ast.stmt | None, node: ast.stmt) -> str:
-    if before is None:
-        return ""
-    if isinstance(before, ast.FunctionDef | ast.ClassDef) or isinstance(node, ast.FunctionDef | ast.ClassDef):
-        return "\n\n\n"
-    both_imports = isinstance(before, ast.Import | ast.ImportFrom) and isinstance(node, ast.Import | ast.ImportFrom)
-    return "\n" if both_imports else "\n\n"

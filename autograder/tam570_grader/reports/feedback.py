@@ -271,9 +271,5 @@ def _remark(record: Record) -> str:
         return f"numbers match: {sentence(suspected)}"
     unwritten = [check["message"] for check in record["checks"] if check.get("unwritten")]
     first = [f"{check['name']}: {check['message']}" for check in checks]
-    return _short(record.get("message") or next(iter([*first, *unwritten]), ""))
-
-
-def _short(text: str) -> str:
-    text = " ".join(text.split())
+    text = " ".join((record.get("message") or next(iter([*first, *unwritten]), "")).split())
     return text if len(text) <= 90 else text[:89] + "…"

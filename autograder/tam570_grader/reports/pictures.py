@@ -146,10 +146,12 @@ def _error(curve: Curve) -> Picture:
     places = _places([None if v is None else v + limit for v in values], low, high)
     decades = range(low, high + 1, max(1, math.ceil((high - low) / 5)))
     line = _up(limit, low, high)
+    # how it begins and ends: a wrong start is another mistake than an error that grows
+    first, last = (curve["tolerance"] * 10**value for value in (finite[0], finite[-1]))
     return _picture(
         curve,
         f"The error of {curve['quantity']} along your motion",
-        f"{_course(curve)} {_crossing(curve)}",
+        f"It begins at about {first:.0e} and ends at about {last:.0e}. {_crossing(curve)}",
         places,
         (line, BOTTOM - line),
         [(_up(decade, low, high), f"1e{decade}") for decade in decades],
@@ -217,13 +219,6 @@ def _places(heights: Sequence[float | None], low: float, high: float) -> list[tu
 
 def _up(value: float, low: float, high: float) -> float:
     return BOTTOM - (BOTTOM - TOP) * (value - low) / (high - low)
-
-
-def _course(curve: Curve) -> str:
-    """Tell how the error begins and ends: a wrong start is another mistake than one that grows."""
-    finite = [value for value in curve["values"] if value is not None]
-    first, last = (curve["tolerance"] * 10**value for value in (finite[0], finite[-1]))
-    return f"It begins at about {first:.0e} and ends at about {last:.0e}."
 
 
 def _crossing(curve: Curve) -> str:

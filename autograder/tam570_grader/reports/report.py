@@ -73,6 +73,10 @@ def run(
     roster = everyone({student for student, _ in class_results}) if everyone else ()
     slugs, adjustments = _slugs(class_results), manual_points.read(folder)
     infos = {slug: load_assignment_info(course, slug) for slug in slugs}
+    scenes = []  # the commonest mistakes with their pictures, wrong beside right; None where there is nothing to draw
+    for it in _suspects(class_results.values(), infos)[:SCENES]:
+        failure = examples.get((it["slug"], it["key"]))
+        scenes.append({**it, "pair": wrong_and_right(course, it["slug"], it["key"], failure)})
     text = report(
         class_results,
         infos,
@@ -83,7 +87,7 @@ def run(
         shared=shared.groups(signs),
         names=names,
         claims=_claims(adjustments, course, slugs),
-        scenes=_scenes(course, _suspects(class_results.values(), infos)[:SCENES], examples),
+        scenes=scenes,
         hand_ins=hand_ins,
     )
     with writing(page):
@@ -171,25 +175,27 @@ def _assignments(class_results: Class, infos: Mapping[str, AssignmentInfo]) -> l
     handed_in: dict[str, list[Result]] = {slug: [] for slug in _slugs(class_results)}
     for result in filter(_here, class_results.values()):
         handed_in[result.assignment].append(result)
-    return [{"slug": slug, "title": infos[slug].title, **_spread(mine)} for slug, mine in handed_in.items()]
-
-
-def _spread(handed_in: Sequence[Result]) -> Json:
-    """Return the middle of the scores, the spread, how many have all."""
-    scores = [result.score for result in handed_in if result.score is not None]
-    most = handed_in[0].max_score if handed_in else 0.0
-    bins = [0] * BINS
-    for score in scores:
-        bins[min(int(BINS * score / most), BINS - 1)] += 1
-    return {
-        "count": len(handed_in),
-        "mean": statistics.fmean(scores) if scores else None,
-        "median": statistics.median(scores) if scores else None,
-        "full": sum(score == most for score in scores),
-        "most": most,
-        "bins": bins,
-        "highest": max(bins) or 1,
-    }
+    rows = []
+    for slug, mine in handed_in.items():
+        scores = [result.score for result in mine if result.score is not None]
+        most = mine[0].max_score if mine else 0.0
+        bins = [0] * BINS
+        for score in scores:
+            bins[min(int(BINS * score / most), BINS - 1)] += 1
+        rows.append(
+            {
+                "slug": slug,
+                "title": infos[slug].title,
+                "count": len(mine),
+                "mean": statistics.fmean(scores) if scores else None,
+                "median": statistics.median(scores) if scores else None,
+                "full": sum(score == most for score in scores),
+                "most": most,
+                "bins": bins,
+                "highest": max(bins) or 1,
+            }
+        )
+    return rows
 
 
 def _scores(class_results: Class, students: Sequence[str], dropped: Container[Key]) -> Iterable[Json]:
@@ -201,14 +207,6 @@ def _scores(class_results: Class, students: Sequence[str], dropped: Container[Ke
         counting = [result.score or 0 for slug, result in results.items() if result and (student, slug) not in dropped]
         shown = [f"({cell})" if cell and (student, slug) in dropped else cell for slug, cell in cells.items()]
         yield {"student": student, "cells": shown, "total": points(sum(counting))}
-
-
-def _scenes(course: Path, suspects: Iterable[Json], examples: Examples) -> list[Json]:
-    """Return the mistakes with their pictures, wrong beside right; None where there is nothing to draw."""
-    return [
-        {**it, "pair": wrong_and_right(course, it["slug"], it["key"], examples.get((it["slug"], it["key"])))}
-        for it in suspects
-    ]
 
 
 def _cell(result: Result | None) -> str:

@@ -109,10 +109,6 @@ def _plot(values: NDArray[np.float64], span: tuple[float, float]) -> str:
         axes.set_xlabel("row")
     axes.axhline(0, color="0.5", lw=0.8)
     axes.set_ylim(*span)
-    return _drawn(figure)
-
-
-def _drawn(figure: Figure) -> str:
     data = io.BytesIO()
     figure.savefig(data, format="png")
     return _address(data.getvalue())
