@@ -6,26 +6,42 @@ import gc
 import json
 import zlib
 from collections.abc import Sequence
-from contextlib import AbstractContextManager
-from functools import partial
+from contextlib import AbstractContextManager, ExitStack, closing
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
+from tam570.values import Json
 from tam570_grader.checks import assignments
 from tam570_grader.cli.options import add_cluster, natural, positive
-from tam570_grader.cli.run import RunSummary, whole_run
 from tam570_grader.course import course_config
-from tam570_grader.errors import UsageError, counted, say, warn
+from tam570_grader.errors import UsageError, counted, progress, say, warn
 from tam570_grader.gradescope import autograder
 from tam570_grader.grading import regrade, roster, seeds
-from tam570_grader.grading.batch import RunConfig
+from tam570_grader.grading.batch import CachedResult, RunConfig, outcomes
 from tam570_grader.grading.cluster import Cluster
 from tam570_grader.grading.executor import TaskExecutor, cores, executor
 from tam570_grader.grading.prove import prove
+from tam570_grader.grading.regrade import Change
 from tam570_grader.grading.skipped_files import not_handed_in, skipped_files
 from tam570_grader.grading.submissions import Submission, handed_in, submissions
 from tam570_grader.reports import feedback
-from tam570_grader.results.store import Results
+from tam570_grader.results import manual_points
+from tam570_grader.results.manual_points import ManualAdjustments
+from tam570_grader.results.store import Results, ResultStore, key_of, results
 from tam570_grader.sandbox.launch import close_early, hide_from_submissions, isolation
+
+
+@dataclass
+class RunSummary:
+    """What is kept of the results of a run until its end: not the results."""
+
+    rows: list[tuple[str, ...]] = field(default_factory=list)  # of the table
+    adjustments: ManualAdjustments | None = None  # what was added by hand
+    faults: list[str] = field(default_factory=list)
+    changes: list[Change] = field(default_factory=list)
+    compared: int = 0
+    last: Json = field(default_factory=dict)
+    store: ResultStore | None = None  # the results in --out
 
 
 def add_grade(parser: argparse.ArgumentParser) -> None:
@@ -99,7 +115,7 @@ def _grade(arguments: argparse.Namespace) -> int:
         warn_of_isolation()
     summary = RunSummary()
     try:
-        config = whole_run(arguments, course, partial(_config, arguments, course, chosen), summary)
+        config = _run(arguments, course, chosen, summary)
     except BrokenPipeError:
         raise
     except KeyboardInterrupt:
@@ -108,6 +124,55 @@ def _grade(arguments: argparse.Namespace) -> int:
         warn(f"{error}; {_what_is_kept(arguments.out, summary)}", "error: ")
         return 1
     return _print_results(arguments, course, config, summary)
+
+
+def _run(arguments: argparse.Namespace, course: Path, chosen: list[Submission], summary: RunSummary) -> RunConfig:
+    """Grade all submissions, write the pages, and fill the summary; return what was graded and how."""
+    with ExitStack() as stack:
+        earlier = [*arguments.join, *filter(None, [arguments.against])]
+        old = [stack.enter_context(closing(results(folder, feedback.row))) for folder in earlier]
+        store = ResultStore(arguments.out, summary_row=feedback.row) if arguments.out else None
+        if store is not None:
+            summary.store = stack.enter_context(closing(store))
+        config = _config(arguments, course, chosen, [*old, *filter(None, [store])])
+        if store is not None:
+            manual_points.join(arguments.out, arguments.join)
+        is_read = arguments.json or arguments.against or arguments.format == "gradescope"
+        for outcome in progress(outcomes(config, store, old), len(chosen), "submission"):
+            if isinstance(outcome, CachedResult) and not is_read:
+                summary.rows.append(outcome.summary_row)
+            else:
+                record = outcome.record if isinstance(outcome, CachedResult) else outcome
+                _add_result(record, old, summary, arguments)
+        if arguments.against and not arguments.json:
+            names = arguments.only or filter(None, [arguments.assignment])
+            slugs = assignments.match_slugs(names, assignments.slugs(course))
+            gone = regrade.gone(old[-1], chosen, arguments.paths, slugs)  # who are no longer there
+            summary.changes += gone
+            summary.compared += len(gone)
+        if store is not None:  # the pages of all results that are there; of a finished run, of those that changed
+            failed = feedback.write_pages(arguments.out / "feedback", store, course)
+            summary.faults += [f"{' '.join(key)} has no page of feedback" for key in failed]
+            summary.adjustments = manual_points.read(arguments.out)
+            summary.rows = feedback.with_hand(summary.rows, store, summary.adjustments)
+    return config
+
+
+def _add_result(record: Json, old: list[Results], summary: RunSummary, arguments: argparse.Namespace) -> None:
+    """Add a result to the summary; with --json print it, too, and what became of the old score."""
+    summary.rows.append(feedback.row(record))
+    if record["score"] is None:
+        errors = {check["error"] for check in record["checks"] if check["outcome"] == "grader_error"}
+        who = f"{record['student']} {record['assignment']}"
+        summary.faults.append(f"the grader failed on {who}: {'; '.join(errors)}")
+    summary.last, more = record, Json()
+    if arguments.against:
+        change = regrade.change(old[-1].get(key_of(record)), record)
+        summary.changes += [change] if change else []
+        summary.compared += 1
+        more = {"change": change and asdict(change)}
+    if arguments.json:
+        say(json.dumps({**record, **more}, allow_nan=False))
 
 
 def _what_is_kept(out: Path | None, summary: RunSummary) -> str:
