@@ -68,7 +68,9 @@ def _errors(grading: Grading) -> dict[str, float]:
 def margins(course: Path, slug: str, seeds: int, executor: TaskExecutor) -> list[Margin]:
     """Return the margins of the checks that compare what an integration gave."""
     text = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
-    checks = _simulating(course, slug, text)
+    reach, (calls, _) = reached(_careful(text, METHODS[0])), calls_of_checks(course, slug)
+    integrating = {name for name, reachable in reach.items() if "solve" in reachable}
+    checks = frozenset(name for name, called_functions in calls.items() if called_functions & integrating)
     if not checks:
         return []
     wrong = {mistake.name: mistake for mistake in mistakes(assignments.checks_folder(course, slug))}
@@ -91,14 +93,6 @@ def margins(course: Path, slug: str, seeds: int, executor: TaskExecutor) -> list
 def _careful(text: str, method: str) -> str:
     """Return the solution, whose `solve` is another, wherever it is imported: that of a careful student."""
     return text.replace(IMPORTED, "") + CAREFUL.format(method=method)
-
-
-def _simulating(course: Path, slug: str, text: str) -> frozenset[str]:
-    """Return the checks that call what integrates."""
-    reach = reached(_careful(text, METHODS[0]))
-    integrating = {name for name, reachable in reach.items() if "solve" in reachable}
-    calls, _ = calls_of_checks(course, slug)
-    return frozenset(name for name, called_functions in calls.items() if called_functions & integrating)
 
 
 def margin(

@@ -68,22 +68,16 @@ def mutants(slug: str, source: str) -> list[Mutant]:
 
 
 def equivalents(course: Path, slug: str) -> dict[Slip, str]:
-    """Return the proofs by slip."""
+    """Return the proofs by slip; UsageError if the file holds anything else."""
     path = assignments.checks_folder(course, slug) / "equivalent.toml"
-    tables = _tables(path) if path.exists() else {}
-    return {(function, change): proof for function, slips in tables.items() for change, proof in slips.items()}
-
-
-def _tables(path: Path) -> dict[str, dict[str, str]]:
-    """Return the slips and proofs by function; UsageError if the file holds anything else."""
     try:
-        tables = tomllib.loads(path.read_text(encoding="utf-8"))
+        tables = tomllib.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
     except ValueError as error:  # no TOML, no UTF-8
         raise UsageError(f"{path} cannot be read: {error}") from None
     for function, slips in tables.items():
         if not isinstance(slips, dict) or not all(isinstance(proof, str) for proof in slips.values()):
             raise UsageError(f'{path}: {function}: it wants a table [{function}] of lines "slip" = "proof"')
-    return tables
+    return {(function, change): proof for function, slips in tables.items() for change, proof in slips.items()}
 
 
 def entry(mutant: Mutant) -> str:

@@ -242,10 +242,13 @@ class Batch:
         """
         # with the function, which holds what the key identifies
         _, scaled = self.remembered(key, lambda: (parts, self._scales(parts)))
-        return scaled is not None and all(
-            _is_near([_part(result, where) for result in results], shapes, numbers, tolerance * sizes)
-            for where, shapes, numbers, sizes in scaled
-        )
+        for where, shapes, numbers, sizes in scaled or ():
+            compared = [_part(result, where) for result in results]
+            if [getattr(part, "shape", ()) for part in compared] != shapes:
+                return False
+            if not (distance(_flat(compared, shapes), numbers) <= tolerance * sizes).all():
+                return False
+        return scaled is not None
 
     def _scales(self, parts: Comparisons) -> list[tuple[Numbers, ...]] | None:
         """(where, shapes of the right results, their numbers, the scale of each); None where one is infinite."""
@@ -266,12 +269,6 @@ def _part(result: Numbers, where: Where) -> Numbers:
     if where is None or isinstance(where, int):
         return result if where is None else result[where]
     return np.asarray(result, float)[where]  # in a rehearsal it may be a tuple
-
-
-def _is_near(results: Sequence[Numbers], shapes: Shapes, expected: Array, limits: Array) -> bool:
-    if [getattr(result, "shape", ()) for result in results] != shapes:
-        return False
-    return bool((distance(_flat(results, shapes), expected) <= limits).all())
 
 
 def _flat(values: Sequence[Numbers], shapes: Shapes) -> Array:

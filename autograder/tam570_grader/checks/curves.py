@@ -48,14 +48,6 @@ def curve(  # noqa: PLR0913  what is compared, and the words for it
     return {"quantity": quantity, "unit": unit, "tolerance": tolerance, "scale": scaled, "values": values}
 
 
-def conserved_curve(t: Numbers, values: Numbers, *, tolerance: float, quantity: str, unit: str = "") -> Curve | None:
-    """Return what becomes of a number that the right motion keeps, along the student's, from its first value on."""
-    values = np.asarray(values, float)
-    return curve(
-        t, values, np.broadcast_to(values[:1], values.shape), 1.0, tolerance=tolerance, quantity=quantity, unit=unit
-    )
-
-
 def _one_motion(t: Array, row: int) -> slice:
     """Return the rows around this one along which time goes on."""
     breaks = np.flatnonzero(np.diff(t) <= 0) + 1

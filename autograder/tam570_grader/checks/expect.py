@@ -141,7 +141,7 @@ def expect(  # noqa: PLR0913  what a check says of a comparison, each by its nam
                NEAR_MISS_SHARE is left
     label, at : the label of the input and the input, where they are not those of the call that was compared last
     near_miss_credit : False where an error of a few limits is no sign that the physics is right
-    keeps    : `conserved_curve(...)`, asked for on failure: what becomes of an invariant along the student's motion
+    keeps    : asked for on failure: the `curve` of what becomes of an invariant along the student's motion
     """
     actual, expected = np.asarray(actual, float), np.asarray(expected, float)
     errors = distance(actual, expected) / scale

@@ -1,6 +1,7 @@
 """Formulas in plain symbols: their values, and whether an equation of motion follows from one's own Lagrangian."""
 
 from collections.abc import Callable, Iterable, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,7 +9,7 @@ from numpy.typing import NDArray
 from tam570.values import Numbers
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed, FollowsFrom, NotWritten
-from tam570_grader.checks.student import StudentFunction, StudentModule
+from tam570_grader.checks.student import StudentFunction
 
 STEP = 1e-3  # of x and of v: differences of a formula's doubles are good to 1e-6
 FOLLOWS = 1e-4  # another term changes more
@@ -22,7 +23,7 @@ def in_symbols(cases: Iterable[Case], *symbols: str) -> list[Case]:
     ]
 
 
-def from_own_lagrangian(student: StudentModule, cases: Sequence[Case], otherwise: str) -> Callable[..., str]:
+def from_own_lagrangian(student: Any, cases: Sequence[Case], otherwise: str) -> Callable[..., str]:
     """Return a hint for `lagrange_equation`: whether a wrong x'' is that of the student's own `lagrangian`.
 
     cases : whose keywords are the Lagrangian's symbols, x and v not zero

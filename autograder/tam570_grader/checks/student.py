@@ -35,9 +35,3 @@ class StudentFunction(Protocol):
     def refusals(self, calls: Iterable[Case]) -> Iterator[tuple[Case, bool]]: ...
 
     def at(self, points: Sequence[Mapping[str, float]]) -> NDArray[np.float64]: ...
-
-
-class StudentModule(Protocol):
-    """All functions of a submission, by name."""
-
-    def __getattr__(self, name: str) -> StudentFunction: ...

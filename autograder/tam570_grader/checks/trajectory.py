@@ -8,7 +8,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from tam570.values import Numbers
+from tam570.values import Json, Numbers
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.compare import (
     Batch,
@@ -19,7 +19,7 @@ from tam570_grader.checks.compare import (
     own_result,
     trim_to_signature,
 )
-from tam570_grader.checks.curves import Curve, conserved_curve
+from tam570_grader.checks.curves import Curve, curve
 from tam570_grader.checks.expect import NEAR_MISS, NEAR_MISS_SHARE, Failed, FollowsFrom, NotWritten, expect, get_context
 from tam570_grader.checks.formulas import in_symbols
 from tam570_grader.checks.motions import OF_STEPS, ROUGHLY, Motion, Rates, Restart, diagnosed, flat, has_rates, obeys
@@ -308,7 +308,7 @@ def _hint(
 
 
 def _along(invariant: Invariant, motion: Motion) -> Curve | None:
+    """Return what becomes of a number that the right motion keeps, along the student's, from its first value on."""
     values = invariant.value(motion.actual, **motion.case.kwargs) / invariant.size(motion.case, motion.expected)
-    return conserved_curve(
-        motion.case.args[0], values, tolerance=invariant.tolerance, quantity=invariant.quantity, unit=invariant.unit
-    )
+    words: Json = {"tolerance": invariant.tolerance, "quantity": invariant.quantity, "unit": invariant.unit}
+    return curve(motion.case.args[0], values, np.broadcast_to(values[:1], values.shape), 1.0, **words)

@@ -207,16 +207,11 @@ def _config(arguments: argparse.Namespace, course: Path, chosen: list[Submission
     options = {name: vars(arguments)[name] for name in course_config.STANDARD}
     limits = course_config.resource_limits(course, arguments.processes, **options)
     ours = [*arguments.paths, *arguments.join, *filter(None, (arguments.out, arguments.against, arguments.vary))]
-    hidden = [*_folders(course), *(path.resolve() for path in ours)]
+    hidden = [course, *(path.resolve() for path in ours)]
+    if course.parent.name == course_config.ADAPTED_COURSES:  # of one's own, which has a checkout, and a teacher's desk
+        hidden += [(course / "shared").resolve().parent, course.parents[1]]
     cluster = _cluster(arguments)
     return RunConfig(course, chosen, seed, arguments.jobs, limits, hidden, arguments.speed, key=key, cluster=cluster)
-
-
-def _folders(course: Path) -> list[Path]:
-    """Return where a course lies; one of one's own has a checkout, and the teacher's desk, too."""
-    if course.parent.name != course_config.ADAPTED_COURSES:
-        return [course]
-    return [course, (course / "shared").resolve().parent, course.parents[1]]
 
 
 def _cluster(arguments: argparse.Namespace) -> Cluster | None:

@@ -1,7 +1,6 @@
 """A student's answer beside the right one, and whether another wrong answer explains it."""
 
 import functools
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -100,11 +99,6 @@ def compared_call(call: Call, expected: Numbers) -> ComparedCall:
     firsts = [[part[:count] for part in parts(answer)] for answer in (call.result, expected)]
     result, expected = (tuple(first) if len(first) > 1 else first[0] for first in firsts)
     return Rows(call.name, call.case.replace(t[:count]), result, expected)
-
-
-def count_informative(calls: Sequence[ComparedCall]) -> int:
-    """Return how many different things they give to be explained."""
-    return len(set().union(*(call.numbers() for call in calls)))
 
 
 def _shapes(answer: Numbers) -> list[tuple[int, ...]]:

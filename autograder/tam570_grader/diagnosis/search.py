@@ -37,7 +37,7 @@ from tam570.values import Function, Numbers
 from tam570_grader.checks.case import Call, Case
 from tam570_grader.checks.effort import compile_counted
 from tam570_grader.diagnosis.cause import Answer, Cause
-from tam570_grader.diagnosis.compared_call import ComparedCall, beginning, compared_call, count_informative
+from tam570_grader.diagnosis.compared_call import ComparedCall, beginning, compared_call
 from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, right_answer, solution_with
 from tam570_grader.diagnosis.mutants import Mutant, mutants_of, names_used, reached
 
@@ -88,7 +88,7 @@ def _general(solution: str, calls: Sequence[Call], others: Sequence[str], passed
     its_calls = [call for call in compared if call.name == name]
     if not any(np.any(part) for call in its_calls for part in parts(call.result)):
         return Cause(name, f"Your result of {name} is zero", "result")
-    if count_informative(wrong) < FEWEST:
+    if len(set().union(*(call.numbers() for call in wrong))) < FEWEST:
         return None
     known_for = {str(call.case.kwargs) for call in wrong}
     module = ModuleType("_varied")  # its own, to put mutants in

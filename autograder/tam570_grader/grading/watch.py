@@ -236,9 +236,10 @@ class Desk:
                     if submission.path is not None or submission.reason:
                         yield submission, ""
             return
-        for entry in sorted(os.scandir(self.source / "inbound"), key=_in_time):
-            match = HANDED_IN.fullmatch(entry.name)
-            if match and match["slug"] in self.slugs and entry.is_dir(follow_symlinks=False):
+        entries = [(HANDED_IN.fullmatch(entry.name), entry) for entry in os.scandir(self.source / "inbound")]
+        matches = [(match["timestamp"], entry.name, match, entry) for match, entry in entries if match]
+        for _, _, match, entry in sorted(matches, key=lambda arrived: arrived[:2]):
+            if match["slug"] in self.slugs and entry.is_dir(follow_symlinks=False):
                 folder = Path(entry.path)
                 if (folder / "submission_secret.txt").is_file():  # nbgrader writes it last
                     digest = hashlib.sha256(entry.name.encode()).hexdigest()
@@ -337,12 +338,6 @@ class Desk:
         return (
             f"{counted(graded, 'attempt')} graded, {waiting} waiting; the longest wait was {self.queue.longest:.1f} s"
         )
-
-
-def _in_time(entry: os.DirEntry[str]) -> tuple[str, str]:
-    """Return the order in which folders came into an exchange."""
-    match = HANDED_IN.fullmatch(entry.name)
-    return match["timestamp"] if match else "", entry.name
 
 
 def _owned(submission: Submission, folder: Path) -> Submission:

@@ -217,17 +217,17 @@ def _class(coursedir: Any, slug: str) -> list[Submission]:
     """Return the submissions that the command is about: everybody's, or one student's."""
     student = re.compile(coursedir.format_path(coursedir.submitted_directory, "(?P<who>.*)", slug, escape=True))
     folders = sorted(glob.glob(coursedir.format_path(coursedir.submitted_directory, coursedir.student_id, slug)))
-    matches = [(match["who"], Path(folder)) for folder in folders if (match := student.fullmatch(folder))]
-    return [_of_folder(folder, slug, who) for who, folder in matches]
-
-
-def _of_folder(folder: Path, slug: str, student: str) -> Submission:
-    if _linked(folder):
-        return Submission(student, slug, None, folder, "the folder is a link to a place outside of the submission")
-    try:
-        return replace(submissions([folder], [slug], slug)[0], student=student)
-    except BadPath:  # several folders in it, say
-        return of_folder(folder, student, slug, folder)
+    everyone = []
+    for who, folder in [(match["who"], Path(folder)) for folder in folders if (match := student.fullmatch(folder))]:
+        if _linked(folder):
+            message = "the folder is a link to a place outside of the submission"
+            everyone.append(Submission(who, slug, None, folder, message))
+            continue
+        try:
+            everyone.append(replace(submissions([folder], [slug], slug)[0], student=who))
+        except BadPath:  # several folders in it, say
+            everyone.append(of_folder(folder, who, slug, folder))
+    return everyone
 
 
 @contextlib.contextmanager

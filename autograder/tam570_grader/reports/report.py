@@ -140,13 +140,13 @@ def report(
     """
     script = SCRIPT.read_text(encoding="utf-8")
     students = sorted({student for student, _ in class_results} | set(roster))
-    everything = class_results.values()
+    everything, here = class_results.values(), {key for key, result in class_results.items() if _here(result)}
     return template("report.html").render(
         {"shared": (), "names": {}, "claims": (), "scenes": (), "hand_ins": ()} | sections,
         slugs=_slugs(class_results),
         infos=infos,
         students=len(students),
-        handed_in=sum(map(_here, everything)),
+        handed_in=len(here),
         seeds=sorted({result.seed for result in everything}),
         isolation=sorted({result.isolation for result in everything}),
         assignments=_assignments(class_results, infos),
@@ -156,7 +156,10 @@ def report(
         stopped=[result for result in everything if result.status in STOPPED],
         slowest=heapq.nlargest(SLOWEST, everything, key=lambda result: result.seconds),
         faults=[(result, check) for result in everything for check in result.checks if check.outcome == "grader_error"],
-        absent=_absent(class_results, students),
+        absent=[
+            {"slug": slug, "who": [student for student in students if (student, slug) not in here]}
+            for slug in _slugs(class_results)
+        ],
         script=script,
         script_hash=base64.b64encode(hashlib.sha256(script.encode()).digest()).decode(),
     )
@@ -291,12 +294,3 @@ def _claims(adjustments: manual_points.ManualAdjustments, course: Path, slugs: S
                     {"slug": slug, "part": letter, "points": worth, "claim": claim, "given": count, "of": len(comments)}
                 )
     return [entry for entry in claims if entry["of"]]
-
-
-def _absent(class_results: Class, students: Sequence[str]) -> list[Json]:
-    """List for each assignment who has handed in nothing."""
-    here = {key for key, result in class_results.items() if _here(result)}
-    return [
-        {"slug": slug, "who": [student for student in students if (student, slug) not in here]}
-        for slug in _slugs(class_results)
-    ]
