@@ -36,7 +36,10 @@ def fair(course: Path, slug: str, seeds: int, executor: TaskExecutor, keep: Path
         "solution": (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8"),
         **submissions(course, slug, "alternatives"),
     }
-    digests = {name: _digest(course, slug, text) for name, text in texts.items()}
+    digests = {}  # of all that the outcome depends on: the submission, the checks, the grader, the utilities
+    for name, text in texts.items():
+        parts = (text.encode(), assignments.checks_digest(course, slug), assignments.engine_digest())
+        digests[name] = hashlib.sha256(b"\0".join(parts)).hexdigest()
     all_seeds = range(FIRST_SEED, FIRST_SEED + seeds)
     earlier = {
         (line["submission"], line["seed"]): line
@@ -74,12 +77,6 @@ def _graded(group: Class) -> list[Line]:
             }
         )
     return lines
-
-
-def _digest(course: Path, slug: str, text: str) -> str:
-    """Of all that the outcome depends on: the submission, the checks, the grader, the utilities."""
-    parts = (text.encode(), assignments.checks_digest(course, slug), assignments.engine_digest())
-    return hashlib.sha256(b"\0".join(parts)).hexdigest()
 
 
 def _kept(keep: Path | None) -> Iterator[Line]:

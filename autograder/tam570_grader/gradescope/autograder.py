@@ -24,26 +24,27 @@ def results(record: Record, lines: Mapping[str, str]) -> Json:
 
     Every check is a test that the student sees; nothing of the hidden inputs is in it.
     """
+    tests = []
+    for check in record["checks"]:
+        passed = check["outcome"] == "passed"
+        tests.append(
+            {
+                "score": check["points"],
+                "max_score": check["max_points"],
+                "status": "passed" if passed else "failed",
+                "name": f"({check['part']}) {lines.get(check['name'], check['name'])}",
+                "output": "" if passed else f"{check['outcome'].replace('_', ' ')}: {check['message']}",
+                "output_format": "text",
+                "visibility": "visible",
+            }
+        )
     return {
         "score": record["score"],
         "execution_time": record["seconds"],
         "output": overall(record["status"], record.get("message", "")),
         "output_format": "text",
         "stdout_visibility": "hidden",
-        "tests": [_test(check, lines) for check in record["checks"]],
-    }
-
-
-def _test(check: Json, lines: Mapping[str, str]) -> Json:
-    passed = check["outcome"] == "passed"
-    return {
-        "score": check["points"],
-        "max_score": check["max_points"],
-        "status": "passed" if passed else "failed",
-        "name": f"({check['part']}) {lines.get(check['name'], check['name'])}",
-        "output": "" if passed else f"{check['outcome'].replace('_', ' ')}: {check['message']}",
-        "output_format": "text",
-        "visibility": "visible",
+        "tests": tests,
     }
 
 

@@ -3,7 +3,7 @@
 import json
 import statistics
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from datetime import datetime
 from pathlib import Path
 
@@ -25,26 +25,21 @@ def hand_ins(
     folder    : of results, with a journal where `watch` wrote them
     collected : the table that `collect` wrote
     """
-    everything = [*(_collected(collected) if collected else ()), *_watched(folder)]
+    everything: list[HandIn] = []
+    for row in listed(collected, {*NEEDED, "from", "note"}) if collected else ():
+        if form(row["from"]) and (row["file"] or row["note"] == OLDER):
+            when = moment(row["when"], collected) if row["when"] else None
+            everything.append((row["student"], row["assignment"], when))
+    journal = folder / JOURNAL
+    for event in map(json.loads, journal.read_bytes().splitlines() if journal.exists() else ()):
+        if event["event"] == "graded":
+            arrived = datetime.fromtimestamp(event["at"]).astimezone()
+            everything.append((event["student"], event["slug"], arrived))
     rows = [
         _row(slug, [hand_in for hand_in in everything if hand_in[1] == slug], policies.get(slug, LatePolicy()))
         for slug in slugs
     ]
     return [row for row in rows if row["students"]]
-
-
-def _collected(path: Path) -> Iterator[HandIn]:
-    for row in listed(path, {*NEEDED, "from", "note"}):
-        if form(row["from"]) and (row["file"] or row["note"] == OLDER):
-            yield row["student"], row["assignment"], moment(row["when"], path) if row["when"] else None
-
-
-def _watched(folder: Path) -> Iterator[HandIn]:
-    path = folder / JOURNAL
-    for line in path.read_bytes().splitlines() if path.exists() else ():
-        event = json.loads(line)
-        if event["event"] == "graded":
-            yield event["student"], event["slug"], datetime.fromtimestamp(event["at"]).astimezone()
 
 
 def _row(slug: str, hand_ins: Sequence[HandIn], policy: LatePolicy) -> Json:

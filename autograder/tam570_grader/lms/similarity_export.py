@@ -7,7 +7,7 @@ a folder for each submission, `-bc` for the base code. Moss: its script: `-d` fo
 import random
 import shutil
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
 from tam570_grader.errors import UsageError, say, warn, writing
@@ -26,11 +26,16 @@ COMMANDS = {
 def run(
     course: Path, paths: Sequence[Path], tool: str, out: Path, slugs: Sequence[str], slug_given: str | None = None
 ) -> int:
-    """Write a folder for each assignment, and the names; the exit code is 1 if a submission could not be read."""
+    """Write a folder for each assignment, and the names; the exit code is 1 if a submission could not be read.
+
+    Of an assignment `submissions/<number>/<slug>.py`, and what was released in `base/`.
+    """
     everything = submissions(paths, slugs, slug_given)
     if out.exists() and (not out.is_dir() or any(out.iterdir())):
         raise UsageError(f"cannot write to {out}: it is not an empty folder; name a new one, for its numbers are new")
-    numbers = _numbers(sorted({submission.student for submission in everything}))
+    students = sorted({submission.student for submission in everything})
+    order = random.SystemRandom().sample(range(1, len(students) + 1), len(students))  # which tells nobody
+    numbers = {student: f"s{number:04}" for student, number in zip(students, order, strict=True)}
     texts, unread = texts_of(everything)
     with writing(out):
         out.mkdir(parents=True, exist_ok=True)
@@ -38,15 +43,20 @@ def run(
         write_table(out / NAMES, [("number", "student"), *names])
         (out / NAMES).chmod(0o600)  # for the instructor alone
         for slug, modules in sorted(texts.items()):
-            _write(course, slug, {numbers[who]: text for who, text in modules.items()}, out / slug, tool)
+            folder = out / slug
+            (folder / "base").mkdir(parents=True)
+            shutil.copyfile(course / "assignments" / slug / f"{slug}.py", folder / "base" / f"{slug}.py")
+            for who, text in modules.items():
+                target = folder / "submissions" / numbers[who]
+                target.mkdir(parents=True)
+                (target / f"{slug}.py").write_text(text, encoding="utf-8")
+            if tool == "dolos":
+                rows = [
+                    (f"submissions/{number}/{slug}.py", number) for number in sorted(numbers[who] for who in modules)
+                ]
+                write_table(folder / "info.csv", [("filename", "full_name"), *rows])
             say(f"cd {out / slug} && {COMMANDS[tool].format(slug=slug)}")
     return 1 if unread else 0
-
-
-def _numbers(students: Sequence[str]) -> dict[str, str]:
-    """Return a number for each student, in an order that tells nobody."""
-    order = random.SystemRandom().sample(range(1, len(students) + 1), len(students))
-    return {student: f"s{number:04}" for student, number in zip(students, order, strict=True)}
 
 
 def texts_of(
@@ -72,16 +82,3 @@ def code(submission: Submission) -> str:
     if not source.notebook:
         return source.text.decode("utf-8", "replace")
     return python_of(source.text) + "\n"
-
-
-def _write(course: Path, slug: str, modules: Mapping[str, str], folder: Path, tool: str) -> None:
-    """Write one assignment: `submissions/<number>/<slug>.py`, and what was released in `base/`."""
-    (folder / "base").mkdir(parents=True)
-    shutil.copyfile(course / "assignments" / slug / f"{slug}.py", folder / "base" / f"{slug}.py")
-    for number, text in sorted(modules.items()):
-        target = folder / "submissions" / number
-        target.mkdir(parents=True)
-        (target / f"{slug}.py").write_text(text, encoding="utf-8")
-    if tool == "dolos":
-        rows = [(f"submissions/{number}/{slug}.py", number) for number in sorted(modules)]
-        write_table(folder / "info.csv", [("filename", "full_name"), *rows])

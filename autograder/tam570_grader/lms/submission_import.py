@@ -219,7 +219,7 @@ def _rank(row: Taken) -> tuple[bool, tuple[object, ...]]:
 
 def _timed(rows: Sequence[Taken], path: Path | None, everyone: Directory) -> list[Taken]:
     """Return the rows with the times that a worksheet or a log tells, where the download tells none."""
-    logged = _times(path, everyone) if path else {}
+    logged = _last_times(path, everyone) if path else {}
 
     def when(row: Taken) -> str:
         person = row.person
@@ -228,7 +228,7 @@ def _timed(rows: Sequence[Taken], path: Path | None, everyone: Directory) -> lis
     return [replace(row, handed=replace(row.handed, when=when(row))) for row in rows]
 
 
-def _times(path: Path, everyone: Directory) -> dict[str, str]:
+def _last_times(path: Path, everyone: Directory) -> dict[str, str]:
     """Return when each student's work came last, by folder, from Moodle's worksheet or its log; else UsageError."""
     heading, *rows = table(path)
     lower = [name.strip().lower() for name in heading]

@@ -24,20 +24,17 @@ NO_MODULE = "There is no {slug}.py in the folder; the functions were looked for 
 
 def rebuilt(cells: Iterable[Json]) -> Notebook:
     """Return a notebook of a student's cells, as the sandbox reads them."""
-    return node({**FORMAT, "metadata": {}, "cells": [_cell(number, cell) for number, cell in enumerate(cells)]})
-
-
-def _cell(number: int, cell: Json) -> Json:
-    noted = {"nbgrader": {"grade_id": cell["grade_id"]}} if cell["grade_id"] else {}
-    name = cell["id"] if CELL_ID.fullmatch(cell["id"]) else f"cell-{number}"
-    fields = {"cell_type": cell["kind"], "id": name, "metadata": noted, "source": cell["source"]}
-    if cell["kind"] == "code":
-        return {
-            **fields,
-            "execution_count": None,
-            "outputs": [safe_output for output in cell["outputs"] if (safe_output := safe(output))],
-        }
-    return {**fields, "attachments": cell["attachments"]} if cell["attachments"] else fields
+    ours = []
+    for number, cell in enumerate(cells):
+        noted = {"nbgrader": {"grade_id": cell["grade_id"]}} if cell["grade_id"] else {}
+        name = cell["id"] if CELL_ID.fullmatch(cell["id"]) else f"cell-{number}"
+        fields = {"cell_type": cell["kind"], "id": name, "metadata": noted, "source": cell["source"]}
+        if cell["kind"] == "code":
+            fields |= {"execution_count": None, "outputs": [*filter(None, map(safe, cell["outputs"]))]}
+        elif cell["attachments"]:
+            fields["attachments"] = cell["attachments"]
+        ours.append(fields)
+    return node({**FORMAT, "metadata": {}, "cells": ours})
 
 
 def remark(submission: Submission, result: Result) -> str:

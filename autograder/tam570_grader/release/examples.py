@@ -47,12 +47,17 @@ def examples_of(course: Path, slug: str) -> str:
     assignment = assignments.assignment(course, slug)
     compared = [mistake for mistake in mistakes(assignments.checks_folder(course, slug)) if mistake.text]
     candidates = list(_fair(course, assignment, _candidates(assignment)))
-    answers = [_answers(assignment, mistake, candidates) for mistake in compared]
+    answers = []  # of each mistake, by the number of each example that it fails; None where it raises
+    for mistake in compared:
+        module, examples = solution_with(assignment.solution, mistake.text), Examples(candidates, ())
+        functions = (getattr(module, example["function"], None) for example in candidates)
+        wrong = [k for k, function in enumerate(functions) if _wrong(examples, k, function)]
+        answers.append({k: examples.results.get(k) for k in wrong})
     chosen = _chosen(candidates, answers)
     fingerprints = [_fingerprints(*both, chosen, candidates) for both in zip(compared, answers, strict=True)]
-    examples = ",\n".join(json.dumps(candidates[k], allow_nan=False) for k in chosen)
+    released = ",\n".join(json.dumps(candidates[k], allow_nan=False) for k in chosen)
     distinguishing = ",\n".join(json.dumps(fingerprint) for fingerprint in fingerprints if fingerprint)
-    return f'{{"examples": [\n{examples}\n], "mistakes": [\n{distinguishing}\n]}}\n'
+    return f'{{"examples": [\n{released}\n], "mistakes": [\n{distinguishing}\n]}}\n'
 
 
 def caught(examples: Examples, module: ModuleType) -> bool:
@@ -92,14 +97,13 @@ def _candidates(assignment: LoadedAssignment) -> list[Example]:
             args = [plain(value) for value in case.args]
             kwargs = {name: plain(value) for name, value in case.kwargs.items()}
             examples[key] = {"function": key[0], "label": case.label, "args": args, "kwargs": kwargs, "compare": []}
-        compare = {name: plain(_rounded(value)) for name, value in collected["compare"].items()}
+        compare = {}
+        for name, value in collected["compare"].items():
+            has_numbers = isinstance(value, np.ndarray | np.generic | tuple)
+            compare[name] = plain(np.asarray(value, float) if has_numbers else value)
         if compare not in examples[key]["compare"]:
             examples[key]["compare"].append(compare)
     return [value for value in examples.values() if len(json.dumps(value)) < 40 * MOST_NUMBERS]
-
-
-def _rounded(value: Numbers) -> Numbers:
-    return np.asarray(value, float) if isinstance(value, np.ndarray | np.generic | tuple) else value
 
 
 def _fair(course: Path, assignment: LoadedAssignment, candidates: Sequence[Example]) -> Iterator[Example]:
@@ -121,15 +125,6 @@ def _wrong(examples: Examples, number: int, function: Any) -> bool:
     except Exception:  # of a mistake, whatever it is
         return True
     return False
-
-
-def _answers(assignment: LoadedAssignment, mistake: Mistake, candidates: Sequence[Example]) -> dict[int, Numbers]:
-    """Return the results of a mistake, by the number of each example that it fails; None where it raises."""
-    module, examples = solution_with(assignment.solution, mistake.text), Examples(candidates, ())
-    wrong = [
-        k for k, example in enumerate(candidates) if _wrong(examples, k, getattr(module, example["function"], None))
-    ]
-    return {k: examples.results.get(k) for k in wrong}
 
 
 def _chosen(candidates: Sequence[Example], answers: Sequence[Mapping[int, Numbers]]) -> list[int]:

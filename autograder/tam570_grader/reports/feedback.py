@@ -170,7 +170,11 @@ def write_pages(folder: Path, results: Results, course: Path) -> list[Key]:
     for key, score in adjusted.items():
         digests[key] += f" {zlib.crc32(repr(score).encode())}"
     notes = folder.with_name(f".{folder.name}-made.json")
-    made_before = _known(notes)
+    try:
+        made_before = json.loads(notes.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        made_before = None
+    made_before = made_before if isinstance(made_before, dict) else {}
     stale = [
         key
         for key in results
@@ -220,15 +224,6 @@ def _settled(adjustments: ManualAdjustments, results: Results) -> dict[Key, Adju
 
 def _path(folder: Path, key: Key) -> str:
     return f"{folder}/{key[0]}/{key[1]}.html"
-
-
-def _known(notes: Path) -> dict[str, str]:
-    """Return what the pages were made from; nothing where that cannot be read."""
-    try:
-        made_from = json.loads(notes.read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        return {}
-    return made_from if isinstance(made_from, dict) else {}
 
 
 def table(rows: Sequence[tuple[str, ...]]) -> str:
