@@ -23,8 +23,7 @@ from scipy.interpolate import CubicSpline, interp1d
 from tam570.integrate import solve
 
 RTOL = 1e-9
-G = 9.81
-EDGE = [1.0, 1.01]
+G, EDGE = 9.81, [1.0, 1.01]
 HAT = interp1d([0, 1, 1.0001, 1.0099, 1.01, 9], [0, 0, 1, 1, 0, 0])
 TOOTHED = CubicSpline(np.arange(41) / 10, np.arange(41) == 25)
 WIDE = CubicSpline(np.arange(41) / 10, np.arange(41) == 25).integrate(0, 3)
@@ -126,6 +125,7 @@ def forced(force, span, start=(0.0, 0.0), **more):
 
 TABLE, VALUES = np.linspace(0, 10, 21), np.cos(1.7 * np.arange(22))
 GRID, TOOTH = np.linspace(0, 8, 801), np.where(np.arange(801) == 403, 100.0, 0.0)
+SINE_TO_20 = 3 * math.pi * math.comb(20, 10) / 2**20
 HALVES, FIFTHS, RAMP = tuple(np.arange(0.5, 6, 0.5)), (0.2, 0.4, 0.6, 0.8, 1.0), (0, 6.4, 7.2, 8.8)
 JUMPS = {
     "narrow peaks of a sine": against(
@@ -160,8 +160,6 @@ JUMPS = {
     "a jump at the end": against(lambda t, y: (1.0 if t < 2 else 1e9,), (0, 2), [0.0], exact=[2.0]),
     "a blow": forced(lambda t: 1e6 if abs(t - 1.5) < 5e-7 else 0.0, (0, 3), exact=[math.sin(1.5), math.cos(1.5)]),
 }
-
-SINE_TO_20 = 3 * math.pi * math.comb(20, 10) / 2**20
 
 
 def narrow(t, y, *, centre=5.0, width=0.02):
@@ -288,6 +286,7 @@ OSCILLATORS = {
     "in place": in_place,
     "filled": filled,
     "generator": lambda t, y: [y[1], -sum(v for v in y[:1])],
+    "of a class": (lambda cls, t, y: (y[1], -y[0])).__get__(Oscillator),
 }
 AT_ONE = {  # what changes at t = 1
     "doubled": doubled_later,

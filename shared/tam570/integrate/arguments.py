@@ -55,9 +55,11 @@ def _wrong_with(times: Array, steps: Array, sign: float) -> str:
 
 
 def _array(name: str, value: ArrayLike, numbers: str) -> Array:
+    if is_masked(value):
+        raise ValueError(f"{name}: every number must be known, got masked ones: {value!r}")
     try:
         return np.array(value, dtype=float)
-    except (TypeError, ValueError) as problem:
+    except (TypeError, ValueError, OverflowError) as problem:
         raise ValueError(f"{name}: must be {numbers} ({problem})") from problem
 
 
@@ -70,8 +72,6 @@ def initial_state(y0: ArrayLike) -> Array:
     if is_complex:
         raise ValueError("y0: must be real; it is complex: give real and imaginary parts as components of their own")
     state = _array("y0", y0, "a flat list of real numbers")
-    if is_masked(y0):
-        raise ValueError(f"y0: every number must be known, got masked ones: {y0!r}")
     if state.ndim == 2 and state.shape[1] == 1 and state.shape[0] > 1:
         raise ValueError(
             f"y0: a column of shape {state.shape} is one component of {len(state)} starts; for one start give "

@@ -49,7 +49,7 @@ def slot_of(
         times = t if isinstance(t, tuple) else _numbers(t)
         start = len(y0) if method == "compiled" else np.asarray(y0, dtype=float).tobytes()  # "auto" depends on it
         return cache_slot((key, start, times, rtol, atol))
-    except (Changeable, TypeError, ValueError):
+    except (Changeable, TypeError, ValueError, OverflowError):
         return None
 
 

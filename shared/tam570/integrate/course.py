@@ -470,7 +470,7 @@ def _with_own_memory(value: Numbers) -> Numbers:
 
 def _forgetful(instance: Numbers) -> Numbers:
     twin = copy.copy(instance)
-    for name, member in getattr(twin, "__dict__", {}).items():
+    for name, member in {} if isinstance(twin, type) else getattr(twin, "__dict__", {}).items():
         if isinstance(member, list | dict | set | np.ndarray):
             twin.__dict__[name] = copy.copy(member)
     return twin

@@ -79,7 +79,10 @@ class Motion:
     report: Report
 
 
-LOOKS = tuple(k / 8 for k in range(1, 9))  # of a step, at an event function: two crossings in one step are two
+LOOKS = (1.0 - np.cos(np.pi * np.arange(9) / 8)) / 2  # of a step, at an event function: two crossings in it are two
+BETWEEN = np.array([0.07, 0.3, 0.58, 0.87])  # there its polynomial through LOOKS is compared with it
+PREDICTED = np.vander(BETWEEN, 9) @ np.linalg.inv(np.vander(LOOKS))
+UNLIKE, SHORTEST = 0.01, 2.0**-7  # of its size: it is another; of a step: no shorter part is looked at by itself
 NEXT = 2.0**-20  # of a step, from its ends: does it come down to zero from there?
 TOUCH = 1e-6  # of its size nearby: a function that touches zero does not pass it, whatever rounding says
 Look = tuple[float, float]  # part of a step, value of an event function there
@@ -165,10 +168,21 @@ def _looks(level: Callable[[float], float]) -> list[Look]:
 
     Also where it comes down to zero between these, and turns back.
     """
-    values = {x: level(x) for x in sorted({*LOOKS, 0.0, NEXT, 1.0 - NEXT})}
-    points = list(values.items())
+    values = _resolved(level, 0.0, 1.0)
+    points = sorted([*values.items(), *((x, level(x)) for x in (NEXT, 1.0 - NEXT))])
     dips = (_dip(level, *three) for three in zip(points, points[1:], points[2:], strict=False))
-    return sorted([*((x, values[x]) for x in LOOKS), *filter(None, dips)])
+    return sorted([*list(values.items())[1:], *filter(None, dips)])
+
+
+def _resolved(level: Callable[[float], float], low: float, high: float) -> dict[float, float]:
+    """Return values of an event function between two parts of a step, so close that a polynomial tells the others."""
+    x, between = (low + (high - low) * parts for parts in (LOOKS, BETWEEN))
+    values = {part: level(part) for part in sorted([*x.tolist(), *between.tolist()])}
+    v, others = (np.array([values[part] for part in parts.tolist()]) for parts in (x, between))
+    if high - low <= SHORTEST or not np.abs(PREDICTED @ v - others).max() > UNLIKE * np.abs(v).max():
+        return values
+    middle = (low + high) / 2
+    return _resolved(level, low, middle) | _resolved(level, middle, high)
 
 
 def _dip(level: Callable[[float], float], earlier: Look, least: Look, later: Look) -> Look | None:
@@ -294,7 +308,7 @@ def function_of_time(steps: Sequence[StepInterpolant], sign: float) -> Callable[
         t = sign * time
         if not steps[0].t <= t <= ends[-1]:
             first, last = sorted((sign * steps[0].t, sign * ends[-1]))
-            raise ValueError(f"t: the motion is known from {first:g} to {last:g}, not at {time:g}")
+            raise ValueError(f"t: the motion is known from {first:.12g} to {last:.12g}, not at {time:.12g}")
         step = steps[min(bisect_left(ends, t), len(steps) - 1)]
         return step((t - step.t) / step.h)
 

@@ -40,6 +40,7 @@ from tam570.integrate.arguments import Array, checked, positive
 from tam570.integrate.compiled_cache import compile_run
 from tam570.integrate.engine import Engine, Mistraced, engine
 from tam570.integrate.rates import RhsError
+from tam570.integrate.watch import COMPILED
 from tam570.values import Function, Numbers, Parameters
 
 if TYPE_CHECKING:
@@ -158,7 +159,9 @@ def solve(
         if method in FIXED_STEP:
             raise ValueError(f"max_step, first_step: {method!r} takes step")
         first = None if first_step is None else positive("first_step", first_step)
-        control = control._replace(max_step=positive("max_step", max_step), first_step=first)
+        if times[-1] - times[0] > COMPILED * positive("max_step", max_step):
+            raise ValueError(f"max_step: {max_step!r} is too short for a run of {times[-1] - times[0]:g} s")
+        control = control._replace(max_step=float(max_step), first_step=first)
     control = control._replace(project=project)
 
     def run(may_trace: bool) -> "Array | Motion":

@@ -46,9 +46,11 @@ def test_a_direction_is_that_of_the_crossing():
 
 def test_two_crossings_in_one_step_are_two():
     """Up and down through a level near the top, within a single step of a polynomial motion."""
-    motion = solve(thrown, [0, 2.0], [0.0, 10.0], events=[event(height(4.95)), event(height(5 - 5e-6))])
+    waves = event(lambda t, y: math.sin(50 * t))
+    motion = solve(thrown, [0, 2.0], [0.0, 10.0], events=[event(height(4.95)), event(height(5 - 5e-6)), waves])
     assert motion.events[0].t == pytest.approx([0.9, 1.1], abs=1e-12)
     assert motion.events[1].t == pytest.approx([0.999, 1.001], abs=1e-11)
+    assert motion.events[2].t == pytest.approx(np.arange(1, 32) * math.pi / 50, abs=1e-12)
     assert motion.report.steps < 20
 
 
