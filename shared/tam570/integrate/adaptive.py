@@ -314,12 +314,12 @@ def start_state(run: Run, a: Sequence[float] = ()) -> State:
         g = tuple(0.0 if abs(rate) < RAMP * abs(later) else rate for rate, later in both)
     h, t = _first_step(rhs, origin, span, y, g, c), origin
     if h < SOON * span:  # the rates may jump at the very start
-        t, moved = origin + h, _euler(h, y, g)
-        beyond = rhs(t, moved, c)
-        h = max(h, _first_step(rhs, t, span, moved, beyond, c))
+        t, states = origin + h, (y, _euler(h, y, g))  # by time, or where the state leaves
+        onward, moved = max((_first_step(rhs, t, span, state, rhs(t, state, c), c), state) for state in states)
+        h, beyond = max(h, onward), rhs(t, moved, c)
         both = zip(g, beyond, strict=True)  # what moves at that instant alone is at rest
         g = tuple(0.0 if abs(later) < RAMP * abs(rate) else later for rate, later in both)
-        y = tuple(onward if rate else v for v, onward, rate in zip(y, moved, g, strict=True))
+        y = tuple(later if rate else v for v, later, rate in zip(y, moved, g, strict=True))
     if not control.atol and min(a, default=0.0) <= NO_SCALE:
         later = _doubling(t, h, span) if engine.formulas.timed else ()
         sizes = error_scale(rhs, t, h, y, g, c, later)
