@@ -25,7 +25,6 @@ from tam570.integrate import solve
 RTOL, G, EDGE = 1e-9, 9.81, [1.0, 1.01]
 HAT = interp1d([0, 1, 1.0001, 1.0099, 1.01, 9], [0, 0, 1, 1, 0, 0])
 TOOTHED = CubicSpline(np.arange(41) / 10, np.arange(41) == 25)
-WIDE = CubicSpline(np.arange(41) / 10, np.arange(41) == 25).integrate(0, 3)
 
 
 def against(rhs, span, start, *, stops=(), longest=0.02, exact=None, **options):
@@ -135,9 +134,7 @@ JUMPS = {
     "very short": forced(lambda t: 1e4 if abs(t - 2.5) < 5e-5 else 0.0, (0, 6), stops=(2.49995, 2.50005)),
     "square wave": forced(lambda t: 1.0 if t % 2 < 1 else -1.0, (0, 4.5), [0.3, 0.0], stops=(1, 2, 3, 4)),
     "a wave that begins with rest": forced(lambda t: 1 if math.sin(t) > 0 else -1, (0, 4.5), [1, 0], stops=(math.pi,)),
-    "a wave from rest": forced(
-        lambda t: 1 if math.sin(5 * t) > 0 else -1, (0, 3.5), stops=math.pi / 5 * np.arange(1, 6)
-    ),
+    "a wave from rest": forced(lambda t: math.sin(5 * t) > 0 or -1, (0, 3.5), stops=math.pi / 5 * np.arange(1, 6)),
     "by a shift": forced(lambda t: 3.0 if (t - 1.3) * 2 > 1 else 0.0, (0, 3), [1.0, 0.0], stops=(1.8,)),
     "where in time": forced(lambda t: float(np.where(t < 2, 1.0, -1.0)), (0, 4), [1.0, 0.0], stops=(2,)),
     "heaviside": forced(lambda t: np.heaviside(t - 2.2, 0.5), (0, 4), [1.0, 0.0], stops=(2.2,)),
@@ -453,7 +450,7 @@ WINDOWS = {
     "numpy.angle": (lambda x: math.atan2(1, 0.01) < np.angle(1j + (x - 1)) < math.pi / 2, 0.01, 0.005),
     "cmath": (lambda x: math.atan2(1, 0.01) < cmath.phase(x - 1 + 1j) < math.pi / 2, 0.01, 0.005),
     "view": (lambda x: 1 < np.array([0.0, x]).view(complex)[0].imag < 1.01, 0.01, 0.005),
-    "a tooth of a spline": (lambda x: float(TOOTHED(x)), WIDE, None),
+    "a tooth of a spline": (lambda x: float(TOOTHED(x)), TOOTHED.integrate(0, 3), None),
 }
 
 

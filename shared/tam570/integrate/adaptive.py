@@ -321,7 +321,8 @@ def start_state(run: Run, a: Sequence[float] = ()) -> State:
         g = tuple(0.0 if abs(later) < RAMP * abs(rate) else later for rate, later in both)
         y = tuple(later if rate else v for v, later, rate in zip(y, moved, g, strict=True))
     if not control.atol and min(a, default=0.0) <= NO_SCALE:
-        later = _doubling(t, h, span) if engine.formulas.timed else ()
+        doublings = int(math.log(span / h, 4)) + 1 if engine.formulas.timed else 0
+        later = [t + h * 4.0**k for k in range(doublings)]  # a force may not be there yet
         sizes = error_scale(rhs, t, h, y, g, c, later)
         fresh = (max(SHARE * control.rtol * size, NO_SCALE) for size in sizes)
         a = tuple(new if old <= NO_SCALE else old for new, old in zip(fresh, a or [0.0] * len(y), strict=True))
@@ -362,11 +363,6 @@ def _restless(h: float, y: Numbers, f: Numbers, g: Numbers, part: float) -> bool
         if size > 0 and not h * abs(g[i] - f[i]) <= part * max(size, h * abs(g[i])):
             return True
     return False
-
-
-def _doubling(origin: float, h: float, span: float) -> list[float]:
-    """Return times ever later: a force may not be there yet."""
-    return [origin + h * 4.0**k for k in range(int(math.log(span / h, 4)) + 1)]
 
 
 def shortest_step(engine: Engine, times: Array, start: Array, control: Control) -> float:

@@ -138,10 +138,6 @@ def _number(value: Captured, _: Captured) -> Hashable:
     return (type(value), value) if value else (type(value), repr(value))  # 0.0 equals -0.0
 
 
-def _itself(value: Captured, _: Captured) -> Hashable:
-    return value  # type: ignore[no-any-return]
-
-
 def _sequence(value: Captured, reach: Reach) -> Hashable:
     if type(value) is list:
         reach.has_lists, reach.is_fixed = True, False
@@ -267,7 +263,7 @@ _last: dict[types.FunctionType, Reach] = {}  # of the last call of a right-hand 
 MOST = 64  # of them
 READERS: dict[type, Callable[[Captured, Reach], Hashable]] = {
     **dict.fromkeys((float, int, bool, complex, str, bytes), _number),
-    type(None): _itself,
+    type(None): lambda value, _: value,
     **dict.fromkeys((tuple, list), _sequence),
     dict: _mapping,
     np.ndarray: _array,

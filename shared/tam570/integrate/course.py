@@ -142,18 +142,6 @@ def _sign(x: Numbers) -> float:
     return float(x.tape.sign(x) if isinstance(x, Symbol) else np.sign(x))
 
 
-def _is_close(a: Numbers, b: Numbers, rtol: Numbers = 1e-5, atol: Numbers = 1e-8) -> bool:
-    return bool(abs(a - b) <= atol + rtol * abs(b))
-
-
-def _is_close_by_math(a: Numbers, b: Numbers, rel_tol: Numbers = 1e-9, abs_tol: Numbers = 0.0) -> bool:
-    return bool(abs(a - b) <= max(rel_tol * max(abs(a), abs(b)), abs_tol))
-
-
-def _fmod(a: Numbers, b: Numbers) -> Numbers:
-    return a % b if a >= 0 else -(-a % b)
-
-
 def _recorded(part: Function, x: Numbers) -> Numbers:
     """Return a part of a complex number, known or not."""
     if not isinstance(x, Symbol):
@@ -177,9 +165,11 @@ DECIDING: dict[str, Function] = {
     **dict.fromkeys(("rint", "round"), round),
     **dict.fromkeys(("remainder", "mod"), operator.mod),
     "floor_divide": operator.floordiv,
-    "fmod": _fmod,
-    "isclose": _is_close,
-    "math.isclose": _is_close_by_math,
+    "fmod": lambda a, b: a % b if a >= 0 else -(-a % b),
+    "isclose": lambda a, b, rtol=1e-5, atol=1e-8: bool(abs(a - b) <= atol + rtol * abs(b)),
+    "math.isclose": lambda a, b, rel_tol=1e-9, abs_tol=0.0: bool(
+        abs(a - b) <= max(rel_tol * max(abs(a), abs(b)), abs_tol)
+    ),
     "math.remainder": lambda x, period: x - round(x / period) * period,
     "isfinite": lambda x: True,
     **dict.fromkeys(("isnan", "isinf"), lambda x: False),

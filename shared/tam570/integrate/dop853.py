@@ -148,7 +148,8 @@ def rates(formulas: Formulas, forgiving: bool = True) -> str:
     reach, bends = _reach(formulas), _bends(formulas)
     if forgiving:
         reach, bends = _forgiving(reach, "inf"), _forgiving(bends, "False")
-    return _source([_rhs(formulas), reach, bends])
+    rhs = ["def rhs(t, s, c):", *unpacked(formulas, s="s"), *formulas.lines, f"return {tuple_of(formulas.rates)}"]
+    return _source([rhs, reach, bends])
 
 
 def rounding(formulas: Formulas, forgiving: bool = True) -> str:
@@ -205,10 +206,6 @@ def _derivative(formulas: Formulas, number: int, time: str, less: str = "") -> l
     letter = "e" if less else "k"
     rates = [f"{letter}{number}_{i} = {formulas.rates[i]}{less and less + str(i)}" for i in formulas.moving]
     return [*clock, *formulas.lines, *rates]
-
-
-def _rhs(formulas: Formulas) -> list[str]:
-    return ["def rhs(t, s, c):", *unpacked(formulas, s="s"), *formulas.lines, f"return {tuple_of(formulas.rates)}"]
 
 
 def _roundoff(formulas: Formulas) -> list[str]:

@@ -13,7 +13,7 @@ from tam570.integrate.breaks import breaks_of
 from tam570.integrate.cache_key import Changeable, cache_slot, call_key
 from tam570.integrate.dop853 import compiled
 from tam570.integrate.formulas import Formulas, call_of, written
-from tam570.integrate.rates import CalledRates, Rates, bound, check_start, is_same, reversed_rates
+from tam570.integrate.rates import CalledRates, Rates, bound, check_start, is_same
 from tam570.integrate.switches import Switches
 from tam570.integrate.trace import Graph, Untraceable, traced
 from tam570.values import Function, Json, Parameters
@@ -78,8 +78,8 @@ def engine(
     @cache
     def tried_rates() -> CalledRates:
         """Return the right-hand side, tried at the start."""
-        rates = bound(rhs, parameters)
-        rates = rates if sign > 0 else reversed_rates(rates)
+        forward = bound(rhs, parameters)
+        rates: Rates = forward if sign > 0 else lambda t, y: [-rate for rate in forward(-t, y)]
         called_rates = CalledRates(rates, len(start))
         called_rates.dtype = check_start(rates, float(times[0]), start, sign)
         return called_rates

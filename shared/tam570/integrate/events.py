@@ -3,7 +3,6 @@
 from bisect import bisect_left
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import partial
 from numbers import Real
 from typing import NamedTuple
 
@@ -147,7 +146,11 @@ class Watch:
         """(fraction of the step, which event) of each crossing within a step, in order."""
         crossings = []
         for which, event in enumerate(self.events):
-            level, low = partial(_level, event, step), 0.0
+
+            def level(x: float, value: Function = event.value) -> float:
+                return value(step.t + x * step.h, step(x))  # type: ignore[no-any-return]
+
+            low = 0.0
             for x, value in _looks(level):
                 before = self.signs[which]
                 at_end = value == 0 and x == 1 and step.end >= self.end  # reached, and nothing comes after
@@ -157,10 +160,6 @@ class Watch:
                 self.signs[which] = value or before if value == value else 0.0  # after a NaN no sign is known
                 low = x
         return sorted(crossings, key=lambda crossing: crossing[0])
-
-
-def _level(event: Event, step: StepInterpolant, x: float) -> float:
-    return event.value(step.t + x * step.h, step(x))
 
 
 def _looks(level: Callable[[float], float]) -> list[Look]:

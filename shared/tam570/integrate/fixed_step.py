@@ -97,10 +97,6 @@ def _value(polynomial: Polynomial, x: Decimal) -> Decimal:
     return sum((c * x**power for power, c in enumerate(polynomial)), Decimal(0))
 
 
-def _integral(polynomial: Polynomial) -> Polynomial:
-    return [Decimal(0), *(c / (power + 1) for power, c in enumerate(polynomial))]
-
-
 def _times(p: Polynomial, q: Polynomial) -> Polynomial:
     product = [Decimal(0)] * (len(p) + len(q) - 1)
     for i, a in enumerate(p):
@@ -122,7 +118,7 @@ def gauss_tableau() -> tuple[list[list[Pair]], list[Pair], list[float], list[lis
             for node in nodes[:j] + nodes[j + 1 :]:
                 basis = _times(basis, [-node / (stage - node), 1 / (stage - node)])
             lagrange.append(basis)
-        sums = [_integral(basis) for basis in lagrange]
+        sums = [[Decimal(0), *(c / (power + 1) for power, c in enumerate(basis))] for basis in lagrange]
         rows = [[_split(_value(s, node)) for s in sums] for node in nodes]
         weights = [_split(_value(s, Decimal(1))) for s in sums]
         onward = [[float(_value(basis, node + 1)) for basis in lagrange] for node in nodes]
@@ -181,7 +177,9 @@ def states(method: str, engine: Engine, times: Array, start: Array, control: Con
     origin, since = float(times[0]), times - times[0]
     listed, h = since.tolist(), _step(method, engine, times, start, control, step)
     source, constants = _source(method, engine, len(start))
-    python = fixed_loop_with(_leap(source, engine))
+    namespace = {**vars(math), "rhs": engine.called_rates}
+    exec(_code(source), namespace)
+    python = fixed_loop_with(namespace["leap"])
 
     def run(march: Function, since: Numbers, state: Numbers, budget: int) -> Numbers:
         return march(origin, since, rows, state, constants, h, budget)
@@ -232,9 +230,3 @@ def _source(method: str, engine: Engine, size: int) -> tuple[str, tuple[float, .
 @lru_cache(maxsize=64)
 def _code(source: str) -> Numbers:
     return compile(source, "<tam570 leap>", "exec")
-
-
-def _leap(source: str, engine: Engine) -> Numbers:
-    namespace = {**vars(math), "rhs": engine.called_rates}
-    exec(_code(source), namespace)
-    return namespace["leap"]

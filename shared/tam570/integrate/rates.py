@@ -46,11 +46,6 @@ def bound(rhs: Function, parameters: Parameters | None, name: str = "rhs") -> Ra
     return lambda t, y: rhs(t, y, **fixed)
 
 
-def reversed_rates(rates: Rates) -> Rates:
-    """Return the rates of the motion that runs back: with -t for the time."""
-    return lambda t, y: [-rate for rate in rates(-t, y)]
-
-
 def check_start(rates: Rates, t: float, y0: Array, sign: float) -> np.dtype[Numbers]:
     """Return the type of the numbers. sign : of the engine's clock.
 

@@ -83,9 +83,12 @@ def solve_rotation(
         spin, u = state[:3], state[3:6]
         return [*acceleration(time, spin, **fixed), *_vector_rate(u, spin), *[0.0] * 9]
 
+    def one_radian(state: Array) -> float:  # s; up to there the series is good to rounding
+        return float(1 / max(np.abs(state[:3]).sum(), 1e-300))
+
     start = np.concatenate([spinning, np.zeros(3), turned.ravel()])
     (times, sign), tolerated = sample_times(t), of_one_step(tolerance(rtol))
-    control = adaptive.Control(tolerated, project=_recentred, longest=_one_radian)
+    control = adaptive.Control(tolerated, project=_recentred, longest=one_radian)
     try:
         states = adaptive.integrate(engine(rates, None, times, start, sign=sign), times, start, "python", control).rows
     except RhsError as error:
@@ -107,11 +110,6 @@ def _vector_rate(u: Numbers, omega: Numbers) -> list[Numbers]:
 
 def _cross(a: Numbers, b: Numbers) -> tuple[Numbers, Numbers, Numbers]:
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
-
-
-def _one_radian(state: Array) -> float:
-    """s, in which the body turns by one radian: up to there the series is good to rounding."""
-    return float(1 / max(np.abs(state[:3]).sum(), 1e-300))
 
 
 def _recentred(state: Array) -> Array:

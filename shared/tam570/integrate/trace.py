@@ -141,12 +141,9 @@ def _ordered(a: Numbers, b: Numbers) -> tuple[Numbers, Numbers]:
     return (a, b) if first <= second else (b, a)
 
 
-def _negative(tape: Tape, a: Numbers) -> Numbers:
-    return a.arguments[0] if a.name == "neg" else tape.record("neg", a)
-
-
 SIMPLIFIED: dict[str, Function] = {
-    **{"+": _sum, "-": _difference, "*": _product, "/": _quotient, "pow": _power, "neg": _negative},
+    **{"+": _sum, "-": _difference, "*": _product, "/": _quotient, "pow": _power},
+    "neg": lambda tape, a: a.arguments[0] if a.name == "neg" else tape.record("neg", a),
     "fabs": lambda tape, a: tape.record("fabs", a),
 }
 

@@ -110,7 +110,11 @@ def watch_for_end(
         stiff_looks = stiff_looks + 1 if is_stiff and is_long else 0
         idle_looks = idle_looks + 1 if is_idle and not is_stiff else 0
         if stiff_looks >= LOOKS:
-            raise ArithmeticError(_advice(sign * (origin + t), h, (end - t) / h))
+            raise ArithmeticError(
+                f"stiff at t = {sign * (origin + t):.6g}: stability, not accuracy, keeps the steps at {h:.1g}, and "
+                f"{(end - t) / h:.1g} of them are left. "
+                'scipy.integrate.solve_ivp with method="Radau" or method="LSODA" is made for such equations'
+            )
         if idle_looks >= IDLE_LOOKS:
             raise (chatter if left > OUT_OF_REACH else _crawl)(sign * (origin + t), y)
 
@@ -132,14 +136,6 @@ def _crawl(t: float, y: Sequence[float]) -> ArithmeticError:
         f"the rates jump every few steps near t = {t:.9g}, y = {list(y)}, or are infinitely steep, and far too many "
         "steps are left. Let rhs compute with all digits (no round, no float32) and forget earlier calls, or give a "
         "larger rtol"
-    )
-
-
-def _advice(t: float, h: float, remaining: float) -> str:
-    return (
-        f"stiff at t = {t:.6g}: stability, not accuracy, keeps the steps at {h:.1g}, and {remaining:.1g} "
-        "of them are left. "
-        'scipy.integrate.solve_ivp with method="Radau" or method="LSODA" is made for such equations'
     )
 
 

@@ -17,7 +17,7 @@ from tam570.integrate.compiled import loops, taylor, taylor_loop
 from tam570.integrate.compiled.ir import Operand
 from tam570.integrate.compiled.llvm import function
 from tam570.integrate.compiled.recurrences import NotAnalytic, Recurrences, recurrences
-from tam570.integrate.compiled.series import LANES, layout, padded_size, series_module
+from tam570.integrate.compiled.series import LANES, exponents, layout, padded_size, series_module
 from tam570.integrate.dop853 import rates, rounding, sampling, stepping
 from tam570.integrate.error_scale import NO_SCALE, SHARE
 from tam570.integrate.fixed_step import FixedState
@@ -45,7 +45,8 @@ def analytic(graph: Graph) -> tuple[Recurrences, tuple[float, ...]] | None:
 @lru_cache(maxsize=256)
 def _taylor(laws: Recurrences, lanes: int = 1) -> Operand:
     effort = EFFORT if lanes == 1 else 2
-    loop = taylor.loop_of(laws, lanes)
+    is_timed = any(law.rule == "time" for law in laws.series)
+    loop = taylor.Loop(len(laws.rates), lanes, bool(exponents(laws)), is_timed)
     series = {repr((laws, lanes)): lambda: series_module(laws, lanes)}
     return function({**series, repr(loop): lambda: taylor.loop_module(loop)}, "advance", taylor.KINDS, effort)
 

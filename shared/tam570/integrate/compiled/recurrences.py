@@ -48,20 +48,15 @@ def recurrences(graph: Graph) -> tuple[Recurrences, tuple[float, ...]]:
     def index_of(value: Value) -> int:
         return places[value.number] if isinstance(value, Symbol) else making.constant(value)
 
-    needed = _needed(graph)
+    needed = {rate.number for rate in graph.rates if isinstance(rate, Symbol)}
+    for symbol in reversed(graph.operations):
+        if symbol.number in needed:
+            needed |= {a.number for a in symbol.arguments if isinstance(a, Symbol)}
     for symbol in graph.operations:
         if symbol.number in needed or symbol.name[0] == "s" and not symbol.arguments:
             places[symbol.number] = making.function(symbol.name, tuple(map(index_of, symbol.arguments)))
     rates = tuple(map(index_of, graph.rates))
     return Recurrences(tuple(making.listed), rates, len(making.constants)), tuple(making.constants)
-
-
-def _needed(graph: Graph) -> set[int]:
-    needed = {rate.number for rate in graph.rates if isinstance(rate, Symbol)}
-    for symbol in reversed(graph.operations):
-        if symbol.number in needed:
-            needed |= {a.number for a in symbol.arguments if isinstance(a, Symbol)}
-    return needed
 
 
 class _Making:
@@ -129,24 +124,15 @@ class _Making:
     def power(self, a: int, b: int) -> int:
         if b < 0 <= a:
             return self.add("pow", a, b, value="pow", arguments=(a, b))
-        return self.following("pow", (a, b), self.product(b, self.natural_logarithm(a)))
-
-    def natural_logarithm(self, a: int) -> int:
-        if a >= 0:
-            return self.logarithm("log", a)
-        if self.constant_at(a) <= 0:
+        if a < 0 and self.constant_at(a) <= 0:
             raise NotAnalytic("a power of a negative number")
-        return self.constant(math.log(self.constant_at(a)))
+        logarithm = self.logarithm("log", a) if a >= 0 else self.constant(math.log(self.constant_at(a)))
+        return self.following("pow", (a, b), self.product(b, logarithm))
 
     def following(self, name: str, arguments: tuple[int, ...], exponent: int) -> int:
         """e to the exponent, its first coefficient by name(arguments): y' = y exponent'."""
         index = len(self.series)
         return self.add("y'=wa'", index, exponent, value=name, arguments=arguments)
-
-    def one_and_square(self, a: int, sign: float) -> int:
-        """1 + a^2, or 1 - a^2."""
-        square = self.add("square", a)
-        return self.add("shift", square if sign > 0 else self.add("neg", square), self.constant(1.0))
 
     def root(self, name: str, a: int) -> int:
         return self.add("sqrt", a, value="sqrt", arguments=(a,))
@@ -178,7 +164,8 @@ class _Making:
     def inverse(self, name: str, a: int) -> int:
         """Arcus and area functions: w y' = a', or of cosines w y' = -a'."""
         sign = {"atan": 1, "asinh": 1, "acosh": -1, "atanh": -1, "asin": -1, "acos": -1}[name]
-        w = self.one_and_square(a, sign)
+        square = self.add("square", a)
+        w = self.add("shift", square if sign > 0 else self.add("neg", square), self.constant(1.0))
         if name == "acosh":
             w = self.add("neg", w)
         if name not in ("atan", "atanh"):
@@ -190,9 +177,6 @@ class _Making:
         if name in ("log2", "log10"):
             w = self.add("scale", a, self.constant(0.6931471805599453 if name == "log2" else 2.302585092994046))
         return self.add("wy'=a'", w, a, value=name, arguments=(a,))
-
-    def cube_root(self, name: str, a: int) -> int:
-        return self.add("pow", a, self.constant(1 / 3), value="cbrt", arguments=(a,))
 
     def hypotenuse(self, name: str, a: int, b: int) -> int:
         squares = self.sum(self.product(a, a), self.product(b, b))
@@ -227,5 +211,8 @@ _DERIVATIVES: dict[str, Callable[..., int]] = (
     | dict.fromkeys(("log", "log1p", "log2", "log10"), _Making.logarithm)
     | dict.fromkeys(("asin", "acos", "atan", "asinh", "acosh", "atanh"), _Making.inverse)
     | dict.fromkeys(("erf", "erfc"), _Making.error_function)
-    | {"sqrt": _Making.root, "cbrt": _Making.cube_root, "hypot": _Making.hypotenuse, "atan2": _Making.angle}
+    | {"sqrt": _Making.root, "hypot": _Making.hypotenuse, "atan2": _Making.angle}
 )
+_DERIVATIVES |= {
+    "cbrt": lambda making, name, a: making.add("pow", a, making.constant(1 / 3), value=name, arguments=(a,))
+}

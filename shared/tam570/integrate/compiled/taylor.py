@@ -11,8 +11,7 @@ from typing import NamedTuple
 from tam570.integrate.compiled import taylor_loop
 from tam570.integrate.compiled.ir import Array, Operand, Value, number
 from tam570.integrate.compiled.llvm import assembled
-from tam570.integrate.compiled.recurrences import Recurrences
-from tam570.integrate.compiled.series import FAST, HIGHEST, exponents, padded_size, strides, vector_width
+from tam570.integrate.compiled.series import FAST, HIGHEST, padded_size, strides, vector_width
 from tam570.integrate.compiled.translate import Translator, functions_of
 from tam570.values import Json
 
@@ -43,11 +42,6 @@ class Loop(NamedTuple):
     lanes: int
     saturates: bool
     timed: bool
-
-
-def loop_of(laws: Recurrences, lanes: int) -> Loop:
-    """Return that of these recurrences."""
-    return Loop(len(laws.rates), lanes, bool(exponents(laws)), any(series.rule == "time" for series in laws.series))
 
 
 def loop_module(loop: Loop) -> str:
