@@ -35,7 +35,7 @@ from tam570.checking.transforms import (
 from tam570.meter import Exhausted, count, limited
 from tam570.values import Function, Numbers
 from tam570_grader.checks.case import Call, Case
-from tam570_grader.checks.effort import compile_counted
+from tam570_grader.checks.effort import compile_lightly
 from tam570_grader.diagnosis.cause import Answer, Cause
 from tam570_grader.diagnosis.compared_call import ComparedCall, beginning, compared_call
 from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, right_answer, solution_with
@@ -458,7 +458,7 @@ LONGEST, WORDS = 24, {"sin", "cos", "tan", "sqrt", "exp", "pi"}
 
 @functools.cache
 def _code(text: str) -> CodeType:
-    return compile_counted(text, "<mutant>", may_trace=False)
+    return compile_lightly(text, "<mutant>")
 
 
 def _words(mutant: Mutant, parameters: Mapping[str, str]) -> Iterator[tuple[str, ast.expr]]:
