@@ -66,6 +66,15 @@ WHICH_SIGN = "Which sign must the moment of the weight have?"
 AT_REST = "The point of the disk on the ground has no velocity."
 ABOUT_WHICH = "G is at rest: about which axis does the disk turn, and how high is G?"
 
+# The balance of moments first: many solve it for the spins.
+
+
+@check("moment_residual", points=0.75, part="c")
+def moment_residual_is_moment_minus_rate(student, rng):
+    """moment less rate of angular momentum about G, for any motion and force."""
+    compare(student.moment_residual, cases.under_forces(rng), hint="What is the force's arm, and what of H turns?")
+
+
 # (a) Rolling
 
 
@@ -160,12 +169,6 @@ def contact_force_moves_the_centre(student, rng):
 def contact_force_of_straight_rolling(student, rng):
     """an upright disk without precession rolls straight on, its weight carried."""
     compare(student.contact_force, cases.straight_rolling(rng), hint="Nothing there goes round.")
-
-
-@check("moment_residual", points=0.75, part="c")
-def moment_residual_is_moment_minus_rate(student, rng):
-    """moment less rate of angular momentum about G, for any motion and force."""
-    compare(student.moment_residual, cases.under_forces(rng), hint="What is the force's arm, and what of H turns?")
 
 
 # (d) The shuddering coin

@@ -181,8 +181,7 @@ def test_an_ellipse_follows_from_the_students_own_motion(checked, sign):
 
 TWICE, SMALL = ("2.0 * speed * math.sin", "speed * math.sin"), "small_oscillation_frequencies"
 HEAVY = "[[(m1 / 3 + m2) * l1**2", "[[(m1 / 3 + 2.5 * m2) * l1**2"
-NO_C = "(A - B) / C * p * q", "(A - B) * p * q"
-SLOPE = "return 2 * curvature * x\n", "return curvature * x\n"
+NO_C, SLOPE = ("(A - B) / C * p * q", "(A - B) * p * q"), ("return 2 * curvature * x\n", "return curvature * x\n")
 CENTRIFUGAL = "+ mass * x * phi_dot**2", "- mass * x * phi_dot**2"
 ABOVE = "-offset * math.sin(phi), radius - offset", "-offset * math.sin(phi), radius + offset"
 NO_WEIGHT = "+ mass * gravity * Z  #", "  #"
@@ -193,6 +192,7 @@ BY_OTHERS = [
     ("hw07_double_pendulum", HEAVY, (SMALL, "mass_matrix"), "squares.real", "squares.real / 2"),
     ("hw12_bead_on_wire", SLOPE, ("energy", "acceleration_newton"), "speed**2 / 2", "speed**2"),
     ("hw10_free_rigid_body", NO_C, ("growth_rate_squared", "euler_equations"), "slope(j, k) *", "2 * slope(j, k) *"),
+    ("hw11_disk_steady", ("cos + A", "cos - A"), ("sliding_spin", "moment_residual"), "residual(0", "2 * residual(0"),
     ("hw13_rolling_cylinder", CENTRIFUGAL, ("contact_force", "acceleration"), "cylinder)[1:])", "cylinder)[:0:-1])"),
     ("hw13_rolling_cylinder", ABOVE, ("naive_contact_acceleration", "acceleration"), "x * math.cos(s", "math.cos(s"),
     ("hw14_rolling_disk", NO_WEIGHT, BY_VECTORS, "+ turning", "- turning"),  # its rates take a millisecond
