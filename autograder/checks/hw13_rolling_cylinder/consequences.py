@@ -2,8 +2,6 @@
 
 import math
 
-import numpy as np
-
 
 def acceleration(*state, **cylinder):
     return _solved(*state, **cylinder)[0]
@@ -36,15 +34,12 @@ def energy(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
 
 
 def _solved(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
-    """phi'', along and normal: momentum balances of G, x down the ramp and y off it, and the moment about G."""
+    """phi'' by the moment about G of along and normal, which the momentum balances of G give: these can be traced."""
     x, y = _arm(phi, radius, offset)
-    loads = (
-        mass * gravity * math.sin(slope) + mass * x * phi_dot**2,
-        -mass * gravity * math.cos(slope) - mass * (radius - y) * phi_dot**2,
-        0.0,
-    )
-    balances = ((mass * y, -1.0, 0.0), (-mass * x, 0.0, -1.0), (inertia, y, -x))
-    return np.linalg.solve(balances, loads)
+    along = mass * gravity * math.sin(slope) + mass * x * phi_dot**2
+    normal = mass * gravity * math.cos(slope) + mass * (radius - y) * phi_dot**2
+    acceleration = (y * along + x * normal) / (inertia + mass * (x**2 + y**2))
+    return acceleration, mass * y * acceleration - along, normal - mass * x * acceleration
 
 
 def _arm(phi, radius, offset):
