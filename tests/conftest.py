@@ -27,7 +27,6 @@ from tam570_grader.sandbox.zygote import ResourceLimits, Zygote
 
 COURSE = assignments.find()
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "chrome")
-LONGEST_ID = 80  # characters
 NBGRADER = """
 import json, os, sys, warnings
 from nbgrader.apps import NbGraderApp
@@ -62,7 +61,7 @@ def pytest_make_parametrize_id(val):
     """Bytes and long texts go by their length: an id has to be the same in all processes, and a zip file has a time."""
     if isinstance(val, bytes):
         return f"{len(val)} bytes"
-    return f"{len(val)} characters" if isinstance(val, str) and len(val) > LONGEST_ID else None
+    return f"{len(val)} characters" if isinstance(val, str) and len(val) > 80 else None
 
 
 def pytest_generate_tests(metafunc):
@@ -182,10 +181,11 @@ def tabs():
 
 @pytest.fixture
 def open_tab(tabs):
-    """`open_tab(address, (width, height), **options)` -> the tab; it must not complain, nor ask other servers."""
+    """`open_tab(address, (width, height), **options)` -> the only tab; it must not complain, nor ask other servers."""
     complaints, opened = [], contextlib.ExitStack()
 
     def open_tab(address, size=(1280, 800), allowed=("file:", "data:"), **options):
+        opened.close()
         tab = tabs(**options)
         for event, hear in {
             "console": lambda entry: complaints.append(entry.text) if entry.type in ("error", "warning") else None,
