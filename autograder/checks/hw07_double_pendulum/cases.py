@@ -112,7 +112,7 @@ def motions(rng):
     start = rng.uniform(-2, 2, 2) + turns, rng.uniform(-1, 1, 2) / pace(bars)
     yield Case(t, *start, **bars).labelled("t[0] not 0")
     for label, (theta, omega, fixed, count) in STARTS.items():
-        bars = pendulum(rng, **fixed)
+        bars = fixed or bars
         times = uneven(rng, rng.uniform(1.5, 1.8) * pace(bars), count, rng.uniform(-3, 3))
         case = Case(times, np.array(theta), np.array(omega) / pace(bars), **bars).labelled(label)
         yield case

@@ -82,11 +82,11 @@ def by_matrix(cases):
 @once
 def a_motion(rng, span, samples):
     """A wheel's motion that stays away from the flat; span of sqrt(a/g)."""
+    disk = a_disk(rng)
+    t = uneven(rng, span / reference.usual(disk), samples, rng.uniform(0.5, 3))
     while True:
-        disk = a_disk(rng)
         state = a_state(rng, disk, rng.uniform(0.8, 2.3))
         state[7] += 2 * reference.usual(disk) * np.sign(state[7])
-        t = uneven(rng, span / reference.usual(disk), samples, rng.uniform(0.5, 3))
         if stays_up(t, state, disk):
             return [Case(t, state, **disk).labelled("a general motion")]
 
@@ -105,11 +105,12 @@ def stays_up(t, state, disk):
 
 def simulated(rng):
     """A general motion; few times, let go to fall almost flat; other times; another disk, without gravity."""
-    disk = a_disk(rng, "a thin uniform disk")
+    (motion,) = a_motion(rng, 2.0, 16)
+    disk = motion.kwargs
     t = rng.uniform(0.5, 3) + np.array([0.0, 0.2, 0.6]) / reference.usual(disk)
     flat = Case(t, a_state(rng, disk, 0.2, (0, 0, 0)), **disk).labelled("few times, a disk let go at rest, nearly flat")
     other_times, _, other_disk = repeated_calls(rng, flat, gravity=0.0)
-    return [*a_motion(rng, 2.0, 16), flat, other_times, other_disk]
+    return [motion, flat, other_times, other_disk]
 
 
 # Steady and nearly upright
