@@ -18,7 +18,7 @@ MOST_CELLS = 3  # of a notebook, that are named: which ones is the notebook's to
 LONGEST_WORD = 60
 WORD = r"[\w.]+"
 MESSAGES = [
-    re.compile(re.escape(message).replace("@", f"({WORD})"))
+    re.escape(message).replace("@", f"({WORD})")  # compiled where a file fails
     for message in (
         "name '@' is not defined",
         "No module named '@'",
@@ -126,7 +126,7 @@ def _is_python(class_name: str) -> bool:
 def _own_words(said: str, text: bytes) -> str:
     """Return a message of the interpreter's about words of the file; "" for any other."""
     said = FROM_FILE.sub(r"\1 (unknown location)", said.strip())
-    matches = filter(None, (message.fullmatch(said) for message in MESSAGES))
+    matches = filter(None, (re.fullmatch(message, said) for message in MESSAGES))
     is_python_text = any(all(_stands_in(word, text) for word in match.groups()) for match in matches)
     return printable(said.removesuffix(" (unknown location)")) if is_python_text else ""
 
