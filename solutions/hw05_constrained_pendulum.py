@@ -48,8 +48,9 @@ def constraint_force(state, *, mass, length, gravity):
     Returns (2,), N, the force on the particle.
     """
     x, y, vx, vy = state
-    outward = mass * (gravity * y - (vx**2 + vy**2)) / length**2  # x^2 + y^2 = l^2 differentiated twice
-    return np.array([outward * x, outward * y])
+    along = np.array([x, y]) / length
+    outward = mass * gravity * along[1] - mass * (vx**2 + vy**2) / length  # x^2 + y^2 = l^2 differentiated twice
+    return outward * along
 
 
 def acceleration(state, *, mass, length, gravity):

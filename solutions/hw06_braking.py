@@ -198,7 +198,7 @@ def small_yaw_rate(speed, speed0, yaw_rate0, locked, *, mass, yaw_inertia, front
     """
     # dr/du = r'/u' with u' = -drag/mass is linear in r: two terms of ln r, one in ln u and one in u^2.
     car = _car(locked, mass, yaw_inertia, front, rear, friction, gravity)
-    power = mass * car["arm"] ** 2 / car["inertia"]
+    power = mass * (front + rear) ** 2 / car["inertia"]
     lost = mass * (speed0 - speed) * (speed0 + speed) / 2  # J
     growth = mass * car["free"] * lost / (car["drag"] * car["inertia"])
     return yaw_rate0 * math.exp(growth + power * math.log(speed / speed0))

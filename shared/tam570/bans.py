@@ -69,6 +69,6 @@ def _refusing(*args: object, _unusable: Unusable, **kwargs: object) -> NoReturn:
     _unusable()
 
 
-def everywhere(module: ModuleType, function: object, stand_in: object) -> list[Change]:
-    """Return the function replaced by every name that it has in the module."""
-    return [(module, name, stand_in) for name, value in vars(module).items() if value is function]
+def everywhere(owner: ModuleType | type, function: object, stand_in: object) -> list[Change]:
+    """Return the function replaced by every name that it has in the module or the class."""
+    return [(owner, name, stand_in) for name, value in vars(owner).items() if value is function]

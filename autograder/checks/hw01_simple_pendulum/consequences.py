@@ -6,14 +6,18 @@ import numpy as np
 def energy_balance(theta, omega, *, mass, length, gravity):
     """alpha by the other balances; the potential as one writes it."""
     potential = _potential(theta, mass, length, gravity)
-    return -gravity / length * np.sin(theta), mass * length**2 * omega**2 / 2, potential
+    return -gravity / length * np.sin(theta), _kinetic(omega, mass, length), potential
 
 
 def action(theta, step, *, mass, length, gravity):
     """The integral of T - V, by the middles of the steps."""
     omega, middle = np.diff(theta) / step, (theta[:-1] + theta[1:]) / 2
-    return step * np.sum(mass * length**2 * omega**2 / 2 - _potential(middle, mass, length, gravity))
+    return step * np.sum(_kinetic(omega, mass, length) - _potential(middle, mass, length, gravity))
 
 
 def _potential(theta, mass, length, gravity):
     return mass * gravity * length * (1 - np.cos(theta))
+
+
+def _kinetic(omega, mass, length):
+    return mass * length**2 * omega**2 / 2

@@ -125,7 +125,13 @@ def lagrange_equation(reference):
     return sympy.Symbol("m") * reference()
 
 
-@mistake(first_fails=checks.action_is_stationary_on_motions, tolerance=1e-3)
+@mistake(first_fails=checks.action_is_stationary_on_motions)
+def action(reference, theta, step, *, gravity, **rod):
+    """You add the potential energy; the Lagrangian is T - V."""
+    return reference(theta, step, gravity=-gravity, **rod)
+
+
+@mistake(first_fails=checks.action_is_stationary_on_motions)
 def action(reference, theta, step, *, mass, length, gravity):
     """You use the potential energy of small angles, m g l theta^2/2; the path has large angles."""
     middle = (theta[:-1] + theta[1:]) / 2
@@ -133,7 +139,7 @@ def action(reference, theta, step, *, mass, length, gravity):
     return kinetic - step * np.sum(mass * gravity * length * middle**2 / 2)
 
 
-@mistake(first_fails=checks.action_is_the_integral)
+@mistake(first_fails=checks.action_is_the_integral, tolerance=1e-6)
 def action(reference, theta, step, *, mass, length, gravity):
     """You take the potential energy at the first end of each step, which is of first order; take it at the middle."""
     kinetic = reference(theta, step, mass=mass, length=length, gravity=0.0)

@@ -2,6 +2,8 @@
 
 import math
 
+import numpy as np
+
 
 def best_angle(speed, *, mass, drag, gravity):
     """Where dx/da = 0 at the landing: there y stays 0 as the angle a and with it the flight time T change."""
@@ -15,3 +17,8 @@ def best_angle(speed, *, mass, drag, gravity):
         return math.sin(angle) * vy + math.cos(angle) * vx
 
     return brentq(slope, 1e-12, math.pi / 2, xtol=1e-15)
+
+
+def horizontal_range(speed, angle, **particle):
+    """x of the closed form at the flight time."""
+    return trajectory(np.array([flight_time(speed, angle, **particle)]), speed, angle, **particle)[0, 0]

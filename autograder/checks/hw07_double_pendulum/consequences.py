@@ -12,6 +12,27 @@ def angular_acceleration(theta, omega, *, masses, lengths, gravity):
     return np.linalg.solve(mass_matrix(theta, **bars), -moments)
 
 
+def on_the_fly(theta, omega, *, masses, lengths, gravity):
+    """The same accelerations; then each hinge carries, and accelerates, what hangs below it."""
+    alpha = angular_acceleration(theta, omega, masses=masses, lengths=lengths, gravity=gravity)
+    (m1, m2), (along, across) = masses, _directions(theta)
+    turning = (across.T * np.multiply(lengths, alpha) - along.T * np.multiply(lengths, np.square(omega))).T
+    up = np.array([0.0, gravity])
+    on_bar2 = m2 * (turning[0] + turning[1] / 2 + up)
+    on_bar1 = m1 * (turning[0] / 2 + up) + on_bar2
+    return alpha, np.array([on_bar1, on_bar2])
+
+
+def angular_momentum(theta, omega, *, masses, lengths):
+    """Of the mass centres, and of the bars about these."""
+    m1, m2 = masses
+    (along, across), (om1, om2) = np.reshape(lengths, (2, 1)) * _directions(theta), omega
+    r1, v1 = along[0] / 2, om1 * across[0] / 2
+    r2, v2 = along[0] + along[1] / 2, om1 * across[0] + om2 * across[1] / 2
+    orbital = m1 * (r1[0] * v1[1] - r1[1] * v1[0]) + m2 * (r2[0] * v2[1] - r2[1] * v2[0])
+    return orbital + m1 * lengths[0] ** 2 / 12 * om1 + m2 * lengths[1] ** 2 / 12 * om2
+
+
 def small_oscillation_frequencies(*, masses, lengths, gravity):
     """Square roots of the eigenvalues of M^-1 K, where K is the slope of the gravity terms."""
     bars = {"masses": masses, "lengths": lengths}

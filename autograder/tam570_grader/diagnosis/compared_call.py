@@ -10,7 +10,7 @@ from tam570.checking.transforms import parts
 from tam570.values import Numbers
 from tam570_grader.checks.case import Call
 from tam570_grader.checks.motions import flat
-from tam570_grader.diagnosis.mistakes import OF_MOTIONS, WITHIN, is_motion, same
+from tam570_grader.diagnosis.mistakes import OF_MOTIONS, is_motion, same, tolerance_of
 
 INFORMATIVE = 1e-3  # of the right answer: what is smaller may be what cancels
 CLEARLY = 0.03  # of the size of a column: where a motion is off by so much, its later rows need not be compared
@@ -29,7 +29,7 @@ class ComparedCall(Call):
 
     def fits(self, answer: Numbers) -> bool:
         """Return whether an answer has the student's numbers; None has none."""
-        return self.result is not None and answer is not None and same(self.result, answer, WITHIN)
+        return self.result is not None and answer is not None and same(self.result, answer, tolerance_of(self))
 
     def numbers(self) -> set[bytes]:
         """Return what is to be explained, where it is more than rounding beside the right answer.

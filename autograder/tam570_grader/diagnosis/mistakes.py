@@ -41,6 +41,7 @@ from tam570_grader.protocol.wire import packed
 CANCELLED = 1e-14  # what rounding leaves where numbers of order one cancel, and a wrong answer is exactly zero
 WITHIN = 1e-6  # random inputs tell mistakes further apart
 OF_MOTIONS = 1e-3  # two integrations of one wrong equation differ by their tolerances
+OF_A_STATE = 15  # numbers, at most
 MOST_ANSWERS = 2**26  # bytes; those of a class are the same
 MOST_CHANGES = 2**17  # of an answer by a mistake
 OF_AN_ANSWER = 1000  # bytes besides its numbers
@@ -199,14 +200,16 @@ def explains(solution: str, answer_to: Answer, calls: Sequence[Call]) -> bool:
     """Whether what the solution answers with a mistake in it is what the student's functions returned in every call.
 
     Some result must be wrong by it, and some number of it not zero: of nothing all kinds of nothing follow. Where the
-    solution has no value with the mistake, the student need not have one.
+    solution has no value with the mistake, the student need not have one, or has the right one.
     """
     wrong = informative = False
     for call in sorted(calls, key=lambda call: len(call.case.packed)):
-        expected, tolerance = answer_to(call), tolerance_of(call)
+        expected, right, tolerance = answer_to(call), answer(solution, "", call), tolerance_of(call)
+        if expected is NoValue and same(call.result, right, tolerance):
+            continue
         if expected is None or not same(call.result, expected, tolerance):
             return False
-        wrong = wrong or not same(expected, answer(solution, "", call), tolerance)
+        wrong = wrong or not same(expected, right, tolerance)
         informative = informative or any(np.any(part) for part in parts(call.result))
     return wrong and informative
 
@@ -225,8 +228,10 @@ def _explains_all(solution: str, mistake: Mistake, groups: dict[str, list[Call]]
 
 
 def tolerance_of(call: Call) -> float:
-    """Return how closely numbers must agree, of the largest: rows of a motion less so."""
-    return OF_MOTIONS if is_motion(call) else WITHIN
+    """Return how closely numbers must agree, of the largest: rows of a motion, or a quadrature, less so."""
+    samples = (call.case.args or (None,))[0]
+    is_integral = np.ndim(parts(call.result)[0]) == 0 and np.ndim(samples) == 1 and np.size(samples) > OF_A_STATE
+    return OF_MOTIONS if is_integral or is_motion(call) else WITHIN
 
 
 def is_motion(call: Call) -> bool:

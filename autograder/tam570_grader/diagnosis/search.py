@@ -96,9 +96,10 @@ def _general(solution: str, calls: Sequence[Call], others: Sequence[str], passed
     vary = len(known_for) >= FEWEST or not wrong[0].case.kwargs
     results = other_results(name, getattr(module, name), wrong[0], vary=vary)
     cause = _transformed(solution, name, next(_explaining(results, its_calls), None), source="result")
-    cause = cause or _other_symbol(solution, name, its_calls) or _other_argument(solution, module, name, compared)
+    cause = cause or _other_symbol(solution, name, its_calls) or _other_argument(solution, module, name, its_calls)
     if cause is None or cause.message.endswith(VAGUE):
         cause = _mutant_of_any(solution, others, module, name, compared, passed) or cause
+    cause = cause or _for_one_word(solution, others, module, name, its_calls, passed)
     if cause is None:  # what else an argument or a result may be, or the one place where the result is wrong
         reference = getattr(module, name)
         change = _either_reversed(name, reference, its_calls)
@@ -107,10 +108,9 @@ def _general(solution: str, calls: Sequence[Call], others: Sequence[str], passed
     return cause and replace(cause, calls=tuple(calls))
 
 
-def _other_argument(solution: str, module: ModuleType, name: str, compared: Sequence[ComparedCall]) -> Cause | None:
+def _other_argument(solution: str, module: ModuleType, name: str, its_calls: Sequence[ComparedCall]) -> Cause | None:
     """Return the one wrong argument, factor or word."""
     reference = getattr(module, name)
-    its_calls = [call for call in compared if call.name == name]
     families = (
         other_arguments(name, reference, its_calls[0]),
         other_factors(name, reference, its_calls[0]),
@@ -118,8 +118,7 @@ def _other_argument(solution: str, module: ModuleType, name: str, compared: Sequ
         other_words(name, reference, [call.case for call in its_calls]),
     )
     explaining = ([*_explaining(family, its_calls)] for family in families)
-    change = next((variants[0] for variants in explaining if len(variants) == 1), None)
-    return _transformed(solution, name, change or _for_one_word(name, reference, compared))
+    return _transformed(solution, name, next((variants[0] for variants in explaining if len(variants) == 1), None))
 
 
 def _transformed(
@@ -164,27 +163,25 @@ def _explaining(
     return ((words, transform) for words, transform in family if _explains(transform, calls))
 
 
-def _for_one_word(name: str, reference: Function, calls: Sequence[ComparedCall]) -> tuple[str, Transform] | None:
-    """Return the one wrong argument, where a function is wrong for one value alone of an argument that is a word."""
-    wrong, keys = [call for call in calls if not call.fits(call.expected)], [*inspect.signature(reference).parameters]
-    for index, word in enumerate(wrong[0].case.args):
-        if isinstance(word, str) and all(_word(call, index) == word for call in wrong):
-            family = other_arguments(name, reference, wrong[0])
-            variants = ((words, partial(_where, index, word, transform)) for words, transform in family)
-            explaining = [*_explaining(variants, calls)]
-            if len(explaining) == 1:
-                ((words, transform),) = explaining
-                return f"{words} where {keys[index]} is {word!r}", transform
-    return None
+def _for_one_word(  # noqa: PLR0913  as `_mutant_of_any`
+    solution: str, others: Sequence[str], module: ModuleType, name: str, calls: Sequence[ComparedCall], passed: Set[str]
+) -> Cause | None:
+    """Return the cause of wrong answers where an argument is one word; where it is another they are right."""
+    words = [[each for each in enumerate(call.case.args) if isinstance(each[1], str)] for call in calls]
+    wrong = [each for each, call in zip(words, calls, strict=True) if not call.fits(call.expected)]
+    only = next((each for each in wrong[0] if all(each in other for other in wrong)), None)
+    there = [call for each, call in zip(words, calls, strict=True) if only in each]
+    if not only or len(there) == len(calls):
+        return None
+    cause = _other_argument(solution, module, name, there)
+    cause = cause or _mutant_of_any(solution, others, module, name, there, passed)
+    key = [*inspect.signature(getattr(module, name)).parameters][only[0]]
 
+    def there_alone(wrong: Answer, call: Call) -> Numbers:
+        return wrong(call) if only[1] in map(str, call.case.args) else answer(solution, "", call)
 
-def _word(call: ComparedCall, index: int) -> Numbers:
-    return call.case.args[index] if index < len(call.case.args) else None
-
-
-def _where(index: int, word: str, transform: Transform, call: ComparedCall) -> Numbers:
-    """Return the answer of a variant for one word, the right answer for all others."""
-    return transform(call) if _word(call, index) == word else call.expected
+    answers = tuple(partial(there_alone, each) for each in cause.answers) if cause else ()
+    return cause and replace(cause, message=f"{cause.message} where {key} is {only[1]!r}", answers=answers)
 
 
 def wrong_arguments(solution: str, calls: Sequence[Call], before: Sequence[Call]) -> Iterator[Cause]:

@@ -2,7 +2,6 @@
 
 import builtins
 import random
-from functools import partial
 from types import ModuleType
 
 import numpy as np
@@ -77,18 +76,25 @@ def _stood_in(module: ModuleType, request: Json) -> list[Change]:
     names = (name for name in request["refused"] if getattr(module, name, target) is not target)
     changes = [change for name in names for change in refused(module, name, Unusable(name, IN_ONE))]
     if name := request.get("moved"):
-        changes += everywhere(module, function := getattr(module, name), partial(_moved, function))
+        homes: list[ModuleType | type] = [module, *(each for each in vars(module).values() if isinstance(each, type))]
+        for home in homes:
+            if callable(function := vars(home).get(name)) and not isinstance(function, staticmethod):
+                changes += everywhere(home, function, _moved(function))
     originals = [(owner, attribute, getattr(owner, attribute)) for owner, attribute, _ in changes]
     for owner, attribute, value in changes:
         setattr(owner, attribute, value)
     return originals
 
 
-def _moved(function: Function, *args: Numbers, **kwargs: Numbers) -> Numbers:
-    """Results that are larger by one, each of several."""
-    result = function(*args, **kwargs)
-    moved = [np.asarray(part, float) + 1.0 for part in (result if isinstance(result, tuple) else [result])]
-    return tuple(moved) if isinstance(result, tuple) else moved[0]
+def _moved(function: Function) -> Function:
+    """Return the function with results that are larger by one, each of several; a method stays a method."""
+    return lambda *args, **kwargs: _larger(function(*args, **kwargs))
+
+
+def _larger(result: Numbers) -> Numbers:
+    if isinstance(result, dict):
+        return {key: _larger(value) for key, value in result.items()}
+    return tuple(map(_larger, result)) if isinstance(result, tuple) else np.asarray(result) + 1.0
 
 
 def seed_generators() -> None:

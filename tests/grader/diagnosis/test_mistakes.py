@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 
 from tam570_grader.checks.case import Call, Case
-from tam570_grader.diagnosis.mistakes import Mistake, named_mistake, solution_with
+from tam570_grader.diagnosis.mistakes import Mistake, NoValue, explains, named_mistake, solution_with
 
 SOLUTION = "import math\n\nimport numpy as np\n\n\ndef f(x):\n    return 2.0 * x\n\n\ndef g(x):\n    return 3.0 * x\n"
 
@@ -43,6 +43,12 @@ AGREE = [  # a wrong f (the right one is 2 x, and g is 3 x), calls, and whether 
 @pytest.mark.parametrize(("body", "calls", "agreeing"), AGREE)
 def test_a_mistake_is_named_where_its_numbers_agree(body, calls, agreeing):
     assert is_named(wrong(body), *calls) == agreeing
+
+
+@pytest.mark.parametrize(("result", "following"), [(0.0, True), (1.0, False)])
+def test_where_a_mistake_has_no_value_the_right_one_follows_too(result, following):
+    calls = [Call("f", Case(1.0), 1.0), Call("f", Case(0.0), result)]
+    assert explains(SOLUTION, lambda call: call.case.args[0] or NoValue, calls) == following
 
 
 def test_how_closely_is_said_by_the_mistake():

@@ -130,14 +130,16 @@ def test_all_tests_passed_are_all_points_and_mending_one_never_takes_points(slug
 @pytest.mark.parametrize(
     ("outcomes", "at_fault", "following"),
     [
-        (("passed", "failed"), {}, "rotation_matrix"),  # of what no test has proven
-        (("failed", "passed"), {}, "skew"),
-        (("failed", "failed"), {}, "skew"),
-        (("failed", "failed"), {"test_a": "rotate"}, "rotate"),
-        (("passed", "failed"), {"test_b": "skew"}, "rotation_matrix"),
+        (("passed", "failed", "passed"), {}, "rotation_matrix"),  # of what no test has proven
+        (("failed", "passed", "passed"), {}, "skew"),
+        (("failed", "failed", "failed"), {}, "skew"),
+        (("failed", "failed", "failed"), {"test_a": "rotate"}, "rotate"),
+        (("failed", "failed", "failed"), {"test_a": "rotation_matrix"}, "rotate"),
+        (("passed", "failed", "passed"), {"test_b": "skew"}, "rotation_matrix"),
+        (("failed", "failed", "passed"), {"test_b": "skew"}, "skew"),  # rotate is right
     ],
 )
 def test_what_is_at_fault_for_certain_and_what_no_test_has_proven_is_next(outcomes, at_fault, following):
-    called_by = {"test_a": {"skew"}, "test_b": {"skew", "rotation_matrix", "rotate"}}
+    called_by = {"test_a": {"skew"}, "test_b": {"skew", "rotation_matrix", "rotate"}, "test_c": {"rotate"}}
     come = progress(SLUG, dict(zip(called_by, outcomes, strict=True)), called_by, at_fault)
     assert come["next"] == following and (come["points"] > 0) == ("passed" in outcomes)
