@@ -8,7 +8,6 @@ import ast
 import importlib.machinery
 import re
 from collections.abc import Sequence
-from contextlib import suppress
 from importlib.machinery import ModuleSpec
 from types import CodeType, ModuleType
 
@@ -16,7 +15,8 @@ from tam570 import meter
 from tam570.bytecode import cached_code
 
 PROLOGUE = "from {} import count as _count"
-HEADER, COUNTED = re.compile(r"(?m)^ *(?:def|for|while)\b(?:.*\n)*?.*:(?:  #.*)?\n+(?=( +))"), r"\g<0>\1_count()\n"
+HEAD = re.compile(r"(?m)^ *(?:def|for|while)\b")
+FORMATTED = re.compile(r"(?m)^( *)(?:def|for|while)\b(?:.*\(\n(?: .*\n)*?\1\))?.*:(?:  #.*)?\n+(?=( +))")
 
 
 def count() -> None:
@@ -36,12 +36,11 @@ def compile_counted(text: str | bytes, name: str, *, may_trace: bool = True) -> 
 
 
 def compile_lightly(text: str, name: str) -> CodeType:
-    """Compile functions without tracing, counted by their lines: a fifth of the time that their trees take."""
-    if "lambda" not in text:
-        with suppress(SyntaxError):  # what begins like a loop may be within brackets
-            head = PROLOGUE.format(__name__)
-            return compile(f"{head}\n{HEADER.sub(COUNTED, text)}", name, "exec", dont_inherit=True)
-    return compile_counted(text, name, may_trace=False)
+    """Compile functions without tracing; formatted ones are counted by their lines, in a fifth of the time."""
+    counted, places = FORMATTED.subn(r"\g<0>\2_count()\n", text)
+    if "lambda" in text or places != len(HEAD.findall(text)):
+        return compile_counted(text, name, may_trace=False)
+    return compile(f"{PROLOGUE.format(__name__)}\n{counted}", name, "exec", dont_inherit=True)
 
 
 def _is_head(node: ast.stmt) -> bool:
