@@ -403,13 +403,16 @@ def _unpacked(solution: str) -> dict[str, str]:
 
 
 def _locals(solution: str) -> dict[str, dict[str, ast.expr]]:
-    """For each function the quantities that it computes, each from an expression, beside its parameters."""
+    """For each function the quantities that it computes, each from an expression; what students know has its name."""
+    functions = [node for node in ast.parse(solution).body if isinstance(node, ast.FunctionDef)]
+    arguments = {function.name: (*function.args.args, *function.args.kwonlyargs) for function in functions}
+    known = _documented(solution).union(*({side.arg for side in arguments[f]} for f in arguments if f[0] != "_"))
+    known |= {part for part, source in _unpacked(solution).items() if source in known}
     assigned: dict[str, dict[str, ast.expr]] = {}
-    for function in (node for node in ast.parse(solution).body if isinstance(node, ast.FunctionDef)):
-        arguments = function.args
+    for function in functions:
         quantities = assigned[function.name] = {
-            side.arg: ast.Name(side.arg) for side in (*arguments.args, *arguments.kwonlyargs)
-        }  # those stand for themselves
+            side.arg: ast.Name(side.arg) for side in arguments[function.name] if side.arg in known
+        }
         for node in ast.walk(function):
             if isinstance(node, ast.Assign) and len(node.targets) == 1:
                 targets, values = (getattr(side, "elts", [side]) for side in (node.targets[0], node.value))

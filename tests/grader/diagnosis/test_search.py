@@ -73,8 +73,7 @@ def rotated(v, angle):
 def cases():
     """Inputs of each function, with the names that a wrong formula uses."""
     pairs, positive = DRAW.uniform(1, 3, (4, 2)), DRAW.uniform(0.5, 3, (4, 4))
-    disks = positive * [1, 1, 1, 2]
-    quadrants = np.array([[1, 1], [1, -1], [-1, 1], [-1, -1]]) * DRAW.uniform(0.2, 2, (4, 2))
+    disks, quadrants = positive * [1, 1, 1, 2], DRAW.uniform(1, 2, (4, 2)) * [[1, 1], [1, -1], [-1, 1], [-1, -1]]
     turns = list(zip(DRAW.normal(size=(4, 2)), DRAW.uniform(0.3, 1.2, 4), strict=True))
     t, fields = np.linspace(1, 3, 9) ** 2, {"gravity": 2.0, "drag": 0.7}
     bodies = [(rate, {"mass": m, "radius": r, "inertia": (a, 2.0)}) for rate, m, r, a in positive]
@@ -160,6 +159,7 @@ def calls(function, wrong):
         ("rolls", "w/2 + m*w + r", "mass * radius ** 2 is ignored, as if it were zero"),
         ("powers", "2*K", "a factor with a, b is missing"),
         ("cross", "np.cross(b, a)", "Your result of cross has the opposite sign"),
+        ("cross", "np.array([a[1]*b[2] - a[2], a[2]*b[0] - a[0], a[0]*b[1] - a[1]])", "a factor with b is missing"),
         ("cross", "np.cross(a, b)*[1, 1.1, 1]", "wrong in component 2 alone"),
     ],
 )
