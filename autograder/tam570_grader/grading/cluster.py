@@ -61,6 +61,7 @@ class Cluster:
     @contextlib.contextmanager
     def executor(self, course: Path, slugs: Sequence[str], jobs: int) -> Iterator[TaskExecutor]:
         """Open the cluster's workers, each with these assignments."""
+        from distributed.core import CommClosedError
         from distributed.scheduler import KilledWorker
 
         from tam570_grader.grading.cluster_worker import Course, course_for, refusal, there
@@ -85,7 +86,7 @@ class Cluster:
                     (KilledWorker,),
                     lambda work: functools.partial(there, sent.name, work),
                 )
-            except CancelledError:
+            except (CancelledError, CommClosedError):  # a task's, or that of a question to the scheduler
                 raise ConnectionError(f"the scheduler at {self.address} was lost") from None
 
     def _client(self, stack: contextlib.ExitStack, jobs: int) -> Dask:
