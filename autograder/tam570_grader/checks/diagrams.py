@@ -274,6 +274,9 @@ def _general(body: FreeBody, missing: Sequence[Force], extra: Sequence[Arrow], n
     """Mistakes that can be made with any body, the more special first."""
     for force, arrow in itertools.product(missing, extra):
         yield _instead(force, arrow, near)
+    fewest = min(map(len, (body.forces, *body.others)))
+    if len(extra) >= fewest and not any(_at(*pair, near) for pair in itertools.product(body.forces, extra)):
+        yield f"You drew your forces at points where none acts; {body.forces[0].name} acts at {body.forces[0].where}."
     for force in missing:
         astray = force.along is not None and any(_at(force, arrow, near) for arrow in extra)
         mistake = f"drew {force.name} along a wrong line, or left it out" if astray else f"left out {force.name}"

@@ -67,6 +67,7 @@ WRONG_CYLINDERS = {
     "You drew the normal force along a wrong line": [(G, DOWN), (C, (0.5, 1)), (C, (1, 0))],
     "You left out the friction": [(G, DOWN), (C, (0, 1))],
     "You left out the weight": [(C, (0, 1)), (C, (1, 0))],
+    "at points where none acts; the weight acts at G": [(G[::-1], DOWN[::-1]), (C[::-1], (1, 2)), (C[::-1], (2, -1))],
     "You drew the weight twice": [(G, DOWN), (G, DOWN), (C, None)],
     "You drew the normal force twice": [(G, DOWN), (C, None), (C, (0, 1))],
     "no other body exerts": [(G, DOWN), (C, None), (G, (1, 0.2))],
@@ -82,8 +83,7 @@ def test_two_unknown_forces_each_have_both_components():
     both = [((1, 0), (1, 1)), ((1, 0), (2, -2))]
     assert not wrong(LINK, [((0, 0), (0, -2)), ((-1, 0), None), *both])
     assert "no component of it is known" in wrong(LINK, [((0, 0), (0, -2)), ((-1, 0), None), both[0]])
-    oblique = [((1, 0), (1, 1)), ((1, 0), (2, -1.9))]
-    assert wrong(LINK, [((0, 0), (0, -2)), ((-1, 0), None), *oblique])
+    assert wrong(LINK, [((0, 0), (0, -2)), ((-1, 0), None), both[0], ((1, 0), (2, -1.9))])
 
 
 @pytest.mark.parametrize("drawn", [[], [((1, 2), (0, -1))], [((1, 2), (0, 1))], [((1, 2), None)], [((1, 2), (0, 0))]])
