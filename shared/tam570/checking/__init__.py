@@ -141,7 +141,7 @@ class Runner:
 
 def _environment() -> dict[str, str]:
     """No windows, one thread, and a place for Matplotlib where the home folder is read only."""
-    settings = {"MPLBACKEND": "agg", "OPENBLAS_NUM_THREADS": "1", "PYTHONDONTWRITEBYTECODE": "1", **os.environ}
+    settings = {"MPLBACKEND": "agg", "OPENBLAS_NUM_THREADS": "1", **os.environ}
     settings["PYTHONIOENCODING"] = f"{sys.stdout.encoding}:replace"
     if not os.access(os.path.expanduser("~"), os.W_OK):
         settings.setdefault("MPLCONFIGDIR", os.path.join(tempfile.gettempdir(), "tam570-matplotlib"))
