@@ -61,7 +61,7 @@ class Cluster:
     @contextlib.contextmanager
     def executor(self, course: Path, slugs: Sequence[str], jobs: int) -> Iterator[TaskExecutor]:
         """Open the cluster's workers, each with these assignments."""
-        from distributed.core import CommClosedError
+        from distributed.comm.core import CommClosedError
         from distributed.scheduler import KilledWorker
 
         from tam570_grader.grading.cluster_worker import Course, course_for, refusal, there

@@ -143,19 +143,21 @@ def _chosen(candidates: Sequence[Example], answers: Sequence[Mapping[int, Number
 def _fingerprints(
     mistake: Mistake, answers: Mapping[int, Numbers], chosen: Sequence[int], candidates: Sequence[Example]
 ) -> Json | None:
-    """Return what tells a mistake of one function by the results of the chosen examples."""
-    results: dict[str, list[float]] = {}
+    """Return what tells a mistake of one function by the results of the chosen examples; None where it has none."""
+    results: dict[str, list[float] | None] = {}
     changed = {candidates[k]["function"] for k in answers} & mistake.defined
     if len(changed) != 1 or not mistake.compared:
         return None
     (function,) = changed
     for number, k in enumerate(chosen):
-        if k in answers and candidates[k]["function"] == function and answers[k] is not None:
-            compare = candidates[k]["compare"]
-            numbers = [fingerprint(part(answers[k], each)) for each in compare if not each.get("raises")]
-            if not np.isfinite(numbers).all():
-                return None
-            results[str(number)] = [float(f"{x:.9g}") for x in numbers]
-    if not results:
+        compare = candidates[k]["compare"]
+        if k in answers and candidates[k]["function"] == function and not any(each.get("raises") for each in compare):
+            results[str(number)] = None
+            if answers[k] is not None:
+                numbers = [fingerprint(part(answers[k], each)) for each in compare]
+                if not np.isfinite(numbers).all():
+                    return None
+                results[str(number)] = [float(f"{x:.9g}") for x in numbers]
+    if not any(results.values()):
         return None
     return {"function": function, "message": closed(mistake.message), "results": results}

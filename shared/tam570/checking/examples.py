@@ -73,18 +73,24 @@ class Examples:
                 return opened(mistake["message"])
         return None
 
-    def _agrees(self, wrong: Mapping[str, Sequence[float]], results: Mapping[int, Numbers]) -> bool:
-        """Return whether every example has the mistake's numbers, and one of them is changed by it."""
-        if not any(str(number) in wrong for number in results):
-            return False
+    def _agrees(self, wrong: Mapping[str, Sequence[float] | None], results: Mapping[int, Numbers]) -> bool:
+        """Return whether every example has the mistake's numbers, and in one of them these are not the right ones.
+
+        wrong : its fingerprints in the examples that it changes; None where it has no result
+        """
+        is_wrong = False
         for number, result in results.items():
             comparisons = self.calls[number]["compare"]
-            fingerprints = [fingerprint(array_of(comparison["expected"])) for comparison in comparisons]
-            for comparison, expected in zip(comparisons, wrong.get(str(number), fingerprints), strict=True):
+            right = [fingerprint(array_of(comparison["expected"])) for comparison in comparisons]
+            numbers = wrong.get(str(number), right)
+            if numbers is None:
+                return False
+            for comparison, expected, correct in zip(comparisons, numbers, right, strict=True):
                 size = 1e-12 + abs(expected) + float(np.max(np.abs(array_of(comparison["expected"])), initial=0.0))
                 if not abs(fingerprint(part(result, comparison)) - expected) <= SAME * size:
                     return False
-        return True
+                is_wrong = is_wrong or abs(expected - correct) > SAME * size
+        return is_wrong
 
 
 def load_examples(folder: Path) -> Examples | None:
