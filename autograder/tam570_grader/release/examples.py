@@ -5,7 +5,7 @@ comparison that a right submission in another style fails, nothing is released.
 """
 
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -53,7 +53,7 @@ def examples_of(course: Path, slug: str) -> str:
         functions = (getattr(module, example["function"], None) for example in candidates)
         wrong = [k for k, function in enumerate(functions) if _wrong(examples, k, function)]
         answers.append({k: examples.results.get(k) for k in wrong})
-    chosen = _chosen(candidates, answers)
+    chosen = _chosen(candidates, [_of_its_own(*both, candidates) for both in zip(compared, answers, strict=True)])
     fingerprints = [_fingerprints(*both, chosen, candidates) for both in zip(compared, answers, strict=True)]
     released = ",\n".join(json.dumps(candidates[k], allow_nan=False) for k in chosen)
     distinguishing = ",\n".join(json.dumps(fingerprint) for fingerprint in fingerprints if fingerprint)
@@ -127,9 +127,14 @@ def _wrong(examples: Examples, number: int, function: Any) -> bool:
     return False
 
 
-def _chosen(candidates: Sequence[Example], answers: Sequence[Mapping[int, Numbers]]) -> list[int]:
+def _of_its_own(mistake: Mistake, wrong: Iterable[int], candidates: Sequence[Example]) -> set[int]:
+    """Return the examples that a mistake fails: those of its functions, if there are any."""
+    return {k for k in wrong if candidates[k]["function"] in mistake.defined} or {*wrong}
+
+
+def _chosen(candidates: Sequence[Example], wrong: Sequence[set[int]]) -> list[int]:
     """Return the fewest examples, greedily, of which each mistake fails one; and one of each function."""
-    unmet = [{*answer} for answer in answers if answer]
+    unmet = [*filter(None, wrong)]
     functions = dict.fromkeys(example["function"] for example in candidates)
     unmet += [{k for k, other in enumerate(candidates) if other["function"] == name} for name in functions]
     chosen: list[int] = []
