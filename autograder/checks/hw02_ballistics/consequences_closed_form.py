@@ -8,6 +8,6 @@ import numpy as np
 def trajectory(t, speed, angle, *, mass, drag, gravity):
     """Positions by integrating the velocities, which fall to the terminal one in the time tau."""
     tau = mass / drag
-    vx, vy, left = speed * math.cos(angle), speed * math.sin(angle), np.exp(-drag * t / mass)
-    x, y = tau * vx * (1 - left), tau * (vy + gravity * tau) * (1 - left) - gravity * tau * t
-    return np.column_stack([x, y, vx * left, (vy + gravity * tau) * left - gravity * tau])
+    vx, vy, decay = speed * math.cos(angle), speed * math.sin(angle), np.exp(-drag * t / mass)
+    x, y = tau * vx * (1 - decay), tau * (vy + gravity * tau) * (1 - decay) - gravity * tau * t
+    return np.column_stack([x, y, vx * decay, (vy + gravity * tau) * decay - gravity * tau])

@@ -117,9 +117,9 @@ def compare(  # noqa: PLR0913  what a check says of a comparison, each by its na
             few_or_many = "many" if np.size(part.actual) > np.size(part.expected) else "few"
             has_shape = np.shape(part.actual) == np.shape(part.expected)
             expect_that(has_shape, f"{part.quantity}: you return too {few_or_many} numbers")
-            infinite, right = np.isinf(part.actual), np.isinf(part.expected)  # nothing is wrong by some limit
-            message = f"{part.quantity} is {'not ' if right.any() else ''}infinite"
-            expect_that(np.array_equal(infinite, right), message, hint=ask)
+            infinite, expected = np.isinf(part.actual), np.isinf(part.expected)  # nothing is wrong by some limit
+            message = f"{part.quantity} is {'not ' if expected.any() else ''}infinite"
+            expect_that(np.array_equal(infinite, expected), message, hint=ask)
             limits = _limits(part.size, tolerance, partial or {}) | {"near_miss_credit": near_miss_credit}
             expect(part.actual, part.expected, quantity=part.quantity, unit=part.unit, t=part.t, hint=ask, **limits)
     return results
@@ -252,7 +252,7 @@ class Batch:
 
     def _scales(self, parts: Comparisons) -> list[tuple[Numbers, ...]] | None:
         """(where, shapes of the right results, their numbers, the scale of each); None where one is infinite."""
-        per_case = [[*parts(case, right, right)] for case, right in zip(self.cases, self.expected, strict=True)]
+        per_case = [[*parts(case, answer, answer)] for case, answer in zip(self.cases, self.expected, strict=True)]
         scaled = []
         for column in zip(*per_case, strict=True):
             expected = [np.asarray(part.expected, float) for part in column]

@@ -204,12 +204,12 @@ def explains(solution: str, answer_to: Answer, calls: Sequence[Call]) -> bool:
     """
     wrong = informative = False
     for call in sorted(calls, key=lambda call: len(call.case.packed)):
-        expected, right, tolerance = answer_to(call), answer(solution, "", call), tolerance_of(call)
-        if expected is NoValue and same(call.result, right, tolerance):
+        expected, correct, tolerance = answer_to(call), answer(solution, "", call), tolerance_of(call)
+        if expected is NoValue and same(call.result, correct, tolerance):
             continue
         if expected is None or not same(call.result, expected, tolerance):
             return False
-        wrong = wrong or not same(expected, right, tolerance)
+        wrong = wrong or not same(expected, correct, tolerance)
         informative = informative or any(np.any(part) for part in parts(call.result))
     return wrong and informative
 

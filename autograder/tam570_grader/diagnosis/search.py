@@ -406,12 +406,12 @@ def _locals(solution: str) -> dict[str, dict[str, ast.expr]]:
     """For each function the quantities that it computes, each from an expression; what students know has its name."""
     functions = [node for node in ast.parse(solution).body if isinstance(node, ast.FunctionDef)]
     arguments = {function.name: (*function.args.args, *function.args.kwonlyargs) for function in functions}
-    known = _documented(solution).union(*({side.arg for side in arguments[f]} for f in arguments if f[0] != "_"))
-    known |= {part for part, source in _unpacked(solution).items() if source in known}
+    public = _documented(solution).union(*({side.arg for side in arguments[f]} for f in arguments if f[0] != "_"))
+    public |= {part for part, source in _unpacked(solution).items() if source in public}
     assigned: dict[str, dict[str, ast.expr]] = {}
     for function in functions:
         quantities = assigned[function.name] = {
-            side.arg: ast.Name(side.arg) for side in arguments[function.name] if side.arg in known
+            side.arg: ast.Name(side.arg) for side in arguments[function.name] if side.arg in public
         }
         for node in ast.walk(function):
             if isinstance(node, ast.Assign) and len(node.targets) == 1:

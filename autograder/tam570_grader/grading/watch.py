@@ -210,11 +210,11 @@ class Desk:
             text = source.text if isinstance(source, Source) else str(source).encode()
             digest = digest or hashlib.sha256(text).hexdigest()
             key = submission.student, submission.slug
-            known = {self.queue.newest.get(key)}
+            digests = {self.queue.newest.get(key)}
             if self.is_exchange:  # an older folder is there beside a newer
-                known |= {attempt["digest"] for attempt in self.queue.graded.get(key, [])}
-                known |= {arrival.digest for arrival in self.queue.arrivals if arrival.key == key}
-            if digest not in known:
+                digests |= {attempt["digest"] for attempt in self.queue.graded.get(key, [])}
+                digests |= {arrival.digest for arrival in self.queue.arrivals if arrival.key == key}
+            if digest not in digests:
                 self.queue.take(self._kept(submission, digest, source))
             if submission.path is not None and stamp is not None:
                 self._stamps[submission.path] = stamp

@@ -34,8 +34,8 @@ class Table:
 
 def table_in(files: Iterable[File]) -> Table:
     """Return the class's table: the outermost of that name, for a student may hand in another."""
-    named = [file for file in files if file.path.rsplit("/", 1)[-1] == METADATA]
-    outside = [file for file in named if not any(map(FOLDER.fullmatch, file.path.split("/")))]  # of all submissions
+    tables = [file for file in files if file.path.rsplit("/", 1)[-1] == METADATA]
+    outside = [file for file in tables if not any(map(FOLDER.fullmatch, file.path.split("/")))]  # of all submissions
     file = min(outside, key=lambda file: file.path.count("/"), default=None)
     if file is None:
         raise UsageError(f"the export holds no {METADATA} beside its submissions: {AGAIN}, by Export Submissions")

@@ -30,8 +30,8 @@ def hand_ins(
         if form(row["from"]) and (row["file"] or row["note"] == OLDER):
             when = moment(row["when"], collected) if row["when"] else None
             everything.append((row["student"], row["assignment"], when))
-    journal = folder / JOURNAL
-    for event in map(json.loads, journal.read_bytes().splitlines() if journal.exists() else ()):
+    event_log = folder / JOURNAL
+    for event in map(json.loads, event_log.read_bytes().splitlines() if event_log.exists() else ()):
         if event["event"] == "graded":
             arrived = datetime.fromtimestamp(event["at"]).astimezone()
             everything.append((event["student"], event["slug"], arrived))

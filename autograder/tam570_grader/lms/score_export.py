@@ -103,8 +103,8 @@ def export(scores: Scores, options: ExportOptions) -> Export:
     joined = _joined(scores, everyone, result)
     for person in everyone.people:
         scored = {slug: joined.get((id(person), slug), "") for slug in slugs}
-        given = {slug: layout.excused if score == EX else score for slug, score in scored.items()}
-        cells = [_cell(given[slug], person, headings[slug], result, options.overwrite) for slug in slugs]
+        cell_scores = {slug: layout.excused if score == EX else score for slug, score in scored.items()}
+        cells = [_cell(cell_scores[slug], person, headings[slug], result, options.overwrite) for slug in slugs]
         result.rows.append([*(person.row.get(name, "") for name in own_keys), *cells, *_end(layout, 1)])
     return result
 

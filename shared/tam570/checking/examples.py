@@ -81,15 +81,15 @@ class Examples:
         is_wrong = False
         for number, result in results.items():
             comparisons = self.calls[number]["compare"]
-            right = [fingerprint(array_of(comparison["expected"])) for comparison in comparisons]
-            numbers = wrong.get(str(number), right)
+            fingerprints = [fingerprint(array_of(comparison["expected"])) for comparison in comparisons]
+            numbers = wrong.get(str(number), fingerprints)
             if numbers is None:
                 return False
-            for comparison, expected, correct in zip(comparisons, numbers, right, strict=True):
+            for comparison, expected, unchanged in zip(comparisons, numbers, fingerprints, strict=True):
                 size = 1e-12 + abs(expected) + float(np.max(np.abs(array_of(comparison["expected"])), initial=0.0))
                 if not abs(fingerprint(part(result, comparison)) - expected) <= SAME * size:
                     return False
-                is_wrong = is_wrong or abs(expected - correct) > SAME * size
+                is_wrong = is_wrong or abs(expected - unchanged) > SAME * size
         return is_wrong
 
 

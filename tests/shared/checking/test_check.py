@@ -165,12 +165,12 @@ def test_a_function_that_agrees_with_no_wrong_one_is_right_all_the_same(hw08, ta
 def test_a_mistake_has_numbers_where_the_student_has_and_not_the_right_ones():
     calls = [{"function": "f", "compare": [{"member": None, "columns": None, "expected": 2.0}]}] * 2
 
-    def told(result, wrong):
+    def mistake(result, wrong):
         mistakes = [{"function": "f", "message": closed("You."), "results": wrong}]
         return Examples(calls, mistakes, {0: 2.0, 1: result}).mistake("f")
 
-    assert told(3.0, {"1": [fingerprint(3.0)]})
-    assert not told(3.0, {"0": None, "1": [fingerprint(3.0)]}) and not told(2.0, {"1": [fingerprint(2 + 1e-9)]})
+    assert mistake(3.0, {"1": [fingerprint(3.0)]})
+    assert not mistake(3.0, {"0": None, "1": [fingerprint(3.0)]}) and not mistake(2.0, {"1": [fingerprint(2 + 1e-9)]})
 
 
 def test_one_function_is_tested_alone(hw08, tam570):

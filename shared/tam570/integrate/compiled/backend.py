@@ -45,7 +45,7 @@ def analytic(graph: Graph) -> tuple[Recurrences, tuple[float, ...]] | None:
 @lru_cache(maxsize=256)
 def _taylor(laws: Recurrences, lanes: int = 1) -> Operand:
     effort = EFFORT if lanes == 1 else 2
-    is_timed = any(law.rule == "time" for law in laws.series)
+    is_timed = any(series.rule == "time" for series in laws.series)
     loop = taylor.Loop(len(laws.rates), lanes, bool(exponents(laws)), is_timed)
     series = {repr((laws, lanes)): lambda: series_module(laws, lanes)}
     return function({**series, repr(loop): lambda: taylor.loop_module(loop)}, "advance", taylor.KINDS, effort)
