@@ -117,9 +117,9 @@ def compare(  # noqa: PLR0913  what a check says of a comparison, each by its na
             few_or_many = "many" if np.size(part.actual) > np.size(part.expected) else "few"
             has_shape = np.shape(part.actual) == np.shape(part.expected)
             expect_that(has_shape, f"{part.quantity}: you return too {few_or_many} numbers")
-            infinite, expected = np.isinf(part.actual), np.isinf(part.expected)  # nothing is wrong by some limit
-            message = f"{part.quantity} is {'not ' if expected.any() else ''}infinite"
-            expect_that(np.array_equal(infinite, expected), message, hint=ask)
+            infinite, must_be = np.isinf(part.actual), np.isinf(part.expected)  # nothing is wrong by some limit
+            message = f"{part.quantity} is {'not ' if must_be.any() else ''}infinite"
+            expect_that(np.array_equal(infinite, must_be), message, hint=ask)
             limits = _limits(part.size, tolerance, partial or {}) | {"near_miss_credit": near_miss_credit}
             expect(part.actual, part.expected, quantity=part.quantity, unit=part.unit, t=part.t, hint=ask, **limits)
     return results

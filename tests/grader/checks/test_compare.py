@@ -27,9 +27,9 @@ def said(compare, *args, **fields):
 
 
 def test_each_member_of_a_tuple_has_words_of_its_own():
-    pair = group(array(2).described("the place", "m"), HEIGHT)
-    item = student(pair, (np.ones(2), 3.0))
-    assert "height is wrong by 1 m" in said(compare, item, lambda: (np.ones(2), 2.0), [Case()])
+    item = student(group(array(2).described("the place", "m"), HEIGHT), (np.ones(2), 3.0))
+    message = said(compare, item, lambda: (np.ones(2), 2.0), [Case()], hint=lambda *of: f"Is it {of[2][1]} m?")
+    assert "height is wrong by 1 m" in message and "Is it 2.0 m?" in message
     assert "place is wrong by 5 m" in said(compare, item, lambda: (np.full(2, 6.0), 3.0), [Case()])
 
 
