@@ -7,6 +7,7 @@ import re
 import time
 from pathlib import Path
 
+import psutil
 import pytest
 
 from tam570_grader.checks import assignments
@@ -101,20 +102,22 @@ def test_no_hidden_input_comes_back(attacked):
 
 
 def processes(user):
-    """Processes of the user that submissions run as; those that were just killed have a moment to go."""
+    """Processes of ours that are the user's; those that were just killed have a moment to go.
+
+    Another worker's zygote may have a user of the same number.
+    """
     for _ in range(600):
-        actual = [path for path in Path("/proc").glob("[0-9]*") if owner(path) == user]
+        actual = [child for child in psutil.Process().children(recursive=True) if user in owners(child)]
         if not actual or user is None:
             return []
         time.sleep(0.1)
     return actual
 
 
-def owner(path):
-    try:
-        return path.stat().st_uid
-    except FileNotFoundError:
-        return 0
+def owners(process):
+    with contextlib.suppress(psutil.NoSuchProcess):
+        return process.uids()
+    return ()
 
 
 def planted():
