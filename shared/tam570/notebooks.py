@@ -1,6 +1,7 @@
 """The code of a notebook as plain Python: cells as IPython reads them, without magics and shell lines."""
 
 import ast
+import codecs
 import inspect
 import io
 import itertools
@@ -24,15 +25,20 @@ LARGEST, LARGEST_WITH_OUTPUTS = 10 * 2**20, 100 * 2**20  # bytes, of a module, o
 OUTPUTS = rb'"outputs"\s*:\s*(?=\[)|"attachments"\s*:\s*(?=\{)'  # what a cell has shown, pictures in its text
 TOKENS = re.compile(rb"(" + OUTPUTS + rb')|"[^"\\]*(?:\\.[^"\\]*)*"|([\[{])|[\]}]', re.DOTALL)
 MOST_TOKENS = 3_000_000  # of a notebook that is worth reading
-DECLARED = re.compile(rb"\xff\xfe|\xfe\xff|(?:.*\r?\n)?[ \t\f]*#.*coding[:=]")  # UTF-16, or a line as PEP 263 has it
+DECLARED = re.compile(rb"(?:.*\r?\n)?[ \t\f]*#.*coding[:=]")  # a line as PEP 263 has it
 Cells = list[tuple[int, str]]  # number, counted from 1 over all cells, and text
 
 
 def in_utf8(source: bytes) -> bytes:
-    """Return the source of a module or notebook; what is neither UTF-8 nor says what it is is read as Latin-1."""
+    """Return the source of a module or notebook.
+
+    What is not UTF-8 is read as UTF-16 if it begins as that does, and as Latin-1 if it does not say what it is.
+    """
     try:
         source.decode()
     except UnicodeDecodeError:
+        if source.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+            return source.decode("utf-16", "replace").encode()
         return source if DECLARED.match(source) else source.decode("latin-1").encode()
     return source
 

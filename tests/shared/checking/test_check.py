@@ -80,9 +80,11 @@ def test_what_is_off_limits_or_missing_may_be_named(hw08, tam570, grade, above):
 
 def test_a_file_in_another_encoding_names_the_line(hw08, tam570, grade):
     file = hw08()
-    file.write_bytes(latin := b"x = 1\n# caf\xe9\n" + file.read_bytes())
-    code, said = tam570("check")
-    assert code == 0 and "line 2: a character is not UTF-8" in said and grade(HW08, latin).score == 10
+    latin = b"x = 1\n# caf\xe9\n" + file.read_bytes()
+    for line, text in ((2, latin), (1, latin.decode("latin-1").encode("utf-16"))):
+        file.write_bytes(text)
+        code, said = tam570("check")
+        assert code == 0 and f"line {line}: a character is not UTF-8" in said and grade(HW08, text).score == 10
     file.write_bytes(b"# coding: latin-1\n" + latin)
     code, said = tam570("check")
     assert code == 0 and "UTF-8" not in said
