@@ -109,11 +109,11 @@ def launch_early() -> None:
 
 def launch(hidden: Sequence[Path]) -> LaunchedZygote:
     """Launch a zygote that sees none of the hidden folders, or take the one that was launched early, if it fits."""
-    command = _command(hidden)
-    if _early and _early[0].command == command:
+    what = command(tuple(hidden))
+    if _early and _early[0].command == what:
         return _early.pop()
     close_early()
-    return LaunchedZygote(command, SCRATCH if isolation() == "bubblewrap" else tempfile.gettempdir())
+    return LaunchedZygote(what, SCRATCH if isolation() == "bubblewrap" else tempfile.gettempdir())
 
 
 def close_early() -> None:
@@ -126,7 +126,9 @@ def close_early() -> None:
         trial.wait()
 
 
-def _command(hidden: Sequence[Path]) -> list[str]:
+@functools.cache
+def command(hidden: tuple[Path, ...]) -> list[str]:
+    """Return the command of a zygote that sees none of these folders; most are nowhere in what it sees anyway."""
     return _with_path(jailed_command(hidden) if isolation() == "bubblewrap" else plain_command())
 
 

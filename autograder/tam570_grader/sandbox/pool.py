@@ -1,4 +1,4 @@
-"""The zygotes of this process, one for each thread and kind of submission; one that dies is replaced."""
+"""The zygotes of this process, one for each thread, what it imports, may use and sees; one that dies is replaced."""
 
 import threading
 from collections.abc import Callable, Iterator, Sequence
@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeVar
 
+from tam570_grader.sandbox.launch import command
 from tam570_grader.sandbox.zygote import ResourceLimits, Zygote, ZygoteLost
 
 TRIES = 3  # zygotes, or supervisors, that a submission may see die under it before we give up
@@ -48,7 +49,7 @@ def tried(
 
 def start(preload: Sequence[str], limits: ResourceLimits, hidden: Sequence[Path] = ()) -> tuple[Any, ...]:
     """Start a zygote where none is warm, without waiting for it; the key of the warm one."""
-    key = (threading.get_ident(), *preload, limits, *hidden)
+    key = (threading.get_ident(), *preload, limits, *command(tuple(hidden)))
     if key not in _warm:
         mine = [other for other in _warm if other[0] == key[0]]
         for other in mine[: len(mine) + 1 - MOST]:
