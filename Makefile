@@ -5,6 +5,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 CLASS := build/sample_class
 export OPENBLAS_NUM_THREADS := 1
+unexport PYTHONDONTWRITEBYTECODE  # each command that a test starts would compile all that it imports
 
 .PHONY: demo test every verify docs release bubblewrap clean
 
