@@ -134,7 +134,7 @@ class LocalStudent:
     def takes(self, name: str) -> str:
         return ""
 
-    def aside(self, again: str = "") -> contextlib.AbstractContextManager[None]:
+    def aside(self, retried: str = "") -> contextlib.AbstractContextManager[None]:
         return contextlib.nullcontext()
 
     def replies(self, name: str, calls: Sequence[Case], mode: str = "value", **more: Any) -> list[Reply]:

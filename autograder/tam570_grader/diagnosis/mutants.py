@@ -94,20 +94,20 @@ def _products(function: ast.FunctionDef) -> dict[int, ast.expr]:
 def _of_quantities(function: ast.FunctionDef) -> dict[str, "Operator"]:
     """Return the operators that need to know what else the function has: one name for another of its kind."""
     inputs = {argument.arg for argument in (*function.args.args, *function.args.kwonlyargs)}
-    kinds, raw, computed = [inputs.intersection(LENGTHS)], dict[str, str](), set[int]()
+    groups, raw, computed = [inputs.intersection(LENGTHS)], dict[str, str](), set[int]()
     for node in ast.walk(function):
         if isinstance(node, ast.Assign) and len(node.targets) == 1:
             (target,) = node.targets
-            kinds.append({part.id for part in getattr(target, "elts", []) if isinstance(part, ast.Name)})
+            groups.append({part.id for part in getattr(target, "elts", []) if isinstance(part, ast.Name)})
             computed |= {id(value) for value in getattr(node.value, "elts", [node.value])}
             if isinstance(target, ast.Name) and isinstance(node.value, ast.Call) and len(node.value.args) == 1:
                 raw[target.id] = getattr(node.value.args[0], "id", "")
-    kinds = [kind for kind in kinds if 2 <= len(kind) <= MOST_ALIKE]
+    groups = [group for group in groups if 2 <= len(group) <= MOST_ALIKE]
     raw = {name: argument for name, argument in raw.items() if argument in inputs - {name}}
     return {
-        "another quantity": partial(_others_of_a_kind, kinds=kinds),
-        "two exchanged": partial(_exchanged_in_a_sum, kinds=kinds),
-        "sine and cosine": partial(_exchanged_in_a_sum, kinds=()),
+        "another quantity": partial(_others_of_a_kind, groups=groups),
+        "two exchanged": partial(_exchanged_in_a_sum, groups=groups),
+        "sine and cosine": partial(_exchanged_in_a_sum, groups=()),
         "as given": partial(_as_given, raw=raw),
         "ignored": partial(_ignored, computed=computed),
     }
@@ -125,19 +125,19 @@ def _ignored(node: ast.expr, computed: Set[int]) -> Iterator[ast.expr]:
         yield ast.Constant(0.0)
 
 
-def _others_of_a_kind(node: ast.expr, kinds: Sequence[Set[str]]) -> Iterator[ast.expr]:
+def _others_of_a_kind(node: ast.expr, groups: Sequence[Set[str]]) -> Iterator[ast.expr]:
     """Yield A becomes C of `A, C = inertia`, and the radius the offset."""
     if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
-        others = {other for kind in kinds if node.id in kind for other in kind - {node.id}}
+        others = {other for group in groups if node.id in group for other in group - {node.id}}
         yield from (ast.Name(other, ast.Load()) for other in sorted(others))
 
 
-def _exchanged_in_a_sum(node: ast.expr, kinds: Sequence[Set[str]]) -> Iterator[ast.expr]:
+def _exchanged_in_a_sum(node: ast.expr, groups: Sequence[Set[str]]) -> Iterator[ast.expr]:
     """Yield p sin + q cos becomes p cos + q sin, whether these are called or have names."""
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub):
         names, calls = names_used(node), {_name_of(each.func) for each in ast.walk(node) if isinstance(each, ast.Call)}
-        pairs = [pair for kind in kinds for pair in combinations(sorted(kind & names), 2)]
-        for first, other in pairs if kinds else [("sin", "cos")] if {"sin", "cos"} <= calls else []:
+        pairs = [pair for group in groups for pair in combinations(sorted(group & names), 2)]
+        for first, other in pairs if groups else [("sin", "cos")] if {"sin", "cos"} <= calls else []:
             yield _Renamed({first: other, other: first}).visit(copy.deepcopy(node))
 
 

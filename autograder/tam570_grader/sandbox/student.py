@@ -57,16 +57,16 @@ class Student:
         return SandboxFunction(self, name, self._assignment.results[name], banned)
 
     @contextmanager
-    def aside(self, again: str = "") -> Iterator[None]:
+    def aside(self, retried: str = "") -> Iterator[None]:
         """Open a block: what is called in it is not judged: no function is given up for it, and half of the time stays.
 
         Calls in it raise Failed when the submission has used half of its processor time.
 
-        again : a function that is tried though it hung or crashed before, until it does so in such a block
+        retried : a function that is tried though it hung or crashed before, until it does so in such a block
         """
         running = get_context()
         calls, broken, function, case = self.calls, self.broken, running.function, running.case
-        tried = {name: why for name, why in broken.items() if name != again or name in self._given_up}
+        tried = {name: why for name, why in broken.items() if name != retried or name in self._given_up}
         self.calls, self.broken = list(calls), dict(tried)
         self._asides += 1
         try:

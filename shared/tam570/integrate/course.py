@@ -204,13 +204,13 @@ class Components(np.ndarray[tuple[int, ...], np.dtype[np.object_]]):
         parts.flags.writeable = False
         return parts
 
-    def astype(self, kind: Numbers, **_: Numbers) -> Numbers:  # type: ignore[override]
-        return self.copy() if _is_number_type(kind) else super().astype(kind)
+    def astype(self, dtype: Numbers, **_: Numbers) -> Numbers:  # type: ignore[override]
+        return self.copy() if _is_number_type(dtype) else super().astype(dtype)
 
-    def view(self, kind: Numbers) -> Numbers:  # type: ignore[override]
-        if not _is_number_type(kind):
-            return super().view(kind)
-        if _plain_type(kind) is complex:
+    def view(self, dtype: Numbers) -> Numbers:  # type: ignore[override]
+        if not _is_number_type(dtype):
+            return super().view(dtype)
+        if _plain_type(dtype) is complex:
             view = self[..., 0::2] + 1j * self[..., 1::2]
         else:
             view = np.stack([self.real, self.imag], axis=-1).reshape(*self.shape[:-1], -1)
@@ -360,11 +360,11 @@ def _copied(instance: Numbers) -> Numbers:
     twin = copy.copy(instance)
     for name, value in vars(instance).items():
         twin.__dict__[name] = copy.copy(value) if isinstance(value, list | dict | set) else _substitute(value)
-    kind = type(instance)
-    listed = {name: inspect.getattr_static(kind, name) for name in dir(kind)}
+    model = type(instance)
+    listed = {name: inspect.getattr_static(model, name) for name in dir(model)}
     methods = {name: _when_called(value) for name, value in listed.items() if _is_looked_into(value)}
     if twin is not instance and methods:
-        object.__setattr__(twin, "__class__", type(kind.__name__, (kind,), methods))
+        object.__setattr__(twin, "__class__", type(model.__name__, (model,), methods))
     return twin
 
 

@@ -145,7 +145,7 @@ def _written(graph: Graph, constants: dict[float, str]) -> Formulas:
     used = [symbol for symbol in graph.operations if uses[symbol.number]]
     read = {symbol.name for symbol in used if not symbol.arguments}
     reads = frozenset(int(name[1:]) for name in read if name != "t")
-    saturates, is_bent = (any(symbol.name in kind for symbol in used) for kind in (SATURATING, BENT))
+    saturates, is_bent = (any(symbol.name in names for symbol in used) for names in (SATURATING, BENT))
     return Formulas(tuple(lines), expressions, len(constants), reads, "t" in read, saturates, is_bent, graph, constants)
 
 
@@ -165,8 +165,8 @@ def _bounds(graph: Graph, constants: dict[float, str]) -> Bounds:
             arguments = [(_text(a, texts, constants), bound(a)) for a in symbol.arguments]
             bounds.append(f"{bound(symbol)} = {_bound_of(symbol.name, texts[symbol.number], arguments)}")
 
-    def arguments_of(kind: set[str]) -> tuple[str, ...]:
-        firsts = [s.arguments[0] for s in graph.operations if uses[s.number] and s.name in kind]
+    def arguments_of(functions: set[str]) -> tuple[str, ...]:
+        firsts = [s.arguments[0] for s in graph.operations if uses[s.number] and s.name in functions]
         return tuple(dict.fromkeys(texts[a.number] for a in firsts if isinstance(a, Symbol) and _moves_with_state(a)))
 
     rates = tuple(bound(rate) or "0.0" for rate in graph.rates)
