@@ -14,7 +14,7 @@ from functools import lru_cache, partial
 from typing import NamedTuple
 
 from tam570.integrate.compiled.ir import Value, Writer, number
-from tam570.integrate.compiled.llvm import assembled
+from tam570.integrate.compiled.llvm import assembled, register_width
 from tam570.integrate.compiled.recurrences import Recurrence, Recurrences
 from tam570.integrate.dop853 import REACH
 from tam570.integrate.formulas import SATURATING
@@ -434,64 +434,76 @@ class OfEight(Coefficients):
         return [total for total, _ in names]
 
 
-VECTOR = f"<{LANES} x double>"
-ONWARD = f"<{LANES} x i32> <{', '.join(f'i32 {k}' for k in range(1, LANES + 1))}>"
-
-
 class OfOne(Coefficients):
-    """One motion."""
+    """One motion. Eight orders lie in one part or two, as many in each as a register holds.
+
+    A part is left as it is where all in it is zero, and where no later order needs it.
+    """
 
     def all_orders(self, slots: list[str]) -> None:
+        self.width = register_width()
+        self.vector, self.parts = f"<{self.width} x double>", range(LANES // self.width)
         self.pairs = [[(min(pair), max(pair)) for pair in sums_of(i, r)] for i, r in enumerate(self.laws.series)]
         factors = {factor: None for pairs in self.pairs for pair in pairs for factor in pair}
-        self.ahead = {pair: self._slot() for pairs in self.pairs for pair in pairs}
-        self.early = {factor: self._slot() for factor in factors}  # orders 1 to 8
+        self.ahead = {pair: self._slots() for pairs in self.pairs for pair in pairs}
+        self.early = {factor: self._slots() for factor in factors}  # orders 1 to 8
         for first, end, is_early in ((1, LANES + 1, True), (LANES + 1, HIGHEST, False)):
             limit = self.emit("i64", f"call i64 @llvm.smin.i64(i64 %order, i64 {end})").text
             self.loop(first, limit, partial(self._order, slots, is_early))
 
-    def _slot(self) -> str:
-        slot = self.allocated(VECTOR).text
-        self.do(f"store {VECTOR} zeroinitializer, ptr {slot}")
-        return slot
+    def _slots(self) -> list[str]:
+        slots = [self.allocated(self.vector).text for _ in self.parts]
+        for slot in slots:
+            self.do(f"store {self.vector} zeroinitializer, ptr {slot}")
+        return slots
 
     def _load(self, slot: str) -> str:
-        return self.emit(VECTOR, f"load {VECTOR}, ptr {slot}").text
+        return self.emit(self.vector, f"load {self.vector}, ptr {slot}").text
 
     def _order(self, slots: list[str], is_early: bool, n: str) -> None:
         order = self.order(n, may_be_third=is_early)
         totals = {}
-        for pair, slot in self.ahead.items():
-            totals[pair] = self.emit("double", f"extractelement {VECTOR} {self._load(slot)}, i32 0").text
+        for pair, parts in self.ahead.items():
+            totals[pair] = self.emit("double", f"extractelement {self.vector} {self._load(parts[0])}, i32 0").text
         self.orders(order, slots, [[totals[pair] for pair in pairs] for pairs in self.pairs])
-        wide = {}
+        now = {}
         for i, sloped in self.early:
-            factor = self.op("mul", order.number, self.now[i]) if sloped else self.now[i]
-            wide[i, sloped] = self._wide("double", factor)
-        before = {factor: self._load(slot) for factor, slot in self.early.items()}
-        early = self._with(n, wide, before) if is_early else before
-        for (x, y), slot in self.ahead.items():
-            moved = f"shufflevector {VECTOR} {self._load(slot)}, {VECTOR} zeroinitializer, {ONWARD}"
-            ahead = self.emit(VECTOR, moved).text
+            now[i, sloped] = self.op("mul", order.number, self.now[i]) if sloped else self.now[i]
+        for part in self.parts:
+            needed, after = self.labels("needed", "after")
+            first = self.emit("i64", f"add i64 {n}, {self.width * part + 1}").text
+            test = f"icmp sgt i64 {n}, {self.width * part}" if is_early and part else f"icmp slt i64 {first}, %order"
+            self.branch(self.emit("i1", test), needed, after)
+            self.start(needed)
+            self._add(now, part, n if is_early else "")
+            self.jump(after)
+            self.start(after)
+
+    def _add(self, now: dict[Factor, str], part: int, n: str) -> None:
+        """Add products with the coefficients of order n to the sums of later orders; n : empty if they are not kept."""
+        lanes, onward = f"<{self.width} x i64>", ", ".join(f"i32 {k}" for k in range(1, self.width + 1))
+        if n:
+            counted = ", ".join(f"i64 {self.width * part + k}" for k in range(1, self.width + 1))
+            wide_n = self.spread(Value("i64", n), lanes)
+            is_now = self.emit(f"<{self.width} x i1>", f"icmp eq {lanes} {wide_n}, <{counted}>").text
+        wide, before, early = dict[Factor, str](), dict[Factor, str](), dict[Factor, str]()
+        for (x, y), parts in self.ahead.items():
+            for factor in (x, y):  # each where it is first used: LLVM keeps the order, and registers are few
+                if factor in wide:
+                    continue
+                wide[factor] = self.spread(Value("double", now[factor]), self.vector)
+                before[factor] = early[factor] = self._load(self.early[factor][part])
+                if n:
+                    both = f"{self.vector} {wide[factor]}, {self.vector} {before[factor]}"
+                    early[factor] = self.emit(self.vector, f"select <{self.width} x i1> {is_now}, {both}").text
+                    self.do(f"store {self.vector} {early[factor]}, ptr {self.early[factor][part]}")
+            behind = "zeroinitializer" if parts[part] == parts[-1] else self._load(parts[part + 1])
+            both = f"{self.vector} {self._load(parts[part])}, {self.vector} {behind}"
+            ahead = self.emit(self.vector, f"shufflevector {both}, <{self.width} x i32> <{onward}>").text
             for a, b in ((wide[x], early[y]), (wide[y], before[x])):
-                product = self.emit(VECTOR, f"fmul {FAST} {VECTOR} {a}, {b}").text
-                ahead = self.emit(VECTOR, f"fadd {FAST} {VECTOR} {ahead}, {product}").text
-            self.do(f"store {VECTOR} {ahead}, ptr {slot}")
-
-    def _with(self, n: str, wide: dict[Factor, str], before: dict[Factor, str]) -> dict[Factor, str]:
-        """Return the first coefficients with those of order n, which they keep."""
-        lane = self._wide("i64", self.emit("i64", f"sub i64 {n}, 1").text)
-        counted = ", ".join(f"i64 {k}" for k in range(LANES))
-        is_lane = self.emit(f"<{LANES} x i1>", f"icmp eq <{LANES} x i64> {lane}, <{counted}>").text
-        early = {}
-        for factor, slot in self.early.items():
-            chosen = f"select <{LANES} x i1> {is_lane}, {VECTOR} {wide[factor]}, {VECTOR} {before[factor]}"
-            early[factor] = self.emit(VECTOR, chosen).text
-            self.do(f"store {VECTOR} {early[factor]}, ptr {slot}")
-        return early
-
-    def _wide(self, ir_type: str, value: str) -> str:
-        return self.spread(Value(ir_type, value), f"<{LANES} x {ir_type}>")
+                product = self.emit(self.vector, f"fmul {FAST} {self.vector} {a}, {b}").text
+                ahead = self.emit(self.vector, f"fadd {FAST} {self.vector} {ahead}, {product}").text
+            self.do(f"store {self.vector} {ahead}, ptr {parts[part]}")
 
 
 @lru_cache(maxsize=256)
