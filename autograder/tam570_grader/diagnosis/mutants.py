@@ -98,7 +98,8 @@ def _of_quantities(function: ast.FunctionDef) -> dict[str, "Operator"]:
     for node in ast.walk(function):
         if isinstance(node, ast.Assign) and len(node.targets) == 1:
             (target,) = node.targets
-            groups.append({part.id for part in getattr(target, "elts", []) if isinstance(part, ast.Name)})
+            tuples = (each for each in ast.walk(target) if isinstance(each, ast.Tuple))
+            groups += [{part.id for part in each.elts if isinstance(part, ast.Name)} for each in tuples]
             computed |= {id(value) for value in getattr(node.value, "elts", [node.value])}
             if isinstance(target, ast.Name) and isinstance(node.value, ast.Call) and len(node.value.args) == 1:
                 raw[target.id] = getattr(node.value.args[0], "id", "")
@@ -224,11 +225,16 @@ def replaced(source: str, node: ast.expr, text: str) -> str:
 def changed_expressions(
     function: ast.FunctionDef, chosen: Mapping[str, Operator] | None = None
 ) -> Iterator[tuple[ast.expr, str, ast.expr]]:
-    """Yield every expression of a body, and what an operator makes of it; messages and tolerances are no physics."""
+    """Yield every expression of a body, and what an operator makes of it; messages and tolerances are no physics.
+
+    chosen : other operators; a place in an array is no number of theirs
+    """
     spared = set[int]()
     for node in ast.walk(function):
         if isinstance(node, ast.Raise) or (isinstance(node, ast.keyword) and node.arg == "rtol"):
             spared |= {id(inner) for inner in ast.walk(node)}
+        if isinstance(node, ast.Subscript) and chosen:
+            spared |= {id(inner) for inner in ast.walk(node.slice) if isinstance(inner, ast.Constant)}
     inputs = {argument.arg for argument in (*function.args.args, *function.args.kwonlyargs)}
     operators = chosen or {**OPERATORS, "a missing copy": partial(_copies, inputs=inputs)}
     for statement in function.body:
@@ -366,6 +372,14 @@ def _first_signs(node: ast.expr) -> Iterator[ast.expr]:
         yield _with(node, left=ast.UnaryOp(ast.USub(), node.left))
 
 
+def _signs_of_components(node: ast.expr) -> Iterator[ast.expr]:
+    """Yield a component, or one of several quantities, of the other sign."""
+    if isinstance(node, ast.List | ast.Tuple) and isinstance(node.ctx, ast.Load):
+        for k, component in enumerate(node.elts):
+            if isinstance(component, ast.BinOp | ast.Call):
+                yield _with(node, elts=[*node.elts[:k], ast.UnaryOp(ast.USub(), component), *node.elts[k + 1 :]])
+
+
 def _numbers(node: ast.expr) -> Iterator[ast.expr]:
     """Yield a number becomes another of those that formulas have: 1/3 for 1/12, 2/5 for 1/2."""
     if isinstance(node, ast.Constant) and isinstance(node.value, int | float) and not isinstance(node.value, bool):
@@ -435,12 +449,15 @@ def _tangents(node: ast.expr) -> Iterator[ast.expr]:
 
 
 def _roots(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield a root is left out, or taken of a sum that divides."""
+    """Yield a root is left out, or taken of what divides, or that is squared; of a power that is another exponent."""
     if isinstance(node, ast.Call) and _name_of(node.func) == "sqrt" and len(node.args) == 1:
         yield node.args[0]
     divisor = node.right if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div) else None
-    if isinstance(divisor, ast.BinOp) and isinstance(divisor.op, ast.Add | ast.Sub):
-        yield _with(node, right=ast.BinOp(divisor, ast.Pow(), ast.Constant(0.5)))
+    is_power = isinstance(divisor, ast.BinOp) and isinstance(divisor.op, ast.Pow)
+    if divisor and not (
+        is_power or isinstance(divisor, ast.Constant) or _name_of(getattr(divisor, "func", divisor)) == "sqrt"
+    ):
+        yield from (_with(node, right=ast.BinOp(divisor, ast.Pow(), ast.Constant(power))) for power in (0.5, 2))
 
 
 def _norms(node: ast.expr) -> Iterator[ast.expr]:
@@ -459,9 +476,17 @@ def _norms(node: ast.expr) -> Iterator[ast.expr]:
 
 
 def _degrees(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield pi / 2 becomes 90."""
+    """Yield pi / 2 becomes 90, and the sine of an angle that of so many degrees."""
     if _is_angle(node):
         yield ast.BinOp(node, ast.Mult(), ast.Constant(180 / math.pi))
+    if isinstance(node, ast.Call) and len(node.args) == 1 and _name_of(node.func) in ("sin", "cos", "tan"):
+        yield _with(node, args=[_times(180 / math.pi, node.args[0])])
+
+
+def _radians(node: ast.expr) -> Iterator[ast.expr]:
+    """Yield the sine of an angle becomes that of so many degrees, as radians."""
+    if isinstance(node, ast.Call) and len(node.args) == 1 and _name_of(node.func) in ("sin", "cos", "tan"):
+        yield _with(node, args=[_times(math.pi / 180, node.args[0])])
 
 
 def _angle_signs(node: ast.expr) -> Iterator[ast.expr]:
@@ -501,6 +526,7 @@ RATIOS = 2 / 3, 3 / 2, 1 / 3, 3, 1 / 4, 4, 1 / 6, 6, 3 / 4, 4 / 3
 MORE: dict[str, Operator] = {
     "a missing factor": _missing_factors,
     "a first sign": _first_signs,
+    "the sign of a component": _signs_of_components,
     "a number": _numbers,
     "linearised": _linearised,
     "a product for a square": _products_for_squares,
@@ -511,6 +537,7 @@ MORE: dict[str, Operator] = {
     "a root": _roots,
     "a norm": _norms,
     "degrees": _degrees,
+    "radians": _radians,
     "the sign of an angle": _angle_signs,
     "an axis": _axes,
     "parts of a tangent": _tangent_parts,
@@ -521,6 +548,7 @@ EVERYWHERE: tuple[tuple[str, Operator], ...] = (
     ("linearised", _linearised),
     ("a product for a square", _products_for_squares),
     ("degrees", _degrees),
+    ("radians", _radians),
 )
 
 

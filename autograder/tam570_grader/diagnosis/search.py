@@ -336,10 +336,14 @@ def shared_mutants(text: str, name: str, other: str, calls: Sequence[Call]) -> t
 
 
 def _single_entry(name: str, calls: Sequence[ComparedCall]) -> Cause | None:
-    """Return where a matrix or a vector in space is wrong, if it is in one place, and the others are not mere zeros."""
+    """Return where a matrix or a vector is wrong, if it is in one place, and the others are not mere zeros."""
     answers = [answer_of for call in calls for answer_of in (call.result, call.expected)]
     forms = {() if isinstance(answer_of, tuple) else np.shape(answer_of) for answer_of in answers}
-    if len(forms) > 1 or not (len(form := forms.pop()) == 2 or form == (SPACE,)) or calls[0].case.points:
+    if (
+        len(forms) > 1
+        or not (len(form := forms.pop()) == 2 or (len(form) == 1 and form >= (SPACE,)))
+        or calls[0].case.points
+    ):
         return None
     off = [np.abs(call.result - call.expected) > WITHIN * np.abs(call.expected).max() for call in calls]
     places = np.argwhere(np.any(off, axis=0))
@@ -393,13 +397,22 @@ def _unpacked(solution: str) -> dict[str, str]:
     """Return what the parts of an argument are called: `m1, m2 = masses`; a helper may take them from another."""
     functions = (node for node in ast.parse(solution).body if isinstance(node, ast.FunctionDef))
     return {
-        part.id: node.value.id
+        part.id: value.id
         for function in sorted(functions, key=lambda function: function.name[0] != "_")
-        for node in ast.walk(function)
-        if isinstance(node, ast.Assign) and isinstance(node.value, ast.Name) and isinstance(node.targets[0], ast.Tuple)
-        for part in node.targets[0].elts
+        for target, value in _assigned(function)
+        if isinstance(value, ast.Name) and isinstance(target, ast.Tuple)
+        for part in target.elts
         if isinstance(part, ast.Name)
     }
+
+
+def _assigned(function: ast.FunctionDef) -> Iterator[tuple[ast.expr, ast.expr]]:
+    """Yield what each expression is assigned to; of tuples on both sides, part by part."""
+    for node in ast.walk(function):
+        if isinstance(node, ast.Assign) and len(node.targets) == 1:
+            targets, values = (getattr(side, "elts", [side]) for side in (node.targets[0], node.value))
+            is_by_parts = len(targets) == len(values)
+            yield from zip(targets, values, strict=True) if is_by_parts else [(node.targets[0], node.value)]
 
 
 def _locals(solution: str) -> dict[str, dict[str, ast.expr]]:
@@ -413,12 +426,10 @@ def _locals(solution: str) -> dict[str, dict[str, ast.expr]]:
         quantities = assigned[function.name] = {
             side.arg: ast.Name(side.arg) for side in arguments[function.name] if side.arg in public
         }
-        for node in ast.walk(function):
-            if isinstance(node, ast.Assign) and len(node.targets) == 1:
-                targets, values = (getattr(side, "elts", [side]) for side in (node.targets[0], node.value))
-                targets_alone = [ast.Name(target.id) for target in targets if isinstance(target, ast.Name)]
-                pairs = zip(targets, values if len(values) == len(targets) else targets_alone, strict=False)
-                quantities |= {target.id: value for target, value in pairs if isinstance(target, ast.Name)}
+        for target, value in _assigned(function):
+            parts_of = [part for part in getattr(target, "elts", []) if isinstance(part, ast.Name)]
+            quantities |= {part.id: ast.Name(part.id) for part in parts_of}
+            quantities |= {target.id: value} if isinstance(target, ast.Name) else {}
     return assigned
 
 
@@ -470,7 +481,8 @@ def _words(mutant: Mutant, parameters: Mapping[str, str]) -> Iterator[tuple[str,
     if mutant.operator in WHOLE:
         yield KINDS[mutant.operator], was
     elif mutant.operator in OF_TERMS:
-        yield "a term{} is missing", _dropped(was, now)
+        is_reversed = mutant.operator == "the sign of a component"
+        yield KINDS["a sign"] if is_reversed else "a term{} is missing", _dropped(was, now)
     elif isinstance(was, ast.BinOp):
         yield from _words_of_operation(mutant, was)
     elif isinstance(now, ast.Name) and mutant.operator == "as given":
@@ -502,7 +514,9 @@ def _words_of_operation(mutant: Mutant, was: ast.BinOp) -> Iterator[tuple[str, a
         is_two = isinstance(dropped, ast.Constant) and dropped.value in (2, 0.5)
         yield KINDS["a factor"] if is_two else "a factor{} is missing", dropped
     elif mutant.operator == "a root":
-        yield "a divisor{} is its square root", was.right
+        divisor = now.right if isinstance(now, ast.BinOp) else None
+        is_square = isinstance(divisor, ast.BinOp) and ast.unparse(divisor.right) == "2"
+        yield f"a divisor{{}} is {'squared' if is_square else 'its square root'}", was.right
     elif mutant.operator == "a first sign":
         yield KINDS["a sign"], was.left
     elif is_sum and now is was.right and isinstance(was.op, ast.Sub):
@@ -526,10 +540,10 @@ def _is_half(node: ast.expr) -> bool:
     return isinstance(node, ast.BinOp) and numbers in ([2], [0.5])
 
 
-OF_TERMS = "a missing component", "a missing first term"
+OF_TERMS = "a missing component", "a missing first term", "the sign of a component"
 WHOLE = (  # of these the whole expression is meant
     *("linearised", "a product for a square", "a missing square", "two exchanged", "sine and cosine", "a tangent"),
-    *("a norm", "degrees", "the sign of an angle", "parts of a tangent", "ignored", "the parallel axis"),
+    *("a norm", "degrees", "radians", "the sign of an angle", "parts of a tangent", "ignored", "the parallel axis"),
 )
 KINDS = {
     "a sign": "the sign of a term{} is reversed",
@@ -548,6 +562,7 @@ KINDS = {
     "a root": "a square root{} is missing",
     "a norm": "a length{} is the sum of the components, not the root of the sum of their squares",
     "degrees": "an angle is in degrees; it should be in radians",
+    "radians": "an angle in radians is read as degrees",
     "the sign of an angle": "an angle has the opposite sign",
     "parts of a tangent": "a number{} is twice or half the right one",
     "the parallel axis": "m l^2/4 is added to m l^2/3{}; a third is a bar's inertia about its end already",

@@ -59,6 +59,7 @@ FACTORS = {
     "lacks the factor sqrt(2)": math.sqrt(0.5),
     "has a factor sqrt(2) too many": math.sqrt(2),
 }
+PARTS = {"is twice as large as the right one": 2.0, "is half as large as the right one": 0.5}  # of one component
 
 
 def _into_turn(turn: float, angle: Numbers) -> Numbers:
@@ -342,6 +343,12 @@ def _changes(
         yield "is transposed", transposed, transposed
     for words, change in _components(result):
         yield words, partial(_changed, change), partial(_changed, change)
+    for axis, what in enumerate(AXES.get(result.ndim, ())):
+        for k, (words, factor) in product(
+            range(result.shape[axis] if result.shape[axis] <= MOST else 0), PARTS.items()
+        ):
+            change, undo = (partial(_changed, partial(_scaled_part, k, axis, power)) for power in (factor, 1 / factor))
+            yield f"{words} in {what} {k + 1}", change, undo
 
 
 def _multiples(numbers: Mapping[str, int | None]) -> Iterator[tuple[str, ResultChange, ResultChange]]:
@@ -382,7 +389,7 @@ def _components(result: Numbers) -> Iterator[tuple[str, Change]]:
     for axis, (what, count) in enumerate(zip(AXES.get(result.ndim, ()), result.shape, strict=False)):
         numbers = range(count if count <= MOST else 0)
         for k in numbers:
-            yield f"has the opposite sign in {what} {k + 1}", partial(_negated, k, axis)
+            yield f"has the opposite sign in {what} {k + 1}", partial(_scaled_part, k, axis, -1.0)
         for j, k in combinations(numbers, 2):
             order = np.arange(count)
             order[[j, k]] = k, j
@@ -394,9 +401,9 @@ def _components(result: Numbers) -> Iterator[tuple[str, Change]]:
             )
 
 
-def _negated(which: int, axis: int, value: Numbers) -> Numbers:
-    signs = np.where(np.arange(np.shape(value)[axis]) == which, -1.0, 1.0)
-    return np.moveaxis(np.moveaxis(np.asarray(value), axis, -1) * signs, -1, axis)
+def _scaled_part(which: int, axis: int, factor: float, value: Numbers) -> Numbers:
+    factors = np.where(np.arange(np.shape(value)[axis]) == which, factor, 1.0)
+    return np.moveaxis(np.moveaxis(np.asarray(value), axis, -1) * factors, -1, axis)
 
 
 VALUES: tuple[tuple[str, Change, Change | None], ...] = (  # the words, what it is taken for, and what undoes that
