@@ -1,5 +1,6 @@
 """What did the student do? A mistake is named once; what follows from it is not accused."""
 
+import functools
 from collections.abc import Iterable, Sequence, Set
 from dataclasses import replace
 from itertools import product
@@ -9,7 +10,7 @@ from tam570_grader.checks.assignments import other_functions
 from tam570_grader.checks.case import Call
 from tam570_grader.diagnosis.cause import Cause
 from tam570_grader.diagnosis.mistakes import candidates, explains, named_mistake, right_answer
-from tam570_grader.diagnosis.search import general, wrong_arguments
+from tam570_grader.diagnosis.search import KINDS, general, wrong_arguments
 
 
 def diagnose(  # noqa: PLR0913  what is known of a failed check
@@ -54,13 +55,19 @@ def diagnose(  # noqa: PLR0913  what is known of a failed check
 
 def _as_in(cause: Cause, earlier: Sequence[Cause], *, may_follow: bool) -> Cause:
     """Return the cause, beside the function that was told the same before; of a term or an argument it is one slip."""
-    others = [(other.function, other.message) for other in earlier if other.source == cause.source and other.message]
-    messages = {name: (cause.message, cause.message.replace(cause.function, name)) for name, _ in others}
+    others = [(other.function, _told(other)) for other in earlier if other.source == cause.source and other.message]
+    messages = {name: (_told(cause), _told(cause).replace(cause.function, name)) for name, _ in others}
     same = next((name for name, message in others if name != cause.function and message in messages[name]), "")
     if same and may_follow and cause.source != "result":
         return replace(cause, message="", follows_from=same)
     is_as_in = same and cause.source != "known mistake"
     return replace(cause, message=f"{cause.message}, as in {same}", repeats=same) if is_as_in else cause
+
+
+def _told(cause: Cause) -> str:
+    """Return the message; of a sine for a cosine that of both exchanged, as where a function has both."""
+    single, both = KINDS["another function"].split("{}"), KINDS["sine and cosine"].split("{}")
+    return functools.reduce(lambda text, words: text.replace(*words), zip(single, both, strict=True), cause.message)
 
 
 def follows(solution: str, calls: Sequence[Call], earlier: Iterable[Cause]) -> Cause | None:

@@ -199,14 +199,15 @@ def named_mistake(solution: str, suspects: Iterable[Mistake], calls: Sequence[Ca
 def explains(solution: str, answer_to: Answer, calls: Sequence[Call]) -> bool:
     """Whether what the solution answers with a mistake in it is what the student's functions returned in every call.
 
-    Some result must be wrong by it, and some number of it not zero: of nothing all kinds of nothing follow. Where the
-    solution has no value with the mistake, the student need not have one, or has the right one.
+    Some result must be wrong by it, and some number of it not zero: of nothing all kinds of nothing follow. A result
+    that is right, as in a case that has a branch for itself, needs no explanation.
     """
     wrong = informative = False
     for call in sorted(calls, key=lambda call: len(call.case.packed)):
-        expected, correct, tolerance = answer_to(call), answer(solution, "", call), tolerance_of(call)
-        if expected is NoValue and same(call.result, correct, tolerance):
+        correct, tolerance = answer(solution, "", call), tolerance_of(call)
+        if same(call.result, correct, tolerance):
             continue
+        expected = answer_to(call)
         if expected is None or not same(call.result, expected, tolerance):
             return False
         wrong = wrong or not same(expected, correct, tolerance)
