@@ -31,20 +31,16 @@ def agree_in_equations(function: Any, cases: Sequence[Case], *, tolerance: float
     """Fail unless a term is Lagrange's, or belongs to the student's own two others."""
     student, words = function.student, function.returns.description
     equations = Equations(student, cases, tolerance)
-    results, calls = equations.term(function.name), len(student.calls)
+    results, last = equations.term(function.name), len(student.calls)
     back, hint = equations.back(function.name, hint)
     true, sizes = equations.lagranges(function.name), equations.sizes(function.name)
     definite = np.flatnonzero(np.isfinite(back).all((1, 2)))
-    brought = {index: (back[index] @ results[index]).reshape(true[index].shape) for index in definite}
-    for index, result in brought.items():  # what known mistakes are compared with
-        call = calls - len(cases) + index
-        student.calls[call] = replace(student.calls[call], result=result)
-    for index, result in brought.items():
-        case = student.calls[calls - len(cases) + index].case
-        get_context().set_call(function.name, case)
-        expect(
-            result, true[index], tolerance=tolerance * sizes[index], quantity=words.quantity, unit=words.unit, hint=hint
-        )
+    made = student.calls[last - len(cases) :]
+    brought = [replace(made[i], result=(back[i] @ results[i]).reshape(true[i].shape)) for i in definite]
+    student.calls[last - len(cases) :] = brought  # what known mistakes are compared with
+    for call, correct, size in zip(brought, true[definite], sizes[definite], strict=True):
+        get_context().set_call(function.name, call.case)
+        expect(call.result, correct, tolerance=tolerance * size, quantity=words.quantity, unit=words.unit, hint=hint)
 
 
 class Equations:
