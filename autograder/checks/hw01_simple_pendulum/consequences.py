@@ -15,6 +15,14 @@ def action(theta, step, *, mass, length, gravity):
     return step * np.sum(_kinetic(omega, mass, length) - _potential(middle, mass, length, gravity))
 
 
+def small_angle_solution(t, theta0, omega0, *, length, gravity):
+    """An amplitude and a phase."""
+    rate = np.sqrt(gravity / length)
+    phase = rate * t - np.arctan2(omega0 / rate, theta0)
+    amplitude = np.hypot(theta0, omega0 / rate)
+    return np.column_stack([amplitude * np.cos(phase), -amplitude * rate * np.sin(phase)])
+
+
 def _potential(theta, mass, length, gravity):
     return mass * gravity * length * (1 - np.cos(theta))
 

@@ -266,7 +266,8 @@ def both_paths_are_drawn(student, rng):
     """plot_comparison draws both paths from t[0] to t[-1] on the same axes, at the same scale."""
     case = cases.picture(rng)
     t, *start = case.args
-    path = reference.trajectory(np.linspace(0.0, t[-1], FINE), *start, **case.kwargs)[:, :2]
+    times = np.linspace(0.0, t[-1], FINE)
+    path = reference.trajectory(times, *start, **case.kwargs)[:, :2]
     others = {
         "A path is y over x, not over the time.": np.array([[0.0, 0.0], [t[-1], path[-1, 1]]]),
         "x and y are swapped: x is to the right, y up.": path[:, ::-1],
@@ -277,7 +278,7 @@ def both_paths_are_drawn(student, rng):
     def own_paths():
         judge_axes_of_lengths(picture)
         judge_twins(student, case, picture.lines)
-        paths = [function.aside(case)[:, :2] for function in (student.simulate, student.trajectory)]
+        paths = [function.aside(case.replace(times))[:, :2] for function in (student.simulate, student.trajectory)]
         return paths if all(follows_path(line, paths, DRAWN, FEWER) for line in picture.lines) else []
 
     curves = curves_seen(

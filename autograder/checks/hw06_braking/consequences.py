@@ -8,6 +8,16 @@ STEP = 1e-3  # of the speed over the wheelbase, between the yaw rates of a diffe
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
 
 
+def friction_force(state, locked, *, friction, **car):
+    """Against the velocity of the locked axle: that of G, and what the yaw_rate adds beside G."""
+    ahead = {"front": car["front"], "rear": -car["rear"]}
+    free = {"front": -car["rear"], "rear": car["front"]}
+    _, _, _, speed, yaw_rate = state
+    sideways_of_G = -free[locked] * yaw_rate
+    velocity = np.array([speed, sideways_of_G + ahead[locked] * yaw_rate])
+    return -friction * axle_load(locked, **car) * velocity / (np.hypot(*velocity) or 1.0)
+
+
 def yaw_growth_rate(speed, locked, **car):
     """The yaw acceleration, odd in the yaw rate, differenced to fourth order."""
     step = STEP * speed / (car["front"] + car["rear"])

@@ -5,6 +5,25 @@ import numpy as np
 SMALL = 1e-4  # rad, of the angles between which the moments of the weights grow in proportion
 
 
+def velocity_terms(theta, omega, *, masses, lengths):
+    """d/dt of [M]{omega} less the slopes of the kinetic energy, where both come from [M] alone."""
+    step, units = 1e-2, np.eye(2)
+
+    def slope(k):
+        matrices = [mass_matrix(theta + n * step * units[k], masses=masses, lengths=lengths) for n in (-2, -1, 1, 2)]
+        return np.tensordot([1, -8, 8, -1], matrices, 1) / (12 * step)
+
+    slopes = np.array([slope(0), slope(1)])
+    return np.tensordot(omega, slopes, 1) @ omega - slopes @ omega @ omega / 2
+
+
+def energy(theta, omega, *, masses, lengths, gravity):
+    """Of [M], and of the weights, whose moments are largest where both bars are level."""
+    bars = {"masses": masses, "lengths": lengths}
+    kinetic = omega @ mass_matrix(theta, **bars) @ omega / 2
+    return kinetic - np.cos(theta) @ gravity_terms(np.full(2, np.pi / 2), gravity=gravity, **bars)
+
+
 def angular_acceleration(theta, omega, *, masses, lengths, gravity):
     """Solve [M]{alpha} + {f} + {g} = 0."""
     bars = {"masses": masses, "lengths": lengths}

@@ -1,0 +1,12 @@
+"""Right functions of hw04 in terms of others, which a student's results follow where those are the student's own."""
+
+import numpy as np
+
+
+def solution(t, position, velocity, *, mass, stiffness, gravity):
+    """About the equilibrium, each component with an amplitude and a phase."""
+    rate = np.sqrt(stiffness / mass)
+    centre = np.array([0.0, 0.0, -mass * gravity / stiffness])
+    phase = rate * t[:, None] - np.arctan2(velocity / rate, position - centre)
+    amplitude = np.hypot(position - centre, velocity / rate)
+    return np.hstack([centre + amplitude * np.cos(phase), -amplitude * rate * np.sin(phase)])
