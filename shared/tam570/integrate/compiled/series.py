@@ -434,10 +434,14 @@ class OfEight(Coefficients):
         return [total for total, _ in names]
 
 
+FEW = 3  # sums, with all else that a step needs, in the registers
+
+
 class OfOne(Coefficients):
     """One motion. Eight orders lie in one part or two, as many in each as a register holds.
 
-    A part is left as it is where all in it is zero, and where no later order needs it.
+    A part is left as it is where all in it is zero, and where no later order needs it. More sums than a few have a
+    block each way: in a long one LLVM fills the registers with what is needed later.
     """
 
     def all_orders(self, slots: list[str]) -> None:
@@ -470,6 +474,9 @@ class OfOne(Coefficients):
         for i, sloped in self.early:
             now[i, sloped] = self.op("mul", order.number, self.now[i]) if sloped else self.now[i]
         for part in self.parts:
+            if is_early and not part and len(self.ahead) <= FEW:
+                self._add(now, part, n)
+                continue
             needed, after = self.labels("needed", "after")
             first = self.emit("i64", f"add i64 {n}, {self.width * part + 1}").text
             test = f"icmp sgt i64 {n}, {self.width * part}" if is_early and part else f"icmp slt i64 {first}, %order"
