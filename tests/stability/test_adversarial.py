@@ -10,9 +10,9 @@ import cmath
 import copy
 import dataclasses
 import functools
+import itertools
 import math
 import pickle
-import unittest.mock
 
 import numpy as np
 import pytest
@@ -500,10 +500,10 @@ def test_it_takes_few_steps(rate, end, method, most):
 
 @pytest.mark.parametrize("rtol", first(1, [RTOL, 1e-12]))
 def test_what_jumps_all_the_time_is_soon_refused(rtol):
-    rounded = unittest.mock.Mock(side_effect=lambda t, y: (-round(y[0], 5),))
+    calls = itertools.count()
     with pytest.raises(ArithmeticError, match="no round"):
-        solve(rounded, [0, 2], [1.0], rtol=rtol)
-    assert rounded.call_count < 100_000
+        solve(lambda t, y: (-round(y[0], 5) + 0.0 * next(calls),), [0, 2], [1.0], rtol=rtol)
+    assert next(calls) < 100_000
 
 
 def test_what_a_function_keeps_are_numbers():

@@ -135,7 +135,7 @@ calls = [
     lambda: solve(pendulum, LONG, [0.0, 0.3], parameters={"k": 2.0}),
     lambda: solve(pendulum, [0, 10], [2.0, 0.0], method="compiled"),
     lambda: solve(pendulum, [0, 10], [0.0, 1.0], method="compiled"),
-    lambda: solve(pendulum, [0, 300], [[0.01 * i, 0.0] for i in range(40)]),
+    lambda: solve(pendulum, [0, 300], [[0.01 * i, 0.0] for i in range(15)]),
     lambda: solve(pendulum, [0, 5000], [[0.01 * i, 0.0] for i in range(40)]),
     lambda: solve(outflow, [0, 1], [0.0]),
     lambda: solve(outflow, [0, 1], [1.0]),
