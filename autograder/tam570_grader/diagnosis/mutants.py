@@ -371,6 +371,18 @@ def _missing_factors(node: ast.expr) -> Iterator[ast.expr]:
             yield node.right
 
 
+def _half_terms(node: ast.expr) -> Iterator[ast.expr]:
+    """Yield a + b becomes a + b/2, and a/2 + b."""
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub):
+        yield from (_with(node, right=_times(0.5, node.right)), _with(node, left=_times(0.5, node.left)))
+
+
+def _other_indices(node: ast.expr) -> Iterator[ast.expr]:
+    """Yield one of the first three components becomes each of the others that `_indices` leaves out."""
+    if isinstance(node, ast.Subscript) and isinstance(node.slice, ast.Constant) and node.slice.value in (0, 1):
+        yield _with(node, slice=ast.Constant(2))
+
+
 def _first_signs(node: ast.expr) -> Iterator[ast.expr]:
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub):
         yield _with(node, left=ast.UnaryOp(ast.USub(), node.left))
@@ -493,6 +505,12 @@ def _radians(node: ast.expr) -> Iterator[ast.expr]:
         yield _with(node, args=[_times(math.pi / 180, node.args[0])])
 
 
+def _half_angles(node: ast.expr) -> Iterator[ast.expr]:
+    """Yield pi / 2 becomes pi / 4."""
+    if _is_angle(node):
+        yield _times(0.5, node)
+
+
 def _angle_signs(node: ast.expr) -> Iterator[ast.expr]:
     if _is_angle(node):
         yield ast.UnaryOp(ast.USub(), node)
@@ -529,6 +547,8 @@ MOST_ALIKE = 3  # names of one kind: of a state, many mean something else
 RATIOS = 2 / 3, 3 / 2, 1 / 3, 3, 1 / 4, 4, 1 / 6, 6, 3 / 4, 4 / 3
 MORE: dict[str, Operator] = {
     "a missing factor": _missing_factors,
+    "half a term": _half_terms,
+    "another index": _other_indices,
     "a first sign": _first_signs,
     "the sign of a component": _signs_of_components,
     "a number": _numbers,
@@ -553,6 +573,7 @@ EVERYWHERE: tuple[tuple[str, Operator], ...] = (
     ("a product for a square", _products_for_squares),
     ("degrees", _degrees),
     ("radians", _radians),
+    ("half an angle", _half_angles),
 )
 
 

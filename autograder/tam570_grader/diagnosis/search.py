@@ -300,6 +300,8 @@ def _mutant(
                 factors.setdefault(words, set()).add(factor)
             setattr(module, helper, reference)
     if len(texts) > 1:
+        texts.pop(KINDS["half a term"], None)  # it has a factor that is missing, or a number
+    if len(texts) > 1:
         texts.pop(KINDS["a factor"], None)  # a number is in the term that counts twice
         texts.pop(KINDS["two exchanged"], None)  # a sine and a cosine
         texts.pop(KINDS["linearised"], None)  # a cosine is a factor
@@ -329,7 +331,8 @@ def shared_mutants(text: str, name: str, other: str, calls: Sequence[Call]) -> t
     try:
         with limited(MOST):
             module = solution_with.__wrapped__(text, "")  # its own, to put mutants in
-            mutant = _mutant(text, module, name, _compared(text, calls), set(), reach_of[name] & reach_of[other])
+            public = {*inspect.signature(getattr(module, name)).parameters, *calls[0].case.kwargs}
+            mutant = _mutant(text, module, name, _compared(text, calls), public, reach_of[name] & reach_of[other])
     except Exhausted:
         return ()
     return tuple(partial(answer, text, changed) for changed in mutant[1]) if mutant else ()
@@ -492,7 +495,7 @@ def _words(mutant: Mutant, parameters: Mapping[str, str]) -> Iterator[tuple[str,
         yield part or (f"{now.id} is used for {was.id}" if was.id in LENGTHS else "the wrong quantity is used{}"), was
     elif isinstance(now, ast.Constant) and isinstance(was, ast.Constant) and mutant.operator == "an axis":
         yield f"the axis is {now.value!r} where it should be {was.value!r}", was
-    elif isinstance(was, ast.Call) and mutant.operator == "another function" and any(map(_is_half, was.args)):
+    elif mutant.operator == "another function" and _is_square_of_half(was, mutant.product):
         yield "a cosine{} has the wrong sign", was  # 2 sin(x/2)^2 is 1 - cos x
     elif mutant.operator in KINDS:
         yield KINDS[mutant.operator], was
@@ -519,6 +522,8 @@ def _words_of_operation(mutant: Mutant, was: ast.BinOp) -> Iterator[tuple[str, a
         yield f"a divisor{{}} is {'squared' if is_square else 'its square root'}", was.right
     elif mutant.operator == "a first sign":
         yield KINDS["a sign"], was.left
+    elif mutant.operator == "half a term":
+        yield KINDS[mutant.operator], was.left if was.right in ast.iter_child_nodes(now) else was.right
     elif is_sum and now is was.right and isinstance(was.op, ast.Sub):
         return  # that has another sign, too
     elif is_sum and now in (was.left, was.right):
@@ -535,15 +540,18 @@ def _words_of_operation(mutant: Mutant, was: ast.BinOp) -> Iterator[tuple[str, a
         yield KINDS[mutant.operator], was
 
 
-def _is_half(node: ast.expr) -> bool:
-    numbers = [part.value for part in ast.walk(node) if isinstance(part, ast.Constant)]
-    return isinstance(node, ast.BinOp) and numbers in ([2], [0.5])
+def _is_square_of_half(sine: ast.expr, product: ast.expr) -> bool:
+    """Return whether it is the sine or cosine of half an angle, squared in the product."""
+    halves = [part.value for part in ast.walk(sine) if isinstance(part, ast.Constant)]
+    powers = [node.left for node in ast.walk(product) if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow)]
+    return sine in powers and halves in ([2], [0.5])
 
 
 OF_TERMS = "a missing component", "a missing first term", "the sign of a component"
 WHOLE = (  # of these the whole expression is meant
     *("linearised", "a product for a square", "a missing square", "two exchanged", "sine and cosine", "a tangent"),
-    *("a norm", "degrees", "radians", "the sign of an angle", "parts of a tangent", "ignored", "the parallel axis"),
+    *("a norm", "degrees", "radians", "half an angle", "the sign of an angle", "parts of a tangent", "ignored"),
+    "the parallel axis",
 )
 KINDS = {
     "a sign": "the sign of a term{} is reversed",
@@ -552,7 +560,9 @@ KINDS = {
     "a number": "a number{} is not the right one",
     "another function": "the wrong function is used{}, such as sine for cosine",
     "swapped arguments": "two quantities{} are exchanged, or their signs reversed",
-    "an index": "the wrong component is used{}",
+    "half a term": "a term{} counts half",
+    "half an angle": "an angle is half the right one",
+    **dict.fromkeys(("an index", "another index"), "the wrong component is used{}"),
     "linearised": "a sine or cosine{} is linearised, as for small angles",
     "a product for a square": "a square{} is a product of two quantities",
     "a missing square": "a quantity{} is not squared",
