@@ -67,7 +67,7 @@ class CheckOptions:
 
 @dataclass(frozen=True)
 class _Run:
-    """The checks of an assignment on one submission, as they are run: what came of them, and the mistakes named."""
+    """The checks of an assignment on one submission, as they are run: what came of them, mistakes named and unnamed."""
 
     student: Student
     assignment: LoadedAssignment
@@ -75,6 +75,7 @@ class _Run:
     options: CheckOptions
     results: dict[str, CheckResult] = field(default_factory=dict)
     causes: dict[str, Cause] = field(default_factory=dict)
+    unnamed: list[tuple[Check, Failed, tuple[Call, ...]]] = field(default_factory=list)
 
     def perform(self, check: Check, recorder: Callable[[float], None] | None = None) -> None:
         """Run a check; the student's calls are then its own."""
@@ -192,8 +193,12 @@ def _check_result(run: _Run, check: Check) -> CheckResult:
         cause, fault = _cause(run, check, failed) if options.naming else (None, "")
         if options.naming and not (cause and cause.follows_from) and (source := _shared_helper(run, cause, failed)):
             cause = replace(source, answers=cause.answers, calls=cause.calls) if cause else source
+        if cause and cause.message and _is_told_before(run, check, cause):
+            cause = replace(cause, message="", follows_from=cause.function)
         if cause:
             run.causes[check.name] = cause
+        else:
+            run.unnamed.append((check, failed, tuple(student.calls)))
         return _failed(check, failed, cause, fault)
     except (Exhausted, MemoryError) as spent:
         what = "memory" if isinstance(spent, MemoryError) else "work"
@@ -278,7 +283,7 @@ def _is_consequence(run: _Run, wrong: str, calls: Sequence[Call]) -> bool:
 
 
 def _shared_helper(run: _Run, cause: Cause | None, failed: Failed) -> Cause | None:
-    """Return an earlier wrong function whose mistake this one shares, by calling it or by a helper of both.
+    """Return an earlier wrong function whose mistake this one shares: one calls the other, or both a helper.
 
     Either both were told the same, or they return one wrong number where the right numbers are one, or this follows
     from the other as a solution uses it where a call is forbidden, or both have the numbers of one mistake in what they
@@ -303,7 +308,8 @@ def _shared_helper(run: _Run, cause: Cause | None, failed: Failed) -> Cause | No
                 uses_helper = (
                     function.uses(helper, case) and other_function.uses(helper, failure.at) for helper in helpers
                 )
-                if (function.uses(other, case) or any(uses_helper)) and (
+                calls_other = function.uses(other, case) or other_function.uses(name, failure.at)
+                if (calls_other or any(uses_helper)) and (
                     (cause and cause.repeats == other)
                     or (other in run.assignment.forbidden.get(name, ()) and _is_consequence(run, other, calls))
                     or _same_mutant(run, Call(other, failure.at, None), calls)
@@ -347,7 +353,10 @@ def _parts_like(result: Numbers, answer: Numbers) -> list[Numbers]:
 
 
 def _asked(function: StudentFunction, *args: Numbers, **kwargs: Numbers) -> Numbers:
-    return function.aside(Case(*args, **kwargs))
+    try:
+        return function.aside(Case(*args, **kwargs))
+    except Failed as failed:  # of no value another function makes none
+        raise ValueError(str(failed)) from failed
 
 
 def _has_failed(result: CheckResult | None) -> bool:
@@ -365,6 +374,17 @@ def _earlier(causes: Mapping[str, Cause]) -> list[Cause]:
     """Return the causes from which something may follow, or that may be repeated, by the functions named first."""
     sources = [cause for cause in causes.values() if cause.answers or cause.source == "place"]
     return [replace(cause, function=cause.follows_from or cause.function) for cause in sources]
+
+
+def _is_told_before(run: _Run, check: Check, cause: Cause) -> bool:
+    """Tell a mistake where the function failed first, if it explains that too; return whether it does."""
+    for before, failed, calls in run.unnamed:
+        if before.function == check.function and follows(run.assignment.solution, calls, [cause]):
+            run.unnamed.remove((before, failed, calls))
+            run.causes[before.name] = cause
+            run.results[before.name] = _failed(before, failed, cause)
+            return True
+    return False
 
 
 def _following(run: _Run, check: Check, earlier: Sequence[Cause]) -> Cause | None:
