@@ -21,6 +21,11 @@ def parts(states):
     return states[:, :3], states[:, 3:].reshape(-1, 3, 3)
 
 
+def in_space(R, omega):
+    """dR/dt as if omega had space components."""
+    return -attitude_rate(R.T, omega).T
+
+
 def by_solve_ivp(t, R, omega, inertia, attitude=None, **settings):
     from scipy.integrate import solve_ivp
 
@@ -146,11 +151,14 @@ def simulate(reference, t, R, omega, *, inertia):
 @mistake(first_fails=checks.attitude_follows_the_motion, name="simulated_in_space")
 def simulate(reference, t, R, omega, *, inertia):
     """You use dR/dt = omega-hat R; omega has body components, so it is R omega-hat."""
-
-    def in_space(R, omega):
-        return -attitude_rate(R.T, omega).T
-
     return by_solve_ivp(t, R, omega, inertia, in_space, method="DOP853", rtol=1e-10, atol=1e-10)
+
+
+@mistake(first_fails=checks.attitude_follows_the_motion, name="turned_in_space")
+def simulate(reference, t, R, omega, *, inertia):
+    """You multiply the turn since t[0] by omega from the left; omega has body components: from the right."""
+    omegas, turns = by_solve_ivp(t, np.eye(3), omega, inertia, in_space, method="DOP853", rtol=1e-10, atol=1e-10)
+    return omegas, R @ turns
 
 
 @mistake(first_fails=checks.attitude_follows_the_motion)

@@ -57,7 +57,7 @@ def telling_first(cases):
     def rank(case):
         motion = case.args[:2]
         special = 2 * (0.0 in motion) + 3 * (case.label == AGAIN)
-        return special, motion[-1] > 0, "thin" in case.label
+        return special, "hoop" in case.label, motion[-1] > 0, "thin" in case.label  # of a hoop C - m a^2 is zero
 
     return sorted(cases, key=rank)
 

@@ -1,6 +1,8 @@
 """Hidden checks of hw12."""
 
 import math
+from dataclasses import replace
+from functools import partial
 from itertools import islice
 
 import numpy as np
@@ -17,7 +19,9 @@ from tam570_grader import (
     expect,
     from_own_lagrangian,
 )
+from tam570_grader.checks.compare import own_result
 from tam570_grader.checks.diagrams import compare_diagrams
+from tam570_grader.checks.expect import FollowsFrom
 from tam570_grader.checks.returns import array, formula, free_body_diagram, number, rows
 
 from . import cases, reference
@@ -59,7 +63,15 @@ KEPT = Invariant("the energy", "of its start", reference.energy_of_rows, None, E
 @check("free_body_diagram", points=0.5)
 def forces_on_the_bead(student, rng):
     """every force on the bead, where it acts and along what."""
-    compare_diagrams(student.free_body_diagram, reference, cases.places(rng))
+
+    def own_body(case):
+        at_rest = case.replace(*case.args, 0.0)
+        body, along = reference.free_body_diagram(*case.args, **case.kwargs), own_result(force, reference, at_rest)
+        weight, wire = body.forces
+        return replace(body, forces=(weight, replace(wire, along=along)))
+
+    force = student.constraint_force
+    compare_diagrams(student.free_body_diagram, reference, cases.places(rng), (force, own_body))
 
 
 @check("lagrangian", points=1)
@@ -103,15 +115,26 @@ def newton_gives_the_acceleration(student, rng):
 BEND = at_rest_or_not("How much of the weight does a slope carry?", "How sharply does the wire bend at x?")
 
 
+def source_or(student, otherwise, case, force, expected=None):
+    """lagrange_equation where the force makes the student's own x'', or a hint."""
+    (x, v), (mass, curvature, gravity) = case.args, (case.kwargs[name] for name in ("mass", "curvature", "gravity"))
+    (own,) = student.lagrange_equation.at([{"x": x, "v": v, "c": curvature, "g": gravity}])
+    needed = mass * np.array([own, 2 * curvature * (v**2 + x * own) + gravity])
+    return FollowsFrom("lagrange_equation") if np.allclose(force, needed) else otherwise(case, force, expected)
+
+
 @check("constraint_force", points=0.75, part="b")
 def force_has_the_right_size(student, rng):
     """as large as carrying and turning the bead takes."""
     for case, force in student.constraint_force.each(cases.beads(rng) + cases.next_to_bottom(rng)):
         size = math.hypot(*reference.constraint_force(*case.args, **case.kwargs))
         tolerance = FORMULA * (size or 1.0)
-        expect(
-            math.hypot(*force), size, tolerance=tolerance, quantity="the size of the force", unit="N", hint=BEND(case)
-        )
+        words = {
+            "quantity": "the size of the force",
+            "unit": "N",
+            "hint": partial(source_or, student, BEND, case, force),
+        }
+        expect(math.hypot(*force), size, tolerance=tolerance, **words)
 
 
 def of_direction(case, force, expected):
@@ -125,7 +148,11 @@ def of_direction(case, force, expected):
 @check("constraint_force", points=0.5, part="b", after=force_has_the_right_size)
 def force_and_weight_make_the_acceleration(student, rng):
     """normal to the wire, and with the weight it is m a."""
-    compare(student.constraint_force, [*cases.beads(rng), *cases.next_to_bottom(rng)], hint=of_direction)
+    compare(
+        student.constraint_force,
+        [*cases.beads(rng), *cases.next_to_bottom(rng)],
+        hint=partial(source_or, student, of_direction),
+    )
 
 
 SPEED = at_rest_or_not("At rest it is potential: how high is the bead?", "How fast is the bead along the wire?")

@@ -3,6 +3,14 @@
 import math
 
 
+def lagrangian():
+    """By x' and y'."""
+    import sympy
+
+    x, v, mass, curvature, gravity = sympy.symbols("x v m c g")
+    return mass * (v**2 + (2 * curvature * x * v) ** 2) / 2 - mass * gravity * curvature * x**2
+
+
 def acceleration_newton(x, v, *, curvature, gravity):
     slope = _slope(x, curvature)
     return -slope * (gravity + 2 * curvature * v**2) / (1 + slope**2)

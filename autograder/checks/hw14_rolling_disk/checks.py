@@ -1,5 +1,6 @@
 """Hidden checks of hw14."""
 
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -21,7 +22,9 @@ from tam570_grader import (
     number,
     rows,
 )
+from tam570_grader.checks.compare import own_result
 from tam570_grader.checks.diagrams import compare_diagrams
+from tam570_grader.checks.expect import FollowsFrom
 from tam570_grader.checks.returns import free_body_diagram
 
 from . import cases, reference
@@ -112,7 +115,14 @@ BY_MATRICES = OwnRates("matrix_state_derivative", reference, otherwise=BY_MULTIP
 @check("free_body_diagram", points=0.5)
 def forces_on_the_disk(student, rng):
     """every force on the disk, where it acts and along what."""
-    compare_diagrams(student.free_body_diagram, reference, [*cases.instants(rng), *cases.flat_and_upright(rng)])
+
+    def own_body(case):
+        body = reference.free_body_diagram(*case.args, **case.kwargs)
+        centre, (weight, ground) = own_result(student.matrix_state, reference, case)[:3], body.forces
+        return replace(body, forces=(replace(weight, point=centre), ground))
+
+    calls = [*cases.instants(rng), *cases.flat_and_upright(rng)]
+    compare_diagrams(student.free_body_diagram, reference, calls, (student.matrix_state, own_body))
 
 
 ROTATES = Invariant("R^T R", "", reference.not_a_rotation, absolute, ROTATION)
@@ -124,13 +134,24 @@ INTEGRALS = Invariant(CARRIED, "rad/s", reference.two_integrals, rate, KEPT)
 
 # (a) Three derivations
 
-PLACED = "The centre is contact + a e2, R is Rz(yaw) Rx(tilt) Rz(roll), omega is yaw' z + tilt' e1 + roll' e3."
+
+def wrong_place(case, result, expected):
+    """What is exchanged in R or omega, if it can be told."""
+    x, y, yaw, tilt, roll, *rates = case.args[0]
+    exchanged = reference.matrix_state([x, y, roll, tilt, yaw, *rates], **case.kwargs)[reference.MATRIX]
+    if np.allclose(result[reference.MATRIX], exchanged):
+        return "Yaw and roll are exchanged in R, which is Rz(yaw) Rx(tilt) Rz(roll)."
+    turned = rates[1] * (result[3:12:3] - reference.frame(case.args[0])[0])
+    placed = expected + np.concatenate([np.zeros(12), turned])
+    if np.allclose(result, placed):
+        return "Your tilt' turns the disk about its own x axis; it is about e1, which does not roll."
+    return "The centre is contact + a e2, R is Rz(yaw) Rx(tilt) Rz(roll), omega is yaw' z + tilt' e1 + roll' e3."
 
 
 @check("matrix_state", points=0.5)
 def matrix_state_places_the_disk(student, rng):
     """matrix_state has the centre, R row by row, and the total omega in space axes."""
-    compare(student.matrix_state, cases.instants(rng), hint=PLACED)
+    compare(student.matrix_state, cases.instants(rng), hint=wrong_place)
 
 
 def along(quantity, off, state, limit):
@@ -234,18 +255,24 @@ def wireframe_is_a_rolling_disk(student, rng):
     pictures = [*cases.pictures(rng)]
     wireframe = student.wireframe.ahead(sum(pictures, []))
     for calls in pictures:
-        places = [judge_wireframe(case, lines) for case, lines in wireframe.each(calls)]
+        places = [judge_wireframe(student.matrix_state, case, lines) for case, lines in wireframe.each(calls)]
         apart, hint = reference.turned(np.diff(places, axis=0), np.pi), "Do they roll with the disk?"
         expect(apart, 0.0, tolerance=POINTWISE * 10, quantity="the diameters' place in the disk", unit="rad", hint=hint)
 
 
-def judge_wireframe(case, lines):
+def judge_wireframe(matrix_state, case, lines):
     """Where the diameters are in the disk, rad."""
     (state,), size, sides = case.args, case.kwargs["radius"], case.kwargs["sides"]
     expect(len(lines), sides + 2, tolerance=0, quantity="the number of segments")
-    angles, off = reference.in_the_disk(lines, state, size)
+    angles, off = reference.in_the_disk(lines, reference.matrix_state(state, size), size)
     on_the_rim = partial(expect, expected=0.0, tolerance=POINTWISE * size, unit="m")
-    on_the_rim(off[:sides], quantity="the distance from the rim of an end of a side", hint="What are the centre and R?")
+
+    def where():
+        _, own = reference.in_the_disk(lines, own_result(matrix_state, reference, case), size)
+        is_there = own.max() <= POINTWISE * size
+        return FollowsFrom("matrix_state") if is_there else "What are the centre and R?"
+
+    on_the_rim(off[:sides], quantity="the distance from the rim of an end of a side", hint=where)
     radii = "A diameter goes from rim to rim." if off[sides:].min() <= POINTWISE * size else ""
     on_the_rim(off[sides:], quantity="the distance from the rim of an end of a diameter", hint=radii)
     angle = partial(expect, tolerance=10 * POINTWISE, unit="rad")  # of points that are off by POINTWISE

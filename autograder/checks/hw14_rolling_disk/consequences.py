@@ -6,12 +6,12 @@ Z = np.array([0.0, 0.0, 1.0])
 
 
 def euler_state_derivative(t, state, *, mass, radius, inertia, gravity):
-    """Rates of omega = yaw' z + tilt' e1 + roll' e3, and the velocity of the contact, centre less arm."""
+    """Rates of omega = yaw' z + tilt' e1 + roll' e3, and the velocity of the contact, by roll'."""
     e1, e2, e3 = _axes(state)
     omega, frame_rate = _turning(state)
     omega_rate, _ = _balances(state, mass, radius, inertia, gravity)
-    turning = state[6] * state[5] * np.cross(Z, e1) + state[7] * np.cross(omega, e3)
-    velocity = np.cross(omega, radius * e2) - radius * np.cross(frame_rate, e2)
+    turning = np.cross(frame_rate, omega) - state[5] * state[6] * np.cross(e1, Z)
+    velocity = radius * state[7] * np.cross(e3, e2)
     angles = np.linalg.solve(np.column_stack([Z, e1, e3]), omega_rate - turning)
     return np.concatenate([velocity[:2], state[5:], angles])
 
@@ -64,15 +64,17 @@ def steady_residual(lean, precession, spin, **disk):
 
 def _axes(state):
     e1 = np.array([np.cos(state[2]), np.sin(state[2]), 0.0])
-    e3 = np.cos(state[3]) * Z - np.sin(state[3]) * np.cross(Z, e1)
-    return e1, np.cross(e3, e1), e3
+    across, c, s = np.cross(Z, e1), np.cos(state[3]), np.sin(state[3])
+    return e1, c * across + s * Z, c * Z - s * across
 
 
 def _turning(state):
     """omega of the disk, and of the frame e1, e2, e3."""
-    e1, _, e3 = _axes(state)
-    frame_rate = state[5] * Z + state[6] * e1
-    return frame_rate + state[7] * e3, frame_rate
+    _, _, _, tilt, _, yaw_rate, tilt_rate, roll_rate = state
+    e1, e2, e3 = _axes(state)
+    level = tilt_rate * e1 + yaw_rate * np.sin(tilt) * e2
+    spin = roll_rate + yaw_rate * np.cos(tilt)
+    return level + spin * e3, level + yaw_rate * np.cos(tilt) * e3
 
 
 def _about_centre(e3, inertia):

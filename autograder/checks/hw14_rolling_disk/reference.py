@@ -182,9 +182,8 @@ def turned(angles, by):
     return (angles + by / 2) % by - by / 2
 
 
-def in_the_disk(points, state, radius):
-    """Angles of points in the body's plane, and how far the points are from the rim, m."""
-    placed = matrix_state(state, radius)
+def in_the_disk(points, placed, radius):
+    """Angles of points in the plane of a disk of this matrix state, and how far the points are from the rim, m."""
     x, y, z = np.moveaxis((points - placed[CENTRE]) @ placed[MATRIX].reshape(3, 3), -1, 0)
     return np.arctan2(y, x), np.hypot(np.hypot(x, y) - radius, z)
 
