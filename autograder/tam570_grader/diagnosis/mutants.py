@@ -392,7 +392,9 @@ def _signs_of_components(node: ast.expr) -> Iterator[ast.expr]:
     """Yield a component, or one of several quantities, of the other sign."""
     if isinstance(node, ast.List | ast.Tuple) and isinstance(node.ctx, ast.Load):
         for k, component in enumerate(node.elts):
-            if isinstance(component, ast.BinOp | ast.Call):
+            if isinstance(component, ast.BinOp | ast.Call) and not any(
+                isinstance(part, ast.Slice) for part in node.elts
+            ):
                 yield _with(node, elts=[*node.elts[:k], ast.UnaryOp(ast.USub(), component), *node.elts[k + 1 :]])
 
 
