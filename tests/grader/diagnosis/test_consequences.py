@@ -202,11 +202,8 @@ BY_OTHERS = [
 
 
 @pytest.mark.parametrize(("slug", "line", "pair", "correct", "wrong"), first(4, BY_OTHERS))
-def test_what_shares_a_wrong_helper_keeps_its_share_unless_it_has_its_own_slip(
-    checked, slug, line, pair, correct, wrong
-):
-    more = (assignments.checks_folder(assignments.find(), slug) / "consequences.py").read_text()
-    lines = [line]
+def test_what_shares_a_wrong_helper_keeps_its_share_but_for_a_slip(checked, slug, line, pair, correct, wrong):
+    more, lines = (assignments.checks_folder(assignments.find(), slug) / "consequences.py").read_text(), [line]
     if slug.startswith("hw14"):  # no formulation may call another's function
         lines.append(("euler_state_derivative(", "_euler("))
         more += "\n\ndef public(t, state, **disk):\n    return _euler(t, state, **disk)\n"
@@ -216,15 +213,11 @@ def test_what_shares_a_wrong_helper_keeps_its_share_unless_it_has_its_own_slip(
 
 
 BY_EQUATION = """
-
 import sympy
-
 _rate = sympy.lambdify(sympy.symbols("x v c g"), lagrange_equation())
-
 
 def simulate(t, x, v, *, curvature, gravity):
     from tam570.integrate import solve
-
     return solve(lambda t, state: (state[1], _rate(*state, curvature, {factor} * gravity)), t, (x, v), rtol=1e-9)
 """
 
@@ -240,11 +233,9 @@ PUT_BACK = """
 
 def simulate(t, state, *, mass, length, gravity):
     from tam570.integrate import solve
-
     def rates(t, y):
         on_circle = consistent_state(y, length=length)
         return (*on_circle[2:], *acceleration(on_circle, mass=mass, length=length, gravity={factor} * gravity))
-
     rows = [np.array(state, float)]
     for span in zip(t[:-1], t[1:]):
         rows.append(consistent_state(solve(rates, np.array(span), rows[-1], rtol=1e-9)[-1], length=length))
@@ -283,16 +274,22 @@ def test_a_sum_of_energies_is_one_mistake_in_the_action_too_and_the_motion_follo
     assert {("action", "lagrangian"), ("simulate", "lagrange_equation")} <= following(actual)
 
 
+def test_a_mistake_that_has_its_name_from_a_later_check_is_told_by_the_first_that_it_fails(checked):
+    folder, down = assignments.checks_folder(assignments.find(), slug := "hw13_rolling_cylinder"), "{}(slope), -np.{}("
+    line = down.format("sin", "cos"), down.format("cos", "sin")
+    actual = checked(slug, line, more=(folder / "consequences_velocity.py").read_text())
+    assert by_name(actual) == ["centred_cylinder_rolls_by_both_methods"] and following(actual)
+
+
 OTHER_MASS = "(masses[0] - masses[1]) * lengths[1] ** 2 / 12 * omega[1]"
 SLIPS = [
     ("hw05_constrained_pendulum", " - mass * (vx**2 + vy**2) / length", "", "a term with "),
     ("hw05_constrained_pendulum", "gravity * along[1]", "gravity * along[0]", "the wrong component"),
-    (
-        "hw06_braking",
-        "- free * yaw_rate",
-        "- abs(free) * yaw_rate",
-        "with yaw_rate is reversed where locked is 'front'",
-    ),
+    ("hw06_braking", "- free * yaw_rate", "- abs(free) * yaw_rate", "yaw_rate is reversed where locked is 'front'"),
+    ("hw09_book", "R[0, 2] - R[2, 0]", "R[2, 0] - R[0, 2]", "the sign of a term with R is reversed"),
+    ("hw09_book", 'math.pi / 2), ("z", math.pi / 2)', 'math.pi / 4), ("z", math.pi / 4)', "an angle is half"),
+    ("hw10_free_rigid_body", "omega)) / inertia[0]", "omega)) / inertia[2]", "wrong component is used with inertia"),
+    ("hw11_disk_steady", "/ (C + mass * radius**2)", "/ (C + mass * radius**2 / 2)", "mass, radius counts half"),
     ("hw06_braking", "mass * (front + rear) ** 2", "mass * (front + rear)", "an exponent with front, rear is"),
     ("hw07_double_pendulum", "@ omega))", f"@ omega) + {OTHER_MASS})", "the wrong component of masses is used"),
     ("hw06_braking", "(speed0 - speed) * (speed0 + speed)", "(speed0 - speed) ** 2", "a term with speed is reversed"),
