@@ -78,9 +78,11 @@ class Motion:
     report: Report
 
 
-LOOKS = (1.0 - np.cos(np.pi * np.arange(9) / 8)) / 2  # of a step, at an event function: two crossings in it are two
-BETWEEN = np.array([0.07, 0.3, 0.58, 0.87])  # there its polynomial through LOOKS is compared with it
-PREDICTED = np.vander(BETWEEN, 9) @ np.linalg.inv(np.vander(LOOKS))
+NODES = (1.0 - np.cos(np.pi * np.arange(9) / 8)) / 2  # of a step, at an event function: two crossings in it are two
+BETWEEN = np.array([0.07, 0.3, 0.58, 0.87])  # there its polynomial through NODES is compared with it
+LOOKS = np.sort([*NODES, *BETWEEN])
+UNTOLD = 1.0 * (BETWEEN[:, None] == LOOKS)  # of values at LOOKS: by how much the polynomial is wrong
+UNTOLD[:, np.isin(LOOKS, NODES)] = -np.vander(BETWEEN, 9) @ np.linalg.inv(np.vander(NODES))
 UNLIKE, SHORTEST = 0.01, 2.0**-7  # of its size: it is another; of a step: no shorter part is looked at by itself
 NEXT = 2.0**-20  # of a step, from its ends: does it come down to zero from there?
 TOUCH = 1e-6  # of its size nearby: a function that touches zero does not pass it, whatever rounding says
@@ -89,14 +91,11 @@ Look = tuple[float, float]  # part of a step, value of an event function there
 
 @dataclass(frozen=True)
 class StepInterpolant:
-    """A step of h from t on, times of the engine's clock; called with a fraction of it, the state there."""
+    """A step of h from t on, times of the engine's clock; state : at a fraction of it."""
 
     t: float
     h: float
     state: Callable[[float], Array]
-
-    def __call__(self, x: float) -> Array:
-        return self.state(x)
 
     @property
     def end(self) -> float:
@@ -137,7 +136,7 @@ class Watch:
         if self.dense:
             self.steps.append(step)
         for x, which in self._crossings(step):
-            self.seen.append((step.t + x * step.h, which, step(x)))
+            self.seen.append((step.t + x * step.h, which, step.state(x)))
             if sum(event == which for _, event, _ in self.seen) == self.events[which].last:
                 return False
         return True
@@ -148,7 +147,7 @@ class Watch:
         for which, event in enumerate(self.events):
 
             def level(x: float, value: Function = event.value) -> float:
-                return value(step.t + x * step.h, step(x))  # type: ignore[no-any-return]
+                return value(step.t + x * step.h, step.state(x))  # type: ignore[no-any-return]
 
             low = 0.0
             for x, value in _looks(level):
@@ -167,21 +166,22 @@ def _looks(level: Callable[[float], float]) -> list[Look]:
 
     Also where it comes down to zero between these, and turns back.
     """
-    values = _resolved(level, 0.0, 1.0)
-    points = sorted([*values.items(), *((x, level(x)) for x in (NEXT, 1.0 - NEXT))])
+    looks = _resolved(level, 0.0, 1.0)
+    ends = (NEXT, looks[0], looks[1]), (1.0 - NEXT, looks[-1], looks[-2])
+    nearest = [(x, level(x)) for x, end, inside in ends if abs(end[1]) <= abs(inside[1])]
+    points = sorted([*looks, *nearest])
     dips = (_dip(level, *three) for three in zip(points, points[1:], points[2:], strict=False))
-    return sorted([*list(values.items())[1:], *filter(None, dips)])
+    return sorted([*looks[1:], *filter(None, dips)])
 
 
-def _resolved(level: Callable[[float], float], low: float, high: float) -> dict[float, float]:
+def _resolved(level: Callable[[float], float], low: float, high: float) -> list[Look]:
     """Return values of an event function between two parts of a step, so close that a polynomial tells the others."""
-    x, between = (low + (high - low) * parts for parts in (LOOKS, BETWEEN))
-    values = {part: level(part) for part in sorted([*x.tolist(), *between.tolist()])}
-    v, others = (np.array([values[part] for part in parts.tolist()]) for parts in (x, between))
-    if high - low <= SHORTEST or not np.abs(PREDICTED @ v - others).max() > UNLIKE * np.abs(v).max():
+    values = [(x, level(x)) for x in (low + (high - low) * LOOKS).tolist()]
+    v = np.array(values)[:, 1]
+    if high - low <= SHORTEST or not np.abs(UNTOLD @ v).max() > UNLIKE * np.abs(v).max():
         return values
     middle = (low + high) / 2
-    return _resolved(level, low, middle) | _resolved(level, middle, high)
+    return _resolved(level, low, middle) + _resolved(level, middle, high)[1:]
 
 
 def _dip(level: Callable[[float], float], earlier: Look, least: Look, later: Look) -> Look | None:
@@ -237,6 +237,8 @@ def _event(which: int, function: Function, parameters: Parameters | None, sign: 
 
     def value(t: float, y: Array) -> float:
         level = call(sign * t, y)
+        if type(level) is float:  # sooner than the questions below
+            return level
         if not isinstance(level, Real) and not (isinstance(level, np.ndarray | np.generic) and level.shape == ()):
             raise ValueError(f"{name} must return a number, got {level!r}")
         if isinstance(level, bool | np.bool_):  # it is never below zero
@@ -309,13 +311,13 @@ def function_of_time(steps: Sequence[StepInterpolant], sign: float) -> Callable[
             first, last = sorted((sign * steps[0].t, sign * ends[-1]))
             raise ValueError(f"t: the motion is known from {first:.12g} to {last:.12g}, not at {time:.12g}")
         step = steps[min(bisect_left(ends, t), len(steps) - 1)]
-        return step((t - step.t) / step.h)
+        return step.state((t - step.t) / step.h)
 
     def at(times: ArrayLike) -> Array:
         """(..., k) the states at an array of times, or (k,) at one; ValueError outside of the run."""
         listed = np.asarray(times, dtype=float)
         states = np.array([state(time) for time in listed.ravel().tolist()])
-        return states.reshape(*listed.shape, len(steps[0](0.0)))
+        return states.reshape(*listed.shape, len(steps[0].state(0.0)))
 
     return at
 
