@@ -387,7 +387,7 @@ class Coefficients(Writer):
         self.start(after)
 
 
-TOGETHER = 14  # sums in one loop: each takes a register
+TOGETHER = {8: 14, 4: 6}  # sums in one loop, by the width of a register: each takes one, or two
 
 
 class OfEight(Coefficients):
@@ -397,9 +397,9 @@ class OfEight(Coefficients):
         self.loop(1, "%order", lambda n: self._order(n, slots))
 
     def _order(self, n: str, slots: list[str]) -> None:
-        listed = [sums_of(i, r) for i, r in enumerate(self.laws.series)]
+        listed, some = [sums_of(i, r) for i, r in enumerate(self.laws.series)], TOGETHER[register_width()]
         flat = [pair for pairs in listed for pair in pairs]
-        laws = [total for k in range(0, len(flat), TOGETHER) for total in self.totals(flat[k : k + TOGETHER], n)]
+        laws = [total for k in range(0, len(flat), some) for total in self.totals(flat[k : k + some], n)]
         order = self.order(n, may_be_third=True)
         self.orders(order, slots, [[laws.pop(0) for _ in pairs] for pairs in listed])
         for (i, sloped), row in self.memory_layout.rows.items():
