@@ -235,7 +235,8 @@ def _another(motion: Motion, motions: Sequence[Motion]) -> bool:
 def _joined(motion: Motion) -> bool:
     """Return whether the worst row is right where its time is the last, at which every integrator ends a step."""
     row = int(np.argmax(motion.errors.max(axis=1)))
-    if row == 0 or len(motion.t) < 3 or not DENSE < motion.error < 1:
+    gathers = motion.errors[-1].max() > motion.error / 2  # from row to row, as between steps nothing does
+    if row == 0 or gathers or len(motion.t) < 3 or not DENSE < motion.error < 1:
         return False
     repeated = motion.repeated_at(motion.t[[0, row]])
     if repeated is None:
