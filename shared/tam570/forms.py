@@ -75,6 +75,10 @@ def _members(forms: Sequence[Form], value: Numbers, name: str, arguments: Sequen
     )
 
 
+MISSING = "Rows are missing: did the integration stop early, or are these rows at times of your own?"
+EXTRA = "Return one row for each entry of the first argument: are these rows at times of your own?"
+
+
 def _array(form: Form, value: Numbers, name: str, arguments: Sequence[Numbers]) -> Numbers:
     numbers = _numbers(value, name)
     shape = tuple(len(arguments[0]) if size == "n" else size for size in form["array"])
@@ -82,8 +86,8 @@ def _array(form: Form, value: Numbers, name: str, arguments: Sequence[Numbers]) 
         message = f"{name} returned {_shaped(numbers.shape)}, not {_shaped(shape)}"
         actual = numbers if numbers.size <= LONGEST_TOLD else None  # of a size that no check asked for
         rows = form["array"][:1] == ["n"] and numbers.shape[1:] == shape[1:]
-        missing = rows and numbers.shape[0] < shape[0] - 1  # one may be forgotten; an integrator gives up for several
-        raise WrongForm(message, "Rows are missing: did the integration stop early?" if missing else "", actual)
+        more = numbers.shape[0] - shape[0] if rows else 0  # one may be forgotten; an integrator gives up for several
+        raise WrongForm(message, EXTRA if more > 1 else MISSING if more < -1 else "", actual)
     if np.isnan(numbers).any() or (not form.get("infinite") and np.isinf(numbers).any()):
         raise WrongForm(f"{name} returned NaN or infinity", actual=numbers)
     return numbers if numbers.ndim else float(numbers)
