@@ -22,6 +22,8 @@ from tam570_grader.sandbox.replies import error_of, strings
 REAL = 1e-12  # of a value: complex exponentials that make it real leave 1e-25 of imaginary part
 ROUNDING = 1e-25  # where they cancel to zero
 MISCALLED = re.compile(r"\S+\(\) (?:got|missing|takes) .*")  # what Python says of arguments that do not fit
+BLOCK = re.compile(r"^(?:def|class) +([A-Za-z_]\w{0,39})\b", re.MULTILINE)  # of a file
+MOST_BLOCKS = 50  # which of them raises may depend on hidden inputs
 STRANGER = r"[A-Za-z]{1,12}(_?[A-Za-z0-9]{1,3})?(\(t\))?"  # a symbol's name, theta_1, or a function of time, theta(t)
 
 
@@ -196,7 +198,9 @@ class SandboxFunction:
             error = error_of(reply)
             if error["kinds"][:1] == ["NotImplementedError"]:
                 raise NotWritten(self.name)
-            raise Failed(f"{self.name} {self._did(error, expected)}", actual=error["text"])
+            source = _block(self.student.text, error["line"])
+            hint = f"It was raised in {source}, which {self.name} calls" if source not in ("", self.name) else ""
+            raise Failed(f"{self.name} {self._did(error, expected)}", actual=error["text"], hint=hint)
         if reply.get("changed"):
             raise Failed(f"{self.name} changes the arrays it is given", hint="Work on copies")
 
@@ -207,6 +211,13 @@ class SandboxFunction:
         if error["kinds"][:1] == ["TypeError"] and error["line"] == 0 and MISCALLED.fullmatch(error["text"]):
             return f"must take ({self.student.takes(self.name)})"
         return sentence_of_ban(error["text"]) or f"raised {python_class(error)}{expected}"
+
+
+def _block(text: str, line: int) -> str:
+    """Return the function or class of a file that a line is in; "" where that is not clear, or could say a lot."""
+    lines = text.splitlines()[:line]
+    names = BLOCK.findall("\n".join(lines))
+    return names[-1] if lines and lines[-1][:1].isspace() and 0 < len(names) <= MOST_BLOCKS else ""
 
 
 def _strangers(value: object, source: str) -> str:

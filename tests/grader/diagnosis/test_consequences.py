@@ -312,6 +312,11 @@ def test_a_wrong_component_of_a_helper_is_told_once(checked):
     assert {("angular_momentum", "moment"), ("rate", "angular_momentum")} <= following(actual)
 
 
+def test_a_function_that_raises_is_named_by_those_that_call_it(checked):
+    actual = checked("hw03_angular_momentum_rate", ("a_p)\n\n\ndef angular", "a_q)\n\n\ndef angular"))
+    assert "moment," in actual["discrepancy_with_the_velocity_in_F"].failure.hint
+
+
 def test_rows_at_even_times_are_one_mistake(checked):
     line = 'return solve(_rates, {}, start, parameters={{"rate": drag / mass, "gravity": gravity}}, rtol=1e-13)'
     actual = checked("hw02_ballistics", (line.format("t"), line.format("np.linspace(t[0], t[-1], len(t))")))
