@@ -10,11 +10,10 @@ NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
 
 def friction_force(state, locked, *, friction, **car):
     """Against the velocity of the locked axle: that of G, and what the yaw_rate adds beside G."""
-    ahead = {"front": car["front"], "rear": -car["rear"]}
-    free = {"front": -car["rear"], "rear": car["front"]}
+    ahead, free = (car["front"], -car["rear"]) if locked == "front" else (-car["rear"], car["front"])
     _, _, _, speed, yaw_rate = state
-    sideways_of_G = -free[locked] * yaw_rate
-    velocity = np.array([speed, sideways_of_G + ahead[locked] * yaw_rate])
+    sideways_of_G = -free * yaw_rate
+    velocity = np.array([speed, sideways_of_G + ahead * yaw_rate])
     return -friction * axle_load(locked, **car) * velocity / (np.hypot(*velocity) or 1.0)
 
 

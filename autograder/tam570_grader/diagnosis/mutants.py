@@ -497,14 +497,12 @@ def _degrees(node: ast.expr) -> Iterator[ast.expr]:
     """Yield pi / 2 becomes 90, and the sine of an angle that of so many degrees."""
     if _is_angle(node):
         yield ast.BinOp(node, ast.Mult(), ast.Constant(180 / math.pi))
-    if isinstance(node, ast.Call) and len(node.args) == 1 and _name_of(node.func) in ("sin", "cos", "tan"):
-        yield _with(node, args=[_times(180 / math.pi, node.args[0])])
+    yield from _other_sines(180 / math.pi, node)
 
 
-def _radians(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield the sine of an angle becomes that of so many degrees, as radians."""
+def _other_sines(factor: float, node: ast.expr) -> Iterator[ast.expr]:
     if isinstance(node, ast.Call) and len(node.args) == 1 and _name_of(node.func) in ("sin", "cos", "tan"):
-        yield _with(node, args=[_times(math.pi / 180, node.args[0])])
+        yield _with(node, args=[_times(factor, node.args[0])])
 
 
 def _half_angles(node: ast.expr) -> Iterator[ast.expr]:
@@ -563,7 +561,7 @@ MORE: dict[str, Operator] = {
     "a root": _roots,
     "a norm": _norms,
     "degrees": _degrees,
-    "radians": _radians,
+    "radians": partial(_other_sines, math.pi / 180),
     "the sign of an angle": _angle_signs,
     "an axis": _axes,
     "parts of a tangent": _tangent_parts,
@@ -574,7 +572,7 @@ EVERYWHERE: tuple[tuple[str, Operator], ...] = (
     ("linearised", _linearised),
     ("a product for a square", _products_for_squares),
     ("degrees", _degrees),
-    ("radians", _radians),
+    ("radians", partial(_other_sines, math.pi / 180)),
     ("half an angle", _half_angles),
 )
 

@@ -423,7 +423,9 @@ def _consequence(run: _Run, check: Check, unclear: Container[str]) -> CheckResul
     try:
         run.perform(check)
     except Failed as failed:
-        following = _following(run, check, _earlier(run.causes)) or _stopped_before(run, failed)
+        function = failed.failure.function  # one that hung before is not called again
+        hung = (cause for cause in run.causes.values() if cause.function == function in run.student.broken)
+        following = _following(run, check, _earlier(run.causes)) or next(hung, None)
         cause = following or _own_source(run, failed) or _shared_helper(run, None, failed)
         if cause is None:
             return None
@@ -433,13 +435,6 @@ def _consequence(run: _Run, check: Check, unclear: Container[str]) -> CheckResul
         return None
     function_names = {call.name for call in run.student.calls} or {check.function}
     return _passed(check) if any(name not in unclear for name in function_names) else None
-
-
-def _stopped_before(run: _Run, failed: Failed) -> Cause | None:
-    """Return the cause for which the function did not come back before: it is not called again."""
-    function = failed.failure.function
-    causes = (cause for cause in run.causes.values() if cause.function == function in run.student.broken)
-    return next(causes, None)
 
 
 def _is_drawn(assignment: LoadedAssignment, call: Call) -> bool:
