@@ -21,7 +21,7 @@ from tam570_grader.checks import assignments
 from tam570_grader.grading import executor
 from tam570_grader.grading.run_checks import CheckOptions, graded
 from tam570_grader.sandbox.pool import sandboxes
-from tam570_grader.sandbox.preload import imported
+from tam570_grader.sandbox.preload import COMMON, imported
 from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.zygote import ResourceLimits, Zygote
 
@@ -119,11 +119,13 @@ def course():
 
 @pytest.fixture(scope="session")
 def zygotes():
-    """A warm worker for each assignment, what a text imports, and allowance, started when it is first asked for."""
-    started = {}
+    """A warm worker for what an assignment needs, or for all that any text imports, and each allowance."""
+    started, imports = {}, {slug: assignments.sandbox_imports(COURSE, slug) for slug in SLUGS}
+    everything = {*COMMON}.union(*(needed for needed, _ in imports.values()))
 
     def zygote(slug, limits, text=b""):
-        needs = tuple(sorted({*assignments.assignment(COURSE, slug).needs, *imported(text)}))
+        needed, forbidden = imports[slug]
+        needs = tuple(sorted((everything if imported(text) else needed) - forbidden))
         if (needs, limits) not in started:
             started[needs, limits] = Zygote(needs, limits)
         return started[needs, limits]
@@ -153,7 +155,7 @@ def student_of(zygotes):
 
         def student_of(slug, text):
             assignment = assignments.assignment(COURSE, slug)
-            student = Student(Source(text.encode()), assignment, zygotes(slug, ResourceLimits()))
+            student = Student(Source(text.encode()), assignment, zygotes(slug, ResourceLimits(), text.encode()))
             stack.callback(student.leave)
             return student
 

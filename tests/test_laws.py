@@ -64,8 +64,7 @@ def test_no_released_file_holds_a_solution_or_a_hidden_check(slug, course, solut
     lines = {line for line in lines if len(line) > 30 and line[0] != '"'}  # an example has the label of its input
     for path in (course / "assignments" / slug).iterdir():
         text = path.read_text() if path.is_file() else ""
-        leaked = [line for line in lines if line in text]
-        assert not leaked, f"{path.name} shows {leaked}"
+        assert not (leaked := [line for line in lines if line in text]), f"{path.name} shows {leaked}"
 
 
 def test_readme_hints_and_checks_name_every_function_and_ten_points(slug, course, solution_text):

@@ -213,8 +213,7 @@ def test_wrong_physics_of_small_effect_is_not_called_right(grade, solution_text,
 def test_rows_after_a_stop_are_wrong_in_the_check_of_stops_alone(grade, solution_text):
     text = solution_text("hw06_braking") + FORGETS_WHERE_IT_STOPS
     checks = grade("hw06_braking", text, 570, naming=False).checks
-    failed = [check.name for check in checks if check.outcome == "failed"]
-    assert failed == ["simulate_comes_to_rest_and_stays"]
+    assert [check.name for check in checks if check.outcome == "failed"] == ["simulate_comes_to_rest_and_stays"]
 
 
 @pytest.mark.parametrize(("count", "step"), first(1, [(3, 0.2), (3, 2.3), (200, 0.011)]))
