@@ -15,3 +15,7 @@ def rotate(r, axis, angle):
 
 def _quaternion(axis, angle):
     return np.cos(angle / 2.0), np.sin(angle / 2.0) * _unit(axis)
+
+
+def _unit(axis):
+    return axis / np.linalg.norm(axis)
