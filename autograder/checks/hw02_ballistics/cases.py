@@ -96,7 +96,7 @@ def flight(rng, label, particle, start=0.0):
 
 
 def flights(rng):
-    plain = [case for case in plain_flights(rng) if any(word in case.label for word in ("straight down", "dropped"))]
+    plain = [case for case in plain_flights(rng) if case.label.endswith(("straight down", "upwards", "dropped"))]
     return [flight(rng, f"{ANY}, t[0] not 0", parameters(rng), rng.choice([-2.0, 3.7])), *plain]
 
 
@@ -141,7 +141,7 @@ def flights_with_any_drag(rng):
     steps lead.
     """
     cases = []
-    for drag in (0.0, *10.0 ** rng.uniform((-14, -10, -5), (-11, -5, -2))):
+    for drag in (0.0, *10.0 ** rng.uniform((-14, -9, -7, -5), (-11, -8, -6, -2))):
         t, words = uneven(rng, rng.uniform(1, 9), 20, 0.0), ("very little drag",) if drag else ("no drag", TO_ZERO)
         cases.append(Case(t, *launch(rng), **parameters(rng, drag=drag)).labelled(*words))
     particle = parameters(rng)

@@ -88,7 +88,8 @@ def lengths(rng):
 
 def of_any_length(rng):
     n, angle = rng.normal(size=3), rng.uniform(0.5, 3)
-    return [Case(length * n, angle).labelled(f"any angle{long}") for length, long in lengths(rng)]
+    sizes = [*lengths(rng), ((1 + 5e-11) / np.linalg.norm(n), ", an axis that is 1 long but for 5e-11")]
+    return [Case(length * n, angle).labelled(f"any angle{long}") for length, long in sizes]
 
 
 def of_vectors(rng, turns):
@@ -97,7 +98,9 @@ def of_vectors(rng, turns):
 
 
 def vectors_by_size(rng):
-    return [of_vectors(rng, turns) for turns in turns_by_size(rng, lengths(rng))]
+    sizes = turns_by_size(rng, lengths(rng))
+    sizes[1] += of_any_length(rng)[-1:]
+    return [of_vectors(rng, turns) for turns in sizes]
 
 
 def turned_vectors(rng):

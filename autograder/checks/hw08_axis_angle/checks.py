@@ -75,7 +75,7 @@ def matrix_holds_for_every_angle(student, rng):
 @check("rotation_matrix", points=1, after=matrix_turns_by_the_right_hand_rule)
 def matrix_depends_on_the_direction_alone(student, rng):
     """axes of length 1e-100 or 1e100 give the same matrix as the unit axis."""
-    compare(student.rotation_matrix, cases.of_any_length(rng), hint="What becomes of the square of its length?")
+    compare(student.rotation_matrix, cases.of_any_length(rng), hint="Divide by any length; what becomes of its square?")
 
 
 @check("rotation_matrix", points=1, after=matrix_turns_by_the_right_hand_rule, refusals=True)

@@ -85,7 +85,7 @@ def rolling_precession(reference, lean, track_radius, *, mass, radius, inertia, 
 
 @mistake(first_fails=checks.rolling_precession_is_zero_where_nothing_turns_it)
 def rolling_precession(reference, lean, track_radius, **disk):
-    """You treat a lean below 1e-4 as upright; only lean = 0 is."""
+    """You treat a small lean as upright; only lean = 0 is."""
     return reference(lean if abs(lean) >= 1e-4 else 0.0, track_radius, **disk)
 
 

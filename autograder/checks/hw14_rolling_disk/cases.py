@@ -120,8 +120,8 @@ def steady(rng):
     """Leans, precessions and spins, steady or not, and some with a zero."""
     disks = [(shape, a_disk(rng, shape)) for shape in SHAPES]
     cases = [
-        Case(rng.uniform(-1.4, 1.4), *(reference.usual(disk) * rng.uniform(-2, 2, 2)), **disk).labelled(shape)
-        for shape, disk in disks
+        Case(rng.uniform(-1.4, 1.4), *(reference.usual(disk) * rng.uniform(0.2, 2, 2) * signs), **disk).labelled(shape)
+        for (shape, disk), signs in zip(disks, ((1, 1), (-1, 1), (1, -1)), strict=True)
     ]
     first, second = cases[:2]
     lean, precession, spin = abs(first.args[0]) + 0.1, *first.args[1:]
