@@ -8,12 +8,22 @@ from typing import NamedTuple, NoReturn
 
 import numpy as np
 
-from tam570.integrate.adaptive_loop import LARGEST, RUNNING, SETS_IN, STOPPED, State
+from tam570.integrate.adaptive_loop import COARSE_CLOCK, FINEST, LARGEST, RUNNING, SETS_IN, STOPPED, State, is_blurred
 from tam570.integrate.arguments import SMALLEST_RTOL, Array
 from tam570.integrate.engine import Engine, Mistraced
 from tam570.integrate.error_scale import NO_SCALE, SHARE, Rates, error_scale
 from tam570.integrate.rates import TRIAL_ERRORS, check_start
-from tam570.integrate.watch import COMPILED, OUT_OF_REACH, PYTHON, Estimate, Look, WorthCompiling, repays, watch_for_end
+from tam570.integrate.watch import (
+    COMPILED,
+    OUT_OF_REACH,
+    PYTHON,
+    Estimate,
+    Look,
+    WorthCompiling,
+    blur,
+    repays,
+    watch_for_end,
+)
 from tam570.meter import count
 from tam570.values import Numbers
 
@@ -165,11 +175,21 @@ def _integrate(
         if last.halt == STOPPED or last.row == len(run.rows) and stop >= end:
             break
         t, y, row, a = stop, np.array(last.y), row + reached, last.a
+        if engine.is_traced:
+            _check_rounding(engine, t, last, control.rtol)
         control = control._replace(first_step=None)
     _check_history(engine, run.origin + last.t, np.array(last.y), float(times[0]), control.rtol)
     if control.project:
         rows[1:] = [control.project(state) for state in rows[1:]]
     return Solution(rows, last._replace(t=run.origin + last.t), "compiled" if how == "compiled" else "Python")
+
+
+def _check_rounding(engine: Engine, t: float, last: State, rtol: float) -> None:
+    """ArithmeticError where the rates of a pulse move the state by too much within the rounding of its time."""
+    rates = engine.functions["rhs"](t, last.y, engine.constants)
+    size = max(abs(v) + a / rtol for v, a in zip(last.y, last.a, strict=True))
+    if math.inf > math.ulp(t) * max(map(abs, rates)) > ALLOWED * max(rtol, FINEST) * size:
+        raise blur(engine.sign * t, last.y)
 
 
 def of_steps(engine: Engine, control: Control) -> Control:
@@ -212,6 +232,8 @@ def _run_stretch(run: Run, how: str, a: Sequence[float]) -> None:
 def _give_up(run: Run, last: State) -> NoReturn:
     """Raise what says why a run cannot go on."""
     engine, t = run.engine, run.origin + last.t
+    if last.halt == COARSE_CLOCK:
+        raise blur(engine.sign * t, last.y)
     where = f"at t = {engine.sign * t:.17g}"
     for time in (t + 1e-13 * max(abs(t), float(run.since[-1])), t):
         y = np.array(last.y) + (time - t) * np.array(last.f)
@@ -258,7 +280,8 @@ def step_n(run: Run, advance: Numbers, since: Numbers, look: Look, state: State,
         run.last = state
         count((STEP if run.engine.is_traced else CALLED_STEP) * (state.steps + state.refusals - before))
         in_vain = state.refusals + (AT_A_SWITCH * run.engine.switches.passages if run.engine.switches else 0)
-        look(state.t, state.y, partial(_sizes, state, run.rtol), state.steps, in_vain)
+        by_rounding = is_blurred(state.measured, state.y, state.a, run.rtol)
+        look(state.t, state.y, partial(_sizes, state, run.rtol), state.steps, in_vain, by_rounding)
         if some == AT_A_TIME:
             _check_history(run.engine, run.origin + state.t, np.array(state.y), run.origin, run.rtol)
         if run.estimate is not None:
@@ -310,7 +333,8 @@ def start_state(run: Run, a: Sequence[float] = ()) -> State:
     g, sizes = f, a or [abs(v) for v in y]
     if min(sizes) <= NO_SCALE:  # what rounding moves, or a ramp has just set in motion: as at rest
         y = tuple(0.0 if size <= NO_SCALE else v for size, v in zip(sizes, y, strict=True))
-        both = zip(rhs(origin, y, c), rhs(origin + SOON * span, y, c), strict=True)
+        g = rhs(origin, y, c)
+        both = zip(g, rhs(origin + SOON * span, _euler(SOON * span, y, g), c), strict=True)
         g = tuple(0.0 if abs(rate) < RAMP * abs(later) else rate for rate, later in both)
     h, t = _first_step(rhs, origin, span, y, g, c), origin
     if h < SOON * span:  # the rates may jump at the very start

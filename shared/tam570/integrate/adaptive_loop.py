@@ -8,7 +8,7 @@ from functools import partial
 from math import inf, sqrt
 from typing import NamedTuple
 
-from tam570.integrate.error_scale import NO_SCALE
+from tam570.integrate.error_scale import EPS, NO_SCALE
 from tam570.values import Numbers
 
 SAFETY = 0.9
@@ -18,6 +18,8 @@ EXPONENT = -1 / 8  # of order 8
 JUMP = 1e-9  # move of the state, relative, by a change of the rates within the shortest of all steps: a jump of the
 # rates makes less of it, a singularity more
 CROSSED = 1000.0  # of the tolerance, which is 30 times less where rates jump: what such a step may miss
+BLUNT, FINEST = 30.0, 1e-12  # times the tolerance of what is largest: no step gets more for its rounding
+COARSE = 300.0  # the same, of what the rounding of time does to a step
 BEFORE_END = 0.75  # of the last step
 TRIALS, LONGER = 60, 0.02  # of the shortest steps, where the rates are not finite
 BLURRED, BRIEF = 256.0, 1e-9  # of the shortest step, of the run: the times of stages are known to a thousandth of it
@@ -33,7 +35,7 @@ AT_REST = 8  # steps at least: where nothing moves, no error says how far to loo
 
 # The functions that `advance` is given:
 GENERATED = ("step", "cross", "error_norms", "roundoff", "lesser", "reach", "bends", "passed", "dense", "at")
-RUNNING, SETS_IN, TOO_SHORT, NOT_FINITE, STOPPED = 0, 1, 2, 3, 4  # why a loop comes back
+RUNNING, SETS_IN, TOO_SHORT, NOT_FINITE, STOPPED, COARSE_CLOCK = 0, 1, 2, 3, 4, 5  # why a loop comes back
 
 
 class State(NamedTuple):
@@ -106,7 +108,7 @@ def advance(
         may_be_rounding = not error <= 1.0 and fifth < inf and (refused > 0 or uneven)
         if may_be_rounding:
             before, measured = measured, roundoff(origin + t, h, y, f, b, c)
-            if not _is_at_a_pole(measured, y, n):
+            if not is_blurred(measured, y, a, rtol):
                 b = lesser(before, measured)
                 fifth, third = error_norms(h, y, n, f, g, a, measured, part, part * rtol, stages)
                 error = _error(fifth, third, suspicious)
@@ -120,6 +122,8 @@ def advance(
         if crosses and not error <= 1.0:
             n, rest, g = _crossed(cross, new == end, origin + t, h, (y, r, f), c)
         jumps = at_last and fifth < inf and _finite(n) and _jumps(crosses, h, y, n, f, g, a, rtol)
+        is_coarse = error <= 1.0 and not at_last and _is_coarse(cross, origin + t, h, (y, r, f), g, a, rtol, c)
+        halt = COARSE_CLOCK if is_coarse else halt
         if (error <= 1.0 or jumps) and not is_cut:
             if at_last and ((jumps and _sets_in(y, n, a)) or (crosses and pace > 0.0 and _has_no_scale(a))):
                 halt = SETS_IN
@@ -164,12 +168,46 @@ def _shorter(h: Numbers, error: Numbers, sure: Numbers) -> Numbers:
     return h
 
 
-def _is_at_a_pole(b: Numbers, y: Numbers, n: Numbers) -> Numbers:
-    """Return whether the rates are known so badly that a step says little."""
-    noise, size = 0.0, 0.0
-    for i in range(len(n)):
-        noise, size = max(noise, b[i]), max(size, abs(y[i]), abs(n[i]))
-    return JUMP * size < noise
+def is_blurred(b: Numbers, y: Numbers, a: Numbers, rtol: Numbers) -> Numbers:
+    """Return whether rounding does more to a step than the tolerance of what is largest allows.
+
+    Of the state before the step: where one is far too long it ends anywhere.
+    """
+    noise = 0.0
+    for i in range(len(b)):
+        noise = max(noise, b[i])
+    return min(JUMP, max(BLUNT * rtol, FINEST)) * _size(y, a, rtol) < noise
+
+
+def _is_coarse(
+    cross: Numbers, start: Numbers, h: Numbers, state: Numbers, g: Numbers, a: Numbers, rtol: Numbers, c: Numbers
+) -> Numbers:
+    """Return whether the rates change by too much within the rounding of time: no estimate sees that stages shift."""
+    rounding, limit = EPS * abs(start), max(COARSE * rtol, 10.0 * FINEST)
+    is_coarse = False
+    if rounding > limit * h:
+        y, r, f = state
+        is_coarse = rounding * _largest_change(f, g) > limit * _size(y, a, rtol)
+        if is_coarse:  # by time alone?
+            _, _, later = cross(start + h, 0.0, y, r, f, c)
+            is_coarse = rounding * _largest_change(f, later) > limit * _size(y, a, rtol)
+    return is_coarse
+
+
+def _largest_change(f: Numbers, g: Numbers) -> Numbers:
+    """Return the largest difference."""
+    change = 0.0
+    for i in range(len(f)):
+        change = max(change, abs(g[i] - f[i]))
+    return change
+
+
+def _size(y: Numbers, a: Numbers, rtol: Numbers) -> Numbers:
+    """Return the size of what is largest."""
+    size = 0.0
+    for i in range(len(y)):
+        size = max(size, abs(y[i]) + a[i] / rtol)
+    return size
 
 
 def _error(fifth: Numbers, third: Numbers, suspicious: Numbers) -> Numbers:

@@ -67,13 +67,14 @@ def available() -> bool:
     )
 
 
-Look = Callable[[float, Sequence[float], Callable[[], Sequence[float]], int, int], None]
+Look = Callable[..., None]
 
 PYTHON = 300_000  # steps left that are too many: some ten seconds and up
 COMPILED = 30_000_000
 OUT_OF_REACH = 1e9  # the same, of any function, where steps are refused as often as not
 BETWEEN_LOOKS = 500  # steps tried
 LOOKS, IDLE_LOOKS = 20, 10  # in a row
+CRAWL = 2.0**-48  # of a time, per step: four times the shortest step
 DECAY = 1.5  # h times the fastest decay: accuracy alone asks for less
 SWEEPS = 8  # of the power method, enough for a factor of two where one decay is far faster than the rest
 
@@ -87,18 +88,26 @@ def watch_for_end(
     too_many: int,
     in_vain: float = OUT_OF_REACH,
 ) -> Look:
-    """Return look(t, y, m, steps and refusals so far), to be called now and then.
+    """Return look(t, y, m, steps and refusals so far, by_rounding), to be called now and then.
 
     t, m    : the time since `origin`; m() is the scale of each component
+    by_rounding : whether steps are refused for what rounding does to them
     sign    : of the engine's clock
     in_vain : steps left that are too many where steps are refused
 
     Raises ArithmeticError when the run up to `end` is to be given up.
     """
-    before, stiff_looks, idle_looks = (0.0, 0, 0), 0, 0
+    before, stiff_looks, idle_looks, blurred_looks, crawling_looks = (0.0, 0, 0), 0, 0, 0, 0
 
-    def look(t: float, y: Sequence[float], m: Callable[[], Sequence[float]], steps: int, refusals: int) -> None:
-        nonlocal before, stiff_looks, idle_looks
+    def look(
+        t: float,
+        y: Sequence[float],
+        m: Callable[[], Sequence[float]],
+        steps: int,
+        refusals: int,
+        by_rounding: bool = False,
+    ) -> None:
+        nonlocal before, stiff_looks, idle_looks, blurred_looks, crawling_looks
         moved, accepted, refused = t - before[0], steps - before[1], refusals - before[2]
         tried = accepted + refused
         if tried < BETWEEN_LOOKS:
@@ -109,6 +118,8 @@ def watch_for_end(
         is_stiff = (is_idle or is_long) and _decay(rhs, origin + t, y, m(), c) * h > DECAY
         stiff_looks = stiff_looks + 1 if is_stiff and is_long else 0
         idle_looks = idle_looks + 1 if is_idle and not is_stiff else 0
+        blurred_looks += by_rounding
+        crawling_looks = crawling_looks + 1 if moved < CRAWL * tried * abs(origin + t) else 0
         if stiff_looks >= LOOKS:
             raise ArithmeticError(
                 f"stiff at t = {sign * (origin + t):.6g}: stability, not accuracy, keeps the steps at {h:.1g}, and "
@@ -116,7 +127,11 @@ def watch_for_end(
                 'scipy.integrate.solve_ivp with method="Radau" or method="LSODA" is made for such equations'
             )
         if idle_looks >= IDLE_LOOKS:
-            raise (chatter if left > OUT_OF_REACH else _crawl)(sign * (origin + t), y)
+            raise (blur if 2 * blurred_looks > idle_looks else chatter if left > OUT_OF_REACH else _crawl)(
+                sign * (origin + t), y
+            )
+        if crawling_looks >= 2 * LOOKS:
+            raise blur(sign * (origin + t), y)
 
     return look
 
@@ -127,6 +142,15 @@ def chatter(t: float, y: Sequence[float]) -> ArithmeticError:
         f"the rates jump to and fro at t = {t:.9g}, y = {list(y)}: the motion stays where they jump, or are infinitely "
         "steep. Friction that "
         "holds a body at rest has no rate there: stop at an event, or smooth the jump"
+    )
+
+
+def blur(t: float, y: Sequence[float]) -> ArithmeticError:
+    """Return the error of a motion whose rates are not computed to as many digits as its steps need."""
+    return ArithmeticError(
+        f"the rates near t = {t:.9g}, y = {list(y)} change by more than rtol allows within the rounding of time and "
+        "state: at a short pulse, at a stiff wall, or where they become infinite. Count time from the pulse, lengths "
+        "from the wall; or give a larger rtol"
     )
 
 
