@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from tam570_grader import KEPT, Case, uneven
+from tam570_grader import KEPT, SOME_TIMES, Case, uneven
 
 from . import reference
 
@@ -173,11 +173,14 @@ def wobbling(rng):
 
 
 def precessing(rng):
-    """For symmetric_solution: (t, omega, inertia=...), of two times, too."""
+    """For symmetric_solution: (t, omega, inertia=...), of two times, of one, and backwards, too."""
     ball = Case(random_omega(rng), inertia=np.full(3, rng.uniform(0.1, 10))).labelled("three equal inertias")
-    for case in (*wheels(rng), ball):
+    wheel, *others = wheels(rng)
+    for case in (wheel, *others, ball):
         yield case.with_leading(uneven(rng, 40 / (np.linalg.norm(case.args[0]) or 1.0), 25))
-    yield case.with_leading(uneven(rng, 5.0, 2)).labelled(f"two times, {case.label}")
+    t = uneven(rng, 3 / np.linalg.norm(wheel.args[0]), 2)
+    for label, some in {"two times": slice(None), **SOME_TIMES}.items():
+        yield wheel.with_leading(t[some]).labelled(f"{label}, {wheel.label}")
 
 
 def spins(rng):

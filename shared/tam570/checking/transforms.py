@@ -361,13 +361,13 @@ def _multiples(numbers: Mapping[str, int | None]) -> Iterator[tuple[str, ResultC
 
 
 def _constants(result: Numbers, expected: Numbers) -> Iterator[tuple[str, ResultChange]]:
-    """Yield what one result is of the right one, given that it is so for any input."""
+    """Yield what one result is of the right one, in every call."""
     if result.shape == expected.shape and expected.any():
         largest = np.unravel_index(np.argmax(np.abs(expected)), expected.shape)
         ratio, shift = (float(array[largest]) for array in (result / expected[largest], result - expected))
-        yield f"is {ratio:.4g} times the right one for any input", partial(_scaled, ratio)
+        yield f"is {ratio:.4g} times the right one" if ratio else "is zero", partial(_scaled, ratio)
         if expected.ndim == 0:
-            yield f"is off by {shift:.4g} for any input", partial(_changed, partial(np.add, shift))
+            yield f"is off by {shift:.4g}", partial(_changed, partial(np.add, shift))
 
 
 def _scaled(factor: float, value: Numbers, case: Arguments) -> Numbers:
