@@ -24,7 +24,7 @@ from tam570_grader.checks.motions import OF_ROWS
 from tam570_grader.checks.returns import FreeBodyDiagram
 from tam570_grader.checks.student import StudentFunction
 from tam570_grader.diagnosis.cause import Cause
-from tam570_grader.diagnosis.diagnose import diagnose, follows
+from tam570_grader.diagnosis.diagnose import diagnose, follows, is_refuted
 from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, explains, is_motion, same, solution_with
 from tam570_grader.diagnosis.mutants import names_reached
 from tam570_grader.diagnosis.search import shared_mutants
@@ -76,6 +76,7 @@ class _Run:
     results: dict[str, CheckResult] = field(default_factory=dict)
     causes: dict[str, Cause] = field(default_factory=dict)
     unnamed: list[tuple[Check, Failed, tuple[Call, ...]]] = field(default_factory=list)
+    passing: list[Call] = field(default_factory=list)  # of checks that passed
 
     def perform(self, check: Check, recorder: Callable[[float], None] | None = None) -> None:
         """Run a check; the student's calls are then its own."""
@@ -206,6 +207,7 @@ def _check_result(run: _Run, check: Check) -> CheckResult:
         return _failed(check, Failed(**vars(failure)), None)
     except Exception as error:
         return _grader_error(check, repr(error))
+    run.passing.extend(call for call in student.calls if not (_is_drawn(run.assignment, call) or is_motion(call)))
     return _passed(check)
 
 
@@ -223,6 +225,8 @@ def _cause(run: _Run, check: Check, failed: Failed) -> tuple[Cause | None, str]:
             following = follows(solution, calls, earlier)
             own_source = None if following else _own_source(run, failed)
             cause = following or own_source or search()
+            if cause and not (following or own_source) and is_refuted(cause, run.passing):
+                cause = None
             pairs = {(before.function, before.follows_from) for before in run.causes.values()}
             is_new = cause and (cause.function, cause.follows_from) not in pairs
             if cause and is_new and not own_source and cause.follows_from not in ("", cause.function):

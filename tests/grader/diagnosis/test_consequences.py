@@ -62,6 +62,7 @@ OF_CYLINDER = {(name, "acceleration") for name in ("contact_force", "simulate")}
 UNNAMED = [
     ("hw12_bead_on_wire", "v**2 / 2 - mass", "0.7 * v**2 - mass", {("lagrange_equation", "lagrangian")}),
     ("hw13_rolling_cylinder", "turned = inertia + mass", "turned = 1.2 * inertia + 0.7 * mass", OF_CYLINDER),
+    ("hw01_simple_pendulum", "return -slope / inertia, k", "return -slope / inertia * (omega != 0), k", set()),
 ]
 
 

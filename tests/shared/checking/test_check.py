@@ -79,8 +79,7 @@ def test_what_is_off_limits_or_missing_may_be_named(hw08, tam570, grade, above):
 
 
 def test_a_file_in_another_encoding_names_the_line(hw08, tam570, grade):
-    file = hw08()
-    latin = b"x = 1\n# caf\xe9\n" + file.read_bytes()
+    latin = b"x = 1\n# caf\xe9\n" + (file := hw08()).read_bytes()
     utf16, declared = latin.decode("latin-1").encode("utf-16"), b"# coding: latin-1\n" + latin
     for text, line in (latin, "line 2: a "), (utf16, "line 1: a "), (declared, ""):
         file.write_bytes(text)
