@@ -42,6 +42,7 @@ from tam570_grader.sandbox.zygote import Zygote
 OUR_FAULT = "The grader failed here, not you; your teacher has been told."
 TOO_MUCH = "what it returns takes the grader too much {} to judge"
 FOLLOWING_SHARE = 2 / 3  # of the points, for what is right but for a mistake that was charged before
+UNFIT = TypeError, ValueError, LookupError, ArithmeticError, AttributeError  # other arguments, or numbers of results
 HELPER = re.compile(r"\bdef (\w+)\(")
 MOST_HELPERS, MOST_ASKED = 30, 4  # helpers of a file, calls of a check
 Recorder = Callable[[str, float], None]
@@ -320,7 +321,7 @@ def _shared_helper(run: _Run, cause: Cause | None, failed: Failed) -> Cause | No
                     or _same_number(run, other, calls)
                 ):
                     return Cause(name, "", "own", follows_from=other)
-        except (Failed, NotWritten, Exhausted, TypeError, ValueError):  # other arguments, or other numbers of results
+        except (Failed, NotWritten, Exhausted, *UNFIT):
             continue
     return None
 
