@@ -35,8 +35,8 @@ def agree_in_equations(function: Any, cases: Sequence[Case], *, tolerance: float
     back, hint = equations.back(function.name, hint)
     true, sizes = equations.lagranges(function.name), equations.sizes(function.name)
     definite = np.flatnonzero(np.isfinite(back).all((1, 2)))
-    made = student.calls[last - len(cases) :]
-    brought = [replace(made[i], result=(back[i] @ results[i]).reshape(true[i].shape)) for i in definite]
+    calls = student.calls[last - len(cases) :]
+    brought = [replace(calls[i], result=(back[i] @ results[i]).reshape(true[i].shape)) for i in definite]
     student.calls[last - len(cases) :] = brought  # what known mistakes are compared with
     for call, correct, size in zip(brought, true[definite], sizes[definite], strict=True):
         get_context().set_call(function.name, call.case)

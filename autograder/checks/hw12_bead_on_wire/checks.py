@@ -118,8 +118,8 @@ BEND = at_rest_or_not("How much of the weight does a slope carry?", "How sharply
 def source_or(student, otherwise, case, force, expected=None):
     """lagrange_equation where the force makes the student's own x'', or a hint."""
     (x, v), (mass, curvature, gravity) = case.args, (case.kwargs[name] for name in ("mass", "curvature", "gravity"))
-    (own,) = student.lagrange_equation.at([{"x": x, "v": v, "c": curvature, "g": gravity}])
-    needed = mass * np.array([own, 2 * curvature * (v**2 + x * own) + gravity])
+    (a,) = student.lagrange_equation.at([{"x": x, "v": v, "c": curvature, "g": gravity}])
+    needed = mass * np.array([a, 2 * curvature * (v**2 + x * a) + gravity])
     return FollowsFrom("lagrange_equation") if np.allclose(force, needed) else otherwise(case, force, expected)
 
 

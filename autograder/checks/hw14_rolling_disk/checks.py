@@ -268,8 +268,8 @@ def judge_wireframe(matrix_state, case, lines):
     on_the_rim = partial(expect, expected=0.0, tolerance=POINTWISE * size, unit="m")
 
     def where():
-        _, own = reference.in_the_disk(lines, own_result(matrix_state, reference, case), size)
-        is_there = own.max() <= POINTWISE * size
+        _, off = reference.in_the_disk(lines, own_result(matrix_state, reference, case), size)
+        is_there = off.max() <= POINTWISE * size
         return FollowsFrom("matrix_state") if is_there else "What are the centre and R?"
 
     on_the_rim(off[:sides], quantity="the distance from the rim of an end of a side", hint=where)

@@ -168,7 +168,7 @@ def _looks(level: Callable[[float], float]) -> list[Look]:
     """
     looks = _resolved(level, 0.0, 1.0)
     ends = (NEXT, looks[0], looks[1]), (1.0 - NEXT, looks[-1], looks[-2])
-    nearest = [(x, level(x)) for x, end, inside in ends if abs(end[1]) <= abs(inside[1])]
+    nearest = [(x, level(x)) for x, end, neighbour in ends if abs(end[1]) <= abs(neighbour[1])]
     points = sorted([*looks, *nearest])
     dips = (_dip(level, *three) for three in zip(points, points[1:], points[2:], strict=False))
     return sorted([*looks[1:], *filter(None, dips)])

@@ -504,8 +504,8 @@ class OfOne(Coefficients):
                     both = f"{self.vector} {wide[factor]}, {self.vector} {before[factor]}"
                     early[factor] = self.emit(self.vector, f"select <{self.width} x i1> {is_now}, {both}").text
                     self.do(f"store {self.vector} {early[factor]}, ptr {self.early[factor][part]}")
-            behind = "zeroinitializer" if parts[part] == parts[-1] else self._load(parts[part + 1])
-            both = f"{self.vector} {self._load(parts[part])}, {self.vector} {behind}"
+            later = "zeroinitializer" if parts[part] == parts[-1] else self._load(parts[part + 1])
+            both = f"{self.vector} {self._load(parts[part])}, {self.vector} {later}"
             ahead = self.emit(self.vector, f"shufflevector {both}, <{self.width} x i32> <{onward}>").text
             for a, b in ((wide[x], early[y]), (wide[y], before[x])):
                 product = self.emit(self.vector, f"fmul {FAST} {self.vector} {a}, {b}").text
