@@ -21,7 +21,7 @@ from tam570_grader import (
 )
 from tam570_grader.checks.compare import own_result
 from tam570_grader.checks.diagrams import compare_diagrams
-from tam570_grader.checks.expect import FollowsFrom
+from tam570_grader.checks.expect import Failed, FollowsFrom, NotWritten
 from tam570_grader.checks.returns import array, formula, free_body_diagram, number, rows
 
 from . import cases, reference
@@ -118,7 +118,10 @@ BEND = at_rest_or_not("How much of the weight does a slope carry?", "How sharply
 def source_or(student, otherwise, case, force, expected=None):
     """lagrange_equation where the force makes the student's own x'', or a hint."""
     (x, v), (mass, curvature, gravity) = case.args, (case.kwargs[name] for name in ("mass", "curvature", "gravity"))
-    (a,) = student.lagrange_equation.at([{"x": x, "v": v, "c": curvature, "g": gravity}])
+    try:
+        (a,) = student.lagrange_equation.at([{"x": x, "v": v, "c": curvature, "g": gravity}])
+    except (Failed, NotWritten):
+        return otherwise(case, force, expected)
     needed = mass * np.array([a, 2 * curvature * (v**2 + x * a) + gravity])
     return FollowsFrom("lagrange_equation") if np.allclose(force, needed) else otherwise(case, force, expected)
 
