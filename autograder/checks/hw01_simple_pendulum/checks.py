@@ -4,21 +4,11 @@ import math
 
 import numpy as np
 
-from tam570_grader import (
-    Assignment,
-    Column,
-    Invariant,
-    OwnRates,
-    absolute,
-    check,
-    check_conserved,
-    compare_trajectory,
-    compare_with,
-    expect,
-    from_own_lagrangian,
-)
+from tam570_grader import Assignment, check, expect, from_own_lagrangian
+from tam570_grader.checks.compare import Column, absolute, compare_with
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.returns import formula, free_body_diagram, group, number, rows
+from tam570_grader.checks.trajectory import Invariant, OwnRates, check_conserved, compare_trajectory
 
 from . import cases, reference
 

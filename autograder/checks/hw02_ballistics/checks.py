@@ -5,24 +5,13 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import (
-    Assignment,
-    Case,
-    Column,
-    Failed,
-    OwnRates,
-    absolute,
-    check,
-    compare_trajectory,
-    compare_with,
-    expect_that,
-    first_wrong,
-)
-from tam570_grader.checks.compare import is_right
+from tam570_grader import Assignment, Case, Failed, check, expect_that
+from tam570_grader.checks.compare import Column, absolute, compare_with, first_wrong, is_right
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.expect import FollowsFrom
 from tam570_grader.checks.plots import curves_seen, follows_path, judge_axes_of_lengths, path_drawn
 from tam570_grader.checks.returns import array, drawing, free_body_diagram, number, rows
+from tam570_grader.checks.trajectory import OwnRates, compare_trajectory
 
 from . import cases, reference
 

@@ -4,26 +4,14 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import (
-    Assignment,
-    Case,
-    Column,
-    Invariant,
-    OwnRates,
-    absolute,
-    check,
-    check_conserved,
-    compare_trajectory,
-    compare_with,
-    expect,
-    expect_that,
-    first_wrong,
-)
+from tam570_grader import Assignment, Case, check, expect, expect_that
+from tam570_grader.checks.compare import Column, absolute, compare_with, first_wrong
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.expect import FollowsFrom
 from tam570_grader.checks.expected import expected_result
 from tam570_grader.checks.plots import curves_seen, judge_axes_of_lengths, path_drawn
 from tam570_grader.checks.returns import array, drawing, free_body_diagram, group, number, rows
+from tam570_grader.checks.trajectory import Invariant, OwnRates, check_conserved, compare_trajectory
 
 from . import cases, reference
 

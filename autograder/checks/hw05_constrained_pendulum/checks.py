@@ -2,24 +2,11 @@
 
 import numpy as np
 
-from tam570_grader import (
-    Assignment,
-    Column,
-    Invariant,
-    OwnRates,
-    absolute,
-    array,
-    check,
-    check_domain,
-    compare_invariants,
-    compare_trajectory,
-    compare_with,
-    expect,
-    number,
-    rows,
-)
+from tam570_grader import Assignment, check, expect
+from tam570_grader.checks.compare import Column, absolute, check_domain, compare_with
 from tam570_grader.checks.diagrams import compare_diagrams
-from tam570_grader.checks.returns import free_body_diagram
+from tam570_grader.checks.returns import array, free_body_diagram, number, rows
+from tam570_grader.checks.trajectory import Invariant, OwnRates, compare_invariants, compare_trajectory
 
 from . import cases, reference
 

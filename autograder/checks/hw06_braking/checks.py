@@ -4,24 +4,11 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import (
-    Assignment,
-    Column,
-    Failed,
-    OwnRates,
-    array,
-    check,
-    check_raises,
-    compare_trajectory,
-    compare_with,
-    expect_that,
-    largest,
-    number,
-    rows,
-)
-from tam570_grader.checks.compare import Batch, own_result
+from tam570_grader import Assignment, Failed, check, expect_that
+from tam570_grader.checks.compare import Batch, Column, check_raises, compare_with, largest, own_result
 from tam570_grader.checks.diagrams import compare_diagrams
-from tam570_grader.checks.returns import free_body_diagram
+from tam570_grader.checks.returns import array, free_body_diagram, number, rows
+from tam570_grader.checks.trajectory import OwnRates, compare_trajectory
 
 from . import cases, reference
 from .reference import wheelbase

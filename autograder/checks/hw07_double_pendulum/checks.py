@@ -2,26 +2,12 @@
 
 import numpy as np
 
-from tam570_grader import (
-    Assignment,
-    Case,
-    Column,
-    Invariant,
-    OwnRates,
-    check,
-    check_conserved,
-    check_raises,
-    compare_trajectory,
-    compare_with,
-    curves_seen,
-    first_wrong,
-    judge_axes_of_lengths,
-    once,
-    path_drawn,
-)
-from tam570_grader.checks.compare import trim_to_signature
+from tam570_grader import Assignment, Case, check, once
+from tam570_grader.checks.compare import Column, check_raises, compare_with, first_wrong, trim_to_signature
 from tam570_grader.checks.diagrams import compare_diagrams
+from tam570_grader.checks.plots import curves_seen, judge_axes_of_lengths, path_drawn
 from tam570_grader.checks.returns import array, drawing, free_body_diagram, group, number, rows
+from tam570_grader.checks.trajectory import Invariant, OwnRates, check_conserved, compare_trajectory
 
 from . import cases, reference
 from .equations import agree_in_equations

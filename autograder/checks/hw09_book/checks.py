@@ -5,19 +5,9 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import (
-    Assignment,
-    Case,
-    absolute,
-    check,
-    check_domain,
-    check_raises,
-    compare_with,
-    expect,
-    expect_that,
-    judge_boxes,
-    largest,
-)
+from tam570_grader import Assignment, Case, check, expect, expect_that
+from tam570_grader.checks.compare import absolute, check_domain, check_raises, compare_with, largest
+from tam570_grader.checks.plots import judge_boxes
 from tam570_grader.checks.returns import array, group, number
 
 from . import cases, reference

@@ -4,20 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from tam570_grader import (
-    Assignment,
-    Case,
-    Column,
-    Invariant,
-    OwnRates,
-    absolute,
-    check,
-    check_domain,
-    compare_invariants,
-    compare_trajectory,
-    compare_with,
-    first_wrong,
-)
+from tam570_grader import Assignment, Case, check
+from tam570_grader.checks.compare import Column, absolute, check_domain, compare_with, first_wrong
 from tam570_grader.checks.expected import expected_result
 from tam570_grader.checks.plots import (
     along,
@@ -29,6 +17,7 @@ from tam570_grader.checks.plots import (
     path_drawn,
 )
 from tam570_grader.checks.returns import array, drawing, group, number, rows
+from tam570_grader.checks.trajectory import Invariant, OwnRates, compare_invariants, compare_trajectory
 
 from . import cases, reference
 

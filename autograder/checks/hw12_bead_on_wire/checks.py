@@ -7,22 +7,12 @@ from itertools import islice
 
 import numpy as np
 
-from tam570_grader import (
-    Assignment,
-    Column,
-    Invariant,
-    OwnRates,
-    check,
-    check_conserved,
-    compare_trajectory,
-    compare_with,
-    expect,
-    from_own_lagrangian,
-)
-from tam570_grader.checks.compare import own_result
+from tam570_grader import Assignment, Failed, check, expect, from_own_lagrangian
+from tam570_grader.checks.compare import Column, compare_with, own_result
 from tam570_grader.checks.diagrams import compare_diagrams
-from tam570_grader.checks.expect import Failed, FollowsFrom, NotWritten
+from tam570_grader.checks.expect import FollowsFrom, NotWritten
 from tam570_grader.checks.returns import array, formula, free_body_diagram, number, rows
+from tam570_grader.checks.trajectory import Invariant, OwnRates, check_conserved, compare_trajectory
 
 from . import cases, reference
 

@@ -4,22 +4,11 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import (
-    Assignment,
-    Column,
-    Invariant,
-    OwnRates,
-    check,
-    check_conserved,
-    compare_trajectory,
-    compare_with,
-    group,
-    number,
-    rows,
-)
-from tam570_grader.checks.compare import is_right
+from tam570_grader import Assignment, check
+from tam570_grader.checks.compare import Column, compare_with, is_right
 from tam570_grader.checks.diagrams import compare_diagrams
-from tam570_grader.checks.returns import free_body_diagram
+from tam570_grader.checks.returns import free_body_diagram, group, number, rows
+from tam570_grader.checks.trajectory import Invariant, OwnRates, check_conserved, compare_trajectory
 
 from . import cases, reference
 

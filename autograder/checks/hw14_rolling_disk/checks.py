@@ -5,27 +5,12 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import (
-    Assignment,
-    Column,
-    Invariant,
-    OwnRates,
-    absolute,
-    array,
-    check,
-    check_conserved,
-    compare_invariants,
-    compare_trajectory,
-    compare_with,
-    expect,
-    expect_that,
-    number,
-    rows,
-)
-from tam570_grader.checks.compare import own_result
+from tam570_grader import Assignment, check, expect, expect_that
+from tam570_grader.checks.compare import Column, absolute, compare_with, own_result
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.expect import FollowsFrom
-from tam570_grader.checks.returns import free_body_diagram
+from tam570_grader.checks.returns import array, free_body_diagram, number, rows
+from tam570_grader.checks.trajectory import Invariant, OwnRates, check_conserved, compare_invariants, compare_trajectory
 
 from . import cases, reference
 
