@@ -82,7 +82,7 @@ def _numbers_of_its_own(request):
 @pytest.fixture(autouse=True)
 def _handlers():
     """Those of the signals that a command listens to are set back: a command that was interrupted hears no more."""
-    handlers = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)}
+    handlers = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)}
     yield
     for number, handler in handlers.items():
         signal.signal(number, handler)

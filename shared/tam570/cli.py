@@ -1,9 +1,11 @@
 """The students' command, `tam570`. What a command does not need is not imported: `list` takes no numerical library."""
 
 import argparse
+import contextlib
 import io
 import os
 import shutil
+import signal
 import sys
 import textwrap
 import tomllib
@@ -198,6 +200,10 @@ def _check(arguments: argparse.Namespace) -> int:
     files = work.chosen(arguments.what, arguments.assignment)
     from tam570 import checking
 
+    with contextlib.suppress(ValueError):  # not the main thread
+        for number in {signal.SIGTERM, getattr(signal, "SIGHUP", signal.SIGTERM)}:  # a window that is closed, for one
+            if signal.getsignal(number) == signal.SIG_DFL:  # nohup ignores it
+                signal.signal(number, signal.default_int_handler)
     if arguments.watch:
         return checking.watch(files)
     for function in arguments.functions:

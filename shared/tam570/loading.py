@@ -7,6 +7,7 @@ import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, redirect_stdout
 from contextvars import ContextVar
+from io import StringIO
 from pathlib import Path
 from types import ModuleType
 from typing import cast
@@ -79,7 +80,7 @@ def _cells_run(source: bytes, module: ModuleType) -> Iterator[str]:
         name = f"cell {number}"
         linecache.cache[name] = (len(text), None, [f"{line}\n" for line in text.split("\n")], name)
         try:
-            with redirect_stdout(None):
+            with redirect_stdout(StringIO()):
                 run(compiled(text, name), module.__dict__)
         except (Exception, SystemExit) as error:
             yield f"{name}: {type(error).__name__}: {error}"

@@ -21,7 +21,7 @@ CELLS = {
     "is timed": "%%time\n%time x = 7",
     "takes what is timed": "x = %time 3 + 4",
     "writes the module": "%%writefile hw08_axis_angle.py\nx = 7",
-    "takes a time": "times = %timeit -o sum([1])\nprint(times.average)\nx = 7",
+    "takes a time": "import sys\ntimes = %timeit -o sum([1])\nprint(times.average)\nx = 7\nsys.stdout.flush()",
     "asks the shell": "!ls | grep 'x\nfiles = !ls\nif files:\n    !ls \\\n   -l\nx = 7",
     "asks for help": "import numpy as np\nx = 7\nx?\n?x\nnp.array??\nnp.*load*?",
     "has magics": "%matplotlib inline\n%load_ext autoreload\nx = 17 \\\n  % 10",

@@ -240,7 +240,7 @@ class _Process:
 
 def _fork() -> int:
     """Fork. A signal that comes meanwhile is heard after it: Python drops what is raised in what it runs at a fork."""
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGTERM})
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGTERM, signal.SIGHUP})
     try:
         return os.fork()
     finally:
@@ -263,7 +263,7 @@ def _serve_forked(line: socket.socket) -> None:
     """Live as a process that was forked; never returns."""
     try:
         os.setsid()
-        for number in (signal.SIGINT, signal.SIGTERM):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             signal.signal(number, signal.SIG_DFL)
         nowhere = os.open(os.devnull, os.O_RDWR)
         for standard in range(2):

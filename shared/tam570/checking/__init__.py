@@ -77,7 +77,8 @@ class Runner:
         prepared = [[str(file.resolve()), slug] for file, slug in ahead]
         self.idle = True
         self._folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
-        self._trail, self._hung = (Path(self._folder.name, name) for name in ("trail.json", "hung.txt"))
+        self._trail, self._hung, self._empty = (Path(self._folder.name, name) for name in ("step", "hung", "empty"))
+        self._empty.mkdir()
         self._order: Json = {}
         self._process = subprocess.Popen(
             # -P: nothing beside the work is imported
@@ -98,7 +99,7 @@ class Runner:
         self.idle, self._order = False, order
         assert self._process.stdin is not None
         with contextlib.suppress(BrokenPipeError):
-            order = {**order, "trail": str(self._trail), "hung": str(self._hung)}
+            order = {**order, "trail": str(self._trail), "hung": str(self._hung), "empty": str(self._empty)}
             print(json.dumps(order), file=self._process.stdin, flush=True)
 
     def successor(self, ahead: Work) -> "Runner | None":

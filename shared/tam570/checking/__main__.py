@@ -6,7 +6,6 @@ import importlib
 import json
 import os
 import sys
-import tempfile
 import traceback
 from collections.abc import Iterable
 from pathlib import Path
@@ -28,26 +27,19 @@ def main(argument: str) -> int:
     for file, slug in ahead:
         for path in (Path(file), *(module.path for module in session.tests_of(Path(file), slug))):
             _import_ahead(path)
-    order = json.loads(sys.stdin.readline() or "{}")
+    if not (line := sys.stdin.readline()):
+        return SOME_FAIL  # who waits for this process has gone
+    order = json.loads(line)
     os.dup2(os.open(os.devnull, os.O_RDONLY), 0)  # nobody answers an input() where work is graded
-    deadline.start(order.get("hung", os.devnull))
-    trail = Trail(order.get("trail", ""))
-    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as empty:
-        os.chdir(empty)  # nor are there files
-        try:
-            passed = [
-                session.check(
-                    Path(file),
-                    slug,
-                    trail,
-                    changed=changed,
-                    functions=order["functions"],
-                    lost=order["lost"].get(slug, {}),
-                )
-                for file, slug, changed in order.get("work", ())
-            ]
-        finally:
-            os.chdir(os.path.dirname(empty))
+    os.chdir(order["empty"])  # nor are there files
+    deadline.start(order["hung"])
+    trail = Trail(order["trail"])
+    passed = [
+        session.check(
+            Path(file), slug, trail, changed=changed, functions=order["functions"], lost=order["lost"].get(slug, {})
+        )
+        for file, slug, changed in order["work"]
+    ]
     return ALL_PASS if passed and all(passed) else SOME_FAIL
 
 

@@ -293,7 +293,7 @@ def _passes(outcomes: Outcomes, mistake: Mistake, test: str, *, everywhere: bool
 
     tried = outcomes.functions.tried(mistake, everywhere=everywhere)
     try:
-        with tried, contextlib.redirect_stdout(None), np.errstate(all="ignore"), warnings.catch_warnings():
+        with tried, contextlib.redirect_stdout(io.StringIO()), np.errstate(all="ignore"), warnings.catch_warnings():
             warnings.simplefilter("ignore")
             outcomes.repeat[test]()
     except (KeyboardInterrupt, GeneratorExit):

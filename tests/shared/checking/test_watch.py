@@ -17,12 +17,12 @@ REFUSED = "test_rotate_refuses_what_is_no_axis"  # has three parameters
 
 
 @pytest.fixture
-def watching(hw08):
+def watching(hw08, tmp_path_factory):
     """`watching(text)` -> what is said after this text is saved; None waits for the first result."""
     file = hw08()
     command = [sys.executable, "-m", "tam570", "check", "hw08", "--watch"]
-    buffered = dict(os.environ)
-    buffered.pop("PYTHONUNBUFFERED", None)  # as most people have it
+    left = tmp_path_factory.mktemp("left")
+    buffered = {**os.environ, "TMPDIR": str(left), "PYTHONUNBUFFERED": ""}  # as most people have it
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=buffered)
 
     def after(text=None, until=("all done", "next:")):
@@ -39,9 +39,10 @@ def watching(hw08):
 
     after.process = process
     yield after
-    process.kill()
+    process.terminate()
     process.wait()
     process.stdout.close()
+    assert not list(left.iterdir())
 
 
 def count(said):
