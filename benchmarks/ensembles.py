@@ -9,19 +9,13 @@ is the median distance of the two ends, of the state: it shows that both have fo
 
 import argparse
 import statistics
-import sys
 import time
 from pathlib import Path
 
 import numpy as np
+import record
+from run_time import methods, scenes
 from tqdm import tqdm
-
-HERE = Path(__file__).parent
-sys.path.insert(0, str(HERE / "run_time"))
-
-import methods  # noqa: E402
-import record  # noqa: E402
-import scenes  # noqa: E402
 
 OUTPUT = record.FOLDER / "ensembles.json"
 PROBLEMS = ("double pendulum, points", "Duffing", "heavy top", "Lorenz", "Euler's top", "figure eight")

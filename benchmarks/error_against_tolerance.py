@@ -7,18 +7,12 @@ problem itself makes of a change of its start by rtol. Prints the table; --write
 """
 
 import argparse
-import sys
-from pathlib import Path
 
 import numpy as np
+import record
+from run_time import scenes
 
-HERE = Path(__file__).parent
-sys.path.insert(0, str(HERE / "run_time"))
-
-import record  # noqa: E402
-import scenes  # noqa: E402
-
-from tam570.integrate import solve  # noqa: E402
+from tam570.integrate import solve
 
 TOLERANCES = (1e-6, 1e-8, 1e-10, 1e-12)
 FINEST = 1e-15

@@ -22,16 +22,11 @@ import time
 import warnings
 from pathlib import Path
 
+import mpmath
 import numpy as np
+import record
+from run_time import comparison, extrapolation, methods, scenes
 from tqdm import tqdm
-
-HERE = Path(__file__).parent
-sys.path.insert(0, str(HERE / "run_time"))
-
-import comparison  # noqa: E402
-import methods  # noqa: E402
-import record  # noqa: E402
-import scenes  # noqa: E402
 
 OUTPUT = record.FOLDER / "run_time_against_error.json"
 PEERS_OUTPUT = record.FOLDER / "run_time_against_peers.json"
@@ -50,15 +45,12 @@ EPS = 2.0**-52
 
 def references(names):
     """The end state of each scene, strings of 30 digits; computed where they are not kept for these very scenes."""
-    import mpmath
-    import taylor
-
     known_states = json.loads(REFERENCES.read_text()) if REFERENCES.exists() else {}
     for name in tqdm(names, desc="references", disable=None):
         rhs, start, parameters, end = scenes.scene(name)
         request = repr((rhs.__name__, start, parameters, end))
         if known_states.get(name, {}).get("asked") != request:
-            state = taylor.end_state((rhs, start, parameters, end))
+            state = extrapolation.end_state((rhs, start, parameters, end))
             known_states[name] = {"asked": request, "state": [mpmath.nstr(x, 30) for x in state]}
             REFERENCES.write_text(json.dumps(known_states, indent=1))
     return {name: known_states[name]["state"] for name in names}
@@ -66,11 +58,9 @@ def references(names):
 
 def error(state, reference):
     """Largest component of the error over the largest of the state."""
-    from mpmath import mpf, workdps
-
-    with workdps(30):
-        exact = [mpf(x) for x in reference]
-        wrong = max(abs(mpf(float(x)) - y) for x, y in zip(state, exact, strict=True))
+    with mpmath.workdps(30):
+        exact = [mpmath.mpf(x) for x in reference]
+        wrong = max(abs(mpmath.mpf(float(x)) - y) for x, y in zip(state, exact, strict=True))
         return float(wrong / max(map(abs, exact)))
 
 
@@ -156,7 +146,7 @@ def cold_times(name, curves_of):
 def _process(name, method, tolerance, **environment):
     """Processor time of a new process up to its first result."""
     code = (
-        f"import sys; sys.path.insert(0, {str(HERE / 'run_time')!r}); import scenes, methods; "
+        f"import sys; sys.path.insert(0, {str(Path(__file__).parent)!r}); from run_time import methods, scenes; "
         f"methods.METHODS[{method!r}](scenes.scene({name!r}), {tolerance!r})()"
     )
     before = resource.getrusage(resource.RUSAGE_CHILDREN)

@@ -6,16 +6,12 @@ The scenes are those of run_time_against_error.py; one is kept where the call's 
 """
 
 import json
-import sys
 from pathlib import Path
 
 import numpy as np
+from run_time import scenes
 
 HERE = Path(__file__).parent
-sys.path.insert(0, str(HERE / "run_time"))
-
-import scenes  # noqa: E402
-
 PLACE = HERE.parent / "autograder" / "tam570_grader" / "results" / "run_time.json"
 METHODS = ("SciPy RK45", "SciPy DOP853", "odeint", "tam570, Python")
 SAME = 1e-6  # of the state: the solution reaches 1e-9 in every scene

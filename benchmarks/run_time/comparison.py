@@ -3,7 +3,7 @@
 import itertools
 
 import numpy as np
-from methods import METHODS
+from run_time.methods import METHODS
 
 from tam570_grader.results.run_time import time_to
 

@@ -2,7 +2,7 @@
 
 import math
 
-from public import _bodies, _cube
+from run_time.public import _bodies, _cube
 
 PI = math.pi
 

@@ -1,19 +1,13 @@
 """What the reference solution of every assignment that simulates hands to the integrator; other sets of problems."""
 
 import importlib.util
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from run_time import lectures, literature, public
 
 import tam570.integrate
-
-sys.path.insert(0, str(Path(__file__).parent))
-
-import lectures  # noqa: E402
-import literature  # noqa: E402
-import public  # noqa: E402
 
 SOLUTIONS = Path(__file__).parents[2] / "solutions"
 

@@ -1,17 +1,16 @@
 """What is nothing but the rounding of larger components costs no steps; what is small and physics keeps its scale."""
 
 import math
-import runpy
 
 import numpy as np
 import pytest
+from run_time.public import PROBLEMS
 from scipy.integrate import solve_ivp
 
 from tam570.integrate import solve
 from tam570_grader.checks import assignments
 
 HW06, HW14 = (assignments.solution(slug) for slug in ("hw06_braking", "hw14_rolling_disk"))
-PROBLEMS = runpy.run_path(str(assignments.find() / "benchmarks" / "run_time" / "public.py"))["PROBLEMS"]
 DISK = {"mass": 1.0, "radius": 0.5, "inertia": (0.0625, 0.125), "gravity": 9.81}
 CAR = {"mass": 1136.0, "yaw_inertia": 1300.0, "front": 1.9, "rear": 1.1, "friction": 0.7, "gravity": 9.81}
 
