@@ -26,8 +26,9 @@ Quaternion from rotation matrix, J. Guidance and Control 1 (1978).
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.rotations import _euler, _formulas, _requirements, _stacked
+from tam570.rotations import _euler, _formulas, _stacked
 from tam570.rotations._evaluate import Array, evaluate
+from tam570.rotations._requirements import ANGLE, AXIS, FACTOR, MATRIX, NEAR_ONE, QUATERNION, ROTATION, TURN, VECTOR
 
 __all__ = [
     "axis_angle_from_matrix",
@@ -70,7 +71,7 @@ def skew(v: ArrayLike) -> Array:
     >>> skew([1, 2, 3]) @ [0, 0, 1]
     array([ 2., -1.,  0.])
     """
-    return evaluate(_formulas.skew_of_vector, _requirements.FINITE, (3, 3), ("v", _requirements.VECTOR, v))
+    return evaluate(_formulas.skew_of_vector, (3, 3), ("v", VECTOR, v))
 
 
 def unskew(S: ArrayLike) -> Array:
@@ -94,7 +95,7 @@ def unskew(S: ArrayLike) -> Array:
     >>> unskew(skew([1, 2, 3]))
     array([1., 2., 3.])
     """
-    return evaluate(_formulas.vector_of_skew, _requirements.FINITE, (3,), ("S", _requirements.MATRIX, S))
+    return evaluate(_formulas.vector_of_skew, (3,), ("S", MATRIX, S))
 
 
 def matrix_from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Array:
@@ -121,15 +122,9 @@ def matrix_from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Array:
     >>> (matrix_from_axis_angle([0, 0, 2], np.pi / 2) @ [1, 0, 0]).round(12)
     array([0., 1., 0.])
     """
-    formula = _formulas.matrix_of_axis_angle
-    return evaluate(
-        formula,
-        _requirements.SQUARES,
-        (3, 3),
-        ("axis", _requirements.AXIS, axis),
-        ("angle", _requirements.ANGLE, angle),
-        stacked=_stacked.matrix_of_axis_angle,
-    )
+    formula, stacked = _formulas.matrix_of_axis_angle, _stacked.matrix_of_axis_angle
+    arguments = ("axis", AXIS, axis), ("angle", ANGLE, angle)
+    return evaluate(formula, (3, 3), *arguments, stacked=stacked)
 
 
 def axis_angle_from_matrix(R: ArrayLike) -> tuple[Array, Array]:
@@ -157,9 +152,7 @@ def axis_angle_from_matrix(R: ArrayLike) -> tuple[Array, Array]:
     >>> axis.round(6), round(float(np.degrees(angle)), 9)
     (array([0.57735, 0.57735, 0.57735]), 120.0)
     """
-    axis_and_angle = evaluate(
-        _formulas.axis_angle_of_matrix, _requirements.DEFECTS, (4,), ("R", _requirements.ROTATION, R)
-    )
+    axis_and_angle = evaluate(_formulas.axis_angle_of_matrix, (4,), ("R", ROTATION, R))
     return axis_and_angle[..., :3], axis_and_angle[..., 3][()]  # of one rotation a float
 
 
@@ -186,7 +179,7 @@ def matrix_from_quaternion(q: ArrayLike) -> Array:
     array([0., 1., 0.])
     """
     formula, stacked = _formulas.matrix_of_quaternion, _stacked.matrix_of_quaternion
-    return evaluate(formula, _requirements.SQUARES, (3, 3), ("q", _requirements.QUATERNION, q), stacked=stacked)
+    return evaluate(formula, (3, 3), ("q", QUATERNION, q), stacked=stacked)
 
 
 def quaternion_from_matrix(R: ArrayLike) -> Array:
@@ -211,7 +204,7 @@ def quaternion_from_matrix(R: ArrayLike) -> Array:
     >>> quaternion_from_matrix(np.diag([1, -1, -1]))
     array([0., 1., 0., 0.])
     """
-    return evaluate(_formulas.quaternion_of_matrix, _requirements.DEFECTS, (4,), ("R", _requirements.ROTATION, R))
+    return evaluate(_formulas.quaternion_of_matrix, (4,), ("R", ROTATION, R))
 
 
 def composition(p: ArrayLike, q: ArrayLike) -> Array:
@@ -236,13 +229,7 @@ def composition(p: ArrayLike, q: ArrayLike) -> Array:
     >>> composition([0, 1, 0, 0], [0, 0, 1, 0])
     array([0., 0., 0., 1.])
     """
-    return evaluate(
-        _formulas.product_of_quaternions,
-        _requirements.FINITE,
-        (4,),
-        ("p", _requirements.FACTOR, p),
-        ("q", _requirements.FACTOR, q),
-    )
+    return evaluate(_formulas.product_of_quaternions, (4,), ("p", FACTOR, p), ("q", FACTOR, q))
 
 
 def matrix_from_euler(sequence: str, angles: ArrayLike) -> Array:
@@ -270,7 +257,7 @@ def matrix_from_euler(sequence: str, angles: ArrayLike) -> Array:
     array([ 0.866025, -0.5     ,  0.      ])
     """
     formula = _euler.matrix_of_angles(_order(sequence))
-    return evaluate(formula, _requirements.FINITE, (3, 3), ("angles", _requirements.VECTOR, angles))
+    return evaluate(formula, (3, 3), ("angles", VECTOR, angles))
 
 
 def euler_from_matrix(sequence: str, R: ArrayLike) -> Array:
@@ -298,7 +285,7 @@ def euler_from_matrix(sequence: str, R: ArrayLike) -> Array:
     array([0.1, 0.2, 0.3])
     """
     formula = _euler.angles_of_matrix(_order(sequence))
-    return evaluate(formula, _requirements.DEFECTS, (3,), ("R", _requirements.ROTATION, R))
+    return evaluate(formula, (3,), ("R", ROTATION, R))
 
 
 def euler_rates(sequence: str, angles: ArrayLike, omega: ArrayLike) -> Array:
@@ -330,13 +317,7 @@ def euler_rates(sequence: str, angles: ArrayLike, omega: ArrayLike) -> Array:
     array([2., 0., 1.])
     """
     formula = _euler.rates(_order(sequence))
-    result = evaluate(
-        formula,
-        _requirements.FINITE,
-        (4,),
-        ("angles", _requirements.VECTOR, angles),
-        ("omega", _requirements.VECTOR, omega),
-    )
+    result = evaluate(formula, (4,), ("angles", VECTOR, angles), ("omega", VECTOR, omega))
     if (np.abs(result[..., 3]) < LOCK).any():
         raise ValueError(f"angles in gimbal lock: no rates of {sequence} there; take another sequence or a matrix")
     return result[..., :3]
@@ -365,7 +346,7 @@ def exp(v: ArrayLike) -> Array:
     array([ 1., -1., -1.])
     """
     formula, stacked = _formulas.matrix_of_vector, _stacked.matrix_of_vector
-    return evaluate(formula, _requirements.TURNS, (3, 3), ("v", _requirements.TURN, v), stacked=stacked)
+    return evaluate(formula, (3, 3), ("v", TURN, v), stacked=stacked)
 
 
 def log(R: ArrayLike) -> Array:
@@ -390,7 +371,7 @@ def log(R: ArrayLike) -> Array:
     >>> log(exp([0.1, 0.2, 0.3])).round(12)
     array([0.1, 0.2, 0.3])
     """
-    return evaluate(_formulas.vector_of_matrix, _requirements.DEFECTS, (3,), ("R", _requirements.ROTATION, R))
+    return evaluate(_formulas.vector_of_matrix, (3,), ("R", ROTATION, R))
 
 
 def nearest(M: ArrayLike) -> Array:
@@ -417,7 +398,7 @@ def nearest(M: ArrayLike) -> Array:
            [0., 1., 0.],
            [0., 0., 1.]])
     """
-    return evaluate(_formulas.nearest_rotation, _requirements.STEPS, (3, 3), ("M", _requirements.NEAR_ONE, M))
+    return evaluate(_formulas.nearest_rotation, (3, 3), ("M", NEAR_ONE, M))
 
 
 def _order(sequence: str) -> _euler.Sequence:

@@ -53,47 +53,40 @@ ARRAYS = Functions(np.sin, np.cos, np.tan, np.sqrt, np.arctan2, np.hypot, _norm,
 
 @dataclass(frozen=True)
 class Requirement:
-    """What an argument must be."""
+    """What an argument must be; of the first one, the measures tell whether all arguments are ordinary."""
 
     shape: tuple[int, ...]
     holds: Callable[[Array], NDArray[np.bool_]]  # of rows (n, k), one for each rotation
     demand: str  # ends the sentence "<name> ...", and says what to do
     mend: Callable[[Array], Array] = lambda rows: rows  # brings lengths out of the ordinary into range
+    measures: tuple[float, float] = (0.0, 0.0)  # least and greatest of input that needs no second look
+
+
+Argument = tuple[str, Requirement, Array]  # its name, what it must be, its values
 
 
 def evaluate(
     formula: Formula,
-    measures: tuple[float, float],
     shape: tuple[int, ...],
     *arguments: tuple[str, Requirement, ArrayLike],
     stacked: Stacked | None = None,
 ) -> Array:
     """Return `formula` of the arguments' components, for every rotation in the batch; results of `shape` each.
 
-    measures  : least and greatest measure (the formula's first result) of input that needs no second look
     arguments : name, requirement and value of each
     stacked   : the same formula for batches, where it is written for whole stacks of components
     """
-    names, requirements = [name for name, _, _ in arguments], [requirement for _, requirement, _ in arguments]
-    values = [np.asarray(value, dtype=np.float64) for _, _, value in arguments]
-    single = _evaluate_single(formula, measures, shape, requirements, values)
+    floats = [(name, requirement, np.asarray(value, dtype=np.float64)) for name, requirement, value in arguments]
+    single = _evaluate_single(formula, shape, floats)
     if single is not None:
         return single
-    if stacked is not None:
-        return _evaluate_batch(stacked, STACK, measures, shape, names, requirements, values)
-    return _evaluate_batch(_by_component(formula), BLOCK, measures, shape, names, requirements, values)
+    return _evaluate_batch(stacked or _by_component(formula), STACK if stacked else BLOCK, shape, floats)
 
 
-def _evaluate_single(
-    formula: Formula,
-    measures: tuple[float, float],
-    shape: tuple[int, ...],
-    requirements: list[Requirement],
-    values: list[Array],
-) -> Array | None:
+def _evaluate_single(formula: Formula, shape: tuple[int, ...], arguments: list[Argument]) -> Array | None:
     """On floats; None if there is more than one rotation, or input that needs a second look."""
     numbers: list[float] = []
-    for requirement, value in zip(requirements, values, strict=True):
+    for _, requirement, value in arguments:
         if value.shape != requirement.shape:
             return None
         numbers += value.ravel().tolist()
@@ -101,7 +94,8 @@ def _evaluate_single(
         measure, *results = formula(FLOATS, *numbers)
     except (ValueError, ArithmeticError):  # math's way to say not a number
         return None
-    return np.array(results).reshape(shape) if measures[0] <= measure <= measures[1] else None
+    least, greatest = arguments[0][1].measures
+    return np.array(results).reshape(shape) if least <= measure <= greatest else None
 
 
 def _by_component(formula: Formula) -> Stacked:
@@ -116,28 +110,20 @@ def _by_component(formula: Formula) -> Stacked:
     return stacked
 
 
-def _evaluate_batch(
-    formula: Stacked,
-    block: int,
-    measures: tuple[float, float],
-    shape: tuple[int, ...],
-    names: list[str],
-    requirements: list[Requirement],
-    values: list[Array],
-) -> Array:
-    batch, tables = _tables(names, requirements, values)
+def _evaluate_batch(formula: Stacked, block: int, shape: tuple[int, ...], arguments: list[Argument]) -> Array:
+    batch, tables = _tables(arguments)
     count = math.prod(batch)
     results, workspace = np.empty((count, math.prod(shape))), _workspace(min(count, block), aligned=count >= block)
+    least, greatest = arguments[0][1].measures
     with np.errstate(all="ignore"):  # what is not a number is refused by name; underflow is harmless
         for start in range(0, count, block):
             rows, part = [table[start : start + block] for table in tables], results[start : start + block]
             part_workspace = workspace if len(part) == block else workspace[:, : len(part)]
             measure = formula([table.T for table in rows], part_workspace, part)
-            least, greatest = measure[measure.argmin()], measure[measure.argmax()]  # no number if one is none
-            if not (least >= measures[0] and greatest <= measures[1]):
-                formula(
-                    [_mended(*each).T for each in zip(names, requirements, rows, strict=True)], part_workspace, part
-                )
+            # the least and the greatest are no number if one is none
+            if not (measure[measure.argmin()] >= least and measure[measure.argmax()] <= greatest):
+                mended = [_mended(*argument[:2], table).T for argument, table in zip(arguments, rows, strict=True)]
+                formula(mended, part_workspace, part)
     return results.reshape(batch + shape)
 
 
@@ -150,20 +136,20 @@ def _workspace(columns: int, *, aligned: bool) -> Array:
     return numbers[first : first + ROWS * columns].reshape(ROWS, columns)
 
 
-def _tables(
-    names: list[str], requirements: list[Requirement], values: list[Array]
-) -> tuple[tuple[int, ...], list[Array]]:
+def _tables(arguments: list[Argument]) -> tuple[tuple[int, ...], list[Array]]:
     """Return the batch's shape, and each argument as rows (n, k)."""
-    batches = list(map(_batch, names, requirements, values))
+    batches = [_batch(*argument) for argument in arguments]
+    values = [value for _, _, value in arguments]
     batch = batches[0]
     if batches.count(batch) < len(batches):
         try:
             batch = np.broadcast_shapes(*batches)
         except ValueError as error:
-            raise ValueError(f"{' and '.join(names)} do not broadcast: {error}") from None
-        values = [np.broadcast_to(v, batch + r.shape) for v, r in zip(values, requirements, strict=True)]
+            names = " and ".join(name for name, _, _ in arguments)
+            raise ValueError(f"{names} do not broadcast: {error}") from None
+        values = [np.broadcast_to(value, batch + requirement.shape) for _, requirement, value in arguments]
     count = math.prod(batch)
-    return batch, [v.reshape(count, math.prod(r.shape)) for v, r in zip(values, requirements, strict=True)]
+    return batch, [v.reshape(count, math.prod(r.shape)) for v, (_, r, _) in zip(values, arguments, strict=True)]
 
 
 def _batch(name: str, requirement: Requirement, value: Array) -> tuple[int, ...]:

@@ -6,8 +6,7 @@ from numpy.typing import NDArray
 from tam570.rotations._evaluate import Array, Requirement
 from tam570.rotations._formulas import defect
 
-# Measures that need no second look
-FINITE = (0.0, 0.0)
+# Measures that need no second look; of what must only be finite, 0
 SQUARES = (1e-6, 1e250)  # squared lengths; times an angle of 1e-300 the least does not underflow
 TURNS = (0.0, 1e300)  # squared lengths of rotation vectors, which may underflow
 STEPS = (0.0, 1e-18)  # square of Newton's last step, which leaves an error of half its square
@@ -67,8 +66,14 @@ ANGLE = Requirement((), _is_finite, "must be finite")
 VECTOR = Requirement((3,), _is_finite, "must be finite")
 MATRIX = Requirement((3, 3), _is_finite, "must be finite")
 FACTOR = Requirement((4,), _is_finite, "must be finite")
-TURN = Requirement((3,), _is_short, "must be finite and shorter than 1e150 rad")
-AXIS = Requirement((3,), _is_direction, "must be finite and not zero: give a vector along the axis", _into_range)
-QUATERNION = Requirement((4,), _is_direction, "must be finite and not zero: no turn is (1, 0, 0, 0)", _into_range)
-NEAR_ONE = Requirement((3, 3), _has_one_nearest, "must be finite and near one rotation only", _nearest_by_svd)
-ROTATION = Requirement((3, 3), _is_rotation, "is not a rotation (off by more than 1e-6): repair it with nearest(R)")
+TURN = Requirement((3,), _is_short, "must be finite and shorter than 1e150 rad", measures=TURNS)
+AXIS = Requirement(
+    (3,), _is_direction, "must be finite and not zero: give a vector along the axis", _into_range, SQUARES
+)
+QUATERNION = Requirement(
+    (4,), _is_direction, "must be finite and not zero: no turn is (1, 0, 0, 0)", _into_range, SQUARES
+)
+NEAR_ONE = Requirement((3, 3), _has_one_nearest, "must be finite and near one rotation only", _nearest_by_svd, STEPS)
+ROTATION = Requirement(
+    (3, 3), _is_rotation, "is not a rotation (off by more than 1e-6): repair it with nearest(R)", measures=DEFECTS
+)
