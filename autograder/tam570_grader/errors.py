@@ -22,11 +22,7 @@ class Over(BaseException):
 
 def printable(text: str) -> str:
     """Return a text with what is no text escaped: what moves a terminal's cursor, and bytes that are not UTF-8."""
-    return (
-        text
-        if text.isprintable()
-        else "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
-    )
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
 
 
 def warn(message: str, prefix: str = "warning: ") -> None:
@@ -63,6 +59,5 @@ def writing(path: Path) -> Iterator[None]:
     except OSError as error:
         many = isinstance(error, shutil.Error) and isinstance(error.args[0], list)
         why = error.args[0][0][2] if many else error.strerror or error  # the first of many
-        raise UsageError(
-            f"cannot write to {path}: {why}; {REMEDIES.get(error.errno or 0, 'name another path')}"
-        ) from None
+        remedy = REMEDIES.get(error.errno or 0, "name another path")
+        raise UsageError(f"cannot write to {path}: {why}; {remedy}") from None

@@ -89,10 +89,8 @@ def report_cases(course: Path, slug: str, executor: TaskExecutor, seeds: int) ->
 
 def judged_cases(run: CaseRun) -> tuple[dict[Key, float], dict[Subject, frozenset[Key]]]:
     """Return the seconds of each case, and the cases that catch each subject."""
-    assignment, solution = (
-        assignments.assignment(run.course, run.slug),
-        solution_replies(run.course, run.slug, run.seed),
-    )
+    assignment = assignments.assignment(run.course, run.slug)
+    solution = solution_replies(run.course, run.slug, run.seed)
     seconds, caught = dict[Key, float](), dict[str, frozenset[Key]]()
     for check in assignment.checks if run.first else ():
         student = LocalStudent(assignment, check, solution, solution)

@@ -60,10 +60,9 @@ def diagnoses(course: Path, slug: str, executor: TaskExecutor, quick: bool, seed
     results = progress(in_order(executor, tried, tasks), len(tasks), "submission")
     known_mistakes = {mistake.name: mistake for mistake in mistakes(assignments.checks_folder(course, slug))}
     messages = {mistake.message for mistake in known_mistakes.values()}
-    results_told = [diagnosis(result, known_mistakes[result.student.partition(ON)[0]], messages) for result in results]
-    return [
-        mistake for mistake in results_told if mistake.messages or ON not in mistake.name
-    ]  # another style may not call what is wrong
+    diagnosed = (diagnosis(result, known_mistakes[result.student.partition(ON)[0]], messages) for result in results)
+    # another style may not call what is wrong
+    return [each for each in diagnosed if each.messages or ON not in each.name]
 
 
 def _taken(solution: str, changed: str) -> str:
@@ -79,9 +78,9 @@ def diagnosis(result: Result, mistake: Mistake, listed: Container[str]) -> Diagn
 
     listed : what known mistakes say; what is found by trying says what the numbers are, and misleads nobody
     """
-    failed = [check_result for check_result in result.checks if check_result.outcome == "failed"]
-    suspects = tuple(check_result.suspect for check_result in failed if check_result.suspect)
-    messages = tuple(check_result.message for check_result in failed)
+    failed = [check for check in result.checks if check.outcome == "failed"]
+    suspects = tuple(check.suspect for check in failed if check.suspect)
+    messages = tuple(check.message for check in failed)
     expected = mistake.message if mistake.compared else ""
     is_named = not mistake.compared or expected in suspects  # else its check says what it is
     misled = any(message in listed and message != expected for message in suspects)
@@ -90,7 +89,7 @@ def diagnosis(result: Result, mistake: Mistake, listed: Container[str]) -> Diagn
 
 def faults(diagnosed: Sequence[Diagnosis]) -> int:
     """Wrong names, and one more if too few mistakes are named."""
-    return sum(diagnosis_of.misled for diagnosis_of in diagnosed) + (share(diagnosed) < ENOUGH)
+    return sum(each.misled for each in diagnosed) + (share(diagnosed) < ENOUGH)
 
 
 def share(diagnosed: Sequence[Diagnosis]) -> float:

@@ -48,8 +48,7 @@ def fair(course: Path, slug: str, seeds: int, executor: TaskExecutor, keep: Path
     }
     tasks = []
     for seed in all_seeds:
-        fresh = {name: text for name, text in texts.items() if (name, seed) not in earlier}
-        if fresh:
+        if fresh := {name: text for name, text in texts.items() if (name, seed) not in earlier}:
             tasks.append(Class(course, slug, seed, fresh, digests))
     lines = [*earlier.values()]
     for graded in progress(in_order(executor, _graded, tasks), len(tasks), "seed"):
@@ -62,20 +61,9 @@ def _graded(group: Class) -> list[Line]:
     lines = []
     for name, text in group.texts.items():
         result = tried(Grading(group.course, group.slug, name, text, group.seed))
-        fails = [
-            [check_result.name, check_result.message]
-            for check_result in result.checks
-            if check_result.outcome != "passed"
-        ]
-        lines.append(
-            {
-                "assignment": group.slug,
-                "submission": name,
-                "digest": group.digests[name],
-                "seed": group.seed,
-                "fails": fails,
-            }
-        )
+        fails = [[check.name, check.message] for check in result.checks if check.outcome != "passed"]
+        about = {"assignment": group.slug, "submission": name, "digest": group.digests[name], "seed": group.seed}
+        lines.append({**about, "fails": fails})
     return lines
 
 

@@ -41,9 +41,9 @@ def _replay(arguments: argparse.Namespace) -> int:
     slug, why = _failure(arguments.results, arguments.student, arguments.check, arguments.assignment)
     say(f"{arguments.student}, {slug}, {arguments.check}: {describe_failure(why)}")
     if why.function:
-        call: Json = why.at
-        keywords = [f"{name}={_digits(_numbers(value))}" for name, value in call["kwargs"].items()]
-        say(f"\n{why.function}({', '.join([*(_digits(_numbers(value)) for value in call['args']), *keywords])})")
+        case = _case(why.at)
+        keywords = [f"{name}={_digits(value)}" for name, value in case.kwargs.items()]
+        say(f"\n{why.function}({', '.join([*map(_digits, case.args), *keywords])})")
     say(f"\nexpected: {_digits(why.expected)}\nactual:   {_digits(why.actual)}")
     if arguments.file:
         say(f"now:      {_again(arguments, slug, why)}")
@@ -87,7 +87,7 @@ def _again(arguments: argparse.Namespace, slug: str, why: Failure) -> str:
         student = Student(source, assignment, pool.zygote(sorted(assignment.needs), ResourceLimits(), [root]))
         try:
             student.load()
-            return _result(getattr(student, why.function), why.at) if why.function else "the check names no call"
+            return _result(getattr(student, why.function), _case(why.at)) if why.function else "the check names no call"
         except Failed as failed:
             return describe_failure(failed.failure)
         except NotWritten as unwritten:
@@ -98,19 +98,19 @@ def _again(arguments: argparse.Namespace, slug: str, why: Failure) -> str:
             student.leave()
 
 
-def _result(function: SandboxFunction, at: Json) -> str:
+def _result(function: SandboxFunction, case: Case) -> str:
     """Return what a function gives: numbers, the values of a formula, or the curves of a drawing."""
-    args = [_numbers(value) for value in at["args"]]
-    kwargs = {name: _numbers(value) for name, value in at["kwargs"].items()}
     if isinstance(function.returns, Formula):
-        return _digits(function.at(args[0] if args else [kwargs]))
+        return _digits(function.at(case.args[0] if case.args else [case.kwargs]))
     if isinstance(function.returns, Drawing):
-        curves = function.drawn(Case(*args, **kwargs)).lines
-        return (
-            "\n".join(f"{line.label or 'a curve'}: {_digits(line.points)}" for line in curves)
-            or "no curve of ten points"
-        )
-    return _digits(function(*args, **kwargs))
+        curves = [f"{line.label or 'a curve'}: {_digits(line.points)}" for line in function.drawn(case).lines]
+        return "\n".join(curves) or "no curve of ten points"
+    return _digits(function(*case.args, **case.kwargs))
+
+
+def _case(at: Json) -> Case:
+    """Return a call as it was made."""
+    return Case(*map(_numbers, at["args"]), **{name: _numbers(value) for name, value in at["kwargs"].items()})
 
 
 def _numbers(value: object) -> Numbers:

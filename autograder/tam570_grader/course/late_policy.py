@@ -208,9 +208,6 @@ def _source(entry: Entry) -> str:
 def _unknown_students(policies: Mapping[str, LatePolicy], graded: Collection[tuple[str, str]]) -> list[str]:
     """Name students with an extension who have no results, perhaps misspelt."""
     students, slugs = {student for student, _ in graded}, {slug for _, slug in graded}
-    listed = {(who, slug) for slug, policy in policies.items() if slug in slugs for who in policy.extension}
-    return [
-        f"{FILE} gives {who} more time in {slug}; no results are theirs"
-        for who, slug in sorted(listed)
-        if who not in students
-    ]
+    here = {slug: policy for slug, policy in policies.items() if slug in slugs}
+    unknown = {(who, slug) for slug, policy in here.items() for who in policy.extension.keys() - students}
+    return [f"{FILE} gives {who} more time in {slug}; no results are theirs" for who, slug in sorted(unknown)]

@@ -165,29 +165,17 @@ def _task(config: RunConfig, code: Callable[[str], bytes], submission: Submissio
     """Return what a supervisor gets, with a digest of all that the result depends on."""
     source, seed = source_of(submission), config.seed_of(submission)
     text = source.text if isinstance(source, Source) else str(source).encode()
-    kind_name = type(source).__name__ + (".ipynb" if isinstance(source, Source) and source.notebook else "")
-    parts = (  # each with its length: no two lists of them are the same text
-        kind_name.encode(),
-        submission.student.encode(),
-        submission.slug.encode(),
-        text,
-        code(submission.slug),
-        str(seed).encode(),
-    )
+    form = type(source).__name__ + (".ipynb" if isinstance(source, Source) and source.notebook else "")
+    words = form, submission.student, submission.slug, str(seed)
+    parts = *map(str.encode, words), text, code(submission.slug)  # with their lengths: no two lists are the same text
     digest = hashlib.sha256(b"".join(len(part).to_bytes(8) + part for part in parts)).hexdigest()
     return GradeTask(config.course, submission.student, submission.slug, seed, source, digest, submission.path is None)
 
 
 def _code_digests(config: RunConfig) -> Callable[[str], bytes]:
     """Of the limits, of what keeps submissions apart, and of all code, by the name of the assignment."""
-    names = (
-        config.limits,
-        config.cluster.isolation if config.cluster else isolation(),
-        sys.version,
-        platform.machine(),
-        _installed(),
-        *(("speed",) if config.speed else ()),
-    )
+    kept_apart = config.cluster.isolation if config.cluster else isolation()
+    names = config.limits, kept_apart, sys.version, platform.machine(), _installed(), config.speed
     engine = hashlib.sha256(repr(names).encode() + assignments.engine_digest()).digest()
     return functools.cache(lambda slug: assignments.checks_digest(config.course, slug) + engine)
 

@@ -24,10 +24,8 @@ def prove(root: Path, slugs: Sequence[str]) -> None:
         config = WorkerConfig(resource_limits(root), (root,))
         assignment = assignments.assignment(root, slug)
         added_names = {check.name for check in assignment.checks if check.run.__module__.endswith(f".{ADDITIONS}")}
-        texts = {
-            "solution": assignment.solution,
-            "stub": (root / "assignments" / slug / f"{slug}.py").read_text("utf-8"),
-        }
+        stub = root / "assignments" / slug / f"{slug}.py"
+        texts = {"solution": assignment.solution, "stub": stub.read_text("utf-8")}
         for what, text in texts.items():
             for seed in range(SEEDS):
                 task = GradeTask(root, what, slug, seed, Source(text.encode(), notebook=False), conditions=config)

@@ -31,7 +31,7 @@ def change(old: Record | None, new: Record) -> Change | None:
             because.append(f"{old['status']} -> {new['status']}")
         was, now = ({check["name"]: check for check in record["checks"]} for record in (old, new))
         because += [  # the checks whose points differ, those that are new or gone among them
-            f"{name}: {_check_result(was.get(name))} -> {_check_result(now.get(name))}"
+            f"{name}: {_shown(was.get(name))} -> {_shown(now.get(name))}"
             for name in {**was, **now}
             if _points(was.get(name)) != _points(now.get(name))
         ]
@@ -54,16 +54,14 @@ def gone(
     ]
 
 
-def _points(check_result: Record | None) -> tuple[float | None, float] | None:
-    return (check_result["points"], check_result["max_points"]) if check_result else None
+def _points(check: Record | None) -> tuple[float | None, float] | None:
+    return (check["points"], check["max_points"]) if check else None
 
 
-def _check_result(check_result: Record | None) -> str:
-    if check_result is None:
+def _shown(check: Record | None) -> str:
+    if check is None:
         return "no such check"
-    return (
-        f"{check_result['outcome'].replace('_', ' ')} {_number(check_result['points'])}/{check_result['max_points']:g}"
-    )
+    return f"{check['outcome'].replace('_', ' ')} {_number(check['points'])}/{check['max_points']:g}"
 
 
 def table(changes: Iterable[Change], compared: int) -> str:

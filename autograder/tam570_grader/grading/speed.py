@@ -21,20 +21,14 @@ _machines = Memory[float | None](most=100)  # how fast this machine is, by assig
 def speed_of(student: Student, assignment: LoadedAssignment, zygote: Zygote) -> Speed | None:
     """Return the student's point among the methods; None where there is no scene, or no motion to speak of."""
     scene = scenes().get(assignment.slug)
-    point = _point(student, scene) if scene else None
-    machine = (
-        _machines.value((assignment.root, assignment.slug), lambda: _measured(assignment, zygote)) if point else None
-    )
-    if scene is None or point is None or machine is None:
+    if scene is None or (point := _point(student, scene)) is None:
         return None
-    seconds, error = (float(f"{number:.2g}") for number in point)
-    return {
-        "function": scene["function"],
-        "scene": scene["scene"],
-        "seconds": seconds,
-        "error": error,
-        "machine": float(f"{machine:.2g}"),
-    }
+    machine = _machines.value((assignment.root, assignment.slug), lambda: _measured(assignment, zygote))
+    if machine is None:
+        return None
+    seconds, error, machine = (float(f"{number:.2g}") for number in (*point, machine))
+    words = {"function": scene["function"], "scene": scene["scene"]}
+    return {**words, "seconds": seconds, "error": error, "machine": machine}
 
 
 def _measured(assignment: LoadedAssignment, zygote: Zygote) -> float | None:

@@ -32,7 +32,7 @@ from tam570_grader.grading.seeds import new_seed
 from tam570_grader.grading.submissions import MOST_FILES, BadPath, CannotRead, Submission, of_folder, read, submissions
 from tam570_grader.nbgrader.cells import Notebook, grade_id, marked, node, pictures_only, rebuilt, remark, safe
 from tam570_grader.nbgrader.gradebook import OpenGradebook, keep_gradebooks_open
-from tam570_grader.release.notebook import FORMAT, part_of, part_points, text_cell
+from tam570_grader.release.notebook import FORMAT, noted, part_of, part_points, text_cell
 from tam570_grader.reports.feedback import load_assignment_info
 from tam570_grader.results.records import read as as_result
 from tam570_grader.results.store import Record, ResultStore
@@ -129,13 +129,7 @@ def _notes_of_cells(notebook: Any) -> dict[str, Json]:
     answers = {cell.name for cell in notebook.solution_cells}
     return {
         cell.name: {
-            "grade": cell.name in points,
-            "grade_id": cell.name,
-            "locked": cell.locked,
-            "task": False,
-            "points": points.get(cell.name, 0),
-            "schema_version": 3,
-            "solution": cell.name in answers,
+            **noted(cell.name, points.get(cell.name), locked=cell.locked, solution=cell.name in answers),
             "cell_type": cell.cell_type,
             "checksum": cell.checksum,
         }

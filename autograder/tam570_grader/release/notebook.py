@@ -149,7 +149,7 @@ def _part(
 def _by_hand(part: str, manual: ManualPart) -> list[CellRecord]:
     """Return the task, a cell to compute in, and the answer's cell, which carries the points."""
     answer = text_cell(f"manual-{part}", manual.prompt)
-    answer["metadata"] = _nbgrader(f"manual-{part}", manual.points, locked=False, solution=True)
+    answer["metadata"] = {"nbgrader": noted(f"manual-{part}", manual.points, locked=False, solution=True)}
     claims = rubric_table(manual)
     task = BY_HAND.format(part=part, worth=manual.worth, what=manual.asks, claims=claims)
     return [text_cell(f"task-{part}", task), _code(f"work-{part}", "# your plots and numbers\n"), answer]
@@ -163,22 +163,15 @@ def _locked(assignment: LoadedAssignment, part: str, tests: Iterable[str]) -> Ce
     functions = "" if names else f"    functions={json.dumps(used)},\n"
     call = f"lab.tests(\n{names}{functions}    points={points!r},\n)"
     cell = _code(f"{LOCKED}{part}", TESTS.format(part=part, call=call))
-    cell["metadata"] = _nbgrader(f"{LOCKED}{part}", points, locked=True, solution=False)
+    cell["metadata"] = {"nbgrader": noted(f"{LOCKED}{part}", points, locked=True, solution=False)}
     return cell
 
 
-def _nbgrader(grade_id: str, points: float, *, locked: bool, solution: bool) -> Json:
-    return {
-        "nbgrader": {
-            "grade": True,
-            "grade_id": grade_id,
-            "locked": locked,
-            "points": points,
-            "schema_version": 3,
-            "solution": solution,
-            "task": False,
-        }
-    }
+def noted(grade_id: str, points: float | None, *, locked: bool, solution: bool) -> Json:
+    """Return what nbgrader notes in a cell; without points it is not graded."""
+    worth = 0 if points is None else points
+    graded = {"grade": points is not None, "grade_id": grade_id, "locked": locked, "points": worth}
+    return {**graded, "schema_version": 3, "solution": solution, "task": False}
 
 
 def text_cell(name: str, source: str) -> CellRecord:

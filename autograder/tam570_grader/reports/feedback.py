@@ -171,15 +171,10 @@ def write_pages(folder: Path, results: Results, course: Path) -> list[Key]:
         digests[key] += f" {zlib.crc32(repr(score).encode())}"
     notes = folder.with_name(f".{folder.name}-made.json")
     try:
-        made_before = json.loads(notes.read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        made_before = None
-    made_before = made_before if isinstance(made_before, dict) else {}
-    stale = [
-        key
-        for key in results
-        if made_before.get("/".join(key)) != digests[key] or not os.path.exists(_path(folder, key))
-    ]
+        old = dict(json.loads(notes.read_text(encoding="utf-8")))
+    except (OSError, ValueError, TypeError):
+        old = {}
+    stale = [key for key in results if old.get("/".join(key)) != digests[key] or not os.path.exists(_path(folder, key))]
     if stale:
         notes.unlink(missing_ok=True)  # what it says is no longer so
     infos = {slug: load_assignment_info(course, slug) for slug in {slug for _, slug in stale}}

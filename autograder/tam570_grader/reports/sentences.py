@@ -32,9 +32,8 @@ def describe_failure(failure: Failure) -> str:
 
 def full_message(failure: Failure) -> str:
     """Return what a student reads of a failure where there is one line for all of it."""
-    return " ".join(
-        filter(None, [describe_failure(failure), known_mistake(failure.suspect) if failure.suspect else ""])
-    )
+    suspect = [known_mistake(failure.suspect)] if failure.suspect else []
+    return " ".join([describe_failure(failure), *suspect])
 
 
 def known_mistake(mistake: str) -> str:

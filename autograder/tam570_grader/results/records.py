@@ -47,10 +47,9 @@ class CheckResult:
         line = {key: value for key, value in vars(self).items() if value or key not in MAY_LACK}
         del line["failure"]
         if self.failure:
-            values = {field: getattr(self.failure, field.name) for field in fields(self.failure)}
-            line["failure"] = {
-                field.name: numbers(value) for field, value in values.items() if value is not field.default
-            }
+            usual = {field.name: field.default for field in fields(self.failure)}
+            told = {name: value for name, value in vars(self.failure).items() if value is not usual[name]}
+            line["failure"] = {name: numbers(value) for name, value in told.items()}
         return line
 
 
