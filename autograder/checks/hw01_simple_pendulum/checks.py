@@ -88,13 +88,11 @@ def moments_give_the_acceleration(student, rng):
     compare(student.angular_momentum_balance, states(rng), only=0, hint="Which way does the weight turn it?")
 
 
-ARM = "How far from the hinge do momentum and weight act?"
-
-
 @check("angular_momentum_balance", points=0.5)
 def momentum_and_moment_are_about_the_hinge(student, rng):
     """r x m v and the moment of the weight, about the hinge."""
-    compare(student.angular_momentum_balance, states(rng), only=(1, 2), hint=ARM)
+    hint = "How far from the hinge do momentum and weight act?"
+    compare(student.angular_momentum_balance, states(rng), only=(1, 2), hint=hint)
 
 
 @check("energy_balance", points=0.5)
@@ -136,13 +134,11 @@ def virtual_work_gives_the_acceleration(student, rng):
     compare(student.virtual_work, states(rng), hint="dr is l dtheta, across the rod.")
 
 
-AT_REST = "Put numbers in: at rest at the lowest point it is zero, at rest elsewhere negative."
-
-
 @check("lagrangian", points=0.75)
 def lagrangian_is_kinetic_less_potential(student, rng):
     """T - V in theta, omega, m, l, g, with V zero at the lowest point."""
-    compare(student.lagrangian, cases.symbols(rng), hint=AT_REST)
+    hint = "Put numbers in: at rest at the lowest point it is zero, at rest elsewhere negative."
+    compare(student.lagrangian, cases.symbols(rng), hint=hint)
 
 
 @check("lagrange_equation", points=0.75)
@@ -169,12 +165,8 @@ def action_is_stationary_on_motions(student, rng):
 @check("action", points=0.5, after=action_is_stationary_on_motions)
 def action_is_the_integral(student, rng):
     """the integral of T - V itself, to second order in the step."""
-    compare(
-        student.action,
-        [*cases.paths(rng), *cases.plain_paths(rng)],
-        tolerance=ACTION,
-        hint="V is zero at the lowest point; half the step must quarter the error.",
-    )
+    hint = "V is zero at the lowest point; half the step must quarter the error."
+    compare(student.action, [*cases.paths(rng), *cases.plain_paths(rng)], tolerance=ACTION, hint=hint)
 
 
 def of_harmonic(case, result, expected):
@@ -198,24 +190,18 @@ def small_angle_solution_is_harmonic(student, rng):
     compare(student.small_angle_solution, cases.small_angles(rng), tolerance=TRAJECTORY, hint=of_harmonic)
 
 
-TO_ZERO = "What becomes of sin(w t)/w, w = sqrt(g/l), as w goes to zero?"
-
-
 @check("small_angle_solution", points=0.25, after=small_angle_solution_is_harmonic)
 def small_angle_solution_without_gravity(student, rng):
     """without gravity the pendulum turns uniformly."""
-    compare(student.small_angle_solution, cases.weightless(rng), tolerance=TRAJECTORY, hint=TO_ZERO)
+    hint = "What becomes of sin(w t)/w, w = sqrt(g/l), as w goes to zero?"
+    compare(student.small_angle_solution, cases.weightless(rng), tolerance=TRAJECTORY, hint=hint)
 
 
 @check("period", points=0.5)
 def period_is_exact(student, rng):
     """exact at large amplitudes."""
-    compare(
-        student.period,
-        cases.usual_periods(rng),
-        tolerance=PERIOD,
-        hint="The energy gives omega at theta, and dt = dtheta/omega.",
-    )
+    hint = "The energy gives omega at theta, and dt = dtheta/omega."
+    compare(student.period, cases.usual_periods(rng), tolerance=PERIOD, hint=hint)
 
 
 TOO_SMALL = "No amplitude is small enough for the period of small angles."
@@ -240,12 +226,8 @@ SWING = cases.motions(cases.swing, 10, 60, "a large swing, t[0] not 0")
 @check("simulate", points=0.5)
 def simulate_swings(student, rng):
     """large swings, row i at t[i], row 0 the given state."""
-    compare_motions(
-        student.simulate,
-        SWING(rng),
-        hint="Integrate theta' = omega, omega' = alpha from the state at t[0].",
-        keeps=KEPT,
-    )
+    hint = "Integrate theta' = omega, omega' = alpha from the state at t[0]."
+    compare_motions(student.simulate, SWING(rng), hint=hint, keeps=KEPT)
 
 
 STEPS = "A fixed number of steps, or a fixed step, does not do for every pendulum."
@@ -274,13 +256,13 @@ def simulate_without_gravity(student, rng):
 
 MANY = cases.motions(cases.swing, 40, 40, "many periods")
 LOSSES = {1e-4: 0.6, 1e-2: 0.3}
-FIXED = "Tighten rtol and atol; a step of fixed length does not do for every duration."
 
 
 @check("simulate", points=0.25, after=simulate_swings)
 def simulate_keeps_the_energy(student, rng):
     """the energy stays what it was over many periods."""
-    check_conserved(student.simulate, reference, MANY(rng), KEPT, coarsely=COARSELY, partial=LOSSES, hint=FIXED)
+    hint = "Tighten rtol and atol; a step of fixed length does not do for every duration."
+    check_conserved(student.simulate, reference, MANY(rng), KEPT, coarsely=COARSELY, partial=LOSSES, hint=hint)
 
 
 ASSIGNMENT = Assignment(

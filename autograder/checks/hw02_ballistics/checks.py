@@ -62,21 +62,18 @@ def forces_on_the_particle(student, rng):
     compare_diagrams(student.free_body_diagram, reference, cases.without_time(rng))
 
 
-FORCES = "Draw the two forces on the particle: which way does each point when it falls?"
-
-
 @check("state_derivative", points=0.75)
 def rates_are_newtons(student, rng):
     """state_derivative is the velocity and (weight + drag)/mass, for velocities in any direction."""
-    compare(student.state_derivative, cases.states(rng), tolerance=FORMULA, hint=FORCES)
+    hint = "Draw the two forces on the particle: which way does each point when it falls?"
+    compare(student.state_derivative, cases.states(rng), tolerance=FORMULA, hint=hint)
 
 
 @check("state_derivative", points=0.25, after=rates_are_newtons)
 def rates_without_drag_or_gravity(student, rng):
     """state_derivative holds where drag or gravity, or both, are zero."""
-    compare(
-        student.state_derivative, cases.states_without(rng), tolerance=FORMULA, hint="Do you divide by drag or gravity?"
-    )
+    hint = "Do you divide by drag or gravity?"
+    compare(student.state_derivative, cases.states_without(rng), tolerance=FORMULA, hint=hint)
 
 
 def of_ground(motion):
@@ -126,18 +123,15 @@ def trajectory_is_the_motion(student, rng):
 @check("trajectory", points=0.25, part="c", after=trajectory_is_the_motion)
 def trajectory_counts_time_from_the_launch(student, rng):
     """trajectory is launched at t = 0, at whatever times: later ones, a single one, backwards."""
-    compare_rows(
-        student.trajectory, cases.late_flights(rng), hint="The launch is at t = 0, and row i is the state at t[i]."
-    )
-
-
-EXPM1 = "1 - e^-s is a difference of nearly equal numbers (see numpy.expm1); so is y."
+    hint = "The launch is at t = 0, and row i is the state at t[i]."
+    compare_rows(student.trajectory, cases.late_flights(rng), hint=hint)
 
 
 @check("trajectory", points=0.75, part="c", after=trajectory_is_the_motion)
 def trajectory_with_any_drag(student, rng):
     """trajectory keeps its digits at drag 1e-12, at none, and long after e^(-c t/m) is nothing."""
-    compare_rows(student.trajectory, cases.flights_with_any_drag(rng), hint=EXPM1)
+    hint = "1 - e^-s is a difference of nearly equal numbers (see numpy.expm1); so is y."
+    compare_rows(student.trajectory, cases.flights_with_any_drag(rng), hint=hint)
 
 
 def of_landing(case, time, expected):
@@ -169,13 +163,11 @@ def flight_time_with_hardly_any_drag(student, rng):
     compare(student.flight_time, cases.landings_of_little_drag(rng), hint=partial(of_little_drag, "flight_time"))
 
 
-SHORT = "Does a search for the root step over a flight that is short, or end at t = 0?"
-
-
 @check("flight_time", points=0.25, part="c", after=flight_ends_at_launch_height)
 def flight_time_with_great_drag_and_straight_up(student, rng):
     """flight_time holds straight up, nearly flat, at drag a thousand times the weight."""
-    compare(student.flight_time, [*cases.flat_landings(rng), *cases.landings_of_great_drag(rng)], hint=SHORT)
+    hint = "Does a search for the root step over a flight that is short, or end at t = 0?"
+    compare(student.flight_time, [*cases.flat_landings(rng), *cases.landings_of_great_drag(rng)], hint=hint)
 
 
 @check("horizontal_range", points=0.5, part="c")
@@ -187,11 +179,8 @@ def range_is_where_it_lands(student, rng):
 @check("horizontal_range", points=0.5, part="c", after=range_is_where_it_lands)
 def range_with_hardly_any_drag(student, rng):
     """horizontal_range becomes v^2 sin(2 angle)/g, no digits lost; it holds with great drag, too."""
-    compare(
-        student.horizontal_range,
-        [*cases.landings_of_little_drag(rng), *cases.landings_of_great_drag(rng)],
-        hint=partial(of_little_drag, "horizontal_range"),
-    )
+    calls = [*cases.landings_of_little_drag(rng), *cases.landings_of_great_drag(rng)]
+    compare(student.horizontal_range, calls, hint=partial(of_little_drag, "horizontal_range"))
 
 
 NEAR = 1e-3  # of an angle
@@ -232,22 +221,18 @@ def best_angle_is_45_degrees_without_drag(student, rng):
     compare_angles(student, cases.slow_speeds(rng))
 
 
-VERY_FLAT = "The largest range is very flat there: solve for where its derivative vanishes, on a logarithmic scale."
-
-
 @check("best_angle", points=0.5, after=best_angle_has_the_largest_range)
 def best_angle_at_a_huge_speed(student, rng):
     """best_angle goes to zero as the speed grows, and stays good to 1 % of itself."""
-    compare(student.best_angle, cases.huge_speeds(rng), tolerance=SWIFT, scale=lambda _, angle: angle, hint=VERY_FLAT)
-
-
-CORNERS = "Plot your closed form at 10, 100 and 1000 times the terminal speed; launch and landing are corners, too."
+    hint = "The largest range is very flat there: solve for where its derivative vanishes, on a logarithmic scale."
+    compare(student.best_angle, cases.huge_speeds(rng), tolerance=SWIFT, scale=lambda _, angle: angle, hint=hint)
 
 
 @check("limit_shape", points=1, part="b")
 def path_at_a_huge_speed_has_the_limit_shape(student, rng):
     """limit_shape has the corners that a path has at a speed of 1e12 terminal speeds."""
-    compare(student.limit_shape, cases.angles(rng), tolerance=CORNER, hint=CORNERS)
+    hint = "Plot your closed form at 10, 100 and 1000 times the terminal speed; launch and landing are corners, too."
+    compare(student.limit_shape, cases.angles(rng), tolerance=CORNER, hint=hint)
 
 
 @check("plot_comparison", points=0.5, part="e")
@@ -270,21 +255,13 @@ def both_paths_are_drawn(student, rng):
         paths = [function.aside(case.replace(times))[:, :2] for function in (student.simulate, student.trajectory)]
         return paths if all(follows_path(line, paths, DRAWN, FEWER) for line in picture.lines) else []
 
-    curves = curves_seen(
-        picture, 2, lambda: FollowsFrom(wrong_source()) if len(picture.lines) == 2 and own_paths() else ""
-    )
+    def of_small():
+        return FollowsFrom(wrong_source()) if len(picture.lines) == 2 and own_paths() else ""
+
+    curves = curves_seen(picture, 2, of_small)
+    words = {"others": others, "wrong_source": wrong_source, "own_paths": own_paths, "near_miss_credit": False}
     for line in curves:
-        path_drawn(
-            line,
-            path,
-            tolerance=DRAWN,
-            fewer=FEWER,
-            quantity="a curve",
-            others=others,
-            wrong_source=wrong_source,
-            own_paths=own_paths,
-            near_miss_credit=False,
-        )
+        path_drawn(line, path, tolerance=DRAWN, fewer=FEWER, quantity="a curve", **words)
     judge_axes_of_lengths(picture)
     judge_twins(student, case, curves)
 

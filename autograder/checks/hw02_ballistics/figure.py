@@ -14,10 +14,8 @@ def figure(angle=0.9, speed=1.0, drag=1.6):
     parameters = {"mass": 1.0, "drag": drag, "gravity": 1.0}
     end = reference.flight_time(speed, angle, **parameters)
     path = reference.trajectory(np.linspace(0.0, 1.12 * end, 60), speed, angle, **parameters)[:, :2]
-    now, reach = (
-        reference.trajectory(np.array([0.62 * end]), speed, angle, **parameters)[0],
-        reference.horizontal_range(speed, angle, **parameters),
-    )
+    now = reference.trajectory(np.array([0.62 * end]), speed, angle, **parameters)[0]
+    reach = reference.horizontal_range(speed, angle, **parameters)
     shown = Figure(
         "A projectile with drag",
         "A particle of mass m is launched from the origin at the given angle above the x axis, to the right; y is "

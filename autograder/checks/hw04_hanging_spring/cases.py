@@ -111,9 +111,8 @@ many_periods = motions(5.2, "five periods, t[0] not 0", 0.4, count=20)
 def at_two_times(rng):
     """Of the plain cases."""
     for case in plain(rng):
-        yield case.with_leading(np.array([0.0, rng.uniform(0.3, 1.3) * period(case)])).labelled(
-            f"two times, {case.label}"
-        )
+        t = np.array([0.0, rng.uniform(0.3, 1.3) * period(case)])
+        yield case.with_leading(t).labelled(f"two times, {case.label}")
 
 
 def few_times(rng):

@@ -31,6 +31,7 @@ DRAWN = 1e-3  # of the picture; chords of the 201 points that it is compared wit
 
 compare = compare_with(reference, tolerance=POINTWISE)
 compare_motions = compare_with(reference, by=compare_trajectory, tolerance=TRAJECTORY)
+compare_energy = compare_with(reference, by=check_conserved, coarsely=COARSELY)
 
 
 def length(case, _=None):
@@ -58,13 +59,11 @@ def forces_on_the_mass(student, rng):
     compare_diagrams(student.free_body_diagram, reference, cases.states(rng))
 
 
-BELOW = "Which two forces act on the mass, and which way, when it is below the origin?"
-
-
 @check("state_derivative", points=1.5)
 def derivative_is_velocity_and_force_over_mass(student, rng):
     """the velocity, and the acceleration by the spring and the weight."""
-    compare(student.state_derivative, cases.states_at_times(rng), hint=BELOW)
+    hint = "Which two forces act on the mass, and which way, when it is below the origin?"
+    compare(student.state_derivative, cases.states_at_times(rng), hint=hint)
 
 
 @check("energy", points=1)
@@ -105,22 +104,18 @@ def simulate_moves_as_it_must(student, rng):
     compare_motions(student.simulate, cases.moving(rng), keeps=KEPT)
 
 
-FIXED = "Neither a fixed step nor a fixed number of steps does for every spring and any times."
-
-
 @check("simulate", points=0.5, after=simulate_moves_as_it_must)
 def simulate_does_not_depend_on_the_sampling(student, rng):
     """the same with only two times, periods apart, whatever was asked before."""
     compare_motions(student.simulate, cases.few_times(rng))
-    compare_motions(student.simulate, cases.stiff(rng), hint=FIXED)
+    hint = "Neither a fixed step nor a fixed number of steps does for every spring and any times."
+    compare_motions(student.simulate, cases.stiff(rng), hint=hint)
 
 
 @check("simulate", points=0.5, after=simulate_moves_as_it_must)
 def energy_stays(student, rng):
     """after five periods the energy has its first value."""
-    check_conserved(
-        student.simulate, reference, cases.many_periods(rng), KEPT, coarsely=COARSELY, partial={1e-3: 0.6, 1e-2: 0.3}
-    )
+    compare_energy(student.simulate, cases.many_periods(rng), KEPT, partial={1e-3: 0.6, 1e-2: 0.3})
 
 
 # The ellipse
@@ -219,13 +214,8 @@ def the_path_is_drawn(student, rng):
         for function in (student.simulate, student.solution):
             yield student.project.aside(Case(function.aside(Case(t, r, v, **case.kwargs))[:, :3], *view))
 
-    words = {
-        "quantity": "the curve",
-        "others": others,
-        "wrong_source": lambda: wrong_motion() or wrong_picture(),
-        "own_paths": own_paths,
-    }
-    path_drawn(line, path, tolerance=DRAWN, **words)
+    words = {"quantity": "the curve", "others": others, "own_paths": own_paths}
+    path_drawn(line, path, tolerance=DRAWN, wrong_source=lambda: wrong_motion() or wrong_picture(), **words)
     judge_axes_of_lengths(picture, "right horizontal", "up vertical")
 
 

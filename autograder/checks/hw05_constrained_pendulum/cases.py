@@ -113,6 +113,5 @@ def long(rng):
 def at_the_top(rng):
     pendulum = parameters(rng)
     t = np.linspace(0.0, 20 / pace(pendulum), 9)
-    return [
-        Case(t, np.array([0.0, pendulum["length"], 0.0, 0.0]), **pendulum).labelled("a start at rest at the very top")
-    ]
+    top = np.array([0.0, pendulum["length"], 0.0, 0.0])
+    return [Case(t, top, **pendulum).labelled("a start at rest at the very top")]

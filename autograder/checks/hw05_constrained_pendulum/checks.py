@@ -69,13 +69,11 @@ def of_mending(case, result, expected):
     return "Which part of v is along the radius?"
 
 
-TWICE = "Differentiate x^2 + y^2 = l^2 twice: which unknown does F = m a leave?"
-
-
 @check("constraint_force", points=2)
 def force_keeps_the_particle_on_the_circle(student, rng):
     """radial, and such that F = m a keeps x^2 + y^2 as it is."""
-    compare(student.constraint_force, cases.states(rng), hint=TWICE)
+    hint = "Differentiate x^2 + y^2 = l^2 twice: which unknown does F = m a leave?"
+    compare(student.constraint_force, cases.states(rng), hint=hint)
 
 
 @check("acceleration", points=1.5)
@@ -90,13 +88,11 @@ def consistent_state_is_the_nearest(student, rng):
     compare(student.consistent_state, cases.off_circle(rng), hint=of_mending)
 
 
-NEAREST = "Which point of the circle is nearest to its centre?"
-
-
 @check("consistent_state", points=0.25, after=consistent_state_is_the_nearest, refusals=True)
 def consistent_state_refuses_the_origin(student, rng):
     """consistent_state raises ValueError where no point of the circle is the nearest."""
-    check_domain(student.consistent_state, reference, cases.origin(rng), tolerance=FORMULA, hint=NEAREST)
+    hint = "Which point of the circle is nearest to its centre?"
+    check_domain(student.consistent_state, reference, cases.origin(rng), tolerance=FORMULA, hint=hint)
 
 
 @check("energy", points=1)
@@ -118,7 +114,6 @@ def with_gravity_it_swings_or_goes_round(student, rng):
 
 
 LEAVES = "Do place and velocity leave the circle: what corrects the errors of the steps?"
-TIGHTEN = "Tighten rtol and atol: does it leave the circle between the samples?"
 ENERGY_SHARES = {1e-3: 0.9, np.inf: 0.8}  # most of the points are the constraint's
 
 
@@ -134,31 +129,25 @@ def it_stays_on_the_circle(student, rng):
     out = (x * vx + y * vy) / (length * speed(motion.case, motion.expected))
     words = {**drift(off, out), "unit": "of its size", "t": motion.t, "partial": {1e-7: 0.5, 1e-5: 0.25}}
     expect(np.column_stack([off, out]), 0.0, tolerance=CONSTRAINT, **words)
-    compare_invariants(student.simulate, motions, KEPT, partial=ENERGY_SHARES, hint=TIGHTEN)
+    hint = "Tighten rtol and atol: does it leave the circle between the samples?"
+    compare_invariants(student.simulate, motions, KEPT, partial=ENERGY_SHARES, hint=hint)
 
 
 def drift(off, out):
     """What leaves the circle, and what nothing takes back."""
+    constraint, hint = "x^2 + y^2 = l^2 or r . v = 0", LEAVES
     if np.abs(off).max() <= ROUNDED:
-        return {"quantity": "the constraint r . v = 0", "hint": "The place is put back: is the velocity made tangent?"}
-    if np.abs(out).max() <= ROUNDED:
-        return {
-            "quantity": "the constraint x^2 + y^2 = l^2",
-            "hint": "The velocity is made tangent: is the place put back?",
-        }
-    return {"quantity": "the constraint x^2 + y^2 = l^2 or r . v = 0", "hint": LEAVES}
+        constraint, hint = "r . v = 0", "The place is put back: is the velocity made tangent?"
+    elif np.abs(out).max() <= ROUNDED:
+        constraint, hint = "x^2 + y^2 = l^2", "The velocity is made tangent: is the place put back?"
+    return {"quantity": f"the constraint {constraint}", "hint": hint}
 
 
 @check("simulate", points=0.5, after=with_gravity_it_swings_or_goes_round)
 def at_the_very_top_it_stays(student, rng):
     """at rest straight above the hinge it is in equilibrium."""
-    compare_motions(
-        student.simulate,
-        cases.at_the_top(rng),
-        tolerance=TOP,
-        hint="What do the two forces add up to there?",
-        loose_tolerance_credit=False,
-    )
+    hint = "What do the two forces add up to there?"
+    compare_motions(student.simulate, cases.at_the_top(rng), tolerance=TOP, hint=hint, loose_tolerance_credit=False)
 
 
 @check("wireframe", points=0.5)

@@ -104,7 +104,7 @@ def headings(rng):
         yield case.replace(state).labelled(f"G at the origin, heading {heading:.3g}, {case.label}")
 
 
-def of_diagrams(rng):
+def all_states(rng):
     """Every way to move, odd cars, every heading."""
     return [*ways(*WAYS)(rng), *odd_cars(rng), *headings(rng)]
 

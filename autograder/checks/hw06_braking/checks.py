@@ -82,7 +82,7 @@ def forces_on_the_car(student, rng):
         along, aside = own_result(student.friction_force, reference, case)
         return reference.free_body_diagram(*case.args, **{**case.kwargs, "drag": complex(along, aside) or None})
 
-    calls = cases.of_diagrams(rng)
+    calls = cases.all_states(rng)
     compare_diagrams(student.free_body_diagram, reference, calls, (student.friction_force, own_body))
     judge_refusals(student, [("free_body_diagram", calls[0])])
 
@@ -174,11 +174,7 @@ def friction_opposes_the_sliding(student, rng):
 @check("friction_force", points=0.5, after=friction_opposes_the_sliding)
 def friction_in_any_motion_and_at_rest(student, rng):
     """any motion, however slow; zero at rest."""
-    compare(
-        student.friction_force,
-        [*cases.ways(*cases.WAYS)(rng), *cases.odd_cars(rng), *cases.headings(rng)],
-        hint=of_friction,
-    )
+    compare(student.friction_force, cases.all_states(rng), hint=of_friction)
     compare(student.friction_force, cases.slow(rng), tolerance=SLOW, hint=of_friction)
     compare(student.friction_force, cases.hardly_moving(rng), hint=of_friction, scale=largest, **HARDLY)
 
@@ -206,9 +202,8 @@ def equations_without_friction_and_at_rest(student, rng):
 @check("kinetic_energy", points=0.5)
 def kinetic_energy_of_G_and_of_turning(student, rng):
     """of G, and of turning about it."""
-    compare(
-        student.kinetic_energy, [*cases.ways(*cases.WAYS)(rng), *cases.odd_cars(rng)], hint="What is the velocity of G?"
-    )
+    hint = "What is the velocity of G?"
+    compare(student.kinetic_energy, [*cases.ways(*cases.WAYS)(rng), *cases.odd_cars(rng)], hint=hint)
 
 
 @check("simulate", points=0.75)
@@ -244,12 +239,8 @@ def critical_speed_is_where_growth_begins(student, rng):
 @check("small_yaw_rate", points=0.75, part="d")
 def small_yaw_rate_is_the_linear_solution(student, rng):
     """exact by linear theory."""
-    compare(
-        student.small_yaw_rate,
-        cases.slowing(rng),
-        tolerance=GROWTH,
-        hint="What is d(yaw rate)/d(speed)? Integrate over the speed.",
-    )
+    hint = "What is d(yaw rate)/d(speed)? Integrate over the speed."
+    compare(student.small_yaw_rate, cases.slowing(rng), tolerance=GROWTH, hint=hint)
 
 
 def judge_refusals(student, calls):

@@ -30,11 +30,8 @@ def figure(heading=0.55, front=1.5, rear=1.1):
         y=(-0.5, 4.0),
     )
     shown.axes((0, 0), 0.9)
-    shown.line(
-        [at(front, HALF_TRACK), at(-rear, HALF_TRACK), at(-rear, -HALF_TRACK), at(front, -HALF_TRACK)],
-        "solid",
-        closed=True,
-    )
+    corners = [at(front, HALF_TRACK), at(-rear, HALF_TRACK), at(-rear, -HALF_TRACK), at(front, -HALF_TRACK)]
+    shown.line(corners, "solid", closed=True)
     for axle in reference.axles("rear", front, rear):
         shown.line([at(axle, HALF_TRACK), at(axle, -HALF_TRACK)], "body")
         for side in (HALF_TRACK, -HALF_TRACK):
@@ -45,9 +42,8 @@ def figure(heading=0.55, front=1.5, rear=1.1):
     shown.angle(at(0), 2.25, 0.0, heading, "heading", by=(42, -6))
     shown.dimension(at(0), at(front), "front", aside=78)
     shown.dimension(at(-rear), at(0), "rear", aside=78)
-    shown.curve(
-        [at(0.45 * math.cos(a), 0.45 * math.sin(a)) for a in np.linspace(2.2, 3.9, 12)], "yaw rate", by=(-32, -12)
-    )
+    arc = [at(0.45 * math.cos(a), 0.45 * math.sin(a)) for a in np.linspace(2.2, 3.9, 12)]
+    shown.curve(arc, "yaw rate", by=(-32, -12))
     shown.point("G", at(0), by=(4, -17))
     shown.label(at(front), "front axle", by=(52, -80), style="soft")
     shown.label(at(-rear), "rear axle", by=(54, -88), style="soft")

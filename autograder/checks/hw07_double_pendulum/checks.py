@@ -22,6 +22,7 @@ ENERGY = 1e-5  # of m g l; the same solvers lose 5e-8 of it in ten seconds, a sy
 DRAWN = 1e-3  # of the length; the path between 400 points bends by 2e-4 of it
 
 compare = compare_with(reference, tolerance=FORMULA)
+compare_conserved = compare_with(reference, by=check_conserved)
 
 
 def power_of_rate(n, mass=1, length=2):
@@ -49,9 +50,8 @@ def forces_on_each_bar(student, rng):
     calls = cases.free_bars(rng)
     compare_diagrams(student.free_body_diagram, reference, calls)
     bad = [call.replace(bar).labelled("another bar") for call in calls[:1] for bar in (0, 3, -1)]
-    check_raises(
-        student.free_body_diagram, trim_to_signature(reference.free_body_diagram, bad), hint="Only 1 and 2 are bars."
-    )
+    hint = "Only 1 and 2 are bars."
+    check_raises(student.free_body_diagram, trim_to_signature(reference.free_body_diagram, bad), hint=hint)
 
 
 def of_accelerations(otherwise):
@@ -89,32 +89,29 @@ def of_energy(case, energy, expected):
 
 # Where to look
 PUT_BACK = "Put alpha back into [M]{alpha} + {f} + {g}: is it zero?"
-VELOCITIES = "Write the velocities of both mass centres by the absolute angular velocities"
-CENTRIPETAL = "Which way does each mass centre accelerate when alpha is zero, and which moment has m a of that?"
-HEIGHTS = "Which lever has each weight, or how does the height of each mass centre change with each angle?"
 SCALED = "Is anything added to the masses, or do rows of your linear system differ in size by 1e-9?"
-TEN = "Two bars have three equations each, two hinges two constraints each: do you solve all ten?"
-HANGING = "At rest the ceiling carries both weights, and bar 1 carries bar 2: which rows, which signs?"
-BOTH_PARTS = "Each bar has the angular momentum of its mass centre and that about its mass centre"
 DIVIDED = "Without gravity the same equations hold: the bars still act on each other"
 
 
 @check("mass_matrix", points=1)
 def mass_matrix_makes_the_kinetic_energy(student, rng):
     """[M] of Lagrange's equations, or of the two that your {f} and {g} belong to."""
-    agree_in_equations(student.mass_matrix, cases.states(rng), tolerance=FORMULA, hint=VELOCITIES)
+    hint = "Write the velocities of both mass centres by the absolute angular velocities"
+    agree_in_equations(student.mass_matrix, cases.states(rng), tolerance=FORMULA, hint=hint)
 
 
 @check("velocity_terms", points=1)
 def velocity_terms_are_centripetal(student, rng):
     """{f} of Lagrange's equations, or of the two that your [M] and {g} belong to."""
-    agree_in_equations(student.velocity_terms, cases.states(rng), tolerance=FORMULA, hint=CENTRIPETAL)
+    hint = "Which way does each mass centre accelerate when alpha is zero, and which moment has m a of that?"
+    agree_in_equations(student.velocity_terms, cases.states(rng), tolerance=FORMULA, hint=hint)
 
 
 @check("gravity_terms", points=0.75)
 def gravity_terms_are_moments_of_the_weights(student, rng):
     """{g} of Lagrange's equations, or of the two that your [M] and {f} belong to."""
-    agree_in_equations(student.gravity_terms, cases.states(rng), tolerance=FORMULA, hint=HEIGHTS)
+    hint = "Which lever has each weight, or how does the height of each mass centre change with each angle?"
+    agree_in_equations(student.gravity_terms, cases.states(rng), tolerance=FORMULA, hint=hint)
 
 
 @check("angular_acceleration", points=0.75)
@@ -132,13 +129,15 @@ def accelerations_with_a_nearly_massless_bar(student, rng):
 @check("on_the_fly", points=0.5)
 def free_bars_accelerate_as_lagranges(student, rng):
     """alpha from two free bars and two hinge constraints."""
-    compare(student.on_the_fly, cases.states(rng), only=0, hint=TEN)
+    hint = "Two bars have three equations each, two hinges two constraints each: do you solve all ten?"
+    compare(student.on_the_fly, cases.states(rng), only=0, hint=hint)
 
 
 @check("on_the_fly", points=0.75, after=free_bars_accelerate_as_lagranges)
 def hinge_forces_balance(student, rng):
     """with the hinge forces and the weights each bar obeys Newton's law."""
-    compare(student.on_the_fly, cases.states(rng), only=1, hint=HANGING)
+    hint = "At rest the ceiling carries both weights, and bar 1 carries bar 2: which rows, which signs?"
+    compare(student.on_the_fly, cases.states(rng), only=1, hint=hint)
 
 
 @check("on_the_fly", points=0.25, after=free_bars_accelerate_as_lagranges)
@@ -157,7 +156,8 @@ def energy_is_kinetic_and_potential(student, rng):
 @check("angular_momentum", points=0.75)
 def angular_momentum_is_about_the_ceiling(student, rng):
     """r x m v and I omega of both bars, about the ceiling hinge."""
-    compare(student.angular_momentum, cases.states(rng), hint=BOTH_PARTS)
+    hint = "Each bar has the angular momentum of its mass centre and that about its mass centre"
+    compare(student.angular_momentum, cases.states(rng), hint=hint)
 
 
 @check("simulate", points=0.5)
@@ -173,17 +173,14 @@ ROUGHLY = 0.02  # of the scale: in ten seconds errors grow a thousandfold, caref
 @check("simulate", points=0.25, after=simulation_follows_the_equations)
 def energy_is_conserved_from_horizontal(student, rng):
     """from (pi/2, pi/2) at rest the energy stays for ten seconds."""
-    check_conserved(
-        student.simulate, reference, cases.from_horizontal(rng), KEPT_ENERGY, coarsely=ROUGHLY, partial=SHARES
-    )
+    compare_conserved(student.simulate, cases.from_horizontal(rng), KEPT_ENERGY, coarsely=ROUGHLY, partial=SHARES)
 
 
 @check("simulate", points=0.25, after=simulation_follows_the_equations)
 def momentum_is_conserved_without_gravity(student, rng):
     """without gravity energy and angular momentum stay."""
-    check_conserved(
-        student.simulate, reference, cases.weightless(rng), KEPT_MOMENTUM, KEPT_ENERGY, coarsely=FOLLOWED, hint=DIVIDED
-    )
+    conserved = KEPT_MOMENTUM, KEPT_ENERGY
+    compare_conserved(student.simulate, cases.weightless(rng), *conserved, coarsely=FOLLOWED, hint=DIVIDED)
 
 
 @check("small_oscillation_frequencies", points=0.5)

@@ -80,10 +80,8 @@ def generic(rng):
 
 def distances(rng):
     """From the special angles, rad, the largest first: there an arccos is not yet that of the special angle."""
-    return sorted(
-        [rng.uniform(0.05, 0.3), 1e-8, 1e-9, 1e-12, *10 ** rng.uniform((-12, -9, -7, -4), (-9, -7, -4, -2))],
-        reverse=True,
-    )
+    distances = rng.uniform(0.05, 0.3), 1e-8, 1e-9, 1e-12, *10 ** rng.uniform((-12, -9, -7, -4), (-9, -7, -4, -2))
+    return sorted(distances, reverse=True)
 
 
 def small(rng):

@@ -138,15 +138,8 @@ def special_motions(rng):
     """Equal inertias or nothing to turn, a spin about an axis, starts at half turns; one thing is changed at a time."""
     # of half turns the trace is -1: a quaternion that is made by a division by its scalar part has none there
     halves = {n: 2 * np.outer(n, n) / np.dot(n, n) - np.eye(3) for n in ((1, 2, 2), (0, 1, 0))}
-    first = motion(
-        rng,
-        "a body with A = B, a start half a turn about (1, 2, 2)",
-        random_wheel(rng),
-        random_omega(rng),
-        4,
-        4,
-        R=halves[1, 2, 2],
-    )
+    label = "a body with A = B, a start half a turn about (1, 2, 2)"
+    first = motion(rng, label, random_wheel(rng), random_omega(rng), 4, 4, R=halves[1, 2, 2])
     t, _, omega = first.args
     spin = omega * rng.permutation(np.eye(3))[0] + 0.0
     return [

@@ -87,14 +87,8 @@ def euler_rates_make_omega(student, rng):
 @check("euler_rates_313", points=0.25, after=euler_rates_make_omega, refusals=True)
 def euler_rates_are_refused_where_undetermined(student, rng):
     """euler_rates_313 raises ValueError where abs(sin theta) < 1e-12, and nowhere else."""
-    check_domain(
-        student.euler_rates_313,
-        reference,
-        cases.undetermined(rng),
-        tolerance=SINGULAR,
-        allowed=4,
-        hint="sin theta may be negative.",
-    )
+    hint = "sin theta may be negative."
+    check_domain(student.euler_rates_313, reference, cases.undetermined(rng), tolerance=SINGULAR, allowed=4, hint=hint)
 
 
 # Motions
@@ -157,6 +151,7 @@ KEEPS_MOMENTUM = Invariant("H in space", "of its start", momenta, None, INVARIAN
 KEEPS_ENERGY = Invariant("the energy", "of its start", energies, None, INVARIANT)
 SHARES = {1e-4: 0.5, 1e-2: 0.25}  # left for a drift
 FOLLOWED = {"tolerance": TRAJECTORY, "restart": restart}
+compare_motions = compare_with(reference.motion, by=compare_trajectory, **FOLLOWED)
 
 
 @check("simulate", points=0.75)
@@ -168,14 +163,7 @@ def omega_follows_elliptic_functions(student, rng):
 @check("simulate", points=0.75)
 def attitude_follows_the_motion(student, rng):
     """the rotations along a general motion, from any attitude at the start."""
-    compare_trajectory(
-        student.simulate,
-        reference.motion,
-        cases.general_motions(rng),
-        columns=[ATTITUDE],
-        hint=wrong_attitude,
-        **FOLLOWED,
-    )
+    compare_motions(student.simulate, cases.general_motions(rng), columns=[ATTITUDE], hint=wrong_attitude)
 
 
 FOLLOWS = omega_follows_elliptic_functions, attitude_follows_the_motion
@@ -184,8 +172,8 @@ FOLLOWS = omega_follows_elliptic_functions, attitude_follows_the_motion
 @check("simulate", points=0.5, after=FOLLOWS)
 def invariants_stay_over_many_turns(student, rng):
     """R^T R = I, H in space and the energy over many fast turns."""
-    turns = {"tolerance": 3e-2, "restart": restart, "hint": SHORT, "near_miss_credit": False}
-    motions = compare_trajectory(student.simulate, reference.motion, cases.many_turns(rng), **turns)
+    turns = {"tolerance": 3e-2, "hint": SHORT, "near_miss_credit": False}
+    motions = compare_motions(student.simulate, cases.many_turns(rng), **turns)
     conserved = ROTATES, KEEPS_MOMENTUM, KEEPS_ENERGY
     compare_invariants(student.simulate, motions, *conserved, partial=SHARES, hint=SHORT)
 
@@ -193,7 +181,7 @@ def invariants_stay_over_many_turns(student, rng):
 @check("simulate", points=0.5, after=FOLLOWS)
 def special_bodies_move_too(student, rng):
     """equal inertias, rest, pure spin, two times, starts at half turns."""
-    compare_trajectory(student.simulate, reference.motion, cases.special_motions(rng), hint=wrong_attitude, **FOLLOWED)
+    compare_motions(student.simulate, cases.special_motions(rng), hint=wrong_attitude)
 
 
 # (a) A = B
@@ -202,11 +190,8 @@ def special_bodies_move_too(student, rng):
 @check("symmetric_solution", points=0.75)
 def symmetric_bodies_precess(student, rng):
     """omega in body components at all times, from omega at t[0]."""
-    compare(
-        student.symmetric_solution,
-        cases.precessing(rng),
-        hint="Put it into euler_equations: which of the three is not obeyed?",
-    )
+    hint = "Put it into euler_equations: which of the three is not obeyed?"
+    compare(student.symmetric_solution, cases.precessing(rng), hint=hint)
 
 
 @check("wobble_rate", points=0.5)
@@ -221,11 +206,8 @@ def wobble_goes_round_the_angular_momentum(student, rng):
 @check("growth_rate_squared", points=0.75, part="b")
 def small_deviations_grow_at_this_rate(student, rng):
     """positive where the spin is unstable, else minus the frequency squared."""
-    compare(
-        student.growth_rate_squared,
-        cases.spins(rng),
-        hint="Write Euler's equations for a small deviation: which products are of first order?",
-    )
+    hint = "Write Euler's equations for a small deviation: which products are of first order?"
+    compare(student.growth_rate_squared, cases.spins(rng), hint=hint)
 
 
 BACK = "After what time is omega back, sign and all?"
@@ -257,12 +239,8 @@ def period_of_pure_spin_is_that_of_small_oscillations(student, rng):
 @check("tumble_period", points=0.25, part="b", after=PERIODS)
 def period_grows_to_infinity_at_the_separatrix(student, rng):
     """tumble_period near the separatrix, and math.inf on it."""
-    compare(
-        student.tumble_period,
-        cases.near_separatrix(rng),
-        tolerance=NEAR_PERIOD,
-        hint="How near 1 is a modulus k that is not 1?",
-    )
+    hint = "How near 1 is a modulus k that is not 1?"
+    compare(student.tumble_period, cases.near_separatrix(rng), tolerance=NEAR_PERIOD, hint=hint)
     compare(student.tumble_period, cases.on_separatrix(rng), tolerance=PERIOD, hint="What is K(k) for k = 1?")
 
 

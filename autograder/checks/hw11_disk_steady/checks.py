@@ -27,10 +27,8 @@ def track_size(case, _):
 
 def force_size(case, _):
     _, precession, spin = case.args
-    parameters = case.kwargs
-    return parameters["mass"] * (
-        parameters["gravity"] + parameters["radius"] * (abs(precession * spin) + precession**2)
-    )
+    disk = case.kwargs
+    return disk["mass"] * (disk["gravity"] + disk["radius"] * (abs(precession * spin) + precession**2))
 
 
 def residual_size(case, _):
@@ -117,14 +115,8 @@ def rolling_precession_is_zero_where_nothing_turns_it(student, rng):
 @check("rolling_precession", points=0.75, after=rolling_precession_balances_the_moments, refusals=True)
 def rolling_precession_refuses_what_does_not_exist(student, rng):
     """rolling_precession raises ValueError where no steady rolling exists, or any Omega does."""
-    check_domain(
-        student.rolling_precession,
-        reference,
-        cases.impossible_tracks(rng),
-        tolerance=WITHIN,
-        allowed=0,
-        hint="What would Omega^2 be?",
-    )
+    calls, hint = cases.impossible_tracks(rng), "What would Omega^2 be?"
+    check_domain(student.rolling_precession, reference, calls, tolerance=WITHIN, allowed=0, hint=hint)
 
 
 # (b) Sliding
@@ -177,9 +169,8 @@ def contact_force_of_straight_rolling(student, rng):
 @check("settling_energy", points=0.75, part="d")
 def settling_energy_adds_up(student, rng):
     """kinetic and potential energy of the motion that rolls and slides at once."""
-    compare(
-        student.settling_energy, [*cases.settled(rng), *cases.next_to_upright(rng), *cases.steep(rng)], hint=ABOUT_WHICH
-    )
+    calls = [*cases.settled(rng), *cases.next_to_upright(rng), *cases.steep(rng)]
+    compare(student.settling_energy, calls, hint=ABOUT_WHICH)
 
 
 ASSIGNMENT = Assignment(

@@ -11,11 +11,8 @@ from . import reference
 
 def figure(lean=0.45, radius=1.0, track_radius=1.9):
     """The axis of the circle is at x = 0, the contact at the track radius to its right."""
-    C, up, axle = (
-        np.array([track_radius, 0.0]),
-        _in_the_plane(reference.rim(lean, radius)),
-        _in_the_plane(reference.axle(lean)),
-    )
+    C = np.array([track_radius, 0.0])
+    up, axle = _in_the_plane(reference.rim(lean, radius)), _in_the_plane(reference.axle(lean))
     G, top = C + up, C + 2 * up
     shown = Figure(
         "A disk that rolls in a circle",

@@ -27,6 +27,7 @@ TINY = 5e-4  # at micrometres an event of a simulation with an absolute toleranc
 
 compare = compare_with(reference, tolerance=FORMULA)
 compare_motions = compare_with(reference, by=compare_trajectory, tolerance=TRAJECTORY)
+compare_energy = compare_with(reference, by=check_conserved, coarsely=COARSELY)
 
 
 def largest_term(case, acceleration):
@@ -122,12 +123,9 @@ def force_has_the_right_size(student, rng):
     for case, force in student.constraint_force.each(cases.beads(rng) + cases.next_to_bottom(rng)):
         size = math.hypot(*reference.constraint_force(*case.args, **case.kwargs))
         tolerance = FORMULA * (size or 1.0)
-        words = {
-            "quantity": "the size of the force",
-            "unit": "N",
-            "hint": partial(source_or, student, BEND, case, force),
-        }
-        expect(math.hypot(*force), size, tolerance=tolerance, **words)
+        words = {"quantity": "the size of the force", "unit": "N"}
+        hint = partial(source_or, student, BEND, case, force)
+        expect(math.hypot(*force), size, tolerance=tolerance, hint=hint, **words)
 
 
 def of_direction(case, force, expected):
@@ -141,11 +139,8 @@ def of_direction(case, force, expected):
 @check("constraint_force", points=0.5, part="b", after=force_has_the_right_size)
 def force_and_weight_make_the_acceleration(student, rng):
     """normal to the wire, and with the weight it is m a."""
-    compare(
-        student.constraint_force,
-        [*cases.beads(rng), *cases.next_to_bottom(rng)],
-        hint=partial(source_or, student, of_direction),
-    )
+    hint = partial(source_or, student, of_direction)
+    compare(student.constraint_force, [*cases.beads(rng), *cases.next_to_bottom(rng)], hint=hint)
 
 
 SPEED = at_rest_or_not("At rest it is potential: how high is the bead?", "How fast is the bead along the wire?")
@@ -168,14 +163,12 @@ def simulate_slides(student, rng):
     compare_motions(student.simulate, WIDE(rng), keeps=KEPT)
 
 
-SMALL = "Do you leave terms out at small amplitudes, or is atol too loose for them?"
-
-
 @check("simulate", points=0.25, part="b", after=simulate_slides)
 def simulate_needs_no_dense_times(student, rng):
     """the same motion when only a few times are asked for."""
     compare_motions(student.simulate, cases.few_times(rng))
-    compare_motions(student.simulate, cases.close(rng), hint=SMALL, near_miss_credit=False)
+    hint = "Do you leave terms out at small amplitudes, or is atol too loose for them?"
+    compare_motions(student.simulate, cases.close(rng), hint=hint, near_miss_credit=False)
 
 
 @check("simulate", points=0.25, part="b", after=simulate_slides)
@@ -190,12 +183,8 @@ STEEP = cases.rides(5.0, 8.0, 10, 45.0, "an amplitude of several 1/c")
 @check("simulate", points=0.25, part="b", after=simulate_slides)
 def simulate_slides_down_steep_wires(student, rng):
     """an amplitude of many 1/c, where the bead turns sharply at the bottom."""
-    compare_motions(
-        student.simulate,
-        STEEP(rng),
-        tolerance=SHARP_TURN,
-        hint="Are the steps short enough for the turn at the bottom?",
-    )
+    hint = "Are the steps short enough for the turn at the bottom?"
+    compare_motions(student.simulate, STEEP(rng), tolerance=SHARP_TURN, hint=hint)
 
 
 MANY_PERIODS = cases.rides(0.4, 1.0, 15, 50.0, "many periods")
@@ -205,9 +194,7 @@ LOSSES, DURATION = {1e-3: 0.6, 1e-2: 0.3}, "Do your steps grow with the duration
 @check("simulate", points=0.25, part="b", after=simulate_slides)
 def simulate_keeps_the_energy(student, rng):
     """the energy stays what it was over many periods."""
-    check_conserved(
-        student.simulate, reference, MANY_PERIODS(rng), KEPT, coarsely=COARSELY, partial=LOSSES, hint=DURATION
-    )
+    compare_energy(student.simulate, MANY_PERIODS(rng), KEPT, partial=LOSSES, hint=DURATION)
 
 
 def of_period(case, period, expected):

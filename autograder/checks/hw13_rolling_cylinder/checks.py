@@ -92,11 +92,6 @@ def rest_or_rates(case, result, expected):
     return "At rest it is right: differentiate the position of G twice, and mind the terms in phi_dot squared."
 
 
-CONTACT_POINT = "What is the acceleration of the point of the cylinder that touches the ramp?"
-
-
-HOWEVER_SMALL = "However small the rocking, the other terms are there: do you linearise, or is the tolerance loose?"
-ABSOLUTE = "Is the tolerance absolute, and too coarse for a small motion?"
 ANY_DURATION = "Are there too few steps for this duration, or is the tolerance loose?"
 
 
@@ -116,35 +111,30 @@ def acceleration_balances_momentum_about_G(student, rng):
 @check("acceleration", points=0.5, after=acceleration_balances_momentum_about_G)
 def acceleration_level_and_without_gravity(student, rng):
     """on level ground, and without gravity."""
-    compare(
-        student.acceleration, [*cases.flat(rng, 2), *cases.weightless(rng, 2), *cases.level(rng)], hint=without_weight
-    )
+    calls = [*cases.flat(rng, 2), *cases.weightless(rng, 2), *cases.level(rng)]
+    compare(student.acceleration, calls, hint=without_weight)
 
 
 @check("contact_inertia", points=1)
 def contact_inertia_by_the_parallel_axis_theorem(student, rng):
     """I^G plus the mass times the distance from C to G squared."""
-    compare(
-        student.contact_inertia,
-        [*cases.rolling(rng, 3), *cases.centred(rng, 1), *cases.plain(rng), *cases.level(rng)],
-        hint="How far is G from the contact, at this phi?",
-    )
+    calls = [*cases.rolling(rng, 3), *cases.centred(rng, 1), *cases.plain(rng), *cases.level(rng)]
+    compare(student.contact_inertia, calls, hint="How far is G from the contact, at this phi?")
 
 
 @check("naive_contact_acceleration", points=0.75)
 def naive_acceleration_is_the_moment_over_the_inertia(student, rng):
     """the moment of the weight about C over I^C, at any angle."""
-    compare(
-        student.naive_contact_acceleration,
-        [*cases.rolling(rng, 3), *cases.plain(rng), *cases.level(rng)],
-        hint="M_C is the moment of the weight, which acts at G; I^C depends on phi.",
-    )
+    calls = [*cases.rolling(rng, 3), *cases.plain(rng), *cases.level(rng)]
+    hint = "M_C is the moment of the weight, which acts at G; I^C depends on phi."
+    compare(student.naive_contact_acceleration, calls, hint=hint)
 
 
 @check("missing_moment", points=1.25, part="b")
 def missing_moment_makes_it_right(student, rng):
     """with it, I^C phi'' + missing_moment = M_C has the phi'' of the balances."""
-    compare(student.missing_moment, [*cases.rolling(rng, 3), *cases.plain(rng)], hint=CONTACT_POINT)
+    hint = "What is the acceleration of the point of the cylinder that touches the ramp?"
+    compare(student.missing_moment, [*cases.rolling(rng, 3), *cases.plain(rng)], hint=hint)
 
 
 @check("contact_force", points=1.25, part="b")
@@ -156,21 +146,15 @@ def contact_force_accelerates_G(student, rng):
 @check("contact_force", points=0.25, part="b", after=contact_force_accelerates_G)
 def contact_force_may_pull(student, rng):
     """contact is kept where the ramp must pull, and without gravity."""
-    compare(
-        student.contact_force,
-        [*cases.pulled(rng), *cases.weightless(rng, 2), *cases.level(rng)],
-        hint=partial(of_pull, student),
-    )
+    calls = [*cases.pulled(rng), *cases.weightless(rng, 2), *cases.level(rng)]
+    compare(student.contact_force, calls, hint=partial(of_pull, student))
 
 
 @check("energy", points=1, part="b")
 def energy_of_G_and_of_turning(student, rng):
     """of the motion of G, of the turning, and of the height of G."""
-    compare(
-        student.energy,
-        [*cases.rolling(rng, 3), *cases.weightless(rng, 1), *cases.plain(rng), *cases.level(rng)],
-        hint="Where is G, and how high above the centre's place at phi = 0?",
-    )
+    calls = [*cases.rolling(rng, 3), *cases.weightless(rng, 1), *cases.plain(rng), *cases.level(rng)]
+    compare(student.energy, calls, hint="Where is G, and how high above the centre's place at phi = 0?")
 
 
 @check("simulate", points=0.75, part="b")
@@ -183,13 +167,15 @@ def simulate_rolls_and_rocks(student, rng):
 def simulate_needs_no_dense_times(student, rng):
     """the same motion when few times are asked for."""
     compare_motions(student.simulate, cases.few_times(rng))
-    compare_motions(student.simulate, cases.near_lowest(rng), hint=HOWEVER_SMALL, near_miss_credit=False)
+    hint = "However small the rocking, the other terms are there: do you linearise, or is the tolerance loose?"
+    compare_motions(student.simulate, cases.near_lowest(rng), hint=hint, near_miss_credit=False)
 
 
 @check("simulate", points=0.25, part="b", after=simulate_rolls_and_rocks)
 def simulate_rocks_at_the_linear_frequency(student, rng):
     """small rocking on level ground has the frequency of the linear equation."""
-    compare_trajectory(student.simulate, reference.small_rocking, cases.small_rocking(rng), hint=ABSOLUTE, **SMALL)
+    hint = "Is the tolerance absolute, and too coarse for a small motion?"
+    compare_trajectory(student.simulate, reference.small_rocking, cases.small_rocking(rng), hint=hint, **SMALL)
 
 
 # of the angle turned; solve_ivp at 1e-9 is off by less than 1e-4, states at other times by 3e-2 or more
@@ -200,9 +186,8 @@ SHARES = {1e-4: 0.6, 1e-2: 0.3}  # of the drift of the energy
 @check("simulate", points=0.25, part="b", after=simulate_rolls_and_rocks)
 def simulate_keeps_the_energy(student, rng):
     """the energy stays what it was over many turns."""
-    check_conserved(
-        student.simulate, reference, cases.many_turns(rng), KEPT, coarsely=COARSELY, partial=SHARES, hint=ANY_DURATION
-    )
+    words = {"coarsely": COARSELY, "partial": SHARES, "hint": ANY_DURATION}
+    check_conserved(student.simulate, reference, cases.many_turns(rng), KEPT, **words)
 
 
 ASSIGNMENT = Assignment(

@@ -31,9 +31,8 @@ def balanced(phi, phi_dot, mass, radius, offset, inertia, slope, gravity):
     arm, first, second = (it.tolist() for it in arms(phi, radius, offset))
     from_G = -arm[0], -arm[1]  # to C
     pull = weight(mass, gravity, slope).tolist()
-    of_rates = [
-        mass * it * phi_dot**2 - w for it, w in zip(second, pull, strict=True)
-    ]  # the force, but for m first phi''
+    # the force, but for m first phi''
+    of_rates = [mass * it * phi_dot**2 - w for it, w in zip(second, pull, strict=True)]
     phi_ddot = clockwise(from_G, of_rates) / (inertia - mass * clockwise(from_G, first))
     along, normal = (mass * it * phi_ddot + rest for it, rest in zip(first, of_rates, strict=True))
     return phi_ddot, along, normal

@@ -200,10 +200,8 @@ def euler_simulation_follows_the_motion(student, rng):
 @check("simulate_euler", points=0.5, part="b", after=euler_simulation_follows_the_motion)
 def euler_simulation_keeps_energy_and_two_integrals(student, rng):
     """over a long time the energy stays, and omega along e2 and e3 depends only on the tilt."""
-    conserved, shares = (INTEGRALS, ENERGY_KEPT), {1e-4: 0.5}
-    check_conserved(
-        student.simulate_euler, reference, cases.long_motion(rng), *conserved, coarsely=COARSELY, partial=shares
-    )
+    conserved, words = (INTEGRALS, ENERGY_KEPT), {"coarsely": COARSELY, "partial": {1e-4: 0.5}}
+    check_conserved(student.simulate_euler, reference, cases.long_motion(rng), *conserved, **words)
 
 
 @check("simulate_matrix", points=0.5, part="b")
@@ -268,11 +266,8 @@ def judge_wireframe(matrix_state, case, lines):
     middles = np.diff(np.sort((angles[:sides, 0] + across[:sides] / 2) % (2 * np.pi)))
     expect_that(middles.min() > step / 2, "Two sides are drawn in one place, and one is missing")
     angle(middles, step, quantity="the angle from side to side", hint="The polygon is closed.")
-    angle(
-        abs(reference.turned(angles[-1, 0] - angles[-2, 0], np.pi)),
-        np.pi / 2,
-        quantity="the angle between the diameters",
-    )
+    between = abs(reference.turned(angles[-1, 0] - angles[-2, 0], np.pi))
+    angle(between, np.pi / 2, quantity="the angle between the diameters")
     return angles[sides:, 0]
 
 

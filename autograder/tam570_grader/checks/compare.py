@@ -159,8 +159,8 @@ def compare_with(
     compare(student.energy, cases.states(rng), hint="Which three terms?")
     """
 
-    def compare_cases(function: StudentFunction, cases: Iterable[Case], **words: Any) -> list[Numbers]:
-        results: list[Numbers] = by(function, reference, cases, **{**defaults, **words})
+    def compare_cases(function: StudentFunction, cases: Iterable[Case], *more: Any, **words: Any) -> list[Numbers]:
+        results: list[Numbers] = by(function, reference, cases, *more, **{**defaults, **words})
         return results
 
     return compare_cases
