@@ -95,6 +95,10 @@ def motions(*settings):
     return lambda rng: [motion(rng, *settings)]
 
 
+large_swings = motions(swing, 10, 60, "a large swing, t[0] not 0")
+many_periods = motions(swing, 40, 40, "many periods")
+
+
 def few_times(rng):
     """A small swing of a few times, and large ones, of which nothing may depend on the times or on other calls."""
     first = motion(rng, quick, 6, 4, "a small swing, few times, a rod of few millimetres")

@@ -20,6 +20,7 @@ PERIOD = 1e-6  # a quadrature with a singular end, or an event of a simulation, 
 NEXT_TO_TOP = 1e-5  # there the same simulation magnifies its errors tenfold
 # at 1e-5 rad, and that far from the top, the same simulation is good to 7e-5; a difference of cosines has no digit left
 AT_THE_ENDS = 1e-3
+LOSSES = {1e-4: 0.6, 1e-2: 0.3}  # of the energy
 SMALL = 1e-3  # of a variation; its square is below VARIATION
 VARIATION = 1e-4  # (2 pi 1.5/2000)^2/3 = 7e-6 by any quadrature of second order
 ACTION = 1e-5  # (4/4000)^2/3 = 3e-7 by any quadrature of second order; one of first order is off by 2e-4
@@ -220,26 +221,21 @@ def period_grows_towards_the_top(student, rng):
     compare(student.period, cases.at_the_top(rng), tolerance=AT_THE_ENDS, hint="Do you subtract nearly equal numbers?")
 
 
-SWING = cases.motions(cases.swing, 10, 60, "a large swing, t[0] not 0")
-
-
 @check("simulate", points=0.5)
 def simulate_swings(student, rng):
     """large swings, row i at t[i], row 0 the given state."""
     hint = "Integrate theta' = omega, omega' = alpha from the state at t[0]."
-    compare_motions(student.simulate, SWING(rng), hint=hint, keeps=KEPT)
-
-
-STEPS = "A fixed number of steps, or a fixed step, does not do for every pendulum."
-LINEAR = "No swing is so small that sin theta is theta: the difference adds up."
+    compare_motions(student.simulate, cases.large_swings(rng), hint=hint, keeps=KEPT)
 
 
 @check("simulate", points=0.25, after=simulate_swings)
 def simulate_needs_no_dense_times(student, rng):
     """the same at a few times, whatever was asked before."""
     small, *large = cases.few_times(rng)
-    compare_motions(student.simulate, [small], hint=LINEAR, loose_tolerance_credit=False)
-    compare_motions(student.simulate, large, hint=STEPS)
+    linear = "No swing is so small that sin theta is theta: the difference adds up."
+    steps = "A fixed number of steps, or a fixed step, does not do for every pendulum."
+    compare_motions(student.simulate, [small], hint=linear, loose_tolerance_credit=False)
+    compare_motions(student.simulate, large, hint=steps)
 
 
 @check("simulate", points=0.25, after=simulate_swings)
@@ -254,15 +250,12 @@ def simulate_without_gravity(student, rng):
     compare_motions(student.simulate, cases.weightless(rng), hint="Is anything divided by gravity?")
 
 
-MANY = cases.motions(cases.swing, 40, 40, "many periods")
-LOSSES = {1e-4: 0.6, 1e-2: 0.3}
-
-
 @check("simulate", points=0.25, after=simulate_swings)
 def simulate_keeps_the_energy(student, rng):
     """the energy stays what it was over many periods."""
     hint = "Tighten rtol and atol; a step of fixed length does not do for every duration."
-    check_conserved(student.simulate, reference, MANY(rng), KEPT, coarsely=COARSELY, partial=LOSSES, hint=hint)
+    words = {"coarsely": COARSELY, "partial": LOSSES, "hint": hint}
+    check_conserved(student.simulate, reference, cases.many_periods(rng), KEPT, **words)
 
 
 ASSIGNMENT = Assignment(

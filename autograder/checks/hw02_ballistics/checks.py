@@ -21,6 +21,8 @@ CLOSED = 1e-10  # 1e-15 with expm1; a Taylor series that takes over where five d
 ROOT = 1e-6  # of the time; roots found by brentq or Newton are good to 1e-9, an event of a simulation to 1e-7
 ANGLE = 1e-6  # rad, as the contract asks; minimising the range is good to 1e-8, or with usual tolerances to 1.6e-6
 SEARCHED = {1e-4: 0.5}  # rad, of a search that stops early
+NEAR = 1e-3  # of an angle
+EARLY = 4e-6  # rad: searches at their usual tolerances stop nearer, a series of first order in the drag is off by more
 SWIFT = 1e-2  # of the angle, as the contract asks
 CORNER = 1e-9  # the right path, at a speed of 1e12 terminal speeds, is 5e-11 from its limit
 # Of the path's size. The chords between FINE points of the motion leave its path by g (T/1000)^2/8: 2e-5 of its size at
@@ -181,10 +183,6 @@ def range_with_hardly_any_drag(student, rng):
     """horizontal_range becomes v^2 sin(2 angle)/g, no digits lost; it holds with great drag, too."""
     calls = [*cases.landings_of_little_drag(rng), *cases.landings_of_great_drag(rng)]
     compare(student.horizontal_range, calls, hint=partial(of_little_drag, "horizontal_range"))
-
-
-NEAR = 1e-3  # of an angle
-EARLY = 4e-6  # rad: searches at their usual tolerances stop nearer, a series of first order in the drag is off by more
 
 
 def of_maximum(student, case, angle, expected):

@@ -19,6 +19,8 @@ MASSLESS = 5e-5
 FREQUENCY = 1e-6  # an eigenvalue of a matrix that is not symmetric, next to another: 1e-9
 FOLLOWED = 1e-4  # RK45, DOP853 and LSODA at rtol 1e-9, atol 1e-9 are off by 1e-5 at most, sensitive starts included
 ENERGY = 1e-5  # of m g l; the same solvers lose 5e-8 of it in ten seconds, a symplectic method of fixed steps 1e-6
+SHARES = {1e-4: 0.75, 1e-3: 0.5, 1e-2: 0.25}
+ROUGHLY = 0.02  # of the scale: in ten seconds errors grow a thousandfold, careful ones to 1e-4; wrong motions make .3
 DRAWN = 1e-3  # of the length; the path between 400 points bends by 2e-4 of it
 
 compare = compare_with(reference, tolerance=FORMULA)
@@ -164,10 +166,6 @@ def angular_momentum_is_about_the_ceiling(student, rng):
 def simulation_follows_the_equations(student, rng):
     """angles and angular velocities at uneven times, whatever t[0] is."""
     compare_trajectory(student.simulate, reference, cases.motions(rng), tolerance=FOLLOWED, keeps=KEPT_ENERGY)
-
-
-SHARES = {1e-4: 0.75, 1e-3: 0.5, 1e-2: 0.25}
-ROUGHLY = 0.02  # of the scale: in ten seconds errors grow a thousandfold, careful ones to 1e-4; wrong motions make .3
 
 
 @check("simulate", points=0.25, after=simulation_follows_the_equations)

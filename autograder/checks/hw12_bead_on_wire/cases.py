@@ -89,6 +89,9 @@ def rides(*settings):
     return lambda rng: [ride(rng, *settings)]
 
 
+wide = rides(0.4, 1.0, 25, 15.0, "an amplitude near 1/c")
+steep = rides(5.0, 8.0, 10, 45.0, "an amplitude of several 1/c")
+many_periods = rides(0.4, 1.0, 15, 50.0, "many periods")
 # The oscillation of small amplitudes is off by 2e-3; an absolute tolerance of 1e-9 m is good to 1e-6.
 close = rides(0.02, 0.025, 2, 5.0, "two times, the bead let go at rest, close to the bottom", (1.0, 0.0), 0.3)
 

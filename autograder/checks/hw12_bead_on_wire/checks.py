@@ -20,6 +20,7 @@ FORMULA = 1e-8  # a few roundings make 1e-15, a derivative by central difference
 FEW_DIGITS = 1e-4  # of x'' next to the bottom; differences of energies are good to 5e-6 of what is nearly zero
 TRAJECTORY = 2e-5  # LSODA at rtol 1e-9, atol 1e-9 is off by 1e-6 after three periods, RK45 and DOP853 by less
 SHARP_TURN = 2e-4  # ... by 1e-5 behind the sharp turns of a steep wire
+LOSSES = {1e-3: 0.6, 1e-2: 0.3}  # of the energy
 ENERGY = 7e-5  # BDF at the same tolerances loses 7e-6 of it in thirty periods, the others 1e-6
 COARSELY = 0.03  # of the amplitude after many periods; rows from anywhere on the motion are off by one or two
 PERIOD = 1e-6  # a quadrature with a singular end, or an event of a simulation, is good to 1e-8
@@ -154,13 +155,12 @@ def energy_is_kinetic_and_potential(student, rng):
 
 BY_EQUATION = OwnRates("lagrange_equation", reference, lambda t, row: tuple(row))
 RATES = OwnRates("acceleration_newton", reference, lambda t, row: tuple(row), otherwise=BY_EQUATION)
-WIDE = cases.rides(0.4, 1.0, 25, 15.0, "an amplitude near 1/c")
 
 
 @check("simulate", points=0.75, part="b")
 def simulate_slides(student, rng):
     """large motions, row i at t[i], row 0 the given state."""
-    compare_motions(student.simulate, WIDE(rng), keeps=KEPT)
+    compare_motions(student.simulate, cases.wide(rng), keeps=KEPT)
 
 
 @check("simulate", points=0.25, part="b", after=simulate_slides)
@@ -177,24 +177,18 @@ def simulate_without_gravity(student, rng):
     compare_motions(student.simulate, cases.weightless(rng), hint="Is anything divided by gravity?")
 
 
-STEEP = cases.rides(5.0, 8.0, 10, 45.0, "an amplitude of several 1/c")
-
-
 @check("simulate", points=0.25, part="b", after=simulate_slides)
 def simulate_slides_down_steep_wires(student, rng):
     """an amplitude of many 1/c, where the bead turns sharply at the bottom."""
     hint = "Are the steps short enough for the turn at the bottom?"
-    compare_motions(student.simulate, STEEP(rng), tolerance=SHARP_TURN, hint=hint)
-
-
-MANY_PERIODS = cases.rides(0.4, 1.0, 15, 50.0, "many periods")
-LOSSES, DURATION = {1e-3: 0.6, 1e-2: 0.3}, "Do your steps grow with the duration, or is the tolerance loose?"
+    compare_motions(student.simulate, cases.steep(rng), tolerance=SHARP_TURN, hint=hint)
 
 
 @check("simulate", points=0.25, part="b", after=simulate_slides)
 def simulate_keeps_the_energy(student, rng):
     """the energy stays what it was over many periods."""
-    compare_energy(student.simulate, MANY_PERIODS(rng), KEPT, partial=LOSSES, hint=DURATION)
+    hint = "Do your steps grow with the duration, or is the tolerance loose?"
+    compare_energy(student.simulate, cases.many_periods(rng), KEPT, partial=LOSSES, hint=hint)
 
 
 def of_period(case, period, expected):
@@ -209,16 +203,14 @@ def period_is_exact(student, rng):
     compare(student.period, cases.usual_periods(rng), tolerance=PERIOD, hint=of_period)
 
 
-ROOT = "Do you add a small number under a root, or use an absolute tolerance? 1e-15 m^2 is not small here."
-REACH = "Does your series or quadrature reach amplitudes of a hundred times 1/c?"
-
-
 @check("period", points=0.5, part="b", after=period_is_exact)
 def period_of_small_and_of_huge_amplitudes(student, rng):
     """exact on almost flat and on almost upright wires."""
-    compare(student.period, cases.tiny_periods(rng), tolerance=TINY, hint=ROOT)
+    root = "Do you add a small number under a root, or use an absolute tolerance? 1e-15 m^2 is not small here."
+    reach = "Does your series or quadrature reach amplitudes of a hundred times 1/c?"
+    compare(student.period, cases.tiny_periods(rng), tolerance=TINY, hint=root)
     compare(student.period, cases.small_periods(rng), tolerance=PERIOD, hint="Do you subtract nearly equal heights?")
-    compare(student.period, [*cases.large_periods(rng), *cases.largest_period(rng)], tolerance=PERIOD, hint=REACH)
+    compare(student.period, [*cases.large_periods(rng), *cases.largest_period(rng)], tolerance=PERIOD, hint=reach)
 
 
 ASSIGNMENT = Assignment(

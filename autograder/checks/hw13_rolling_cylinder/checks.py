@@ -16,6 +16,9 @@ FORMULA = 1e-9  # of the largest term: solving for the forces costs a few digits
 # solve_ivp at rtol = atol = 1e-9, whatever its method, stays below 1e-7 on these runs; wrong physics is off by .1.
 TRAJECTORY = 1e-6
 ENERGY = 5e-6  # the same integrators drift by up to 4e-7 on the longer run
+# of the angle turned; solve_ivp at 1e-9 is off by less than 1e-4, states at other times by 3e-2 or more
+COARSELY = 1e-3
+SHARES = {1e-4: 0.6, 1e-2: 0.3}  # of the drift of the energy
 ROCKING = 5e-4  # of the amplitude: solve_ivp at 1e-9 is off by 4e-5, the square of the amplitude by 3e-5
 
 compare = compare_with(reference, tolerance=FORMULA)
@@ -176,11 +179,6 @@ def simulate_rocks_at_the_linear_frequency(student, rng):
     """small rocking on level ground has the frequency of the linear equation."""
     hint = "Is the tolerance absolute, and too coarse for a small motion?"
     compare_trajectory(student.simulate, reference.small_rocking, cases.small_rocking(rng), hint=hint, **SMALL)
-
-
-# of the angle turned; solve_ivp at 1e-9 is off by less than 1e-4, states at other times by 3e-2 or more
-COARSELY = 1e-3
-SHARES = {1e-4: 0.6, 1e-2: 0.3}  # of the drift of the energy
 
 
 @check("simulate", points=0.25, part="b", after=simulate_rolls_and_rocks)
