@@ -11,16 +11,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.audit.local import (
-    SEED,
-    Key,
-    LocalStudent,
-    Replies,
-    failed_cases,
-    module_of,
-    solution_replies,
-    students_of_checks,
-)
+from tam570_grader.audit import local
+from tam570_grader.audit.local import SEED, Key, LocalStudent, Replies, failed_cases, module_of, solution_replies
 from tam570_grader.audit.mutate import mutants
 from tam570_grader.audit.mutation import alone, calling, within_reach
 from tam570_grader.checks import assignments
@@ -110,7 +102,7 @@ def judged_cases(run: CaseRun) -> tuple[dict[Key, float], dict[Subject, frozense
 def _mutants(assignment: LoadedAssignment) -> Iterator[Wrong]:
     """Yield the mutants, and each in its function alone where others call that."""
     solution = assignment.solution
-    students = students_of_checks(assignment.root, assignment.slug)
+    students = local.students_of_checks(assignment.root, assignment.slug)
     calls = {check: {key.function for key in student.cases} for check, student in students.items()}
     reachable = reached(solution)
     for mutant in mutants(assignment.slug, solution):

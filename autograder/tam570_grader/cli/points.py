@@ -12,25 +12,12 @@ from tam570_grader.course import course_config, late_policy
 from tam570_grader.errors import UsageError, counted, say, warn, writing
 from tam570_grader.reports import feedback
 from tam570_grader.results import manual_points
-from tam570_grader.results.manual_points import (
-    ADJUST,
-    COLUMNS,
-    EVERYONE,
-    EXCUSED,
-    EXTENSION,
-    LATE,
-    MOST,
-    OF_THE_TERM,
-    OFF,
-    TOTAL,
-    WORDS,
-    Entry,
-    ManualAdjustments,
-)
+from tam570_grader.results.manual_points import COLUMNS, EVERYONE, LATE, TOTAL, WORDS, Entry, ManualAdjustments
 from tam570_grader.results.store import Results, ResultStore, results
 from tam570_grader.results.tables import write_table
 
-NEED_A_REASON = (ADJUST, TOTAL, EXCUSED)  # and a check
+NEED_A_REASON = (manual_points.ADJUST, TOTAL, manual_points.EXCUSED)  # and a check
+NOT_NEGATIVE, SHARES = (TOTAL, LATE, manual_points.EXTENSION), (manual_points.OFF, manual_points.MOST)
 Rubric = Mapping[str, ManualPart]  # by part
 Checks = Mapping[str, float]  # check: its points
 
@@ -97,7 +84,7 @@ def _checked_rows(
     students = {student for student, _ in results} | {EVERYONE}
     touched = set()
     for line, entry in manual_points.rows_of(path):
-        if entry.slug == EVERYONE and entry.item in OF_THE_TERM:
+        if entry.slug == EVERYONE and entry.item in manual_points.OF_THE_TERM:
             if entry.student not in students:
                 raise UsageError(f"{path}, line {line}: there are no results of a student {entry.student!r}")
             yield entry
@@ -132,14 +119,10 @@ def _wrong(entry: Entry, students: set[str], parts: Rubric, checks: Checks) -> s
         return f"part ({entry.item}) has from 0 to {most:g} points, not {entry.points:g}; use adjust for more"
     if entry.item in parts and entry.student == EVERYONE:
         return "the points of a part are one student's; write a name, or adjust everybody's"
-    if (
-        entry.item in (TOTAL, LATE, EXTENSION)
-        and entry.points < 0
-        or entry.item in (OFF, MOST)
-        and not 0 <= entry.points <= 1
-    ):
-        remedy = "a share from 0 to 1" if entry.item in (OFF, MOST) else "no negative number"
-        return f"{entry.item} is {entry.points:g}; write {remedy}"
+    if entry.item in NOT_NEGATIVE and entry.points < 0:
+        return f"{entry.item} is {entry.points:g}; write no negative number"
+    if entry.item in SHARES and not 0 <= entry.points <= 1:
+        return f"{entry.item} is {entry.points:g}; write a share from 0 to 1"
     if entry.item in (*NEED_A_REASON, *checks) and not entry.comment:
         return f"{entry.item} needs a reason, in the column comment: the student reads it"
     return ""

@@ -12,7 +12,7 @@ from tam570_grader.course import course_config
 from tam570_grader.errors import UsageError, say, writing
 from tam570_grader.grading import seeds
 from tam570_grader.grading.executor import cores, executor
-from tam570_grader.grading.watch import COPIES, KEY, Desk, Policy, Queue
+from tam570_grader.grading.watch import COPIES, KEY, Policy, Queue, Watcher
 from tam570_grader.reports import feedback
 from tam570_grader.results.store import ResultStore
 
@@ -61,7 +61,7 @@ def _watch(arguments: argparse.Namespace) -> int:
         policy = Policy(arguments.attempts or math.inf, arguments.every, arguments.count)
         queue = Queue(arguments.out, policy)
         secret = seeds.key(arguments.out / KEY, bool(queue.graded))
-        desk = Desk(
+        desk = Watcher(
             arguments.source,
             course,
             queue,

@@ -29,7 +29,7 @@ from tam570_grader.reports.feedback import AssignmentInfo
 from tam570_grader.results.collected import form
 from tam570_grader.results.records import read as result_of
 from tam570_grader.results.store import ResultStore
-from tam570_grader.results.tables import written
+from tam570_grader.results.tables import write_in, written
 from tam570_grader.sandbox.student import Source
 
 JOURNAL, COPIES, KEY, STATUS = "watch.jsonl", "attempts", "watch.key", "status.html"
@@ -145,7 +145,7 @@ class Queue:
 
 
 @dataclass
-class Desk:
+class Watcher:
     """Looks for what arrives, has it graded, and puts the pages back."""
 
     source: Path
@@ -287,17 +287,16 @@ class Desk:
         page = feedback.page(
             replace(result, message=" ".join(filter(None, [self._standing(event), result.message]))), info
         )
-        pages = self.queue.folder / "feedback" / key[0]
-        pages.mkdir(parents=True, exist_ok=True)
-        (pages / f"{key[1]}.html").write_text(page, encoding="utf-8")  # no fsync: it is made again from the results
+        pages = self.queue.folder / "feedback"
+        feedback.write_page(pages, key, page)
         origin = Path(event["origin"])
         try:
             if self.is_exchange:
                 self._release(origin if origin.is_dir() else origin.parent, key[1], page)
             elif origin.parent.is_dir() and not origin.is_dir():
-                _write_in(origin.parent, f"{origin.name.split('.')[0]}-feedback.html", page)
+                write_in(origin.parent, f"{origin.name.split('.')[0]}-feedback.html", page)
         except OSError as error:
-            warn(f"the page of {key[0]} in {key[1]} cannot be put back: {error}; it is in {pages}")
+            warn(f"the page of {key[0]} in {key[1]} cannot be put back: {error}; it is in {pages / key[0]}")
 
     def _standing(self, event: Json) -> str:
         """Return which attempt it is, and what counts."""
@@ -314,7 +313,7 @@ class Desk:
         feedback = self.source / "feedback"
         feedback.mkdir(mode=0o711, exist_ok=True)  # as nbgrader makes it: nobody lists it
         for name in sorted(names):
-            _write_in(feedback, f"{hashlib.md5(secret + name.encode(), usedforsecurity=False).hexdigest()}.html", page)
+            write_in(feedback, f"{hashlib.md5(secret + name.encode(), usedforsecurity=False).hexdigest()}.html", page)
 
     def show(self) -> None:
         """Write the status page."""
@@ -347,21 +346,6 @@ def _owned(submission: Submission, folder: Path) -> Submission:
         if owner != os.getuid() and pwd.getpwuid(owner).pw_name != submission.student:
             return replace(submission, path=None, reason=f"it was handed in by {pwd.getpwuid(owner).pw_name}")
     return submission
-
-
-def _write_in(folder: Path, name: str, text: str) -> None:
-    """Write a file into a folder that somebody else may change: beside it first, and through no link."""
-    directory = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW)
-    draft = f".{name}.{os.getpid()}"
-    try:
-        with contextlib.suppress(FileNotFoundError):
-            os.unlink(draft, dir_fd=directory)
-        flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW
-        with open(os.open(draft, flags, 0o644, dir_fd=directory), "w", encoding="utf-8") as file:
-            file.write(text)
-        os.replace(draft, name, src_dir_fd=directory, dst_dir_fd=directory)
-    finally:
-        os.close(directory)
 
 
 def _clock(moment: float) -> str:

@@ -19,7 +19,7 @@ People = tuple[tuple[dict[str, str], str], ...]  # the ids of each submitter, an
 
 
 @dataclass(frozen=True)
-class Table:
+class SubmissionTable:
     """The class's table, and for each folder beside it whose it is and when it came."""
 
     file: File
@@ -32,7 +32,7 @@ class Table:
         return self.submissions.get(folder, ((), ""))
 
 
-def table_in(files: Iterable[File]) -> Table:
+def table_in(files: Iterable[File]) -> SubmissionTable:
     """Return the class's table: the outermost of that name, for a student may hand in another."""
     tables = [file for file in files if file.path.rsplit("/", 1)[-1] == METADATA]
     outside = [file for file in tables if not any(map(FOLDER.fullmatch, file.path.split("/")))]  # of all submissions
@@ -53,7 +53,7 @@ def table_in(files: Iterable[File]) -> Table:
         if not isinstance(submitters, list) or not isinstance(when, str):
             raise UsageError(f"{where}: this is not what Gradescope writes of a submission; {AGAIN}")
         submissions[str(folder)] = tuple(_person(who, where) for who in submitters), when
-    return Table(file, submissions)
+    return SubmissionTable(file, submissions)
 
 
 def _without_results(data: bytes) -> bytes:

@@ -8,7 +8,7 @@ from tam570_grader.checks.assignments import match_slugs
 from tam570_grader.errors import UsageError, warn, writing
 from tam570_grader.grading import roster as rosters
 from tam570_grader.grading.roster import Directory, Person
-from tam570_grader.lms.systems import SYSTEMS, Table
+from tam570_grader.lms.systems import SYSTEMS, ScoreTable
 from tam570_grader.results.manual_points import EX
 from tam570_grader.results.tables import cell, name_in, table, write_table
 
@@ -109,7 +109,7 @@ def export(scores: Scores, options: ExportOptions) -> Export:
     return result
 
 
-def _without_roster(scores: Scores, slugs: Sequence[str], layout: Table, keys: Sequence[str]) -> Export:
+def _without_roster(scores: Scores, slugs: Sequence[str], layout: ScoreTable, keys: Sequence[str]) -> Export:
     """Return a row for each student, known by the login that their folder is named after."""
     rare = ("LastName", "FirstName", "Integration ID", "Root Account", "Last Name", "First Name", "Student ID")
     ids = [name for name in keys if name not in (*rare, "OrgDefinedId")]
@@ -127,11 +127,11 @@ def _without_roster(scores: Scores, slugs: Sequence[str], layout: Table, keys: S
     return export
 
 
-def _end(layout: Table, which: int) -> list[str]:
+def _end(layout: ScoreTable, which: int) -> list[str]:
     return [layout.end[which]] if layout.end else []
 
 
-def _column(layout: Table, heading: Sequence[str], slug: str, options: ExportOptions) -> str:
+def _column(layout: ScoreTable, heading: Sequence[str], slug: str, options: ExportOptions) -> str:
     """Return the heading of an assignment's column, by course.toml or by our name; UsageError if there is none."""
     wanted = options.columns.get(slug, slug)
     if not layout.must_match:
@@ -153,7 +153,7 @@ def _column(layout: Table, heading: Sequence[str], slug: str, options: ExportOpt
     )
 
 
-def _tells(layout: Table, name: str) -> list[str]:
+def _tells(layout: ScoreTable, name: str) -> list[str]:
     """Return what a heading is known by: its title, and its id."""
     match = layout.column.fullmatch(name)
     return [match[key] for key in ("title", "id") if match and key in match.groupdict()]

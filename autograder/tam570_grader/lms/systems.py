@@ -12,7 +12,7 @@ NUMBER = "[0-9]{1,20}"
 
 
 @dataclass(frozen=True)
-class Table:
+class ScoreTable:
     """A table of scores that a system imports."""
 
     keys: tuple[str, ...]  # headings that tell who a row is, kept as the system exported them
@@ -39,7 +39,7 @@ class System:
     must_agree: bool = False  # a number counts only if the name beside it is its owner's
     has_times: bool = False  # the download tells when a file came
     page: str | None = None  # the name of a page that is handed back
-    table: Table | None = None
+    table: ScoreTable | None = None
 
 
 SYSTEMS = {
@@ -57,7 +57,7 @@ SYSTEMS = {
         ids={"user": ("id",)},
         must_agree=True,
         page="{start}{slug}.html",
-        table=Table(
+        table=ScoreTable(
             keys=(
                 "Student",
                 "LastName",
@@ -87,7 +87,7 @@ SYSTEMS = {
         ids={"user": ("participant",)},
         must_agree=True,
         page="{name}_{user}_assignsubmission_file_{slug}.html",
-        table=Table(
+        table=ScoreTable(
             keys=("Username",),
             login=("Username",),
             column=re.compile(r"(?P<title>.*)", re.DOTALL),
@@ -114,7 +114,7 @@ SYSTEMS = {
         ),
         ids={"user": ("login",)},
         has_times=True,
-        table=Table(
+        table=ScoreTable(
             keys=("Last Name", "First Name", "Username", "Student ID"),
             login=("Username",),
             column=re.compile(r"(?P<title>.*) \[Total Pts: (?:up to )?(?P<possible>[\d.,]+)[^\]]*\] ?\|(?P<id>\d+)"),
@@ -132,7 +132,7 @@ SYSTEMS = {
             re.DOTALL,
         ),
         has_times=True,
-        table=Table(
+        table=ScoreTable(
             keys=("OrgDefinedId", "Username"),
             login=("Username",),
             column=re.compile(r"(?P<title>.*) Points Grade(?: <.*?MaxPoints:(?P<possible>[\d.]+).*>)?", re.DOTALL),

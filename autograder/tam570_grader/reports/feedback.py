@@ -22,7 +22,7 @@ from tam570_grader.results import manual_points
 from tam570_grader.results.manual_points import AdjustedScore, ManualAdjustments
 from tam570_grader.results.records import CheckResult, Result, read
 from tam570_grader.results.store import Key, Record, Results
-from tam570_grader.results.tables import written
+from tam570_grader.results.tables import write_in, written
 
 if TYPE_CHECKING:
     from jinja2 import Template
@@ -186,13 +186,13 @@ def write_pages(folder: Path, results: Results, course: Path) -> list[Key]:
             warn(f"the page of {key[0]} {key[1]} could not be made: {error!r}")
             text = template("no_page.html").render(slug=key[1], student=key[0])
             failed.append(key)
-        _write_page(folder, key, text)
+        write_page(folder, key, text)
     if stale:
         written(notes, json.dumps({"/".join(key): digest for key, digest in digests.items() if key not in failed}))
     return failed
 
 
-def _write_page(folder: Path, key: Key, text: str) -> None:
+def write_page(folder: Path, key: Key, text: str) -> None:
     """Put a page in its place, unless it is there; a link in its way is replaced, and never followed."""
     path = Path(_path(folder, key))
     for target in (folder, path.parent):
@@ -200,11 +200,7 @@ def _write_page(folder: Path, key: Key, text: str) -> None:
             target.unlink()
         target.mkdir(parents=True, exist_ok=True)
     if path.is_symlink() or not path.exists() or path.read_text(encoding="utf-8") != text:
-        draft = path.with_name(f".{path.name}.new")
-        draft.unlink(missing_ok=True)
-        with open(os.open(draft, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o644), "w", encoding="utf-8") as file:
-            file.write(text)  # no fsync: it is made again from the results
-        os.replace(draft, path)
+        write_in(path.parent, path.name, text)
 
 
 def _settled(adjustments: ManualAdjustments, results: Results) -> dict[Key, AdjustedScore]:

@@ -32,14 +32,14 @@ SAME = 1e-9
 
 
 @dataclass(frozen=True)
-class Pair:
+class WrongAndRight:
     """Two images as addresses of data, or two diagrams."""
 
     wrong: str | Sketch
     reference: str | Sketch
 
 
-def wrong_and_right(course: Path, slug: str, message: str, failure: Failure | None) -> Pair | None:
+def wrong_and_right(course: Path, slug: str, message: str, failure: Failure | None) -> WrongAndRight | None:
     """Return the pictures of a mistake; None where there is nothing to draw.
 
     message : the sentence that names the mistake
@@ -53,7 +53,7 @@ def wrong_and_right(course: Path, slug: str, message: str, failure: Failure | No
             return None
 
 
-def _scenes(course: Path, slug: str, message: str) -> Pair | None:
+def _scenes(course: Path, slug: str, message: str) -> WrongAndRight | None:
     """Return the scene with a known mistake and the right one, where they differ."""
     listed = mistakes(checks_folder(course, slug))
     overlay = next((mistake.text for mistake in listed if mistake.message == message), None)
@@ -64,7 +64,7 @@ def _scenes(course: Path, slug: str, message: str) -> Pair | None:
     pairs = list(zip(_numbers_of(wrong), _numbers_of(reference), strict=False))
     if all(a.shape == b.shape and np.allclose(a, b, SAME, SAME, equal_nan=True) for a, b in pairs):
         return None
-    return Pair(_still(wrong), _still(reference))
+    return WrongAndRight(_still(wrong), _still(reference))
 
 
 def _numbers_of(scene: Scene) -> Iterator[NDArray[np.float64]]:
@@ -79,14 +79,14 @@ def _still(scene: Scene) -> str:
         return _address(path.read_bytes())
 
 
-def _diagrams(failure: Failure | None) -> Pair | None:
+def _diagrams(failure: Failure | None) -> WrongAndRight | None:
     """Return a student's free body diagram and the right one."""
     if failure is None or not (failure.sketch and isinstance(failure.expected, dict)):
         return None
-    return Pair(sketch(failure.sketch), sketch(failure.expected))
+    return WrongAndRight(sketch(failure.sketch), sketch(failure.expected))
 
 
-def _numbers(failure: Failure | None) -> Pair | None:
+def _numbers(failure: Failure | None) -> WrongAndRight | None:
     """Return a student's numbers and the right ones, at one scale."""
     if failure is None or failure.actual is None or failure.expected is None:
         return None
@@ -95,7 +95,7 @@ def _numbers(failure: Failure | None) -> Pair | None:
         return None
     low, high = min(0.0, np.min(both)), max(0.0, np.max(both))
     margin = 0.15 * (high - low) or 1.0
-    return Pair(*(_plot(values, (low - margin, high + margin)) for values in both))
+    return WrongAndRight(*(_plot(values, (low - margin, high + margin)) for values in both))
 
 
 def _plot(values: NDArray[np.float64], span: tuple[float, float]) -> str:

@@ -26,7 +26,7 @@ CHECK_FIELDS = {"name", "part", "points", "max_points", "outcome", "message", "s
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class StoredLine:
     """Where a result is in its file, and what is asked of it most."""
 
     start: int
@@ -47,7 +47,7 @@ class Results(Mapping[Key, Record]):
 
     def __init__(self, file: BinaryIO, path: Path, summary_row: SummaryRow = lambda record: ()) -> None:
         self._file, self._path, self._note = file, path, summary_row
-        self.lines = dict[Key, Line]()
+        self.lines = dict[Key, StoredLine]()
         self._end, self._count = 0, 0  # of the whole lines that were read
         try:
             self._look()
@@ -102,7 +102,7 @@ class Results(Mapping[Key, Record]):
         line_digest = hashlib.blake2b(text, digest_size=12).hexdigest()
         graded = GradeRow(*(_kept_once(record[name]) for name in GradeRow._fields))
         digest = str(record.get("digest"))
-        line = Line(self._end, len(text), digest, line_digest, record["seed"], graded, self._note(record))
+        line = StoredLine(self._end, len(text), digest, line_digest, record["seed"], graded, self._note(record))
         self.lines[_kept_once(str(record["student"])), _kept_once(str(record["assignment"]))] = line
         self._end += len(text)
         self._count += 1

@@ -1,5 +1,6 @@
 """Files of text and tables: read from any spreadsheet, written whole or not at all, with no cell that is a formula."""
 
+import contextlib
 import csv
 import io
 import os
@@ -34,6 +35,21 @@ def written(path: Path, content: str | bytes | Iterable[str]) -> None:
     except OSError:
         draft.unlink(missing_ok=True)  # a full disk needs the room
         raise
+
+
+def write_in(folder: Path, name: str, text: str) -> None:
+    """Write a file into a folder that somebody else may change: beside it first, and through no link."""
+    directory = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW)
+    draft = f".{name}.new"
+    try:
+        with contextlib.suppress(FileNotFoundError):
+            os.unlink(draft, dir_fd=directory)
+        flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW
+        with open(os.open(draft, flags, 0o644, dir_fd=directory), "w", encoding="utf-8") as file:
+            file.write(text)  # no fsync: pages are made again from the results
+        os.replace(draft, name, src_dir_fd=directory, dst_dir_fd=directory)
+    finally:
+        os.close(directory)
 
 
 def write_table(path: Path | None, rows: Iterable[Iterable[object]], *, exact: bool = False) -> None:
