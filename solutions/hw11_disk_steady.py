@@ -153,5 +153,5 @@ def _spin_angular_momentum(lean, precession, mass, radius, inertia, gravity):
     Routh, Advanced Rigid Dynamics; O'Reilly, Nonlinear Dynamics 10 (1996) 287.
     """
     A, _ = inertia
-    weight = mass * gravity * radius / (precession * math.cos(lean))
-    return math.sin(lean) * (weight - A * precession)
+    weight = mass * gravity * radius * math.tan(lean)
+    return weight / precession - A * precession * math.sin(lean)

@@ -125,8 +125,10 @@ def where_it_rests(student):
     def hint(case, result, expected):
         if source := own_motion(student, case, *result):
             return source
-        above = np.allclose(result[0], -expected[0], rtol=0, atol=POINTWISE * length(case))
-        return "It is above the origin." if above else "Where do spring and weight balance?"
+        candidates = {"It is above the origin.": -1, "Your centre lacks the mass.": 1 / case.kwargs["mass"]}
+        near = partial(np.allclose, result[0], rtol=0, atol=POINTWISE * length(case))
+        named = (message for message, share in candidates.items() if near(share * expected[0]))
+        return next(named, "Where do spring and weight balance?")
 
     return hint
 
@@ -144,6 +146,19 @@ def own_motion(student, case, centre, axes):
     return ""
 
 
+def about(centre, case, rate):
+    """Fradkin's tensor about a centre."""
+    radius, velocity = case.args[0] - centre, case.args[1] / rate
+    return np.outer(radius, radius) + np.outer(velocity, velocity)
+
+
+def own_source(student, case, centre, axes):
+    """The student's own wrong motion or wrong centre, to which the ellipse belongs; empty if to none."""
+    own = about(centre, case, reference.rate_of(**case.kwargs))
+    is_about_it = np.allclose(axes.T @ axes, own, rtol=0, atol=TENSOR * np.trace(own))
+    return FollowsFrom("orbit") if is_about_it else own_motion(student, case, centre, axes)
+
+
 @check("orbit", points=0.5, part="c")
 def orbit_has_its_centre_at_the_equilibrium(student, rng):
     """the centre is where the mass can rest."""
@@ -156,7 +171,7 @@ def judge_axes(student, calls):
         (_, tensor), product = reference.orbit(*case.args, **case.kwargs), np.outer(a, a) + np.outer(b, b)
         square = np.trace(tensor) + (NOUGHT * length(case)) ** 2
         words = {"scale": square, "unit": "of the square of its size"}
-        source = partial(own_motion, student, case, centre, np.array([a, b]))
+        source = partial(own_source, student, case, centre, np.array([a, b]))
         which = partial(likeliest_ellipse, source, case, product, tensor, b, square)
         expect(product, tensor, tolerance=TENSOR, quantity="the ellipse", hint=which, **words)
         hint = "Two radii that give the ellipse need not be its axes."
@@ -170,6 +185,7 @@ def likeliest_ellipse(source, case, product, tensor, smaller, square):
         "It is twice as large: these are its axes, not semi-axes.": 4 * tensor,
         "The semi-axes have the squares of their lengths.": tensor @ tensor,
         "The semi-axes are unit vectors: give them their lengths.": product @ product if product.any() else tensor,
+        "You use v itself: divide it by sqrt(k/m).": about(reference.centre(**case.kwargs), case, 1.0),
     }
     near = (message for message, it in candidates.items() if np.allclose(product, it, rtol=1e-6, atol=TENSOR * square))
     return source() or next(near, case.hint or "Do r and v/sqrt(k/m) lie on your ellipse, as seen from its centre?")

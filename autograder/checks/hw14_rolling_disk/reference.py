@@ -184,7 +184,7 @@ def turned(angles, by):
 
 def in_the_disk(points, placed, radius):
     """Angles of points in the plane of a disk of this matrix state, and how far the points are from the rim, m."""
-    x, y, z = np.moveaxis((points - placed[CENTRE]) @ placed[MATRIX].reshape(3, 3), -1, 0)
+    x, y, z = np.moveaxis((points - placed[CENTRE]) @ np.linalg.pinv(placed[MATRIX].reshape(3, 3)).T, -1, 0)
     return np.arctan2(y, x), np.hypot(np.hypot(x, y) - radius, z)
 
 

@@ -379,6 +379,19 @@ def has_rates(motion: Motion, rates: Rates, *, ends: bool = True) -> bool:
         return False
 
 
+def sets_off(motion: Motion) -> bool:
+    """Return whether the student's motion leaves right rows at the right rates."""
+    try:
+        for row in _some(motion, ASKED):
+            _, rate, expected = _set_off(motion, row)
+            off, most = (np.max(np.abs(each) / motion.scales) for each in (rate - expected, expected))
+            if not off <= EXPLAINED * most:
+                return False
+    except (Failed, NotWritten, ValueError, ArithmeticError, Exhausted):
+        return False
+    return True
+
+
 def _leads_on(motion: Motion, row: int) -> bool:
     """Return whether the student's motion from one of its rows goes on as it did."""
     led = motion.repeated_at(motion.t[row : row + 2], *_restart(motion, motion.actual[row]))

@@ -22,7 +22,18 @@ from tam570_grader.checks.compare import (
 from tam570_grader.checks.curves import Curve, curve
 from tam570_grader.checks.expect import NEAR_MISS, NEAR_MISS_SHARE, Failed, FollowsFrom, NotWritten, expect, get_context
 from tam570_grader.checks.formulas import in_symbols
-from tam570_grader.checks.motions import OF_STEPS, ROUGHLY, Motion, Rates, Restart, diagnosed, flat, has_rates, obeys
+from tam570_grader.checks.motions import (
+    OF_STEPS,
+    ROUGHLY,
+    Motion,
+    Rates,
+    Restart,
+    diagnosed,
+    flat,
+    has_rates,
+    obeys,
+    sets_off,
+)
 from tam570_grader.checks.returns import Formula
 from tam570_grader.checks.student import StudentFunction
 
@@ -86,11 +97,17 @@ class OwnRates:
         if back and ends:
             try:
                 near = motion.near(np.array([back(row) for row in motion.expected]))
-                if near and motion.function.uses(self.passes, motion.case):
+                if (near or self._is_led_astray(motion)) and motion.function.uses(self.passes, motion.case):
                     return FollowsFrom(self.passes)
             except (Failed, NotWritten):
                 pass
         return self.otherwise.source(motion, ends=ends) if self.otherwise else ""
+
+    def _is_led_astray(self, motion: Motion) -> bool:
+        """Return whether the rates are right, and what each row may go through is wrong beside the right motion."""
+        function = getattr(motion.function.student, self.passes)
+        beside = [Case(row + row[::-1] / 10, **motion.case.kwargs) for row in motion.expected[:ASKED]]
+        return self.are_right(motion) and sets_off(motion) and not is_right(function, self.reference, beside)
 
     def _back(self, motion: Motion, row: Array) -> Numbers:
         function: StudentFunction = getattr(motion.function.student, self.passes)

@@ -12,7 +12,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 from functools import partial
-from itertools import combinations
+from itertools import combinations, product
 from typing import TypeVar
 
 from tam570.checking.transforms import LENGTHS
@@ -111,6 +111,7 @@ def _of_quantities(function: ast.FunctionDef) -> dict[str, "Operator"]:
         "sine and cosine": partial(_exchanged_in_a_sum, groups=()),
         "as given": partial(_as_given, raw=raw),
         "ignored": partial(_ignored, computed=computed),
+        "a factor of a term": partial(_other_powers, names=names_used(function) & {"mass", *LENGTHS}),
     }
 
 
@@ -131,6 +132,13 @@ def _others_of_a_kind(node: ast.expr, groups: Sequence[Set[str]]) -> Iterator[as
     if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
         others = {other for group in groups if node.id in group for other in group - {node.id}}
         yield from (ast.Name(other, ast.Load()) for other in sorted(others))
+
+
+def _other_powers(node: ast.expr, names: Set[str]) -> Iterator[ast.expr]:
+    """Yield one of two terms has a mass or a length too many, or too few."""
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub):
+        for side, name, op in product(("left", "right"), sorted(names), (ast.Mult(), ast.Div())):
+            yield _with(node, **{side: ast.BinOp(getattr(node, side), op, ast.Name(name, ast.Load()))})
 
 
 def _exchanged_in_a_sum(node: ast.expr, groups: Sequence[Set[str]]) -> Iterator[ast.expr]:
@@ -537,10 +545,18 @@ def _tangent_parts(node: ast.expr) -> Iterator[ast.expr]:
         yield from (_with(node, args=parts) for parts in ([_times(2, first), second], [first, _times(2, second)]))
 
 
-def _parallel_axes(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield a third, of a bar about its end, becomes a third and a quarter."""
+def _other_thirds(factor: float, node: ast.expr) -> Iterator[ast.expr]:
+    """Yield a third, of a bar about its end, becomes a third and a quarter, a twelfth or a quarter."""
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div) and getattr(node.right, "value", 0) == 3:
-        yield _times(7 / 4, node)
+        yield _times(factor, node)
+
+
+def _halves(node: ast.expr) -> Iterator[ast.expr]:
+    """Yield x / 2 becomes x, and 0.5 becomes 1."""
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div) and getattr(node.right, "value", 0) == 2:
+        yield node.left
+    elif isinstance(node, ast.Constant) and node.value == 0.5:
+        yield ast.Constant(1.0)
 
 
 MOST_ALIKE = 3  # names of one kind: of a state, many mean something else
@@ -565,7 +581,9 @@ MORE: dict[str, Operator] = {
     "the sign of an angle": _angle_signs,
     "an axis": _axes,
     "parts of a tangent": _tangent_parts,
-    "the parallel axis": _parallel_axes,
+    "the parallel axis": partial(_other_thirds, 7 / 4),
+    "about the mass centre": partial(_other_thirds, 1 / 4),
+    "without its turning": partial(_other_thirds, 3 / 4),
 }
 EVERYWHERE: tuple[tuple[str, Operator], ...] = (
     *(("another function", partial(_sines_and_cosines, (name,), None)) for name in ("sin", "cos")),
@@ -574,6 +592,7 @@ EVERYWHERE: tuple[tuple[str, Operator], ...] = (
     ("degrees", _degrees),
     ("radians", partial(_other_sines, math.pi / 180)),
     ("half an angle", _half_angles),
+    ("halves", _halves),
 )
 
 

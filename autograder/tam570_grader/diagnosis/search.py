@@ -104,7 +104,7 @@ def _general(solution: str, calls: Sequence[Call], others: Sequence[str], passed
         reference = getattr(module, name)
         change = _either_reversed(name, reference, its_calls)
         change = change or next(_explaining(other_forms(name, reference, its_calls[0]), its_calls), None)
-        cause = _transformed(solution, name, change) or _single_entry(name, its_calls)
+        cause = _transformed(solution, name, change) or _single_entry(solution, name, its_calls)
     return cause and replace(cause, calls=tuple(calls))
 
 
@@ -287,9 +287,8 @@ def _mutant(
     """
     texts: dict[str, dict[str, str]] = {}
     factors, parameters = dict[str, set[str]](), _unpacked(solution)
-    numbers_last = sorted(_mutants(solution), key=lambda mutant: mutant[1] == KINDS["a number"])
-    for helper, words, names_in_term, factor, text in numbers_last:
-        if texts and words == KINDS["a number"]:
+    for helper, words, names_in_term, factor, text in sorted(_mutants(solution), key=lambda mutant: _rarity(mutant[1])):
+        if any(_rarity(other) < _rarity(words) for other in texts):
             break
         term = ", ".join(sorted(name for name in names_in_term if {name, parameters.get(name)} & public))
         if helper in suspects and term not in texts.get(words, ()):
@@ -317,6 +316,13 @@ def _mutant(
     return f"In {name}, {words.format(f' with {term}' if term else '')}", list(by_term.values())
 
 
+def _rarity(words: str) -> int:
+    """Return the rank of a kind of mutant: it is told only where none of a lower rank explains the calls."""
+    if words in (KINDS["halves"], KINDS["a number"]):
+        return 0 if words == KINDS["halves"] else 3  # few are of the first kind, and hardly another has their numbers
+    return 2 if words.startswith(("a term{} has", "a term{} lacks")) else 1
+
+
 def _called(module: ModuleType, call: ComparedCall) -> Numbers:
     if call.case.points:
         return computed(module, call)
@@ -338,13 +344,13 @@ def shared_mutants(text: str, name: str, other: str, calls: Sequence[Call]) -> t
     return tuple(partial(answer, text, changed) for changed in mutant[1]) if mutant else ()
 
 
-def _single_entry(name: str, calls: Sequence[ComparedCall]) -> Cause | None:
+def _single_entry(solution: str, name: str, calls: Sequence[ComparedCall]) -> Cause | None:
     """Return where a matrix or a vector is wrong, if it is in one place, and the others are not mere zeros."""
     answers = [answer_of for call in calls for answer_of in (call.result, call.expected)]
     forms = {() if isinstance(answer_of, tuple) else np.shape(answer_of) for answer_of in answers}
     if (
         len(forms) > 1
-        or not (len(form := forms.pop()) == 2 or (len(form) == 1 and form >= (SPACE,)))
+        or not (len(form := forms.pop()) in (2, 3) or (len(form) == 1 and form >= (SPACE,)))
         or calls[0].case.points
     ):
         return None
@@ -353,7 +359,17 @@ def _single_entry(name: str, calls: Sequence[ComparedCall]) -> Cause | None:
     if len(places) != 1 or (len(form) == 1 and not np.any([call.expected for call in calls], axis=0).all()):
         return None
     where = ", ".join(f"{axis} {index + 1}" for axis, index in zip(AXES[len(form)], places[0], strict=True))
-    return Cause(name, f"Your result of {name} is wrong in {where} alone", "place")
+    wrong = partial(_wrong_in_place, solution, name, tuple(places[0]))
+    return Cause(name, f"Your result of {name} is wrong in {where} alone", "place", (wrong,))
+
+
+def _wrong_in_place(solution: str, name: str, place: tuple[int, ...], call: Call) -> Numbers:
+    """Return the right answer with the student's number in one place; that of another function as it is."""
+    expected = answer(solution, "", call)
+    if call.name == name and np.shape(call.result) == np.shape(expected) != ():
+        expected = np.array(expected)
+        expected[place] = call.result[place]
+    return expected
 
 
 @functools.cache
@@ -522,12 +538,23 @@ def _words_of_operation(mutant: Mutant, was: ast.BinOp) -> Iterator[tuple[str, a
         yield f"a divisor{{}} is {'squared' if is_square else 'its square root'}", was.right
     elif mutant.operator == "a first sign":
         yield KINDS["a sign"], was.left
+    elif mutant.operator == "a factor of a term":
+        assert isinstance(now, ast.BinOp)
+        term, changed = (was.right, now.right) if now.left is was.left else (was.left, now.left)
+        assert isinstance(changed, ast.BinOp) and isinstance(changed.right, ast.Name)
+        has, many = ("has", " too many") if isinstance(changed.op, ast.Mult) else ("lacks", "")
+        yield f"a term{{}} {has} a factor {changed.right.id}{many}", term
     elif mutant.operator == "half a term":
         yield KINDS[mutant.operator], was.left if was.right in ast.iter_child_nodes(now) else was.right
     elif is_sum and now is was.right and isinstance(was.op, ast.Sub):
         return  # that has another sign, too
     elif is_sum and now in (was.left, was.right):
-        yield "a term{} is missing", was.left if now is was.right else was.right
+        term = was.left if now is was.right else was.right
+        is_number = isinstance(term, ast.Constant) or ast.unparse(term) == "t[0]"
+        yield (
+            f"the term {ast.unparse(term).removesuffix('.0')} is missing" if is_number else "a term{} is missing",
+            term,
+        )
     elif is_sum:
         reversed_ = isinstance(now, ast.BinOp) and now.right is was.right
         yield "the sign of a term{} is reversed" if reversed_ else "a term{} counts twice", was.right
@@ -551,7 +578,7 @@ OF_TERMS = "a missing component", "a missing first term", "the sign of a compone
 WHOLE = (  # of these the whole expression is meant
     *("linearised", "a product for a square", "a missing square", "two exchanged", "sine and cosine", "a tangent"),
     *("a norm", "degrees", "radians", "half an angle", "the sign of an angle", "parts of a tangent", "ignored"),
-    "the parallel axis",
+    *("the parallel axis", "about the mass centre", "without its turning", "halves"),
 )
 KINDS = {
     "a sign": "the sign of a term{} is reversed",
@@ -576,6 +603,9 @@ KINDS = {
     "the sign of an angle": "an angle has the opposite sign",
     "parts of a tangent": "a number{} is twice or half the right one",
     "the parallel axis": "m l^2/4 is added to m l^2/3{}; a third is a bar's inertia about its end already",
+    "about the mass centre": "m l^2/12 is used for m l^2/3{}; a third is a bar's inertia about its end",
+    "without its turning": "m l^2/4 is used for m l^2/3{}; the bar's inertia m l^2/12 about its mass centre is missing",
+    "halves": "every division by 2 is missing",
     "ignored": "a quantity{} is ignored, as if it were zero",
     "a transpose": "matrices{} are multiplied in the wrong order, or one is transposed",
 }

@@ -377,8 +377,7 @@ def _passed_so_far(run: _Run) -> set[str]:
 
 def _earlier(causes: Mapping[str, Cause]) -> list[Cause]:
     """Return the causes from which something may follow, or that may be repeated, by the functions named first."""
-    sources = [cause for cause in causes.values() if cause.answers or cause.source == "place"]
-    return [replace(cause, function=cause.follows_from or cause.function) for cause in sources]
+    return [replace(cause, function=cause.follows_from or cause.function) for cause in causes.values() if cause.answers]
 
 
 def _is_told_before(run: _Run, check: Check, cause: Cause) -> bool:

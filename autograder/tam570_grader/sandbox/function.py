@@ -115,13 +115,18 @@ class SandboxFunction:
             return self(*call.args, **call.kwargs)
 
     def uses(self, helper: str, call: Case) -> bool:
-        """Return whether the result of a call moves where those of another function of the student's file do."""
+        """Return whether the result of a call moves, or ends, where those of another function of the file move."""
         with self.student.aside(self.name):
             replies = [self.student.replies(self.name, [call], moved=moved)[0] for moved in (None, helper)]
-        if any("value" not in reply for reply in replies):
+        if "value" not in replies[0]:
             return False
-        before, after = (parts(result(self.returns, reply["value"], self.name, call)) for reply in replies)
-        return not all(map(np.array_equal, before, after))
+        before = parts(result(self.returns, replies[0]["value"], self.name, call))
+        try:
+            return not all(
+                map(np.array_equal, before, parts(result(self.returns, replies[1]["value"], self.name, call)))
+            )
+        except (KeyError, Failed):
+            return True
 
     def refusals(self, calls: Iterable[Case]) -> Iterator[tuple[Case, bool]]:
         """Yield every call, and whether it raises ValueError; another exception is Failed."""

@@ -8,10 +8,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from types import ModuleType
 
+import numpy as np
+
 from tam570.bans import HERE, Change, Forbidden, Unusable, refused
 from tam570.checking.deadline import CALL, TooLong, limited
 from tam570.checking.mistakes import Arguments, Mistake, ObservedCall, tightened
 from tam570.checking.trail import Trail
+from tam570.checking.transforms import parts
 from tam570.forms import Form, WrongForm, conform
 from tam570.loading import replaced, said
 from tam570.values import Function, Numbers
@@ -36,6 +39,7 @@ class Functions:
     calls: list[str] = field(default_factory=list)  # in the test that runs, in order
     mistake: Mistake | None = None  # what is tried on the results
     everywhere: bool = False  # whether it is tried where other functions of the module call this one, too
+    informative: bool = False  # whether some result is not zero where it is undone
     cache: dict[tuple[str, bool, bytes], Numbers] = field(default_factory=dict)  # results, by function and arguments
     observed: dict[str, ObservedCall] = field(default_factory=dict)  # the first call of each function
     hanging: dict[str, str] = field(default_factory=dict)  # functions that are not called again, and why
@@ -81,7 +85,9 @@ class Functions:
         """Return a result with the mistake undone that is tried on this function."""
         if self.mistake is None or self.mistake.function != name or self.mistake.repair is None:
             return result
-        return self.mistake.repair(ObservedCall(arguments, result))
+        repaired = self.mistake.repair(ObservedCall(arguments, result))
+        self.informative = self.informative or any(map(np.any, parts(repaired)))
+        return repaired
 
     @contextmanager
     def tried(self, mistake: Mistake, *, everywhere: bool = False) -> Iterator[None]:

@@ -254,11 +254,16 @@ def _explained(outcomes: Outcomes, used: Mapping[str, set[str]], reached: Progre
             budget -= len(failed)
             if budget < 0:
                 break
-            mended = [test for test in failed if _passes(outcomes, mistake, test)]
+            mended, informative = list[str](), mistake.repair is None
+            for test in failed:
+                functions.informative = False
+                if _passes(outcomes, mistake, test):
+                    mended, informative = [*mended, test], informative or functions.informative
             key = reversed_argument(mistake)
             is_as_good = best_mistake and mended == best and reversed_argument(best_mistake) and key
             if (
-                (is_as_good or len(mended) > len(best))
+                informative  # many mistakes leave nothing but zeros
+                and (is_as_good or len(mended) > len(best))
                 and its_own <= {*mended}
                 and all(_passes(outcomes, mistake, test) for test in alone)
             ):

@@ -104,6 +104,13 @@ def test_what_is_refused_is_judged_after_wrong_numbers(checked, wrong, outcome):
     assert actual["matrix_refuses_what_is_no_axis"].outcome == outcome
 
 
+def test_a_wrong_entry_of_a_matrix_is_one_mistake(checked):
+    again = "\n\nright = rotation_matrix\n\n\ndef rotation_matrix(axis, angle):\n    return right(axis, angle) * {}\n"
+    actual = checked("hw08_axis_angle", more=again.format("[[1, 1, 1], [1, 1.1, 1], [1, 1, 1]]"))
+    assert by_name(actual) == ["matrix_turns_by_the_right_hand_rule"]
+    assert following(actual) == {("rotation_matrix", "rotation_matrix")}
+
+
 def test_a_function_that_is_always_zero_makes_nothing_else_right(checked):
     actual = checked("hw06_braking", ("return mass * gravity * abs(free / arm)", "return 0.0"))
     assert not {"axle_load", "friction_force"} & {source for _, source in following(actual)}

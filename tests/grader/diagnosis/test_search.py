@@ -12,36 +12,24 @@ from tam570_grader.diagnosis.search import general
 
 SOLUTION = """
 import numpy as np
-def weight(mass, height, *, gravity, length):
-    return mass * gravity * height + mass * length ** 2 / 2
+def weight(mass, height, *, gravity, length): return mass * gravity * height + mass * length ** 2 / 2
 def turned(v, *, angle):
     x, y = v
     return x * np.cos(angle) - y * np.sin(angle), x * np.sin(angle) + y * np.cos(angle)
-def polar(x, y):
-    return np.hypot(x, y), np.arctan2(y, x)
-def cross(a, b):
-    return np.array([_part(a, b, 1, 2), _part(a, b, 2, 0), _part(a, b, 0, 1)])
-def _part(a, b, i, j):
-    return a[i] * b[j] - a[j] * b[i]
-def lift(length, mass, *, gravity):
-    return mass * length ** 2 - mass * gravity * length
-def swing(angle, *, mass):
-    return 2 * mass * np.sin(angle / 2) ** 2
-def rod(x, y):
-    return np.array([[[0.0, 1.0], [x, y]]])
-def forces(x, y):
-    return np.array([[x, y], [y ** 2, x + y]])
+def polar(x, y): return np.hypot(x, y), np.arctan2(y, x)
+def cross(a, b): return np.array([_part(a, b, 1, 2), _part(a, b, 2, 0), _part(a, b, 0, 1)])
+def _part(a, b, i, j): return a[i] * b[j] - a[j] * b[i]
+def lift(length, mass, *, gravity): return mass * length ** 2 - mass * gravity * length
+def swing(angle, *, mass): return 2 * mass * np.sin(angle / 2) ** 2
+def rod(x, y): return np.array([[[0.0, 1.0], [x, y]]])
+def forces(x, y): return np.array([[x, y], [y ** 2, x + y]])
 def fall(t, height, speed, *, gravity, drag):
     fallen = np.asarray(t) - t[0]
     return np.column_stack([height + speed * fallen - gravity * fallen ** 2 / 2, speed - gravity * fallen])
-def tumble(rate, *, mass, radius, inertia):
-    return inertia[0] * rate ** 2 + inertia[1] * rate + mass * radius
-def squares(om1, om2, *, mass):
-    return mass * om1 ** 2, -mass * om2 ** 2
-def stretch(side, slope):
-    return np.hypot(1.0, 2 * slope * side)
-def rates(angles, omega):
-    return np.array([omega * angles[1], angles[1] + 2 * angles[2], angles[2] ** 2])
+def tumble(rate, *, mass, radius, inertia): return inertia[0] * rate ** 2 + inertia[1] * rate + mass * radius
+def squares(om1, om2, *, mass): return mass * om1 ** 2, -mass * om2 ** 2
+def stretch(side, slope): return np.hypot(1.0, 2 * slope * side)
+def rates(angles, omega): return np.array([omega * angles[1], angles[1] + 2 * angles[2], angles[2] ** 2])
 def balance(angle, *, mass):
     moment = mass * np.sin(angle)
     return moment / 2, moment
@@ -56,6 +44,7 @@ def rolls(speed, *, mass, radius):
 def powers(a, b):
     K = np.array([[a, b], [b, 2.0]])
     return K + K @ K
+def bars(a, b): return np.array([a ** 2 / 3, a / 2, b / 2])
 def stairs(n, m):
     total = 0.0
     while n > 0:
@@ -96,6 +85,7 @@ def cases():
         ],
         "rolls": [(Case(w, mass=m, radius=r), {"w": w, "m": m, "r": r}) for m, r, w, _ in positive],
         "powers": [(Case(*pair), {"K": np.array([pair, [pair[1], 2.0]])}) for pair in pairs],
+        "bars": [(Case(*pair), {"a": pair[0], "b": pair[1]}) for pair in pairs],
         "balance": [(Case(a, mass=2.0), {"a": a}) for a in DRAW.uniform(0.3, 1.2, 4)],
     }
 
@@ -156,6 +146,12 @@ def calls(function, wrong):
         ("powers", "2*K", "a factor with a, b is missing"),
         ("cross", "np.array([a[1]*b[2] - a[2], a[2]*b[0] - a[0], a[0]*b[1] - a[1]])", "a factor with b is missing"),
         ("cross", "np.cross(a, b)*[1, 1.1, 1]", "wrong in component 2 alone"),
+        ("rod", "np.array([[[0.0, 1.0], [x, y*y + 1]]])", "wrong in segment 1, end 2, component 2 alone"),
+        ("weight", "m*g*h + m*m*l**2/2", "a term with length, mass has a factor mass too many"),
+        ("fall", "np.column_stack([h + v*(t + 1) - (t + 1)**2, v - 2*(t + 1)])", "the term t[0] is missing"),
+        ("bars", "np.array([a**2/12, a/2, b/2])", "m l^2/12 is used for m l^2/3 with a"),
+        ("bars", "np.array([a**2/4, a/2, b/2])", "the bar's inertia m l^2/12 about its mass centre is missing"),
+        ("bars", "np.array([a**2/3, a, b])", "every division by 2 is missing"),
     ],
 )
 def test_it_is_named_by_what_it_does(function, wrong, words):
