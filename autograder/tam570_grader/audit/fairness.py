@@ -32,10 +32,8 @@ class Class:
 
 def fair(course: Path, slug: str, seeds: int, executor: TaskExecutor, keep: Path | None = None) -> list[Line]:
     """Return a line for each right submission and seed; what the file `keep` lacks is graded and added to it."""
-    texts = {
-        "solution": (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8"),
-        **submissions(course, slug, "alternatives"),
-    }
+    solution = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
+    texts = {"solution": solution, **submissions(course, slug, "alternatives")}
     digests = {}  # of all that the outcome depends on: the submission, the checks, the grader, the utilities
     for name, text in texts.items():
         parts = (text.encode(), assignments.checks_digest(course, slug), assignments.engine_digest())

@@ -129,9 +129,8 @@ def path_drawn(  # noqa: PLR0913  as `compare`
             expect(distances(points, polygon), 0.0, tolerance=near, quantity=what, **options)
     # a curve through the same points in another order is longer; one of fewer points is shorter
     in_order = line.scatter or _arc_length(drawn) < 1.05 * _arc_length(path)
-    expect_that(
-        in_order, f"{quantity} goes to and fro between its points", hint="Draw the points in the order of time."
-    )
+    message = f"{quantity} goes to and fro between its points"
+    expect_that(in_order, message, hint="Draw the points in the order of time.")
 
 
 def follows_path(line: Line, paths: Iterable[ArrayLike], tolerance: float, fewer: float = 10) -> bool:
@@ -228,15 +227,9 @@ def judge_boxes(function: StudentFunction, cases: Iterable[tuple[Array, Array, s
     calls = [Case(R, size=size).labelled(label) for R, size, label in cases]
     for call, edges in function.each(calls):
         (R,), size = call.args, call.kwargs["size"]
-        expect(
-            _mismatch(edges, _edges(R, size)),
-            0.0,
-            tolerance=tolerance,
-            scale=max(size),
-            quantity="an edge",
-            unit="of the longest edge",
-            hint=partial(_mistake, edges, R, size, tolerance),
-        )
+        words: Json = {"quantity": "an edge", "unit": "of the longest edge"}
+        hint, off = partial(_mistake, edges, R, size, tolerance), _mismatch(edges, _edges(R, size))
+        expect(off, 0.0, tolerance=tolerance, scale=max(size), hint=hint, **words)
 
 
 def _edges(R: Array, size: Array) -> Array:

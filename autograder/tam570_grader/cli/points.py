@@ -64,9 +64,8 @@ def _points(arguments: argparse.Namespace) -> int:
         new = list(_checked_rows(arguments.table, graded, rubrics, checks)) if arguments.table else []
     feedback.must_write_pages()
     with writing(folder), contextlib.closing(ResultStore(folder)) as store:  # nobody else adds rows meanwhile
-        adjustments, open_, notes = late_policy.apply_late_policy(
-            manual_points.read(folder).with_(new), policies, store, arguments.collected
-        )
+        by_hand = manual_points.read(folder).with_(new)
+        adjustments, open_, notes = late_policy.apply_late_policy(by_hand, policies, store, arguments.collected)
         manual_points.write(folder, adjustments)
         failed = feedback.write_pages(folder / "feedback", store, course)
     for line in [*open_, *notes]:

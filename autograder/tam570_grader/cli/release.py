@@ -47,9 +47,8 @@ def _add_folder_and_slugs(parser: argparse.ArgumentParser, write: Callable[[Path
 
     def command(arguments: argparse.Namespace) -> int:
         course = course_config.course_of(arguments.root)
-        return write(
-            course, arguments.folder, assignments.match_slugs(arguments.assignments, assignments.slugs(course))
-        )
+        slugs = assignments.match_slugs(arguments.assignments, assignments.slugs(course))
+        return write(course, arguments.folder, slugs)
 
     parser.set_defaults(command=command)
     parser.add_argument("folder", type=Path, metavar="DIR", help="where to write")

@@ -97,9 +97,7 @@ def apply_late_policy(
     days, open_ = _days(policies, adjustments, table, collected)
     open_ += _unknown_students(policies, results)
     untimed = sum(not (row["when"] or row["late"]) for row in table)
-    notes = [f"{counted(untimed, 'file')} in {collected} have no time: nobody is late by them; {REMEDY}"] * bool(
-        untimed
-    )
+    note = f"{counted(untimed, 'file')} in {collected} have no time: nobody is late by them; {REMEDY}"
     anew = {(BY_TABLE, row["assignment"]) for row in table}  # the times of the others stand in no table now
     manual = {
         key: entry
@@ -116,7 +114,7 @@ def apply_late_policy(
             )
     # a row by hand knows better than a clock
     late = [entry for entry in days if entry.slug in slugs and entry.key not in manual]
-    return ManualAdjustments(manual.values()).with_([*rows, *late]), open_, notes
+    return ManualAdjustments(manual.values()).with_([*rows, *late]), open_, [note] if untimed else []
 
 
 def _graded(table: Iterable[Mapping[str, str]], results: Results) -> Iterator[Mapping[str, str]]:

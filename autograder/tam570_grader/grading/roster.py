@@ -78,9 +78,7 @@ def people(path: Path) -> list[Person]:
     padded = ([*row, *[""] * (len(lower) - len(row))] for row in rows[1:])
     persons = [_person(dict(zip(rows[0], row, strict=False)), dict(zip(lower, row, strict=False))) for row in padded]
     is_canvas = {"id", "section"} <= set(lower)
-    return [
-        person for person in persons if person.keys and not (is_canvas and letters(person.name) == letters(NOT_PEOPLE))
-    ]
+    return [who for who in persons if who.keys and not (is_canvas and letters(who.name) == letters(NOT_PEOPLE))]
 
 
 def _person(row: Mapping[str, str], cells: Mapping[str, str]) -> Person:

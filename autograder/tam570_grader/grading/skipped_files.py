@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Collection, Iterable, Iterator, Sequence
+from itertools import product
 from pathlib import Path
 
 from tam570_grader.checks.assignments import slug_of
@@ -83,9 +84,4 @@ def not_handed_in(path: Path, work: Sequence[Submission]) -> list[Submission]:
     students = roster.students(path, {submission.student for submission in work})
     slugs = sorted({submission.slug for submission in work})
     message = "no module or notebook was collected"
-    return [
-        Submission(student, slug, None, Path(), message)
-        for student in students
-        for slug in slugs
-        if (student, slug) not in here
-    ]
+    return [Submission(*pair, None, Path(), message) for pair in product(students, slugs) if pair not in here]

@@ -179,11 +179,7 @@ def _trees(folder: Path, all_slugs: Sequence[str], chosen: str | None, students:
     if closed and not work:
         raise BadPath(next(iter(closed.values())))
     slugs = sorted({submission.slug for submission in work})  # what the others have handed in
-    lost = [
-        Submission(_name(folder_of_student.name), slug, None, folder_of_student, message)
-        for folder_of_student, message in closed.items()
-        for slug in slugs
-    ]
+    lost = [Submission(_name(home.name), slug, None, home, why) for home, why in closed.items() for slug in slugs]
     return _modules_first(work) + lost
 
 

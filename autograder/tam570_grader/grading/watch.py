@@ -284,9 +284,8 @@ class Watcher:
         key = event["student"], event["slug"]
         info = self._infos.setdefault(key[1], feedback.load_assignment_info(self.course, key[1]))
         result = result_of(event["record"])
-        page = feedback.page(
-            replace(result, message=" ".join(filter(None, [self._standing(event), result.message]))), info
-        )
+        message = " ".join(filter(None, [self._standing(event), result.message]))
+        page = feedback.page(replace(result, message=message), info)
         pages = self.queue.folder / "feedback"
         feedback.write_page(pages, key, page)
         origin = Path(event["origin"])

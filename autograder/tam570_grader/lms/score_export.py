@@ -90,10 +90,8 @@ def export(scores: Scores, options: ExportOptions) -> Export:
     if layout.possible:
         first = next((row for row in below if row and row[0].strip() == layout.possible), [])
         there = dict(zip(heading, first, strict=False))
-        cells = [
-            there.get(own_keys[0], "") or f"    {layout.possible}",
-            *(there.get(name, "") for name in own_keys[1:]),
-        ]
+        cells = [there.get(name, "") for name in own_keys]
+        cells[0] = cells[0] or f"    {layout.possible}"
         for slug, name in headings.items():
             ours, theirs = _possible(scores, slug), there.get(name, "").strip()
             if theirs and _number(theirs) != _number(ours):

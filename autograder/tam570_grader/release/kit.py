@@ -82,15 +82,10 @@ def _project(course: Path, version: str) -> Json:
     """Return the project as pyproject.toml has it, without the grader."""
     config = tomllib.loads((course / "pyproject.toml").read_text(encoding="utf-8"))
     project: Json = config["project"]
-    project |= {
-        "version": version,
-        "dynamic": [],
-        "dependencies": [
-            dependency for dependency in project["dependencies"] if not dependency.startswith(OF_THE_GRADER)
-        ],
-        "optional-dependencies": {"fast": project["optional-dependencies"]["fast"]},
-        "scripts": {"tam570": project["scripts"]["tam570"]},
-    }
+    needed = [library for library in project["dependencies"] if not library.startswith(OF_THE_GRADER)]
+    project |= {"version": version, "dynamic": [], "dependencies": needed}
+    project["optional-dependencies"] = {"fast": project["optional-dependencies"]["fast"]}
+    project["scripts"] = {"tam570": project["scripts"]["tam570"]}
     return {
         "build-system": config["build-system"],
         "project": project,

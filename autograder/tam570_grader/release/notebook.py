@@ -78,9 +78,8 @@ def notebook(assignment: LoadedAssignment, readme: str, tests: str, pictures: st
     ]
     shown, tested = dict(FENCE.findall(pictures)), visible_by_part(assignment, tests)
     for part in sorted({*problem_cells.parts, *part_points(assignment), *assignment.rubric}):
-        cells += _part(
-            assignment, part, problem_cells.parts.get(part, f"**({part})**"), shown.get(part), tested.get(part, [])
-        )
+        text = problem_cells.parts.get(part, f"**({part})**")
+        cells += _part(assignment, part, text, shown.get(part), tested.get(part, []))
     cells += [text_cell("look", SCENE), _code("scene", "show(hw)"), text_cell("graded", problem_cells.rest)]
     return {**FORMAT, "metadata": KERNEL, "cells": cells}
 

@@ -290,7 +290,6 @@ def _claims(adjustments: manual_points.ManualAdjustments, course: Path, slugs: S
             comments = [entry.comment.split("\n") for entry in graded if entry.points is not None]
             for worth, claim in part.claims:
                 count = sum(f"+ {claim}" in lines for lines in comments)
-                claims.append(
-                    {"slug": slug, "part": letter, "points": worth, "claim": claim, "given": count, "of": len(comments)}
-                )
+                about = {"slug": slug, "part": letter, "points": worth, "claim": claim}
+                claims.append({**about, "given": count, "of": len(comments)})
     return [entry for entry in claims if entry["of"]]

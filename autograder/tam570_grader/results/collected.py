@@ -13,9 +13,8 @@ TABLE = "collected.csv"
 
 def listed(path: Path, needed: Collection[str] = COLUMNS) -> list[dict[str, str]]:
     """Return the rows of collected.csv by column; UsageError if it lacks one that is needed."""
-    rows = by_column(
-        path, needed, ": name the table that `collect` wrote", "surrogateescape"
-    )  # files' names: any bytes
+    remedy = ": name the table that `collect` wrote"
+    rows = by_column(path, needed, remedy, "surrogateescape")  # files' names: any bytes
     return [{name: name_in(cell) for name, cell in row.items()} for _, row in rows]
 
 
