@@ -115,9 +115,6 @@ def of_friction(case, result, expected):
     return "Which way does the locked axle move, seen from the car?"
 
 
-TURNING_AXES = "In axes that turn, does the rate of speed have a term with the yaw rate squared?"
-
-
 def of_rates(case, result, expected):
     unbraked = reference.state_derivative(*case.args, **{**case.kwargs, "friction": 0.0})
     if np.allclose(result, unbraked, rtol=1e-4, atol=0) and not np.allclose(expected, unbraked, rtol=1e-4, atol=0):
@@ -126,7 +123,8 @@ def of_rates(case, result, expected):
         return "Friction is as large at any speed, however low: is yours smoothed there?"
     if np.allclose(result[:3], expected[:3]) and not np.allclose(result[3], expected[3]):
         without = expected[3] - unbraked[3] * np.array([1, 2])  # the term is missing, or has the other sign
-        return TURNING_AXES if np.isclose(result[3], without, rtol=1e-6, atol=0).any() else ""
+        turning = "In axes that turn, does the rate of speed have a term with the yaw rate squared?"
+        return turning if np.isclose(result[3], without, rtol=1e-6, atol=0).any() else ""
     if np.allclose(result[:4], expected[:4]):
         return "Do the moments about the free axle balance, speed times yaw rate included?"
     return "Turn (forward, left) by the heading; G slips sideways, for no axle is there."

@@ -48,28 +48,19 @@ def matrix_turns_by_the_right_hand_rule(student, rng):
     compare(student.rotation_matrix, [*cases.turns(rng), *cases.plain_turns(rng)], hint=of_few_digits)
 
 
-def rotations_by_size(function, sizes):
-    function = function.ahead(sum(sizes, []))
+@check("rotation_matrix", points=1, after=matrix_turns_by_the_right_hand_rule)
+def matrix_holds_for_every_angle(student, rng):
+    """an angle of 1e-12 turns by 1e-12, one of 1e6 by 1e6; R^T R = I and det R = 1 for all of them."""
+    sizes = cases.turns_by_size(rng)
+    rotation_matrix = student.rotation_matrix.ahead(sum(sizes, []))
     for tolerance, calls in zip(BY_SIZE, sizes, strict=True):
         # an exponential of the matrix by scaling and squaring is off in its lengths, too, at 1e6 rad
-        R = np.array(compare(function, calls, tolerance=tolerance, hint=of_which_term))
+        R = np.array(compare(rotation_matrix, calls, tolerance=tolerance, hint=of_which_term))
         squares, volumes = np.swapaxes(R, 1, 2) @ R, np.linalg.det(R)
         worst = np.argmax(np.abs(squares - np.eye(3)).max(axis=(1, 2)))
         said = {"tolerance": max(tolerance, POINTWISE), "label": calls[worst].label, "at": calls[worst]}
         expect(squares[worst], np.eye(3), quantity="R^T R", **said)
         expect(volumes, 1.0, quantity="det R", **said)
-
-
-def vectors_by_size(function, sizes):
-    function = function.ahead(sum(sizes, []))
-    for tolerance, calls in zip(BY_SIZE, sizes, strict=True):
-        compare(function, calls, tolerance=tolerance)
-
-
-@check("rotation_matrix", points=1, after=matrix_turns_by_the_right_hand_rule)
-def matrix_holds_for_every_angle(student, rng):
-    """an angle of 1e-12 turns by 1e-12, one of 1e6 by 1e6; R^T R = I and det R = 1 for all of them."""
-    rotations_by_size(student.rotation_matrix, cases.turns_by_size(rng))
 
 
 @check("rotation_matrix", points=1, after=matrix_turns_by_the_right_hand_rule)
@@ -93,7 +84,10 @@ def vector_turns_by_the_right_hand_rule(student, rng):
 @check("rotate", points=1, after=vector_turns_by_the_right_hand_rule)
 def vector_turns_by_every_angle(student, rng):
     """rotate holds for angles from 1e-12 to 1e6 and axes from 1e-100 to 1e100 long."""
-    vectors_by_size(student.rotate, cases.vectors_by_size(rng))
+    sizes = cases.vectors_by_size(rng)
+    rotate = student.rotate.ahead(sum(sizes, []))
+    for tolerance, calls in zip(BY_SIZE, sizes, strict=True):
+        compare(rotate, calls, tolerance=tolerance)
 
 
 @check("rotate", points=1, after=vector_turns_by_the_right_hand_rule, refusals=True)

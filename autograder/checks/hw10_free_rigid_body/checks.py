@@ -70,18 +70,13 @@ def angular_momentum_is_in_space_axes(student, rng):
     compare(student.angular_momentum, cases.turning_in_space(rng))
 
 
-THREE_TURNS = "omega is psi' along space z, theta' along the line of nodes, and phi' along body z."
-
-
-def wrong_rates(case, result, expected):
-    negative = np.sin(case.args[0][1]) < 0
-    return "It is right where the sine of theta is positive." if negative else THREE_TURNS
-
-
 @check("euler_rates_313", points=0.75)
 def euler_rates_make_omega(student, rng):
     """the rates of psi, theta, phi that make this omega, for theta of any sign."""
-    compare(student.euler_rates_313, cases.euler_angles(rng), hint=wrong_rates)
+    positive = "It is right where the sine of theta is positive."
+    turns = "omega is psi' along space z, theta' along the line of nodes, and phi' along body z."
+    calls = cases.euler_angles(rng)
+    compare(student.euler_rates_313, calls, hint=lambda case, *_: positive if np.sin(case.args[0][1]) < 0 else turns)
 
 
 @check("euler_rates_313", points=0.25, after=euler_rates_make_omega, refusals=True)
@@ -108,15 +103,14 @@ def rotations_of(states):
     return states[:, 3:].reshape(-1, 3, 3)
 
 
-ATTITUDE_RATES = OwnRates("attitude_rate", reference, lambda t, row: (row[3:].reshape(3, 3), row[:3]))
+ATTITUDE_RATES = OwnRates("attitude_rate", reference, lambda t, row: restart(row))
 RATES = OwnRates("euler_equations", reference, lambda t, row: (row[:3],), ATTITUDE_RATES)
 
 
 def wrong_attitude(motion):
     """Make a hint for the rotations."""
-    turning = np.allclose(
-        motion.actual[:, :3], motion.expected[:, :3], rtol=0, atol=1e-3 * np.abs(motion.expected[:, :3]).max()
-    )
+    omega, expected = motion.actual[:, :3], motion.expected[:, :3]
+    turning = np.allclose(omega, expected, rtol=0, atol=1e-3 * np.abs(expected).max())
     return of_rotations(motion) or (ATTITUDE_RATES.hint(motion) if turning else "")
 
 

@@ -64,12 +64,6 @@ def forces_on_the_cylinder(student, rng):
     compare_diagrams(student.free_body_diagram, reference, cases.diagrams(rng))
 
 
-def without_weight(case, result, expected):
-    if case.kwargs["gravity"]:
-        return "On level ground only the offset of G makes it turn faster or slower."
-    return "Without gravity it turns uniformly only if G is at the centre."
-
-
 def part_of_force(student, case, result, expected):
     """Which of along and normal is off."""
     along, normal = np.abs(np.subtract(result, expected)) > FORMULA * force(case)
@@ -88,13 +82,6 @@ def of_pull(student, case, result, expected):
     return part_of_force(student, case, result, expected)
 
 
-def rest_or_rates(case, result, expected):
-    """Those at rest are judged first."""
-    if case.args[1] == 0:
-        return "At rest it is wrong, too: look at the moment of the weight and at the inertia."
-    return "At rest it is right: differentiate the position of G twice, and mind the terms in phi_dot squared."
-
-
 ANY_DURATION = "Are there too few steps for this duration, or is the tolerance loose?"
 
 
@@ -108,14 +95,19 @@ def centred_cylinder_rolls_by_both_methods(student, rng):
 @check("acceleration", points=1.5)
 def acceleration_balances_momentum_about_G(student, rng):
     """the force that G's acceleration needs has, about G, the moment I^G phi''."""
-    compare(student.acceleration, [*cases.plain(rng), *cases.rolling(rng, 3)], hint=rest_or_rates)
+    at_rest = "At rest it is wrong, too: look at the moment of the weight and at the inertia."
+    moving = "At rest it is right: differentiate the position of G twice, and mind the terms in phi_dot squared."
+    calls = [*cases.plain(rng), *cases.rolling(rng, 3)]  # those at rest are judged first
+    compare(student.acceleration, calls, hint=lambda case, *_: moving if case.args[1] else at_rest)
 
 
 @check("acceleration", points=0.5, after=acceleration_balances_momentum_about_G)
 def acceleration_level_and_without_gravity(student, rng):
     """on level ground, and without gravity."""
     calls = [*cases.flat(rng, 2), *cases.weightless(rng, 2), *cases.level(rng)]
-    compare(student.acceleration, calls, hint=without_weight)
+    level = "On level ground only the offset of G makes it turn faster or slower."
+    weightless = "Without gravity it turns uniformly only if G is at the centre."
+    compare(student.acceleration, calls, hint=lambda case, *_: level if case.kwargs["gravity"] else weightless)
 
 
 @check("contact_inertia", points=1)

@@ -51,10 +51,6 @@ def instants(rng):
     return [*cases, ones, far]
 
 
-def resting_first(rng):
-    return sorted(instants(rng), key=lambda case: "at rest" not in case.label)
-
-
 def flat_and_upright(rng):
     """Nearly flat disks, and one that spins upright on a point."""
     disk = a_disk(rng)

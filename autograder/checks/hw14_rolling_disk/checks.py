@@ -274,17 +274,13 @@ def judge_wireframe(matrix_state, case, lines):
 # (f) Energy and force
 
 
-def rest_or_rates(case, result, expected):
-    """Those at rest are judged first."""
-    if not np.any(case.args[0][5:]):
-        return "At rest it is wrong, too: what is the height of the centre?"
-    return "At rest it is right: look at the speed of the centre and the turning about it."
-
-
 @check("energy", points=0.75, part="f")
 def energy_is_kinetic_and_potential(student, rng):
     """energy adds what moves, what turns and what is high."""
-    compare(student.energy, cases.resting_first(rng), hint=rest_or_rates)
+    at_rest = "At rest it is wrong, too: what is the height of the centre?"
+    moving = "At rest it is right: look at the speed of the centre and the turning about it."
+    calls = sorted(cases.instants(rng), key=lambda case: "at rest" not in case.label)  # those at rest are judged first
+    compare(student.energy, calls, hint=lambda case, *_: moving if np.any(case.args[0][5:]) else at_rest)
 
 
 def wrong_force(case, result, expected):
