@@ -38,12 +38,8 @@ def add_audit(parser: argparse.ArgumentParser) -> None:
     ):
         asks(name, action="store_true", default=None, help=question)
     add("--keep", type=Path, metavar="FILE", help="add the lines of --fairness there, and skip those that it has")
-    add(
-        "--seeds",
-        type=positive,
-        metavar="N",
-        help="seeds of mutants and --diagnosis (default: 1) or --cases (default: 20)",
-    )
+    seeds = "seeds of mutants and --diagnosis (default: 1) or --cases (default: 20)"
+    add("--seeds", type=positive, metavar="N", help=seeds)
     add("--function", nargs="+", metavar="NAME", default=[], help="mutants of these functions only")
     add("--jobs", type=positive, metavar="N", default=cores(), help="processes (default: %(default)s)")
     add_cluster(add)

@@ -98,12 +98,8 @@ def add_lms(parser: argparse.ArgumentParser) -> None:
     add("--only", nargs="+", metavar="SLUG", default=[], help="write only these assignments")
     absent = "the score of students who handed in nothing where others did (default: %(default)s)"
     add("--absent", choices=["zero", "blank"], default="zero", help=absent)
-    add(
-        "--ungraded",
-        choices=["stop", "zero"],
-        default="stop",
-        help="for parts by hand that nobody graded: stop, or give no points (default: %(default)s)",
-    )
+    ungraded = "for parts by hand that nobody graded: stop, or give no points (default: %(default)s)"
+    add("--ungraded", choices=["stop", "zero"], default="stop", help=ungraded)
     add("--new", action="store_true", help="make columns that the gradebook does not have")
     add("--overwrite", action="store_true", help="replace scores that were changed in the gradebook")
     add("--pages", type=Path, metavar="ZIP", help="also a zip file of one assignment's pages, to hand back there")

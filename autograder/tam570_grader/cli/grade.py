@@ -55,12 +55,8 @@ def add_grade(parser: argparse.ArgumentParser) -> None:
     add("paths", nargs="+", type=Path, metavar="PATH", help="a module, a notebook, a folder or a tree")
     add("--out", type=Path, metavar="DIR", help="write results.jsonl, grades.csv and feedback there")
     add("--json", action="store_true", help="print a JSON object for each submission, one a line")
-    add(
-        "--format",
-        choices=["table", "gradescope"],
-        default="table",
-        help="the format of the printed results (default: %(default)s)",
-    )
+    form = "the format of the printed results (default: %(default)s)"
+    add("--format", choices=["table", "gradescope"], default="table", help=form)
     seed = "seed of the hidden inputs, or a file that holds it (default: the one in --out, else random)"
     add("--seed", type=_seed, metavar="S|@FILE", help=seed)
     vary = "give each student different inputs, from the key in this file; create the file if it is new"

@@ -22,19 +22,9 @@ def positive(text: str) -> int:
 
 def add_cluster(add: Function) -> None:
     """Add the options of what may run on other machines."""
-    add(
-        "--cluster",
-        metavar="ADDRESS",
-        help="hand the work to Dask: the address tls://HOST:PORT of a scheduler, or `local` for --jobs workers here",
-    )
-    add(
-        "--certificates",
-        type=Path,
-        metavar="DIR",
-        help="the cluster's certificates, made by `tam570-grader certificates`",
-    )
-    add(
-        "--unconfined",
-        action="store_true",
-        help="let workers of the cluster without bubblewrap grade too; each result records how it was isolated",
-    )
+    cluster = "hand the work to Dask: the address tls://HOST:PORT of a scheduler, or `local` for --jobs workers here"
+    add("--cluster", metavar="ADDRESS", help=cluster)
+    certificates = "the cluster's certificates, made by `tam570-grader certificates`"
+    add("--certificates", type=Path, metavar="DIR", help=certificates)
+    unconfined = "let workers of the cluster without bubblewrap grade too; each result records how it was isolated"
+    add("--unconfined", action="store_true", help=unconfined)

@@ -40,9 +40,8 @@ def add_points(parser: argparse.ArgumentParser) -> None:
     )
     add = parser.add_argument
     add("folder", type=Path, metavar="DIR", help="what `grade --out` wrote")
-    add(
-        "table", type=Path, nargs="?", metavar="CSV", help=f"the columns are {', '.join(COLUMNS)}; `of` may be left out"
-    )
+    columns = f"the columns are {', '.join(COLUMNS)}; `of` may be left out"
+    add("table", type=Path, nargs="?", metavar="CSV", help=columns)
     add("--template", action="store_true", help="write a table to fill in to CSV, a new file, with the points so far")
     times = "collected.csv, which `collect` wrote, to find who is late by the dates in course.toml"
     add("--collected", type=Path, metavar="CSV", help=times)
