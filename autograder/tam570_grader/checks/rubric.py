@@ -47,11 +47,9 @@ def load_rubric(released: Path) -> dict[str, ManualPart]:
     """Return the parts graded by hand, by letter; KeyError or TypeError where the file has another form."""
     path = released / FILE
     parts = tomllib.loads(path.read_text(encoding="utf-8"))["parts"] if path.exists() else {}
-    claimed = {
-        letter: tuple((float(points), str(claim)) for points, claim in part.pop("claims", ()))
-        for letter, part in parts.items()
-    }
-    return {letter: ManualPart(claims=claimed[letter], **part) for letter, part in parts.items()}
+    for part in parts.values():
+        part["claims"] = tuple((float(points), str(claim)) for points, claim in part.get("claims", ()))
+    return {letter: ManualPart(**part) for letter, part in parts.items()}
 
 
 def rubric_table(part: ManualPart) -> str:

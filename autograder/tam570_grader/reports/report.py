@@ -6,7 +6,7 @@ import hashlib
 import heapq
 import statistics
 from collections import defaultdict
-from collections.abc import Callable, Collection, Container, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -149,7 +149,7 @@ def report(
         handed_in=len(here),
         seeds=sorted({result.seed for result in everything}),
         isolation=sorted({result.isolation for result in everything}),
-        assignments=_assignments(class_results, infos),
+        assignments=[*_assignments(class_results, infos)],
         scores=_scores(class_results, students, sections.get("dropped", ())),
         tallies=_tallies(everything, infos),
         suspects=_suspects(everything, infos),
@@ -173,32 +173,28 @@ def _here(result: Result) -> bool:
     return result.status != "missing"
 
 
-def _assignments(class_results: Class, infos: Mapping[str, AssignmentInfo]) -> list[Json]:
-    """Return each assignment at a glance."""
+def _assignments(class_results: Class, infos: Mapping[str, AssignmentInfo]) -> Iterator[Json]:
+    """Yield each assignment at a glance."""
     handed_in: dict[str, list[Result]] = {slug: [] for slug in _slugs(class_results)}
     for result in filter(_here, class_results.values()):
         handed_in[result.assignment].append(result)
-    rows = []
     for slug, mine in handed_in.items():
         scores = [result.score for result in mine if result.score is not None]
         most = mine[0].max_score if mine else 0.0
         bins = [0] * BINS
         for score in scores:
             bins[min(int(BINS * score / most), BINS - 1)] += 1
-        rows.append(
-            {
-                "slug": slug,
-                "title": infos[slug].title,
-                "count": len(mine),
-                "mean": statistics.fmean(scores) if scores else None,
-                "median": statistics.median(scores) if scores else None,
-                "full": sum(score == most for score in scores),
-                "most": most,
-                "bins": bins,
-                "highest": max(bins) or 1,
-            }
-        )
-    return rows
+        yield {
+            "slug": slug,
+            "title": infos[slug].title,
+            "count": len(mine),
+            "mean": statistics.fmean(scores) if scores else None,
+            "median": statistics.median(scores) if scores else None,
+            "full": sum(score == most for score in scores),
+            "most": most,
+            "bins": bins,
+            "highest": max(bins) or 1,
+        }
 
 
 def _scores(class_results: Class, students: Sequence[str], dropped: Container[Key]) -> Iterable[Json]:
