@@ -28,8 +28,6 @@ def moment_size(case, _=None):
 
 
 QUOTIENT = "It is nearly right: is it a difference quotient? Differentiate the product on paper."
-ARM = "The lever arm runs from C to P, and the force on P is all of its m a."
-SAME = "From where does the lever arm run, and whose velocity is it, seen from where?"
 
 
 def by_difference(hint):
@@ -57,13 +55,15 @@ def left_over(case, result, expected):
 @check("moment", points=1)
 def moment_is_about_C(student, rng):
     """of the total force on P, about C."""
-    compare(student.moment, cases.moments(rng), hint=ARM)
+    hint = "The lever arm runs from C to P, and the force on P is all of its m a."
+    compare(student.moment, cases.moments(rng), hint=hint)
 
 
 @check("angular_momentum", points=1)
 def momentum_with_the_velocity_in_F(student, rng):
     """angular_momentum by definitions a and b: the lever arm from C, the velocity as F sees it."""
-    compare(student.angular_momentum, cases.momenta("ab")(rng), hint=SAME)
+    hint = "From where does the lever arm run, and whose velocity is it, seen from where?"
+    compare(student.angular_momentum, cases.momenta("ab")(rng), hint=hint)
 
 
 @check("angular_momentum", points=0.75)

@@ -92,7 +92,6 @@ def of_energy(case, energy, expected):
 # Where to look
 PUT_BACK = "Put alpha back into [M]{alpha} + {f} + {g}: is it zero?"
 SCALED = "Is anything added to the masses, or do rows of your linear system differ in size by 1e-9?"
-DIVIDED = "Without gravity the same equations hold: the bars still act on each other"
 
 
 @check("mass_matrix", points=1)
@@ -178,7 +177,8 @@ def energy_is_conserved_from_horizontal(student, rng):
 def momentum_is_conserved_without_gravity(student, rng):
     """without gravity energy and angular momentum stay."""
     conserved = KEPT_MOMENTUM, KEPT_ENERGY
-    compare_conserved(student.simulate, cases.weightless(rng), *conserved, coarsely=FOLLOWED, hint=DIVIDED)
+    hint = "Without gravity the same equations hold: the bars still act on each other"
+    compare_conserved(student.simulate, cases.weightless(rng), *conserved, coarsely=FOLLOWED, hint=hint)
 
 
 @check("small_oscillation_frequencies", points=0.5)

@@ -46,8 +46,6 @@ def radius(case, _):
 
 
 WHICH_ARE_ZERO = "Which of its terms are zero there?"
-BOTH_CONDITIONS = "Put the rolling condition into the balance of moments about G."
-SAME_CIRCLE = "Both tracks must be the same circle: what is the spin then?"
 
 
 def wrong_force(case, result, expected):
@@ -59,10 +57,6 @@ def wrong_force(case, result, expected):
         return "Only the normal force is wrong: how does the height of G change?"
     return "The results are (inward, normal): F = m a of G, which moves on a circle."
 
-
-WHICH_SIGN = "Which sign must the moment of the weight have?"
-AT_REST = "The point of the disk on the ground has no velocity."
-ABOUT_WHICH = "G is at rest: about which axis does the disk turn, and how high is G?"
 
 # The balance of moments first: many solve it for the spins.
 
@@ -91,19 +85,22 @@ def rolling_spin_holds_upright_and_without_gravity(student, rng):
 @check("rolling_track_radius", points=1)
 def rolling_track_has_the_contact_at_rest(student, rng):
     """rolling_track_radius is the radius, with its sign, of the contact point's track."""
-    compare(student.rolling_track_radius, [*cases.members(rng), *cases.plain_members(rng)], hint=AT_REST)
+    hint = "The point of the disk on the ground has no velocity."
+    compare(student.rolling_track_radius, [*cases.members(rng), *cases.plain_members(rng)], hint=hint)
 
 
 @check("rolling_precession", points=1.25)
 def rolling_precession_balances_the_moments(student, rng):
     """rolling_precession keeps the lean steady on the given track."""
-    compare(student.rolling_precession, cases.tracks(rng), hint=BOTH_CONDITIONS)
+    hint = "Put the rolling condition into the balance of moments about G."
+    compare(student.rolling_precession, cases.tracks(rng), hint=hint)
 
 
 @check("rolling_precession", points=0.5, after=rolling_precession_balances_the_moments)
 def rolling_precession_holds_on_tracks_of_any_sign(student, rng):
     """the contact beyond the centre, a roller, a coin, an almost flat disk."""
-    compare(student.rolling_precession, cases.tracks_of_any_sign(rng), hint=WHICH_SIGN)
+    hint = "Which sign must the moment of the weight have?"
+    compare(student.rolling_precession, cases.tracks_of_any_sign(rng), hint=hint)
 
 
 @check("rolling_precession", points=0.5, after=rolling_precession_balances_the_moments)
@@ -141,7 +138,8 @@ def sliding_track_is_around_the_resting_centre(student, rng):
 @check("common_precession", points=0.75, part="c")
 def common_precession_is_in_both_families(student, rng):
     """common_precession belongs to the motions that roll and slide at once."""
-    compare(student.common_precession, cases.settled(rng), hint=SAME_CIRCLE)
+    hint = "Both tracks must be the same circle: what is the spin then?"
+    compare(student.common_precession, cases.settled(rng), hint=hint)
 
 
 @check("common_precession", points=0.25, part="c", after=common_precession_is_in_both_families)
@@ -170,7 +168,8 @@ def contact_force_of_straight_rolling(student, rng):
 def settling_energy_adds_up(student, rng):
     """kinetic and potential energy of the motion that rolls and slides at once."""
     calls = [*cases.settled(rng), *cases.next_to_upright(rng), *cases.steep(rng)]
-    compare(student.settling_energy, calls, hint=ABOUT_WHICH)
+    hint = "G is at rest: about which axis does the disk turn, and how high is G?"
+    compare(student.settling_energy, calls, hint=hint)
 
 
 ASSIGNMENT = Assignment(
