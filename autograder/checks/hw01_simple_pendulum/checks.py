@@ -205,19 +205,17 @@ def period_is_exact(student, rng):
     compare(student.period, cases.usual_periods(rng), tolerance=PERIOD, hint=hint)
 
 
-TOO_SMALL = "No amplitude is small enough for the period of small angles."
-COSINES = "Do you subtract nearly equal cosines? cos a - cos b is a product of sines."
-LONGER = "A series in the amplitude, or a quadrature of fixed order, does not reach this far."
-
-
 @check("period", points=0.25, after=period_is_exact)
 def period_grows_towards_the_top(student, rng):
     """exact from tiny amplitudes to pi, where it has no bound."""
-    compare(student.period, cases.least_periods(rng), tolerance=PERIOD, hint=TOO_SMALL)
-    compare(student.period, cases.small_periods(rng), tolerance=PERIOD, hint=COSINES)
-    compare(student.period, cases.next_to_top(rng), tolerance=NEXT_TO_TOP, hint=LONGER)
-    compare(student.period, [*cases.smaller_periods(rng), *cases.larger_periods(rng)], tolerance=PERIOD, hint=LONGER)
-    compare(student.period, cases.tiny_periods(rng), tolerance=AT_THE_ENDS, hint=COSINES)
+    too_small = "No amplitude is small enough for the period of small angles."
+    cosines = "Do you subtract nearly equal cosines? cos a - cos b is a product of sines."
+    longer = "A series in the amplitude, or a quadrature of fixed order, does not reach this far."
+    compare(student.period, cases.least_periods(rng), tolerance=PERIOD, hint=too_small)
+    compare(student.period, cases.small_periods(rng), tolerance=PERIOD, hint=cosines)
+    compare(student.period, cases.next_to_top(rng), tolerance=NEXT_TO_TOP, hint=longer)
+    compare(student.period, [*cases.smaller_periods(rng), *cases.larger_periods(rng)], tolerance=PERIOD, hint=longer)
+    compare(student.period, cases.tiny_periods(rng), tolerance=AT_THE_ENDS, hint=cosines)
     compare(student.period, cases.at_the_top(rng), tolerance=AT_THE_ENDS, hint="Do you subtract nearly equal numbers?")
 
 

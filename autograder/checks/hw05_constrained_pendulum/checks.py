@@ -16,6 +16,7 @@ FOLLOWED = 1e-4  # solve_ivp at rtol = atol = 1e-9 is off by 3e-8 (LSODA) and le
 # distance from the hinge, whatever that has become between the rows)
 ENERGY = 5e-5
 CONSTRAINT = 1e-9  # of the contract: any step back onto the circle makes 1e-15, and 1e-12 between steps
+ENERGY_SHARES = {1e-3: 0.9, np.inf: 0.8}  # most of the points are the constraint's
 TOP = 1e-6  # an angle of pi, which is rounded, falls by 1e-16 exp(20) = 6e-8
 COARSELY = 0.05  # of the scale: in 100 s a loose tolerance shifts the phase, wrong equations make 0.9 and more
 ROUNDED = 1e-12  # what a step back onto the circle leaves
@@ -114,7 +115,6 @@ def with_gravity_it_swings_or_goes_round(student, rng):
 
 
 LEAVES = "Do place and velocity leave the circle: what corrects the errors of the steps?"
-ENERGY_SHARES = {1e-3: 0.9, np.inf: 0.8}  # most of the points are the constraint's
 
 
 @check("simulate", points=1.25, after=with_gravity_it_swings_or_goes_round)

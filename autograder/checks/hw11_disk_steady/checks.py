@@ -11,6 +11,7 @@ from . import cases, reference
 # Formulas agree to a few roundings, 1e-15; a root finder at its usual tolerance of 1e-12 loses two digits
 # where the root is flat. Wrong physics is off by a tenth.
 WITHIN = 1e-9
+WHICH_ARE_ZERO = "Which of its terms are zero there?"
 UPRIGHT = 1e-7  # the limit is taken at a lean of 1e-5, which enters by its square
 
 compare = compare_with(reference, tolerance=WITHIN)
@@ -43,9 +44,6 @@ def weight_moment(case, _):
 
 def radius(case, _):
     return case.kwargs["radius"]
-
-
-WHICH_ARE_ZERO = "Which of its terms are zero there?"
 
 
 def wrong_force(case, result, expected):
