@@ -11,6 +11,7 @@ Prints a table; --peers writes results/grading.json. Times of one run on one mac
 
 import argparse
 import collections
+import contextlib
 import functools
 import json
 import os
@@ -19,6 +20,7 @@ import sys
 import tempfile
 import time
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
 import record
@@ -62,15 +64,14 @@ class Counter:
     def __init__(self):
         self.waited, self.count = 0.0, collections.Counter()
 
-    def __enter__(self):
-        self._before = {name: (owner, getattr(owner, name)) for owner, name in WATCHED}
-        for name, (owner, method) in self._before.items():
-            setattr(owner, name, _passing(getattr(self, f"_{name}"), method))
-        return self
-
-    def __exit__(self, *exception):
-        for name, (owner, method) in self._before.items():
-            setattr(owner, name, method)
+    @contextlib.contextmanager
+    def watching(self):
+        """Counts what this process does in the block."""
+        with contextlib.ExitStack() as patches:
+            for owner, name in WATCHED:
+                looking = _passing(getattr(self, f"_{name}"), getattr(owner, name))
+                patches.enter_context(mock.patch.object(owner, name, looking))
+            yield self
 
     def _send(self, process, method, request):
         self.count["round trips"] += 1
@@ -113,7 +114,7 @@ def cost(slug, work_name, count):
     conditions = WorkerConfig(ResourceLimits(), (COURSE,), tuple(imported(source.text)))  # as for a class
     task = GradeTask(COURSE, work_name, slug, 570, source, conditions=conditions)
     with sandboxes():
-        with Counter() as counter:
+        with Counter().watching() as counter:
             done = result(task)
         counts = {name: counter.count[name] for name in ("round trips", "calls", "simulations")}
         times = [_timed(task) for _ in range(count)]
@@ -132,14 +133,14 @@ def wrong_costs(slug):
             source = Source(f"{solution}\n{text}".encode())
             task = GradeTask(COURSE, name, slug, 570, source, conditions=conditions)
             for _ in range(2 if name == "right" else 1):
-                with Counter() as counter:
+                with Counter().watching() as counter:
                     _, ours, _ = _timed(task)
             yield 1000 * ours, 1000 * counter.student, counter.count["calls"], slug, name
 
 
 def _timed(task):
     """Seconds on the wall, of our processor, and of waiting for the sandbox, of one submission."""
-    with Counter() as counter:
+    with Counter().watching() as counter:
         wall, ours = time.perf_counter(), time.thread_time()
         result(task)
         return time.perf_counter() - wall, time.thread_time() - ours, counter.waited
@@ -258,8 +259,8 @@ def print_wrong(slugs):
     print("processor ms of a submission: ours, the student's; calls")
     for ours, student, calls, slug, name in rows[:40]:
         print(f"{slug:26} {name:40}{ours:9.1f}{student:9.1f}{calls:6}")
-    wrong, right = ([row[0] for row in rows if (row[-1] == "right") == is_right] for is_right in (False, True))
-    print(f"medians: {np.median(wrong):.1f} of {len(wrong)} wrong ones, {np.median(right):.1f} of right ones")
+    wrong, correct = ([row[0] for row in rows if (row[-1] == "right") == is_right] for is_right in (False, True))
+    print(f"medians: {np.median(wrong):.1f} of {len(wrong)} wrong ones, {np.median(correct):.1f} of right ones")
 
 
 def main():

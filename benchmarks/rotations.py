@@ -10,6 +10,7 @@ are read as it reads them by default (made orthogonal); `assume_valid` leaves th
 import argparse
 import time
 import warnings
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -48,71 +49,56 @@ def _euler(sequence, rotation):
         return rotation.as_euler(sequence)
 
 
-def _read(R):
-    return Rotation.from_matrix(R)
-
-
-def _trust(R):
-    return Rotation.from_matrix(R, assume_valid=True)
-
-
-CONVERSIONS = {  # name -> (ours, SciPy's, SciPy's without checks or None)
+TRUSTED = {"assume_valid": True}  # SciPy's way to leave its checks of a matrix away
+CONVERSIONS = {  # name -> (ours, SciPy's, which of a matrix also takes TRUSTED)
     "axis and angle to matrix": (
         lambda x: rotations.matrix_from_axis_angle(x["axis"], x["angle"]),
         lambda x: Rotation.from_rotvec(x["vector"]).as_matrix(),
-        None,
     ),
     "rotation vector to matrix": (
         lambda x: rotations.exp(x["vector"]),
         lambda x: Rotation.from_rotvec(x["vector"]).as_matrix(),
-        None,
     ),
     "quaternion to matrix": (
         lambda x: rotations.matrix_from_quaternion(x["quaternion"]),
         lambda x: Rotation.from_quat(x["scalar last"]).as_matrix(),
-        None,
     ),
     "Euler 313 to matrix": (
         lambda x: rotations.matrix_from_euler("313", x["313"]),
         lambda x: Rotation.from_euler("ZXZ", x["313"]).as_matrix(),
-        None,
     ),
     "Euler 312 to matrix": (
         lambda x: rotations.matrix_from_euler("312", x["312"]),
         lambda x: Rotation.from_euler("ZXY", x["312"]).as_matrix(),
-        None,
     ),
     "matrix to axis and angle": (
         lambda x: rotations.axis_angle_from_matrix(x["matrix"]),
-        lambda x: _read(x["matrix"]).as_rotvec(),
-        lambda x: _trust(x["matrix"]).as_rotvec(),
+        lambda x, **how: Rotation.from_matrix(x["matrix"], **how).as_rotvec(),
     ),
     "matrix to rotation vector": (
         lambda x: rotations.log(x["matrix"]),
-        lambda x: _read(x["matrix"]).as_rotvec(),
-        lambda x: _trust(x["matrix"]).as_rotvec(),
+        lambda x, **how: Rotation.from_matrix(x["matrix"], **how).as_rotvec(),
     ),
     "matrix to quaternion": (
         lambda x: rotations.quaternion_from_matrix(x["matrix"]),
-        lambda x: _read(x["matrix"]).as_quat(),
-        lambda x: _trust(x["matrix"]).as_quat(),
+        lambda x, **how: Rotation.from_matrix(x["matrix"], **how).as_quat(),
     ),
     "matrix to Euler 313": (
         lambda x: rotations.euler_from_matrix("313", x["matrix"]),
-        lambda x: _euler("ZXZ", _read(x["matrix"])),
-        lambda x: _euler("ZXZ", _trust(x["matrix"])),
+        lambda x, **how: _euler("ZXZ", Rotation.from_matrix(x["matrix"], **how)),
     ),
     "matrix to Euler 312": (
         lambda x: rotations.euler_from_matrix("312", x["matrix"]),
-        lambda x: _euler("ZXY", _read(x["matrix"])),
-        lambda x: _euler("ZXY", _trust(x["matrix"])),
+        lambda x, **how: _euler("ZXY", Rotation.from_matrix(x["matrix"], **how)),
     ),
     "quaternion product": (
         lambda x: rotations.composition(x["quaternion"], x["quaternion"]),
         lambda x: (Rotation.from_quat(x["scalar last"]) * Rotation.from_quat(x["scalar last"])).as_quat(),
-        None,
     ),
-    "nearest rotation": (lambda x: rotations.nearest(x["noisy"]), lambda x: _read(x["noisy"]).as_matrix(), None),
+    "nearest rotation": (
+        lambda x: rotations.nearest(x["noisy"]),
+        lambda x: Rotation.from_matrix(x["noisy"]).as_matrix(),
+    ),
 }
 
 
@@ -131,8 +117,9 @@ def timings(counts):
     """A row for each conversion and batch: ns an element and the ratio to SciPy."""
     for count in counts:
         forms, repeats = inputs(count), 30 if count > 1000 else 300
-        for name, functions in CONVERSIONS.items():
-            ours, scipys, *unchecked = smallest_times([f for f in functions if f], forms, repeats)
+        for name, (our_way, their_way) in CONVERSIONS.items():
+            ways = [our_way, their_way, *([partial(their_way, **TRUSTED)] if name.startswith("matrix") else [])]
+            ours, scipys, *unchecked = smallest_times(ways, forms, repeats)
             yield {
                 "conversion": name,
                 "batch": count,
@@ -145,7 +132,7 @@ def timings(counts):
 
 def rebuilt(R):
     """Name, our round trip from the matrices R, SciPy's."""
-    of_valid = _trust(R)
+    of_valid = Rotation.from_matrix(R, **TRUSTED)
     yield "axis and angle", rotations.matrix_from_axis_angle(*rotations.axis_angle_from_matrix(R)), None
     yield ("rotation vector", rotations.exp(rotations.log(R)), Rotation.from_rotvec(of_valid.as_rotvec()).as_matrix())
     yield ("quaternion", rotations.matrix_from_quaternion(rotations.quaternion_from_matrix(R)), of_valid.as_matrix())

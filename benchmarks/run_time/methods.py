@@ -5,6 +5,7 @@ What a library does once for a system (compiling it) is done outside the functio
 
 import functools
 import importlib.util
+import math
 
 import numpy as np
 
@@ -63,10 +64,10 @@ def odeint(scene, tolerance):
 
 def cyrk(scene, tolerance):
     """Its numba interface, with the right-hand side as a callback in C."""
-    from CyRK.nb.numba_solver import cyjit, nbsolve2_ivp
+    from CyRK.nb.numba_solver import nbsolve2_ivp
 
     rhs, start, parameters, end = scene
-    address = _by_numba(rhs, parameters, len(start), cyjit).address
+    address = _by_numba(rhs, parameters, len(start)).address
     start_array = np.array(start)
 
     def states():
@@ -78,25 +79,24 @@ def cyrk(scene, tolerance):
     return states
 
 
-_WRITTEN = {}
-
-
-def _by_numba(rhs, parameters, size, compiler):
+def _by_numba(rhs, parameters, size):
     """The traced right-hand side as a function in numba's hands, as CyRK's manual advises; once a problem."""
-    import math
-
     from tam570.integrate.formulas import written
     from tam570.integrate.trace import traced
 
     formulas, constants = written(traced(functools.partial(rhs, **parameters), size))
     lines = [f"c{i} = {c!r}" for i, c in enumerate(constants)] + [f"s{i} = y[{i}]" for i in range(size)]
     lines += [*formulas.lines, *(f"dy[{i}] = {rate}" for i, rate in enumerate(formulas.rates))]
-    source = "def rates(dy, t, y, args):\n    " + "\n    ".join(lines)
-    if source not in _WRITTEN:
-        names = dict(vars(math))
-        exec(compile(source, "<rates>", "exec"), names)
-        _WRITTEN[source] = compiler(names["rates"])
-    return _WRITTEN[source]
+    return _compiled("def rates(dy, t, y, args):\n    " + "\n    ".join(lines))
+
+
+@functools.cache
+def _compiled(source):
+    from CyRK.nb.numba_solver import cyjit
+
+    names = dict(vars(math))
+    exec(compile(source, "<rates>", "exec"), names)
+    return cyjit(names["rates"])
 
 
 def _by_heyoka(scene):

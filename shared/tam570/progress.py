@@ -1,6 +1,5 @@
 """How far a student has come: by the visible tests and in the hints, remembered from one command to the next."""
 
-import hashlib
 import json
 import os
 import re
@@ -8,6 +7,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from tam570.course import folder
+from tam570.releases import digest, record
 from tam570.values import Json
 
 PASSED, FAILED = "passed", "failed"
@@ -82,13 +82,13 @@ def remembered(file: Path) -> dict[str, tuple[str, str]]:
 
 def remember(file: Path, outcomes: Mapping[str, tuple[str, str]], state: Progress) -> None:
     """Keep the outcomes and the progress."""
-    _keep(PROGRESS, _name(file), {"digest": _digest(file), "outcomes": dict(outcomes), "progress": state})
+    _keep(PROGRESS, _name(file), {"digest": digest(file), "outcomes": dict(outcomes), "progress": state})
 
 
 def recalled(file: Path) -> tuple[Progress, bool] | None:
     """Return the progress with a file, and whether the file is as it was then; None if it was never checked."""
-    record = _read(PROGRESS).get(_name(file))
-    return (record["progress"], record["digest"] == _digest(file)) if record else None
+    then = _read(PROGRESS).get(_name(file))
+    return (then["progress"], then["digest"] == digest(file)) if then else None
 
 
 def hints_given(slug: str, function: str) -> int:
@@ -115,17 +115,8 @@ def _name(file: Path) -> str:
     return str(file.resolve())
 
 
-def _digest(file: Path) -> str:
-    return hashlib.sha256(file.read_bytes()).hexdigest()
-
-
 def _read(name: str) -> Json:
-    """Return what is remembered under this name; nothing where it cannot be read."""
-    try:
-        data = json.loads((_home() / name).read_text())
-    except (OSError, ValueError):
-        return {}
-    return data if isinstance(data, dict) else {}
+    return record(_home() / name)
 
 
 def _keep(name: str, key: str, value: object) -> bool:

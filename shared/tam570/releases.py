@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from tam570.course import folder, stubs
+from tam570.values import Json
 
 KEPT_BACK = ("contract.json", "examples.json", "hints.toml", "rubric.toml")  # used by the commands, not copied
 RECORD = ".tam570.json"  # in the student's folder: the digest of each file as it was copied
@@ -37,13 +38,13 @@ def start(name: str, where: Path, *, notebook: bool = False) -> Copied:
 
 def update(work: Path, slug: str) -> Copied:
     """Bring the files that the student has not changed to this kit's; the others stay, and are named."""
-    record, refreshed, new = _record(work), [], []
+    copied, refreshed, new = record(work / RECORD), [], []
     notebook = (work / f"{slug}.ipynb").exists()
     for path in released(slug, notebook):
         mine = work / path.name
         if not mine.exists():
             new.append(path.name)
-        elif _digest(mine) == _digest(path) or _digest(mine) != record.get(path.name):
+        elif digest(mine) == digest(path) or digest(mine) != copied.get(path.name):
             continue
         else:
             refreshed.append(path.name)
@@ -54,7 +55,7 @@ def update(work: Path, slug: str) -> Copied:
 def differing(work: Path, slug: str) -> list[str]:
     """Return the files beside the student's own that are not as this kit has them."""
     common = [path for path in released(slug, True) if path.stem != slug and (work / path.name).exists()]
-    return [path.name for path in common if _digest(work / path.name) != _digest(path)]
+    return [path.name for path in common if digest(work / path.name) != digest(path)]
 
 
 def released(slug: str, notebook: bool) -> list[Path]:
@@ -81,18 +82,19 @@ def _signatures(mine: Path, slug: str) -> list[str]:
 
 def _copy(path: Path, work: Path) -> None:
     shutil.copyfile(path, work / path.name)
-    record = _record(work) | {path.name: _digest(path)}
-    (work / RECORD).write_text(json.dumps(record, indent=1), encoding="utf-8")
+    copied = record(work / RECORD) | {path.name: digest(path)}
+    (work / RECORD).write_text(json.dumps(copied, indent=1), encoding="utf-8")
 
 
-def _record(work: Path) -> dict[str, str]:
-    """Return what was copied, by its digest; nothing where it is not known."""
+def record(path: Path) -> Json:
+    """Return what was remembered in a file; nothing where it cannot be read."""
     try:
-        record = json.loads((work / RECORD).read_text(encoding="utf-8"))
+        data = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return {}
-    return record if isinstance(record, dict) else {}
+    return data if isinstance(data, dict) else {}
 
 
-def _digest(path: Path) -> str:
+def digest(path: Path) -> str:
+    """Return what tells the content of a file from any other."""
     return hashlib.sha256(path.read_bytes()).hexdigest()

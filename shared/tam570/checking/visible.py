@@ -25,12 +25,12 @@ from tam570.loading import said
 from tam570.progress import FAILED, PASSED
 from tam570.values import Json, Numbers, Parameters
 
-COMPARISONS: dict[type[ast.cmpop], tuple[Callable[[Numbers, Numbers], Numbers], str]] = {
-    ast.Eq: (operator.eq, "is right"),
-    ast.Lt: (operator.lt, "is the limit, which it must be below"),
-    ast.LtE: (operator.le, "is the most that is right"),
-    ast.Gt: (operator.gt, "is the limit, which it must be above"),
-    ast.GtE: (operator.ge, "is the least that is right"),
+COMPARISONS: dict[str, tuple[Callable[[Numbers, Numbers], Numbers], str]] = {  # by the names of ast
+    "Eq": (operator.eq, "is right"),
+    "Lt": (operator.lt, "is the limit, which it must be below"),
+    "LtE": (operator.le, "is the most that is right"),
+    "Gt": (operator.gt, "is the limit, which it must be above"),
+    "GtE": (operator.ge, "is the least that is right"),
 }
 MOST_NUMBERS = 6  # of an array that is printed whole
 COMPARE, HOLDS, ALLCLOSE = "_tam570_compare", "_tam570_holds", "_tam570_allclose"
@@ -170,7 +170,7 @@ class _Telling(ast.NodeTransformer):
         return self._told(node, node.test) if node.msg is None else node
 
     def _told(self, node: ast.Assert, test: ast.expr) -> ast.AST:
-        if isinstance(test, ast.Compare) and len(test.ops) == 1 and type(test.ops[0]) in COMPARISONS:
+        if isinstance(test, ast.Compare) and len(test.ops) == 1 and type(test.ops[0]).__name__ in COMPARISONS:
             name, expected = ast.Constant(type(test.ops[0]).__name__), test.comparators[0]
             call = _call(COMPARE, test.left, name, expected, ast.Constant(self._is_students(expected)))
         else:
@@ -195,7 +195,7 @@ def _call(name: str, *arguments: ast.expr) -> ast.Call:
 
 
 def _compare(actual: Numbers, name: str, expected: Numbers, both: bool) -> None:
-    compare, words = next(words for operation, words in COMPARISONS.items() if operation.__name__ == name)
+    compare, words = COMPARISONS[name]
     if not compare(actual, expected):
         expected = getattr(expected, "expected", expected)  # of pytest's approx
         if words == "is right":

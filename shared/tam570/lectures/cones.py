@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from tam570.arguments import array, finite, positive
 from tam570.show.drawing import circle, cone
 from tam570.show.plots import drift_caption, value_plot
-from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving, with_slider
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, arrow, frame_times, moving, with_slider
 
 EXAMPLE = {"axial": 2.0, "transverse": 1.1, "spin": 2.0, "wobble": 1.2}  # kg m^2, rad/s
 SHAPES = (0.4, 1.4)  # axial, of the scene's slider; from a rod to a disk
@@ -110,7 +110,7 @@ def _film(parameters: Mapping[str, float]) -> Scene:
                     *cone(circle(scale * spin * along, wide * first, wide * second, 37), 0, "body cone"),
                     Shape("path", circle(np.zeros(3), 0.5 * first, 0.5 * second), GREY, "the body", width=3),
                     Shape("lines", moving(0.5 * first, -0.5 * first), GREY),
-                    Shape("arrow", moving(np.zeros(3), 1.2 * tip), 1, "angular velocity", width=3),
+                    arrow(np.zeros(3), 1.2 * tip, 1, "angular velocity", 3),
                     Shape("arrow", np.array([[0.0, 0.0, 0.0], [0.0, 0.0, 1.3]]), 4, "angular momentum", width=3),
                 ],
                 ruler=False,

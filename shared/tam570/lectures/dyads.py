@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from tam570.arguments import array, numbers
 from tam570.rotations import exp, log
 from tam570.show.plots import value_plot
-from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, arrow, frame_times
 from tam570.values import Parameters
 
 EXAMPLE: Parameters = {  # triads, and a vector to turn, m
@@ -69,7 +69,7 @@ def film(parameters: Parameters) -> Scene:
     turned = chain[:, -1]
     shapes = [
         *(Shape("arrow", np.array([origin, row]), GREY, "e1, e2, e3", width=1.5) for row in before),
-        *(Shape("arrow", moving(origin, triads[:, i]), i, f"e{i + 1}'", width=3) for i in range(3)),
+        *(arrow(origin, triads[:, i], i, f"e{i + 1}'", 3) for i in range(3)),
         *(Shape("lines", chain[:, i : i + 2], i, width=2, faint=True) for i in range(3)),
         *(Shape("text", row[None], GREY, words=f"e{i + 1}") for i, row in enumerate(before)),
         *(Shape("text", triads[:, [i]], i, words=f"e{i + 1}'") for i in range(3)),
@@ -77,7 +77,7 @@ def film(parameters: Parameters) -> Scene:
         Shape("text", turned[:, None], INK, words="R r"),
         Shape("trail", turned[:, None], 4, width=1.5),
         Shape("arrow", np.array([origin, vector]), 5, "r", width=2.5),
-        Shape("arrow", moving(origin, turned), INK, "R r", width=3.5),
+        arrow(origin, turned, INK, "R r", 3.5),
     ]
     return Scene(
         "A rotation as three dyads",

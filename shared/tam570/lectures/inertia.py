@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from tam570.arguments import SYMMETRIC, array, numbers, positive, positives, symmetric
 from tam570.rotations import matrix_from_axis_angle
 from tam570.show.plots import value_plot
-from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, arrow, frame_times, moving
 from tam570.values import Parameters
 
 EXAMPLE: Parameters = {  # m, kg
@@ -119,5 +119,5 @@ def _arrows(axes: Array, n: Array, H: Array, reach: float) -> list[Shape]:
         Shape("lines", lines, 4, "principal axes", width=1),
         *(Shape("text", reach * axis[None], 4, words=str(i + 1)) for i, axis in enumerate(axes.T)),
         Shape("lines", moving(-reach * n, reach * n), 1, "axis", width=3),
-        Shape("arrow", moving(np.zeros(3), unit * H), 2, "angular momentum H", width=3),
+        arrow(np.zeros(3), unit * H, 2, "angular momentum H", 3),
     ]

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from tam570.arguments import finite, numbers, positive
 from tam570.show.plots import value_plot
-from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, arrow, frame_times, moving
 
 EXAMPLE = {"length": 1.0, "spin": 1.6, "spin_rate": -0.5, "slide": 1.6}  # m, rad/s, rad/s^2, m/s
 TERMS = ("origin", "euler", "centripetal", "coriolis", "relative")
@@ -120,6 +120,6 @@ def _polygon(bead: Array, parts: Mapping[str, Array], total: Array) -> list[Shap
 
 def _arrows(arrows: Mapping[str, tuple[Array, Array]], unit: float, colors: tuple[int, ...]) -> list[Shape]:
     return [
-        Shape("arrow", moving(tail, tail + unit * vector)[..., :2], color, name, width=2.5)
+        arrow(tail[:, :2], unit * vector[:, :2], color, name)
         for color, (name, (tail, vector)) in zip(colors, arrows.items(), strict=True)
     ]

@@ -11,7 +11,7 @@ import numpy as np
 
 from tam570.arguments import numbers
 from tam570.show.plots import value_plot
-from tam570.show.scene import GREY, Panel, Scene, Shape, frame_times, moving
+from tam570.show.scene import GREY, Panel, Scene, Shape, arrow, frame_times, moving
 from tam570.values import Numbers, Parameters
 
 EXAMPLE: Parameters = {"masses": (1.0, 2.0), "forces": (3.0, -1.0)}  # kg, N
@@ -52,20 +52,12 @@ def film(parameters: Parameters) -> Scene:
     x = acceleration * (1.0 - wave) * (SECONDS / (4 * np.pi)) ** 2  # from rest
     reach = max(1.0, float(np.ptp(x)))
     ends = [np.column_stack([x + shift * reach / 2, 0 * x]) for shift in (-1.0, 1.0)]
-    arrows = [
-        np.column_stack([0.6 * reach * F / pull * wave, 0 * x]) for F in (*parameters["forces"], tension, -tension)
-    ]
+    ways = [np.column_stack([0.6 * reach * F / pull * wave, 0 * x]) for F in (*parameters["forces"], tension, -tension)]
     above = np.array([0.0, 0.12 * reach])
     shapes = [
         Shape("lines", moving(*ends), GREY, "rod", width=5),
-        *(
-            Shape("arrow", moving(end + above, end + above + a), 1, "forces", width=3)
-            for end, a in zip(ends, arrows, strict=False)
-        ),
-        *(
-            Shape("arrow", moving(end - above, end - above + a), 2, "tension", width=3)
-            for end, a in zip(ends, arrows[2:], strict=True)
-        ),
+        *(arrow(end + above, way, 1, "forces", 3) for end, way in zip(ends, ways, strict=False)),
+        *(arrow(end - above, way, 2, "tension", 3) for end, way in zip(ends, ways[2:], strict=True)),
         *(Shape("dot", end[:, None], 0, "particles", width=9) for end in ends),
     ]
     forces: Numbers = np.outer(wave, parameters["forces"])

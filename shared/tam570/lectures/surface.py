@@ -14,7 +14,7 @@ from tam570.arguments import finite, numbers, one_of, positive, sequence
 from tam570.integrate import solve
 from tam570.show.live import Handle, Live, energies
 from tam570.show.plots import drift_caption, value_plot, values
-from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, arrow, frame_times
 from tam570.values import Numbers, Parameters
 
 STATE = {"x": "m", "y": "m", "vx": "m/s", "vy": "m/s"}
@@ -84,8 +84,8 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
         forces = np.array([constraint_force(state, **arguments) for state in states])
         unit = 0.4 / (float(np.linalg.norm(forces, axis=1).max()) or 1.0)  # m/N
         particle = np.column_stack(_place(states.T, **arguments))
-        arrow = Shape("arrow", moving(particle, particle + unit * forces), 3, "force of the surface", width=2.5)
-        panels.append(Panel([*_net(states, arguments), *_draw(states, arguments), arrow], name))
+        force = arrow(particle, unit * forces, 3, "force of the surface")
+        panels.append(Panel([*_net(states, arguments), *_draw(states, arguments), force], name))
         totals[name] = values(energy, states, **arguments)
         kinetic[name] = totals[name] - values(energy, states * [1, 1, 0, 0], **arguments)
     largest = max(float(curve.max()) for curve in kinetic.values())

@@ -19,7 +19,7 @@ from tam570.show.drawing import unit_circle
 from tam570.show.live import Live, energies
 from tam570.show.plots import state_energy_plot, values
 from tam570.show.rods import joints, rod_handles
-from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, arrow, frame_times, moving
 
 STATE = {"th": "rad", "om": "rad/s"}
 EXAMPLE = {"mass": 2.0, "length": 1.0, "gravity": 9.81}  # kg, m, m/s^2
@@ -96,13 +96,13 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
     down, aside = np.column_stack([s, -c]), np.column_stack([c, s])
     forces = np.array([hinge_force(state, **parameters) for state in states])
     force = forces[:, :1] * -down + forces[:, 1:] * aside
-    arrow = 0.25 * length / (parameters["mass"] * parameters["gravity"]) * force
+    hinge = 0.25 * length / (parameters["mass"] * parameters["gravity"]) * force
     G, weight = length / 2 * down, np.array([0.0, -0.25 * length])
     shapes = [
         *_draw(states, parameters),
-        Shape("arrow", moving(G, G + weight), 3, "weight", width=3),
-        Shape("arrow", moving(G + weight, G + weight + arrow), 1, "force of the hinge", width=3),
-        Shape("arrow", moving(G, G + weight + arrow), 4, "sum: m a of G", width=3),
+        arrow(G, weight, 3, "weight", 3),
+        arrow(G + weight, hinge, 1, "force of the hinge", 3),
+        arrow(G, weight + hinge, 4, "sum: m a of G", 3),
     ]
     handles = rod_handles(1, lambda parameters: [parameters["length"]])
     return Scene(

@@ -51,8 +51,8 @@ def _nearest_by_svd(rows: Array) -> Array:
     R = U @ Vt
     S = np.swapaxes(R, 1, 2) @ M
     stiffness = np.trace(S, axis1=1, axis2=2)[:, None, None] * np.eye(3) - S
-    left = np.cross(np.eye(3), np.swapaxes(S, 1, 2)).sum(axis=1)  # e_i x S e_i, summed
-    turn = np.linalg.solve(stiffness, left[:, :, None])[:, :, 0]
+    residual = np.cross(np.eye(3), np.swapaxes(S, 1, 2)).sum(axis=1)  # e_i x S e_i, summed
+    turn = np.linalg.solve(stiffness, residual[:, :, None])[:, :, 0]
     return np.asarray((R + np.cross(R, turn[:, None, :])).reshape(-1, 9))  # the rows of R skew(turn)
 
 

@@ -143,6 +143,11 @@ def drawable_rate(name: str, rate: float) -> None:
         raise ValueError(f"{name}: below {FASTEST:.0f} rad/s, to be drawn, got {rate:g}")
 
 
+def arrow(tail: ArrayLike, vector: ArrayLike, color: int, name: str = "", width: float = 2.5) -> Shape:
+    """Return an arrow from its tail, (n, dim) or (dim,), along a vector, (n, dim)."""
+    return Shape("arrow", moving(tail, np.add(tail, vector)), color, name, width=width)
+
+
 def moving(*points: ArrayLike) -> Array:
     """(n, m, dim) of m points that are (n, dim) each, or (dim,) if they stand still."""
     arrays = np.broadcast_arrays(*(np.asarray(point) for point in points))

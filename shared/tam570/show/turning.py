@@ -6,7 +6,7 @@ import numpy as np
 
 from tam570.show.drawing import brick
 from tam570.show.live import Handle, Live, energies
-from tam570.show.scene import Array, Shape, moving
+from tam570.show.scene import Array, Shape, arrow
 from tam570.values import Function, Numbers, Parameters
 
 
@@ -22,7 +22,7 @@ def in_space(rotations: Array, vectors: Array) -> Array:
 
 def spin_arrow(omega: Array, size: Array, color: int) -> Shape:
     """Return the arrow of the angular velocity, (n, 3) in space, of a body of this size."""
-    return Shape("arrow", moving(np.zeros(3), _reach(size, omega[0]) * omega), color, "angular velocity", width=2.5)
+    return arrow(np.zeros(3), _reach(size, omega[0]) * omega, color, "angular velocity")
 
 
 def _reach(size: Array, omega: Sequence[float]) -> float:
@@ -45,7 +45,7 @@ def live_body(
         return [
             *brick(np.reshape(states[:, :9], (1, 3, 3)), size, 0, "body"),
             Shape("trail", tip(states[0])[None, None], 1, width=1.2),
-            Shape("arrow", moving(np.zeros(3), tip(states[0])[None]), 1, "angular velocity", width=2.5),
+            arrow(np.zeros(3), tip(states[0])[None], 1, "angular velocity"),
         ]
 
     return Live(rates, parameters, start, drawing, [handle], energies(energy))

@@ -11,7 +11,7 @@ import numpy as np
 from tam570.arguments import finite, positive
 from tam570.integrate import solve
 from tam570.show.plots import drift_caption, value_plot
-from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, arrow, frame_times, moving
 
 DISTANCE = 0.12  # of the length, between the two sides of a fold
 LARGEST = 4.0  # times the chain's weight, of the scale's reading that is shown: without loss it grows without limit
@@ -92,9 +92,7 @@ def _falls(times: Array, accelerations: Callable[[float, float], Sequence[float]
 
 def _arrow(x: float, foot: Array, size: Array, name: str) -> Shape:
     """Return an arrow upwards at x, from (n,) m, of the length (n,) m."""
-    across = np.full_like(foot, x)
-    tail, tip = np.column_stack([across, foot]), np.column_stack([across, foot + size])
-    return Shape("arrow", moving(tail, tip), 3, name, width=3)
+    return arrow(np.column_stack([np.full_like(foot, x), foot]), np.outer(size, [0.0, 1.0]), 3, name, 3)
 
 
 def _upright(x: float, height: Array, share: Array, length: float, color: int, name: str) -> list[Shape]:

@@ -8,7 +8,7 @@ import numpy as np
 from tam570.show.drawing import unit_circle
 from tam570.show.live import Live, drag
 from tam570.show.plots import drift_caption, value_plot, values
-from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, arrow, frame_times, moving
 
 EARTH = {"length": 1.0, "gravity": 9.81, "latitude": 0.741, "spin": 0.4}  # m, m/s^2, rad (Ithaca), rad/s: a fast Earth
 SPOKES = np.arange(6) * np.pi / 3  # rad
@@ -76,7 +76,7 @@ def _forces(frames: SimpleNamespace, seen: Array, parameters: Mapping[str, float
     }
     unit = 0.6 * rim / (max(float(np.linalg.norm(force, axis=1).max()) for force in forces.values()) or 1.0)  # m/N
     return [
-        Shape("arrow", moving(seen[:, :2], seen[:, :2] + unit * force), color, name, width=2.5)
+        arrow(seen[:, :2], unit * force, color, name)
         for color, (name, force) in zip((1, 3), forces.items(), strict=True)
     ]
 

@@ -4,7 +4,7 @@ import numpy as np
 
 from tam570.show.drawing import axes
 from tam570.show.plots import gap_caption, value_plot
-from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, arrow, frame_times, moving
 from tam570.show.student import Student
 from tam570.values import Numbers, Parameters
 
@@ -76,7 +76,7 @@ def _points(r_p: Array, r_c: Array) -> list[Shape]:
 def _arrow(tail: Array, vector: Array, all_of_them: dict[str, Array], color: int, name: str, width: float = 3) -> Shape:
     """Return an arrow; the longest of all of them has 3 m."""
     longest = max(float(np.linalg.norm(vectors, axis=1).max()) for vectors in all_of_them.values()) or 1.0
-    return Shape("arrow", moving(tail, tail + 3.0 * vector / longest), color, name, width=width)
+    return arrow(tail, 3.0 * vector / longest, color, name, width)
 
 
 def _discrepancies(student: Student, times: Array, motion: list[Array], mass: float) -> TimePlot:

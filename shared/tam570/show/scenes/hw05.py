@@ -10,7 +10,7 @@ from tam570.show.diagrams import force_shapes
 from tam570.show.drawing import unit_circle
 from tam570.show.live import Handle, Live, energies, live_if_written
 from tam570.show.plots import drift_caption, state_energy_plot, value_plot
-from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, arrow, frame_times, moving
 from tam570.show.student import Student
 from tam570.values import Numbers, Parameters
 
@@ -82,10 +82,7 @@ def _arrows(force: Array, particle: Array, parameters: Parameters) -> list[Shape
     """Return the force of the rod, and the weight beside it."""
     weight = parameters["mass"] * parameters["gravity"] * np.array([0.0, -1.0])
     unit = ARROW * parameters["length"] / (np.linalg.norm(weight) or 1.0)  # m/N
-    return [
-        Shape("arrow", moving(particle, particle + unit * weight), 2, "weight", width=3),
-        Shape("arrow", moving(particle, particle + unit * force), 3, "force of the rod", width=4),
-    ]
+    return [arrow(particle, unit * weight, 2, "weight", 3), arrow(particle, unit * force, 3, "force of the rod", 4)]
 
 
 def _pull(times: Array, force: Array, particle: Array, length: float) -> TimePlot:

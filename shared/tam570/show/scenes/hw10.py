@@ -9,7 +9,7 @@ from tam570.loading import Trouble
 from tam570.show.drawing import box_face, brick, circle, cone, solid
 from tam570.show.live import Live, live_if_written
 from tam570.show.plots import drift_caption, value_plot
-from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, arrow, frame_times, moving
 from tam570.show.student import Student
 from tam570.show.turning import in_space, spin_handle
 from tam570.values import Numbers, Parameters
@@ -69,8 +69,8 @@ def _live(student: Student, inertia: Array, size: Array, spin: Array) -> Live:
         H = 0.7 * reach * (R[0] @ (np.array(parameters["inertia"]) / inertia.mean() * omega))
         return [
             *brick(R, size, 0, "box"),
-            Shape("arrow", moving(np.zeros(3), H[None]), 2, "angular momentum", width=3),
-            Shape("arrow", moving(np.zeros(3), tip(states[0])[None]), 1, "angular velocity", width=2.5),
+            arrow(np.zeros(3), H[None], 2, "angular momentum", 3),
+            arrow(np.zeros(3), tip(states[0])[None], 1, "angular velocity"),
             Shape("trail", tip(states[0])[None, None], 1, width=1.2),
         ]
 
@@ -100,11 +100,8 @@ def _box(student: Student, rotations: Array, omegas: Array, momenta: list[Array]
     return [
         Shape("fill", box_face(rotations, size), 0, faint=True),
         Shape("lines", edges, 0, "box", width=2.5),
-        *(
-            Shape("arrow", moving(np.zeros(3), 1.7 * H / np.linalg.norm(H[0])), 2, "angular momentum", width=3)
-            for H in momenta
-        ),
-        Shape("arrow", moving(np.zeros(3), reach * in_space(rotations, omegas)), 1, "angular velocity", width=2.5),
+        *(arrow(np.zeros(3), 1.7 * H / np.linalg.norm(H[0]), 2, "angular momentum", 3) for H in momenta),
+        arrow(np.zeros(3), reach * in_space(rotations, omegas), 1, "angular velocity"),
         Shape("trail", moving(rotations[:, :, 1] * size[1] / 2), 4, "end of the middle axis", width=1.2),
     ]
 
@@ -177,7 +174,7 @@ def _disk(student: Student, times: Array) -> Panel:
         *solid(circle(np.zeros(3), first, other, 37), GREY, "disk"),
         *cone(_once_round(omega), 2, "space cone"),
         *cone(_once_round(length * omegas) @ np.swapaxes(rotations, 1, 2), 3, "body cone"),
-        Shape("arrow", moving(np.zeros(3), omega), 1, width=2.5),
+        arrow(np.zeros(3), omega, 1),
     ]
     for point, color in ((first, 4), (other, 5)):
         shapes += [

@@ -8,7 +8,7 @@ import numpy as np
 from tam570.show.diagrams import force_shapes
 from tam570.show.live import Handle, Live, energies, live_if_written
 from tam570.show.plots import state_energy_plot, value_plot
-from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, arrow, frame_times
 from tam570.show.student import Student
 from tam570.values import Numbers, Parameters
 
@@ -76,9 +76,9 @@ def _forces(student: Student, states: Array, parameters: Parameters) -> list[Sha
     unit = ARROW / (np.linalg.norm(weight) or 1.0)  # m/N
     bead = _on_wire(states[:, 0], parameters["curvature"])
     return [
-        Shape("arrow", moving(bead, bead + unit * weight), 2, "weight", width=2.5),
-        Shape("arrow", moving(bead + unit * weight, bead + unit * (weight + force)), 3, "force of the wire", width=2.5),
-        Shape("arrow", moving(bead, bead + unit * (weight + force)), 1, "sum: m a", width=2.5),
+        arrow(bead, unit * weight, 2, "weight"),
+        arrow(bead + unit * weight, unit * force, 3, "force of the wire"),
+        arrow(bead, unit * (weight + force), 1, "sum: m a"),
     ]
 
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from tam570.show.drawing import solid
 from tam570.show.plots import value_plot
-from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, arrow, frame_times, moving
 from tam570.values import Parameters
 
 LOCKED = ("front", "rear", "both")
@@ -60,7 +60,7 @@ def _car(times: Array, motion: tuple[float, float, float], parameters: Parameter
     shapes = [
         Shape("lines", np.array([[-rear - 1.0, 0.0], [x[-1] + front + 1.0, 0.0]]), GREY, width=1),
         *solid(outline, color),
-        Shape("arrow", moving(G, G - [0.0, 2.0]), 4, "weight", width=2.5),
+        arrow(G, [0.0, -2.0], 4, "weight"),
         Shape("dot", G[:, None], 4, "G", width=4),
     ]
     for axle, tip in tips.items():
@@ -69,7 +69,7 @@ def _car(times: Array, motion: tuple[float, float, float], parameters: Parameter
         load = np.where(times < moves[-1], loads[axle], at_rest[axle])
         friction = -parameters["friction"] * load * (times < moves[-1]) if slides else 0.0 * x
         force = unit * np.column_stack([friction, load])
-        shapes.append(Shape("arrow", moving(at + tip, at + tip + force), 3, "force of the ground", width=2.5))
+        shapes.append(arrow(at + tip, force, 3, "force of the ground"))
     if locked != "both" and parameters["friction"]:
         shapes += _nice_point(at, tips, locked, parameters["friction"])
     return shapes
