@@ -92,23 +92,22 @@ def _table(heading, rows):
     return "\n".join("| " + " | ".join(line) + " |" for line in lines)
 
 
+def _beside(words, ours, peer):
+    """A line of seconds: ours, those of a peer, and how many times as many these are."""
+    return [words, f"{1e3 * ours:.0f} ms", f"{1e3 * peer:.0f} ms", f"{peer / ours:.0f}"]
+
+
 def _grading(results):
-    rows = results["rows"]
-    by = {
-        (row["assignment"], row["grader"].split(",")[0]): row["seconds_each"] for row in rows if row["submissions"] > 1
-    }
+    rows = [row for row in results["rows"] if row["submissions"] > 1]
+    by = {(row["assignment"], row["grader"].split(",")[0]): row["seconds_each"] for row in rows}
     labels = {"hw08_axis_angle": "hw08, functions of a point", "hw07_double_pendulum": "hw07, simulations"}
-    lines = []
-    for slug, words in labels.items():
-        ours, peer = by[slug, "tam570-grader"], by[slug, "nbgrader"]
-        lines.append([words, f"{1e3 * ours:.0f} ms", f"{1e3 * peer:.0f} ms", f"{peer / ours:.0f}"])
+    lines = [_beside(words, by[slug, "tam570-grader"], by[slug, "nbgrader"]) for slug, words in labels.items()]
     return _table(["one submission", "tam570-grader, 2 jobs", "nbgrader", "ratio"], lines)
 
 
 def _size(results):
-    rows = results["rows"]
     lines = []
-    for row in rows:
+    for row in results["rows"]:
         seconds = [f"{row[step]['cpu_seconds']:.1f} s" for step in ("resume", "late file", "report")]
         most = max(row[step]["mib"] for step in ("resume", "late file", "report"))
         lines.append([f"{row['submissions']:,}", *seconds, f"{most:.0f} MiB", f"{row['page_mb']:.1f} MB"])
@@ -116,25 +115,20 @@ def _size(results):
 
 
 def _autograde(results):
-    rows = results["rows"]
-    by = {(row["assignment"], row["way"], row["endless_loop"]): row["one_more"] for row in rows}
-    peer_name = "nbgrader's own, the same notebooks"
+    by = {(row["assignment"], row["way"], row["endless_loop"]): row["one_more"] for row in results["rows"]}
+    peer = "nbgrader's own, the same notebooks"
     columns = [
         ("hw08", "hw08_axis_angle", "our preprocessors", False),
         ("hw07", "hw07_double_pendulum", "our preprocessors", False),
         ("hw08, 1 of 20 with an endless loop", "hw08_axis_angle", "our preprocessors", True),
         ("the same, 2 s for a call in place of 10", "hw08_axis_angle", "our preprocessors, 2 s a call", True),
     ]
-    lines = []
-    for words, slug, way, hangs in columns:
-        ours, peer = by[slug, way, hangs], by[slug, peer_name, hangs]
-        lines.append([words, f"{1e3 * ours:.0f} ms", f"{1e3 * peer:.0f} ms", f"{peer / ours:.0f}"])
+    lines = [_beside(words, by[slug, way, hangs], by[slug, peer, hangs]) for words, slug, way, hangs in columns]
     return _table(["one submission more", "our preprocessors", "nbgrader's own", "ratio"], lines)
 
 
 def _show(results):
-    rows = results["rows"]
-    by = {row["scene"]: row for row in rows}
+    by = {row["scene"]: row for row in results["rows"]}
     ours, peer = by["hw07_double_pendulum"], by["hw07_double_pendulum, matplotlib HTMLWriter"]
     lines = [
         ["time", f"{ours['seconds']:.2f} s", f"{peer['seconds']:.1f} s"],
@@ -157,10 +151,10 @@ def _rotations(results):
 
 def _ratios(results):
     shown = ["tam570, Python", "tam570, compiled", "odeint", "CyRK", "heyoka"]
-    lines = []
-    for target, rows in results["ratios"].items():
-        cells = [f"{rows[name]['median']:.2g} ({rows[name]['worst']:.2g})" for name in shown]
-        lines.append([_power(target), *cells])
+    lines = [
+        [_power(target), *(f"{rows[name]['median']:.2g} ({rows[name]['worst']:.2g})" for name in shown)]
+        for target, rows in results["ratios"].items()
+    ]
     return _table(["error", *shown], lines)
 
 
