@@ -16,7 +16,7 @@ from tam570.arguments import numbers, positives, sequence
 from tam570.integrate import solve
 from tam570.show.drawing import brick
 from tam570.show.plots import drift_caption, value_plot, values
-from tam570.show.scene import Array, Panel, Scene, Shape, frame_times, moving
+from tam570.show.scene import Array, Panel, Scene, arrow, frame_times
 from tam570.show.turning import box_size, in_space, live_body, spin_arrow
 from tam570.values import Parameters
 
@@ -71,17 +71,14 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
         for name, equations in {"Euler": rates, "wrong Lagrange": wrong_rates}.items()
     }
     size, first = box_size(moments), angular_momentum(start, **parameters)
-    momenta = {
-        name: in_space(states[:, :9].reshape(-1, 3, 3), moments * states[:, 9:]) for name, states in both.items()
-    }
     scale = float(np.linalg.norm(first)) or 1.0
-    panels = []
+    panels, momenta = [], {}
     for color, (name, states) in enumerate(both.items()):
-        arrow = moving(np.zeros(3), 1.8 * float(size.max()) * momenta[name] / scale)
-        rotations = states[:, :9].reshape(-1, 3, 3)
-        omega = spin_arrow(in_space(rotations, states[:, 9:]), size, 3)
-        body = [*brick(rotations, size, color, "body"), omega]
-        panels.append(Panel([*body, Shape("arrow", arrow, 2, "angular momentum", width=3)], name, ruler=False))
+        rotations, omega = states[:, :9].reshape(-1, 3, 3), states[:, 9:]
+        momenta[name] = in_space(rotations, moments * omega)
+        H = arrow(np.zeros(3), 1.8 * float(size.max()) * momenta[name] / scale, 2, "angular momentum", 3)
+        shapes = [*brick(rotations, size, color, "body"), spin_arrow(in_space(rotations, omega), size, 3), H]
+        panels.append(Panel(shapes, name, ruler=False))
     across = {name: np.degrees(np.arccos(np.clip(H @ first / scale**2, -1.0, 1.0))) for name, H in momenta.items()}
     energies = {name: values(energy, states, **parameters) for name, states in both.items()}
     spins = {name: states[:, 11] for name, states in both.items()}
