@@ -42,7 +42,7 @@ def _mark(arguments: argparse.Namespace) -> int:
         keys = sorted((record["assignment"], record["student"]) for record in graded.values())
     chosen = assignments.match_slugs(arguments.only, sorted({slug for slug, _ in keys}))
     rubrics = {slug: assignments.assignment(course, slug).rubric for slug in chosen if slug in slugs}
-    by_key = {(submission.student, submission.slug): submission for submission in submissions(tree, slugs)}
+    by_key = {submission.key: submission for submission in submissions(tree, slugs)}
     works = [StudentWork(who, slug, rubrics[slug], by_key.get((who, slug))) for slug, who in keys if rubrics.get(slug)]
     if not works:
         raise UsageError(f"no assignment in {folder} has a part that is graded by hand")

@@ -46,7 +46,7 @@ def gone(
     present = [submission for submission in submissions if submission.tree.parent in folders]
     is_tree = any(slug_of(submission.tree.name, [submission.slug]) is None for submission in present)
     students = {submission.student for submission in present}
-    here = {(submission.student, submission.slug) for submission in submissions}
+    here = {submission.key for submission in submissions}
     return [
         Change(record["student"], record["assignment"], record["score"], None, ("no longer handed in",))
         for record in old.values()

@@ -80,7 +80,7 @@ def _shown(entry: Path) -> str:
 
 def not_handed_in(path: Path, work: Sequence[Submission]) -> list[Submission]:
     """Return a row without a file for everyone on the roster, for each assignment that others have handed in."""
-    here = {(submission.student, submission.slug) for submission in work}
+    here = {submission.key for submission in work}
     students = roster.students(path, {submission.student for submission in work})
     slugs = sorted({submission.slug for submission in work})
     message = "no module or notebook was collected"

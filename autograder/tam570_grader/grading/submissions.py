@@ -45,6 +45,10 @@ class Submission:
     tree: Path  # the student's own folder, or file: links may not lead out of it
     reason: str = ""
 
+    @property
+    def key(self) -> tuple[str, str]:
+        return self.student, self.slug
+
 
 def submissions(
     paths: Iterable[Path], slugs: Sequence[str], slug: str | None = None, students: Collection[str] = ()
@@ -348,24 +352,20 @@ def _modules_first(work: list[Submission]) -> list[Submission]:
     def is_module(submission: Submission) -> bool:
         return submission.path is not None and form(submission.path.name) == ".py"
 
-    modules = {(submission.student, submission.slug) for submission in work if is_module(submission)}
-    return [
-        submission
-        for submission in work
-        if (submission.student, submission.slug) not in modules or submission.path is None or is_module(submission)
-    ]
+    modules = {each.key for each in work if is_module(each)}
+    return [each for each in work if each.key not in modules or each.path is None or is_module(each)]
 
 
 def _told_apart(work: list[Submission]) -> list[Submission]:
     """Students whose names would be the same, `a/hw07.py` and `b/hw07.py`, go by their folders'."""
-    count = collections.Counter((submission.student, submission.slug) for submission in work)
+    count = collections.Counter(submission.key for submission in work)
     renamed = [
         replace(submission, student=_shortened(f"{_name(submission.path.absolute().parent.name)}-{submission.student}"))
-        if submission.path and count[submission.student, submission.slug] > 1
+        if submission.path and count[submission.key] > 1
         else submission
         for submission in work
     ]
-    for (student, slug), n in collections.Counter((work.student, work.slug) for work in renamed).items():
+    for (student, slug), n in collections.Counter(submission.key for submission in renamed).items():
         if n > 1:
             raise BadPath(f"two submissions of {slug} by {student}: give each student a folder of their own")
     return renamed

@@ -209,7 +209,7 @@ class Watcher:
             source = source_of(submission)
             text = source.text if isinstance(source, Source) else str(source).encode()
             digest = digest or hashlib.sha256(text).hexdigest()
-            key = submission.student, submission.slug
+            key = submission.key
             digests = {self.queue.newest.get(key)}
             if self.is_exchange:  # an older folder is there beside a newer
                 digests |= {attempt["digest"] for attempt in self.queue.graded.get(key, [])}
