@@ -28,15 +28,13 @@ def module(motion: Motion) -> str:
         _function(motion, "energy", "Jacobi's integral.", lambda m, lines: _text(lines, _values(lines, [m.energy])[0])),
     ]
     if motion.matrix:
+        errors = "The holonomic constraints, then the rates of all."
         functions += [
             _function(motion, "constraint_matrix", "A, by rows.", lambda m, lines: _rows(lines, m.matrix)),
             _function(motion, "multipliers", "lam.", lambda m, lines: _tuple(lines, _solution(m, lines)[1])),
-            _function(motion, "constraint_errors", _ERRORS, lambda m, lines: _tuple(lines, _values(lines, m.errors))),
+            _function(motion, "constraint_errors", errors, lambda m, lines: _tuple(lines, _values(lines, m.errors))),
         ]
     return "\n\n\n".join([_head(motion), *functions]) + "\n"
-
-
-_ERRORS = "The holonomic constraints, then the rates of all."
 
 
 def _head(motion: Motion) -> str:
@@ -84,12 +82,9 @@ def _cancelled(entries: Sequence[Expression], parameters: Sequence[Expression]) 
     """Return the entries of M and F without the parameters that are factors of all of them, as a single mass is."""
     factored = [sympy.factor_terms(entry) for entry in entries]
     powers = [entry.as_powers_dict() for entry in factored if entry != 0]
-    common = [p ** _least([sympy.sympify(power.get(p, 0)) for power in powers]) for p in parameters]
+    exponents = {p: [sympy.sympify(power.get(p, 0)) for power in powers] for p in parameters}
+    common = [p ** min(several) for p, several in exponents.items() if all(e.is_Integer for e in several)]
     return [entry / sympy.Mul(*common) for entry in factored]
-
-
-def _least(exponents: list[Expression]) -> Expression:
-    return min(exponents) if all(e.is_Integer for e in exponents) else 0
 
 
 def _solved(lines: Lines, matrix: System, columns: System) -> System:
