@@ -42,7 +42,7 @@ code = main(sys.argv[1:])
 used = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
 most = [int(line.split()[1]) for line in open("/proc/self/status") if line.startswith("VmHWM")]
 print(json.dumps({"seconds": time.perf_counter() - started, "mib": most[0] / 1024,
-                  "cpu_seconds": sum(one.ru_utime + one.ru_stime for one in used)}), file=sys.stderr)
+                  "cpu_seconds": sum(usage.ru_utime + usage.ru_stime for usage in used)}), file=sys.stderr)
 sys.exit(code)
 """
 

@@ -67,8 +67,8 @@ def solid(outline: Array, color: int, name: str = "", width: float = 2.0) -> lis
 def placed(outline: Array, at: Array, heading: Array) -> Array:
     """(n, m, 2) points (m, 2) ahead and to the left of places (n, 2), by headings (n,), rad."""
     c, s = np.cos(heading), np.sin(heading)
-    ahead, left = np.stack([c, s], axis=-1), np.stack([-s, c], axis=-1)
-    return at[:, None] + outline[:, :1] * ahead[:, None] + outline[:, 1:] * left[:, None]
+    ahead, aside = np.stack([c, s], axis=-1), np.stack([-s, c], axis=-1)
+    return at[:, None] + outline[:, :1] * ahead[:, None] + outline[:, 1:] * aside[:, None]
 
 
 def brick(rotations: Array, size: ArrayLike, color: int, name: str) -> list[Shape]:

@@ -21,8 +21,8 @@ def watching(hw08, tmp_path_factory):
     """`watching(text)` -> what is said after this text is saved; None waits for the first result."""
     file = hw08()
     command = [sys.executable, "-m", "tam570", "check", "hw08", "--watch"]
-    left = tmp_path_factory.mktemp("left")
-    buffered = {**os.environ, "TMPDIR": str(left), "PYTHONUNBUFFERED": ""}  # as most people have it
+    temporary = tmp_path_factory.mktemp("temporary")
+    buffered = {**os.environ, "TMPDIR": str(temporary), "PYTHONUNBUFFERED": ""}  # as most people have it
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=buffered)
 
     def after(text=None, until=("all done", "next:")):
@@ -42,7 +42,7 @@ def watching(hw08, tmp_path_factory):
     process.terminate()
     process.wait()
     process.stdout.close()
-    assert not list(left.iterdir())
+    assert not list(temporary.iterdir())
 
 
 def count(said):

@@ -89,7 +89,7 @@ def _car(states: Array, locked: str, y: float, parameters: Parameters) -> list[S
     body = np.array([[nose - 0.5, side], [tail, side], [tail, -side], [nose - 0.5, -side], [nose, -0.5], [nose, 0.5]])
     color = 0 if locked == "front" else 1
     axles = {"front": parameters["front"], "rear": -parameters["rear"]}
-    ends = [(end, left) for left in (side - 0.1, 0.1 - side) for end in (-WHEEL, WHEEL)]
+    ends = [(end, aside) for aside in (side - 0.1, 0.1 - side) for end in (-WHEEL, WHEEL)]
     wheels = {name: np.array(ends) + [at, 0.0] for name, at in axles.items()}
     free = "rear" if locked == "front" else "front"
     G, heading = states[:, :2] + [0.0, y], states[:, 2]
