@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from functools import partial
 from pathlib import Path
 
+from tam570.values import Json
 from tam570_grader.checks import assignments
 from tam570_grader.course import course_config, course_toml, late_policy
 from tam570_grader.errors import UsageError, warn
@@ -162,14 +163,9 @@ def _lms(arguments: argparse.Namespace) -> int:
         lacking = feedback_export.run(pages, *names)
     for line in filter(None, [*lacking, stale]):
         warn(line)
-    options = score_export.ExportOptions(
-        arguments.to,
-        arguments.roster,
-        arguments.identity,
-        course_toml.columns(course, arguments.to),
-        arguments.new,
-        arguments.overwrite,
-    )
+    chosen: Json = {name: vars(arguments)[name] for name in ("roster", "identity", "new", "overwrite")}
+    columns = course_toml.columns(course, arguments.to)
+    options = score_export.ExportOptions(arguments.to, columns=columns, **chosen)
     code = score_export.run(grades, arguments.out, options, arguments.only, arguments.absent)
     return code or bool(lacking)
 

@@ -6,6 +6,7 @@ import math
 import re
 from pathlib import Path
 
+from tam570.values import Json
 from tam570_grader.cli.grade import warn_of_isolation
 from tam570_grader.cli.options import positive
 from tam570_grader.course import course_config
@@ -61,17 +62,8 @@ def _watch(arguments: argparse.Namespace) -> int:
         policy = Policy(arguments.attempts or math.inf, arguments.every, arguments.count)
         queue = Queue(arguments.out, policy)
         secret = seeds.key(arguments.out / KEY, bool(queue.graded))
-        desk = Watcher(
-            arguments.source,
-            course,
-            queue,
-            store,
-            jobs,
-            secret,
-            assignment=arguments.assignment,
-            jobs=arguments.jobs,
-            once=arguments.once,
-        )
+        options: Json = {name: vars(arguments)[name] for name in ("assignment", "jobs", "once")}
+        desk = Watcher(arguments.source, course, queue, store, jobs, secret, **options)
         try:
             desk.work()
         except KeyboardInterrupt:
