@@ -43,22 +43,19 @@ def film(parameters: Parameters) -> Scene:
     felt = np.array([moment(matrix, speed, spin_rate) for speed in speeds])
     in_space = np.einsum("nij,nj->ni", R, felt)
     across = np.linalg.norm(felt[:, :2], axis=1)
-    flat = 1.2 * in_space * [1, 1, 0] / (float(across.max()) or 1.0)
+    longest = float(across.max()) or 1.0
+    push = arrow(np.zeros(3), 1.2 * in_space * [1, 1, 0] / longest, 1, "moment across the axis", 3)
     if spin_rate:
         # Across the axis M has the size of sqrt(Ixz^2 + Iyz^2) sqrt(spin_rate^2 + spin^4), whatever the angle.
         across = across / np.hypot(spin_rate, speeds**2)
-    curves = dict(zip(("x", "y", "z"), in_space.T, strict=True))
+    curves = dict(zip("xyz", in_space.T, strict=True))
     return Scene(
         "Bearings",
         "Two bodies turn on vertical shafts. One is not balanced: the moment that its bearings must give goes round "
         "with it. The balanced one needs no moment across its axis.",
         times,
         [
-            Panel(
-                [*_body(matrix, R), arrow(np.zeros(3), flat, 1, "moment across the axis", 3)],
-                "with off-diagonal terms",
-                ruler=False,
-            ),
+            Panel([*_body(matrix, R), push], "with off-diagonal terms", ruler=False),
             Panel(_body(np.diag(np.diag(matrix)), R), "balanced", ruler=False),
         ],
         [
