@@ -127,11 +127,24 @@ def accelerations_with_a_nearly_massless_bar(student, rng):
     compare(student.angular_acceleration, cases.nearly_massless(rng), tolerance=MASSLESS, hint=of_accelerations(SCALED))
 
 
+def the_unbalanced(case, result, expected):
+    """Name the one balance that does not hold, with the accelerations that the hinges give."""
+    off = reference.unbalanced(*case.args, *result, **case.kwargs)
+    (*wrong,) = np.flatnonzero(off > FORMULA * off.max())
+    if len(wrong) > 1:
+        return "Two bars have three equations each, two hinges two constraints each: do you solve all ten?"
+    bar, axis = divmod(wrong[0], 3)
+    if axis == 2:
+        return f"Only the moments on bar {bar + 1} about its mass centre do not balance"
+    return (
+        f"Only {'xy'[axis]} of Newton's law for bar {bar + 1} does not hold: look at it, and at this hinge's constraint"
+    )
+
+
 @check("on_the_fly", points=0.5)
 def free_bars_accelerate_as_lagranges(student, rng):
     """alpha from two free bars and two hinge constraints."""
-    hint = "Two bars have three equations each, two hinges two constraints each: do you solve all ten?"
-    compare(student.on_the_fly, cases.states(rng), only=0, hint=hint)
+    compare(student.on_the_fly, cases.states(rng), only=0, hint=the_unbalanced)
 
 
 @check("on_the_fly", points=0.75, after=free_bars_accelerate_as_lagranges)

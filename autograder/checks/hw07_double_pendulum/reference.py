@@ -51,6 +51,16 @@ def on_the_fly(theta, omega, masses, lengths, gravity):
     return alpha, np.array([[force.real, force.imag] for force in (moved.sum(), moved[1])])
 
 
+def unbalanced(theta, omega, alpha, forces, masses, lengths, gravity):
+    """(6,) N, what is left of Newton's law along x and y, and of the moments about the mass centre, of each bar."""
+    _, levers, rest = kinematics(theta, omega, lengths)
+    ceiling, elbow = forces @ [1, 1j]
+    law = masses * (levers @ alpha + rest + 1j * gravity) - [ceiling - elbow, elbow]
+    half = -0.5j * lengths * np.exp(np.multiply(1j, theta))
+    moments = masses * lengths**2 / 12 * alpha + (half.conj() * [ceiling + elbow, elbow]).imag
+    return np.abs([law.real, law.imag, moments / lengths]).T.ravel()
+
+
 def energy(theta, omega, **bars):
     return energies(np.append(theta, omega)[None], **bars)[0]
 

@@ -98,7 +98,8 @@ def _general(solution: str, calls: Sequence[Call], others: Sequence[str], passed
     cause = _transformed(solution, name, next(_explaining(results, its_calls), None), source="result")
     cause = cause or _other_symbol(solution, name, its_calls) or _other_argument(solution, module, name, its_calls)
     if cause is None or cause.message.endswith(VAGUE):
-        cause = _mutant_of_any(solution, others, module, name, compared, passed) or cause
+        mutant = _mutant_of_any(solution, others, module, name, compared, passed)
+        cause = mutant if mutant and not (cause and mutant.message.endswith(KINDS["halves"])) else cause
     cause = cause or _for_one_word(solution, others, module, name, its_calls, passed)
     if cause is None:  # what else an argument or a result may be, or the one place where the result is wrong
         reference = getattr(module, name)

@@ -18,6 +18,8 @@ from tam570.values import Function, Json, Numbers
 
 FILE = "examples.json"
 SAME = 1e-5  # of a fingerprint's size: mistakes are further apart
+FEW = 3  # numbers, which another mistake may have as well
+OR_ANOTHER = " Another mistake may give the same few numbers."
 
 
 @dataclass
@@ -70,7 +72,11 @@ class Examples:
         results = {n: result for n, result in self.results.items() if self.calls[n]["function"] == function}
         for mistake in self.mistakes:
             if mistake["function"] == function and results and self._agrees(mistake["results"], results):
-                return opened(mistake["message"])
+                wrong = (
+                    comparison for number in mistake["results"] for comparison in self.calls[int(number)]["compare"]
+                )
+                is_sure = sum(array_of(comparison["expected"]).size for comparison in wrong) > FEW
+                return opened(mistake["message"]) + ("" if is_sure else OR_ANOTHER)
         return None
 
     def _agrees(self, wrong: Mapping[str, Sequence[float] | None], results: Mapping[int, Numbers]) -> bool:
