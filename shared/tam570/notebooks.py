@@ -65,13 +65,13 @@ def without_outputs(source: bytes) -> bytes:
 
 def code_cells(source: bytes) -> Cells:
     """Return the code cells that are Python, in a notebook of format 4 or 3. ValueError if it is not a notebook."""
-    book: Json = json.loads(in_utf8(source))
-    cells = book["cells"] if "cells" in book else [c for sheet in book["worksheets"] for c in sheet["cells"]]
-    code = [
-        (n, _cleaned("".join(cell.get("source") or cell.get("input") or "")))
-        for n, cell in enumerate(cells, start=1)
-        if cell.get("cell_type") == "code"
-    ]
+    try:
+        book: Json = json.loads(in_utf8(source))
+        cells = book["cells"] if "cells" in book else [c for sheet in book["worksheets"] for c in sheet["cells"]]
+        numbered = [(n, cell) for n, cell in enumerate(cells, start=1) if cell.get("cell_type") == "code"]
+        code = [(n, _cleaned("".join(cell.get("source") or cell.get("input") or ""))) for n, cell in numbered]
+    except (ValueError, LookupError, TypeError, AttributeError) as error:
+        raise ValueError("this is no notebook that Jupyter opens") from error
     return [(n, text) for n, text in code if _is_python(text.lstrip())]
 
 

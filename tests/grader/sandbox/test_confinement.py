@@ -155,7 +155,8 @@ def test_renaming_a_file_does_not_keep_its_score(run, tmp_path, solution_text):
     path = hand_in(tmp_path, {"ada": solution_text(HW08)}) / "ada" / HW08 / f"{HW08}.py"
     assert run(tmp_path / "ada", "--out", tmp_path / "out")[1][0]["score"] == 10.0
     path.rename(path.with_suffix(".ipynb"))
-    assert run(tmp_path / "ada", "--out", tmp_path / "out")[1][0]["score"] == 0.0
+    result = run(tmp_path / "ada", "--out", tmp_path / "out")[1][0]
+    assert result["score"] == 0.0 and "no notebook" in result["message"]
 
 
 @confined

@@ -39,9 +39,8 @@ def watching(hw08, tmp_path_factory):
 
     after.process = process
     yield after
-    process.terminate()
-    process.wait()
-    process.stdout.close()
+    with process:
+        process.terminate()
     assert not list(temporary.iterdir())
 
 
