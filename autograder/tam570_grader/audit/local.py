@@ -26,7 +26,7 @@ from tam570_grader.checks.check import Check
 from tam570_grader.checks.expect import CheckContext, Failed, check_context
 from tam570_grader.checks.returns import Array, FreeBodyDiagram, Group, result
 from tam570_grader.grading.run_checks import generator
-from tam570_grader.protocol.answer import answer
+from tam570_grader.protocol.answer import answers
 from tam570_grader.protocol.wire import packed, unpacked
 from tam570_grader.sandbox.function import SandboxFunction
 from tam570_grader.sandbox.replies import checked
@@ -71,11 +71,10 @@ class Replies:
 
 
 def _answered(module: ModuleType, name: str, case: Case, mode: str, fields: Json) -> Reply:
-    args, kwargs = unpacked(case.packed)
-    request = {"function": name, "mode": mode, "refused": (), **fields}
+    request = {"function": name, "mode": mode, "refused": (), "calls": [unpacked(case.packed)], **fields}
     try:
         with _clock(), np.errstate(all="ignore"):
-            reply = answer(module, request, args, kwargs)
+            (reply,) = answers(module, request)
     except SlowCall:
         return TOO_SLOW
     return checked(unpacked(packed({"replies": [reply]})), mode)[0]

@@ -2,6 +2,7 @@
 
 import builtins
 import random
+from collections.abc import Iterator
 from types import ModuleType
 
 import numpy as np
@@ -20,18 +21,27 @@ __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
 LONGEST_TEXT = 300
 
 
-def answer(module: ModuleType, request: Json, args: list[Numbers], kwargs: Json) -> Json:
-    """Return the reply to one call: {"value": ..., "changed": were the arguments changed} or {"error": ...}."""
+def answers(module: ModuleType, request: Json) -> Iterator[Json]:
+    """Yield the reply to each call: {"value": ..., "changed": were the arguments changed} or {"error": ...}."""
+    try:
+        replaced = _stood_in(module, request)
+    except Exception as error:  # of a file's own `__getattr__`
+        yield from [{"error": error_report(error)}] * len(request["calls"])
+        return
+    try:
+        for args, kwargs in request["calls"]:
+            yield _answer(module, request, args, kwargs)
+    finally:
+        for owner, name, was in replaced:
+            setattr(owner, name, was)
+
+
+def _answer(module: ModuleType, request: Json, args: list[Numbers], kwargs: Json) -> Json:
     args, kwargs = [*map(_own, args)], {key: _own(argument) for key, argument in kwargs.items()}
     try:
         function = getattr(module, request["function"])
         before = _contents(args, kwargs)
-        replaced = _stood_in(module, request)
-        try:
-            value = MODES[request["mode"]](function, args, kwargs, request)
-        finally:
-            for owner, name, was in replaced:
-                setattr(owner, name, was)
+        value = MODES[request["mode"]](function, args, kwargs, request)
         return {"value": value, "changed": _contents(args, kwargs) != before}
     except BaseException as error:
         return {"error": error_report(error)}

@@ -26,7 +26,7 @@ from typing import Any
 from tam570.values import Json
 
 from . import jail
-from .answer import answer, error_report, evaluate_a_formula, seed_generators
+from .answer import answers, error_report, evaluate_a_formula, seed_generators
 from .cells import plain_cells, python, statements
 from .load import compiled, load
 from .picture import blank_axes
@@ -207,8 +207,7 @@ def _answer_all(module: Any, request: Json) -> None:
     Replies to quick calls travel in one message, results alike as one array.
     """
     unsent, sent = list[Json](), time.monotonic()
-    for args, kwargs in request["calls"]:
-        reply = answer(module, request, args, kwargs)
+    for reply in answers(module, request):
         unsent.append(reply)
         if "error" in reply and not request.get("every"):
             break
