@@ -55,7 +55,7 @@ PLACES += [(".", "hw08"), (SLUG, "hw08"), (".", SLUG), (".", f"{SLUG}/{SLUG}.py"
 
 
 @pytest.mark.parametrize(("folder", "what"), first(3, PLACES))
-def test_check_knows_where_it_is_and_takes_a_folder_and_a_file_of_any_name(hw08, desk, tam570, folder, what):
+def test_check_knows_where_it_is_and_takes_a_folder_and_any_file(hw08, desk, tam570, in_process, folder, what):
     """Above the folder of the assignment, in it, below it, and in that of a neighbour."""
     (desk / "mine.py").write_text(hw08().read_text())
     (desk / folder).mkdir(exist_ok=True)
@@ -63,7 +63,7 @@ def test_check_knows_where_it_is_and_takes_a_folder_and_a_file_of_any_name(hw08,
     assert code == 0 and "all done here" in said
 
 
-def test_check_without_a_name_means_the_folder_where_it_is_given(hw08, desk, tam570):
+def test_check_without_a_name_means_the_folder_where_it_is_given(hw08, desk, tam570, in_process):
     cli.main(["start", "hw03"])
     hw08()
     assert "hw03" not in tam570("check", cwd=desk / SLUG)[1]
@@ -108,7 +108,7 @@ def line(capsys):
     return next(row for row in out.splitlines() if row.startswith(SLUG)), out
 
 
-def test_list_tells_points_next_step_and_a_change_since(hw08, capfd, tam570):
+def test_list_tells_points_next_step_and_a_change_since(hw08, capfd, tam570, in_process):
     hw08(None)
     assert line(capfd)[0].endswith("started")
     tam570("check", "hw08")

@@ -34,6 +34,7 @@ CELLS = {
 }
 # of other languages, and without a source
 OTHERS = ("%%writefile a.py\nx = 0", " %%bash\nexit 1", "%%html\n<b>", "%%timeit\nx = 0", "no source", "", "!ls")
+pytestmark = pytest.mark.usefixtures("in_process")
 
 
 @pytest.fixture

@@ -10,19 +10,13 @@ from tam570_grader.checks import assignments
 
 CODE = '''
 import numpy as np
-
 RATE = 2.0  # 1/s
-
 
 def helper(x):
     """Says what it does."""
     return RATE * x
-
-
 def first(x):
     return helper(x)
-
-
 def second(x):
     return x
 
@@ -34,31 +28,19 @@ TESTS = """
 import code_of_mine as hw
 import pytest
 from code_of_mine import third as another
-
 POINT = 1.0
-
 
 @pytest.fixture
 def value():
     return hw.second(POINT)
-
-
 def apart(f):
     return f(POINT)
-
-
 def test_first():
     assert hw.first(POINT) == 2.0
-
-
 def test_second(value):
     assert value == POINT
-
-
 def test_third():
     assert apart(another) < POINT
-
-
 def test_all():
     assert callable(getattr(hw, "first"))
 """

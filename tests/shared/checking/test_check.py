@@ -72,13 +72,13 @@ def test_what_stops_the_import_where_work_is_graded_stops_it_here(hw08, desk, ta
 
 
 @pytest.mark.parametrize("above", [NAMED, "try:\n    import pandas\nexcept ImportError:\n    pandas = None\n"])
-def test_what_is_off_limits_or_missing_may_be_named(hw08, tam570, grade, above):
+def test_what_is_off_limits_or_missing_may_be_named(hw08, tam570, in_process, grade, above):
     """As long as nothing of it is called: here, and where work is graded."""
     text = hw08(above=above).read_text()
     assert tam570("check")[0] == 0 and grade(HW08, text).score == 10
 
 
-def test_a_file_in_another_encoding_names_the_line(hw08, tam570, grade):
+def test_a_file_in_another_encoding_names_the_line(hw08, tam570, in_process, grade):
     latin = b"x = 1\n# caf\xe9\n" + (file := hw08()).read_bytes()
     utf16, declared = latin.decode("latin-1").encode("utf-16"), b"# coding: latin-1\n" + latin
     for text, line in (latin, "line 2: a "), (utf16, "line 1: a "), (declared, ""):
@@ -97,7 +97,7 @@ def test_what_a_call_does_wrong_is_said_at_once_and_costs_its_points_alone(hw08,
     assert result.status == "graded" and 0 < result.score < 10
 
 
-def test_a_number_of_results_is_compared_and_not_unpacked(desk, tam570, solution_text):
+def test_a_number_of_results_is_compared_and_not_unpacked(desk, tam570, in_process, solution_text):
     text = solution_text("hw07_double_pendulum") + "\n\ndef on_the_fly(*a, **k):\n    return np.zeros(3)\n"
     (desk / "hw07.py").write_text(text)
     said = tam570("check", "hw07.py")[1]
@@ -105,7 +105,7 @@ def test_a_number_of_results_is_compared_and_not_unpacked(desk, tam570, solution
 
 
 @pytest.mark.parametrize("above", first(1, INTEGRATORS))
-def test_what_is_off_limits_in_one_function_may_be_used_in_the_others(desk, tam570, solution_text, above):
+def test_what_is_off_limits_in_one_function_may_be_used_in_the_others(desk, tam570, in_process, solution_text, above):
     text = f"{solution_text('hw02_ballistics')}\n\n{above}\nkept = trajectory\n\ndef trajectory(*args, **how):\n"
     (desk / "hw02.py").write_text(f"{text}    {INTEGRATORS[above]}\n    return kept(*args, **how)\n")
     code, said = tam570("check", "hw02.py")
@@ -140,7 +140,7 @@ def test_nothing_beside_the_work_has_a_say(hw08, tam570, tests):
     assert code == 1 and f"of {TESTS} tests pass" in said and "next: rotate" in said
 
 
-def test_a_test_of_ones_own_is_run_beside_the_released_ones(hw08, tam570):
+def test_a_test_of_ones_own_is_run_beside_the_released_ones(hw08, tam570, in_process):
     file = hw08()
     mine = "import hw08_axis_angle as hw\n\ndef test_mine():\n    assert hw.skew([1.0, 0.0, 0.0])[2][1] == 3\n"
     (file.parent / f"test_{file.name}").write_text(mine)
@@ -154,7 +154,7 @@ def test_two_numbers_that_differ_are_written_differently_and_real_ones_as_real(a
     assert [gives.rpartition(" ")[2][:14], is_right] == numbers
 
 
-def test_a_function_that_agrees_with_no_wrong_one_is_right_all_the_same(hw08, tam570):
+def test_a_function_that_agrees_with_no_wrong_one_is_right_all_the_same(hw08, tam570, in_process):
     hw08("def rotation_matrix(axis, angle):\n    return np.eye(3)\n")
     code, said = tam570("check")
     failure = said.partition("- rotate agrees with the matrix")[2].partition("\n- ")[0]
@@ -172,7 +172,7 @@ def test_a_mistake_has_numbers_where_the_student_has_and_not_the_right_ones():
     assert not mistake(3.0, {"0": None, "1": [fingerprint(3.0)]}) and not mistake(2.0, {"1": [fingerprint(2 + 1e-9)]})
 
 
-def test_one_function_is_tested_alone(hw08, tam570):
+def test_one_function_is_tested_alone(hw08, tam570, in_process):
     hw08("def rotate(r, axis, angle):\n    return 2 * np.asarray(r)\n")
     assert tam570("check", "hw08", "skew")[0] == 0
     code, said = tam570("check", "hw08", "rotate")

@@ -31,10 +31,8 @@ WRONG_MOMENT = """
 
 kept, kept_rate = moment, rate
 
-
 def moment(*args, **how):
     return -kept(*args, **how)
-
 
 def rate(definition, r_p, v_p, a_p, r_c, v_c, a_c, **how):
     moments = [each(r_p, a_p, r_c, **how) for each in (moment, kept)]
@@ -42,7 +40,7 @@ def rate(definition, r_p, v_p, a_p, r_c, v_c, a_c, **how):
 """
 
 
-def test_what_follows_from_a_mistake_in_another_function_is_no_mistake(desk, tam570, solution_text):
+def test_what_follows_from_a_mistake_in_another_function_is_no_mistake(desk, tam570, in_process, solution_text):
     slug = "hw03_angular_momentum_rate"
     (desk / f"{slug}.py").write_text(solution_text(slug) + WRONG_MOMENT)
     _, said = tam570("check", f"{slug}.py")
@@ -52,7 +50,7 @@ def test_what_follows_from_a_mistake_in_another_function_is_no_mistake(desk, tam
 
 
 @pytest.mark.parametrize(("slug", "name", "body", "remedy"), first(5, NAMED))
-def test_a_known_mistake_is_named(desk, tam570, solution_text, slug, name, body, remedy):
+def test_a_known_mistake_is_named(desk, tam570, in_process, solution_text, slug, name, body, remedy):
     arguments = {"rotation_matrix": "axis, angle", "contact_inertia": "phi, **how"}.get(name, "*args, **how")
     changed = f"\n\nkept = {name}\n\n\ndef {name}({arguments}):\n    return {body}\n"
     (desk / f"{slug}.py").write_text(solution_text(slug) + changed)
@@ -61,7 +59,7 @@ def test_a_known_mistake_is_named(desk, tam570, solution_text, slug, name, body,
 
 
 @pytest.mark.parametrize("above", first(1, CALLS))
-def test_loose_tolerances_are_named(desk, tam570, solution_text, above):
+def test_loose_tolerances_are_named(desk, tam570, in_process, solution_text, above):
     text = f"{solution_text('hw01_simple_pendulum')}\n\n{above}\n{CARELESS.format(call=CALLS[above])}"
     (desk / "hw01.py").write_text(text)
     said = " ".join(tam570("check", "hw01.py")[1].split())

@@ -44,14 +44,14 @@ def test_the_visible_tests_pass_on_the_solution_and_fail_on_the_stub(desk, slug,
 
 
 @pytest.mark.parametrize("path", first(1, RIGHT), ids=[f"{path.parents[1].name[:4]}-{path.stem}" for path in RIGHT])
-def test_the_visible_tests_pass_on_right_answers_in_other_styles(desk, tam570, path):
+def test_the_visible_tests_pass_on_right_answers_in_other_styles(desk, tam570, in_process, path):
     shutil.copy(path, desk / f"{path.parents[1].name}.py")
     code, said = tam570("check", desk / f"{path.parents[1].name}.py")
     assert code == 0, said
 
 
 @pytest.mark.parametrize("slug", first(1, SLUGS))
-def test_the_visible_tests_take_any_numbers_and_give_arrays(desk, tam570, slug, course):
+def test_the_visible_tests_take_any_numbers_and_give_arrays(desk, tam570, in_process, slug, course):
     """SymPy's numbers and arrays of them are right results; only hw09's steps come as a list, and pairs as tuples."""
     name = f"{slug}.py"
     (desk / name).write_text(EXACT.format(solution=str(course / "solutions" / name)))
