@@ -7,7 +7,6 @@ time, or with an exact answer. The same call is made again: no answer depends on
 
 import bisect
 import cmath
-import copy
 import dataclasses
 import functools
 import itertools
@@ -17,13 +16,15 @@ import pickle
 import numpy as np
 import pytest
 from parameters import first
+from scipy import signal
 from scipy.integrate import solve_ivp
-from scipy.interpolate import CubicSpline, interp1d
+from scipy.interpolate import CubicSpline, RegularGridInterpolator, interp1d
 
 from tam570.integrate import solve
 
 RTOL, G, EDGE = 1e-9, 9.81, [1.0, 1.01]
 HAT = interp1d([0, 1, 1.0001, 1.0099, 1.01, 9], [0, 0, 1, 1, 0, 0])
+LINE = RegularGridInterpolator((HAT.x,), HAT.y)
 TOOTHED = CubicSpline(np.arange(41) / 10, np.arange(41) == 25)
 
 
@@ -134,7 +135,6 @@ JUMPS = {
         lambda t, y: (1.0 if math.cos(40 * t) > 0.99999 else 0.0,), (0, 2), [0.0], exact=[25 * math.acos(0.99999) / 40]
     ),
     "step": forced(lambda t: 1.0 if t > 1 else 0.0, (0, 3), stops=(1,)),
-    "short": forced(lambda t: 20.0 if 1 <= t <= 1.05 else 0.0, (0, 6), stops=(1, 1.05)),
     "very short": forced(lambda t: 1e4 if abs(t - 2.5) < 5e-5 else 0.0, (0, 6), stops=(2.49995, 2.50005)),
     "square wave": forced(lambda t: 1.0 if t % 2 < 1 else -1.0, (0, 4.5), [0.3, 0.0], stops=(1, 2, 3, 4)),
     "a wave that begins with rest": forced(lambda t: 1 if math.sin(t) > 0 else -1, (0, 4.5), [1, 0], stops=(math.pi,)),
@@ -142,7 +142,6 @@ JUMPS = {
     "by a shift": forced(lambda t: 3.0 if (t - 1.3) * 2 > 1 else 0.0, (0, 3), [1.0, 0.0], stops=(1.8,)),
     "where in time": forced(lambda t: float(np.where(t < 2, 1.0, -1.0)), (0, 4), [1.0, 0.0], stops=(2,)),
     "heaviside": forced(lambda t: np.heaviside(t - 2.2, 0.5), (0, 4), [1.0, 0.0], stops=(2.2,)),
-    "two heavisides": forced(lambda t: np.heaviside(t - 1, 0.5) * np.heaviside(2 - t, 0.5), (0, 4), stops=(1, 2)),
     "sign": forced(lambda t: np.sign(t - 2.2), (0, 4), [1.0, 0.0], stops=(2.2,)),
     "floor": forced(lambda t: math.floor(2 * t) % 3, (0, 2.9), [1.0, 0.0], stops=HALVES[:5]),
     "int": forced(lambda t: (1.0, -2.0, 3.0)[int(t) % 3], (0, 3.5), [1.0, 0.0], stops=(1, 2, 3)),
@@ -204,7 +203,6 @@ def clock_in_the_state(t, y):
 PASSED = {
     "narrow well": passing(lambda x: -50 * (x - 5) * math.exp(-(((x - 5) / 0.02) ** 2))),
     "bump": passing(lambda x: 5 * math.exp(-(((x - 5) / 0.02) ** 2))),
-    "wide bump": passing(lambda x: 5 * math.exp(-(((x - 3) / 0.3) ** 2))),
     "window": passing(lambda x: 2 * (math.tanh((x - 3) / 0.01) - math.tanh((x - 3.1) / 0.01))),
     "sech": passing(lambda x: 4 / math.cosh((x - 4) / 0.02) ** 2),
     "edge by erf": passing(lambda x: math.erf((x - 4) / 0.02) + 1),
@@ -282,7 +280,6 @@ OSCILLATORS = {
     "counting": counting,
     "eval": lambda t, y: (y[1], eval("-y[0]")),
     "nan_to_num": lambda t, y: np.nan_to_num(np.array([y[1], -y[0]])),
-    "deep copy": lambda t, y: (copy.deepcopy(y)[1], -copy.deepcopy(y)[0]),
     "pickle": lambda t, y: (pickle.loads(pickle.dumps(y))[1], -y[0]),
     "array, then list": lambda t, y: np.array([y[1], -y[0]]) if t < 0.7 else [y[1], -y[0]],
     "type": lambda t, y: (y[1], -y[0]) if type(y[0]) in (float, np.float64) else (0.0, 0.0),
@@ -427,7 +424,6 @@ WINDOWS = {
     "sine": (lambda x: math.sin(x) > math.cos(0.01), 0.02, 0.01),
     "product": (lambda x: 1.0 < x * x < 1.0201, 0.01, 0.005),
     "logical_and": (lambda x: np.logical_and(x > 1, x < 1.01), 0.01, 0.005),
-    "product of truths": (lambda x: (x > 1) * (x < 1.01), 0.01, 0.005),
     "hypot": (lambda x: math.hypot(x - 1, 0.003) < 0.005, 0.008, 0.004),
     "floor": (lambda x: math.floor(100 * x) == 100, 0.01, 0.005),
     "round": (lambda x: round(20 * x) == 20, 0.05, 0.025),
@@ -452,6 +448,10 @@ WINDOWS = {
     "numpy.angle": (lambda x: math.atan2(1, 0.01) < np.angle(1j + (x - 1)) < math.pi / 2, 0.01, 0.005),
     "cmath": (lambda x: math.atan2(1, 0.01) < cmath.phase(x - 1 + 1j) < math.pi / 2, 0.01, 0.005),
     "view": (lambda x: 1 < np.array([0.0, x]).view(complex)[0].imag < 1.01, 0.01, 0.005),
+    "lru_cache": (functools.lru_cache(lambda x: 1 < x < 1.01), 0.01, 0.005),
+    "vectorize": (np.vectorize(lambda x: 1.0 if 1 < x < 1.01 else 0.0), 0.01, 0.005),
+    "grid": (lambda x: LINE([x])[0], 0.0099, None),
+    "signal.square": (lambda x: signal.square(x - 1, duty=0.01 / math.tau) > 0, 0.01, 0.005),
     "a tooth of a spline": (lambda x: float(TOOTHED(x)), TOOTHED.integrate(0, 3), None),
 }
 
@@ -633,10 +633,10 @@ REFUSED = {  # rates, times, start, words, and the error if it is no ArithmeticE
     "a masked start": (Oscillator(1.0), (0, 1), np.ma.array([1.0, 0.0], mask=[0, 1]), "^y0.*masked", ValueError),
     "masked rates": (lambda t, y: np.ma.masked_less([y[1], -y[0]], -0.5), (0, 3), [1.0, 0.0], "masked", ValueError),
     "no rate later": (lambda t, y: (None if t > 0.5 else 1.0,), (0, 1), [0.0], "None", ValueError),
+    "a wall far from zero": (wall(1e8), (1e9, 1e9 + 2), [1.0, -1.0], "rounding of time"),
     "a clock without digits": (lambda t, y: (math.sin(3 * t),), (1.7e9, 1.7e9 + 9), [0.0], "^t: .*rounded", ValueError),
     "a generator": (lambda t, y: (-v for v in y), (0, 1), [1.0], "generator", ValueError),
     "a blow from rest": (struck(1e-10), (0, 3), [0.0, 0.0], "pulse"),
-    "a shorter blow from rest": (struck(1e-12), (0, 3), [0.0, 0.0], "pulse"),
     "a brief pulse": (lambda t, y: (math.exp(-((t - 2.2) ** 2) * 1e20) * 1e10,), (0, 5), [1.0], "rounding of time"),
     "a brief tooth": (lambda t, y: (max(0, 1e10 - 1e20 * abs(t - 2.2)),), (0, 5), [1.0], "rounding of time"),
     "one rate of seven digits": (lambda t, y: (y[1], -np.float32(y[0])), (0, 3), [1.0, 0.0], "no float32"),

@@ -252,6 +252,8 @@ def _give_up(run: Run, last: State) -> NoReturn:
     if own_error is not None and not isinstance(own_error, ArithmeticError):
         own_error.add_note(f"solve: rhs raises this beyond t = {engine.sign * t:.17g}, y = {list(last.y)}")
         raise own_error
+    if abs(t) > FAR * float(run.since[-1]):  # it lacks the digits that a step needs
+        raise blur(engine.sign * t, last.y)
     raise ArithmeticError(f"no step is short enough {where}: {_cause(run, last)}")
 
 

@@ -79,10 +79,8 @@ def advance(
     generated : functions, as GENERATED names them; times : since `origin`; state : a `State`, as returned
     longest   : s, of a step
     """
-    (step, cross, error_norms, roundoff, lesser, reach, bends, passed, dense, at), end = (
-        generated,
-        times[len(times) - 1],
-    )
+    step, cross, error_norms, roundoff, lesser, reach, bends, passed, dense, at = generated
+    end = times[len(times) - 1]
     row, t, h, y, r, f, a, b, measured, growth, refused, steps, refusals, halt, pace = state
     suspicious = SUSPICIOUS * rtol**1.25  # of errors in units of the tolerance
     while row < len(times) and budget > 0 and halt == RUNNING:

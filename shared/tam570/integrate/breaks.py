@@ -34,9 +34,8 @@ def breaks_of(graph: Graph, start: float, end: float) -> tuple[float, ...]:
         if line := _affine(symbol, affine):
             affine[symbol.number] = line
             continue
-        is_multiple = len(operands) == 1 and (
-            symbol.name == "*" or (symbol.name == "/" and symbol.arguments[0] is operands[0])
-        )
+        is_over = symbol.name == "/" and symbol.arguments[0] is operands[0]
+        is_multiple = len(operands) == 1 and (symbol.name == "*" or is_over)
         if symbol.name not in TAME and not is_multiple and symbol.name not in ("+", "-", "neg"):
             arguments |= {a.number: a for a in operands}
     lines = [line for number, line in affine.items() if number in arguments]

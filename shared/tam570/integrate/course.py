@@ -37,6 +37,7 @@ class Course(Tape):
     slots      : of each operation and each constant the value, at m points or the same at all; the first are t and y
     operations : slot, function and slots of its operands
     seen       : slots of what it decides by; saturating : of the arguments of exp, tanh and their like;
+    opaque     : a function that it calls and that nobody can look into, which may jump between the points; or nothing
     denominators : of what has a pole where it is zero; lines : of what is affine in time alone; is_line : of the seen
     """
 
@@ -47,6 +48,7 @@ class Course(Tape):
         self.saturating: list[int] = []
         self.denominators: list[int] = []
         self.lines = {0}
+        self.opaque = ""
 
     def values(self, x: Symbol) -> Numbers:
         return self.slots[x.number]
@@ -83,6 +85,8 @@ class Course(Tape):
         return result
 
     def method(self, name: str) -> Function:
+        if name in ("item", "tolist"):
+            return lambda x: x
         function: Function | None = None if name.startswith("_") else getattr(np, name, None)
         if not callable(function):
             raise AttributeError(name)
@@ -142,6 +146,14 @@ def _sign(x: Numbers) -> float:
     return float(x.tape.sign(x) if isinstance(x, Symbol) else np.sign(x))
 
 
+def _holds(test: Function, x: Numbers) -> bool:
+    """Return whether it does at the start; note where it changes."""
+    if not isinstance(x, Symbol):
+        return bool(test(x))
+    course: Numbers = x.tape
+    return float(course.sign(course.record(lambda values: np.where(test(values), 1.0, -1.0), x))) > 0
+
+
 def _recorded(part: Function, x: Numbers) -> Numbers:
     """Return a part of a complex number, known or not."""
     if not isinstance(x, Symbol):
@@ -171,9 +183,10 @@ DECIDING: dict[str, Function] = {
         abs(a - b) <= max(rel_tol * max(abs(a), abs(b)), abs_tol)
     ),
     "math.remainder": lambda x, period: x - round(x / period) * period,
-    "isfinite": lambda x: True,
-    **dict.fromkeys(("isnan", "isinf"), lambda x: False),
-    "nan_to_num": lambda x: x,
+    **{test.__name__: functools.partial(_holds, test) for test in (np.isfinite, np.isnan, np.isinf)},
+    "nan_to_num": lambda x: 0.0 if _holds(np.isnan, x) else x,
+    **{"less": operator.lt, "less_equal": operator.le, "greater": operator.gt, "greater_equal": operator.ge},
+    **{"equal": operator.eq, "not_equal": operator.ne, "signbit": lambda x: _sign(x) < 0},
     **{part.__name__: functools.partial(_recorded, part) for part in (np.real, np.imag, np.angle)},
     "phase": functools.partial(_recorded, np.angle),
 }
@@ -284,7 +297,11 @@ def _point_by_point(
     tape: Course, function: Function, symbols: list[Symbol], arguments: Numbers, keywords: Numbers
 ) -> Symbol:
     """Return what a function makes of symbols that nobody can look into: of tables the entries are seen."""
-    for table in (*filter(_is_table, arguments), *_tables_of(function)):
+    tables = [*filter(_is_table, arguments), *_tables_of(function)]
+    package = (getattr(function, "__module__", "") or "").partition(".")[0]
+    if not (tables or isinstance(function, np.ufunc) or package in ("math", "numpy")):
+        tape.opaque = getattr(function, "__name__", type(function).__name__)
+    for table in tables:
         for symbol in symbols:
             tape.note_table(symbol, table)
     call = _replaced((arguments, tuple(keywords.values())), lambda symbol: symbol)  # the function may change them later
@@ -328,7 +345,8 @@ def _tables_of(function: Function) -> list[Numbers]:
     """Return the tables that an object keeps, such as an interpolant of SciPy's."""
     if isinstance(function, types.FunctionType | types.BuiltinFunctionType | np.ufunc | type):
         return []
-    tables = [getattr(function, name, None) for name in dir(function) if name[0] != "_"]
+    members = [getattr(function, name, None) for name in dir(function) if name[0] != "_"]
+    tables = [table for member in members for table in (member if isinstance(member, tuple) else (member,))]
     return [table for table in tables if isinstance(table, np.ndarray) and _is_table(table)]
 
 
@@ -340,6 +358,11 @@ def _substitute(value: Numbers) -> Numbers:
         return value if value.__module__ == "builtins" else _lifted(value)
     if isinstance(value, types.FunctionType):
         return _lifted(value) if _is_foreign(value) else value
+    if isinstance(value, functools._lru_cache_wrapper):
+        return substituted(value.__wrapped__, _substitute, STAND_INS)
+    if isinstance(value, np.vectorize):
+        by_component = substituted(value.pyfunc, _substitute, STAND_INS)
+        return lambda *arguments: np.frompyfunc(by_component, len(arguments), 1)(*arguments)
     if isinstance(value, type):
         return TYPES.get(value, value)
     if isinstance(value, functools.partial) or not callable(value):

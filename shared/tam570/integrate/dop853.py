@@ -405,11 +405,8 @@ def compiled(formulas: Formulas, sampled: bool, called_function: Function | None
         exec(_code(rounding, formulas), namespace)  # most runs need none
         return namespace["roundoff"](*inputs)
 
-    unneeded = {
-        "passed": None,
-        **({} if formulas.exponents else {"reach": None}),
-        **({} if formulas.bends else {"bends": None}),
-    }
+    needed = {"passed": False, "reach": formulas.exponents, "bends": formulas.bends}
+    unneeded = {name: None for name, is_needed in needed.items() if not is_needed}
     return {**namespace, "rhs": rhs, "roundoff": roundoff, **unneeded}
 
 

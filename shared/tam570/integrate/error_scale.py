@@ -38,14 +38,7 @@ def error_scale(
 
 
 def _driven_sizes(
-    rhs: Rates,
-    t: float,
-    h: float,
-    y: Sequence[float],
-    f: Sequence[float],
-    own_sizes: list[float],
-    c: Numbers,
-    later: Numbers,
+    rhs: Rates, t: float, h: float, y: Numbers, f: Numbers, own_sizes: list[float], c: Numbers, later: Numbers
 ) -> list[float]:
     """Return the sizes, those of zero replaced where the others or the time move them."""
     moved = _moved_by(rhs, t, h, y, f, own_sizes, c)
@@ -92,14 +85,7 @@ def _spread(
 
 
 def _moved_by(
-    rhs: Rates,
-    t: float,
-    duration: float,
-    y: Sequence[float],
-    f: Sequence[float],
-    sizes: Sequence[float],
-    c: Numbers,
-    part: float = PART,
+    rhs: Rates, t: float, duration: float, y: Numbers, f: Numbers, sizes: Numbers, c: Numbers, part: float = PART
 ) -> list[float]:
     """To what each is moved within so many s when all change by their sizes, in proportion to a part of these."""
     changed = [v + part * size * _sign(i) for i, (v, size) in enumerate(zip(y, sizes, strict=True))]

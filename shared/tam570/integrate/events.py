@@ -293,7 +293,7 @@ def _report(engine: Engine, solution: adaptive.Solution, control: adaptive.Contr
     """Return how the run went that ended with this state."""
     last, name = solution.last, solution.engine
     evaluations = 12 * (last.steps + last.refusals) if name == "Python" else None
-    unseen = engine.switches.reason if engine.switches else ""
+    unseen = engine.switches.unseen_reason if engine.switches else ""
     return Report(name, engine.untraced_reason, unseen, last.steps, last.refusals, evaluations, np.array(last.a))
 
 

@@ -168,10 +168,8 @@ def is_same(rates: Rates, written: Function, constants: tuple[float, ...], times
     """
     size = len(y0)
     for trial in range(3):
-        t, away = (
-            float(times[-1 if trial % 2 else 0]),
-            np.sin(np.arange(1, size + 1) * (trial + 1.0) ** 2) * (trial > 0),
-        )
+        t = float(times[-1 if trial % 2 else 0])
+        away = np.sin(np.arange(1, size + 1) * (trial + 1.0) ** 2) * (trial > 0)
         for part in (0.3, 0.01, 1e-4):
             y = y0 + part * away * (1 + np.abs(y0))
             try:

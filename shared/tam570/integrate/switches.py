@@ -49,7 +49,7 @@ DIFFERENCES = np.column_stack([DIFFERENCES, (POINTS - 1) * np.r_[np.zeros(POINTS
 class Switches:
     """What is known of the switches of one right-hand side along a run.
 
-    reason : why nothing can be seen of them; empty if it can
+    reason : why nothing can be seen of them; opaque : a function in which some may be; empty if there is none
     """
 
     def __init__(self, rates: Rates, size: int, span: float, sign: float) -> None:
@@ -60,7 +60,7 @@ class Switches:
     def begin(self, rtol: float) -> None:
         """Forget the run before."""
         self.same = SAME * rtol
-        self.reason = ""
+        self.reason = self.opaque = ""
         self.is_smooth = False  # whether it decides nothing
         self.time, self.distance = math.nan, math.inf  # from the end of the last step to the next switch
         self.expected = -math.inf  # when that is passed
@@ -78,9 +78,13 @@ class Switches:
 
     def reach(self, start: float, h: float, y: Numbers, f: Numbers, c: Numbers) -> float:
         """Return the longest step from here that ends before the next switch, as far as it is known."""
-        if self.reason:
-            return self.span / UNSEEN
-        return self.distance if abs(start - self.time) <= 4 * EPS * abs(start) else math.inf
+        distance = self.distance if abs(start - self.time) <= 4 * EPS * abs(start) else math.inf
+        return min(distance, self.span / UNSEEN) if self.unseen_reason else distance
+
+    @property
+    def unseen_reason(self) -> str:
+        """Why steps are at most a thousandth of the run."""
+        return self.reason or self.opaque and f"nobody can see where {self.opaque} switches"
 
     def passed(
         self,
@@ -112,7 +116,9 @@ class Switches:
                 self.leaving = self._leave(start, h, shortest, *path)
         except Exception as reason:  # whatever it says to courses, it then gets numbers alone
             self.reason = f"{type(reason).__name__}: {reason}"
-            return math.inf
+            part, ahead, is_exact = math.inf, math.inf, False
+        if self.unseen_reason and 2.0 * self.span / UNSEEN < min(part, 1.0) * h:
+            return self.span / UNSEEN
         shortest = max(shortest, self.leaving)
         is_at_switch = h <= 2.0 * shortest
         self.leaving *= error > 1.0
@@ -200,7 +206,7 @@ class Switches:
             self.decisions = self.profile(t, path)
             seen, saturating = self.decisions.evaluate(t, path)
             rows = np.array(seen).reshape(-1, len(x))
-            self.signs = _signs(rows)
+            self.signs, self.opaque = _signs(rows), self.opaque or self.decisions.opaque
             positive = self.signs * rows
             self.is_smooth = not seen and not saturating
         self.is_line = self.decisions.is_line if x is X else self.is_line

@@ -99,14 +99,7 @@ def watch_for_end(
     """
     before, stiff_looks, idle_looks, blurred_looks, crawling_looks = (0.0, 0, 0), 0, 0, 0, 0
 
-    def look(
-        t: float,
-        y: Sequence[float],
-        m: Callable[[], Sequence[float]],
-        steps: int,
-        refusals: int,
-        by_rounding: bool = False,
-    ) -> None:
+    def look(t: float, y: Numbers, m: Function, steps: int, refusals: int, by_rounding: bool = False) -> None:
         nonlocal before, stiff_looks, idle_looks, blurred_looks, crawling_looks
         moved, accepted, refused = t - before[0], steps - before[1], refusals - before[2]
         tried = accepted + refused
@@ -140,8 +133,7 @@ def chatter(t: float, y: Sequence[float]) -> ArithmeticError:
     """Return the error of a motion that stays where the rates jump."""
     return ArithmeticError(
         f"the rates jump to and fro at t = {t:.9g}, y = {list(y)}: the motion stays where they jump, or are infinitely "
-        "steep. Friction that "
-        "holds a body at rest has no rate there: stop at an event, or smooth the jump"
+        "steep. Friction that holds a body at rest has no rate there: stop at an event, or smooth the jump"
     )
 
 
@@ -149,7 +141,7 @@ def blur(t: float, y: Sequence[float]) -> ArithmeticError:
     """Return the error of a motion whose rates are not computed to as many digits as its steps need."""
     return ArithmeticError(
         f"the rates near t = {t:.9g}, y = {list(y)} change by more than rtol allows within the rounding of time and "
-        "state: at a short pulse, at a stiff wall, or where they become infinite. Count time from the pulse, lengths "
+        "state: at a short pulse, at a stiff wall, or where they become infinite. Count time from there, lengths "
         "from the wall; or give a larger rtol"
     )
 
