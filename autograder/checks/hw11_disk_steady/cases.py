@@ -108,7 +108,7 @@ def tracks_of_any_sign(rng):
     label = "a long roller whose contact lies beyond the centre of the circle"
     beyond = [still.replace(sign * lean, sign * track).labelled(label) for sign in (1, -1)]
     disk, lean = a_disk(rng, COIN), rng.uniform(0.2, 1.2)
-    track = reference.smallest_track(lean, **disk) + disk["radius"] * rng.uniform(0.3, 0.6)
+    track = disk["radius"] * math.sin(lean) * rng.uniform(0.9, 0.97)  # G lies beyond the centre; the smallest is 5/6
     small, flat = Case(lean, track, **disk).labelled(COIN), a_disk(rng, UNIFORM)
     steep = [
         Case(lean, reference.smallest_track(lean, **flat) + flat["radius"], **flat).labelled(STEEP)
