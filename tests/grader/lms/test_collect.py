@@ -111,7 +111,7 @@ SPOILT = [
 def test_what_cannot_be_placed_is_named_and_the_code_is_1(desk, download, name, data, words):
     code, said = download("canvas", {"adamsann_17_5_hw08.py": "a", name: data}, ROSTER)
     assert code == 1 and words in said and desk.collected["aadams"] == "a" and "cchen" not in desk.collected
-    assert ("handed in nothing: bbrown\n" in said) == ("chency" in str(name)), "it is not true of cchen"
+    assert ("handed in nothing: bbrown" in said) == ("chency" in str(name)), "it is not true of cchen"
 
 
 @pytest.mark.parametrize(
