@@ -9,7 +9,15 @@ from pathlib import Path
 from tam570_grader.checks.assignments import other_functions
 from tam570_grader.checks.case import Call
 from tam570_grader.diagnosis.cause import Cause
-from tam570_grader.diagnosis.mistakes import candidates, explains, named_mistake, right_answer, same, tolerance_of
+from tam570_grader.diagnosis.mistakes import (
+    candidates,
+    explains,
+    is_motion,
+    named_mistake,
+    right_answer,
+    same,
+    tolerance_of,
+)
 from tam570_grader.diagnosis.search import KINDS, general, wrong_arguments
 
 
@@ -84,7 +92,8 @@ def follows(solution: str, calls: Sequence[Call], earlier: Iterable[Cause]) -> C
 
 def is_refuted(cause: Cause, passing: Iterable[Call]) -> bool:
     """Return whether most results of the same function that are right would be wrong by this cause."""
-    calls = [call for call in passing if call.name == cause.function and call.result is not None]
+    its_calls = (call for call in passing if call.name == cause.function and call.result is not None)
+    calls = [call for call in its_calls if not is_motion(call)]
     agreeing = [any(same(call.result, answer(call), tolerance_of(call)) for answer in cause.answers) for call in calls]
     return bool(cause.answers) and 2 * sum(agreeing) < len(calls)
 

@@ -7,7 +7,6 @@ from collections.abc import Callable, Container, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import partial
-from itertools import filterfalse
 from types import SimpleNamespace
 
 import numpy as np
@@ -227,7 +226,7 @@ def _cause(run: _Run, check: Check, failed: Failed) -> tuple[Cause | None, str]:
             following = follows(solution, calls, earlier)
             own_source = None if following else _own_source(run, failed)
             cause = following or own_source or search()
-            if cause and not (following or own_source) and is_refuted(cause, filterfalse(is_motion, run.passing)):
+            if cause and not (following or own_source) and is_refuted(cause, run.passing):
                 cause = None
             pairs = {(before.function, before.follows_from) for before in run.causes.values()}
             is_new = cause and (cause.function, cause.follows_from) not in pairs

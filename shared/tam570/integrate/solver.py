@@ -6,10 +6,10 @@ rtol, atol
     case is allowed; 1e-14 gets all the digits that rounding leaves.
 method
     "auto" is "python" or "compiled" (by llvmlite, if it is installed): it counts its steps in Python, and starts again
-    in compiled code where so many are left that compiling repays. The same call gives the same bits, whatever ran
-    before. Two run at a fixed step, for long runs of conservative systems: "gauss" (Gauss-Legendre, order 12) and
-    "composition" (order 8, y0 = (q, v), q' of v, v' of q). They also reach the last digits of a hundred periods, where
-    the others' energy drifts.
+    in compiled code where so many are left that compiling repays. With events or dense it is always Python. The same
+    call gives the same bits, whatever ran before. Two run at a fixed step, for long runs of conservative systems:
+    "gauss" (Gauss-Legendre, order 12) and "composition" (order 8, y0 = (q, v), q' of v, v' of q). They also reach the
+    last digits of a hundred periods, where the others' energy drifts.
 events
     event.direction > 0 asks for zeros from below, < 0 from above. event.terminal = True ends the run at the first,
     n at the n-th. A zero at the start is none. A `Motion` has t and states up to a terminal event, events, at, report.
