@@ -98,7 +98,7 @@ def run(source: Path, system: str, out: Path, slugs: Sequence[str], slug_given: 
     _warn(troubles)
     for line in replaced:
         say(line)
-    _say(rows, out, everyone, slug, owns_all=not strays and all(row.person for row in rows))
+    _say(rows, out, everyone, slug, all_matched=not strays and all(row.person for row in rows))
     return 1 if troubles else 0
 
 
@@ -298,7 +298,7 @@ def _newer_notebooks(rows: Iterable[Taken], out: Path) -> Iterator[tuple[str, st
             yield row.student, f"{row.handed.file.path} of {row.student} is newer than {counts}, which counts: {remedy}"
 
 
-def _say(rows: Sequence[Taken], out: Path, everyone: Directory, slug: str, *, owns_all: bool) -> None:
+def _say(rows: Sequence[Taken], out: Path, everyone: Directory, slug: str, *, all_matched: bool) -> None:
     """Print how many were collected, how many late, whose time is unknown, and who on the roster handed in nothing."""
     work = [row for row in rows if form(row.target)]
     late = sum(row.handed.late for row in work)
@@ -309,5 +309,5 @@ def _say(rows: Sequence[Taken], out: Path, everyone: Directory, slug: str, *, ow
         say(f"the download does not tell when {counted(unknown, 'file')} came; --times adds it, for Moodle")
     absent = sorted({person.folder for person in everyone.people} - {row.student for row in rows})
     if absent:
-        nothing = "nothing" if owns_all else "nothing, or a file that fits no row"
+        nothing = "nothing" if all_matched else "nothing, or a file that fits no row"
         say(f"{len(absent)} on the roster handed in {nothing}: {', '.join(absent)}")
