@@ -23,11 +23,12 @@ COARSE = 0.125  # the same, to see that sizes are not so large that the rates ar
 LONG, SHORT = 4096.0, 1e-9  # times h: how long the others are given at most and at least
 CALM = 4.0  # times its size: what the others may do to a component with a size
 
-Rates = Callable[[float, Numbers, Numbers], Sequence[float]]
+Floats = Sequence[float]
+Rates = Callable[[float, Numbers, Numbers], Floats]
 
 
 def error_scale(
-    rhs: Rates, t: float, h: float, y: Sequence[float], f: Sequence[float], c: Numbers, later: Numbers = ()
+    rhs: Rates, t: float, h: float, y: Floats, f: Floats, c: Numbers, later: Numbers = ()
 ) -> tuple[float, ...]:
     """(k,) sizes at the start; `later` are times at which a force may set in."""
     own_sizes = [max(abs(value), _finite(h * rate)) for value, rate in zip(y, f, strict=True)]
@@ -38,7 +39,7 @@ def error_scale(
 
 
 def _driven_sizes(
-    rhs: Rates, t: float, h: float, y: Numbers, f: Numbers, own_sizes: list[float], c: Numbers, later: Numbers
+    rhs: Rates, t: float, h: float, y: Floats, f: Floats, own_sizes: list[float], c: Numbers, later: Numbers
 ) -> list[float]:
     """Return the sizes, those of zero replaced where the others or the time move them."""
     moved = _moved_by(rhs, t, h, y, f, own_sizes, c)
@@ -85,7 +86,7 @@ def _spread(
 
 
 def _moved_by(
-    rhs: Rates, t: float, duration: float, y: Numbers, f: Numbers, sizes: Numbers, c: Numbers, part: float = PART
+    rhs: Rates, t: float, duration: float, y: Floats, f: Floats, sizes: Floats, c: Numbers, part: float = PART
 ) -> list[float]:
     """To what each is moved within so many s when all change by their sizes, in proportion to a part of these."""
     changed = [v + part * size * _sign(i) for i, (v, size) in enumerate(zip(y, sizes, strict=True))]

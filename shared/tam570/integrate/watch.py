@@ -99,7 +99,14 @@ def watch_for_end(
     """
     before, stiff_looks, idle_looks, blurred_looks, crawling_looks = (0.0, 0, 0), 0, 0, 0, 0
 
-    def look(t: float, y: Numbers, m: Function, steps: int, refusals: int, by_rounding: bool = False) -> None:
+    def look(
+        t: float,
+        y: Sequence[float],
+        m: Callable[[], Sequence[float]],
+        steps: int,
+        refusals: int,
+        by_rounding: bool = False,
+    ) -> None:
         nonlocal before, stiff_looks, idle_looks, blurred_looks, crawling_looks
         moved, accepted, refused = t - before[0], steps - before[1], refusals - before[2]
         tried = accepted + refused
