@@ -155,12 +155,19 @@ def action_is_stationary_on_motions(student, rng):
     """its first variation vanishes on true motions, and on other paths it does not."""
     paths = cases.varied_paths(rng, SMALL)
     hint = "Is it the integral of T - V, by a quadrature of second order that counts both ends as it must?"
-    words = {"quantity": "the first variation", "unit": "J s/rad", "hint": hint, "near_miss_credit": False}
     results = student.action.each([case for both, _ in paths for case in both])
     for _, expected in paths:
         (case, high), (_, low) = next(results), next(results)
         size = math.prod(case.kwargs.values()) * case.args[1] * (len(case.args[0]) - 1)  # m g l times the duration
-        expect((high - low) / (2 * SMALL), expected, tolerance=VARIATION * size, **words)
+        expect(
+            (high - low) / (2 * SMALL),
+            expected,
+            tolerance=VARIATION * size,
+            quantity="the first variation",
+            unit="J s/rad",
+            hint=hint,
+            near_miss_credit=False,
+        )
 
 
 @check("action", points=0.5, after=action_is_stationary_on_motions)
@@ -252,8 +259,8 @@ def simulate_without_gravity(student, rng):
 def simulate_keeps_the_energy(student, rng):
     """the energy stays what it was over many periods."""
     hint = "Tighten rtol and atol; a step of fixed length does not do for every duration."
-    words = {"coarsely": COARSELY, "partial": LOSSES, "hint": hint}
-    check_conserved(student.simulate, reference, cases.many_periods(rng), KEPT, **words)
+    turns = cases.many_periods(rng)
+    check_conserved(student.simulate, reference, turns, KEPT, coarsely=COARSELY, partial=LOSSES, hint=hint)
 
 
 ASSIGNMENT = Assignment(

@@ -257,9 +257,18 @@ def both_paths_are_drawn(student, rng):
         return FollowsFrom(wrong_source()) if len(picture.lines) == 2 and own_paths() else ""
 
     curves = curves_seen(picture, 2, of_small)
-    words = {"others": others, "wrong_source": wrong_source, "own_paths": own_paths, "near_miss_credit": False}
     for line in curves:
-        path_drawn(line, path, tolerance=DRAWN, fewer=FEWER, quantity="a curve", **words)
+        path_drawn(
+            line,
+            path,
+            tolerance=DRAWN,
+            fewer=FEWER,
+            quantity="a curve",
+            others=others,
+            wrong_source=wrong_source,
+            own_paths=own_paths,
+            near_miss_credit=False,
+        )
     judge_axes_of_lengths(picture)
     judge_twins(student, case, curves)
 

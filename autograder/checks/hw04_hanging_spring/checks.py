@@ -226,8 +226,15 @@ def the_path_is_drawn(student, rng):
         for function in (student.simulate, student.solution):
             yield student.project.aside(Case(function.aside(Case(t, r, v, **case.kwargs))[:, :3], *view))
 
-    words = {"quantity": "the curve", "others": others, "own_paths": own_paths}
-    path_drawn(line, path, tolerance=DRAWN, wrong_source=lambda: wrong_motion() or wrong_picture(), **words)
+    path_drawn(
+        line,
+        path,
+        tolerance=DRAWN,
+        quantity="the curve",
+        others=others,
+        wrong_source=lambda: wrong_motion() or wrong_picture(),
+        own_paths=own_paths,
+    )
     judge_axes_of_lengths(picture, "right horizontal", "up vertical")
 
 

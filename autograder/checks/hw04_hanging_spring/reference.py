@@ -76,7 +76,9 @@ PUSHES = "You let the spring push. Its rest length is zero: it always pulls towa
 def free_body_diagram(state, mass, stiffness, gravity):
     """Of the mass."""
     point = np.asarray(state[:3], float)
-    spring = Force("the force of the spring", point, "the mass", -point, sense=True, acts=point.any(), reversed=PUSHES)
+    spring = Force(
+        "the force of the spring", point, "the mass", -point, sense=True, acts=bool(point.any()), reversed=PUSHES
+    )
     acceleration = -stiffness / mass * point - gravity * Z
     wrong = (NotAForce(INERTIAL, point, acceleration),)
     return FreeBody(

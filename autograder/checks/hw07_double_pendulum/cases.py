@@ -47,8 +47,8 @@ def _places(case):
 
 def _alike(case):
     equal = {name: np.full(2, case.kwargs[name][0]) for name in ("masses", "lengths")}
-    bars = {f"equal {name}": {name: value} for name, value in equal.items()} | {"equal bars": equal, "all 1": UNIT}
-    return [case.replace(**fixed).labelled(label) for label, fixed in bars.items()]
+    alike = [case.replace(**{name: value}).labelled(f"equal {name}") for name, value in equal.items()]
+    return [*alike, case.replace(**equal).labelled("equal bars"), case.replace(**UNIT).labelled("all 1")]
 
 
 def _rates(case):

@@ -244,8 +244,9 @@ def tip_path_is_drawn(student, rng):
         yield np.array([reference.wireframe(row[:2], lengths)[1, 1] for row in rows])
         yield np.array([student.wireframe.aside(Case(row[:2], lengths=lengths))[1, 1] for row in rows])
 
-    words = {"quantity": "the curve", "others": others, "wrong_source": wrong_source, "own_paths": own_paths}
-    path_drawn(line, tips, tolerance=DRAWN, **words)
+    path_drawn(
+        line, tips, tolerance=DRAWN, quantity="the curve", others=others, wrong_source=wrong_source, own_paths=own_paths
+    )
     judge_axes_of_lengths(picture)
 
 

@@ -170,8 +170,8 @@ def precessing(rng):
     ball = Case(random_omega(rng), inertia=np.full(3, rng.uniform(0.1, 10))).labelled("three equal inertias")
     wheel, *others = wheels(rng)
     for case in (wheel, *others, ball):
-        yield case.with_leading(uneven(rng, 40 / (np.linalg.norm(case.args[0]) or 1.0), 25))
-    t = uneven(rng, 3 / np.linalg.norm(wheel.args[0]), 2)
+        yield case.with_leading(uneven(rng, 40 / (math.hypot(*case.args[0]) or 1.0), 25))
+    t = uneven(rng, 3 / math.hypot(*wheel.args[0]), 2)
     for label, some in {"two times": slice(None), **SOME_TIMES}.items():
         yield wheel.with_leading(t[some]).labelled(f"{label}, {wheel.label}")
 

@@ -144,14 +144,16 @@ ROTATES = Invariant("R^T R", "", squares, absolute, INVARIANT)
 KEEPS_MOMENTUM = Invariant("H in space", "of its start", momenta, None, INVARIANT)
 KEEPS_ENERGY = Invariant("the energy", "of its start", energies, None, INVARIANT)
 SHARES = {1e-4: 0.5, 1e-2: 0.25}  # left for a drift
-FOLLOWED = {"tolerance": TRAJECTORY, "restart": restart}
-compare_motions = compare_with(reference.motion, by=compare_trajectory, **FOLLOWED)
+compare_motions = compare_with(reference.motion, by=compare_trajectory, tolerance=TRAJECTORY, restart=restart)
 
 
 @check("simulate", points=0.75)
 def omega_follows_elliptic_functions(student, rng):
     """omega against Jacobi's elliptic functions, on both sides of the separatrix."""
-    compare_trajectory(student.simulate, reference.tumble, cases.tumbles(rng), columns=[OMEGA], **FOLLOWED)
+    tumbles = cases.tumbles(rng)
+    compare_trajectory(
+        student.simulate, reference.tumble, tumbles, columns=[OMEGA], tolerance=TRAJECTORY, restart=restart
+    )
 
 
 @check("simulate", points=0.75)
@@ -287,10 +289,18 @@ def rim_paths_are_drawn(student, rng):
         pairs = zip(in_order(curves, student_paths[0]), student_paths, strict=True)
         return student_paths if all(follows_path(line, [path], DRAWN) for line, path in pairs) else []
 
-    words = {"others": others, "wrong_source": wrong_source, "own_paths": own_paths, "near_miss_credit": False}
     for line, path in zip(in_order(curves, paths[0]), paths, strict=True):
-        limits = {"tolerance": DRAWN * radius / np.ptp(path, axis=0).max(), "fewer": COARSELY / DRAWN}
-        path_drawn(line, path, **limits, quantity="a path", **words)
+        path_drawn(
+            line,
+            path,
+            tolerance=DRAWN * radius / np.ptp(path, axis=0).max(),
+            fewer=COARSELY / DRAWN,
+            quantity="a path",
+            others=others,
+            wrong_source=wrong_source,
+            own_paths=own_paths,
+            near_miss_credit=False,
+        )
     judge_axes_of_lengths(picture, *AXES, from_below=True)
 
 

@@ -72,10 +72,11 @@ def lagrangian_is_kinetic_less_potential(student, rng):
     calls = cases.symbols(rng)
     values = student.lagrangian.each([*(case.replace(x=0.0, v=0.0) for case in calls), *calls])
     levels = [level for _, level in islice(values, len(calls))]
-    words = {"quantity": "the Lagrangian", "unit": "J", "hint": "How fast is the bead along the wire, and how high?"}
+    hint = "How fast is the bead along the wire, and how high?"
     for level, (case, value) in zip(levels, values, strict=True):
         tolerance = FORMULA * (reference.energy(*case.kwargs.values()) or 1.0)
-        expect(value - level, reference.lagrangian(**case.kwargs), tolerance=tolerance, **words)
+        expected = reference.lagrangian(**case.kwargs)
+        expect(value - level, expected, tolerance=tolerance, quantity="the Lagrangian", unit="J", hint=hint)
 
 
 @check("lagrange_equation", points=1.5)
@@ -124,9 +125,8 @@ def force_has_the_right_size(student, rng):
     for case, force in student.constraint_force.each(cases.beads(rng) + cases.next_to_bottom(rng)):
         size = math.hypot(*reference.constraint_force(*case.args, **case.kwargs))
         tolerance = FORMULA * (size or 1.0)
-        words = {"quantity": "the size of the force", "unit": "N"}
         hint = partial(source_or, student, BEND, case, force)
-        expect(math.hypot(*force), size, tolerance=tolerance, hint=hint, **words)
+        expect(math.hypot(*force), size, tolerance=tolerance, quantity="the size of the force", unit="N", hint=hint)
 
 
 def of_direction(case, force, expected):

@@ -23,7 +23,7 @@ def figure(x=0.75, curvature=1.0, v=0.45):
     shown.axes((0, 0), 0.4)
     shown.line(np.column_stack([places, height]), "body")
     shown.label((places[0], height[0]), "y = c x²", by=(50, 10))
-    shown.line([bead, (x, 0)], "dash")
+    shown.line([bead, bead * [1, 0]], "dash")
     shown.dimension((0, 0), (x, 0), "x", aside=-24)
     shown.arrow(bead, bead + [v, 0], "v = dx/dt", by=(10, -15))
     slope = 2 * curvature * x

@@ -47,7 +47,7 @@ MOTION = (
     Column("phi", "rad", [0], turns=True, scale=rolled),
     Column("phi_dot", "rad/s", [1], scale=lambda case, states: cases.usual(case.kwargs) * rolled(case, states)),
 )
-SMALL = {"columns": (Column("phi", "rad", [0]), Column("phi_dot", "rad/s", [1])), "tolerance": ROCKING}
+ANGLES = (Column("phi", "rad", [0]), Column("phi_dot", "rad/s", [1]))
 RATES = OwnRates("acceleration", reference, lambda t, row: tuple(row))
 KEPT = Invariant(
     "the energy",
@@ -170,14 +170,15 @@ def simulate_needs_no_dense_times(student, rng):
 def simulate_rocks_at_the_linear_frequency(student, rng):
     """small rocking on level ground has the frequency of the linear equation."""
     hint = "Is the tolerance absolute, and too coarse for a small motion?"
-    compare_trajectory(student.simulate, reference.small_rocking, cases.small_rocking(rng), hint=hint, **SMALL)
+    motions = cases.small_rocking(rng)
+    compare_trajectory(student.simulate, reference.small_rocking, motions, ANGLES, tolerance=ROCKING, hint=hint)
 
 
 @check("simulate", points=0.25, part="b", after=simulate_rolls_and_rocks)
 def simulate_keeps_the_energy(student, rng):
     """the energy stays what it was over many turns."""
-    words = {"coarsely": COARSELY, "partial": SHARES, "hint": ANY_DURATION}
-    check_conserved(student.simulate, reference, cases.many_turns(rng), KEPT, **words)
+    turns = cases.many_turns(rng)
+    check_conserved(student.simulate, reference, turns, KEPT, coarsely=COARSELY, partial=SHARES, hint=ANY_DURATION)
 
 
 ASSIGNMENT = Assignment(

@@ -200,8 +200,10 @@ def euler_simulation_follows_the_motion(student, rng):
 @check("simulate_euler", points=0.5, part="b", after=euler_simulation_follows_the_motion)
 def euler_simulation_keeps_energy_and_two_integrals(student, rng):
     """over a long time the energy stays, and omega along e2 and e3 depends only on the tilt."""
-    conserved, words = (INTEGRALS, ENERGY_KEPT), {"coarsely": COARSELY, "partial": {1e-4: 0.5}}
-    check_conserved(student.simulate_euler, reference, cases.long_motion(rng), *conserved, **words)
+    motions, shares = cases.long_motion(rng), {1e-4: 0.5}
+    check_conserved(
+        student.simulate_euler, reference, motions, INTEGRALS, ENERGY_KEPT, coarsely=COARSELY, partial=shares
+    )
 
 
 @check("simulate_matrix", points=0.5, part="b")

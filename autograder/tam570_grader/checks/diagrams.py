@@ -18,9 +18,9 @@ from functools import partial
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tam570.values import Function, Json, Numbers
+from tam570.values import Json, Numbers
 from tam570_grader.checks.case import Case
-from tam570_grader.checks.compare import call_cases
+from tam570_grader.checks.compare import Reference, call_cases
 from tam570_grader.checks.expect import Failed, FollowsFrom, NotWritten, fail
 from tam570_grader.checks.figures import seen_from
 from tam570_grader.checks.returns import Arrow
@@ -125,7 +125,7 @@ def weight(point: ArrayLike, where: str, gravity: float, down: ArrayLike = (0.0,
 
 def compare_diagrams(
     function: StudentFunction,
-    reference: Function,
+    reference: Reference,
     cases: Iterable[Case],
     source: tuple[StudentFunction, Callable[[Case], FreeBody]] | None = None,
 ) -> None:
