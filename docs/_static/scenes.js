@@ -1,13 +1,13 @@
 "use strict";
-// A still gives way to its scene while that is near the screen, and comes back when it is left.
+// A still gives way to its scene, once that is loaded, while it is near the screen, and comes back when it is left.
 function play(figure) {
   if (figure.querySelector("iframe")) return;
   const frame = document.createElement("iframe");
   frame.src = figure.dataset.page;
   frame.title = `${figure.dataset.title}, a scene that plays`;
   frame.setAttribute("sandbox", "allow-scripts");
+  frame.addEventListener("load", () => figure.classList.add("playing"));
   figure.append(frame);
-  figure.classList.add("playing");
 }
 function stop(figure) {
   const frame = figure.querySelector("iframe");
