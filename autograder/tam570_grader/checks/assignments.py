@@ -11,16 +11,19 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from types import ModuleType
+from typing import TYPE_CHECKING
 
 import tam570
 from tam570.values import Numbers
 from tam570_grader.checks.assignment import Assignment
 from tam570_grader.checks.check import Check, draw_once
 from tam570_grader.checks.effort import Finder
-from tam570_grader.checks.figures import Figure
 from tam570_grader.checks.returns import ReturnSpec
 from tam570_grader.checks.rubric import ManualPart, load_rubric
 from tam570_grader.errors import UsageError
+
+if TYPE_CHECKING:
+    from tam570_grader.checks.figures import Figure
 
 INSTALLED = tuple(Path(tam570.__file__).resolve().parents[1:3])  # where an editable install has the course
 PACKAGES = "_checks_"  # how the names of the packages of checks begin
@@ -200,7 +203,7 @@ def solution(slug: str, root: Path | None = None) -> ModuleType:
 
 
 @functools.cache
-def figure(root: Path, slug: str, **parameters: Numbers) -> Figure | None:
+def figure(root: Path, slug: str, **parameters: Numbers) -> "Figure | None":
     """Draw the figure of an assignment by its reference functions, None where it has none.
 
     parameters : other values of what the figure shows

@@ -9,7 +9,6 @@
 The points of a part are those of its claims. A claim says what an answer shows, not what it is.
 """
 
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -46,7 +45,11 @@ class ManualPart:
 def load_rubric(released: Path) -> dict[str, ManualPart]:
     """Return the parts graded by hand, by letter; KeyError or TypeError where the file has another form."""
     path = released / FILE
-    parts = tomllib.loads(path.read_text(encoding="utf-8"))["parts"] if path.exists() else {}
+    if not path.exists():
+        return {}
+    import tomllib
+
+    parts = tomllib.loads(path.read_text(encoding="utf-8"))["parts"]
     for part in parts.values():
         part["claims"] = tuple((float(points), str(claim)) for points, claim in part.get("claims", ()))
     return {letter: ManualPart(**part) for letter, part in parts.items()}

@@ -9,16 +9,15 @@ from collections.abc import Sequence
 from contextlib import AbstractContextManager, ExitStack, closing
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from tam570.values import Json
 from tam570_grader.checks import assignments
 from tam570_grader.cli.options import add_cluster, natural, positive
 from tam570_grader.course import course_config
 from tam570_grader.errors import UsageError, counted, progress, say, warn
-from tam570_grader.gradescope import autograder
 from tam570_grader.grading import regrade, roster, seeds
 from tam570_grader.grading.batch import CachedResult, RunConfig, outcomes
-from tam570_grader.grading.cluster import Cluster
 from tam570_grader.grading.executor import TaskExecutor, cores, executor
 from tam570_grader.grading.prove import prove
 from tam570_grader.grading.regrade import Change
@@ -29,6 +28,9 @@ from tam570_grader.results import manual_points
 from tam570_grader.results.manual_points import ManualAdjustments
 from tam570_grader.results.store import Results, ResultStore, key_of, results
 from tam570_grader.sandbox.launch import close_early, hide_from_submissions, isolation
+
+if TYPE_CHECKING:
+    from tam570_grader.grading.cluster import Cluster
 
 
 @dataclass
@@ -181,6 +183,8 @@ def _what_is_kept(out: Path | None, summary: RunSummary) -> str:
 def _print_results(arguments: argparse.Namespace, course: Path, config: RunConfig, summary: RunSummary) -> int:
     """Print what was asked for; the exit code."""
     if arguments.format == "gradescope" and not summary.faults:
+        from tam570_grader.gradescope import autograder
+
         checks = assignments.assignment(course, summary.last["assignment"]).checks
         say(json.dumps(autograder.results(summary.last, {check.name: check.title for check in checks}), indent=1))
     elif arguments.format != "gradescope" and not arguments.json:
@@ -210,12 +214,14 @@ def _config(arguments: argparse.Namespace, course: Path, chosen: list[Submission
     return RunConfig(course, chosen, seed, arguments.jobs, limits, hidden, arguments.speed, key=key, cluster=cluster)
 
 
-def _cluster(arguments: argparse.Namespace) -> Cluster | None:
+def _cluster(arguments: argparse.Namespace) -> "Cluster | None":
     """Return the cluster that was named; None for this machine alone."""
     if not arguments.cluster:
         if arguments.certificates or arguments.unconfined:
             raise UsageError("--certificates and --unconfined go with --cluster")
         return None
+    from tam570_grader.grading.cluster import Cluster
+
     return Cluster(arguments.cluster, arguments.certificates, arguments.unconfined)
 
 

@@ -1,8 +1,6 @@
 """course.toml as it stands in the file, and the sentences that name what does not fit."""
 
-import difflib
 import math
-import tomllib
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
@@ -18,6 +16,8 @@ COPY = "made-by-course.toml"  # what it said, in the course that was made by it:
 
 def toml(path: Path) -> Json:
     """Return the tables of the file; UsageError if it cannot be read."""
+    import tomllib  # which few starts of the program need
+
     try:
         return tomllib.loads(path.read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
@@ -39,6 +39,8 @@ def is_number(value: object, most: float = math.inf) -> bool:
 
 def no_other(path: Path, where: str, names: Iterable[str], allowed: Iterable[str]) -> None:
     """Raise UsageError for an unknown name, with the nearest known one."""
+    import difflib
+
     allowed = [*allowed]
     for name in sorted({*names} - {*allowed}):
         near = difflib.get_close_matches(name, allowed, 1) or [", ".join(allowed) or "none"]

@@ -15,10 +15,10 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from tam570_grader.checks import assignments
 from tam570_grader.grading import supervisor
-from tam570_grader.grading.cluster import Cluster
 from tam570_grader.grading.executor import WorkerLost, cores, forks, run_tasks
 from tam570_grader.grading.executor import executor as local_executor
 from tam570_grader.grading.seeds import derive, new_seed
@@ -31,6 +31,9 @@ from tam570_grader.sandbox.launch import isolation
 from tam570_grader.sandbox.preload import imported
 from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.zygote import ResourceLimits
+
+if TYPE_CHECKING:
+    from tam570_grader.grading.cluster import Cluster
 
 FEW = 4  # submissions a process, for which to start one repays
 HELD = 2**26  # bytes of submissions that are held until they are handed out; others are read twice
@@ -48,7 +51,7 @@ class RunConfig:
     hidden: Sequence[Path] = ()  # what no submission may see
     speed: bool = False  # measure run time against error too
     key: bytes | None = None  # varies the hidden inputs from student to student; `seed` is then not used
-    cluster: Cluster | None = None  # None: this machine
+    cluster: "Cluster | None" = None  # None: this machine
 
     def seed_of(self, submission: Submission) -> int:
         """Return the seed of a submission's hidden inputs: the class's, else one that only the key tells."""

@@ -13,10 +13,8 @@ from unicodedata import combining, east_asian_width
 
 from tam570.values import Json
 from tam570_grader.checks import assignments
-from tam570_grader.checks.curves import Curve
 from tam570_grader.checks.rubric import ManualPart
 from tam570_grader.errors import UsageError, progress, warn
-from tam570_grader.reports.pictures import Picture, among, picture, sketch
 from tam570_grader.reports.sentences import capitalized, describe_failure, known_mistake, points, sentence, typeset
 from tam570_grader.results import manual_points
 from tam570_grader.results.manual_points import AdjustedScore, ManualAdjustments
@@ -64,6 +62,8 @@ def page(result: Result, info: AssignmentInfo, adjusted: AdjustedScore | None = 
 
     adjusted : the score with what was added by hand
     """
+    from tam570_grader.reports.pictures import among  # for pages alone
+
     adjusted = adjusted or AdjustedScore(result.score, result.max_score)
     parts = [_part(letter, result, info) for letter in sorted({check.part for check in result.checks})]
     checks = [check for part in parts for check in part["marks"]]
@@ -129,6 +129,8 @@ def _part(letter: str, result: Result, info: AssignmentInfo) -> Json:
 
 def shown(check: CheckResult, info: AssignmentInfo, overall_message: str) -> Json:
     """Return a mark as a page shows it, without what is said of all; never its detail, which is the instructor's."""
+    from tam570_grader.reports.pictures import pictures, sketch
+
     failure, is_stuck = check.failure, check.outcome == "failed" or bool(check.unwritten)
     function = (failure and failure.function) or check.unwritten or info.functions.get(check.name)
     message = "" if check.message == overall_message else check.message
@@ -145,11 +147,6 @@ def shown(check: CheckResult, info: AssignmentInfo, overall_message: str) -> Jso
         "pictures": pictures(failure.curve if failure else None),
         "hint": function if is_stuck else None,
     }
-
-
-def pictures(curve: Curve | None) -> list[Picture]:
-    """Return the drawings of a failure: the error, and what becomes of an invariant."""
-    return [picture(drawn) for drawn in (curve, curve.get("keeps")) if drawn] if curve else []
 
 
 def write_pages(folder: Path, results: Results, course: Path) -> list[Key]:

@@ -133,6 +133,11 @@ def _path(places: Sequence[tuple[float, float]]) -> str:
     return "M" + " L".join(f"{x:.1f} {y:.1f}" for x, y in places)
 
 
+def pictures(curve: Curve | None) -> list[Picture]:
+    """Return the drawings of a failure: the error, and what becomes of an invariant."""
+    return [picture(drawn) for drawn in (curve, curve.get("keeps")) if drawn] if curve else []
+
+
 def picture(curve: Curve) -> Picture:
     """Return the drawing of a curve."""
     return _drift(curve) if curve["scale"] == "linear" else _error(curve)

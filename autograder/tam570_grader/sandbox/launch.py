@@ -1,6 +1,5 @@
 """How a zygote is started: in bubblewrap, seeing Python and the course's utilities alone, or as a plain process."""
 
-import compileall
 import contextlib
 import ctypes
 import functools
@@ -139,6 +138,8 @@ def _with_path(command_and_path: tuple[list[str], list[str]]) -> list[str]:
 
 def write_bytecode() -> None:
     """Compile what a zygote imports of ours, where that is new: it may write nothing, and compiles it at each start."""
+    import compileall  # after a zygote is launched
+
     course = Path(tam570.__file__).parent
     for folder in () if sys.dont_write_bytecode else (HOME / "protocol", course, course / "integrate"):
         compileall.compile_dir(folder, maxlevels=0, quiet=2)
