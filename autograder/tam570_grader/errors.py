@@ -22,6 +22,8 @@ class Over(BaseException):
 
 def printable(text: str) -> str:
     """Return a text with what is no text escaped: what moves a terminal's cursor, and bytes that are not UTF-8."""
+    if text.isprintable():
+        return text
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
 
 
