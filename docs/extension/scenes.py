@@ -23,7 +23,7 @@ WIDTH, QUALITY = 800, 80  # pixels of a still, and of its WebP
 
 def setup(app):
     app.connect("builder-inited", _write_all)
-    app.add_directive("scene", Scene)
+    app.add_directive("scene", SceneDirective)
     return {"parallel_read_safe": True}
 
 
@@ -58,7 +58,7 @@ def _write(folder, name):
     (folder / f"{name}.html").write_text(page(film(name)), encoding="utf-8")
 
 
-class Scene(SphinxDirective):
+class SceneDirective(SphinxDirective):
     """`{scene} NAME`: the still, in whose place `scenes.js` plays the scene while it is on the screen."""
 
     required_arguments = 1

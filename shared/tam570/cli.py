@@ -1,11 +1,9 @@
 """The students' command, `tam570`. What a command does not need is not imported: `list` takes no numerical library."""
 
 import argparse
-import contextlib
 import io
 import os
 import shutil
-import signal
 import sys
 import textwrap
 import tomllib
@@ -19,6 +17,7 @@ from tam570.handin import HOW, before_handing_in, hand_in
 from tam570.lectures import catalogue, is_lecture
 from tam570.predictions import ask_for_predictions
 from tam570.progress import hints_given, recalled, remember_hints
+from tam570.signals import end_as_by_ctrl_c
 from tam570.values import Json
 
 INTERRUPTED = 130
@@ -200,10 +199,7 @@ def _check(arguments: argparse.Namespace) -> int:
     files = work.chosen(arguments.what, arguments.assignment)
     from tam570 import checking
 
-    with contextlib.suppress(ValueError):  # not the main thread
-        for number in {signal.SIGTERM, getattr(signal, "SIGHUP", signal.SIGTERM)}:  # a window that is closed, for one
-            if signal.getsignal(number) == signal.SIG_DFL:  # nohup ignores it
-                signal.signal(number, signal.default_int_handler)
+    end_as_by_ctrl_c()
     if arguments.watch:
         return checking.watch(files)
     for function in arguments.functions:

@@ -27,7 +27,7 @@ Slip = tuple[str, str]  # function, what was done in it
 
 
 @dataclass(frozen=True)
-class Mutant:
+class SolutionMutant:
     """A solution with one slip."""
 
     slug: str
@@ -52,9 +52,9 @@ class Mutant:
         return f"{self.slug[:4]}.{self.function}.{hashlib.sha256(self.change.encode()).hexdigest()[:8]}"
 
 
-def mutants(slug: str, source: str) -> list[Mutant]:
+def mutants(slug: str, source: str) -> list[SolutionMutant]:
     """Return all mutants of a solution's source, in the order of the source."""
-    by_text: dict[str, Mutant] = {}
+    by_text: dict[str, SolutionMutant] = {}
     for function in (node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)):
         count: collections.Counter[tuple[str, str]] = collections.Counter()
         for node, operator, change in changed_expressions(function):
@@ -63,7 +63,9 @@ def mutants(slug: str, source: str) -> list[Mutant]:
                 continue
             count[was, now] += 1
             lines = (text_of.splitlines()[node.lineno - 1] for text_of in (source, text))
-            by_text[text] = Mutant(slug, function.name, operator, node.lineno, was, now, count[was, now], text, *lines)
+            by_text[text] = SolutionMutant(
+                slug, function.name, operator, node.lineno, was, now, count[was, now], text, *lines
+            )
     return list(by_text.values())
 
 
@@ -80,7 +82,7 @@ def equivalents(course: Path, slug: str) -> dict[Slip, str]:
     return {(function, change): proof for function, slips in tables.items() for change, proof in slips.items()}
 
 
-def entry(mutant: Mutant) -> str:
+def entry(mutant: SolutionMutant) -> str:
     """Return the line that lists a mutant, but for the proof."""
     return f'[{mutant.function}]\n{json.dumps(mutant.change, ensure_ascii=False)} = ""'
 

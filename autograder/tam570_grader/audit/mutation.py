@@ -8,7 +8,7 @@ from pathlib import Path
 
 from tam570_grader.audit.gradings import Grading, seeds_that_fail, tried
 from tam570_grader.audit.local import SEED, calls_of_checks
-from tam570_grader.audit.mutate import Mutant, Slip, entry, equivalents, idle, mutants
+from tam570_grader.audit.mutate import Slip, SolutionMutant, entry, equivalents, idle, mutants
 from tam570_grader.diagnosis.mutants import reached
 from tam570_grader.errors import counted, progress
 from tam570_grader.grading.executor import TaskExecutor, in_order
@@ -27,7 +27,7 @@ class Fates:
     """The mutants of an assignment, their fates by name, the checks that failed, and the seeds that miss a mutant."""
 
     slug: str
-    chosen: Sequence[Mutant]
+    chosen: Sequence[SolutionMutant]
     fate: Mapping[str, str]
     failed: Mapping[str, Sequence[str]]
     checks: Sequence[str]
@@ -35,11 +35,11 @@ class Fates:
     missed: Mapping[str, Sequence[int]]
 
     @property
-    def survivors(self) -> list[Mutant]:
+    def survivors(self) -> list[SolutionMutant]:
         return [mutant for mutant in self.chosen if self.fate[mutant.name] == SURVIVES]
 
     @property
-    def crashing(self) -> list[Mutant]:
+    def crashing(self) -> list[SolutionMutant]:
         """Those on which a check raised: they lose no points by it, the class loses a grade."""
         return [mutant for mutant in self.chosen if self.fate[mutant.name] == CRASHED]
 
@@ -106,7 +106,7 @@ exec({slipped!r}, _slipped)
 """
 
 
-def alone(solution: str, mutant: Mutant, calls: Mapping[str, set[str]]) -> str:
+def alone(solution: str, mutant: SolutionMutant, calls: Mapping[str, set[str]]) -> str:
     """Return a module whose slip is in one exported function alone; what other functions call is right.
 
     A check of the others would else catch the slip, and a hole in the checks of this one stay unseen.
@@ -179,7 +179,7 @@ def report(fates_of_all: Fates) -> list[str]:
     return lines
 
 
-def _shown(mutant: Mutant, seeds: Sequence[int]) -> list[str]:
+def _shown(mutant: SolutionMutant, seeds: Sequence[int]) -> list[str]:
     """Return where a survivor is, its line as it was and is, and the line that would list it."""
     where = f"solutions/{mutant.slug}.py:{mutant.line} in {mutant.function}"
     return [

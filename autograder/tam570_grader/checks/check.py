@@ -28,7 +28,7 @@ T = TypeVar("T")
 MOST_KNOWN = 64  # values that `once` keeps; with inputs of its own for each student a run makes thousands
 
 
-class Memory(Generic[T]):
+class LruCache(Generic[T]):
     """The last values computed, by their keys: each is computed for whoever asks first.
 
     most : how many are kept; or how many bytes, if `size` tells those of a value
@@ -120,7 +120,7 @@ def once(compute: Callable[..., T]) -> Callable[..., T]:
     The generator is left as the computation left it, so a check draws the same numbers with and without it.
     Cases are shared between students; of arrays, which a function of cases may go on to change, each call has its own.
     """
-    memory = Memory[tuple[T, bool, Mapping[str, object]]](MOST_KNOWN)
+    memory = LruCache[tuple[T, bool, Mapping[str, object]]](MOST_KNOWN)
 
     @functools.wraps(compute)
     def remembered(rng: np.random.Generator, *args: Numbers, **keywords: Numbers) -> T:
@@ -165,7 +165,7 @@ def _takes_rng(value: object) -> bool:
 
 def _drawing_once(make: Function) -> Function:
     """Return a function whose results, where they are functions of `rng`, draw a single time a run."""
-    drawing = Memory[Function](MOST_KNOWN)
+    drawing = LruCache[Function](MOST_KNOWN)
 
     @functools.wraps(make)
     def remembered(*args: Numbers, **kwargs: Numbers) -> Numbers:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from tam570.values import Function, Numbers
 from tam570_grader.checks.case import Case
-from tam570_grader.checks.check import Memory
+from tam570_grader.checks.check import LruCache
 from tam570_grader.checks.expect import Failed, NotWritten, distance, expect, expect_that, fail, get_context
 from tam570_grader.checks.expected import expected_result
 from tam570_grader.checks.returns import Scale
@@ -276,7 +276,7 @@ def _flat(values: Sequence[Numbers], shapes: Shapes) -> Array:
     return np.array(values).ravel() if len(set(shapes)) == 1 else np.concatenate([np.ravel(value) for value in values])
 
 
-_batches = Memory[Batch](MOST_BATCHES)
+_batches = LruCache[Batch](MOST_BATCHES)
 
 
 def call_cases(

@@ -17,13 +17,13 @@ import numpy as np
 
 from tam570.values import Function, Numbers
 from tam570_grader.checks.case import Case
-from tam570_grader.checks.check import Memory
+from tam570_grader.checks.check import LruCache
 from tam570_grader.protocol.wire import packed, unpacked
 
 MOST_KNOWN = 3000  # answers; with inputs of its own for each student a run makes thousands
 EXPENSIVE = 0.05  # s of processor time, from which an answer is shared
 
-_known = Memory[Numbers](MOST_KNOWN)
+_known = LruCache[Numbers](MOST_KNOWN)
 _place: ContextVar[Path | None] = ContextVar("place", default=None)  # the folder, while there is one
 _expensive = set[str]()  # functions that have given a dear answer here; of the others nobody is asked
 

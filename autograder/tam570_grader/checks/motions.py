@@ -44,7 +44,7 @@ EXPLAINED, EXPLAINS = 0.03, 0.5  # of the errors' rate: right rates leave less o
 
 
 @dataclass(frozen=True)
-class Motion:
+class ComparedMotion:
     """A case, the student's rows, the right ones, the scale of each column."""
 
     case: Case
@@ -88,8 +88,8 @@ class Motion:
 
 
 def diagnosed(
-    motion: Motion,
-    motions: Sequence[Motion],
+    motion: ComparedMotion,
+    motions: Sequence[ComparedMotion],
     turns: Sequence[int],
     near_miss: float,
     rates_are_right: Callable[[], bool] | None = None,
@@ -116,7 +116,7 @@ NEARLY_FOLLOWS = "Each row nearly follows from the row before: is a term wrong, 
 Rule = tuple[Callable[[], bool], str]
 
 
-def _tells(motion: Motion, motions: Sequence[Motion], turns: Sequence[int]) -> list[Rule]:
+def _tells(motion: ComparedMotion, motions: Sequence[ComparedMotion], turns: Sequence[int]) -> list[Rule]:
     """Return the questions in order: what is cheap and certain comes first."""
     inner, expected = motion.actual[1:-1], motion.expected
     return [
@@ -152,18 +152,18 @@ SAMPLED = "With more times in between the same rows are accurate: take smaller s
 OF_STEPS = TIGHT, NEARLY_FOLLOWS, JOINED, SAMPLED  # what is said of coarse steps, which wrong rates look like
 
 
-def _still(motion: Motion) -> bool:
+def _still(motion: ComparedMotion) -> bool:
     return bool((motion.actual == motion.actual[0]).all()) and bool(motion.errors[0].max() <= ALIKE)
 
 
-def _turned(motion: Motion, turns: Sequence[int]) -> bool:
+def _turned(motion: ComparedMotion, turns: Sequence[int]) -> bool:
     off = np.zeros_like(motion.actual)
     columns = list(turns)
     off[:, columns] = 2 * np.pi * np.round((motion.actual - motion.expected)[:, columns] / (2 * np.pi))
     return bool(off.any()) and motion.near(motion.expected, quantity=motion.actual - off)
 
 
-def _even(motion: Motion) -> bool:
+def _even(motion: ComparedMotion) -> bool:
     t = motion.t
     return any(
         motion.near(motion.truly(even))
@@ -172,7 +172,7 @@ def _even(motion: Motion) -> bool:
     )
 
 
-def _at_other_times(motion: Motion) -> bool:
+def _at_other_times(motion: ComparedMotion) -> bool:
     """Return whether the rows are those at even times of another step, such as one of the student's own."""
     moved = np.max(np.ptp(motion.actual, axis=0) / motion.scales)
     if len(motion.t) < 3 or not ROUGHLY < moved <= ABSURD or motion.errors[0].max() > ALIKE:
@@ -185,7 +185,7 @@ def _at_other_times(motion: Motion) -> bool:
         return False
 
 
-def _steps(motion: Motion) -> Iterator[float]:
+def _steps(motion: ComparedMotion) -> Iterator[float]:
     """Durations after which the right motion passes through the student's second row."""
     start, later = motion.t[0], LONGER * (motion.t[-1] - motion.t[0]) * np.linspace(0, 1, LONGER * DENSER + 1)
 
@@ -203,7 +203,7 @@ def _steps(motion: Motion) -> Iterator[float]:
             yield float(fine[least] + (fine[-1] - fine[-2]) * (before - after) / (before - 2 * at + after) / 2)
 
 
-def _from_zero(motion: Motion) -> bool:
+def _from_zero(motion: ComparedMotion) -> bool:
     """Return the right motion with its start at t = 0, at the times after both."""
     t = motion.t
     after = t > max(t[0], 0.0)
@@ -215,7 +215,7 @@ def _from_zero(motion: Motion) -> bool:
         return False
 
 
-def _reordered(motion: Motion) -> bool:
+def _reordered(motion: ComparedMotion) -> bool:
     columns = motion.actual.T[:, :, None] - motion.expected[None]  # each of the student's less each of the right ones
     off = np.fmin(np.abs(columns / motion.scales).max(axis=1), 1.0)  # a NaN, too, is as far off as can be
     if off.min(axis=1).max() > ALIKE:
@@ -225,14 +225,14 @@ def _reordered(motion: Motion) -> bool:
     return motion.near(motion.expected[:, linear_sum_assignment(off)[1]])
 
 
-def _another(motion: Motion, motions: Sequence[Motion]) -> bool:
+def _another(motion: ComparedMotion, motions: Sequence[ComparedMotion]) -> bool:
     others = [other for other in motions if other is not motion and other.expected.shape == motion.expected.shape]
     return any(
         motion.near(other.expected) and not motion.near(other.expected, quantity=motion.expected) for other in others
     )
 
 
-def _joined(motion: Motion) -> bool:
+def _joined(motion: ComparedMotion) -> bool:
     """Return whether the worst row is right where its time is the last, at which every integrator ends a step."""
     row = int(np.argmax(motion.errors.max(axis=1)))
     gathers = motion.errors[-1].max() > motion.error / 2  # from row to row, as between steps nothing does
@@ -244,7 +244,7 @@ def _joined(motion: Motion) -> bool:
     return bool(np.max(np.abs(repeated[-1] - motion.expected[row]) / motion.scales) <= BETTER * motion.error)
 
 
-def _denser(motion: Motion) -> bool:
+def _denser(motion: ComparedMotion) -> bool:
     """Return whether times in between bring the rows right, which cannot be the equation's fault."""
     t, between = motion.t, max(2, DENSER // len(motion.t))
     fine = np.append(np.linspace(t[:-1], t[1:], between, endpoint=False).T.ravel(), t[-1])
@@ -254,7 +254,7 @@ def _denser(motion: Motion) -> bool:
     return bool(np.max(np.abs(repeated[::between] - motion.expected) / motion.scales) <= BETTER * motion.error)
 
 
-def obeys(motion: Motion, *, everywhere: bool = False) -> bool:
+def obeys(motion: ComparedMotion, *, everywhere: bool = False) -> bool:
     """Return whether each row nearly follows from the one before by the right equations.
 
     everywhere : ask at every row, and allow no exception; else at some
@@ -271,19 +271,19 @@ def obeys(motion: Motion, *, everywhere: bool = False) -> bool:
     return bool(np.quantile(off, 1.0 if everywhere else 0.9) <= OBEYED * np.median(moved.max(axis=1)))
 
 
-def _some(motion: Motion, count: int = TRIED) -> NDArray[np.int_]:
+def _some(motion: ComparedMotion, count: int = TRIED) -> NDArray[np.int_]:
     """Numbers of rows, but for the last."""
     return np.unique(np.linspace(0, len(motion.t) - 2, count).astype(int))
 
 
-def _lost(motion: Motion, rows: NDArray[np.int_]) -> Array:
+def _lost(motion: ComparedMotion, rows: NDArray[np.int_]) -> Array:
     """Return how far the right motion from each of these rows passes from the row after it, of the scale."""
     led = (motion.truly(motion.t[row : row + 2], *_restart(motion, motion.actual[row])) for row in rows)
     off = np.vstack([np.diff(states, axis=0) for states in led]) - (motion.actual[rows + 1] - motion.actual[rows])
     return np.asarray(np.max(np.abs(off) / motion.scales, axis=1))
 
 
-def _jumps(motion: Motion) -> bool:
+def _jumps(motion: ComparedMotion) -> bool:
     """Return whether the error is made between two of many rows, as no loose tolerance makes it."""
     try:
         with limited(STEPS):
@@ -293,7 +293,7 @@ def _jumps(motion: Motion) -> bool:
     return lost.size >= TRIED and float(lost.max()) > max(ROUGHLY, JUMPED * float(lost.sum()))
 
 
-def _explained(motion: Motion) -> float:
+def _explained(motion: ComparedMotion) -> float:
     """Return the share of the errors that wrong rates make: near zero if the physics is right, NaN if none can tell."""
     rows, shares = _some(motion), list[float]()
     try:
@@ -308,7 +308,7 @@ def _explained(motion: Motion) -> float:
     return min(shares) if max(shares) <= 2 * min(shares) else np.nan  # rounding, or how an integrator starts
 
 
-def _worst(motion: Motion, rows: NDArray[np.int_]) -> Iterator[tuple[float, Array]]:
+def _worst(motion: ComparedMotion, rows: NDArray[np.int_]) -> Iterator[tuple[float, Array]]:
     """Yield times and states where most of the error is made: rows, the worst first, and right states behind the first.
 
     A row that breaks a constraint is taken as the right motion takes it.
@@ -319,7 +319,7 @@ def _worst(motion: Motion, rows: NDArray[np.int_]) -> Iterator[tuple[float, Arra
     yield from zip(times[1:], motion.truly(times, *_restart(motion, motion.actual[rows[0]]))[1:], strict=True)
 
 
-def _apart(motion: Motion, starts: Sequence[tuple[float, Array]], instant: float) -> float:
+def _apart(motion: ComparedMotion, starts: Sequence[tuple[float, Array]], instant: float) -> float:
     """Return the largest rate, of the scale, at which the student's function leaves the right one."""
     rates = list[float]()
     for at, state in starts:
@@ -352,7 +352,7 @@ class Rates:
         return models
 
 
-def has_rates(motion: Motion, rates: Rates, *, ends: bool = True) -> bool:
+def has_rates(motion: ComparedMotion, rates: Rates, *, ends: bool = True) -> bool:
     """Return whether the student's own wrong rates make the motion: nothing else is wrong with it.
 
     Steps back onto a constraint may take away all that is wrong with the rates at each instant, and leave what they
@@ -379,7 +379,7 @@ def has_rates(motion: Motion, rates: Rates, *, ends: bool = True) -> bool:
         return False
 
 
-def sets_off(motion: Motion) -> bool:
+def sets_off(motion: ComparedMotion) -> bool:
     """Return whether the student's motion leaves right rows at the right rates."""
     try:
         for row in _some(motion, ASKED):
@@ -392,7 +392,7 @@ def sets_off(motion: Motion) -> bool:
     return True
 
 
-def _leads_on(motion: Motion, row: int) -> bool:
+def _leads_on(motion: ComparedMotion, row: int) -> bool:
     """Return whether the student's motion from one of its rows goes on as it did."""
     led = motion.repeated_at(motion.t[row : row + 2], *_restart(motion, motion.actual[row]))
     if led is None:
@@ -401,18 +401,18 @@ def _leads_on(motion: Motion, row: int) -> bool:
     return bool(np.max(np.abs(off) / motion.scales) <= ALIKE)
 
 
-def _set_off(motion: Motion, row: int) -> tuple[Array, Array, Array]:
+def _set_off(motion: ComparedMotion, row: int) -> tuple[Array, Array, Array]:
     """Return the times of an instant from a right row, and the rates of the student's motion and of the right one."""
     t, start = motion.t[row] + _instant(motion, INSTANTS[-1]), _restart(motion, motion.expected[row])
     own_rows, right_rows = flat(motion.function.aside(motion.case.replace(t, *start))), motion.truly(t, *start)
     return t, np.diff(own_rows, axis=0)[0] / np.ptp(t), np.diff(right_rows, axis=0)[0] / np.ptp(t)
 
 
-def _instant(motion: Motion, share: float) -> Array:
+def _instant(motion: ComparedMotion, share: float) -> Array:
     return np.array([0, share * (motion.t[-1] - motion.t[0])])
 
 
-def _restart(motion: Motion, row: Array) -> tuple[Numbers, ...]:
+def _restart(motion: ComparedMotion, row: Array) -> tuple[Numbers, ...]:
     """Return the arguments behind t that begin the motion at a row; ValueError where the row does not tell them."""
     if motion.restart:
         return motion.restart(row)

@@ -25,7 +25,7 @@ from tam570_grader.checks.formulas import in_symbols
 from tam570_grader.checks.motions import (
     OF_STEPS,
     ROUGHLY,
-    Motion,
+    ComparedMotion,
     Rates,
     Restart,
     diagnosed,
@@ -78,12 +78,12 @@ class OwnRates:
     otherwise: "OwnRates | None" = None
     passes: str = ""
 
-    def are_right(self, motion: Motion) -> bool:
+    def are_right(self, motion: ComparedMotion) -> bool:
         """Return whether they are right at some rows of the right motion."""
         rows = list(zip(motion.t, motion.expected, strict=True))[:: max(1, len(motion.t) // ASKED)]
         return is_right(self._function(motion), self.reference, [self._case(motion, t, row) for t, row in rows])
 
-    def source(self, motion: Motion, *, ends: bool = True) -> str:
+    def source(self, motion: ComparedMotion, *, ends: bool = True) -> str:
         """Return the student's wrong function from which the motion follows; else nothing.
 
         ends : False of a motion without rows
@@ -103,27 +103,27 @@ class OwnRates:
                 pass
         return self.otherwise.source(motion, ends=ends) if self.otherwise else ""
 
-    def _is_led_astray(self, motion: Motion) -> bool:
+    def _is_led_astray(self, motion: ComparedMotion) -> bool:
         """Return whether the rates are right, and what each row may go through is wrong beside the right motion."""
         function = getattr(motion.function.student, self.passes)
         beside = [Case(row + row[::-1] / 10, **motion.case.kwargs) for row in motion.expected[:ASKED]]
         return self.are_right(motion) and sets_off(motion) and not is_right(function, self.reference, beside)
 
-    def _back(self, motion: Motion, row: Array) -> Numbers:
+    def _back(self, motion: ComparedMotion, row: Array) -> Numbers:
         function: StudentFunction = getattr(motion.function.student, self.passes)
         return own_result(function, self.reference, Case(row, **motion.case.kwargs))
 
-    def hint(self, motion: Motion) -> str:
+    def hint(self, motion: ComparedMotion) -> str:
         """Say where to look."""
         if self.are_right(motion):
             return f"{self.name} is right along this motion: integrate it, with the given parameters, from t[0] on"
         return self.source(motion) or f"{self.name} is wrong along this motion, too: look there first"
 
-    def _function(self, motion: Motion) -> StudentFunction:
+    def _function(self, motion: ComparedMotion) -> StudentFunction:
         function: StudentFunction = getattr(motion.function.student, self.name)
         return function
 
-    def _case(self, motion: Motion, t: float, row: Array) -> Case:
+    def _case(self, motion: ComparedMotion, t: float, row: Array) -> Case:
         words = [word for word in motion.case.args if isinstance(word, str)]
         case, function = Case(*self.arguments(t, row), *words, **motion.case.kwargs), self._function(motion)
         if isinstance(function.returns, Formula):
@@ -138,13 +138,13 @@ def compare_trajectory(  # noqa: PLR0913  as `compare`
     columns: Sequence[Column] = (),
     *,
     tolerance: float,
-    hint: str | Callable[[Motion], str] = "",
+    hint: str | Callable[[ComparedMotion], str] = "",
     keeps: Invariant | None = None,
     restart: Restart | None = None,
     near_miss_credit: bool = True,
     loose_tolerance_credit: bool = True,
     chaotic: bool = False,
-) -> list[Motion]:
+) -> list[ComparedMotion]:
     """Fail unless the student's simulation follows the right motion in every case; the motions, for further checks.
 
     reference : reference(t, *start, **parameters) -> rows, or several arrays of them; or the module, as for `compare`
@@ -214,7 +214,7 @@ def check_conserved(  # noqa: PLR0913  as `compare`
 
 def compare_invariants(
     function: StudentFunction,
-    motions: Iterable[Motion],
+    motions: Iterable[ComparedMotion],
     *invariants: Invariant,
     partial: dict[float, float] | None = None,
     hint: str = TIGHTEN,
@@ -244,9 +244,9 @@ def _motions(
     columns: Sequence[Column],
     restart: Restart | None,
     hopeless: float,
-) -> list[Motion]:
+) -> list[ComparedMotion]:
     """Return the student's motions, the longest first; where its error is hopeless, the others are not asked for."""
-    motions, true = list[Motion](), find_reference(reference, function)
+    motions, true = list[ComparedMotion](), find_reference(reference, function)
     first, *rest = sorted(cases, key=lambda case: -len(case.args[0]))
     for some in filter(None, ([first], rest)):
         batch = Batch.of(true, some)
@@ -259,13 +259,13 @@ def _motions(
             number = next((index for index, other in enumerate(batch.cases) if other is case), 0)
             if rates:
                 expected, scales = scaled_rows()[1][number]
-                motion = Motion(batch.cases[number], expected, expected, scales, function, true, restart)
+                motion = ComparedMotion(batch.cases[number], expected, expected, scales, function, true, restart)
                 with get_context().aside():
                     failed.failure = replace(failed.failure, follows_from=str(rates.source(motion, ends=False)))
             raise
         _, scaled = scaled_rows()
         for (case, result, _), (expected, scales) in zip(compared, scaled, strict=True):
-            motions.append(Motion(case, flat(result), expected, scales, function, true, restart))
+            motions.append(ComparedMotion(case, flat(result), expected, scales, function, true, restart))
         if motions[0].error > hopeless and not get_context().recorder:
             break
     return motions
@@ -282,7 +282,7 @@ def _scaled_rows(batch: Batch, columns: Sequence[Column]) -> tuple[Sequence[Colu
     return columns, scaled_rows
 
 
-def _note(motion: Motion, columns: Sequence[Column], tolerance: float) -> None:
+def _note(motion: ComparedMotion, columns: Sequence[Column], tolerance: float) -> None:
     """Note what each column is compared with, for the examples that students have."""
     for column in columns:
         where = np.arange(motion.expected.shape[1])[column.where].tolist()
@@ -291,12 +291,12 @@ def _note(motion: Motion, columns: Sequence[Column], tolerance: float) -> None:
         get_context().add_example(motion.function, motion.case, None, where, motion.expected[:, where], **limits)
 
 
-def _telling(tolerance: float, motion: Motion) -> tuple[bool, int, float]:
+def _telling(tolerance: float, motion: ComparedMotion) -> tuple[bool, int, float]:
     hopeless = motion.error > NEAR_MISS * tolerance
     return hopeless, len(motion.actual) if hopeless else 0, motion.error
 
 
-def loose_tolerance_share(motion: Motion, tolerance: float, size: float, error: float) -> float:
+def loose_tolerance_share(motion: ComparedMotion, tolerance: float, size: float, error: float) -> float:
     """Right physics at a loose tolerance keeps a share that falls with the error; a NaN keeps nothing."""
     if not (error <= ROUGHLY * size and obeys(motion)):
         return 0.0
@@ -307,11 +307,11 @@ def loose_tolerance_share(motion: Motion, tolerance: float, size: float, error: 
 
 
 def _hint(
-    motion: Motion,
-    motions: Sequence[Motion],
+    motion: ComparedMotion,
+    motions: Sequence[ComparedMotion],
     turns: Sequence[int],
     near_miss: float,
-    hint: str | Callable[[Motion], str],
+    hint: str | Callable[[ComparedMotion], str],
 ) -> str:
     own_rates: OwnRates | None = motion.function.returns.rates
     rates_are_right = partial(own_rates.are_right, motion) if own_rates else None
@@ -324,7 +324,7 @@ def _hint(
     return said or ("" if callable(hint) else hint)
 
 
-def _along(invariant: Invariant, motion: Motion) -> Curve | None:
+def _along(invariant: Invariant, motion: ComparedMotion) -> Curve | None:
     """Return what becomes of a number that the right motion keeps, along the student's, from its first value on."""
     values = invariant.value(motion.actual, **motion.case.kwargs) / invariant.size(motion.case, motion.expected)
     words: Json = {"tolerance": invariant.tolerance, "quantity": invariant.quantity, "unit": invariant.unit}

@@ -1,7 +1,6 @@
 """The instructor's command, `tam570-grader`."""
 
 import argparse
-import contextlib
 import gc
 import importlib
 import os
@@ -12,6 +11,7 @@ from functools import partial
 from typing import Any
 
 from tam570 import __version__
+from tam570.signals import end_as_by_ctrl_c
 from tam570_grader.errors import UsageError, say, warn
 from tam570_grader.sandbox.launch import close_early, launch_early
 
@@ -39,10 +39,7 @@ COMMANDS = {  # the module and the help of each command, in the order of the hel
 
 def main(argv: list[str] | None = None) -> int:
     """Run the command; the exit code is 0 (done), 1 (the grader failed), 2 (bad usage) or 130 (interrupted)."""
-    with contextlib.suppress(ValueError):  # not the main thread
-        for number in (signal.SIGTERM, signal.SIGHUP):
-            if signal.getsignal(number) == signal.SIG_DFL:  # nohup ignores it
-                signal.signal(number, signal.default_int_handler)
+    end_as_by_ctrl_c()
     try:
         arguments = _parser().parse_args(argv)
         command: Callable[[argparse.Namespace], int] = arguments.command

@@ -30,7 +30,7 @@ import numpy as np
 from tam570.checking.transforms import parts
 from tam570.values import Function, Json, Numbers
 from tam570_grader.checks.case import Call
-from tam570_grader.checks.check import Check, Memory
+from tam570_grader.checks.check import Check, LruCache
 from tam570_grader.checks.effort import compile_counted
 from tam570_grader.checks.expected import shared
 from tam570_grader.diagnosis import fixed_steps
@@ -255,8 +255,8 @@ def _bytes(answer: Numbers) -> int:
     return OF_AN_ANSWER + sum(int(np.size(part)) * 8 for part in parts(answer))
 
 
-_answers = Memory[Numbers](MOST_ANSWERS, _bytes)
-_changes = Memory[bool](MOST_CHANGES)
+_answers = LruCache[Numbers](MOST_ANSWERS, _bytes)
+_changes = LruCache[bool](MOST_CHANGES)
 
 
 def answer(solution: str, text: str, call: Call) -> Numbers:

@@ -64,14 +64,14 @@ class Cluster:
         from distributed.comm.core import CommClosedError
         from distributed.scheduler import KilledWorker
 
-        from tam570_grader.grading.cluster_worker import Course, course_for, refusal, there
+        from tam570_grader.grading.cluster_worker import CoursePlugin, course_for, refusal, there
 
         for name in ("distributed", "distributed.client", "tornado.application"):
             logging.getLogger(name).setLevel(logging.CRITICAL)  # what matters comes as an exception
         with contextlib.ExitStack() as stack:
             client = self._client(stack, jobs)
             stack.callback(_left, client)
-            sent: Course = course_for(course, slugs, self.unconfined)
+            sent: CoursePlugin = course_for(course, slugs, self.unconfined)
             client.register_plugin(sent, name=sent.name)
             refusals = client.run(refusal, sent.name)  # those that join later say so themselves
             if not refusals:

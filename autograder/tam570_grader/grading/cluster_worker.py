@@ -18,10 +18,10 @@ from tam570_grader.sandbox.launch import isolation
 from tam570_grader.sandbox.pool import sandboxes
 
 LIBRARIES = ("numpy", "scipy", "sympy", "matplotlib")  # scores may depend on them
-_courses = dict[str, "Course"]()  # that this worker has, by name
+_courses = dict[str, "CoursePlugin"]()  # that this worker has, by name
 
 
-class Course(WorkerPlugin):
+class CoursePlugin(WorkerPlugin):
     """The part of a course that is graded, as every worker gets it when it joins."""
 
     def __init__(self, files: Mapping[str, bytes], unconfined: bool) -> None:
@@ -60,13 +60,13 @@ class Course(WorkerPlugin):
         return ""
 
 
-def course_for(root: Path, slugs: Sequence[str], unconfined: bool) -> Course:
+def course_for(root: Path, slugs: Sequence[str], unconfined: bool) -> CoursePlugin:
     """Return the course of the head, with these assignments alone."""
     paths = [root / "solutions" / f"{slug}.py" for slug in slugs]
     for slug in slugs:
         paths += [path for path in assignments.checks_folder(root, slug).rglob("*") if path.is_file()]
     sources = [path for path in paths if "__pycache__" not in path.parts]
-    return Course({path.relative_to(root).as_posix(): path.read_bytes() for path in sorted(sources)}, unconfined)
+    return CoursePlugin({path.relative_to(root).as_posix(): path.read_bytes() for path in sorted(sources)}, unconfined)
 
 
 def refusal(name: str) -> str:

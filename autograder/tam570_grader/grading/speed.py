@@ -4,7 +4,7 @@ import numpy as np
 
 from tam570.values import Json, Numbers
 from tam570_grader.checks.assignments import LoadedAssignment
-from tam570_grader.checks.check import Memory
+from tam570_grader.checks.check import LruCache
 from tam570_grader.checks.expect import Failed, NotWritten
 from tam570_grader.results.run_time import Speed, scenes, time_to
 from tam570_grader.sandbox.imports import NotLoaded
@@ -15,7 +15,7 @@ from tam570_grader.sandbox.zygote import Zygote
 OURS = "tam570, Python"  # the method of the reference solutions, in the sandbox
 USELESS = 1e-2  # an error beyond which the time says nothing
 SHORTEST = 5e-3  # s of the reference solution; below it the call into the sandbox is a good part of the time
-_machines = Memory[float | None](most=100)  # how fast this machine is, by assignment: the curves come from another
+_machines = LruCache[float | None](most=100)  # how fast this machine is, by assignment: the curves come from another
 
 
 def speed_of(student: Student, assignment: LoadedAssignment, zygote: Zygote) -> Speed | None:

@@ -12,7 +12,7 @@ import numpy as np
 
 from tam570.bans import HERE, Change, Forbidden, Unusable, refused
 from tam570.checking.deadline import CALL, TooLong, limited
-from tam570.checking.mistakes import Arguments, Mistake, ObservedCall, tightened
+from tam570.checking.mistakes import CallArguments, Candidate, ObservedCall, tightened
 from tam570.checking.trail import Trail
 from tam570.checking.transforms import parts
 from tam570.forms import Form, WrongForm, conform
@@ -37,7 +37,7 @@ class Functions:
     results: Mapping[str, Form]
     off_limits: Mapping[str, Sequence[str]]
     calls: list[str] = field(default_factory=list)  # in the test that runs, in order
-    mistake: Mistake | None = None  # what is tried on the results
+    mistake: Candidate | None = None  # what is tried on the results
     everywhere: bool = False  # whether it is tried where other functions of the module call this one, too
     informative: bool = False  # whether some result is not zero where it is undone
     cache: dict[tuple[str, bool, bytes], Numbers] = field(default_factory=dict)  # results, by function and arguments
@@ -69,7 +69,7 @@ class Functions:
         @functools.wraps(function)
         def wrapper(*args: Numbers, **kwargs: Numbers) -> Numbers:
             self.calls.append(name)
-            arguments = Arguments(args, kwargs)
+            arguments = CallArguments(args, kwargs)
             if self.depth:  # a student's function was handed to another, by way of the tests
                 return self._repaired(name, arguments, function(*args, **kwargs))
             if self.mistake is None or self.mistake.function != name:
@@ -81,7 +81,7 @@ class Functions:
 
         return wrapper
 
-    def _repaired(self, name: str, arguments: Arguments, result: Numbers) -> Numbers:
+    def _repaired(self, name: str, arguments: CallArguments, result: Numbers) -> Numbers:
         """Return a result with the mistake undone that is tried on this function."""
         if self.mistake is None or self.mistake.function != name or self.mistake.repair is None:
             return result
@@ -90,7 +90,7 @@ class Functions:
         return repaired
 
     @contextmanager
-    def tried(self, mistake: Mistake, *, everywhere: bool = False) -> Iterator[None]:
+    def tried(self, mistake: Candidate, *, everywhere: bool = False) -> Iterator[None]:
         """Call a function with a mistake undone; `everywhere`, where the others of the module call it, too."""
         before = getattr(self.module, mistake.function)
         self.mistake, self.everywhere = mistake, everywhere
@@ -105,9 +105,11 @@ class Functions:
     def plain(self, name: str) -> Function:
         """Return a student's function without the mistake that is tried, whose results are remembered meanwhile."""
         function = getattr(self.module, name)
-        return functools.wraps(function)(lambda *args, **kwargs: self._result(name, function, Arguments(args, kwargs)))
+        return functools.wraps(function)(
+            lambda *args, **kwargs: self._result(name, function, CallArguments(args, kwargs))
+        )
 
-    def _result(self, name: str, function: Function, arguments: Arguments) -> Numbers:
+    def _result(self, name: str, function: Function, arguments: CallArguments) -> Numbers:
         """Return what the function returns, remembered while mistakes are tried.
 
         Fault if it has not the form of the contract.
@@ -125,7 +127,7 @@ class Functions:
         self.observed.setdefault(name, ObservedCall(arguments, self.cache[key]))
         return self.cache[key]
 
-    def _called(self, name: str, function: Function, arguments: Arguments) -> Numbers:
+    def _called(self, name: str, function: Function, arguments: CallArguments) -> Numbers:
         if name in self.hanging:
             raise Fault(name, self.hanging[name])
         self.trail.enter(function=name)
@@ -202,7 +204,7 @@ def _last(error: BaseException, name: str) -> str:
     return name
 
 
-def _contents(arguments: Arguments) -> bytes:
+def _contents(arguments: CallArguments) -> bytes:
     """Return what the arguments hold now; what is not data, Matplotlib's Axes, is meant to change."""
     values = [*arguments[0], *(value for pair in arguments[1].items() for value in pair)]
     return b"\0".join(_bytes(value) for value in values)

@@ -48,7 +48,7 @@ def _tight(integrator: Function, *args: Numbers, **how: Numbers) -> Numbers:
     return integrator(*args, **how)
 
 
-class Arguments(NamedTuple):
+class CallArguments(NamedTuple):
     """The arguments of a call."""
 
     args: tuple[Numbers, ...]
@@ -58,13 +58,13 @@ class Arguments(NamedTuple):
 class ObservedCall(NamedTuple):
     """A call of a student's function and what it gives, which a change of it would make right."""
 
-    case: Arguments
+    case: CallArguments
     expected: Numbers
     result: Numbers = None
 
 
 @dataclass(frozen=True)
-class Mistake:
+class Candidate:
     """What may be wrong with a function.
 
     repair : what the function gives where the mistake is undone; None: its integrators keep to TIGHT
@@ -77,19 +77,19 @@ class Mistake:
 
 def candidates(
     name: str, returns: Form, function: Function, example: ObservedCall, seconds: float
-) -> Iterator[Mistake]:
+) -> Iterator[Candidate]:
     """Yield the mistakes that a function of this form can have, the most telling first.
 
     seconds : of its longest call
     """
     if ["n"] in [member.get("array", [])[:1] for member in returns.get("group", [returns])]:
-        yield Mistake(name, f"It would pass with the tolerances rtol=1e-9, atol=1e-9 in {name}.", None)
+        yield Candidate(name, f"It would pass with the tolerances rtol=1e-9, atol=1e-9 in {name}.", None)
     if "array" in returns or "group" in returns:
         for words, repair in undone(name, function, example, seconds < QUICK):
-            yield Mistake(name, f"{BEGINNING}{words}.", repair)
+            yield Candidate(name, f"{BEGINNING}{words}.", repair)
 
 
-def reversed_argument(mistake: Mistake) -> str:
+def reversed_argument(mistake: Candidate) -> str:
     """Return the argument of which the mistake reverses the sign; "" of another mistake."""
     repair = mistake.repair
     return repair.key if isinstance(repair, WrongArgument) and repair.change is np.negative else ""

@@ -6,7 +6,7 @@ import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 
 from tam570.checking.deadline import CALL, CPU
-from tam570.checking.visible import Failure, Outcomes
+from tam570.checking.visible import Outcomes, TestFailure
 from tam570.progress import Progress, said
 
 WIDTH = 80
@@ -54,7 +54,7 @@ def failures(outcomes: Outcomes, explanation: Mapping[str, str]) -> None:
         print(_wrapped(f"not written yet: {', '.join(str(name) for name in missing)}", "", "    "))
 
 
-def _failure(failure: Failure, explanation: str | None) -> None:
+def _failure(failure: TestFailure, explanation: str | None) -> None:
     if failure.where and not failure.function:
         print(_wrapped(failure.where, "    "))
     print(_short(failure.message))

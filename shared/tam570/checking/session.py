@@ -15,7 +15,7 @@ from tam570.checking.changes import by_parameters, calls, keys, uses
 from tam570.checking.deadline import CALL, TooLong, limited
 from tam570.checking.examples import Examples, load_examples
 from tam570.checking.functions import Functions
-from tam570.checking.mistakes import BEGINNING, Mistake, candidates, reversed_argument
+from tam570.checking.mistakes import BEGINNING, Candidate, candidates, reversed_argument
 from tam570.checking.trail import Trail
 from tam570.checking.visible import Outcomes, Test, collect_tests
 from tam570.course import Stub, contract, folder, stubs
@@ -34,7 +34,7 @@ Remembered = Mapping[str, tuple[str, str]]  # of each test what its outcome depe
 
 
 @dataclass(frozen=True)
-class Module:
+class TestModule:
     """A module of tests: the released one, that of the examples, or the student's own beside the work."""
 
     path: Path
@@ -156,23 +156,23 @@ def run_tests(file: Path, slug: str, names: Sequence[str]) -> Outcomes:
     return outcomes
 
 
-def tests_of(file: Path, slug: str) -> list[Module]:
+def tests_of(file: Path, slug: str) -> list[TestModule]:
     """Return the released tests, the examples, and the student's own.
 
     Of a module beside the file those not released.
     """
     released, beside = (where / f"test_{slug}.py" for where in (folder(slug), file.parent))
-    modules = [Module(released, released.read_text(encoding="utf-8"))] if released.exists() else []
+    modules = [TestModule(released, released.read_text(encoding="utf-8"))] if released.exists() else []
     if examples := load_examples(folder(slug)):
-        modules.append(Module(released.with_name("test_examples.py"), examples.module(slug), examples))
+        modules.append(TestModule(released.with_name("test_examples.py"), examples.module(slug), examples))
     with contextlib.suppress(OSError, SyntaxError, ValueError):  # what cannot be read has no say
         text = beside.read_text(encoding="utf-8")
         if set(calls(text, slug)) - {name for module in modules for name in calls(module.text, slug)}:
-            modules.append(Module(beside, text))
+            modules.append(TestModule(beside, text))
     return modules
 
 
-def _collected(modules: Sequence[Module]) -> list[Test]:
+def _collected(modules: Sequence[TestModule]) -> list[Test]:
     """Return all tests, the released ones first. Trouble if there is none."""
     tests: dict[str, Test] = {}
     for number, module in enumerate(modules):
@@ -231,7 +231,7 @@ def _explained(outcomes: Outcomes, used: Mapping[str, set[str]], reached: Progre
     A function whose own tests pass is not named where the test uses one whose own tests fail, directly or not.
     """
     budget, explanations, functions = MOST_VARIANTS, dict[str, str](), outcomes.functions
-    mistakes: list[Mistake] = []
+    mistakes: list[Candidate] = []
     wrong = set().union(*(used[test] for test in outcomes.failures if len(used.get(test, ())) == 1))
     for name in reached["missing"]:
         failed = [
@@ -246,7 +246,7 @@ def _explained(outcomes: Outcomes, used: Mapping[str, set[str]], reached: Progre
         ]
         its_own = {test for test in failed if used[test] == {name}}  # all explained by its one mistake
         best: list[str] = []
-        best_mistake: Mistake | None = None
+        best_mistake: Candidate | None = None
         if not failed or name not in functions.observed:
             continue
         observed = functions.results[name], functions.plain(name), functions.observed[name], functions.longest[name]
@@ -277,7 +277,7 @@ def _explained(outcomes: Outcomes, used: Mapping[str, set[str]], reached: Progre
 
 
 def _consequences(
-    outcomes: Outcomes, mistakes: Sequence[Mistake], used: Mapping[str, set[str]], code: str
+    outcomes: Outcomes, mistakes: Sequence[Candidate], used: Mapping[str, set[str]], code: str
 ) -> dict[str, str]:
     """For each failed test that passes where a mistake in what its one function calls is undone, which it is."""
     explanations = dict[str, str]()
@@ -292,7 +292,7 @@ def _consequences(
     return explanations
 
 
-def _passes(outcomes: Outcomes, mistake: Mistake, test: str, *, everywhere: bool = False) -> bool:
+def _passes(outcomes: Outcomes, mistake: Candidate, test: str, *, everywhere: bool = False) -> bool:
     """Return whether a test passes with this change; `everywhere`: where others of the module call it, too."""
     import numpy as np
 

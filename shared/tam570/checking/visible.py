@@ -46,7 +46,7 @@ class Test:
 
 
 @dataclass(frozen=True)
-class Failure:
+class TestFailure:
     """Why a test failed."""
 
     message: str
@@ -63,7 +63,7 @@ class Outcomes:
     functions: Functions
     terminal: int | None  # where to show it
     passed: dict[str, str] = field(default_factory=dict)  # PASSED or FAILED
-    failures: dict[str, Failure] = field(default_factory=dict)
+    failures: dict[str, TestFailure] = field(default_factory=dict)
     repeat: dict[str, Callable[[], object]] = field(default_factory=dict)
 
     def run(self, tests: Sequence[Test]) -> None:
@@ -78,7 +78,7 @@ class Outcomes:
             if failure:
                 self.failures[test.name] = failure
 
-    def _failure(self, test: Test) -> Failure | None:
+    def _failure(self, test: Test) -> TestFailure | None:
         import numpy as np
 
         self.functions.calls.clear()
@@ -89,11 +89,11 @@ class Outcomes:
                     test.run()
                 return None
             except Fault as fault:
-                return Failure(str(fault), fault.name, _line(fault), printed.getvalue(), fault.unwritten)
+                return TestFailure(str(fault), fault.name, _line(fault), printed.getvalue(), fault.unwritten)
             except (KeyboardInterrupt, GeneratorExit):
                 raise
             except BaseException as error:
-                return Failure(self._message(error), None, _line(error), printed.getvalue())
+                return TestFailure(self._message(error), None, _line(error), printed.getvalue())
 
     def _message(self, error: BaseException) -> str:
         """Return what a test says, or what an exception of it does."""

@@ -9,7 +9,7 @@ from tam570.lagrange import Expression, Symbol
 
 
 @dataclass(frozen=True)
-class Motion:
+class EquationsOfMotion:
     """M a = F + A^T lam and A a + bias = 0, for accelerations a and multipliers lam."""
 
     time: Symbol
@@ -31,7 +31,7 @@ def motion(
     constraints: Sequence[Expression],
     forces: Sequence[Expression],
     time: Symbol | None,
-) -> Motion:
+) -> EquationsOfMotion:
     """d/dt dL/dv - dL/dq = Q + A^T lam, the derivative along the motion written out."""
     q, v, t = tuple(coordinates), tuple(velocities), sympy.Symbol("t") if time is None else time
     if not q or len(q) != len(v):
@@ -54,7 +54,7 @@ def motion(
         raise ValueError("constraints are not independent: leave out what follows from the others")
     _check_pivots(mass, matrix)
     used = set().union(*(e.free_symbols for e in (L, *Q, *all_constraints)))
-    return Motion(
+    return EquationsOfMotion(
         time=t,
         coordinates=q,
         velocities=v,

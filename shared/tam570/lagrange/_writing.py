@@ -12,13 +12,13 @@ import sympy
 from sympy.printing.pycode import PythonCodePrinter
 
 from tam570.lagrange import Expression
-from tam570.lagrange._derivation import Motion
+from tam570.lagrange._derivation import EquationsOfMotion
 
 Lines = list[str]
 System = list[list[Expression]]
 
 
-def module(motion: Motion) -> str:
+def module(motion: EquationsOfMotion) -> str:
     """Return the whole text."""
     _check_names(motion)
     functions = [
@@ -37,7 +37,7 @@ def module(motion: Motion) -> str:
     return "\n\n\n".join([_head(motion), *functions]) + "\n"
 
 
-def _head(motion: Motion) -> str:
+def _head(motion: EquationsOfMotion) -> str:
     names = ", ".join(map(str, motion.coordinates))
     return (
         f'"""Equations of motion in {names}; written by tam570.lagrange, not to be edited."""\n\nimport math\n\n'
@@ -46,7 +46,7 @@ def _head(motion: Motion) -> str:
     )
 
 
-def _function(motion: Motion, name: str, summary: str, result: Expression) -> str:
+def _function(motion: EquationsOfMotion, name: str, summary: str, result: Expression) -> str:
     """Return a function's text; result(motion, lines) appends to its lines and gives what it returns."""
     parameters = ", ".join(["*", *map(str, motion.parameters)]) if motion.parameters else ""
     signature = ", ".join(filter(None, [str(motion.time), "state", parameters]))
@@ -55,11 +55,11 @@ def _function(motion: Motion, name: str, summary: str, result: Expression) -> st
     return f'def {name}({signature}):\n    """{summary}"""\n    ' + "\n    ".join(lines)
 
 
-def _rates(motion: Motion, lines: Lines) -> str:
+def _rates(motion: EquationsOfMotion, lines: Lines) -> str:
     return _tuple(lines, [*motion.velocities, *_solution(motion, lines)[0]])
 
 
-def _solution(motion: Motion, lines: Lines) -> tuple[list[Expression], list[Expression]]:
+def _solution(motion: EquationsOfMotion, lines: Lines) -> tuple[list[Expression], list[Expression]]:
     """Accelerations and multipliers, lam from A M^-1 A^T lam = -(bias + A M^-1 F)."""
     n, c = len(motion.coordinates), len(motion.matrix)
     entries = [*sum(motion.mass, ()), *motion.forcing, *sum(motion.matrix, ()), *motion.bias]
@@ -176,7 +176,7 @@ def _joined(texts: Iterable[str]) -> str:
     return f"({', '.join(texts)}{',' if len(texts) == 1 else ''})"
 
 
-def _check_names(motion: Motion) -> None:
+def _check_names(motion: EquationsOfMotion) -> None:
     """Give every symbol a name in the text."""
     names = [str(s) for s in (motion.time, *motion.coordinates, *motion.velocities, *motion.parameters)]
     for name in names:

@@ -15,7 +15,7 @@ from tam570.loading import Trouble
 from tam570.show.lecture import filmed, lecture_module
 from tam570.show.patience import patience
 from tam570.show.scene import Scene
-from tam570.show.student import Student, load_student
+from tam570.show.student import StudentModule, load_student
 from tam570.values import Numbers, Parameters
 
 __all__ = ["Shown", "Trouble", "load_student", "present", "save", "scene_of", "show"]
@@ -111,7 +111,7 @@ def scene_of(module: ModuleType, slug: str, numbers: Parameters | None = None) -
         if error.name != name:
             raise
         raise Trouble(f"{slug} has no scene; write shared/tam570/show/scenes/{slug[:4]}.py") from None
-    student = Student(module, contract(slug)["results"])
+    student = StudentModule(module, contract(slug)["results"])
     return replace(filmed(scene, numbers, student), notes=student.notes)
 
 

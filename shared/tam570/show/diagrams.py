@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from tam570.loading import Trouble
 from tam570.show.scene import Array, Shape, moving
-from tam570.show.student import Student
+from tam570.show.student import StudentModule
 from tam570.values import Numbers
 
 NAME = "free_body_diagram"
@@ -15,7 +15,7 @@ COLOR = 4  # of the palette
 
 
 def force_shapes(
-    student: Student,
+    student: StudentModule,
     *rows: Numbers,
     size: float,
     origin: ArrayLike = (0.0, 0.0),

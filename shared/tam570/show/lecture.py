@@ -16,7 +16,7 @@ from tam570.lectures import catalogue, load
 from tam570.loading import Trouble
 from tam570.show.patience import patience
 from tam570.show.scene import Scene, drawable_rate
-from tam570.show.student import Student, load_student
+from tam570.show.student import StudentModule, load_student
 from tam570.values import Json, Parameters
 
 LONGEST = 600.0  # s, of a scene
@@ -48,7 +48,7 @@ def settings(texts: Sequence[str]) -> Json:
     return result
 
 
-def filmed(source: ModuleType, numbers: Parameters | None = None, *before: Student) -> Scene:
+def filmed(source: ModuleType, numbers: Parameters | None = None, *before: StudentModule) -> Scene:
     """Film with the source's EXAMPLE, START and SECONDS, some of their numbers changed.
 
     source  : a lecture, or the scene of an assignment

@@ -27,7 +27,7 @@ def load_student(file: Path, slug: str) -> ModuleType:
     return module
 
 
-class Student:
+class StudentModule:
     """`student(name, ...)` calls the function of that name and gives its result in the form that the contract has.
 
     forms : of the results, by function

@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.compare import Column
 from tam570_grader.checks.expect import Failed
-from tam570_grader.checks.motions import BEHIND, NEARLY_FOLLOWS, ONE_ROW_AHEAD, TIGHT, Motion, diagnosed, obeys
+from tam570_grader.checks.motions import BEHIND, NEARLY_FOLLOWS, ONE_ROW_AHEAD, TIGHT, ComparedMotion, diagnosed, obeys
 from tam570_grader.checks.trajectory import OwnRates, compare_trajectory
 
 LOOSE = """
@@ -67,7 +67,7 @@ def exact():
 
 
 def motion(rows):
-    return Motion(Case(TIMES, START), rows, exact(), np.full(3, 20.0), None, lorenz)
+    return ComparedMotion(Case(TIMES, START), rows, exact(), np.full(3, 20.0), None, lorenz)
 
 
 def leads(rows):
@@ -117,7 +117,7 @@ def swings(t, start, tolerance=1e-10, damping=0.0):
 def reported(simulate, t=T, near_miss=0.0):
     actual = simulate(t, RESTED)
     function = SimpleNamespace(aside=lambda case: simulate(*case.args))  # it may be another than the rows are of
-    item = Motion(Case(t, RESTED), actual, swings(t, RESTED), np.ones(2), function, swings)
+    item = ComparedMotion(Case(t, RESTED), actual, swings(t, RESTED), np.ones(2), function, swings)
     return diagnosed(item, [item], [], near_miss)
 
 
@@ -146,7 +146,7 @@ def test_a_hint_tells_whether_the_students_own_rates_are_right(factor, are_right
     rows, function = swings(T, RESTED), SimpleNamespace(name="rates", returns=None, aside=rates)
     own_rates = OwnRates("rates", lambda row: np.flip(row), lambda t, row: (row,))
     simulate = SimpleNamespace(student=SimpleNamespace(rates=function))
-    assert own_rates.are_right(Motion(Case(T, RESTED), rows, rows, np.ones(2), simulate, swings)) == are_right
+    assert own_rates.are_right(ComparedMotion(Case(T, RESTED), rows, rows, np.ones(2), simulate, swings)) == are_right
 
 
 def test_a_later_call_that_raises_follows_from_the_rates_along_its_motion():

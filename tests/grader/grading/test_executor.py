@@ -140,7 +140,7 @@ def test_what_is_expensive_is_computed_once_a_run_the_same_to_the_last_bit(tmp_p
     actual = []
     with expected.sharing(tmp_path / "shared"):
         for _ in range(2):  # two processes, as far as the memory of one is concerned
-            monkeypatch.setattr(expected, "_known", expected.Memory(5))
+            monkeypatch.setattr(expected, "_known", expected.LruCache(5))
             actual.append(expected.expected_result(motion, Case(str(tmp_path), seconds)))
     assert tries(tmp_path, "motion") == computed
     assert {type(item) for item in actual} == {tuple}

@@ -12,7 +12,7 @@ from tam570.course import assignments, contract
 from tam570.lectures import names
 from tam570.show.diagrams import NAME, force_shapes
 from tam570.show.page import page
-from tam570.show.student import Student
+from tam570.show.student import StudentModule
 
 STEP, QUICKER = 0.02, 4.0  # of its panel's size, and of the steps before and after it: a jump is larger than both
 JUMPS = {  # what the physics has, by scene and shape
@@ -92,7 +92,7 @@ def shapes(diagram, **how):
 
 
 def student_with(diagram):
-    return Student(SimpleNamespace(free_body_diagram=diagram), {NAME: {"diagram": 2}})
+    return StudentModule(SimpleNamespace(free_body_diagram=diagram), {NAME: {"diagram": 2}})
 
 
 def test_arrows_are_where_they_act_and_along_their_direction():

@@ -71,7 +71,7 @@ class RepeatedRun(NamedTuple):
     numbers: "memoryview[float]"  # of the state
 
 
-class Motion(NamedTuple):
+class CompiledMotion(NamedTuple):
     """What a run of one start takes."""
 
     advance: Operand
@@ -82,7 +82,7 @@ class Motion(NamedTuple):
 
 
 @lru_cache(maxsize=256)
-def motion_of(graph: Graph) -> Motion | None:
+def motion_of(graph: Graph) -> CompiledMotion | None:
     """Return its compiled code; None without a series."""
     analysed = analytic(graph)
     if analysed is None:
@@ -91,7 +91,7 @@ def motion_of(graph: Graph) -> Motion | None:
     size = len(laws.rates)
     part = f"{size}d{8 * (padded_size(size) - size)}x"  # of a component, with what fills up vectors
     numbers = struct.Struct(f"={taylor_loop.NUMBERS}d{3 * part}")
-    return Motion(_taylor(laws), layout(laws, 1).doubles, constants, numbers, [])
+    return CompiledMotion(_taylor(laws), layout(laws, 1).doubles, constants, numbers, [])
 
 
 def taylor_run(run: Run, look: Look, state: State, *, is_fresh: bool = False) -> State:
@@ -129,7 +129,7 @@ def taylor_run(run: Run, look: Look, state: State, *, is_fresh: bool = False) ->
     return state._replace(row=int(row), t=t, h=h, y=y, r=r, a=a, steps=steps, refusals=refusals)
 
 
-def _packed(motion: Motion, run: Run, state: State, is_fresh: bool) -> bytes:
+def _packed(motion: CompiledMotion, run: Run, state: State, is_fresh: bool) -> bytes:
     """Return the first numbers of the memory of a run in this state."""
     control = run.control
     sizes = [a / (SHARE * run.rtol) if a > NO_SCALE else 0.0 for a in state.a]
@@ -241,7 +241,7 @@ def taylor_runs(graph: Graph, times: Array, out: Array, starts: Array, control: 
     return np.asarray(members[:, 0] == taylor_loop.DONE)
 
 
-def memory_for(motion: Motion, size: int) -> Memory:
+def memory_for(motion: CompiledMotion, size: int) -> Memory:
     """For one run of k = size components."""
     return _memory(taylor_loop.memory(padded_size(size)), motion.doubles, 1, motion.constants)
 

@@ -10,7 +10,7 @@ from tam570.show.live import Live, live_if_written
 from tam570.show.plots import energy_plot, value_plot
 from tam570.show.rods import rod_handles
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
-from tam570.show.student import Student
+from tam570.show.student import StudentModule
 from tam570.values import Function, Numbers, Parameters
 
 EXAMPLE = {"length": 1.0, "gravity": 9.81}  # m, m/s^2
@@ -20,7 +20,7 @@ SECONDS = 12.0
 MASS = 1.0  # kg
 
 
-def film(student: Student, rod: Parameters, start: Sequence[float], seconds: float) -> Scene:
+def film(student: StudentModule, rod: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Both let go from the same angle."""
     times = frame_times(seconds)
     full = student("simulate", times, *start, **rod)
@@ -49,7 +49,7 @@ def film(student: Student, rod: Parameters, start: Sequence[float], seconds: flo
     )
 
 
-def _live(student: Student, rod: Parameters, start: Sequence[float]) -> Live:
+def _live(student: StudentModule, rod: Parameters, start: Sequence[float]) -> Live:
     """By the student's balance of angular momentum; kinetic and potential energy by that of energy."""
     balance, energies = student.function("angular_momentum_balance"), student.function("energy_balance")
 
@@ -87,6 +87,6 @@ def _phase_plane(full: Array, small: Array) -> list[Shape]:
     return shapes
 
 
-def _energy(student: Student, times: Array, states: Array, rod: Parameters) -> TimePlot:
+def _energy(student: StudentModule, times: Array, states: Array, rod: Parameters) -> TimePlot:
     _, kinetic, potential = student.each("energy_balance", *states.T, mass=MASS, **rod).T
     return energy_plot(times, kinetic + potential, potential, "energy of the full motion")

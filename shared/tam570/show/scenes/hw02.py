@@ -9,7 +9,7 @@ from tam570.loading import Trouble
 from tam570.show.diagrams import force_shapes
 from tam570.show.plots import gap_caption, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times
-from tam570.show.student import Student
+from tam570.show.student import StudentModule
 from tam570.values import Parameters
 
 EXAMPLE = {"speed": 50.0, "mass": 1.0, "drag": 0.2, "gravity": 9.81}  # m/s, kg, kg/s, m/s^2
@@ -18,7 +18,7 @@ LONGEST = 100.0  # s, of a flight; this ball falls for 8 s at most
 LARGE = 1e-3  # of the range: a pixel
 
 
-def film(student: Student, parameters: Parameters) -> Scene:
+def film(student: StudentModule, parameters: Parameters) -> Scene:
     """Let each ball fly until it is back at launch height."""
     speed, ball = parameters["speed"], {name: parameters[name] for name in ("mass", "drag", "gravity")}
     best = student("best_angle", speed, **ball)
@@ -46,7 +46,7 @@ def film(student: Student, parameters: Parameters) -> Scene:
 
 
 def _both(
-    student: Student, times: Array, angle: float, flight: float, speed: float, ball: Mapping[str, float]
+    student: StudentModule, times: Array, angle: float, flight: float, speed: float, ball: Mapping[str, float]
 ) -> tuple[Array, Array]:
     """(n, 4) states by both solutions; where it has landed the ball stays."""
     if not 0.0 < flight < LONGEST:

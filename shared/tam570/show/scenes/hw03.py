@@ -5,7 +5,7 @@ import numpy as np
 from tam570.show.drawing import axes
 from tam570.show.plots import gap_caption, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, arrow, frame_times, moving
-from tam570.show.student import Student
+from tam570.show.student import StudentModule
 from tam570.values import Numbers, Parameters
 
 EXAMPLE = {"mass": 1.0}  # kg
@@ -19,7 +19,7 @@ LARGE = 1e-4  # of the largest rate; differences are good to 1e-7 of it
 STEP = 1e-4  # s, of the differences
 
 
-def film(student: Student, parameters: Parameters) -> Scene:
+def film(student: StudentModule, parameters: Parameters) -> Scene:
     """Two points go round, each its own way."""
     times, mass = frame_times(SECONDS), parameters["mass"]
     motion = [*_moves(P, times), *_moves(C, times)]
@@ -79,7 +79,7 @@ def _arrow(tail: Array, vector: Array, all_of_them: dict[str, Array], color: int
     return arrow(tail, 3.0 * vector / longest, color, name, width)
 
 
-def _discrepancies(student: Student, times: Array, motion: list[Array], mass: float) -> TimePlot:
+def _discrepancies(student: StudentModule, times: Array, motion: list[Array], mass: float) -> TimePlot:
     sizes = {
         f"({d})": np.linalg.norm(student.each("discrepancy", [d] * len(times), *motion, mass=mass), axis=1)
         for d in DEFINITIONS
@@ -87,7 +87,7 @@ def _discrepancies(student: Student, times: Array, motion: list[Array], mass: fl
     return value_plot("rate less moment, size", times, sizes, "N m")
 
 
-def _checked(student: Student, times: Array, rates: dict[str, Array], mass: float) -> TimePlot:
+def _checked(student: StudentModule, times: Array, rates: dict[str, Array], mass: float) -> TimePlot:
     """Return the rates beside differences of the student's own angular momentum."""
     scale = max(float(np.linalg.norm(rate, axis=1).max()) for rate in rates.values()) or 1.0
     off = {
@@ -100,7 +100,7 @@ def _checked(student: Student, times: Array, rates: dict[str, Array], mass: floa
     return value_plot("rate(), size", times, sizes, "N m", *caption)
 
 
-def _differences(student: Student, definition: str, times: Array, mass: float) -> Array:
+def _differences(student: StudentModule, definition: str, times: Array, mass: float) -> Array:
     """(m, 3) central differences of angular_momentum; by (a) C stays where it is meanwhile."""
 
     def momentum(shift: float) -> Array:

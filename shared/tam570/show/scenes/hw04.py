@@ -11,7 +11,7 @@ from tam570.show.drawing import axes, circle
 from tam570.show.live import Live, drag, energies, live_if_written
 from tam570.show.plots import state_energy_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
-from tam570.show.student import Student
+from tam570.show.student import StudentModule
 from tam570.values import Numbers, Parameters
 
 EXAMPLE = {"mass": 1.0, "stiffness": 8.0, "gravity": 9.81}  # kg, N/m, m/s^2
@@ -21,7 +21,7 @@ SECONDS = 8.0
 VIEWS = {"by project(), along x": (0.0, 0.0), "by project(), from above": (-pi / 2, pi / 2)}  # rad
 
 
-def film(student: Student, spring: Parameters, start: Sequence[float], seconds: float) -> Scene:
+def film(student: StudentModule, spring: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return the mass in space, and two projections of it at right angles."""
     times = frame_times(seconds)
     r, v = np.array(start[:3]), np.array(start[3:])
@@ -45,7 +45,7 @@ def film(student: Student, spring: Parameters, start: Sequence[float], seconds: 
     )
 
 
-def _live(student: Student, spring: Parameters, start: Sequence[float]) -> Live:
+def _live(student: StudentModule, spring: Parameters, start: Sequence[float]) -> Live:
     measures = energies(student.function("energy"), 3)
     return Live(student.function("state_derivative"), spring, start, _draw, [drag(0, 3)], measures)
 
@@ -61,12 +61,12 @@ def _draw(states: Numbers, spring: Parameters) -> list[Shape]:
     ]
 
 
-def _ellipse(student: Student, r: Array, v: Array, spring: Parameters) -> Shape:
+def _ellipse(student: StudentModule, r: Array, v: Array, spring: Parameters) -> Shape:
     centre, semi_axes = student("orbit", r, v, **spring)
     return Shape("path", circle(centre, *semi_axes), GREY, "ellipse of orbit()", width=5, faint=True)
 
 
-def _projected(student: Student, mass: Array, title: str) -> Panel:
+def _projected(student: StudentModule, mass: Array, title: str) -> Panel:
     path = student("project", mass, *VIEWS[title])
     hook = student("project", np.zeros((1, 3)), *VIEWS[title])
     shapes = [

@@ -11,7 +11,7 @@ from tam570.show.drawing import unit_circle
 from tam570.show.live import Handle, Live, energies, live_if_written
 from tam570.show.plots import drift_caption, state_energy_plot, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, arrow, frame_times, moving
-from tam570.show.student import Student
+from tam570.show.student import StudentModule
 from tam570.values import Numbers, Parameters
 
 EXAMPLE = {"mass": 1.0, "length": 1.0, "gravity": 9.81}  # kg, m, m/s^2
@@ -21,7 +21,7 @@ SECONDS = 12.0
 ARROW = 0.15  # of the length, for the weight
 
 
-def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
+def film(student: StudentModule, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Let go at rest next to the top."""
     times, length = frame_times(seconds), parameters["length"]
     states = student("simulate", times, np.array(start), **parameters)
@@ -48,7 +48,7 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
     )
 
 
-def _live(student: Student, parameters: Parameters, start: Sequence[float]) -> Live:
+def _live(student: StudentModule, parameters: Parameters, start: Sequence[float]) -> Live:
     acceleration, energy = student.function("acceleration"), student.function("energy")
 
     def rates(t: float, state: Numbers, **parameters: Numbers) -> list[Numbers]:

@@ -10,7 +10,7 @@ from tam570.show.drawing import placed, solid
 from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.plots import drift_caption, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times
-from tam570.show.student import Student
+from tam570.show.student import StudentModule
 from tam570.values import Numbers, Parameters
 
 EXAMPLE = {
@@ -29,7 +29,7 @@ SECONDS = 6.0
 HALF_WIDTH, OVERHANG, WHEEL, ARROW = 0.8, 0.7, 0.32, 2.0  # m
 
 
-def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
+def film(student: StudentModule, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Both go straight ahead at the same speed, but for the same small yaw rate."""
     times = frame_times(seconds)
     car = {name: parameters[name] for name in CAR}
@@ -55,7 +55,7 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
     )
 
 
-def _live(student: Student, parameters: Parameters, start: Sequence[float], roads: list[Shape]) -> Live:
+def _live(student: StudentModule, parameters: Parameters, start: Sequence[float], roads: list[Shape]) -> Live:
     """Of the two cars the one that swings round; a hand moves it, and turns it at its nose."""
     derivative, energy = student.function("state_derivative"), student.function("kinetic_energy")
     lane = LANES["rear"]
@@ -102,7 +102,7 @@ def _car(states: Array, locked: str, y: float, parameters: Parameters) -> list[S
     ]
 
 
-def _energy(student: Student, times: Array, motions: dict[str, Array], parameters: Parameters) -> TimePlot:
+def _energy(student: StudentModule, times: Array, motions: dict[str, Array], parameters: Parameters) -> TimePlot:
     """Kinetic energy, and whether with what friction has taken along the way of the locked axle it stays."""
     arguments = {name: parameters[name] for name in ("mass", "yaw_inertia", "front", "rear")}
     energies, sums = {}, {}
@@ -117,7 +117,7 @@ def _energy(student: Student, times: Array, motions: dict[str, Array], parameter
     return value_plot("kinetic energy", times, energies, "kJ", *caption)
 
 
-def _work(student: Student, states: Array, locked: str, parameters: Parameters) -> Array:
+def _work(student: StudentModule, states: Array, locked: str, parameters: Parameters) -> Array:
     """(n,) J, of friction up to each time, by the trapezoidal rule along the path of the axle."""
     car = {name: parameters[name] for name in CAR}
     force = student.each("friction_force", states, [locked] * len(states), **car)

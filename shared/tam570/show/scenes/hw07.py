@@ -10,7 +10,7 @@ from tam570.show.live import Live, energies, live_if_written
 from tam570.show.plots import state_energy_plot, value_plot
 from tam570.show.rods import joints, rod_handles
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving
-from tam570.show.student import Student
+from tam570.show.student import StudentModule
 from tam570.values import Json, Numbers, Parameters
 
 EXAMPLE = {"masses": (1.0, 1.0), "lengths": (1.0, 1.0), "gravity": 9.81}  # kg, m, m/s^2
@@ -19,7 +19,7 @@ START = (math.pi / 2, math.pi / 2, 0.0, 0.0)  # part (d): at rest, both bars lev
 SECONDS = 20.0
 
 
-def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
+def film(student: StudentModule, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return the motion of part (d)."""
     times = frame_times(seconds)
     arguments = _as_arrays(**parameters)
@@ -48,7 +48,7 @@ def _as_arrays(*, masses: Numbers, lengths: Numbers, gravity: Numbers) -> Json:
     return {"masses": np.array(masses), "lengths": np.array(lengths), "gravity": gravity}
 
 
-def _forces(student: Student, states: Array, parameters: Parameters) -> list[Shape]:
+def _forces(student: StudentModule, states: Array, parameters: Parameters) -> list[Shape]:
     """Return the forces that the student draws on either bar."""
     shapes, rows = list[Shape](), states[:, :2]
     for bar in (1, 2):
@@ -61,7 +61,7 @@ def _forces(student: Student, states: Array, parameters: Parameters) -> list[Sha
     return shapes
 
 
-def _live(student: Student, parameters: Parameters, start: Sequence[float]) -> Live:
+def _live(student: StudentModule, parameters: Parameters, start: Sequence[float]) -> Live:
     acceleration, energy = student.function("angular_acceleration"), student.function("energy")
 
     def rates(t: float, state: Numbers, **parameters: Numbers) -> list[Numbers]:

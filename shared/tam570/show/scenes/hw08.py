@@ -7,7 +7,7 @@ from tam570.invariants import rotation_defect
 from tam570.show.drawing import axes
 from tam570.show.plots import gap_caption, value_plot
 from tam570.show.scene import Array, Panel, Scene, Shape, TimePlot, frame_times
-from tam570.show.student import Student
+from tam570.show.student import StudentModule
 from tam570.values import Parameters
 
 EXAMPLE = {"axis": (1.0, 2.0, 2.0)}
@@ -17,7 +17,7 @@ SECONDS = 2 * np.pi
 LARGE = 1e-9  # of the length; a few roundings make 1e-15
 
 
-def film(student: Student, parameters: Parameters) -> Scene:
+def film(student: StudentModule, parameters: Parameters) -> Scene:
     """One full turn."""
     times, axis = frame_times(SECONDS), array((3,), axis=parameters["axis"])
     angles = RATE * times

@@ -10,7 +10,7 @@ from tam570.invariants import rotation_defect
 from tam570.show.drawing import axes, box_face
 from tam570.show.plots import gap_caption, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times
-from tam570.show.student import Student
+from tam570.show.student import StudentModule
 from tam570.values import Parameters
 
 EXAMPLE = {"size": (1.2, 1.8, 0.3)}  # m
@@ -20,7 +20,7 @@ SECONDS = 5.5
 LARGE = 1e-9
 
 
-def film(student: Student, parameters: Parameters) -> Scene:
+def film(student: StudentModule, parameters: Parameters) -> Scene:
     """Both orders side by side; the axes are fixed in space."""
     times, size = frame_times(SECONDS), np.array(positives(3, size=parameters["size"]))
     turned = {title: _turns(student, times, order) for title, order in ORDERS.items()}
@@ -47,7 +47,7 @@ def film(student: Student, parameters: Parameters) -> Scene:
     )
 
 
-def _turns(student: Student, times: Array, order: str) -> Array:
+def _turns(student: StudentModule, times: Array, order: str) -> Array:
     """(n, 3, 3) rotations: one axis after the other."""
     shares = [np.clip((times - begin) / LASTS, 0.0, 1.0) for begin in BEGINS]
     angles = [math.pi / 2 * share**2 * (3.0 - 2.0 * share) for share in shares]  # with no jerk at the ends
@@ -55,7 +55,7 @@ def _turns(student: Student, times: Array, order: str) -> Array:
     return student.each("space_sequence", steps)
 
 
-def _axis(student: Student, R: Array) -> Shape:
+def _axis(student: StudentModule, R: Array) -> Shape:
     n, _ = student("axis_angle", R)
     return Shape("arrow", 1.4 * np.array([-n, n]), 2, "axis of the whole turn, by axis_angle()", width=2.5)
 

@@ -10,7 +10,7 @@ from tam570.show.drawing import box_face, brick, circle, cone, solid
 from tam570.show.live import Live, live_if_written
 from tam570.show.plots import drift_caption, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, arrow, frame_times, moving
-from tam570.show.student import Student
+from tam570.show.student import StudentModule
 from tam570.show.turning import in_space, spin_handle
 from tam570.values import Numbers, Parameters
 
@@ -23,7 +23,7 @@ WOBBLE = np.array([0.5, 0.0, 2.0])  # rad/s
 UP = np.eye(3)[2]
 
 
-def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
+def film(student: StudentModule, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Both bodies are thrown at once."""
     times, spin = frame_times(seconds), np.array(start)
     inertia = np.diag(of_box(parameters["mass"], parameters["size"]))
@@ -52,7 +52,7 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
     )
 
 
-def _live(student: Student, inertia: Array, size: Array, spin: Array) -> Live:
+def _live(student: StudentModule, inertia: Array, size: Array, spin: Array) -> Live:
     """Return the box as equations: R, row by row, and omega in the body; a hand takes the tip of omega."""
     euler, attitude, energy = (student.function(name) for name in ("euler_equations", "attitude_rate", "energy"))
     reach = 1.5 / float(np.linalg.norm(spin))  # m per rad/s
@@ -90,11 +90,11 @@ def _attitude(omega: Array, inertia: Array) -> Array:
     return np.array([first, np.cross(third, first), third])
 
 
-def _motion(student: Student, times: Array, omega: Array, inertia: Array) -> Numbers:
+def _motion(student: StudentModule, times: Array, omega: Array, inertia: Array) -> Numbers:
     return student("simulate", times, _attitude(omega, inertia), omega, inertia=inertia)
 
 
-def _box(student: Student, rotations: Array, omegas: Array, momenta: list[Array], size: Array) -> list[Shape]:
+def _box(student: StudentModule, rotations: Array, omegas: Array, momenta: list[Array], size: Array) -> list[Shape]:
     edges = student.each("wireframe", rotations, size=size).reshape(-1, 24, 3)
     reach = 1.5 / np.linalg.norm(omegas[0])  # m per rad/s
     return [
@@ -106,7 +106,7 @@ def _box(student: Student, rotations: Array, omegas: Array, momenta: list[Array]
     ]
 
 
-def _ellipsoids(student: Student, omegas: Array, inertia: Array) -> Panel:
+def _ellipsoids(student: StudentModule, omegas: Array, inertia: Array) -> Panel:
     """Energy and the size of H keep omega on one ellipsoid each, and so on the curve in which they meet."""
     energy = student.each("energy", omegas[:1], inertia=inertia)[0]
     momentum = float(np.linalg.norm(inertia * omegas[0]))
@@ -164,7 +164,7 @@ def _sphere() -> list[Array]:
     ]
 
 
-def _disk(student: Student, times: Array) -> Panel:
+def _disk(student: StudentModule, times: Array) -> Panel:
     """Two points of the rim, a quarter of a turn apart; the cones of omega in the body and in space."""
     omegas, rotations = _motion(student, times, WOBBLE, DISK)
     length = 1.6 / np.linalg.norm(WOBBLE)
@@ -192,7 +192,7 @@ def _once_round(vectors: Array) -> Array:
     return vectors[np.rint(np.linspace(0, last, 37)).astype(int)]
 
 
-def _energy(student: Student, times: Array, omegas: Array, inertia: Array) -> TimePlot:
+def _energy(student: StudentModule, times: Array, omegas: Array, inertia: Array) -> TimePlot:
     energy = student.each("energy", omegas, inertia=inertia)
     curves = {f"omega {name}": part for name, part in zip("ABC", omegas.T, strict=True)}
     return value_plot("angular velocity in the body", times, curves, "rad/s", *drift_caption(energy, about="energy: "))

@@ -7,7 +7,7 @@ import numpy as np
 from tam570.show.drawing import circle, floor, solid
 from tam570.show.plots import gap_caption, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
-from tam570.show.student import Student
+from tam570.show.student import StudentModule
 from tam570.values import Parameters
 
 EXAMPLE = {
@@ -36,7 +36,7 @@ class Circling:
     name: str
 
 
-def film(student: Student, parameters: Parameters) -> Scene:
+def film(student: StudentModule, parameters: Parameters) -> Scene:
     """Three coins on one floor about one centre."""
     times = frame_times(SECONDS)
     arguments, radius = {name: parameters[name] for name in ALL}, parameters["radius"]
@@ -59,13 +59,13 @@ def film(student: Student, parameters: Parameters) -> Scene:
     )
 
 
-def _rolling(student: Student, lean: float, track_radius: float, parameters: Parameters) -> Circling:
+def _rolling(student: StudentModule, lean: float, track_radius: float, parameters: Parameters) -> Circling:
     precession = student("rolling_precession", lean, track_radius, **parameters)
     spin = student("rolling_spin", lean, precession, **parameters)
     return Circling(lean, track_radius, precession, spin, f"rolling, lean {lean:g}")
 
 
-def _settling(student: Student, lean: float, parameters: Parameters) -> Circling:
+def _settling(student: StudentModule, lean: float, parameters: Parameters) -> Circling:
     precession = student("common_precession", lean, **parameters)
     spin = student("sliding_spin", lean, precession, **parameters)
     track_radius = student("sliding_track_radius", lean, radius=parameters["radius"])
@@ -93,7 +93,7 @@ def _coin(times: Array, coin: Circling, radius: float, color: int) -> list[Shape
     ]
 
 
-def _residuals(student: Student, times: Array, coins: list[Circling], parameters: Parameters) -> TimePlot:
+def _residuals(student: StudentModule, times: Array, coins: list[Circling], parameters: Parameters) -> TimePlot:
     disk, inertia, gravity = {name: parameters[name] for name in COIN}, parameters["inertia"], parameters["gravity"]
     off = {}
     for coin in coins:

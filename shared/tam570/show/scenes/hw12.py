@@ -9,7 +9,7 @@ from tam570.show.diagrams import force_shapes
 from tam570.show.live import Handle, Live, energies, live_if_written
 from tam570.show.plots import state_energy_plot, value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, arrow, frame_times
-from tam570.show.student import Student
+from tam570.show.student import StudentModule
 from tam570.values import Numbers, Parameters
 
 EXAMPLE = {"mass": 1.0, "curvature": 0.8, "gravity": 9.81}  # kg, 1/m, m/s^2
@@ -19,7 +19,7 @@ SECONDS = 10.0
 ARROW = 0.4  # m, of the weight
 
 
-def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
+def film(student: StudentModule, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return the bead, and the forces on it as a polygon that closes with m a."""
     times = frame_times(seconds)
     wire = {name: parameters[name] for name in ("curvature", "gravity")}
@@ -49,7 +49,7 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
     )
 
 
-def _live(student: Student, parameters: Parameters, start: Sequence[float], reach: float) -> Live:
+def _live(student: StudentModule, parameters: Parameters, start: Sequence[float], reach: float) -> Live:
     acceleration, energy = student.function("acceleration_newton"), student.function("energy")
 
     def rates(t: float, state: Numbers, *, mass: Numbers, curvature: Numbers, gravity: Numbers) -> list[Numbers]:
@@ -70,7 +70,7 @@ def _draw(reach: float, states: Array, parameters: Parameters) -> list[Shape]:
     return [Shape("path", wire, GREY, "wire", width=3), Shape("dot", bead[:, None], 0, "bead", width=8)]
 
 
-def _forces(student: Student, states: Array, parameters: Parameters) -> list[Shape]:
+def _forces(student: StudentModule, states: Array, parameters: Parameters) -> list[Shape]:
     weight = parameters["mass"] * parameters["gravity"] * np.array([0.0, -1.0])
     force = student.each("constraint_force", *states.T, **parameters)
     unit = ARROW / (np.linalg.norm(weight) or 1.0)  # m/N

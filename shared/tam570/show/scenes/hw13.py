@@ -12,7 +12,7 @@ from tam570.show.drawing import circle, solid
 from tam570.show.live import Handle, Live, energies, live_if_written
 from tam570.show.plots import drift_caption, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, moving
-from tam570.show.student import Student
+from tam570.show.student import StudentModule
 from tam570.values import Numbers, Parameters
 
 EXAMPLE = {
@@ -28,7 +28,7 @@ START = (0.0, 8.0)  # rad, rad/s: enough to roll over the place where the centre
 SECONDS = 2.5
 
 
-def film(student: Student, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
+def film(student: StudentModule, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Pushed off with the centre of mass lowest."""
     times = frame_times(seconds)
     correct = student("simulate", times, *start, **parameters)
@@ -51,7 +51,7 @@ def film(student: Student, parameters: Parameters, start: Sequence[float], secon
     )
 
 
-def _live(student: Student, parameters: Parameters, start: Sequence[float], farthest: float) -> Live:
+def _live(student: StudentModule, parameters: Parameters, start: Sequence[float], farthest: float) -> Live:
     acceleration, energy = student.function("acceleration"), student.function("energy")
 
     def rates(t: float, state: Numbers, **parameters: Numbers) -> list[Numbers]:
@@ -73,7 +73,7 @@ def _live(student: Student, parameters: Parameters, start: Sequence[float], fart
     return Live(rates, parameters, start, drawing, [Handle(centre, grab)], measures)
 
 
-def _naive(student: Student, times: Array, start: Sequence[float], parameters: Parameters) -> Array:
+def _naive(student: StudentModule, times: Array, start: Sequence[float], parameters: Parameters) -> Array:
     """(n, 2) the motion by the student's naive acceleration."""
 
     def rates(t: float, state: Array) -> tuple[float, float]:
@@ -85,7 +85,7 @@ def _naive(student: Student, times: Array, start: Sequence[float], parameters: P
         raise Trouble(f"naive_contact_acceleration cannot be integrated: {error}") from error
 
 
-def _forces(student: Student, phi: Array, parameters: Parameters) -> list[Shape]:
+def _forces(student: StudentModule, phi: Array, parameters: Parameters) -> list[Shape]:
     """Return the forces that the student draws, in axes down the ramp and off it from the centre of the cylinder."""
     slope, radius = parameters["slope"], parameters["radius"]
     axes = np.array([[np.cos(slope), -np.sin(slope)], [np.sin(slope), np.cos(slope)]])
@@ -119,7 +119,9 @@ def _turned(vector: Array, phi: Array) -> Array:
     return np.column_stack([c * vector[0] + s * vector[1], c * vector[1] - s * vector[0]])
 
 
-def _energy(student: Student, times: Array, correct: Array, wrong: list[Array], parameters: Parameters) -> TimePlot:
+def _energy(
+    student: StudentModule, times: Array, correct: Array, wrong: list[Array], parameters: Parameters
+) -> TimePlot:
     motions = dict(zip(("by G", "naive"), [correct, *wrong], strict=False))
     total = {name: student.each("energy", *states.T, **parameters) for name, states in motions.items()}
     at_rest = student.each("energy", correct[:, 0], 0 * times, **parameters)

@@ -12,7 +12,7 @@ from tam570.show.drawing import circle, floor, solid
 from tam570.show.live import Handle, Live, energies, live_if_written
 from tam570.show.plots import gap_caption, state_energy_plot, value_plot
 from tam570.show.scene import Array, Panel, Scene, Shape, TimePlot, frame_times, moving
-from tam570.show.student import Student
+from tam570.show.student import StudentModule
 from tam570.values import Numbers, Parameters
 
 EXAMPLE = {"mass": 1.0, "radius": 0.5, "inertia": (0.0625, 0.125), "gravity": 9.81}  # kg, m, kg m^2, m/s^2
@@ -32,7 +32,7 @@ SECONDS = 12.0
 LARGE = 1e-3  # of the radius, between the two simulations
 
 
-def film(student: Student, disk: Parameters, start: Sequence[float], seconds: float) -> Scene:
+def film(student: StudentModule, disk: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return a disk that is rolled off with a lean."""
     times = frame_times(seconds)
     states = student("simulate_euler", times, np.array(start), **disk)
@@ -62,7 +62,7 @@ def film(student: Student, disk: Parameters, start: Sequence[float], seconds: fl
     )
 
 
-def _live(student: Student, disk: Parameters, start: Sequence[float], still: list[Shape]) -> Live:
+def _live(student: StudentModule, disk: Parameters, start: Sequence[float], still: list[Shape]) -> Live:
     def drawing(states: Numbers, parameters: Parameters) -> list[Shape]:
         x, y, yaw, tilt, roll = states[:, :5].T
         contact = np.column_stack([x, y, 0 * x])
@@ -98,7 +98,7 @@ def _disk(contact: Array, rim: Array, diameters: Array) -> list[Shape]:
     ]
 
 
-def _tilt(student: Student, times: Array, states_by_angles: Array, frame: Array, disk: Parameters) -> TimePlot:
+def _tilt(student: StudentModule, times: Array, states_by_angles: Array, frame: Array, disk: Parameters) -> TimePlot:
     """Return the tilt; and the centre by the matrices beside that by the Euler angles, the middle of a diameter."""
     first = student("matrix_state", states_by_angles[0], radius=disk["radius"])
     states = student("simulate_matrix", times, first, **disk)
