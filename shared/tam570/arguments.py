@@ -1,39 +1,41 @@
 """What a function is given: each of these raises a ValueError that names the argument it refuses."""
 
-import math
 from collections.abc import Collection, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tam570.values import Numbers
+
+LEAST, MOST = 1e-100, 1e100  # of a number in SI units: its square and its cube are numbers
 SYMMETRIC = 1e-9  # of the largest element: rounding of a matrix that was computed, by a rotation say
 
 
 def positive(**arguments: float) -> None:
-    """Refuses what is not a finite number above 0, as in positive(mass=mass)."""
+    """Refuses what is not a number above 0, as in positive(mass=mass)."""
     for name, value in arguments.items():
-        if not (_is_symbol(value) or _is_real(value) and 0.0 < value < math.inf):
-            raise ValueError(f"{name}: must be a positive number, got {value!r}")
+        if not (_is_symbol(value) or _is_real(value) and LEAST <= value <= MOST):
+            raise ValueError(f"{name}: must be a positive number from {LEAST:g} to {MOST:g}, got {value!r}")
 
 
 def nonnegative(**arguments: float) -> None:
-    """Refuses what is not a finite number of 0 or more."""
+    """Refuses what is not a number of 0 or more."""
     for name, value in arguments.items():
-        if not (_is_symbol(value) or _is_real(value) and 0.0 <= value < math.inf):
-            raise ValueError(f"{name}: must be a number of 0 or more, got {value!r}")
+        if not (_is_symbol(value) or _is_real(value) and 0.0 <= value <= MOST):
+            raise ValueError(f"{name}: must be a number from 0 to {MOST:g}, got {value!r}")
 
 
 def finite(**arguments: float) -> None:
     """Refuses what is not a finite number."""
     for name, value in arguments.items():
-        if not (_is_symbol(value) or _is_real(value) and math.isfinite(value)):
-            raise ValueError(f"{name}: must be a finite number, got {value!r}")
+        if not (_is_symbol(value) or _is_real(value) and -MOST <= value <= MOST):
+            raise ValueError(f"{name}: must be a number from {-MOST:g} to {MOST:g}, got {value!r}")
 
 
 def whole_number(least: int, **arguments: int) -> None:
     """Refuses what is not a whole number of `least` or more."""
     for name, value in arguments.items():
-        if not isinstance(value, int | np.integer) or value < least:
+        if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
             raise ValueError(f"{name}: must be a whole number of {least} or more, got {value!r}")
 
 
@@ -51,17 +53,27 @@ def sequence(count: int, **arguments: Sequence[float]) -> None:
             raise ValueError(f"{name}: must be {count} numbers, got {value!r}")
 
 
-def array(shape: tuple[int | None, ...], **arguments: ArrayLike) -> NDArray[np.float64]:
-    """Return the one array that is named, of finite floats and this shape; None stands for any length."""
+def array(shape: tuple[int | None, ...] | None, **arguments: ArrayLike) -> NDArray[np.float64]:
+    """Return the one array that is named, of finite floats and this shape; None stands for any shape, or length."""
     ((name, value),) = arguments.items()
     actual = _shape(name, value)
+    shape = (None,) * len(actual) if shape is None else shape
     if len(actual) != len(shape) or any(n is not None and m != n for m, n in zip(actual, shape, strict=True)):
         wanted = ", ".join("n" if n is None else str(n) for n in shape)
         raise ValueError(f"{name}: must have the shape ({wanted}{',' * (len(shape) == 1)}), got {actual}")
     values = _floats(name, value)
-    if values.dtype != object and not np.isfinite(values).all():
-        raise ValueError(f"{name}: must be finite, got {values}")
+    if values.dtype != object and not (np.abs(values) <= MOST).all():
+        raise ValueError(f"{name}: must be numbers from {-MOST:g} to {MOST:g}, got {values}")
     return values
+
+
+def like(example: Numbers, **arguments: Numbers) -> None:
+    """Refuses what is not a number, or numbers in as many rows and columns, as the example is."""
+    for name, value in arguments.items():
+        if np.ndim(example):
+            array((None,) * np.ndim(example), **{name: value})
+        elif not isinstance(example, str):
+            finite(**{name: value})
 
 
 def symmetric(shape: tuple[int | None, int | None], **arguments: ArrayLike) -> NDArray[np.float64]:
@@ -77,8 +89,8 @@ def positives(count: int | None = None, **arguments: Sequence[float]) -> tuple[f
     """Return the one sequence that is named, of `count` positive floats."""
     ((name, value),) = arguments.items()
     values = numbers(count, **arguments)
-    if values.dtype != object and not (values > 0.0).all():
-        raise ValueError(f"{name}: must be positive numbers, got {value!r}")
+    if values.dtype != object and not (values.size and (values >= LEAST).all()):
+        raise ValueError(f"{name}: must be positive numbers of {LEAST:g} or more, got {value!r}")
     return tuple(values.tolist())
 
 
@@ -93,7 +105,7 @@ def _is_symbol(value: object) -> bool:
 
 
 def _is_real(value: object) -> bool:
-    return isinstance(value, float | int | np.floating | np.integer)
+    return isinstance(value, float | int | np.floating | np.integer) and not isinstance(value, bool)
 
 
 def _shape(name: str, value: ArrayLike) -> tuple[int, ...]:

@@ -50,7 +50,7 @@ def poured(fallen: float, *, density: float, gravity: float, supplied: float = 0
     length   : of the whole chain, m; if very long it hardly feels that pull
     """
     positive(density=density)
-    finite(gravity=gravity)
+    nonnegative(gravity=gravity)
     square = _landing_speed(fallen, length, gravity, supplied) ** 2
     return density * (gravity * fallen + (1 - supplied) * square)
 

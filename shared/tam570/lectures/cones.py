@@ -73,7 +73,7 @@ def _momentum(axial: float, transverse: float, spin: float, wobble: float, movin
 
 def _round(t: ArrayLike, out: float, up: float, rate: float) -> Array:
     """(..., 3) a vector that goes round z at this rate."""
-    turned = rate * array(np.shape(t), t=t)
+    turned = rate * array(None, t=t)
     return np.stack([out * np.cos(turned), out * np.sin(turned), up + 0.0 * turned], axis=-1)
 
 

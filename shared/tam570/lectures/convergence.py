@@ -25,7 +25,7 @@ STATE = {"th1": "rad", "th2": "rad", "om1": "rad/s", "om2": "rad/s"}
 EXAMPLE: Parameters = {"masses": (1.0, 0.6), "lengths": (1.0, 0.8), "gravity": 9.81}  # kg, m, m/s^2
 START = (1.2, 0.4, 0.0, 0.0)
 SECONDS = 8.0
-DURATION = 0.5  # s, after which `errors` compares
+DURATION, SHORTEST = 0.5, 1e-6  # s, after which `errors` compares; of a step
 STAGES: dict[str, tuple[tuple[float, ...], ...]] = {  # of each stage its weights of those before; last, the sum's
     "euler": ((), (1.0,)),
     "heun": ((), (1.0,), (1 / 2, 1 / 2)),
@@ -83,8 +83,8 @@ def errors(method: str, steps: ArrayLike) -> tuple[Array, Array]:
     if not isinstance(method, str) or method.lower() not in STAGES:
         raise ValueError(f"method: must be one of Euler, Heun, RK4, got {method!r}")
     weights, sizes = STAGES[method.lower()], numbers(steps=steps)
-    if not ((sizes > 0) & (sizes <= DURATION)).all():
-        raise ValueError(f"steps: must be above 0 and at most {DURATION:g} s, got {steps!r}")
+    if not ((sizes >= SHORTEST) & (sizes <= DURATION)).all():
+        raise ValueError(f"steps: must be from {SHORTEST:g} to {DURATION:g} s, got {steps!r}")
     both = []
     for equations in (rates, wrong_rates):
         exact = solve(equations, [0.0, DURATION], START, parameters=EXAMPLE, rtol=1e-13)[-1]
@@ -95,8 +95,8 @@ def errors(method: str, steps: ArrayLike) -> tuple[Array, Array]:
 
 def order(method: str, steps: ArrayLike) -> tuple[float, float]:
     """(right, wrong) observed orders of a method: the slope of log(error) over log(step), steps (n,), s, n >= 2."""
-    counts = np.rint(DURATION / numbers(steps=steps))
     correct, wrong = errors(method, steps)
+    counts = np.rint(DURATION / numbers(steps=steps))
     return observed_order(DURATION / counts, correct), observed_order(DURATION / counts, wrong)
 
 

@@ -100,7 +100,7 @@ def foucault(t: ArrayLike, *, length: float, gravity: float, latitude: float, sp
     """
     positive(length=length, gravity=gravity)
     finite(latitude=latitude, spin=spin)
-    return -spin * sin(latitude) * array(np.shape(t), t=t)
+    return -spin * sin(latitude) * array(None, t=t)
 
 
 def foucault_path(t: ArrayLike, *, length: float, gravity: float, latitude: float, spin: float) -> Array:
@@ -114,7 +114,8 @@ def foucault_path(t: ArrayLike, *, length: float, gravity: float, latitude: floa
 
 
 def _complex(state: ArrayLike) -> tuple[Complex, Complex]:
-    x, y, vx, vy = np.moveaxis(array((*np.shape(state)[:-1], 4), state=state), -1, 0)
+    states = array(None, state=state)
+    x, y, vx, vy = np.moveaxis(array((*states.shape[:-1], 4), state=states), -1, 0)
     return x + 1j * y, vx + 1j * vy
 
 

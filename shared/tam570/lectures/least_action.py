@@ -12,7 +12,7 @@ from math import copysign, pi, sin, sqrt
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.arguments import finite, numbers, positive, whole_number
+from tam570.arguments import finite, nonnegative, numbers, positive, whole_number
 from tam570.show.scene import Array
 from tam570.show.scenes import drawn_for, least_action
 
@@ -115,10 +115,12 @@ def _descent(angles: Array, *, duration: float, length: float, gravity: float) -
         damping = 4 * damping or 1e-13 * length**2 / h
 
 
-def swing(angles: Array, duration: float, *, length: float, gravity: float) -> Array:
+def swing(path: ArrayLike, duration: float, *, length: float, gravity: float) -> Array:
     """(n,) rad: the motion nearest to the small swing between the same ends, whether its action is least or not."""
+    angles, h = _path(path, duration, length, gravity)
+    nonnegative(gravity=gravity)
     w, times = sqrt(gravity / length), np.linspace(0.0, duration, len(angles))
-    a, b, h = angles[0], angles[-1], duration / (len(angles) - 1)
+    a, b = angles[0], angles[-1]
     wave = sin(w * duration)
     size = copysign(max(abs(wave), 0.05), wave)  # at half a period the small swing would be infinite
     motion: Array = (a * np.sin(w * (duration - times)) + b * np.sin(w * times)) / size

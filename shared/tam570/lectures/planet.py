@@ -74,7 +74,7 @@ def exact(t: ArrayLike, state: ArrayLike, *, gm: float) -> Array:
     orbit = elements(state, gm=gm)
     a, distance, fall = orbit["semi_major_axis"], float(np.linalg.norm(r0)), float(r0 @ v0)
     if not (0.0 < a < inf and orbit["eccentricity"] < 1.0 and np.cross(r0, v0).any()):
-        raise ValueError(f"state: no ellipse, the eccentricity is {orbit['eccentricity']:g}")
+        raise ValueError(f"state: no ellipse at gm = {gm:g}, the eccentricity is {orbit['eccentricity']:g}")
     n = sqrt(gm / a) / a  # rad/s
     e_cos, e_sin = 1.0 - distance / a, fall / (n * a * a)  # of E at t[0]
     e, first = hypot(e_cos, e_sin), atan2(e_sin, e_cos)

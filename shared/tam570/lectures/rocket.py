@@ -71,6 +71,7 @@ def coasting_energy(
     state: ArrayLike, *, burn_rate: float, exhaust_speed: float, empty_mass: float, gravity: float
 ) -> float:
     """J/kg, v^2/2 + g h as it will be at the end of the burning, and is after it."""
+    _check(burn_rate, exhaust_speed, empty_mass, gravity)
     height, speed, mass = numbers(3, state=state).tolist()
     parameters = {"burn_rate": burn_rate, "exhaust_speed": exhaust_speed, "empty_mass": empty_mass, "gravity": gravity}
     burning = max(mass - empty_mass, 0.0) / burn_rate  # s

@@ -47,7 +47,8 @@ INVARIANTS = {"energy": energy}
 def straight_growth_rate(speed: float, *, mass: float, inertia: float, offset: float) -> float:
     """1/s, of exp(rate t), by which a small yaw rate grows while the sleigh goes straight at `speed`."""
     finite(speed=speed)
-    return -offset * speed / gyration(mass, inertia, offset) ** 2
+    k = gyration(mass, inertia, offset)
+    return -offset * speed / k**2
 
 
 def exact(t: ArrayLike, state: ArrayLike, *, mass: float, inertia: float, offset: float) -> Array:

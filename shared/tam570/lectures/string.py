@@ -81,7 +81,7 @@ def _on_the_table(
     state: Sequence[float], masses: Sequence[float], gravity: float
 ) -> tuple[tuple[float, ...], Sequence[float]]:
     checked = _checked(state, masses, gravity)
-    if state[0] <= 0:
+    if not state[0] > 0:
         raise ValueError(f"state: r must be positive, got {state[0]!r}: the mass would be in the hole")
     return checked
 

@@ -97,7 +97,7 @@ def rigid(
     ahead = np.column_stack([-arms[:, 1], arms[:, 0]])
     places = centre + speed * since + c * arms + s * ahead
     velocities = speed + turning * (c * ahead - s * arms)
-    return np.hstack([places.reshape(len(times), -1), velocities.reshape(len(times), -1)])
+    return np.hstack([places.reshape(len(times), 2 * len(m)), velocities.reshape(len(times), 2 * len(m))])
 
 
 def _checked(

@@ -46,7 +46,7 @@ def tension(length: float, *, stiffness: float, rest_length: float) -> float:
 
 def spring_energy(length: float, *, stiffness: float, rest_length: float) -> float:
     """Work that stretches the spring from its rest length, J: the integral of the tension, a triangle's area."""
-    return (length - rest_length) * tension(length, stiffness=stiffness, rest_length=rest_length) / 2
+    return tension(length, stiffness=stiffness, rest_length=rest_length) * (length - rest_length) / 2
 
 
 def exact(t: ArrayLike, state: ArrayLike, *, masses: Sequence[float], stiffness: float, rest_length: float) -> Array:

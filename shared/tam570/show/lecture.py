@@ -10,7 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 
-from tam570.arguments import finite, positive
+from tam570.arguments import finite, like, positive
 from tam570.course import Unknown
 from tam570.lectures import catalogue, load
 from tam570.loading import Trouble
@@ -64,15 +64,19 @@ def filmed(source: ModuleType, numbers: Parameters | None = None, *before: Stude
     for name in numbers or {}:
         if name not in values:
             raise Unknown(f"there is no number {name!r} to set; there are: {', '.join(values)}")
-    values |= numbers or {}
+    examples, values = values, {**values, **(numbers or {})}
     try:
+        for name in numbers or {}:
+            like(examples[name], **{name: values[name]})
         arguments = _arguments(dict(values)) if moves else (values,)
         for name in [f"start.{name}" for name, unit in source.STATE.items() if unit == "rad/s"] if moves else ():
             drawable_rate(name, values[name])
         with patience("the motion", MOST_WORK):
             scene: Scene = source.film(*before, *arguments)
-    except (TypeError, ValueError, ArithmeticError) as error:
-        raise Trouble(str(error)) from error
+    except (TypeError, ValueError, ArithmeticError, Trouble) as error:
+        nameless = not before and not any(name.rpartition(".")[2] in str(error) for name in numbers or {})
+        remedies = [f"; try {name} nearer to {examples[name]}" for name in numbers or {} if nameless]
+        raise Trouble(f"{error}{''.join(remedies)}") from error
     return replace(scene, settings=values)
 
 

@@ -5,6 +5,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
+from tam570.arguments import one_of
 from tam570.show.drawing import solid
 from tam570.show.plots import value_plot
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, arrow, frame_times, moving
@@ -17,6 +18,7 @@ WHEEL = 0.3  # m
 
 def film(lecture: SimpleNamespace, parameters: Parameters) -> Scene:
     """Let each car brake; a note names one that cannot without lifting an axle."""
+    one_of(LOCKED, locked=parameters["locked"])
     result: dict[str, tuple[float, float, float]] = {}
     notes = []
     for locked in LOCKED:
