@@ -40,6 +40,7 @@ class Functions:
     mistake: Candidate | None = None  # what is tried on the results
     everywhere: bool = False  # whether it is tried where other functions of the module call this one, too
     informative: bool = False  # whether some result is not zero where it is undone
+    parameters: set[str] = field(default_factory=set)  # of the calls in which it is undone
     cache: dict[tuple[str, bool, bytes], Numbers] = field(default_factory=dict)  # results, by function and arguments
     observed: dict[str, ObservedCall] = field(default_factory=dict)  # the first call of each function
     hanging: dict[str, str] = field(default_factory=dict)  # functions that are not called again, and why
@@ -86,6 +87,7 @@ class Functions:
         if self.mistake is None or self.mistake.function != name or self.mistake.repair is None:
             return result
         repaired = self.mistake.repair(ObservedCall(arguments, result))
+        self.parameters.add(str(arguments.kwargs))
         self.informative = self.informative or any(map(np.any, parts(repaired)))
         return repaired
 

@@ -74,6 +74,11 @@ class Candidate:
     message: str
     repair: Callable[[ObservedCall], Numbers] | None
 
+    @property
+    def is_a_number(self) -> bool:
+        """Whether it is a factor 2, which in calls with one set of parameters one of these may be."""
+        return any(words in self.message for words in (" twice", " half", "sqrt(2)"))
+
 
 def candidates(
     name: str, returns: Form, function: Function, example: ObservedCall, seconds: float

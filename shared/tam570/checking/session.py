@@ -255,6 +255,7 @@ def _explained(outcomes: Outcomes, used: Mapping[str, set[str]], reached: Progre
             if budget < 0:
                 break
             mended, informative = list[str](), mistake.repair is None
+            functions.parameters.clear()
             for test in failed:
                 functions.informative = False
                 if _passes(outcomes, mistake, test):
@@ -265,6 +266,9 @@ def _explained(outcomes: Outcomes, used: Mapping[str, set[str]], reached: Progre
                 informative  # many mistakes leave nothing but zeros
                 and (is_as_good or len(mended) > len(best))
                 and its_own <= {*mended}
+                and not (
+                    mistake.is_a_number and len(functions.parameters) == 1 and functions.observed[name].case.kwargs
+                )
                 and all(_passes(outcomes, mistake, test) for test in alone)
             ):
                 if best_mistake and is_as_good:  # nothing tells the two arguments apart

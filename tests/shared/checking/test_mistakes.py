@@ -27,22 +27,13 @@ CALLS = {
     "from scipy import integrate": "integrate.odeint(rates, [theta0, omega0], t, tfirst=True, rtol=1e-4, atol=1e-4)",
 }
 
-WRONG_MOMENT = """
-
-kept, kept_rate = moment, rate
-
-def moment(*args, **how):
-    return -kept(*args, **how)
-
-def rate(definition, r_p, v_p, a_p, r_c, v_c, a_c, **how):
-    moments = [each(r_p, a_p, r_c, **how) for each in (moment, kept)]
-    return kept_rate(definition, r_p, v_p, a_p, r_c, v_c, a_c, **how) + moments[0] - moments[1]
-"""
-
 
 def test_what_follows_from_a_mistake_in_another_function_is_no_mistake(desk, tam570, in_process, solution_text):
     slug = "hw03_angular_momentum_rate"
-    (desk / f"{slug}.py").write_text(solution_text(slug) + WRONG_MOMENT)
+    arm_and_force = "np.cross(r_p - r_c, mass * a_p)"
+    text = solution_text(slug).replace(arm_and_force, "moment(r_p, a_p, r_c, mass=mass)")
+    text = text.replace("return moment(", f"return -{arm_and_force} #", 1)
+    (desk / f"{slug}.py").write_text(text)
     _, said = tam570("check", f"{slug}.py")
     said = " ".join(said.split())
     assert "moment has the opposite sign" in said and "rate uses or repeats the mistake in moment" in said
@@ -56,6 +47,13 @@ def test_a_known_mistake_is_named(desk, tam570, in_process, solution_text, slug,
     (desk / f"{slug}.py").write_text(solution_text(slug) + changed)
     code, said = tam570("check", f"{slug}.py")
     assert code == 1 and "Your numbers match this mistake: " in said and remedy in " ".join(said.split())
+
+
+def test_a_factor_two_that_a_parameter_may_be_has_no_name(desk, tam570, in_process, solution_text):
+    slug = "hw04_hanging_spring"
+    (desk / f"{slug}.py").write_text(solution_text(slug).replace("velocity * np.sqrt(mass / stiffness)", "velocity"))
+    code, said = tam570("check", f"{slug}.py")
+    assert code == 1 and "twice" not in said
 
 
 @pytest.mark.parametrize("above", first(1, CALLS))
