@@ -9,6 +9,13 @@ def energy_balance(theta, omega, *, mass, length, gravity):
     return -gravity / length * np.sin(theta), _kinetic(omega, mass, length), potential
 
 
+def power_balance(theta, omega, *, mass, length, gravity):
+    """The power by the velocity."""
+    velocity = omega * length
+    power = -mass * gravity * velocity * np.sin(theta)
+    return -gravity / length * np.sin(theta), power
+
+
 def action(theta, step, *, mass, length, gravity):
     """The integral of T - V, by the middles of the steps."""
     omega, middle = np.diff(theta) / step, (theta[:-1] + theta[1:]) / 2

@@ -10,3 +10,11 @@ def solution(t, position, velocity, *, mass, stiffness, gravity):
     phase = rate * t[:, None] - np.arctan2(velocity / rate, position - centre)
     amplitude = np.hypot(position - centre, velocity / rate)
     return np.hstack([centre + amplitude * np.cos(phase), -amplitude * rate * np.sin(phase)])
+
+
+def project(points, azimuth, elevation):
+    """What is away from the axis lies lower in the picture, the higher the eye."""
+    x, y, z = np.transpose(points)
+    ahead = x * np.cos(azimuth) + y * np.sin(azimuth)
+    right = y * np.cos(azimuth) - x * np.sin(azimuth)
+    return np.column_stack([right, z * np.cos(elevation) - ahead * np.sin(elevation)])

@@ -370,7 +370,8 @@ def has_rates(motion: ComparedMotion, rates: Rates, *, ends: bool = True) -> boo
             unexplained, wrong = np.maximum([unexplained, wrong], off.max(axis=2))
             undone = max(undone, float(np.max(np.abs(instant_rate - expected_rate) / motion.scales)))
         explained = np.any((unexplained <= EXPLAINED * wrong) & (wrong > 0))
-        if explained and (not ends or all(_leads_on(motion, row) for row in rows)):
+        sound = [row for row in rows if motion.errors[row : row + 2].max() <= ABSURD]
+        if explained and (not ends or all(_leads_on(motion, row) for row in sound)):
             return True
         # rows that are put back onto a constraint need not be those from which the motion goes on
         is_undone = undone <= EXPLAINED * wrong[:2].min()

@@ -94,19 +94,30 @@ def _general(solution: str, calls: Sequence[Call], others: Sequence[str], passed
     module = ModuleType("_varied")  # its own, to put mutants in
     exec(_code(solution), vars(module))
     vary = len(known_for) >= FEWEST or not wrong[0].case.kwargs
-    results = other_results(name, getattr(module, name), wrong[0], vary=vary)
-    cause = _transformed(solution, name, next(_explaining(results, its_calls), None), source="result")
-    cause = cause or _other_symbol(solution, name, its_calls) or _other_argument(solution, module, name, its_calls)
+    other_result = partial(_other_result, solution, name, getattr(module, name), wrong[0], vary=vary)
+    cause = (
+        other_result(its_calls)
+        or _other_symbol(solution, name, its_calls)
+        or _other_argument(solution, module, name, its_calls)
+    )
     if cause is None or cause.message.endswith(VAGUE):
         mutant = _mutant_of_any(solution, others, module, name, compared, passed)
         cause = mutant if mutant and not (cause and mutant.message.endswith(KINDS["halves"])) else cause
-    cause = cause or _for_one_word(solution, others, module, name, its_calls, passed)
+    cause = cause or _for_one_word(solution, others, module, name, its_calls, passed, other_result)
     if cause is None:  # what else an argument or a result may be, or the one place where the result is wrong
         reference = getattr(module, name)
         change = _either_reversed(name, reference, its_calls)
         change = change or next(_explaining(other_forms(name, reference, its_calls[0]), its_calls), None)
         cause = _transformed(solution, name, change) or _single_entry(solution, name, its_calls)
     return cause and replace(cause, calls=tuple(calls))
+
+
+def _other_result(  # noqa: PLR0913  as `other_results`
+    solution: str, name: str, reference: Function, example: ComparedCall, calls: Sequence[ComparedCall], *, vary: bool
+) -> Cause | None:
+    """Return the first wrong result that explains all calls."""
+    results = other_results(name, reference, example, vary=vary)
+    return _transformed(solution, name, next(_explaining(results, calls), None), source="result")
 
 
 def _other_argument(solution: str, module: ModuleType, name: str, its_calls: Sequence[ComparedCall]) -> Cause | None:
@@ -165,7 +176,13 @@ def _explaining(
 
 
 def _for_one_word(  # noqa: PLR0913  as `_mutant_of_any`
-    solution: str, others: Sequence[str], module: ModuleType, name: str, calls: Sequence[ComparedCall], passed: Set[str]
+    solution: str,
+    others: Sequence[str],
+    module: ModuleType,
+    name: str,
+    calls: Sequence[ComparedCall],
+    passed: Set[str],
+    other_result: Callable[[Sequence[ComparedCall]], Cause | None],
 ) -> Cause | None:
     """Return the cause of wrong answers where an argument is one word; where it is another they are right."""
     words = [[each for each in enumerate(call.case.args) if isinstance(each[1], str)] for call in calls]
@@ -174,7 +191,7 @@ def _for_one_word(  # noqa: PLR0913  as `_mutant_of_any`
     there = [call for each, call in zip(words, calls, strict=True) if only in each]
     if not only or len(there) == len(calls):
         return None
-    cause = _other_argument(solution, module, name, there)
+    cause = other_result(there) or _other_argument(solution, module, name, there)
     cause = cause or _mutant_of_any(solution, others, module, name, there, passed)
     key = [*inspect.signature(getattr(module, name)).parameters][only[0]]
 

@@ -26,7 +26,7 @@ from tam570_grader.checks.student import StudentFunction
 from tam570_grader.diagnosis.cause import Cause
 from tam570_grader.diagnosis.diagnose import diagnose, follows, is_refuted
 from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, explains, is_motion, same, solution_with
-from tam570_grader.diagnosis.mutants import names_reached
+from tam570_grader.diagnosis.mutants import names_reached, reached
 from tam570_grader.diagnosis.search import shared_mutants
 from tam570_grader.grading.budget import budget
 from tam570_grader.grading.seeds import derive
@@ -44,7 +44,7 @@ TOO_MUCH = "what it returns takes the grader too much {} to judge"
 FOLLOWING_SHARE = 2 / 3  # of the points, for what is right but for a mistake that was charged before
 UNFIT = TypeError, ValueError, LookupError, ArithmeticError, AttributeError  # other arguments, or numbers of results
 HELPER = re.compile(r"\bdef (\w+)\(")
-MOST_HELPERS, MOST_ASKED = 30, 4  # helpers of a file, calls of a check
+MOST_HELPERS, MOST_ASKED, MOST_BESIDE = 30, 4, 8  # helpers of a file, calls of a check, right ones of checks before
 Recorder = Callable[[str, float], None]
 
 
@@ -222,18 +222,20 @@ def _cause(run: _Run, check: Check, failed: Failed) -> tuple[Cause | None, str]:
             folder = assignments.checks_folder(assignment.root, assignment.slug)
             passed = _passed_so_far(run) - {call.name for call in calls}
             is_told = failed.failure.hint in OF_ROWS
-            search = partial(diagnose, solution, folder, calls, earlier, is_told=is_told, passed=passed)
+            search = partial(diagnose, solution, folder, earlier=earlier, is_told=is_told, passed=passed)
             following = follows(solution, calls, earlier)
             own_source = None if following else _own_source(run, failed)
-            cause = following or own_source or search()
+            cause = following or own_source or search(calls)
             if cause and not (following or own_source) and is_refuted(cause, run.passing):
-                cause = None
+                beside = [call for call in run.passing if call.name == cause.function and not is_motion(call)]
+                cause = search([*calls, *beside[:MOST_BESIDE]])
+                cause = None if cause and is_refuted(cause, run.passing) else cause
             pairs = {(before.function, before.follows_from) for before in run.causes.values()}
             is_new = cause and (cause.function, cause.follows_from) not in pairs
             if cause and is_new and not own_source and cause.follows_from not in ("", cause.function):
                 common = _earlier({check.name: cause})
                 if not _following(run, check, [*earlier, *common]):
-                    cause = _own_source(run, failed) or search(may_follow=False)
+                    cause = _own_source(run, failed) or search(calls, may_follow=False)
             if cause is None and is_told:
                 cause = Cause(failed.failure.function, "", "rule")
             return cause, ""
@@ -271,6 +273,8 @@ def _is_consequence(run: _Run, wrong: str, calls: Sequence[Call]) -> bool:
     zeros = {cause.function for cause in causes if cause.source == "result" and not cause.answers}
     if any(is_motion(call) for call in calls):
         return False
+    uses = {each: reached(run.student.text).get(each, set()) for each in (name, wrong)}
+    of_nothing = not uses[name].isdisjoint(uses[wrong])
     for text in assignment.solutions:
         used = (names_reached(text, name) & assignment.results.keys()) - {name}
         if wrong not in used or used & zeros:
@@ -280,7 +284,7 @@ def _is_consequence(run: _Run, wrong: str, calls: Sequence[Call]) -> bool:
             setattr(module, function, partial(_asked, getattr(run.student, function)))
         try:
             with budget():
-                if explains(assignment.solution, partial(computed, module), calls):
+                if explains(assignment.solution, partial(computed, module), calls, of_nothing=of_nothing):
                     return True
         except Exception:  # whatever a wrong function returns in the place of a right one
             continue

@@ -293,6 +293,7 @@ OTHER_MASS = "(masses[0] - masses[1]) * lengths[1] ** 2 / 12 * omega[1]"
 SLIPS = [
     ("hw05_constrained_pendulum", " - mass * (vx**2 + vy**2) / length", "", "a term with "),
     ("hw05_constrained_pendulum", "gravity * along[1]", "gravity * along[0]", "the wrong component"),
+    ("hw03_angular_momentum_rate", "velocity = v_p - v_c", "velocity = v_c - v_p", "sign where definition is 'c'"),
     ("hw06_braking", "- free * yaw_rate", "- abs(free) * yaw_rate", "yaw_rate is reversed where locked is 'front'"),
     ("hw09_book", "R[0, 2] - R[2, 0]", "R[2, 0] - R[0, 2]", "the sign of a term with R is reversed"),
     ("hw09_book", 'math.pi / 2), ("z", math.pi / 2)', 'math.pi / 4), ("z", math.pi / 4)', "an angle is half"),
@@ -323,6 +324,7 @@ def test_a_wrong_component_of_a_helper_is_told_once(checked):
 def test_a_function_that_raises_is_named_by_those_that_call_it(checked):
     actual = checked("hw03_angular_momentum_rate", ("a_p)\n\n\ndef angular", "a_q)\n\n\ndef angular"))
     assert "moment," in actual["discrepancy_with_the_velocity_in_F"].failure.hint
+    assert ("discrepancy", "moment") in following(actual)
 
 
 def test_rows_at_even_times_are_one_mistake(checked):
