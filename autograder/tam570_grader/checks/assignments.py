@@ -230,11 +230,11 @@ def engine_digest() -> bytes:
 def _digest(*folders: Path) -> bytes:
     """Of the names and contents of all Python files below these folders, stubs in an installed course aside."""
     digest = hashlib.sha256()
-    for folder in folders:
-        paths = (os.path.join(parent, name) for parent, _, names in os.walk(folder) for name in names)
-        for path in sorted(path.removeprefix(f"{folder}/") for path in paths if path.endswith(".py")):
+    for folder in map(str, folders):  # a Path takes a third of the time
+        paths = (f"{parent}/{name}" for parent, _, names in os.walk(folder) for name in names if name.endswith(".py"))
+        for path in sorted(path.removeprefix(f"{folder}/") for path in paths):
             if not path.startswith("assignments/"):
-                with open(folder / path, "rb", buffering=0) as file:
+                with open(f"{folder}/{path}", "rb", buffering=0) as file:
                     digest.update(f"{path}\0".encode() + file.read())
     return digest.digest()
 
