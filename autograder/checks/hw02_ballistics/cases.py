@@ -116,13 +116,13 @@ def plain_flights(rng):
 
 def flights_without(rng):
     """Without drag or gravity, of light particles, and like one before."""
-    without = [flight(rng, label, parameters(rng, **ZEROS[label])) for label in ("zero drag", "zero gravity")]
-    return [*without, flight(rng, LIGHT, light(rng)), *alike_flights(rng)]
+    weightless = flight(rng, "zero gravity", parameters(rng, **ZEROS["zero gravity"]))
+    return [weightless, flight(rng, LIGHT, light(rng)), *alike_flights(rng, "zero drag")]
 
 
-def alike_flights(rng):
+def alike_flights(rng, label=ANY):
     """Launches that are like the first of them."""
-    first = flight(rng, ANY, parameters(rng))
+    first = flight(rng, label, parameters(rng, **ZEROS.get(label, {})))
     t, speed, angle = first.args
     first = first.replace(t[:3])
     return [first, *repeated_calls(rng, first, start=(1.3 * speed, 0.7 * angle))]
