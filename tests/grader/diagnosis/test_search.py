@@ -10,47 +10,64 @@ from tam570_grader.diagnosis.cause import Cause
 from tam570_grader.diagnosis.diagnose import diagnose
 from tam570_grader.diagnosis.search import general
 
-SOLUTION = """
-import numpy as np
-def weight(mass, height, *, gravity, length): return mass * gravity * height + mass * length ** 2 / 2
+FORMULAS = {
+    "weight(mass, height, *, gravity, length)": "mass * gravity * height + mass * length**2 / 2",
+    "polar(x, y)": "np.hypot(x, y), np.arctan2(y, x)",
+    "cross(a, b)": "np.array([_part(a, b, 1, 2), _part(a, b, 2, 0), _part(a, b, 0, 1)])",
+    "_part(a, b, i, j)": "a[i] * b[j] - a[j] * b[i]",
+    "lift(length, mass, *, gravity)": "mass * length**2 - mass * gravity * length",
+    "swing(angle, *, mass)": "2 * mass * np.sin(angle / 2) ** 2",
+    "rod(x, y)": "np.array([[[0.0, 1.0], [x, y]]])",
+    "forces(x, y)": "np.array([[x, y], [y**2, x + y]])",
+    "tumble(rate, *, mass, radius, inertia)": "inertia[0] * rate**2 + inertia[1] * rate + mass * radius",
+    "squares(om1, om2, *, mass)": "mass * om1**2, -mass * om2**2",
+    "stretch(side, slope)": "np.hypot(1.0, 2 * slope * side)",
+    "rates(angles, omega)": "np.array([omega * angles[1], angles[1] + 2 * angles[2], angles[2] ** 2])",
+    "bars(a, b)": "np.array([a**2 / 3, a / 2, b / 2])",
+}
+SOLUTION = """import numpy as np
+
+
 def turned(v, *, angle):
     x, y = v
     return x * np.cos(angle) - y * np.sin(angle), x * np.sin(angle) + y * np.cos(angle)
-def polar(x, y): return np.hypot(x, y), np.arctan2(y, x)
-def cross(a, b): return np.array([_part(a, b, 1, 2), _part(a, b, 2, 0), _part(a, b, 0, 1)])
-def _part(a, b, i, j): return a[i] * b[j] - a[j] * b[i]
-def lift(length, mass, *, gravity): return mass * length ** 2 - mass * gravity * length
-def swing(angle, *, mass): return 2 * mass * np.sin(angle / 2) ** 2
-def rod(x, y): return np.array([[[0.0, 1.0], [x, y]]])
-def forces(x, y): return np.array([[x, y], [y ** 2, x + y]])
+
+
 def fall(t, height, speed, *, gravity, drag):
     fallen = np.asarray(t) - t[0]
-    return np.column_stack([height + speed * fallen - gravity * fallen ** 2 / 2, speed - gravity * fallen])
-def tumble(rate, *, mass, radius, inertia): return inertia[0] * rate ** 2 + inertia[1] * rate + mass * radius
-def squares(om1, om2, *, mass): return mass * om1 ** 2, -mass * om2 ** 2
-def stretch(side, slope): return np.hypot(1.0, 2 * slope * side)
-def rates(angles, omega): return np.array([omega * angles[1], angles[1] + 2 * angles[2], angles[2] ** 2])
+    return np.column_stack([height + speed * fallen - gravity * fallen**2 / 2, speed - gravity * fallen])
+
+
 def balance(angle, *, mass):
     moment = mass * np.sin(angle)
     return moment / 2, moment
+
+
 def disk(lean, speed, *, inertia):
     A, C = inertia
     axis = np.array([np.sin(lean), speed, 1.0])
     length = np.sqrt(axis @ axis)
-    return (C - A) * speed ** 2 / (A + C * lean), A * length - lean
+    return (C - A) * speed**2 / (A + C * lean), A * length - lean
+
+
 def rolls(speed, *, mass, radius):
-    rolling = mass * radius ** 2
-    return speed / (2 + rolling) + rolling * speed ** 2 + mass * speed + radius
+    rolling = mass * radius**2
+    return speed / (2 + rolling) + rolling * speed**2 + mass * speed + radius
+
+
 def powers(a, b):
     K = np.array([[a, b], [b, 2.0]])
     return K + K @ K
-def bars(a, b): return np.array([a ** 2 / 3, a / 2, b / 2])
+
+
 def stairs(n, m):
     total = 0.0
     while n > 0:
         total, n = total + n, n - 1
-    return total + m ** 2
-"""
+    return total + m**2
+
+
+""" + "\n\n".join(f"def {head}:\n    return {formula}\n" for head, formula in FORMULAS.items())
 DRAW = np.random.default_rng(2)
 
 

@@ -180,15 +180,9 @@ def test_a_notebook_shows_the_page_in_a_frame_that_cannot_reach_out(course):
 
 
 @pytest.fixture
-def short(scenes):
+def short(course):
     """A fifth of a second of the double pendulum."""
-    scene = scenes(HW07)
-    n = 13
-    panels = [
-        Panel([Shape(p.form, p.points if p.points.ndim == 2 else p.points[:n], p.color, p.name) for p in panel.shapes])
-        for panel in scene.panels
-    ]
-    return Scene(scene.title, scene.alt_text, scene.times[:n], panels, scene.time_plots)
+    return show(course / "solutions" / f"{HW07}.py", numbers={"seconds": 0.2}).scene
 
 
 @pytest.mark.parametrize(("suffix", "frames"), first(2, [(".png", 1), (".gif", 5), (".webp", 5)]))
