@@ -31,5 +31,4 @@ def _prediction(work: Path, letter: str, question: str) -> str:
 
 
 def _is_attended() -> bool:
-    """Return whether somebody can answer."""
     return sys.stdin.isatty() and sys.stdout.isatty()

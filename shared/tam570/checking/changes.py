@@ -138,7 +138,6 @@ def _digest(statements: Statements, names: Iterable[str]) -> str:
 
 
 def _undocumented(node: ast.stmt) -> ast.stmt:
-    """Return the statement without its docstring."""
     if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
         return ast.Pass()
     if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef) and ast.get_docstring(node):

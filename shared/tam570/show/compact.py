@@ -12,10 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tam570.loading import Trouble
-from tam570.show.scene import Panel, Scene, Shape, TimePlot
+from tam570.show.scene import Array, Panel, Scene, Shape, TimePlot
 from tam570.values import Json, Numbers
-
-Array = NDArray[np.float64]
 
 PIXELS = 1000  # the larger side of a panel on a large screen
 STEPS = 2  # whole numbers to a pixel

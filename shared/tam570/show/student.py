@@ -8,14 +8,13 @@ from types import ModuleType
 from typing import TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tam570.forms import Form, WrongForm, conform
 from tam570.loading import Trouble, said
 from tam570.loading import loaded as load_file
+from tam570.show.scene import Array
 from tam570.values import Function, Numbers
 
-Array = NDArray[np.float64]
 Made = TypeVar("Made")
 
 

@@ -79,7 +79,6 @@ def _draw(rod: Array, length: Numbers) -> list[Shape]:
 
 
 def _arrows(force: Array, particle: Array, parameters: Parameters) -> list[Shape]:
-    """Return the force of the rod, and the weight beside it."""
     weight = parameters["mass"] * parameters["gravity"] * np.array([0.0, -1.0])
     unit = ARROW * parameters["length"] / (np.linalg.norm(weight) or 1.0)  # m/N
     return [arrow(particle, unit * weight, 2, "weight", 3), arrow(particle, unit * force, 3, "force of the rod", 4)]

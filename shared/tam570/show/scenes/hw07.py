@@ -49,7 +49,6 @@ def _as_arrays(*, masses: Numbers, lengths: Numbers, gravity: Numbers) -> Json:
 
 
 def _forces(student: StudentModule, states: Array, parameters: Parameters) -> list[Shape]:
-    """Return the forces that the student draws on either bar."""
     shapes, rows = list[Shape](), states[:, :2]
     for bar in (1, 2):
         look: Json = {

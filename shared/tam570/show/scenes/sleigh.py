@@ -62,7 +62,6 @@ def _one(times: Array, states: Array, offset: float, k: float, caption: tuple[st
 
 
 def _sleigh(states: Array, offset: float, size: float) -> list[Shape]:
-    """Draw the sleigh, `size` long."""
     blade, heading = states[:, :2], states[:, 2]
     ahead = np.column_stack([np.cos(heading), np.sin(heading)])
     return [

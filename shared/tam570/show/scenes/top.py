@@ -31,7 +31,6 @@ def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Seque
 
 
 def _tops(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """Three panels of one top."""
     times, (_, tilt, _, _, _, rate) = frame_times(seconds), start
     motion = partial(solve, lecture.rates, times, parameters=parameters)
     spin = rate + start[3] * np.cos(tilt)  # along the axis
