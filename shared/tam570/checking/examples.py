@@ -68,16 +68,20 @@ class Examples:
                 raise AssertionError(f"{sentence} {difference(actual, expected)}")
 
     def mistake(self, function: str) -> str | None:
-        """Return the known mistake of a function that gives the student's results."""
+        """Return the one known mistake of a function that gives the student's results; None where others may.
+
+        These are others of the list, and all that gives a few numbers of which some are zero by a symmetry.
+        """
         results = {n: result for n, result in self.results.items() if self.calls[n]["function"] == function}
-        for mistake in self.mistakes:
-            if mistake["function"] == function and results and self._agrees(mistake["results"], results):
-                wrong = (
-                    comparison for number in mistake["results"] for comparison in self.calls[int(number)]["compare"]
-                )
-                is_sure = sum(array_of(comparison["expected"]).size for comparison in wrong) > FEW
-                return opened(mistake["message"]) + ("" if is_sure else OR_ANOTHER)
-        return None
+        of_it = [mistake for mistake in self.mistakes if mistake["function"] == function]
+        agreeing = [mistake for mistake in of_it if results and self._agrees(mistake["results"], results)]
+        if len({mistake["message"] for mistake in agreeing}) != 1:
+            return None
+        wrong = [comparison for number in agreeing[0]["results"] for comparison in self.calls[int(number)]["compare"]]
+        expected = np.concatenate([np.ravel(array_of(comparison["expected"])) for comparison in wrong])
+        if expected.size <= FEW and not expected.all():
+            return None
+        return opened(agreeing[0]["message"]) + ("" if expected.size > FEW else OR_ANOTHER)
 
     def _agrees(self, wrong: Mapping[str, Sequence[float] | None], results: Mapping[int, Numbers]) -> bool:
         """Return whether every example has the mistake's numbers, and in one of them these are not the right ones.
