@@ -8,6 +8,7 @@ import pytest
 from parameters import first
 from scipy.integrate import solve_ivp
 
+from tam570_grader.checks import motions
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.compare import Column
 from tam570_grader.checks.expect import Failed
@@ -77,6 +78,16 @@ def leads(rows):
 @pytest.fixture(scope="module")
 def careless():
     return lorenz(TIMES, START, 1e-5)
+
+
+def test_a_motion_without_bounds_is_that_of_its_rates():
+    def grown(t, start, rate=-1):
+        return start * np.exp(rate * (t - t[0]))[:, None]
+
+    student = SimpleNamespace(aside=lambda case: grown(*case.args, 60 + 1e-9 * len(case.args[0])))
+    case = Case(np.linspace(0, 1, 11), RESTED[:1])
+    wrong = ComparedMotion(case, student.aside(case), grown(*case.args), np.ones(1), student, grown)
+    assert motions.has_rates(wrong, motions.Rates(lambda t, row: 60 * row, lambda: True))
 
 
 def test_errors_that_chaos_makes_large_break_no_equation(careless):

@@ -293,6 +293,9 @@ OTHER_MASS = "(masses[0] - masses[1]) * lengths[1] ** 2 / 12 * omega[1]"
 SLIPS = [
     ("hw05_constrained_pendulum", " - mass * (vx**2 + vy**2) / length", "", "a term with "),
     ("hw05_constrained_pendulum", "gravity * along[1]", "gravity * along[0]", "the wrong component"),
+    ("hw01_simple_pendulum", "power_per_omega * o", "-mass * gravity * length * math.cos(theta) * o", "for cosine"),
+    ("hw04_hanging_spring", "[-se * ca, -se * sa, ce]", "[-ca, -sa, ce]", "the factor sin(elevation) is missing"),
+    ("hw05_constrained_pendulum", "-along * y, along * x", "2 * vx + along * y, 2 * vy - along * x", "with state is"),
     ("hw03_angular_momentum_rate", "velocity = v_p - v_c", "velocity = v_c - v_p", "sign where definition is 'c'"),
     ("hw06_braking", "- free * yaw_rate", "- abs(free) * yaw_rate", "yaw_rate is reversed where locked is 'front'"),
     ("hw09_book", "R[0, 2] - R[2, 0]", "R[2, 0] - R[0, 2]", "the sign of a term with R is reversed"),
