@@ -133,7 +133,9 @@ def with_slider(make: Callable[[float], Scene], name: str, unit: str, values: Se
 
 
 def frame_times(seconds: float) -> Array:
-    """(n,) s, evenly spaced, from 0."""
+    """(n,) s, evenly spaced, from 0. ValueError for a motion that nobody would see."""
+    if not RATE * seconds > 2:
+        raise ValueError(f"all is over within {seconds:g} s, which is too fast to be drawn")
     return np.linspace(0.0, seconds, math.ceil(RATE * seconds) + 1)
 
 

@@ -254,6 +254,7 @@ def test_an_assignment_is_shown_with_other_numbers(slug, course, tmp_path):
 
 
 def test_what_moves_too_fast_or_for_too_long_is_refused():
+    assert "try gravity nearer to 9.81" in show(load("chains"), numbers={"gravity": 1e60}).trouble
     assert "188 rad/s" in show(bodies, numbers={"newton": 1e6}).trouble
     assert "start.phi_rate" in show(load("top"), numbers={"start.phi_rate": 1e6}).trouble
     with pytest.raises(ValueError, match="the motion takes longer"), patience("the motion", 0.0):
