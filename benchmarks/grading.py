@@ -36,7 +36,7 @@ from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.zygote import ResourceLimits
 
 OUTPUT = record.FOLDER / "grading.json"
-COURSE = assignments.find(Path(__file__).parents[1])
+COURSE = assignments.find()
 SLUGS = assignments.slugs(COURSE)
 TOGETHER = 2e-3  # s, in which results of one chunk are read
 ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}

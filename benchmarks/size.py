@@ -29,7 +29,7 @@ from tam570_grader.results.records import read
 from tam570_grader.sandbox.zygote import ResourceLimits
 
 OUTPUT = record.FOLDER / "size.json"
-COURSE = assignments.find(Path(__file__).parents[1])
+COURSE = assignments.find()
 SLUGS = assignments.slugs(COURSE)
 WORKS = 4  # on each assignment
 SEED = 570

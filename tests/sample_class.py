@@ -29,7 +29,7 @@ CRASHES = REPLACED.format(body="__import__('os').abort()")
 
 def sample_class() -> Iterator[tuple[str, str, str]]:
     """(student, assignment, text) of every submission."""
-    course = assignments.find(TESTS.parent)
+    course = assignments.find()
     for slug in assignments.slugs(course):
         solution = (course / "solutions" / f"{slug}.py").read_text()
         correct, wrong = (list(submissions(course, slug, group).values()) for group in ("alternatives", "mistakes"))

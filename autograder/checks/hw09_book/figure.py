@@ -3,6 +3,7 @@
 import numpy as np
 
 from tam570_grader.checks.figures import Figure, seen_from
+from tam570_grader.checks.plots import box_edges
 
 from . import reference
 
@@ -19,11 +20,7 @@ def figure(size=(1.1, 1.5, 0.3), angle=1.3):
         x=(-1.75, 1.75),
         y=(-1.35, 1.5),
     )
-    signs = 2 * np.array(list(np.ndindex(2, 2, 2))) - 1
-    for i, sign in enumerate(signs):
-        for other in signs[:i]:
-            if np.count_nonzero(sign != other) == 1:
-                shown.line(EYE([sign * half, other * half]), "body")
+    shown.segments(EYE(box_edges(np.eye(3), np.array(size))))
     top = np.array([[1, 1, 1], [-1, 1, 1], [-1, -1, 1], [1, -1, 1]]) * half
     shown.line(EYE(top), "solid", closed=True)
     for axis, name in zip(np.eye(3), "xyz", strict=True):

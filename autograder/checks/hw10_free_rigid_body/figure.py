@@ -3,6 +3,7 @@
 import numpy as np
 
 from tam570_grader.checks.figures import Figure, seen_from
+from tam570_grader.checks.plots import box_edges
 
 from . import reference
 
@@ -21,11 +22,7 @@ def figure(turn=(0.25, -0.35, 0.5), omega=(0.35, 0.9, 0.4)):
         x=(-1.5, 1.9),
         y=(-1.15, 1.35),
     )
-    signs = 2 * np.array(list(np.ndindex(2, 2, 2))) - 1
-    for i, sign in enumerate(signs):
-        for other in signs[:i]:
-            if np.count_nonzero(sign != other) == 1:
-                shown.line(EYE(np.array([sign, other]) * SIZE / 2 @ R.T), "body")
+    shown.segments(EYE(box_edges(R, SIZE)))
     corner = np.array([-1.05, -0.75, -0.55])
     for axis, name in zip(np.eye(3), "xyz", strict=True):
         shown.arrow(EYE(corner), EYE(corner + 0.5 * axis), name, "thin")

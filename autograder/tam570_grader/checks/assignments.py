@@ -72,13 +72,12 @@ class LoadedAssignment:
         return round(sum(check.points for check in self.checks), 6)
 
 
-def find(root: str | Path | None = None) -> Path:
-    """Return the checkout: as given, else that of an editable install."""
-    places = INSTALLED if root is None else (Path(root).resolve(),)
-    if checkout := next(filter(is_checkout, places), None):
+def find() -> Path:
+    """Return the checkout of an editable install."""
+    if checkout := next(filter(is_checkout, INSTALLED), None):
         return checkout
-    where = f"{root} does not hold a course" if root is not None else "no course is installed"
-    raise UsageError(f"{where}: no autograder/checks and solutions; name a checkout of the course with --root")
+    message = "no course is installed: no autograder/checks and solutions; name a checkout of the course with --root"
+    raise UsageError(message)
 
 
 def is_checkout(folder: Path) -> bool:

@@ -228,11 +228,11 @@ def judge_boxes(function: StudentFunction, cases: Iterable[tuple[Array, Array, s
     for call, edges in function.each(calls):
         (R,), size = call.args, call.kwargs["size"]
         words: Json = {"quantity": "an edge", "unit": "of the longest edge"}
-        hint, off = partial(_mistake, edges, R, size, tolerance), _mismatch(edges, _edges(R, size))
+        hint, off = partial(_mistake, edges, R, size, tolerance), _mismatch(edges, box_edges(R, size))
         expect(off, 0.0, tolerance=tolerance, scale=max(size), hint=hint, **words)
 
 
-def _edges(R: Array, size: Array) -> Array:
+def box_edges(R: Array, size: Array) -> Array:
     """Return the twelve edges: corners that differ in one sign."""
     signs = 2 * np.array(list(np.ndindex(2, 2, 2))) - 1
     pairs = [(i, j) for i in range(8) for j in range(i) if np.count_nonzero(signs[i] != signs[j]) == 1]
@@ -251,12 +251,12 @@ def _mismatch(actual: Array, expected: Array) -> float:
 
 
 MISTAKEN_BOXES: dict[str, Callable[[Array, Array], Array]] = {
-    "The edges belong to the transpose": lambda R, size: _edges(R.T, size),
-    "The edges belong to a box of twice that size": lambda R, size: _edges(R, 2 * size),
-    "The edges belong to a box of half that size": lambda R, size: _edges(R, size / 2),
-    "The edges are along x, y, z: the size is turned, not the box": lambda R, size: _edges(np.eye(3), R @ size),
-    "The edges belong to a box with a corner at the origin": lambda R, size: _edges(R, size) + R @ size / 2,
-    "The edges are not turned": lambda R, size: _edges(np.eye(3), size),
+    "The edges belong to the transpose": lambda R, size: box_edges(R.T, size),
+    "The edges belong to a box of twice that size": lambda R, size: box_edges(R, 2 * size),
+    "The edges belong to a box of half that size": lambda R, size: box_edges(R, size / 2),
+    "The edges are along x, y, z: the size is turned, not the box": lambda R, size: box_edges(np.eye(3), R @ size),
+    "The edges belong to a box with a corner at the origin": lambda R, size: box_edges(R, size) + R @ size / 2,
+    "The edges are not turned": lambda R, size: box_edges(np.eye(3), size),
 }
 
 
@@ -264,6 +264,6 @@ def _mistake(actual: Array, R: Array, size: Array, tolerance: float) -> str:
     """Return what is wrong, if it is a known mistake, else what to look at."""
     near = tolerance * max(size)
     mistaken = [message for message, box in MISTAKEN_BOXES.items() if _mismatch(actual, box(R, size)) < near]
-    if not mistaken and _astray(actual, _edges(R, size)) < near:
+    if not mistaken and _astray(actual, box_edges(R, size)) < near:
         return "Each drawn edge is an edge of the box: is one drawn twice, and another missing?"
     return mistaken[0] if mistaken else "Three edges meet at each of the eight corners; the centre is the origin"

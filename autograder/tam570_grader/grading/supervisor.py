@@ -1,6 +1,5 @@
 """What one supervisor does: it grades the submissions that it is handed, each to a finished result line."""
 
-import functools
 import json
 from collections.abc import Sequence
 from contextlib import suppress
@@ -91,13 +90,18 @@ def _line(task: GradeTask, result: Result) -> bytes:
 
 def result(task: GradeTask) -> Result:
     """Return the result of a submission; what goes wrong with us is this submission's alone."""
-    assignment = assignments.assignment(task.course, task.slug)
-    if isinstance(task.source, CannotRead):
+    assignment, source = assignments.assignment(task.course, task.slug), task.source
+    if isinstance(source, CannotRead):
         status = "missing" if task.missing else "unreadable"
-        return not_graded(task.student, assignment, status, str(task.source), task.seed)
+        return not_graded(task.student, assignment, status, str(source), task.seed)
+
+    def grade(zygote: Zygote, attempt: Attempt) -> Result:
+        options = CheckOptions(speed=task.conditions.speed, attempt=attempt)
+        return graded(task.student, source, assignment, zygote, task.seed, options)
+
     try:
         with expected.sharing(task.conditions.shared):
-            return tried(functools.partial(_graded, task), *_sandbox(task.course, task.slug, task.conditions))
+            return tried(grade, *_sandbox(task.course, task.slug, task.conditions))
     except NotConfined as why:
         raise UsageError(NO_JAIL.format(why=why)) from None
     except UsageError:
@@ -106,15 +110,3 @@ def result(task: GradeTask) -> Result:
         return failed_by_us(task.student, assignment, str(lost), task.seed)
     except Exception as fault:
         return failed_by_us(task.student, assignment, repr(fault), task.seed)
-
-
-def _graded(task: GradeTask, zygote: Zygote, attempt: Attempt) -> Result:
-    assert isinstance(task.source, Source)
-    return graded(
-        task.student,
-        task.source,
-        assignments.assignment(task.course, task.slug),
-        zygote,
-        task.seed,
-        CheckOptions(speed=task.conditions.speed, attempt=attempt),
-    )

@@ -28,7 +28,7 @@ from tam570_grader.checks import assignments
 from tam570_grader.course import course_config
 from tam570_grader.grading.batch import RunConfig, records
 from tam570_grader.grading.executor import cores
-from tam570_grader.grading.seeds import new_seed
+from tam570_grader.grading.seeds import seed as seed_of
 from tam570_grader.grading.submissions import MOST_FILES, BadPath, CannotRead, Submission, of_folder, read, submissions
 from tam570_grader.nbgrader.cells import Notebook, grade_id, marked, node, pictures_only, rebuilt, remark, safe
 from tam570_grader.nbgrader.gradebook import OpenGradebook, keep_gradebooks_open
@@ -198,7 +198,7 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
             coursedir = self.parent.parent.coursedir
             everyone = _class(coursedir, slug)
             store: ResultStore = self.parent.stores[slug]
-            checkout, seed = self.found_checkout(), new_seed() if store.seed is None else store.seed
+            checkout, seed = self.found_checkout(), seed_of(None, [store], None)
             limits = course_config.resource_limits(checkout, memory=self.memory, cpu=self.cpu, call=self.call)
             hidden = [checkout, Path(coursedir.root).resolve()]
             config = RunConfig(checkout, everyone, seed, self.jobs or cores(), limits, hidden)

@@ -83,11 +83,6 @@ class Results(Mapping[Key, Record]):
         """Return the points of each check of a result, read when they are asked for."""
         return lambda: {check["name"]: check["points"] for check in self[key]["checks"]}
 
-    @property
-    def seed(self) -> int | None:
-        """The seed of the results; None if there are none."""
-        return common_seed(line.seed for line in self.lines.values())
-
     def close(self) -> None:
         self._file.close()
 
