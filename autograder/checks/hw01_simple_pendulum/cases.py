@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from tam570_grader import KEPT, SOME_TIMES, Case, in_symbols, once, repeated_calls, uneven
+from tam570_grader import KEPT, SOME_TIMES, Case, in_symbols, repeated_calls, uneven
 
 from . import reference
 
@@ -147,7 +147,6 @@ def wave(s, start, end, height):
     return start + (end - start) * s + height * np.sin(2 * np.pi * s)
 
 
-@once
 def varied_paths(rng, amount):
     """Pairs of calls, a path varied to both sides by smooth functions that vanish at both ends; the right variation."""
     cases = []

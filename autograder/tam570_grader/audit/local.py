@@ -82,7 +82,6 @@ def _answered(module: ModuleType, name: str, case: Case, mode: str, fields: Json
 
 @contextlib.contextmanager
 def _clock() -> Iterator[None]:
-    """Raise SlowCall in a block that takes long."""
 
     def end(*_: object) -> None:
         raise SlowCall

@@ -260,5 +260,4 @@ def _stated(module: ModuleType) -> Assignment:
 
 
 def _named_checks(module: ModuleType) -> tuple[Check, ...]:
-    """Return the checks of a module, in order."""
     return tuple(value for value in vars(module).values() if isinstance(value, Check))

@@ -140,7 +140,6 @@ def _by_members(
 
 
 def _by_columns(columns: Sequence[Column], case: Case, actual: Numbers, expected: Numbers) -> Iterator[Comparison]:
-    """Yield the columns of a state, or of rows of them."""
     actual, expected = np.asarray(actual, float), np.asarray(expected, float)
     t = case.args[0] if actual.ndim == 2 else None
     for column in columns:
@@ -272,7 +271,6 @@ def _part(result: Numbers, where: Where) -> Numbers:
 
 
 def _flat(values: Sequence[Numbers], shapes: Shapes) -> Array:
-    """Return all numbers of the values."""
     return np.array(values).ravel() if len(set(shapes)) == 1 else np.concatenate([np.ravel(value) for value in values])
 
 

@@ -4,6 +4,7 @@ import argparse
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
+from tam570_grader.audit import cases, diagnosis, fairness, margins, mutation
 from tam570_grader.checks import assignments
 from tam570_grader.cli.grade import executor_of, warn_of_isolation
 from tam570_grader.cli.options import add_cluster, positive
@@ -80,37 +81,27 @@ def _with_functions(course: Path, slugs: Sequence[str], names: Sequence[str]) ->
 
 
 def _mutation(course: Path, slug: str, executor: TaskExecutor, arguments: argparse.Namespace) -> Answer:
-    from tam570_grader.audit import mutation
-
     fates = mutation.fates(course, slug, executor, arguments.quick, arguments.function, arguments.seeds or 1)
     return mutation.report(fates), fates.faults
 
 
 def _fairness(course: Path, slug: str, executor: TaskExecutor, arguments: argparse.Namespace) -> Answer:
-    from tam570_grader.audit import fairness
-
     seeds = QUICK_SEEDS if arguments.quick else arguments.fairness
     lines = fairness.fair(course, slug, seeds, executor, arguments.keep)
     return fairness.report(lines), sum(bool(line["fails"]) for line in lines)
 
 
 def _diagnosis(course: Path, slug: str, executor: TaskExecutor, arguments: argparse.Namespace) -> Answer:
-    from tam570_grader.audit import diagnosis
-
     diagnoses = diagnosis.diagnoses(course, slug, executor, arguments.quick, arguments.seeds or 1)
     return diagnosis.report(slug, diagnoses), diagnosis.faults(diagnoses)
 
 
 def _margins(course: Path, slug: str, executor: TaskExecutor, arguments: argparse.Namespace) -> Answer:
-    from tam570_grader.audit import margins
-
     by_check = margins.margins(course, slug, QUICK_SEEDS if arguments.quick else margins.SEEDS, executor)
     return margins.report(slug, by_check), margins.faults(by_check)
 
 
 def _cases(course: Path, slug: str, executor: TaskExecutor, arguments: argparse.Namespace) -> Answer:
-    from tam570_grader.audit import cases
-
     seeds = arguments.seeds or (QUICK_SEEDS if arguments.quick else cases.SEEDS)
     return cases.report(cases.report_cases(course, slug, executor, seeds)), 0
 

@@ -20,7 +20,6 @@ from tam570_grader.results.store import results
 
 
 def _titles(names: Iterable[str]) -> str:
-    """Return the systems of these names, as in a sentence."""
     *first, last = (SYSTEMS[name].title for name in names)
     return f"{', '.join(first)} or {last}"
 
@@ -131,7 +130,6 @@ def _export(arguments: argparse.Namespace) -> int:
 
 
 def _share(text: str) -> float:
-    """Return a share from 0 to 1."""
     try:
         share = float(text)
     except ValueError:

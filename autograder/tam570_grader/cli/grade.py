@@ -174,7 +174,6 @@ def _add_result(record: Json, old: list[Results], summary: RunSummary, arguments
 
 
 def _what_is_kept(out: Path | None, summary: RunSummary) -> str:
-    """Return what there is of a run that was ended."""
     if out is None:
         return "nothing is kept without --out"
     return f"{counted(len(summary.store or ()), 'result')} kept in {out}; the same command goes on from there"

@@ -109,7 +109,6 @@ def _result(function: SandboxFunction, case: Case) -> str:
 
 
 def _case(at: Json) -> Case:
-    """Return a call as it was made."""
     return Case(*map(_numbers, at["args"]), **{name: _numbers(value) for name, value in at["kwargs"].items()})
 
 

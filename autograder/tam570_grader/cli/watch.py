@@ -44,7 +44,6 @@ def add_watch(parser: argparse.ArgumentParser) -> None:
 
 
 def _duration(text: str) -> float:
-    """Convert 15m to seconds."""
     if not (match := re.fullmatch(r"(\d{1,6})([smhd])", text)):
         raise argparse.ArgumentTypeError(f"{text!r} is not a time such as 30s, 15m, 2h or 1d")
     return float(match[1]) * UNITS[match[2]]

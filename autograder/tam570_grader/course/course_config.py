@@ -45,22 +45,18 @@ class Changes:
     checks: str = ""  # a file with checks of one's own, beside course.toml
 
 
-def course_of(root: str | Path | None, graded: Iterable[Path] = ()) -> Path:
-    """Find the course that a command is about, and print which one it is.
+def course_of(root: str | Path | None = None, graded: Iterable[Path] = (), *, is_told: bool = True) -> Path:
+    """Find the course that a command is about.
 
-    root : the option --root
-    graded : what the command reads of students; the course may not come from there
+    root    : the option --root
+    graded  : what the command reads of students; the course may not come from there
+    is_told : print which one it is
     """
     folder, why = _located(root, [path.resolve() for path in graded])
-    base = _base_of(folder)
-    warn(f"course: {folder / FILE if (folder / FILE).is_file() else folder} ({why})", "")
-    return _adapted_root(folder, base)
-
-
-def course(root: str | Path | None = None) -> Path:
-    """Find a course without a command line: `root`, else as `course_of` does."""
-    folder, _ = _located(root, [])
-    return _adapted_root(folder, _base_of(folder))
+    base, path = _base_of(folder), folder / FILE
+    if is_told:
+        warn(f"course: {path if path.is_file() else folder} ({why})", "")
+    return root_of(path, base) if path.is_file() else folder
 
 
 def trust(folder: Path) -> None:
@@ -129,10 +125,6 @@ def _base_of(folder: Path) -> Path:
     trusted = _trusted()
     above = (parent for parent in folder.parents if str(parent) in trusted and assignments.is_checkout(parent))
     return next(above, None) or assignments.find()
-
-
-def _adapted_root(folder: Path, base: Path) -> Path:
-    return root_of(folder / FILE, base) if (folder / FILE).is_file() else folder
 
 
 def root_of(path: Path, base: Path) -> Path:

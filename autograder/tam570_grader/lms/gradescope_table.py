@@ -79,7 +79,6 @@ def _read(file: File) -> object:
 
 
 def _person(who: object, where: str) -> tuple[dict[str, str], str]:
-    """Return the ids of a submitter, and the name."""
     ids = {key: who.get(f":{key}") or "" for key in ("sid", "email", "name")} if isinstance(who, dict) else {}
     if not any(ids.values()) or not all(isinstance(value, str) for value in ids.values()):
         raise UsageError(f"{where}: a submitter has neither id nor email nor name; {AGAIN}")

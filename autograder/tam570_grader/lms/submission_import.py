@@ -162,7 +162,6 @@ def _with_work(rows: Sequence[Taken]) -> list[Taken]:
 
 
 def _left(row: Taken, reason: str) -> Taken:
-    """Return the row without a place, and why."""
     return replace(row, target="", reason=reason)
 
 

@@ -189,7 +189,7 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
         return nb, resources
 
     def found_checkout(self) -> Path:
-        return course_config.course(self.checkout or None)
+        return course_config.course_of(self.checkout or None, is_told=False)
 
     def _graded(self, slug: str, student: str) -> tuple[Submission, Record]:
         """Return a submission and its result; the first has all that the command is about graded, on warm workers."""

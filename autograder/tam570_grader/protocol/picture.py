@@ -240,7 +240,6 @@ def _near(ink: Numbers, places: Numbers) -> Numbers:
 
 
 def _labels_show(axes: Artist, inks: dict[Artist, Numbers]) -> list[bool]:
-    """Of the labels of x and of y."""
     if not inks:
         return [False, False]
     shown, ink = [], inks[axes]

@@ -219,7 +219,6 @@ def _answer_all(module: Any, request: Json) -> None:
 
 
 def _together(replies: list[Json]) -> Json:
-    """Return a message of several replies."""
     good = all(reply.get("changed") is False for reply in replies)
     values = stacked([reply["value"] for reply in replies]) if good else None
     return {"replies": replies} if values is None else {"values": values}

@@ -118,7 +118,6 @@ def _fair(course: Path, assignment: LoadedAssignment, candidates: Sequence[Examp
 
 
 def _wrong(examples: Examples, number: int, function: Any) -> bool:
-    """Return whether a function fails an example."""
     try:
         with np.errstate(all="ignore"):
             examples.run(function, number)

@@ -130,7 +130,6 @@ def visible_by_part(assignment: LoadedAssignment, tests: str) -> dict[str, list[
 def _part(
     assignment: LoadedAssignment, part: str, text: str, shown: str | None, tests: Iterable[str]
 ) -> list[CellRecord]:
-    """Return the cells of one part."""
     cells = [text_cell(f"text-{part}", text)]
     manual = assignment.rubric.get(part)
     if manual and manual.before:

@@ -71,7 +71,6 @@ def exported(tree: ast.Module) -> set[str]:
 
 
 def _names(node: ast.stmt) -> list[str]:
-    """Return the names that a statement defines."""
     if isinstance(node, ast.FunctionDef | ast.ClassDef):
         return [node.name]
     if isinstance(node, ast.Import | ast.ImportFrom):

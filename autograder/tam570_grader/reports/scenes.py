@@ -68,7 +68,6 @@ def _scenes(course: Path, slug: str, message: str) -> WrongAndRight | None:
 
 
 def _numbers_of(scene: Scene) -> Iterator[NDArray[np.float64]]:
-    """Yield all that is drawn in a scene."""
     yield from (shape.points for panel in scene.panels for shape in panel.shapes)
     yield from (curve for plot in scene.time_plots for curve in plot.curves.values())
 

@@ -128,7 +128,6 @@ def _drawing(value: object) -> Drawing | None:
 
 
 def _pair(value: object, item_type: type) -> Any:
-    """Return the two members of a list, both of this very type."""
     return (
         tuple(value) if isinstance(value, list) and [type(item) for item in value] == [item_type, item_type] else None
     )

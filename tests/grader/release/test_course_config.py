@@ -79,11 +79,11 @@ def waits(root):
 
 def test_checks_wait_for_the_same_checks_and_not_for_one_left_out(desk, course):
     before, left_out = waits(course), "vector_turns_by_the_right_hand_rule"
-    here = waits(course_config.course())
+    here = waits(course_config.course_of())
     assert here["vector_turns_by_every_angle"] == [left_out]
     assert {name: after for name, after in before.items() if name in here}.items() <= here.items()
     (desk / "course.toml").write_text(COURSE.replace("matrix_depends_on_the_direction_alone", left_out))
-    assert waits(course_config.course())["vector_turns_by_every_angle"] == []
+    assert waits(course_config.course_of())["vector_turns_by_every_angle"] == []
 
 
 def test_students_get_the_points_and_these_assignments_alone(desk):
@@ -148,8 +148,8 @@ def test_in_the_root_of_a_checkout_it_is_obeyed_too(desk, course, monkeypatch, w
     assert run("trust", checkout) == 0
     assert run("grade", desk / "submitted", "--out", desk / "results", "--seed", "1") == 0
     assert '"max_score": 13.0' in (desk / "results" / "results.jsonl").read_text()
-    root = course_config.course()
-    assert root.parent == checkout / ".course" and course_config.course(root) == root
+    root = course_config.course_of()
+    assert root.parent == checkout / ".course" and course_config.course_of(root) == root
     assert course_config.limits(root)["call"] == 5
     assert late_policy.policies_of(root)["hw07_double_pendulum"].extension == {"ann": 2}
     (checkout / "course.toml").write_text("[limits]\ncalls = 5\n")
@@ -163,10 +163,10 @@ def test_two_commands_at_once_make_one_course(desk, monkeypatch):
         """Another command makes the same course before this one puts its own in place."""
         monkeypatch.setattr(course_config, "_make", make)
         make(*arguments)
-        built.append(course_config.course())
+        built.append(course_config.course_of())
 
     monkeypatch.setattr(course_config, "_make", made_by_two)
-    assert [course_config.course()] == built and assignments.slugs(built[0]) == ["hw07_double_pendulum", SLUG]
+    assert [course_config.course_of()] == built and assignments.slugs(built[0]) == ["hw07_double_pendulum", SLUG]
     assert [path.name for path in desk.glob(".course*")] == [".course"]
 
 
@@ -193,7 +193,7 @@ def test_dates_alone_grade_nobody_anew_and_what_is_left_out_is_gone_from_the_pag
     (desk / "course.toml").write_text(COURSE + "due = 2026-09-14T23:59:00\n")
     run("grade", "submitted", "--out", "results")
     assert (desk / "results" / "results.jsonl").read_bytes() == before
-    readme = (course_config.course() / "assignments" / "hw07_double_pendulum" / "README.md").read_text()
+    readme = (course_config.course_of() / "assignments" / "hw07_double_pendulum" / "README.md").read_text()
     assert "**(c)**" not in readme and "**(b)**" in readme and "Part (c) is left out" in readme
 
 
