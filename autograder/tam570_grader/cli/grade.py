@@ -17,7 +17,7 @@ from tam570_grader.cli.options import add_cluster, natural, positive
 from tam570_grader.course import course_config
 from tam570_grader.errors import UsageError, counted, progress, say, warn
 from tam570_grader.grading import regrade, roster, seeds
-from tam570_grader.grading.batch import CachedResult, RunConfig, outcomes
+from tam570_grader.grading.batch import RunConfig, records
 from tam570_grader.grading.executor import TaskExecutor, cores, executor
 from tam570_grader.grading.prove import prove
 from tam570_grader.grading.regrade import Change
@@ -128,20 +128,15 @@ def _run(arguments: argparse.Namespace, course: Path, chosen: list[Submission], 
     """Grade all submissions, write the pages, and fill the summary; return what was graded and how."""
     with ExitStack() as stack:
         earlier = [*arguments.join, *filter(None, [arguments.against])]
-        old = [stack.enter_context(closing(results(folder, feedback.row))) for folder in earlier]
-        store = ResultStore(arguments.out, summary_row=feedback.row) if arguments.out else None
+        old = [stack.enter_context(closing(results(folder))) for folder in earlier]
+        store = ResultStore(arguments.out) if arguments.out else None
         if store is not None:
             summary.store = stack.enter_context(closing(store))
         config = _config(arguments, course, chosen, [*old, *filter(None, [store])])
         if store is not None:
             manual_points.join(arguments.out, arguments.join)
-        is_read = arguments.json or arguments.against or arguments.format == "gradescope"
-        for outcome in progress(outcomes(config, store, old), len(chosen), "submission"):
-            if isinstance(outcome, CachedResult) and not is_read:
-                summary.rows.append(outcome.summary_row)
-            else:
-                record = outcome.record if isinstance(outcome, CachedResult) else outcome
-                _add_result(record, old, summary, arguments)
+        for record in progress(records(config, store, old), len(chosen), "submission"):
+            _add_result(record, old, summary, arguments)
         if arguments.against and not arguments.json:
             names = arguments.only or filter(None, [arguments.assignment])
             slugs = assignments.match_slugs(names, assignments.slugs(course))

@@ -26,7 +26,7 @@ from tam570_grader.grading.submissions import Submission, source_of, submissions
 from tam570_grader.grading.supervisor import GradeTask, WorkerConfig
 from tam570_grader.results import records as result_records
 from tam570_grader.results.records import Result
-from tam570_grader.results.store import Key, Record, Results, ResultStore
+from tam570_grader.results.store import Record, Results, ResultStore
 from tam570_grader.sandbox.launch import isolation
 from tam570_grader.sandbox.preload import imported
 from tam570_grader.sandbox.student import Source
@@ -60,23 +60,6 @@ class RunConfig:
         return derive(self.key, submission.student, submission.slug)
 
 
-@dataclass(frozen=True)
-class CachedResult:
-    """A result that is there already; it is read if it is asked for."""
-
-    results: Results
-    key: Key
-
-    @property
-    def summary_row(self) -> tuple[str, ...]:
-        """What was noted of it when its file was read."""
-        return self.results.lines[self.key].summary_row
-
-    @property
-    def record(self) -> Record:
-        return self.results[self.key]
-
-
 def grade(paths: Iterable[str | Path], config: RunConfig) -> Iterator[Result]:
     """Yield the results of what is at these paths: see `tam570_grader.grade`."""
     places = [Path(path) for path in paths]
@@ -86,31 +69,19 @@ def grade(paths: Iterable[str | Path], config: RunConfig) -> Iterator[Result]:
         yield result_records.read(record)
 
 
-def records(config: RunConfig, store: ResultStore | None = None) -> Iterator[Record]:
-    """Yield the result lines, each as soon as it is in the book, which is asked first; what failed is graded again."""
-    for outcome in outcomes(config, store):
-        yield outcome.record if isinstance(outcome, CachedResult) else outcome
-
-
-def outcomes(
-    config: RunConfig, store: ResultStore | None = None, old: Sequence[Results] = ()
-) -> Iterator[CachedResult | Record]:
-    """Yield the same as `records`, but what is known is not read."""
+def records(config: RunConfig, store: ResultStore | None = None, old: Sequence[Results] = ()) -> Iterator[Record]:
+    """Yield the result lines, each as soon as it is in the store; what is there or in old ones is not graded again."""
     places = (*old, *([store] if store is not None else ()))
-    cached = {
-        line.digest: CachedResult(results, key)
-        for results in places
-        for key, line in results.lines.items()
-        if line.scored
-    }
+    cached = {line.digest: (results, key) for results in places for key, line in results.lines.items() if line.scored}
     code = _code_digests(config)
     fresh, held, users = list[tuple[Submission, GradeTask | None]](), 0, Counter[str]()
     for submission in config.submissions:
         task = _task(config, code, submission)
         if task.digest in cached:
-            earlier = cached[task.digest]
-            if store is not None and earlier.results is not store:
-                store.add(earlier.record)
+            results, key = cached[task.digest]
+            earlier = results[key]
+            if store is not None and results is not store:
+                store.add(earlier)
             yield earlier
             continue
         text = task.source.text if isinstance(task.source, Source) else b""

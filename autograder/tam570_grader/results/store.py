@@ -19,7 +19,6 @@ from tam570_grader.results.tables import write_table, written
 
 Key = tuple[str, str]  # student, assignment
 Record = Json  # a result line, with "digest": of all that the result depends on
-SummaryRow = Callable[[Record], tuple[str, ...]]
 # what every result has, and every mark in its "checks"
 RESULT_FIELDS = {"student", "assignment", "status", "score", "max_score", "seed", "seconds", "isolation", "checks"}
 CHECK_FIELDS = {"name", "part", "points", "max_points", "outcome", "message", "suspect"}
@@ -35,7 +34,6 @@ class StoredLine:
     line_digest: str
     seed: int
     graded: GradeRow  # its row in the table of grades
-    summary_row: tuple[str, ...] = ()  # what a run asks of each result, so that none is read twice
 
     @property
     def scored(self) -> bool:
@@ -45,8 +43,8 @@ class StoredLine:
 class Results(Mapping[Key, Record]):
     """The newest result of every student and assignment in a file, in order; each is read when it is asked for."""
 
-    def __init__(self, file: BinaryIO, path: Path, summary_row: SummaryRow = lambda record: ()) -> None:
-        self._file, self._path, self._note = file, path, summary_row
+    def __init__(self, file: BinaryIO, path: Path) -> None:
+        self._file, self._path = file, path
         self.lines = dict[Key, StoredLine]()
         self._end, self._count = 0, 0  # of the whole lines that were read
         try:
@@ -97,7 +95,7 @@ class Results(Mapping[Key, Record]):
         line_digest = hashlib.blake2b(text, digest_size=12).hexdigest()
         graded = GradeRow(*(_kept_once(record[name]) for name in GradeRow._fields))
         digest = str(record.get("digest"))
-        line = StoredLine(self._end, len(text), digest, line_digest, record["seed"], graded, self._note(record))
+        line = StoredLine(self._end, len(text), digest, line_digest, record["seed"], graded)
         self.lines[_kept_once(str(record["student"])), _kept_once(str(record["assignment"]))] = line
         self._end += len(text)
         self._count += 1
@@ -109,11 +107,9 @@ class ResultStore(Results):
     waits : told in a sentence that another run is at work there, whose end is then waited for; default: UsageError
     """
 
-    def __init__(
-        self, folder: Path, waits: Callable[[str], None] | None = None, summary_row: SummaryRow = lambda record: ()
-    ) -> None:
+    def __init__(self, folder: Path, waits: Callable[[str], None] | None = None) -> None:
         self._folder = folder
-        super().__init__(_locked(folder, waits), folder / "results.jsonl", summary_row)
+        super().__init__(_locked(folder, waits), folder / "results.jsonl")
         self._file.truncate(self._end)  # what a kill cut short
 
     def add(self, record: Record, text: bytes | None = None) -> None:
@@ -169,13 +165,13 @@ def _opened(path: Path) -> BinaryIO:
         raise UsageError(f"cannot write results to {path.parent}: {error.strerror}; name another folder") from None
 
 
-def results(path: Path, summary_row: SummaryRow = lambda record: ()) -> Results:
+def results(path: Path) -> Results:
     """Return the results in a folder, or in its `results.jsonl`."""
     file = path if path.is_file() else path / "results.jsonl"
     if not file.is_file():
         raise UsageError(f"there are no results in {path}; make them with: tam570-grader grade ... --out {path}")
     try:
-        return Results(open(file, "rb"), file, summary_row)  # noqa: SIM115  closed with the results
+        return Results(open(file, "rb"), file)  # noqa: SIM115  closed with the results
     except OSError as error:
         raise UsageError(f"cannot read results from {path}: {error.strerror}") from None
 
