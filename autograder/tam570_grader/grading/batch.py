@@ -36,7 +36,6 @@ if TYPE_CHECKING:
     from tam570_grader.grading.cluster import Cluster
 
 FEW = 4  # submissions a process, for which to start one repays
-HELD = 2**26  # bytes of submissions that are held until they are handed out; others are read twice
 
 
 @dataclass(frozen=True)
@@ -74,7 +73,7 @@ def records(config: RunConfig, store: ResultStore | None = None, old: Sequence[R
     places = (*old, *([store] if store is not None else ()))
     cached = {line.digest: (results, key) for results in places for key, line in results.lines.items() if line.scored}
     code = _code_digests(config)
-    fresh, held, users = list[tuple[Submission, GradeTask | None]](), 0, Counter[str]()
+    fresh, users = list[Submission](), Counter[str]()
     for submission in config.submissions:
         task = _task(config, code, submission)
         if task.digest in cached:
@@ -84,14 +83,12 @@ def records(config: RunConfig, store: ResultStore | None = None, old: Sequence[R
                 store.add(earlier)
             yield earlier
             continue
-        text = task.source.text if isinstance(task.source, Source) else b""
-        users.update(imported(text))
-        held += len(text)
-        fresh.append((submission, task if held < HELD else None))
+        users.update(imported(task.source.text if isinstance(task.source, Source) else b""))
+        fresh.append(submission)
     # a zygote's import of a package pays off from the second submission that uses it
     preload = [name for name, count in users.items() if count > 1]
-    tasks = (task or _task(config, code, submission) for submission, task in fresh)
-    slugs = sorted({submission.slug for submission, _ in fresh if submission.path})
+    tasks = (_task(config, code, submission) for submission in fresh)  # read once more: a class may fill the memory
+    slugs = sorted({submission.slug for submission in fresh if submission.path})
     for line in lines(config, tasks, len(fresh), slugs, preload):
         record = json.loads(line)
         if store is not None:
