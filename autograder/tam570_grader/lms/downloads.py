@@ -108,11 +108,12 @@ def _of_table(files: Sequence[File], system: System) -> Iterator[Handed | File]:
     """Yield the files by Gradescope's table of submissions; a group's file is each member's."""
     from tam570_grader.lms.gradescope_table import table_in
 
-    table = table_in(files)
+    table, submissions = table_in(files)
+    depth = table.path.count("/") + 1
     for file in files:
-        if file is table.file:
+        if file is table:
             continue
-        people, when = table.of(file)
+        people, when = submissions.get("/".join(file.path.split("/")[:depth]), ((), ""))
         if not people:
             yield file
         for ids, name in people:

@@ -2,8 +2,8 @@
 
 import io
 import re
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Iterable
+from dataclasses import replace
 from typing import Any
 
 import yaml
@@ -18,22 +18,11 @@ AGAIN = "export the submissions again in Gradescope"
 People = tuple[tuple[dict[str, str], str], ...]  # the ids of each submitter, and the name
 
 
-@dataclass(frozen=True)
-class SubmissionTable:
-    """The class's table, and for each folder beside it whose it is and when it came."""
+def table_in(files: Iterable[File]) -> tuple[File, dict[str, tuple[People, str]]]:
+    """Return the class's table, the outermost of that name, for a student may hand in another.
 
-    file: File
-    submissions: Mapping[str, tuple[People, str]]
-
-    def of(self, file: File) -> tuple[People, str]:
-        """Return whose a file of the export is, and when it came; nobody's if it lies in no folder of the table."""
-        beside = self.file.path.removesuffix(METADATA)
-        folder = file.path.removeprefix(beside).split("/")[0] if file.path.startswith(beside) else ""
-        return self.submissions.get(folder, ((), ""))
-
-
-def table_in(files: Iterable[File]) -> SubmissionTable:
-    """Return the class's table: the outermost of that name, for a student may hand in another."""
+    And for each folder beside it whose it is and when it came.
+    """
     tables = [file for file in files if file.path.rsplit("/", 1)[-1] == METADATA]
     outside = [file for file in tables if not any(map(FOLDER.fullmatch, file.path.split("/")))]  # of all submissions
     file = min(outside, key=lambda file: file.path.count("/"), default=None)
@@ -45,15 +34,15 @@ def table_in(files: Iterable[File]) -> SubmissionTable:
     if not isinstance(entries, dict) or not entries:
         size = f", and is larger than {LARGEST // 2**20} MiB" if len(file.data) > LARGEST else ""
         raise UsageError(f"{file.path} lists no submissions{size}; {AGAIN}")
-    submissions = {}
+    beside, submissions = file.path.removesuffix(METADATA), {}
     for folder, entry in entries.items():
         where = f"{file.path}, {folder}"
         fields = entry if isinstance(entry, dict) else {":submitters": "none"}
         submitters, when = fields.get(":submitters") or [], fields.get(":created_at", "")
         if not isinstance(submitters, list) or not isinstance(when, str):
             raise UsageError(f"{where}: this is not what Gradescope writes of a submission; {AGAIN}")
-        submissions[str(folder)] = tuple(_person(who, where) for who in submitters), when
-    return SubmissionTable(file, submissions)
+        submissions[f"{beside}{folder}"] = tuple(_person(who, where) for who in submitters), when
+    return file, submissions
 
 
 def _without_results(data: bytes) -> bytes:

@@ -26,18 +26,17 @@ def run(course: Path, folder: Path, slugs: Sequence[str]) -> int:
             _write_assignment(course, slug, folder / "source" / slug)
         for name, template in (("nbgrader_config.py", "nbgrader_config.txt"), ("README.md", "course.txt")):
             text = Template((TEMPLATES / template).read_text(encoding="utf-8")).substitute(fields)
-            if not _is_the_teachers(folder / name, text.encode()):
-                written(folder / name, text)
+            _put(folder / name, text.encode())
     say(f"{folder}: {counted(len(slugs), 'assignment')}; README.md there says how to go on", error=True)
     return 0
 
 
-def _is_the_teachers(path: Path, ours: bytes) -> bool:
-    """Return whether there is a file that differs from ours; it is named."""
-    if not path.exists() or path.read_bytes() == ours:
-        return False
-    say(f"{path} left as you have it; to have it made anew, move it away", error=True)
-    return True
+def _put(path: Path, content: bytes) -> None:
+    """Write a file where there is none; one that differs is the teacher's, and named."""
+    if not path.exists():
+        written(path, content)  # half a file would be taken for the teacher's
+    elif path.read_bytes() != content:
+        say(f"{path} left as you have it; to have it made anew, move it away", error=True)
 
 
 def _write_assignment(course: Path, slug: str, folder: Path) -> None:
@@ -53,5 +52,4 @@ def _write_assignment(course: Path, slug: str, folder: Path) -> None:
         write_notebook(course, slug, Path(draft))
         folder.mkdir(parents=True, exist_ok=True)
         for new in sorted(Path(draft).iterdir()):
-            if not _is_the_teachers(folder / new.name, new.read_bytes()):
-                written(folder / new.name, new.read_bytes())  # half a file would be taken for the teacher's
+            _put(folder / new.name, new.read_bytes())

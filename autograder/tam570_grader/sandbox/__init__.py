@@ -1,1 +1,1 @@
-"""The supervisor's side of the sandbox; `inside` stands alone and runs beside the student's code."""
+"""The supervisor's side of the sandbox; `protocol` stands alone and runs beside the student's code."""

@@ -18,7 +18,7 @@ class Unshown(Exception):
 
 
 def cells_of(text: bytes) -> list[Json]:
-    """Return the cells of a notebook, as `inside.cells` describes them, or Unshown; nothing of it has run."""
+    """Return the cells of a notebook, as `protocol.cells` describes them, or Unshown; nothing of it has run."""
     return list(_read("cells", text))
 
 
