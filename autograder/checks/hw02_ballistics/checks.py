@@ -139,7 +139,9 @@ def trajectory_with_any_drag(student, rng):
 def of_landing(case, time, expected):
     if time <= ROOT * expected:
         return "y is zero at the launch, too; the landing is the later zero."
-    ((_, y, _, _),) = reference.trajectory(np.array([time]), *case.args, **case.kwargs)
+    ((_, y, _, vy),) = reference.trajectory(np.array([time]), *case.args, **case.kwargs)
+    if abs(vy) <= ROOT * case.kwargs["gravity"] * time:
+        return "That is the time to the top, where vy is zero; the landing is later."
     return f"At your time y is {y:.2g} m, not 0: put it into your closed form."
 
 
