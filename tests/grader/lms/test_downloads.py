@@ -113,7 +113,7 @@ def test_results_hold_nothing_hidden(course, grade, solution_text):
 
 def test_a_failure_of_ours_leaves_no_results(course, desk, submission, monkeypatch):
     broken = failed_by_us("s", assignments.assignment(course, HW08), "a bug", 3).record()
-    monkeypatch.setattr("tam570_grader.cli.grade.outcomes", lambda plan, book, old: iter([broken]))
+    monkeypatch.setattr("tam570_grader.cli.grade.records", lambda config, store, old: iter([broken]))
     assert for_gradescope(desk, submission) == (1, "")
 
 
