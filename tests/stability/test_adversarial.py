@@ -113,6 +113,7 @@ FRICTION = {
     "magnet": against(lambda t, y: (y[1], -y[0] / (0.01 + y[0] ** 2)), (0, 3), [0.5, 0.0], longest=0.01),
     "saturated": against(lambda t, y: (y[1], -max(-1.0, min(1.0, 20.0 * y[0]))), (0, 3), [0.4, 0.0], longest=0.01),
     "thermostat": against(lambda t, y: (1.0 - y[0] if y[0] < 0.3 else 0.5 - y[0],), (0, 2), [0.1], longest=5e-3),
+    "comparisons": against(lambda t, y: (t > 1, y[0] > 0.5), (3, 0), [2.0, 1.5], exact=[0.0, 0.0]),
     "dictionary": against(lambda t, y: -{True: y, False: 2 * y}[bool(y[0] > 0.5)], (0, 2), [1.0], longest=5e-3),
     "at rest near zero": against(at_rest_near_zero, (0, 5), [0.0, 0.0], exact=[G * math.cos(5) - G, -G * math.sin(5)]),
     "while": against(by_while, (0, 5), [0.0, 0.0], exact=[5.0, math.sin(5.0)]),

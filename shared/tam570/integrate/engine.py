@@ -79,9 +79,9 @@ def engine(
     def tried_rates() -> CalledRates:
         """Return the right-hand side, tried at the start."""
         forward = bound(rhs, parameters)
-        rates: Rates = forward if sign > 0 else lambda t, y: [-rate for rate in forward(-t, y)]
+        rates: Rates = forward if sign > 0 else lambda t, y: [-1.0 * rate for rate in forward(-t, y)]
         called_rates = CalledRates(rates, len(start))
-        called_rates.dtype = check_start(rates, float(times[0]), start, sign)
+        called_rates.dtype = check_start(forward, sign * float(times[0]), start, 1.0)
         return called_rates
 
     try:

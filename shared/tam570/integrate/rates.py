@@ -55,7 +55,7 @@ def check_start(rates: Rates, t: float, y0: Array, sign: float) -> np.dtype[Numb
     at_start, dtype = _checked(value, len(y0)), np.asarray(value).dtype
     repeated = _checked(rates(t, y0.copy()), len(y0))
     if not np.isfinite(at_start).all():
-        raise ValueError(f"rhs: gives {at_start} at the start, t = {sign * t:g}; is the start allowed?")
+        raise ValueError(f"rhs: gives {at_start} at the start, t = {sign * t + 0.0:g}; is the start allowed?")
     if (at_start != repeated).any():
         raise ValueError(
             f"rhs: gives {at_start.tolist()} and then {repeated.tolist()} at the start; "
