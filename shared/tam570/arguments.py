@@ -124,3 +124,12 @@ def _floats(name: str, value: ArrayLike) -> NDArray[np.float64]:
         if any(map(_is_symbol, np.ravel(value))):
             return np.array(value)
         raise ValueError(f"{name}: must be numbers, got {value!r}") from None
+
+
+def divisors(values: NDArray[np.generic]) -> None:
+    """Raise ZeroDivisionError where a number is zero, as Python does and NumPy does not; symbols pass.
+
+    In the function itself, a use of `dtype` would end its trace.
+    """
+    if values.dtype != object and not values.all():
+        raise ZeroDivisionError

@@ -11,7 +11,7 @@ from math import inf, nan, sqrt
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.arguments import nonnegative, numbers, positives, sequence
+from tam570.arguments import divisors, nonnegative, numbers, positives, sequence
 from tam570.integrate import solve
 from tam570.show.live import Live, drag, energies
 from tam570.show.plots import state_energy_plot, values
@@ -59,8 +59,7 @@ def _by_arrays(places: Sequence[float], masses: Sequence[float], newton: float) 
     r = np.reshape(places, (-1, 3))
     gaps = r - r[:, None]  # from i, the first index, to j
     squares = (gaps * gaps).sum(axis=-1) + np.eye(len(r))  # none pulls at itself: its gap is 0
-    if squares.dtype != object and not squares.all():  # symbols have no value
-        raise ZeroDivisionError
+    divisors(squares)
     factors = newton * np.asarray(masses) / (squares * np.sqrt(squares))
     return (factors[:, :, None] * gaps).sum(axis=1).ravel().tolist()
 

@@ -89,7 +89,7 @@ def test_a_mass_of_zero_and_a_state_of_another_shape_are_refused_by_name(name):
 
 
 @pytest.mark.parametrize("name", MOVING)
-def test_rates_are_plain_floats(name):
+def test_rates_are_plain_floats_and_can_be_traced(name):
     """Anywhere: an integrator may try a state beyond the physical; it takes the step again."""
     module = load(name)
     start = np.array(module.START)
@@ -98,6 +98,8 @@ def test_rates_are_plain_floats(name):
         for trial in trials:
             rates = function(0.0, trial.tolist(), **module.EXAMPLE)
             assert len(rates) == len(start) and all(type(rate) is float for rate in rates)
+        report = solve(function, [0.0, 1e-3], start, parameters=module.EXAMPLE, report=True).report
+        assert not report.untraced_reason or name == "rocket"  # which asks for its mass
 
 
 @pytest.mark.parametrize("count", [30, pytest.param(1000, marks=pytest.mark.slow)])
