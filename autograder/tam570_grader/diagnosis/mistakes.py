@@ -196,15 +196,13 @@ def named_mistake(solution: str, suspects: Iterable[Mistake], calls: Sequence[Ca
     return Cause((wrong or [calls[0].name])[0], mistake.message, "known mistake", answers, tuple(calls))
 
 
-def explains(solution: str, answer_to: Answer, calls: Sequence[Call], *, of_nothing: bool = False) -> bool:
+def explains(solution: str, answer_to: Answer, calls: Sequence[Call]) -> bool:
     """Whether what the solution answers with a mistake in it is what the student's functions returned in every call.
 
     Some result must be wrong by it, and some number of it not zero: of nothing all kinds of nothing follow. A result
     that is right, as in a case that has a branch for itself, needs no explanation.
-
-    of_nothing : all results may be nothing, as of a function that calls another or shares its helpers
     """
-    wrong, informative = False, of_nothing
+    wrong = informative = False
     for call in sorted(calls, key=lambda call: len(call.case.packed)):
         correct, tolerance = answer(solution, "", call), tolerance_of(call)
         if same(call.result, correct, tolerance):

@@ -26,7 +26,7 @@ from tam570_grader.checks.student import StudentFunction
 from tam570_grader.diagnosis.cause import Cause
 from tam570_grader.diagnosis.diagnose import diagnose, follows, is_refuted
 from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, explains, is_motion, same, solution_with
-from tam570_grader.diagnosis.mutants import names_reached, reached
+from tam570_grader.diagnosis.mutants import names_reached
 from tam570_grader.diagnosis.search import shared_mutants
 from tam570_grader.grading.budget import budget
 from tam570_grader.grading.seeds import derive
@@ -273,8 +273,6 @@ def _is_consequence(run: _Run, wrong: str, calls: Sequence[Call]) -> bool:
     zeros = {cause.function for cause in causes if cause.source == "result" and not cause.answers}
     if any(is_motion(call) for call in calls):
         return False
-    uses = {each: reached(run.student.text).get(each, set()) for each in (name, wrong)}
-    of_nothing = not uses[name].isdisjoint(uses[wrong])
     for text in assignment.solutions:
         used = (names_reached(text, name) & assignment.results.keys()) - {name}
         if wrong not in used or used & zeros:
@@ -284,7 +282,7 @@ def _is_consequence(run: _Run, wrong: str, calls: Sequence[Call]) -> bool:
             setattr(module, function, partial(_asked, getattr(run.student, function)))
         try:
             with budget():
-                if explains(assignment.solution, partial(computed, module), calls, of_nothing=of_nothing):
+                if explains(assignment.solution, partial(computed, module), calls):
                     return True
         except Exception:  # whatever a wrong function returns in the place of a right one
             continue
