@@ -327,7 +327,6 @@ def test_a_wrong_component_of_a_helper_is_told_once(checked):
 def test_a_function_that_raises_is_named_by_those_that_call_it(checked):
     actual = checked("hw03_angular_momentum_rate", ("a_p)\n\n\ndef angular", "a_q)\n\n\ndef angular"))
     assert "moment," in actual["discrepancy_with_the_velocity_in_F"].failure.hint
-    assert ("discrepancy", "moment") in following(actual)
 
 
 def test_rows_at_even_times_are_one_mistake(checked):
