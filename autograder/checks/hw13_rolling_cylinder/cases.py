@@ -34,10 +34,12 @@ def usual(cylinder):
 
 
 def rolling(rng, count, label="any angle", **fixed):
-    """Angles of several turns, both signs of the rate."""
+    """Each some turns further than the last, both signs of angle and rate."""
     bodies = [cylinder(rng, **fixed) for _ in range(count)]
     rates = [rng.choice([-1, 1]) * rng.uniform(0.5, 2) * usual(body) for body in bodies]
-    return [Case(rng.uniform(-9, 9), rate, **body).labelled(label) for rate, body in zip(rates, bodies, strict=True)]
+    angles = [rng.choice([-1, 1]) * rng.uniform(10 * i, 10 * i + 10) for i in range(count)]
+    motions = zip(angles, rates, bodies, strict=True)
+    return [Case(angle, rate, **body).labelled(label) for angle, rate, body in motions]
 
 
 centred = partial(rolling, label="G at the centre", offset=0.0)
@@ -89,7 +91,7 @@ def slow(rng):
 
 def pulled(rng):
     """G is high and fast; the plain cases, too."""
-    fast = [case.replace(case.args[0] / 9 + math.pi, 4 * case.args[1]) for case in rolling(rng, 3)]
+    fast = [case.replace(math.pi + rng.uniform(-1, 1), 4 * case.args[1]) for case in rolling(rng, 3)]
     return [case.labelled("a normal force below zero") for case in fast + list(filter(_pulled, plain(rng)))]
 
 
