@@ -221,7 +221,8 @@ def _explains_all(solution: str, mistake: Mistake, groups: dict[str, list[Call]]
     for group in filter(None, compared):
         tolerance = mistake.tolerance or tolerance_of(group[0])
         changed = (_changed(solution, mistake.text, call, tolerance) for call in group)
-        if all(same(call.result, answer(solution, mistake.text, call), tolerance) for call in group):
+        size = max(1.0, *(_largest(call.result) for call in group))  # beside it a result may cancel to rounding
+        if all(same(call.result, answer(solution, mistake.text, call), tolerance, size) for call in group):
             informative = informative or (any(changed) and any(call.result is not None for call in group))
         elif any(changed):
             return False
@@ -316,8 +317,11 @@ def _code(text: str) -> CodeType:
     return compile_counted(text, "<mistake>")
 
 
-def same(result: Numbers, wrong: Numbers, tolerance: float) -> bool:
-    """Return whether two answers agree within a tolerance, of the largest number; of no value each agrees."""
+def same(result: Numbers, wrong: Numbers, tolerance: float, size: float = 1.0) -> bool:
+    """Return whether two answers agree within a tolerance, of the largest number; of no value each agrees.
+
+    size : of the numbers that cancel where a result is zero
+    """
     if any(np.iscomplexobj(part) for part in parts(wrong)):
         return False  # a root of something negative; results are real
     if result is None or result is NoValue or wrong is NoValue:
@@ -325,14 +329,24 @@ def same(result: Numbers, wrong: Numbers, tolerance: float) -> bool:
     if isinstance(wrong, tuple) and not isinstance(result, tuple):
         wrong = np.asarray(wrong, float)  # the numbers of an array may be returned one by one
     pairs = list(zip(parts(result), parts(wrong), strict=False))
-    return len(parts(result)) == len(parts(wrong)) and all(_close(first, other, tolerance) for first, other in pairs)
+    return len(parts(result)) == len(parts(wrong)) and all(
+        _close(first, other, tolerance, CANCELLED * size) for first, other in pairs
+    )
 
 
 def _finite(result: Numbers) -> bool:
     return all(bool(np.all(np.isfinite(np.asarray(part, float)))) for part in parts(result))
 
 
-def _close(result: Numbers, expected: Numbers, tolerance: float) -> bool:
+def _largest(result: Numbers) -> float:
+    """Return the largest finite number of a result by its size, 0 of none."""
+    if result is None or result is NoValue:
+        return 0.0
+    sizes = np.abs(np.concatenate([np.ravel(np.asarray(part, float)) for part in parts(result)]))
+    return float(sizes.max(initial=0.0, where=np.isfinite(sizes)))
+
+
+def _close(result: Numbers, expected: Numbers, tolerance: float, rounding: float) -> bool:
     result, expected = np.asarray(result, float), np.asarray(expected, float)
     if result.shape != expected.shape:
         return False
@@ -340,4 +354,4 @@ def _close(result: Numbers, expected: Numbers, tolerance: float) -> bool:
     if not math.isfinite(size):
         return bool(np.array_equal(result, expected))
     with np.errstate(all="ignore"):
-        return bool((np.abs(result - expected) <= tolerance * size + CANCELLED).all())
+        return bool((np.abs(result - expected) <= tolerance * size + rounding).all())
