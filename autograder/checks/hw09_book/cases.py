@@ -22,7 +22,7 @@ SHEARS = np.eye(3) + 1e-5 * np.array([np.outer(e, f) + np.outer(f, e) for e, f i
 def turns(rng):
     """About x, y and z: random angles, and quarter turns."""
     for axis in "xyz":
-        yield from [Case(axis, angle).labelled(f"a turn about {axis}") for angle in rng.uniform((-7, 0), (0, 7))]
+        yield from [Case(axis, angle).labelled(f"a turn about {axis}") for angle in rng.uniform((-7, 20), (0, 30))]
         for k in (0, 1, -1, 2, -2, 4):
             yield Case(axis, k * math.pi / 2).labelled(f"{QUARTERS[abs(k)]} about {axis}")
 

@@ -199,7 +199,8 @@ def whirls(rng):
         case = Case(a_lean(rng), *(usual(disk) * rng.uniform(0.3, 3, 2) * rng.choice([-1, 1], 2)), **disk)
         cases += [case.replace(0.0).labelled("an upright disk"), case.replace(gravity=0.0).labelled("no gravity")]
         cases.append(case.replace(*case.args[:2], 0.0).labelled("no spin"))
-    return [*cases, *(Case(sign * math.pi / 4, sign * 1.0, 1.0, **UNIT).labelled("whole numbers") for sign in (1, -1))]
+    both = [Case(sign * math.pi / 4, sign * 1.0, sign * 1.0, **UNIT) for sign in (1, -1)]
+    return [*cases, *(case.labelled("whole numbers") for case in both)]
 
 
 def under_forces(rng):

@@ -15,7 +15,7 @@ PLAIN = {  # of the rates of yaw, tilt, roll; the tilts
     "a disk that only rolls": ((0, 0, 1), (reference.RIGHT, 2.0)),
     "a disk that only yaws": ((1, 0, 0), (reference.RIGHT, 0.6)),
     "a disk that only tilts": ((0, 1, 0), (1.3,)),
-    "a steady tilt": ((1, 0, 1), (2.0,)),
+    "a steady tilt": ((1, 0, 1), (2.6,)),
     "no roll": ((1, 1, 0), (1.2,)),
 }
 
@@ -45,10 +45,10 @@ def instants(rng):
             state = a_state(rng, disk, tilt, (*rates * factors,))
             way = "upright" if tilt == reference.RIGHT else "tilted"
             cases.append(Case(state + 0.0, **disk).labelled(f"{label}, {way}"))
-    far = Case(a_state(rng, disk, 1.0) + [300, -200, 0, 0, 0, 0, 0, 0], **disk).labelled("a disk far from the origin")
+    far = a_state(rng, disk, 1.0) + [300, -200, 15, 0, -15, 0, 0, 0]
     state = np.array([0, 0, 0, math.pi / 4, 0, 1, 1, 1])
     ones = Case(state, mass=1.0, radius=1.0, inertia=(0.25, 0.5), gravity=1.0).labelled("whole numbers, at the origin")
-    return [*cases, ones, far]
+    return [*cases, ones, Case(far, **disk).labelled("far from the origin, after turns of yaw and roll")]
 
 
 def flat_and_upright(rng):
@@ -124,7 +124,7 @@ def steady(rng):
     plain = {
         "exactly upright": (0.0, precession, spin),
         "no precession": (lean, 0.0, spin),
-        "no spin": (-lean, precession, 0.0),
+        "no spin": (-lean, -precession, 0.0),
         "a disk let go at rest": (lean, 0.0, 0.0),
         "straight rolling upright": (0.0, 0.0, spin),
         "spinning upright on a point": (0.0, precession, 0.0),
@@ -155,4 +155,5 @@ def pictures(rng):
     for sides in (int(rng.integers(7, 30)), 3, 4, 5, 6):
         disk, label = a_disk(rng), f"{sides} sides" if sides < 7 else "many sides"
         states = [a_state(rng, disk, tilt) for tilt in (rng.uniform(0.6, 2.5), reference.RIGHT)]
+        states[1][4] += 15
         yield [Case(state, radius=disk["radius"], sides=sides).labelled(label) for state in states]
