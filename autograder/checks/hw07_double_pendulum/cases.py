@@ -47,8 +47,8 @@ def _places(case):
 
 def _alike(case):
     equal = {name: np.full(2, case.kwargs[name][0]) for name in ("masses", "lengths")}
-    alike = [case.replace(**{name: value}).labelled(f"equal {name}") for name, value in equal.items()]
-    return [*alike, case.replace(**equal).labelled("equal bars"), case.replace(**UNIT).labelled("all 1")]
+    bars = [case.replace(**{name: value}).labelled(f"equal {name}") for name, value in equal.items()]
+    return [*bars, case.replace(**equal).labelled("equal bars"), case.replace(**UNIT).labelled("all 1")]
 
 
 def _rates(case):

@@ -26,12 +26,12 @@ def run(course: Path, folder: Path, slugs: Sequence[str]) -> int:
             _write_assignment(course, slug, folder / "source" / slug)
         for name, template in (("nbgrader_config.py", "nbgrader_config.txt"), ("README.md", "course.txt")):
             text = Template((TEMPLATES / template).read_text(encoding="utf-8")).substitute(fields)
-            _put(folder / name, text.encode())
+            _write(folder / name, text.encode())
     say(f"{folder}: {counted(len(slugs), 'assignment')}; README.md there says how to go on", error=True)
     return 0
 
 
-def _put(path: Path, content: bytes) -> None:
+def _write(path: Path, content: bytes) -> None:
     """Write a file where there is none; one that differs is the teacher's, and named."""
     if not path.exists():
         written(path, content)  # half a file would be taken for the teacher's
@@ -52,4 +52,4 @@ def _write_assignment(course: Path, slug: str, folder: Path) -> None:
         write_notebook(course, slug, Path(draft))
         folder.mkdir(parents=True, exist_ok=True)
         for new in sorted(Path(draft).iterdir()):
-            _put(folder / new.name, new.read_bytes())
+            _write(folder / new.name, new.read_bytes())

@@ -162,14 +162,14 @@ def test_a_function_that_agrees_with_no_wrong_one_is_right_all_the_same(hw08, ta
 
 
 def test_a_mistake_has_numbers_where_the_student_has_and_not_the_right_ones():
-    def mistake(result, *wrong, right=2.0):
-        calls = [{"function": "f", "compare": [{"member": None, "columns": None, "expected": right}]}] * 2
+    def mistake(result, *wrong, expected=2.0):
+        calls = [{"function": "f", "compare": [{"member": None, "columns": None, "expected": expected}]}] * 2
         mistakes = [{"function": "f", "message": closed(f"You {n}."), "results": each} for n, each in enumerate(wrong)]
-        return Examples(calls, mistakes, {0: right, 1: result}).mistake("f")
+        return Examples(calls, mistakes, {0: expected, 1: result}).mistake("f")
 
     assert mistake(3.0, {"1": [fingerprint(3.0)]}).endswith(OR_ANOTHER)  # one number
     assert not mistake(3.0, *[{"1": [fingerprint(3.0)]}] * 2)
-    assert not mistake([0.0, 3.0], {"1": [fingerprint([0.0, 3.0])]}, right=[0.0, 2.0])
+    assert not mistake([0.0, 3.0], {"1": [fingerprint([0.0, 3.0])]}, expected=[0.0, 2.0])
     assert not mistake(3.0, {"0": None, "1": [fingerprint(3.0)]}) and not mistake(2.0, {"1": [fingerprint(2 + 1e-9)]})
 
 
