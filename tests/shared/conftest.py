@@ -17,7 +17,8 @@ HW08 = "hw08_axis_angle"
 @pytest.fixture
 def desk(tmp_path, monkeypatch):
     """A student's empty folder, and nothing remembered."""
-    (desk := tmp_path / "desk").mkdir()
+    desk = tmp_path / "desk"
+    desk.mkdir()
     monkeypatch.chdir(desk)
     monkeypatch.setenv("TAM570_HOME", str(tmp_path / "home"))
     return desk
