@@ -125,7 +125,7 @@ def _report(work: Work, valid: Remembered, outcomes: Outcomes, functions: Collec
         names = calling.get(test, set())
         if work.examples and len(names) == 1 and (mistake := work.examples.mistake(*names)):
             explanations[test] = f"{BEGINNING}{mistake}"
-    explanations |= _explained(outcomes, calling, reached, work.code)  # true of more numbers than a few examples have
+    explanations |= _explained(outcomes, calling, causes, reached, work.code)  # of more numbers than a few examples
     report.failures(outcomes, explanations)
     report.slow(outcomes.functions.longest, outcomes.functions.total)
     if functions:
@@ -225,7 +225,9 @@ def _function(test: str) -> str:
     return test.partition("[")[0]
 
 
-def _explained(outcomes: Outcomes, used: Mapping[str, set[str]], reached: Progress, code: str) -> dict[str, str]:
+def _explained(
+    outcomes: Outcomes, used: Mapping[str, set[str]], causes: Mapping[str, str | None], reached: Progress, code: str
+) -> dict[str, str]:
     """For each failed test that a change of one function explains, which it is.
 
     A function whose own tests pass is not named where the test uses one whose own tests fail, directly or not.
@@ -244,7 +246,8 @@ def _explained(outcomes: Outcomes, used: Mapping[str, set[str]], reached: Progre
         alone = [
             test for test, functions in used.items() if functions == {name} and outcomes.passed.get(test) == PASSED
         ]
-        its_own = {test for test in failed if used[test] == {name}}  # all explained by its one mistake
+        # All of these are explained by its one mistake, unless the others of the test make it, too.
+        its_own = {test for test in failed if causes[test] == name not in uses(code, used[test] - {name})}
         best: list[str] = []
         best_mistake: Candidate | None = None
         if not failed or name not in functions.observed:

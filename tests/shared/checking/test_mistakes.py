@@ -48,11 +48,17 @@ def test_a_known_mistake_is_named(desk, tam570, in_process, solution_text, slug,
     assert code == 1 and "Your numbers match this mistake: " in said and remedy in " ".join(said.split())
 
 
-def test_a_factor_two_that_a_parameter_may_be_has_no_name(desk, tam570, in_process, solution_text):
-    slug = "hw04_hanging_spring"
-    (desk / f"{slug}.py").write_text(solution_text(slug).replace("velocity * np.sqrt(mass / stiffness)", "velocity"))
+HALVES = {
+    "hw04_hanging_spring": ("velocity * np.sqrt(mass / stiffness)", "velocity"),
+    HW08: ("* np.cross", "/ 2 * np.cross"),
+}
+
+
+@pytest.mark.parametrize("slug", HALVES)
+def test_a_factor_two_that_other_numbers_refute_has_no_name(desk, tam570, in_process, solution_text, slug):
+    (desk / f"{slug}.py").write_text(solution_text(slug).replace(*HALVES[slug]))
     code, said = tam570("check", f"{slug}.py")
-    assert code == 1 and "twice" not in said
+    assert code == 1 and "twice" not in said and "half" not in said
 
 
 @pytest.mark.parametrize("above", first(1, CALLS))
