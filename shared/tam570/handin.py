@@ -4,11 +4,13 @@ import contextlib
 import json
 import re
 import textwrap
+import tomllib
 import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 
 from tam570.course import folder, stubs
+from tam570.loading import Trouble, source_of
 from tam570.progress import rows
 from tam570.releases import differing, released
 
@@ -50,7 +52,7 @@ def hand_in(file: Path, slug: str) -> Path:
     finally:
         draft.unlink(missing_ok=True)
     print(f"{archive}\n    {', '.join(packed)}")
-    for remark in [*_empty(work, slug)]:
+    for remark in _empty(packed, slug):
         print(f"    {remark}")
     return archive
 
@@ -58,16 +60,20 @@ def hand_in(file: Path, slug: str) -> Path:
 def _empty(work: dict[str, Path], slug: str) -> Iterator[str]:
     """Yield what is not done yet, a line each."""
     if module := work.get(f"{slug}.py"):
-        with contextlib.suppress(SyntaxError, ValueError):
+        try:
             to_write = stubs((folder(slug) / f"{slug}.py").read_bytes())
-            submitted = stubs(module.read_bytes())
-            written = {name for stubs_of in (to_write, submitted) for name, stub in stubs_of.items() if stub.written}
-            missing = [name for name in to_write if name not in written]
-            if missing and f"{slug}.ipynb" not in work:
+            submitted = to_write | stubs(source_of(module))
+            if missing := [name for name in to_write if not submitted[name].written]:
                 yield f"not written yet: {', '.join(missing)}"
+        except (SyntaxError, ValueError, Trouble):
+            yield f"Python cannot read {module.name}: tam570 check {slug[:4]} tells why"
     if notebook := work.get(f"{slug}.ipynb"):
         with contextlib.suppress(ValueError, KeyError, TypeError):
             cells = json.loads(notebook.read_bytes())["cells"]
             count = sum("".join(cell["source"]).strip() == PLACEHOLDER for cell in cells)
             if count:
                 yield f"{count} of the cells for your answers {'is' if count == 1 else 'are'} empty"
+    rubric = folder(slug) / "rubric.toml"
+    if rubric.exists() and set(work) == {f"{slug}.py"}:
+        parts = ", ".join(tomllib.loads(rubric.read_text(encoding="utf-8"))["parts"])
+        yield f"no drawing, plot or words beside your code; your teacher grades by hand: part {parts}"

@@ -158,6 +158,8 @@ def test_handin_packs_the_work_and_names_what_is_empty(hw08, desk, tam570):
     packed = zipfile.ZipFile(file.with_name("hw08_axis_angle_handin.zip")).namelist()
     assert code == 0 and packed == ["hw08_axis_angle.py", "plot.png"]
     assert "not written yet: skew, rotation_matrix, rotate" in said
+    file.write_text("x = (")
+    assert "Python cannot read hw08_axis_angle.py" in tam570("handin", "hw08")[1]
 
 
 def test_handin_leaves_an_empty_module_out_where_the_notebook_has_the_work(hw08, solution_text, tam570):

@@ -60,9 +60,7 @@ class Functions:
 
     def _missing(self, name: str) -> Function:
         def missing(*args: Numbers, **kwargs: Numbers) -> Numbers:
-            raise Fault(
-                name, f"{name} is not written yet: {self.file.name} has no function of this name.", unwritten=True
-            )
+            raise Fault(name, f"Your file has no function {name}.")
 
         return missing
 

@@ -43,7 +43,7 @@ CALLS = {
         "rotation_matrix is off limits in rotate"
     ),
     "raise NotImplementedError": "not written yet: rotate",
-    "return r\n\ndel rotate": "not written yet: rotate",
+    "return r\n\ndel rotate": "Your file has no function rotate.",
     "return open('data.csv').read()": "FileNotFoundError",
     "import itertools; sum(itertools.count())": "rotate did not return within 2 s, and cannot be interrupted.",
 }
