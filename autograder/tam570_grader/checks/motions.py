@@ -30,6 +30,7 @@ DENSE = 1e-4  # of the scale: the interpolation of a solver at a loose tolerance
 BETTER = 0.1  # of the error is left where other times are what matters
 DENSER = 400  # times that are asked for in the place of few
 ROUGHLY = 0.1  # of the scale: beyond it a small wrong term is as likely as a loose tolerance
+FEWEST = 3  # rows that lead to the next, the first among them
 TRIED = 12  # rows at which the right equations are asked where they lead
 JUMPED = 0.9  # of the sum of all that rows lose
 OBEYED = 0.03  # of the change between rows: a wrong term makes more, a loose tolerance less
@@ -122,6 +123,7 @@ def _tells(motion: ComparedMotion, motions: Sequence[ComparedMotion], turns: Seq
     return [
         (lambda: _still(motion), "Every row is the start"),
         (lambda: not motion.actual.any(), "Every number is zero"),
+        (lambda: _is_last(motion), ALL_THE_LAST),
         (lambda: len(inner) > 0 and motion.near(expected[2:], inner), ONE_ROW_AHEAD),
         (lambda: len(inner) > 0 and motion.near(expected[:-2], inner), BEHIND),
         (lambda: motion.errors[0].max() > ALIKE >= motion.errors[1:].max(), OTHER_START),
@@ -133,6 +135,7 @@ def _tells(motion: ComparedMotion, motions: Sequence[ComparedMotion], turns: Seq
         (lambda: _joined(motion), JOINED),
         (lambda: _denser(motion), SAMPLED),
         (lambda: _at_other_times(motion), OTHER_TIMES),
+        (lambda: _from_elsewhere(motion), FROM_ELSEWHERE),
     ]
 
 
@@ -143,8 +146,11 @@ EVEN = "These are the rows at evenly spaced times: use the times in t"
 FROM_ZERO = "The start is taken at t = 0: it is the state at t[0]"
 KEPT = "This is the motion of an earlier call: is a result kept between calls?"
 OTHER_TIMES = "These are rows of the right motion at other times: use the times in t"
+ALL_THE_LAST = "Every row is the last one: do you append one array, which you change?"
 # of the right motion: a slip that later checks may repeat
-OF_ROWS = ONE_ROW_AHEAD, BEHIND, OTHER_START, WRAPPED, EVEN, FROM_ZERO, KEPT, OTHER_TIMES
+OF_TIMES = ONE_ROW_AHEAD, BEHIND, OTHER_START, WRAPPED, EVEN, FROM_ZERO, KEPT, OTHER_TIMES, ALL_THE_LAST
+FROM_ELSEWHERE = "The rows follow from one another, but not from the start: with which state do you begin?"
+OF_ROWS = *OF_TIMES, FROM_ELSEWHERE
 JOINED = (
     "This row is accurate when requested alone: do you interpolate linearly between steps, or at a loose tolerance?"
 )
@@ -154,6 +160,10 @@ OF_STEPS = TIGHT, NEARLY_FOLLOWS, JOINED, SAMPLED  # what is said of coarse step
 
 def _still(motion: ComparedMotion) -> bool:
     return bool((motion.actual == motion.actual[0]).all()) and bool(motion.errors[0].max() <= ALIKE)
+
+
+def _is_last(motion: ComparedMotion) -> bool:
+    return bool((motion.actual == motion.actual[-1]).all()) and bool(motion.errors[-1].max() <= ALIKE)
 
 
 def _turned(motion: ComparedMotion, turns: Sequence[int]) -> bool:
@@ -201,6 +211,16 @@ def _steps(motion: ComparedMotion) -> Iterator[float]:
         if 1 < (least := int(np.argmin(squares))) < DENSER and rows[least].max() <= 2 * ALIKE:
             before, at, after = squares[least - 1 : least + 2]
             yield float(fine[least] + (fine[-1] - fine[-2]) * (before - after) / (before - 2 * at + after) / 2)
+
+
+def _from_elsewhere(motion: ComparedMotion) -> bool:
+    """Return whether the right equations lead from each row to the next, but for the first, and the motion is wrong."""
+    rows = _some(motion)
+    moved = np.abs(motion.actual[rows + 1] - motion.actual[rows]) / motion.scales
+    if len(rows) < FEWEST or not ROUGHLY < motion.error <= ABSURD or moved[1:].max() <= ROUGHLY:
+        return False
+    lost = _lost(motion, rows)
+    return bool(lost[1:].max() <= ALIKE) and max(lost[0], motion.errors[0].max()) > ROUGHLY
 
 
 def _from_zero(motion: ComparedMotion) -> bool:
@@ -262,11 +282,7 @@ def obeys(motion: ComparedMotion, *, everywhere: bool = False) -> bool:
     if not motion.error <= ABSURD or motion.errors[0].max() > ALIKE:
         return False
     rows = np.arange(len(motion.t) - 1) if everywhere else _some(motion)
-    try:
-        with limited(STEPS):
-            off = _lost(motion, rows)
-    except (ValueError, ArithmeticError, Exhausted):
-        return False
+    off = _lost(motion, rows)
     moved = np.abs(motion.actual[rows + 1] - motion.actual[rows]) / motion.scales
     return bool(np.quantile(off, 1.0 if everywhere else 0.9) <= OBEYED * np.median(moved.max(axis=1)))
 
@@ -277,19 +293,20 @@ def _some(motion: ComparedMotion, count: int = TRIED) -> NDArray[np.int_]:
 
 
 def _lost(motion: ComparedMotion, rows: NDArray[np.int_]) -> Array:
-    """Return how far the right motion from each of these rows passes from the row after it, of the scale."""
+    """Return how far the right motion from each of these rows passes from the row after it, of the scale, or NaN."""
     led = (motion.truly(motion.t[row : row + 2], *_restart(motion, motion.actual[row])) for row in rows)
-    off = np.vstack([np.diff(states, axis=0) for states in led]) - (motion.actual[rows + 1] - motion.actual[rows])
+    try:
+        with limited(STEPS):
+            steps = np.vstack([np.diff(states, axis=0) for states in led])
+    except (ValueError, ArithmeticError, Exhausted):
+        return np.full(len(rows), np.nan)
+    off = steps - (motion.actual[rows + 1] - motion.actual[rows])
     return np.asarray(np.max(np.abs(off) / motion.scales, axis=1))
 
 
 def _jumps(motion: ComparedMotion) -> bool:
     """Return whether the error is made between two of many rows, as no loose tolerance makes it."""
-    try:
-        with limited(STEPS):
-            lost = _lost(motion, np.arange(len(motion.t) - 1))
-    except (ValueError, ArithmeticError, Exhausted):
-        return False
+    lost = _lost(motion, np.arange(len(motion.t) - 1))
     return lost.size >= TRIED and float(lost.max()) > max(ROUGHLY, JUMPED * float(lost.sum()))
 
 
@@ -297,7 +314,7 @@ def _explained(motion: ComparedMotion) -> float:
     """Return the share of the errors that wrong rates make: near zero if the physics is right, NaN if none can tell."""
     rows, shares = _some(motion), list[float]()
     try:
-        lost = _lost(motion, rows) / (motion.t[rows + 1] - motion.t[rows])
+        lost = _lost(motion, rows) / np.diff(motion.t)[rows]
         starts = list(_worst(motion, rows[np.argsort(-lost)]))
         for instant in INSTANTS:
             shares.append(_apart(motion, starts, instant) / lost.max())

@@ -20,7 +20,7 @@ from tam570_grader.checks.case import Call, Case
 from tam570_grader.checks.check import Check
 from tam570_grader.checks.expect import LONGEST_FAULT, Failed, NotWritten, check_context
 from tam570_grader.checks.failure import Failure
-from tam570_grader.checks.motions import OF_ROWS
+from tam570_grader.checks.motions import OF_ROWS, OF_TIMES
 from tam570_grader.checks.returns import FreeBodyDiagram
 from tam570_grader.checks.student import StudentFunction
 from tam570_grader.diagnosis.cause import Cause
@@ -221,7 +221,7 @@ def _cause(run: _Run, check: Check, failed: Failed) -> tuple[Cause | None, str]:
             calls = [call for call in run.student.calls if not _is_drawn(assignment, call)]
             folder = assignments.checks_folder(assignment.root, assignment.slug)
             passed = _passed_so_far(run) - {call.name for call in calls}
-            is_told = failed.failure.hint in OF_ROWS
+            is_told = failed.failure.hint in OF_TIMES
             search = partial(diagnose, solution, folder, earlier=earlier, is_told=is_told, passed=passed)
             following = follows(solution, calls, earlier)
             own_source = None if following else _own_source(run, failed)
@@ -236,7 +236,7 @@ def _cause(run: _Run, check: Check, failed: Failed) -> tuple[Cause | None, str]:
                 common = _earlier({check.name: cause})
                 if not _following(run, check, [*earlier, *common]):
                     cause = _own_source(run, failed) or search(calls, may_follow=False)
-            if cause is None and is_told:
+            if cause is None and failed.failure.hint in OF_ROWS:
                 cause = Cause(failed.failure.function, "", "rule")
             return cause, ""
     except (Exhausted, MemoryError):
@@ -412,7 +412,7 @@ def _judge_consequences(run: _Run) -> None:
         ready = all(result.unlocks_dependents or name in run.causes for name, result in before.items())
         if run.results[check.name].outcome == "not_run" and ready and not run.results[check.name].unwritten:
             causes = [run.causes[name] for name in before if name in run.causes]
-            unclear = [cause for cause in causes if not cause.answers and cause.source != "rule"]
+            unclear = [cause for cause in causes if not cause.answers and cause.source in ("own", "result")]
             try:
                 with run.student.aside():
                     result = _consequence(run, check, {cause.follows_from or cause.function for cause in unclear})

@@ -67,12 +67,8 @@ def exact():
     return lorenz(TIMES, START)
 
 
-def motion(rows):
-    return ComparedMotion(Case(TIMES, START), rows, exact(), np.full(3, 20.0), None, lorenz)
-
-
 def leads(rows):
-    return obeys(motion(rows), everywhere=True)
+    return obeys(ComparedMotion(Case(TIMES, START), rows, exact(), np.full(3, 20.0), None, lorenz), everywhere=True)
 
 
 @pytest.fixture(scope="module")
@@ -194,6 +190,8 @@ def test_where_the_function_cannot_be_asked_nobody_is_told_that_the_physics_is_r
         (lambda rows: rows[:, ::-1], "The columns are in another order"),
         (lambda rows: 0 * rows, "Every number is zero"),
         (lambda rows: 0 * rows + rows[0], "Every row is the start"),
+        (lambda rows: 0 * rows + rows[-1], motions.ALL_THE_LAST),
+        (lambda rows: np.vstack([rows[:1], swings(T[::20], RESTED + 0.5)[1:]]), motions.FROM_ELSEWHERE),
         (lambda rows: np.vstack([rows[:1] + 1, rows[1:]]), "Row 0 is not the start"),
     ],
 )
