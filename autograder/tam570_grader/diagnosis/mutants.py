@@ -486,6 +486,12 @@ def _roots(node: ast.expr) -> Iterator[ast.expr]:
         yield from (_with(node, right=ast.BinOp(divisor, ast.Pow(), ast.Constant(power))) for power in (0.5, 2))
 
 
+def _frequencies(node: ast.expr) -> Iterator[ast.expr]:
+    """Yield the root that is a circular frequency becomes the frequency."""
+    if isinstance(node, ast.Call) and _name_of(node.func) == "sqrt":
+        yield ast.BinOp(node, ast.Div(), ast.Constant(2 * math.pi))
+
+
 def _norms(node: ast.expr) -> Iterator[ast.expr]:
     """Yield the length of a vector becomes the sum of the sizes of its components."""
     if not (isinstance(node, ast.Call) and len(node.args) == 1):
@@ -575,6 +581,7 @@ MORE: dict[str, Operator] = {
     "a missing component": _missing_components,
     "a tangent": _tangents,
     "a root": _roots,
+    "a frequency": _frequencies,
     "a norm": _norms,
     "degrees": _degrees,
     "radians": partial(_other_sines, math.pi / 180),

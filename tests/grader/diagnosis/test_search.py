@@ -159,6 +159,7 @@ def calls(function, wrong):
         ("disk", "((C - A)*v**2/(A + C*b), A*(s + v + 1) - b)", "a length with lean, speed is the sum"),
         ("disk", "((C - A)*v**2/(A + C*b), A*math.hypot(s/c, v, 1) - b)", "the wrong function is used with lean"),
         ("disk", "((C - A)*v**2/(A + C*b)*c, A*math.hypot(s, v, 1) - b)", "a factor cos(lean) too many"),
+        ("disk", "((C - A)*v**2/(A + C*b), A*math.hypot(s, v, 1)/(2*math.pi) - b)", "is divided by 2 pi"),
         ("rolls", "w/2 + m*w + r", "mass * radius ** 2 is ignored, as if it were zero"),
         ("powers", "2*K", "a factor with a, b is missing"),
         ("cross", "np.array([a[1]*b[2] - a[2], a[2]*b[0] - a[0], a[0]*b[1] - a[1]])", "a factor with b is missing"),
