@@ -3,6 +3,18 @@
 import numpy as np
 
 
+def linear_momentum_balance(theta, omega, *, mass, length, gravity):
+    """The tension by the velocity."""
+    tension = mass * _speed(omega, length) ** 2 / length + mass * gravity * np.cos(theta)
+    return -gravity / length * np.sin(theta), tension
+
+
+def angular_momentum_balance(theta, omega, *, mass, length, gravity):
+    """The moment of the momentum."""
+    moment = -mass * gravity * length * np.sin(theta)
+    return moment / (mass * length**2), mass * length * _speed(omega, length), moment
+
+
 def energy_balance(theta, omega, *, mass, length, gravity):
     """alpha by the other balances; the potential as one writes it."""
     potential = _potential(theta, mass, length, gravity)
@@ -11,8 +23,7 @@ def energy_balance(theta, omega, *, mass, length, gravity):
 
 def power_balance(theta, omega, *, mass, length, gravity):
     """The power by the velocity."""
-    velocity = omega * length
-    power = -mass * gravity * velocity * np.sin(theta)
+    power = -mass * gravity * _speed(omega, length) * np.sin(theta)
     return -gravity / length * np.sin(theta), power
 
 
@@ -30,9 +41,20 @@ def small_angle_solution(t, theta0, omega0, *, length, gravity):
     return np.column_stack([amplitude * np.cos(phase), -amplitude * rate * np.sin(phase)])
 
 
+def period(amplitude, *, length, gravity):
+    """By the complete elliptic integral."""
+    from scipy.special import ellipk
+
+    return 4 * np.sqrt(length / gravity) * ellipk(np.sin(amplitude / 2) ** 2)
+
+
+def _speed(omega, length):
+    return length * omega
+
+
 def _potential(theta, mass, length, gravity):
     return mass * gravity * length * (1 - np.cos(theta))
 
 
 def _kinetic(omega, mass, length):
-    return mass * length**2 * omega**2 / 2
+    return mass * _speed(omega, length) ** 2 / 2

@@ -64,6 +64,13 @@ def energy(reference, state, *, mass, stiffness, gravity):
     return reference(state, mass=mass, stiffness=stiffness, gravity=gravity) + stiffness * sag**2 / 2
 
 
+@mistake(first_fails=checks.energy_is_that_of_motion_spring_and_weight)
+def energy(reference, state, *, mass, stiffness, gravity):
+    """You measure the stretch from the equilibrium, and add the weight's energy; measure it from the origin."""
+    sag = mass * gravity / stiffness
+    return reference(state, mass=mass, stiffness=stiffness, gravity=2 * gravity) + stiffness * sag**2 / 2
+
+
 # The closed form
 
 

@@ -5,6 +5,17 @@ import numpy as np
 SMALL = 1e-4  # rad, of the angles between which the moments of the weights grow in proportion
 
 
+def mass_matrix(theta, *, masses, lengths):
+    """Of the velocities of the mass centres, and of the bars about these."""
+    (m1, m2), (first, second) = masses, _centres(theta, lengths)
+    return m1 * first @ first.T + m2 * second @ second.T + np.diag(np.multiply(masses, np.square(lengths)) / 12)
+
+
+def gravity_terms(theta, *, masses, lengths, gravity):
+    """The weights along these velocities."""
+    return gravity * np.tensordot(masses, _centres(theta, lengths)[:, :, 1], 1)
+
+
 def velocity_terms(theta, omega, *, masses, lengths):
     """d/dt of [M]{omega} less the slopes of the kinetic energy, where both come from [M] alone."""
     step, units = 1e-2, np.eye(2)
@@ -59,3 +70,9 @@ def small_oscillation_frequencies(*, masses, lengths, gravity):
     slopes = [np.subtract(after, before) / (2 * SMALL) for before, after in ends]
     squares = np.linalg.eigvals(np.linalg.solve(mass_matrix(np.zeros(2), **bars), np.transpose(slopes)))
     return np.sort(np.sqrt(squares.real))
+
+
+def _centres(theta, lengths):
+    """(2, 2, 2) velocities of the mass centres for each angular velocity of 1."""
+    across, (l1, l2) = _directions(theta)[1], lengths
+    return np.array([[0.5 * l1 * across[0], 0 * across[1]], [l1 * across[0], 0.5 * l2 * across[1]]])

@@ -188,7 +188,7 @@ def test_an_ellipse_follows_from_the_students_own_motion(checked, sign):
 
 
 TWICE, SMALL = ("2.0 * speed * math.sin", "speed * math.sin"), "small_oscillation_frequencies"
-HEAVY = "[[(m1 / 3 + m2) * l1**2", "[[(m1 / 3 + 2.5 * m2) * l1**2"
+HEAVY = "+ m2 * second @", "+ 2.5 * m2 * second @"
 NO_C, SLOPE = ("(A - B) / C * p * q", "(A - B) * p * q"), ("return 2 * curvature * x\n", "return curvature * x\n")
 CENTRIFUGAL = "+ mass * x * phi_dot**2", "- mass * x * phi_dot**2"
 ABOVE = "-offset * math.sin(phi), radius - offset", "-offset * math.sin(phi), radius + offset"
@@ -340,6 +340,8 @@ def test_what_passes_with_a_named_mistake_keeps_its_points(checked):
     actual = checked("hw03_angular_momentum_rate", (line.format("", "-"), line.format("-", "+")))
     assert by_name(actual) == ["discrepancy_with_the_velocity_in_F"]
     assert actual["no_discrepancy_about_a_fixed_point"].outcome == "passed"
+    actual = checked("hw05_constrained_pendulum", ("(x * vy - y * vx) / length**2", "math.hypot(vx, vy) / length"))
+    assert following(actual) and actual["at_the_very_top_it_stays"].outcome == "passed"
 
 
 def test_constants_follow_from_nothing(checked):
