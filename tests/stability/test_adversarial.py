@@ -625,7 +625,7 @@ REFUSED = {  # rates, times, start, words, and the error if it is no ArithmeticE
     "a pole of time": (lambda t, y: (math.tan(t),), (0, 2), [0.0], r"t = 1\.57"),
     "a pole": (lambda t, y: (1 / math.sin(t),), (1, 4), [0.0], r"t = 3\.14"),
     "two poles": (lambda t, y: (math.tan(t) / (t * t - 2) if y[0] < 99 else 0.0,), (0, 1.6), [0.0], r"t = 1\.41"),
-    "an infinite rate": (lambda t, y: (abs(t - 2) ** -0.5 if t != 2 else 0.0,), (1, 4), [0.0], r"t = (2|1\.99)"),
+    "an infinite rate": (lambda t, y: (abs(t - 2) ** -0.7 if t != 2 else 0.0,), (1, 4), [0.0], r"t = (2|1\.99)"),
     "a hidden pole of time": (lambda t, y: (1, reciprocal(float(t))), (0, 2.7), [0.0, 0.0], AT_1),
     "a hidden pole of the state": (lambda t, y: (1, reciprocal(float(y[0]))), (0, 2.7), [0.0, 0.0], AT_1),
     "a pole of the state": (lambda t, y: (1, 1 / (y[0] - 1)), (0, 2), [0.0, 0.0], AT_1),

@@ -113,8 +113,8 @@ def advance(
         if reach and error <= 1.0 and not at_last and h > 2.0 * reach(origin + new, h, n, g, c):
             error = UNSEEN
         sure = passed(origin + t, h, y, f, n, g, error, shortest, c) if passed and fifth < inf else inf
-        is_brief = h < BLURRED * shortest and h < BRIEF * end
-        error = UNSEEN if is_brief and error <= 1.0 and _leaps(h, y, n, g, a, rtol, LEAP) else error
+        is_brief = h < BLURRED * shortest
+        error = UNSEEN if is_brief and h < BRIEF * end and error <= 1.0 and _leaps(h, y, n, g, a, rtol, LEAP) else error
         is_cut = sure < h and not at_last
         crosses = at_last and (sure <= h or new == end)
         if crosses and not error <= 1.0:
@@ -129,7 +129,7 @@ def advance(
                 row = _sampled(dense, at, origin, times, out, row, t, new, h, (y, n, f, g, stages), c)
             t, y, r, f = new, n, rest, g
             h = _longer(h, error, growth, may_be_rounding, end)
-            if at_last and pace > 0.0:  # it may have gone across a switch
+            if is_brief and pace > 0.0:  # it may have gone across a switch
                 h, pace = max(h, pace), 0.0
             growth, refused = LARGEST, 0
             steps += 1
