@@ -97,14 +97,6 @@ def _value(polynomial: Polynomial, x: Decimal) -> Decimal:
     return sum((c * x**power for power, c in enumerate(polynomial)), Decimal(0))
 
 
-def _times(p: Polynomial, q: Polynomial) -> Polynomial:
-    product = [Decimal(0)] * (len(p) + len(q) - 1)
-    for i, a in enumerate(p):
-        for j, b in enumerate(q):
-            product[i + j] += a * b
-    return product
-
-
 @cache
 def gauss_tableau() -> tuple[list[list[Pair]], list[Pair], list[float], list[list[float]]]:
     """Coefficients and weights, each split in two doubles; nodes; how the next step's stages follow from these."""
@@ -114,9 +106,9 @@ def gauss_tableau() -> tuple[list[list[Pair]], list[Pair], list[float], list[lis
         nodes = [*half, *(1 - x for x in reversed(half))]
         lagrange = []
         for j, stage in enumerate(nodes):
-            basis = [Decimal(1)]
+            basis: Numbers = [Decimal(1)]
             for node in nodes[:j] + nodes[j + 1 :]:
-                basis = _times(basis, [-node / (stage - node), 1 / (stage - node)])
+                basis = np.convolve(basis, [-node / (stage - node), 1 / (stage - node)])
             lagrange.append(basis)
         sums = [[Decimal(0), *(c / (power + 1) for power, c in enumerate(basis))] for basis in lagrange]
         rows = [[_split(_value(s, node)) for s in sums] for node in nodes]

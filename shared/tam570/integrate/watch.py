@@ -29,12 +29,7 @@ class WorthCompiling(Exception):
 class Estimate:
     """Counts the steps of a run in Python, and estimates the rest after 50, 100, 200, ... of them.
 
-    Parameters
-    ----------
-    begin, end : float
-        Of the run, s.
-    operations : int
-        Of the right-hand side.
+    begin, end : of the run, s; operations : of the right-hand side
     """
 
     def __init__(self, begin: float, end: float, operations: int) -> None:
