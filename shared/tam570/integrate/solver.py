@@ -12,7 +12,8 @@ method
     last digits of a hundred periods, where the others' energy drifts.
 events
     event.direction > 0 asks for zeros from below, < 0 from above. event.terminal = True ends the run at the first,
-    n at the n-th. A zero at the start is none. A `Motion` has t and states up to a terminal event, events, at, report.
+    n at the n-th. A zero at the start is none, nor is a touch, as which two zeros may count within a
+    thousandth of a step. A `Motion` has t and states up to a terminal event, events, at, report.
 errors
     ValueError names the argument, ArithmeticError the time at which rhs or solution cease to be finite, or from which
     on the equations are stiff, with the remedy.
