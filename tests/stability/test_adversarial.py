@@ -348,11 +348,11 @@ COMPLEX = {
 }
 
 
-def rooted(t, y):
+def root(x, beyond=0.0, scale=1.0):
     try:
-        return (-math.sqrt(y[0]),)
+        return scale * math.sqrt(x)
     except ValueError:
-        return (0.0,)
+        return beyond
 
 
 ZIGZAG = math.pi**2 + 2 * (3.5 - math.pi) ** 2
@@ -365,7 +365,7 @@ EDGES = {
     "pow": against(lambda t, y: (-math.pow(y[0], 1.4),), (0, 2), [0.2]),
     "relativistic": against(lambda t, y: (y[1], -y[0] * math.sqrt(1 - y[1] ** 2)), (0, 2), [0.1, 0.9]),
     "hypot of three": against(lambda t, y: (y[1], -math.hypot(y[0], y[1], 1.0)), (0, 2), [1.0, 0.0]),
-    "its own fallback": against(rooted, (0, 3), [1.0], exact=[0.0]),
+    "its own fallback": against(lambda t, y: (-root(y[0]),), (0, 3), [1.0], exact=[0.0]),
     "stiff": against(lambda t, y: (-1e4 * (y[0] - math.cos(t)),), (0, 0.3), [1.0], longest=5e-3),
     "fast start": against(lambda t, y: (-1e5 * y[0], y[0]), (0, 0.05), [1.0, 0.0], exact=[0.0, 1e-5]),
     "from zero": against(lambda t, y: (y[1], 1e6 * (math.sin(t) - y[0])), (0, 0.5), [0.0, 0.0], longest=5e-3),
@@ -448,6 +448,8 @@ WINDOWS = {
     "parts": (lambda x: 1 < (np.array([x, 9.0]) * 1j + 2).imag[0] < 1.01, 0.01, 0.005),
     "numpy.angle": (lambda x: math.atan2(1, 0.01) < np.angle(1j + (x - 1)) < math.pi / 2, 0.01, 0.005),
     "cmath": (lambda x: math.atan2(1, 0.01) < cmath.phase(x - 1 + 1j) < math.pi / 2, 0.01, 0.005),
+    "caught": (lambda x: root((x - 1) * (x - 1.01), 1.0, 0.0), 0.01, 0.005),
+    "complex root": (lambda x: cmath.sqrt((x - 1) * (1.01 - x)).real > 0, 0.01, 0.005),
     "view": (lambda x: 1 < np.array([0.0, x]).view(complex)[0].imag < 1.01, 0.01, 0.005),
     "lru_cache": (functools.lru_cache(lambda x: 1 < x < 1.01), 0.01, 0.005),
     "vectorize": (np.vectorize(lambda x: 1.0 if 1 < x < 1.01 else 0.0), 0.01, 0.005),
@@ -519,6 +521,8 @@ def test_what_a_function_keeps_are_numbers():
 
     solve(rates, [0, 3], [0.0, 1.0])
     assert {type(t) for t in times} == {float}
+    with pytest.raises(ValueError, match="remember"):  # of the last stages of a step, at one time
+        solve(kept_by_time, [0, 3], [1.0, 0.0], rtol=RTOL, dense=True)
 
 
 def remembers():
@@ -571,6 +575,12 @@ def delayed():
 def noise(seed, since=0.0):
     rng = np.random.default_rng(seed)
     return lambda t, y: (-y[0] + (rng.normal() if t >= since else 0.0),)
+
+
+def kept_by_time(t, y, kept=[math.nan, ()]):  # noqa: B006
+    if t != kept[0]:
+        kept[:] = t, (y[1], -y[0] - 0.1 * y[0] * y[1])
+    return kept[1]
 
 
 class Mine(ValueError):

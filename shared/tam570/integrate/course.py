@@ -20,13 +20,14 @@ from numbers import Complex
 import numpy as np
 
 from tam570.integrate.arguments import Array
-from tam570.integrate.trace import NUMPY_NAMES, OPERATORS, Module, Symbol, Tape, substituted
+from tam570.integrate.trace import EDGES, NUMPY_NAMES, OPERATORS, Module, Symbol, Tape, substituted
 from tam570.values import Function, Numbers
 
 FOREIGN = tuple(sysconfig.get_paths()[name] for name in ("stdlib", "platstdlib", "purelib", "platlib"))
 OURS = "tam570"
 FILLED = {"zeros", "ones", "empty", "full", "zeros_like", "ones_like", "empty_like", "full_like"}
 SATURATING = {"exp", "exp2", "expm1", "tanh", "erf", "erfc", "sinh", "cosh", "expit"}
+BY_BITS = {"spacing", "nextafter", "ulp", "arange"}  # it jumps, and no value of it tells where
 INSIDE = 1e-9  # of the first cell, where what is rounded is decided
 LARGEST_TABLE = 100_000
 
@@ -115,9 +116,10 @@ class Course(Tape):
         return float(soon if soon != first else np.nextafter(first, values[np.argmax(values != first)]))
 
     def note_levels(self, x: Symbol, *levels: float) -> None:
-        distances = [self.record("-", x, level).number for level in levels]
-        self.seen += distances
-        self.lines |= {*distances} if x.number in self.lines else set()
+        for part in [self.record(p, x) for p in (np.real, np.imag)] if self.is_complex(x) else [x]:
+            distances = [self.record("-", part, level).number for level in levels]
+            self.seen += distances
+            self.lines |= {*distances} if x.number in self.lines else set()
 
     def note_table(self, x: Symbol, table: Sequence[float]) -> None:
         """Note the distance from the next numbers of a table, above and below."""
@@ -159,6 +161,7 @@ def _recorded(part: Function, x: Numbers) -> Numbers:
     if not isinstance(x, Symbol):
         return part(x)
     course: Numbers = x.tape
+    course.note_levels(x, *[0.0] * (part is np.angle))  # it is cut there
     return course.record(part, x)
 
 
@@ -274,11 +277,13 @@ def _lifted(function: Function) -> Function:
         scalars = all(isinstance(a, Symbol | Complex) for a in arguments)
         if name in SATURATING:
             tape.saturating += [_recorded(np.real, s).number if tape.is_complex(s) else s.number for s in symbols]
+        tape.opaque = name if name in BY_BITS else tape.opaque
         if name in DECIDING:
             decide = functools.partial(DECIDING[name], **keywords)
             return decide(*arguments) if scalars else np.frompyfunc(decide, len(arguments), 1)(*arguments)
         smooth = getattr(np, NUMPY_NAMES.get(name, name), None)
         if scalars and not keywords and isinstance(smooth, np.ufunc):
+            tape.note_levels(symbols[0], *EDGES.get(name, ()))
             if name == "tan":
                 tape.denominators.append(tape.record(np.cos, *arguments).number)
             return tape.record(smooth, *arguments)
@@ -299,8 +304,7 @@ def _point_by_point(
     """Return what a function makes of symbols that nobody can look into: of tables the entries are seen."""
     tables = [*filter(_is_table, arguments), *_tables_of(function)]
     package = (getattr(function, "__module__", "") or "").partition(".")[0]
-    if not (tables or isinstance(function, np.ufunc) or package in ("math", "numpy")):
-        tape.opaque = getattr(function, "__name__", type(function).__name__)
+    before, tape.opaque = tape.opaque, getattr(function, "__name__", type(function).__name__)  # it may raise
     for table in tables:
         for symbol in symbols:
             tape.note_table(symbol, table)
@@ -311,7 +315,10 @@ def _point_by_point(
         calls = [_replaced(call, lambda symbol, k=k: columns[symbol.number][k]) for k in range(len(values[0]))]
         return [function(*positional, **dict(zip(keywords, by_name, strict=True))) for positional, by_name in calls]
 
-    return tape.record(results, *symbols)
+    recorded = tape.record(results, *symbols)
+    if tables or isinstance(function, np.ufunc) or package in ("math", "numpy"):
+        tape.opaque = before
+    return recorded
 
 
 def _joined(tape: Course, results: Symbol) -> Numbers:

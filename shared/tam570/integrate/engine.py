@@ -12,10 +12,10 @@ from tam570.integrate.arguments import Array
 from tam570.integrate.breaks import breaks_of
 from tam570.integrate.cache_key import Changeable, cache_slot, call_key
 from tam570.integrate.dop853 import compiled
-from tam570.integrate.formulas import Formulas, call_of, written
+from tam570.integrate.formulas import Formulas, call_of, uses_of, written
 from tam570.integrate.rates import CalledRates, Rates, bound, check_start, is_same
 from tam570.integrate.switches import Switches
-from tam570.integrate.trace import Graph, Untraceable, traced
+from tam570.integrate.trace import EDGES, Graph, Untraceable, traced
 from tam570.values import Function, Json, Parameters
 
 KINKED = {"asin", "acos"}  # operations
@@ -102,6 +102,9 @@ def _traced_engine(rates: Rates, times: Array, start: Array, sampled: bool, sign
         graph = traced(rates, len(start))
     except Untraceable as reason:
         return str(reason)
+    uses = uses_of(graph.operations, graph.rates)
+    if any(symbol.name in EDGES and not uses[symbol.number] for symbol in graph.operations):
+        return "it computes what it does not use: it may ask whether that exists"
     formulas, constants = written(graph)
     functions = _functions(formulas, sampled)
     if not is_same(rates, functions["rhs"], constants, times, start):

@@ -139,7 +139,7 @@ def _text(value: Value, texts: dict[int, str], constants: dict[float, str]) -> s
 
 
 def _written(graph: Graph, constants: dict[float, str]) -> Formulas:
-    uses = _uses(graph.operations, graph.rates)
+    uses = uses_of(graph.operations, graph.rates)
     lines, texts = _texts(graph.operations, uses, constants, "v", LONGEST)
     expressions = tuple(_text(rate, texts, constants) for rate in graph.rates)
     used = [symbol for symbol in graph.operations if uses[symbol.number]]
@@ -151,7 +151,7 @@ def _written(graph: Graph, constants: dict[float, str]) -> Formulas:
 
 def _bounds(graph: Graph, constants: dict[float, str]) -> Bounds:
     """Bound the rounding: of each operation, what it makes of its arguments' and its own."""
-    uses = _uses(graph.operations, graph.rates)
+    uses = uses_of(graph.operations, graph.rates)
     values, texts = _texts(graph.operations, uses, constants, "z", 0)
     bounds: list[str] = []
 
@@ -201,7 +201,7 @@ def _bound_of(name: str, z: str, arguments: list[tuple[str, str]]) -> str:
     return " + ".join(filter(None, (*parts, of_z))) or "0.0"
 
 
-def _uses(operations: Sequence[Symbol], rates: Sequence[Value]) -> list[int]:
+def uses_of(operations: Sequence[Symbol], rates: Sequence[Value]) -> list[int]:
     """Return how often each symbol is needed; what nobody asks for counts zero."""
     uses = [0] * len(operations)
     for value in rates:

@@ -228,6 +228,10 @@ FUNCTIONS = {name: name for name in _NAMES.split()}
 FUNCTIONS |= {"arc" + name[1:]: name for name in FUNCTIONS if name[0] == "a"} | {"absolute": "fabs"}
 NUMPY_NAMES = {plain: name for name, plain in FUNCTIONS.items() if name.startswith("arc")} | {"pow": "power"}
 
+# Of domains: beyond them a function raises, is no number, or jumps.
+EDGES: dict[str, tuple[float, ...]] = dict.fromkeys(("sqrt", "log", "log2", "log10", "pow"), (0.0,))
+EDGES |= dict.fromkeys(("asin", "acos", "atanh", "arcsin", "arccos", "arctanh"), (-1.0, 1.0))
+
 OPERATORS: dict[str, Function] = {
     **{"+": operator.add, "-": operator.sub, "*": operator.mul, "neg": operator.neg},
     **{"/": np.true_divide, "pow": np.power},

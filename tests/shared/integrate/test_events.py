@@ -15,11 +15,8 @@ def thrown(t, y):
 
 
 def event(value, direction=0.0, terminal=False):
-    def function(t, y):
-        return value(t, y)
-
-    function.direction, function.terminal = direction, terminal
-    return function
+    value.direction, value.terminal = direction, terminal
+    return value
 
 
 def height(level):
@@ -141,6 +138,7 @@ def test_a_report_tells_how_the_run_went():
     before, looks = 60, report.steps  # calls before the first step and of refusals; one a step looks for switches
     assert report.evaluations <= calls[0] < report.evaluations + before + looks
     assert solve(oscillator, [0, 20.0], [1.0, 0.0], report=True).report.untraced_reason == ""
+    assert "spacing" in solve(lambda t, y: (np.spacing(t),), [0, 2], [0.0], report=True).report.unseen_reason
     assert report.atol.shape == (2,) and 0 < report.atol[0] <= 2e-10
 
 

@@ -6,15 +6,12 @@ from functools import partial
 
 import numpy as np
 import pytest
+from systems import pendulum
 
 from tam570.integrate import prepared, solve, solver
 
 STARTS = [[1.0, 0.0], (0.1, 2.0), np.array([-2.0, 0.5]), [0.0, 0.0], [3, -1]]
-LENGTH = {"length": 0.7}
-
-
-def pendulum(t, y, *, length, gravity=9.81):
-    return y[1], -gravity / length * math.sin(y[0])
+LENGTH = {"length": 0.7, "gravity": 9.81}
 
 
 def driven(t, y):
@@ -66,13 +63,13 @@ def test_what_cannot_be_compiled_runs_as_it_stands(monkeypatch):
     np.testing.assert_array_equal(plain(STARTS[1]), solve(pendulum, [0, 5], STARTS[1], parameters=LENGTH))
 
 
-def thrown(t, y, *, length):
+def thrown(t, y, *, length, gravity):
     return y[1], -length if y[0] > 0 else length
 
 
 @pytest.mark.parametrize("rhs", [pendulum, thrown])
 def test_parameters_are_those_of_the_preparation(rhs):
-    arguments = {"length": 1.0}
+    arguments = dict(LENGTH)
     run = prepared(rhs, [0, 1], STARTS[0], parameters=arguments)
     before = run(STARTS[0])
     arguments["length"] = 5.0
@@ -110,7 +107,7 @@ def test_a_call_like_ones_before_gives_what_they_gave(prepared_call, monkeypatch
 
 
 def test_a_call_of_which_anything_differs_is_another(prepared_call):
-    times, arguments = np.array([0.0, 1.0, 3.0]), {"length": 0.7}
+    times, arguments = np.array([0.0, 1.0, 3.0]), dict(LENGTH)
     run = prepared_call(pendulum, times, parameters=arguments)
     first = run(STARTS[0])
     first[:] = 0.0  # a result is the caller's own
