@@ -8,9 +8,9 @@ Z = np.array([0.0, 0.0, 1.0])
 def euler_state_derivative(t, state, *, mass, radius, inertia, gravity):
     """Rates of omega = yaw' z + tilt' e1 + roll' e3, and the velocity of the contact, by roll'."""
     e1, e2, e3 = _axes(state)
-    omega, frame_rate = _turning(state)
+    omega, _ = _turning(state)
     omega_rate, _ = _balances(state, mass, radius, inertia, gravity)
-    turning = np.cross(frame_rate, omega) - state[5] * state[6] * np.cross(e1, Z)
+    turning = state[5] * state[6] * np.cross(Z, e1) + state[7] * np.cross(omega, e3)
     velocity = radius * state[7] * np.cross(e3, e2)
     angles = np.linalg.solve(np.column_stack([Z, e1, e3]), omega_rate - turning)
     return np.concatenate([velocity[:2], state[5:], angles])

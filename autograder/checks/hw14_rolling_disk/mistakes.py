@@ -50,6 +50,13 @@ def matrix_state(reference, state, *, radius):
 
 @mistake(first_fails=checks.matrix_state_places_the_disk)
 def matrix_state(reference, state, *, radius):
+    """You return omega's components along e1, e2, e3; return space components."""
+    result = reference(state, radius=radius)
+    return np.concatenate([result[:12], _frame(state) @ result[12:]])
+
+
+@mistake(first_fails=checks.matrix_state_places_the_disk)
+def matrix_state(reference, state, *, radius):
     """You turn the disk at roll' about z; it rolls about its axle."""
     _, _, yaw, _, _, yaw_rate, tilt_rate, roll_rate = state
     omega = [tilt_rate * math.cos(yaw), tilt_rate * math.sin(yaw), yaw_rate + roll_rate]
@@ -80,6 +87,18 @@ def euler_state_derivative(reference, t, state, **disk):
     rates = np.array(reference(t, state, **disk))
     along_e1 = A / (A + rolling_inertia(disk)) * yaw_rate * math.sin(tilt) * roll_rate
     yaw_acceleration = -tilt_rate * roll_rate / math.sin(tilt)
+    rates[5:] += yaw_acceleration, along_e1, -yaw_acceleration * math.cos(tilt)
+    return rates
+
+
+@mistake(first_fails=checks.euler_equations_hold)
+def euler_state_derivative(reference, t, state, **disk):
+    """You use I omega' as the rate of H; add omega x H."""
+    tilt, _, yaw_rate, tilt_rate, _ = state[3:]
+    A, C = disk["inertia"]
+    rates, gyroscopic = np.array(reference(t, state, **disk)), (C - A) * _spin(state)
+    along_e1 = gyroscopic * yaw_rate * math.sin(tilt) / (A + rolling_inertia(disk))
+    yaw_acceleration = -gyroscopic * tilt_rate / A / math.sin(tilt)
     rates[5:] += yaw_acceleration, along_e1, -yaw_acceleration * math.cos(tilt)
     return rates
 

@@ -23,13 +23,15 @@ EXPLAINED, HARDLY = 3e-4, 0.1
 
 @dataclass(frozen=True)
 class ComparedCall(Call):
-    """A call, what came back, and the right answer."""
+    """A call, what came back, and the right answer; size: see `same`."""
 
     expected: Numbers
+    size: float = 1.0
 
     def fits(self, answer: Numbers) -> bool:
         """Return whether an answer has the student's numbers; None has none."""
-        return self.result is not None and answer is not None and same(self.result, answer, tolerance_of(self))
+        is_numbers = self.result is not None and answer is not None
+        return is_numbers and same(self.result, answer, tolerance_of(self), self.size)
 
     def numbers(self) -> set[bytes]:
         """Return what is to be explained, where it is more than rounding beside the right answer.
@@ -89,10 +91,10 @@ def beginning(call: ComparedCall) -> Beginning | None:
     return Beginning(call.name, call.case.replace(call.case.args[0][:count]), result, expected)
 
 
-def compared_call(call: Call, expected: Numbers) -> ComparedCall:
+def compared_call(call: Call, expected: Numbers, size: float) -> ComparedCall:
     """Return a call beside the right answer; of a motion the rows that tell."""
     if not is_motion(call) or _shapes(call.result) != _shapes(expected):
-        return ComparedCall(call.name, call.case, call.result, expected)
+        return ComparedCall(call.name, call.case, call.result, expected, size)
     t, off = call.case.args[0], _off(call.result, expected).max(axis=1)
     clear = np.flatnonzero(off > CLEARLY)
     count = clear[0] + 2 if len(clear) else FEW if off.max() <= OF_MOTIONS else len(t)

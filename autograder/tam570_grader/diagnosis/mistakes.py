@@ -221,7 +221,7 @@ def _explains_all(solution: str, mistake: Mistake, groups: dict[str, list[Call]]
     for group in filter(None, compared):
         tolerance = mistake.tolerance or tolerance_of(group[0])
         changed = (_changed(solution, mistake.text, call, tolerance) for call in group)
-        size = max(1.0, *(_largest(call.result) for call in group))  # beside it a result may cancel to rounding
+        size = max(1.0, *(largest(call.result) for call in group))  # beside it a result may cancel to rounding
         if all(same(call.result, answer(solution, mistake.text, call), tolerance, size) for call in group):
             informative = informative or (any(changed) and any(call.result is not None for call in group))
         elif any(changed):
@@ -338,7 +338,7 @@ def _finite(result: Numbers) -> bool:
     return all(bool(np.all(np.isfinite(np.asarray(part, float)))) for part in parts(result))
 
 
-def _largest(result: Numbers) -> float:
+def largest(result: Numbers) -> float:
     """Return the largest finite number of a result by its size, 0 of none."""
     if result is None or result is NoValue:
         return 0.0

@@ -38,7 +38,7 @@ from tam570_grader.checks.case import Call, Case
 from tam570_grader.checks.effort import compile_lightly
 from tam570_grader.diagnosis.cause import Answer, Cause
 from tam570_grader.diagnosis.compared_call import ComparedCall, beginning, compared_call
-from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, right_answer, solution_with
+from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, largest, right_answer, solution_with
 from tam570_grader.diagnosis.mutants import Mutant, mutants_of, names_used, reached
 
 FEWEST = 2  # wrong answers: one may agree by chance
@@ -46,6 +46,7 @@ MOST = 1_000_000  # steps of all variants, about a second; what is named takes a
 OF_ONE = 100_000  # steps of one variant in one call: a mutant may go round for ever
 VAGUE = "counts twice", "counts half"  # a number may be forgotten beside it, or be too many
 REVERSED = "has the opposite sign"
+MISSING_TERM, MISSING_FACTOR = "a term{} is missing", "a factor{} is missing"
 ELEMENTS = 1000  # of a result, that are compared in a step
 FORMULA = 2_000  # steps that it takes to derive and to evaluate a formula
 Transform = Callable[[ComparedCall], Numbers]
@@ -70,8 +71,10 @@ def _compared(solution: str, calls: Sequence[Call]) -> list[ComparedCall]:
     """Return the calls beside the right answers; nothing where one failed, or has no right answer."""
     if any(call.result is None for call in calls):
         return []
-    expected = [right_answer(solution, call) for call in calls]
-    compared = [compared_call(call, value) for call, value in zip(calls, expected, strict=True)]
+    expected, sizes = [right_answer(solution, call) for call in calls], dict[str, float]()
+    for call in calls:
+        sizes[call.name] = max(1.0, sizes.get(call.name, 0.0), largest(call.result))
+    compared = [compared_call(call, value, sizes[call.name]) for call, value in zip(calls, expected, strict=True)]
     return [] if any(value is None for value in expected) else compared
 
 
@@ -316,6 +319,8 @@ def _mutant(
                 texts.setdefault(words, {})[term] = text
                 factors.setdefault(words, set()).add(factor)
             setattr(module, helper, reference)
+    if MISSING_FACTOR in texts:
+        texts.pop(MISSING_TERM, None)  # what is left beside it is 1
     if len(texts) > 1:
         texts.pop(KINDS["half a term"], None)  # it has a factor that is missing, or a number
     if len(texts) > 1:
@@ -519,7 +524,7 @@ def _words(mutant: Mutant, parameters: Mapping[str, str]) -> Iterator[tuple[str,
         yield KINDS[mutant.operator], was
     elif mutant.operator in OF_TERMS:
         is_reversed = mutant.operator == "the sign of a component"
-        yield KINDS["a sign"] if is_reversed else "a term{} is missing", _dropped(was, now)
+        yield KINDS["a sign"] if is_reversed else MISSING_TERM, _dropped(was, now)
     elif isinstance(was, ast.BinOp):
         yield from _words_of_operation(mutant, was)
     elif isinstance(now, ast.Name) and mutant.operator == "as given":
@@ -549,7 +554,7 @@ def _words_of_operation(mutant: Mutant, was: ast.BinOp) -> Iterator[tuple[str, a
     if mutant.operator == "a missing factor":
         dropped = was.right if now is was.left else was.left
         is_two = isinstance(dropped, ast.Constant) and dropped.value in (2, 0.5)
-        yield KINDS["a factor"] if is_two else "a factor{} is missing", dropped
+        yield KINDS["a factor"] if is_two else MISSING_FACTOR, dropped
     elif mutant.operator == "a root":
         divisor = now.right if isinstance(now, ast.BinOp) else None
         is_square = isinstance(divisor, ast.BinOp) and ast.unparse(divisor.right) == "2"
@@ -569,10 +574,7 @@ def _words_of_operation(mutant: Mutant, was: ast.BinOp) -> Iterator[tuple[str, a
     elif is_sum and now in (was.left, was.right):
         term = was.left if now is was.right else was.right
         is_number = isinstance(term, ast.Constant) or ast.unparse(term) == "t[0]"
-        yield (
-            f"the term {ast.unparse(term).removesuffix('.0')} is missing" if is_number else "a term{} is missing",
-            term,
-        )
+        yield (f"the term {ast.unparse(term).removesuffix('.0')} is missing" if is_number else MISSING_TERM, term)
     elif is_sum:
         reversed_ = isinstance(now, ast.BinOp) and now.right is was.right
         yield "the sign of a term{} is reversed" if reversed_ else "a term{} counts twice", was.right

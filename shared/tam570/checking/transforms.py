@@ -341,8 +341,15 @@ def _changes(
     if result.ndim == 2 and result.shape[0] == result.shape[1]:
         transposed = partial(_changed, np.transpose)
         yield "is transposed", transposed, transposed
+    if result.ndim == SPACE and result.shape[1] == result.shape[2]:
+        later = partial(_changed, lambda value: np.concatenate([value[:1], np.swapaxes(value[1:], 1, 2)]))
+        yield "is transposed in all rows but the first", later, later
     for words, change in _components(result):
         yield words, partial(_changed, change), partial(_changed, change)
+    if result.ndim == 1 and SPACE <= len(result) <= MOST:
+        for j, k in combinations(range(len(result)), 2):
+            reversed_ = partial(_changed, partial(np.multiply, [(-1.0) ** (i in (j, k)) for i in range(len(result))]))
+            yield f"has the opposite sign in components {j + 1} and {k + 1}", reversed_, reversed_
     for axis, what in enumerate(AXES.get(result.ndim, ())):
         for k, (words, factor) in product(
             range(result.shape[axis] if result.shape[axis] <= MOST else 0), PARTS.items()

@@ -290,6 +290,7 @@ def test_a_mistake_that_has_its_name_from_a_later_check_is_told_by_the_first_tha
 
 
 OTHER_MASS = "(masses[0] - masses[1]) * lengths[1] ** 2 / 12 * omega[1]"
+TRANSPOSED = "np.r_[[R], (R @ turned[0].T @ turned[1:]).mT]"
 SLIPS = [
     ("hw05_constrained_pendulum", " - mass * (vx**2 + vy**2) / length", "", "a term with "),
     ("hw05_constrained_pendulum", "gravity * along[1]", "gravity * along[0]", "the wrong component"),
@@ -306,6 +307,9 @@ SLIPS = [
     ("hw07_double_pendulum", "@ omega))", f"@ omega) + {OTHER_MASS})", "the wrong component of masses is used"),
     ("hw06_braking", "(speed0 - speed) * (speed0 + speed)", "(speed0 - speed) ** 2", "a term with speed is reversed"),
     ("hw07_double_pendulum", "2 * math.cos(th1 - th2)", "2 * math.cos(th1 + th2)", "with th1 or th2 is reversed"),
+    ("hw10_free_rigid_body", "np.asarray(R) @ turned[0].T @ turned", TRANSPOSED, "in all rows but the first"),
+    ("hw12_bead_on_wire", ") / (1 + slope**2)\n    return np", ")\n    return np", "a factor with curvature, x is"),
+    ("hw14_rolling_disk", "math.sin(lean), m", "math.cos(lean + 17 * math.pi / 2), m", "lean has the opposite sign"),
     ("hw07_double_pendulum", "m2 * l2**2 / 3]", "m2 * l2**2 * (1 / 3 + 1 / 4)]", "m l^2/4 is added to m l^2/3"),
 ]
 

@@ -164,6 +164,7 @@ def calls(function, wrong):
         ("powers", "2*K", "a factor with a, b is missing"),
         ("cross", "np.array([a[1]*b[2] - a[2], a[2]*b[0] - a[0], a[0]*b[1] - a[1]])", "a factor with b is missing"),
         ("cross", "np.cross(a, b)*[1, 1.1, 1]", "wrong in component 2 alone"),
+        ("cross", "np.cross(a, b)*[-1, 1, -1]", "the opposite sign in components 1 and 3"),
         ("rod", "np.array([[[0.0, 1.0], [x, y*y + 1]]])", "wrong in segment 1, end 2, component 2 alone"),
         ("weight", "m*g*h + m*m*l**2/2", "a term with length, mass has a factor mass too many"),
         ("fall", "np.column_stack([h + v*(t + 1) - (t + 1)**2, v - 2*(t + 1)])", "the term t[0] is missing"),
