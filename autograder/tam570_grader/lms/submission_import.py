@@ -211,9 +211,9 @@ def _newest(rows: Sequence[Taken]) -> list[Taken]:
     return sorted(map(placed, rows), key=lambda row: (row.student, row.slug, row.handed.order))
 
 
-def _rank(row: Taken) -> tuple[bool, tuple[object, ...]]:
-    """Rank a file that is named after its assignment before scratch, then the newest."""
-    return of_name(row.handed.title, [row.slug]) is not None, row.handed.order
+def _rank(row: Taken) -> tuple[bool, tuple[object, ...], bool]:
+    """Rank a file that is named after its assignment before scratch, then the newest, then the exact name."""
+    return of_name(row.handed.title, [row.slug]) is not None, row.handed.order, row.handed.title == row.target
 
 
 def _timed(rows: Sequence[Taken], path: Path | None, everyone: Directory) -> list[Taken]:

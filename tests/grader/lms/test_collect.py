@@ -62,10 +62,10 @@ def test_gradescope_by_its_metadata_groups_too(desk, download, times):
     """It writes every output into the table; none of that is held as a tree."""
     long = "  :results:\n    output: '" + "x" * 100 + "'\n"
     table = "".join(line + long * times * line.startswith("  :created_at") for line in METADATA.splitlines(True))
-    works = {"export/submission_1/work.py": "ab", "export/submission_2/hw08.py": "c"}
-    files = {"export/submission_metadata.yml": table, **works}
+    works = {"submission_1/work.py": "ab", "submission_2/hw08_axis_angle.py": "c", "submission_2/hw08_b.py": "d"}
+    files = {"export/submission_metadata.yml": table, **{f"export/{name}": work for name, work in works.items()}}
     code, _ = download("gradescope", files, ROSTER, "--assignment", "hw08")
-    assert code == 0 and desk.collected == {"aadams": "ab", "bbrown": "ab", "cchen": "c"}
+    assert code == 1 and desk.collected == {"aadams": "ab", "bbrown": "ab", "cchen": "c"}
     assert (len(table) > LARGEST) == (times > 1)
 
 
