@@ -45,16 +45,18 @@ for line in sys.stdin:
 """
 
 
-# What runs in the background of a shell ignores Ctrl-C, and so would all that it starts.
+# What runs in the background of a shell ignores Ctrl-C, under nohup its end, and so would all that it starts.
 signal.signal(signal.SIGINT, signal.default_int_handler)
+signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
-    """What is about one assignment runs in one process, and so does a module: they share workers, scenes, a class."""
+    """What is of one assignment, of one module, or needs the browser runs in one process: it shares what is started."""
     for item in items:
         assignment = re.search(r"[-[](hw\d\d)", item.nodeid)
-        item.add_marker(pytest.mark.xdist_group(assignment[1] if assignment else item.nodeid.partition("::")[0]))
+        group = assignment[1] if assignment else item.nodeid.partition("::")[0]
+        item.add_marker(pytest.mark.xdist_group("browser" if "tabs" in item.fixturenames else group))
 
 
 def pytest_make_parametrize_id(val):

@@ -1,6 +1,7 @@
 """The notebook that students work in: its cells, its claims, what it says of the stub and of the solution."""
 
 import json
+import os
 import re
 import socket
 import sqlite3
@@ -199,6 +200,17 @@ def test_a_table_that_is_not_finished_leaves_the_last_one(ending, tmp_path, monk
     with pytest.raises(ending.Lost):
         ending.WholeTable(to=str(tmp_path / "grades.csv")).export(None)
     assert [path.read_text() for path in tmp_path.iterdir()] == ["of the last time"]
+
+
+def test_a_pipe_in_place_of_a_notebook_is_told(tmp_path):
+    bridge = pytest.importorskip("tam570_grader.nbgrader.bridge")
+    os.mkfifo(tmp_path / "hw08.ipynb")
+    assert "not a regular file" in bridge._students(tmp_path / "hw08.ipynb")
+    (tmp_path / "large.ipynb").touch()
+    os.truncate(tmp_path / "large.ipynb", bridge.LARGEST_WITH_OUTPUTS + 1)
+    assert "larger" in bridge._students(tmp_path / "large.ipynb")
+    (tmp_path / "notes.txt").touch()
+    assert bridge._own_files(str(tmp_path), str(tmp_path)) == [str(tmp_path / "notes.txt")]
 
 
 def test_every_claim_has_points_and_every_part_is_one_of_the_problem(released):

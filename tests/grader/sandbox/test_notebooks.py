@@ -1,7 +1,6 @@
 """Notebooks that nbgrader shows are read in a process of their own: short plain text comes back, or a reason."""
 
 import json
-import os
 
 import pytest
 
@@ -41,14 +40,3 @@ def test_many_cells_and_long_ones_are_cut():
     assert shown <= protocol_cells.MOST_TEXT
     assert len(cells[0]["source"]) <= protocol_cells.LONGEST_TEXT + len(protocol_cells.CUT)
     assert len(cells[-1]["source"]) <= protocol_cells.LONGEST_CODE + len(protocol_cells.CUT)
-
-
-def test_a_pipe_in_place_of_a_notebook_is_told(tmp_path):
-    bridge = pytest.importorskip("tam570_grader.nbgrader.bridge")
-    os.mkfifo(tmp_path / "hw08.ipynb")
-    assert "not a regular file" in bridge._students(tmp_path / "hw08.ipynb")
-    (tmp_path / "large.ipynb").touch()
-    os.truncate(tmp_path / "large.ipynb", bridge.LARGEST_WITH_OUTPUTS + 1)
-    assert "larger" in bridge._students(tmp_path / "large.ipynb")
-    (tmp_path / "notes.txt").touch()
-    assert bridge._own_files(str(tmp_path), str(tmp_path)) == [str(tmp_path / "notes.txt")]
