@@ -15,13 +15,9 @@ HW08 = "hw08_axis_angle"
 
 
 @pytest.fixture
-def desk(tmp_path, monkeypatch):
+def desk(here):
     """A student's empty folder, and nothing remembered."""
-    desk = tmp_path / "desk"
-    desk.mkdir()
-    monkeypatch.chdir(desk)
-    monkeypatch.setenv("TAM570_HOME", str(tmp_path / "home"))
-    return desk
+    return here
 
 
 @pytest.fixture

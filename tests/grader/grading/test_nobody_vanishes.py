@@ -22,15 +22,7 @@ ODD = ["hw7", "HW08", "homework 3", "juan@pol.una.py", "hw07_double_pendulum", "
 @pytest.fixture
 def class_of(tmp_path):
     """`class_of(files)` -> a tree with these files in it."""
-
-    def class_of(files):
-        for name in files:
-            path = tmp_path / "submitted" / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text("def skew(v): return None\n")
-        return tmp_path / "submitted"
-
-    return class_of
+    return lambda files: hand_in(tmp_path / "submitted", dict.fromkeys(files, "def skew(v): return None\n"), file="")
 
 
 def test_files_are_known_by_number_by_title_and_alone(class_of):
