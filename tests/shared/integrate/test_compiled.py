@@ -163,6 +163,6 @@ def answers(order, cache):
 def test_identical_calls_return_identical_arrays_cold_or_warm_in_any_order(tmp_path):
     forwards, backwards = list(range(COUNT)), list(range(COUNT))[::-1]
     cold = answers([*forwards, *forwards, *forwards], tmp_path)
-    repeated = answers([*backwards, *backwards], tmp_path)
+    repeated = answers(backwards, tmp_path)
     assert {which: len(digests) for which, digests in cold.items()} == dict.fromkeys(forwards, 1)
     assert cold == repeated

@@ -102,7 +102,7 @@ def test_rates_are_plain_floats_and_can_be_traced(name):
         assert not report.untraced_reason or name == "rocket"  # which asks for its mass
 
 
-@pytest.mark.parametrize("count", [30, pytest.param(1000, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [10, pytest.param(1000, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("name", MOVING)
 def test_invariants_stay_for_many_characteristic_times(name, count):
     rates, laws, start = parts(name)

@@ -47,7 +47,7 @@ def ink(tab, canvas):
     )
 
 
-@pytest.mark.parametrize("slug", first(2, SLUGS))
+@pytest.mark.parametrize("slug", first(1, SLUGS))
 def test_every_scene_is_drawn_fits_and_has_names(opened, slug, scenes):
     tab, scene = opened(slug), scenes(slug)
     tab.keyboard.press("End")
