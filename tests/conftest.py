@@ -54,9 +54,8 @@ signal.signal(signal.SIGHUP, signal.SIG_DFL)
 def pytest_collection_modifyitems(items):
     """What is of one assignment, of one module, or needs the browser runs in one process: it shares what is started."""
     for item in items:
-        assignment = re.search(r"[-[](hw\d\d)", item.nodeid)
-        group = assignment[1] if assignment else item.nodeid.partition("::")[0]
-        item.add_marker(pytest.mark.xdist_group("browser" if "tabs" in item.fixturenames else group))
+        groups = [*re.findall(r"[-[](hw\d\d)", item.nodeid), item.nodeid.partition("::")[0]]
+        item.add_marker(pytest.mark.xdist_group("browser" if "tabs" in item.fixturenames else groups[0]))
 
 
 def pytest_make_parametrize_id(val):

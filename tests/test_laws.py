@@ -51,7 +51,7 @@ def failures(result):
 
 def test_the_stub_keeps_every_signature_and_no_body(slug, solution_text):
     solution, released = (functions(text) for text in (solution_text(slug), stub(solution_text(slug))))
-    for name in exported(solution_text(slug)):
+    for name in assignments.solution(slug).__all__:
         assert ast.dump(solution[name].args) == ast.dump(released[name].args)
         assert ast.unparse(released[name].body[1]) == "raise NotImplementedError"
 
@@ -66,11 +66,11 @@ def test_no_released_file_holds_a_solution_or_a_hidden_check(slug, course, solut
         assert not (leaked := [line for line in lines if line in text]), f"{path.name} shows {leaked}"
 
 
-def test_readme_hints_and_checks_name_every_function_and_ten_points(slug, course, solution_text):
+def test_readme_hints_and_checks_name_every_function_and_ten_points(slug, course):
     assignment, folder = assignments.assignment(course, slug), course / "assignments" / slug
     rows = re.findall(r"^\| `(\w+)\(.*?\| *([\d.]+) *\|", (folder / "README.md").read_text(), re.MULTILINE)
     hints = tomllib.loads((folder / "hints.toml").read_text())
-    assert set(dict(rows)) == set(hints) == set(assignment.results) == set(exported(solution_text(slug)))
+    assert set(dict(rows)) == set(hints) == set(assignment.results) == set(assignments.solution(slug).__all__)
     assert sum(float(points) for _, points in rows) == pytest.approx(10.0) and assignment.max_score == 10.0
     assert all(steps and all(step.strip() for step in steps) for steps in hints.values())
     assert all(check.line and check.points > 0 for check in assignment.checks)
@@ -81,7 +81,7 @@ def test_notation_explains_every_parameter_in_its_meaning(slug, course, solution
     for row in re.findall(r"^\|[^|]*\|([^|]*`[^|]*)\|[^|]*\|([^|]*)\|$", (course / "NOTATION.md").read_text(), re.M):
         if slug[:4] in row[1] or not re.search(r"hw\d\d", row[1]):
             explained |= set(re.findall(r"`(\w+)`", row[0]))
-    arguments = [written[name].args for name in exported(solution_text(slug))]
+    arguments = [written[name].args for name in assignments.solution(slug).__all__]
     assert {item.arg for of in arguments for item in (*of.args, *of.kwonlyargs)} <= explained
 
 
@@ -245,11 +245,3 @@ def filled(returns, number):
 
 def functions(text):
     return {node.name: node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)}
-
-
-def exported(text):
-    return next(
-        ast.literal_eval(node.value)
-        for node in ast.parse(text).body
-        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__"
-    )

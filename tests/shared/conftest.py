@@ -3,6 +3,7 @@
 from functools import cache
 
 import pytest
+from classes import HW08
 
 from tam570 import checking, cli
 from tam570.checking import session
@@ -10,8 +11,6 @@ from tam570.checking.trail import Trail
 from tam570.lectures import load, names
 from tam570.show import load_student, scene_of
 from tam570.show.lecture import filmed
-
-HW08 = "hw08_axis_angle"
 
 
 @pytest.fixture

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from classes import check_result, result
+from classes import HW08, check_result, result
 
 from tam570_grader import cli
 from tam570_grader.audit import diagnosis, fairness, margins, mutation
@@ -20,14 +20,13 @@ from tam570_grader.checks.failure import Failure
 from tam570_grader.diagnosis.mistakes import Mistake, solution_with
 from tam570_grader.grading.executor import executor
 
-SLUG = "hw08_axis_angle"
 LISTED = {  # what lists equivalent mutants, and a line of the audit
     r'\[_unit\]\n    "scaled @ scaled -> scaled.T @ scaled" = ""': {},
     " 1 equivalent, 0 survive[^$]* scaled.T @ scaled: it has no proof": {"scaled @ scaled -> scaled.T @ scaled": " "},
     "LISTED IN VAIN _unit: .*: it loses points": {"axis / largest -> axis * largest": "it is"},
     "LISTED IN VAIN _unit: .*: there is no such mutant": {"axis -> largest": "it is"},
 }
-ASSIGNMENT = assignments.assignment(assignments.find(), SLUG)
+ASSIGNMENT = assignments.assignment(assignments.find(), HW08)
 (CHECK,) = (check for check in ASSIGNMENT.checks if check.name == "skew_is_the_cross_product")
 
 
@@ -52,7 +51,7 @@ ASSIGNMENT = assignments.assignment(assignments.find(), SLUG)
     ],
 )
 def test_a_mutant_has_one_slip(body, expected):
-    actual = mutants(SLUG, f"def f(a, b):\n    {body}\n")
+    actual = mutants(HW08, f"def f(a, b):\n    {body}\n")
     assert {f"{item.was} -> {item.now}" for item in actual} == expected
 
 
@@ -147,18 +146,18 @@ def test_the_fewest_cases_are_the_cheap_ones_that_catch_all():
     ],
 )
 def test_a_case_is_judged_whatever_the_others_say(wrong, label, solution_text):
-    solution = Replies(solution_with(solution_text(SLUG), ""))
+    solution = Replies(solution_with(solution_text(HW08), ""))
     text = f"\n_skew = skew\ndef skew(v):\n    v = np.array(v)\n    {wrong}\n    return _skew(v)\n"
-    module = solution_with(solution_text(SLUG), text)
+    module = solution_with(solution_text(HW08), text)
     student = LocalStudent(ASSIGNMENT, CHECK, solution, Replies(module, solution, frozenset({"skew"})))
-    failed = failed_cases(student, CHECK, 5, SLUG)
+    failed = failed_cases(student, CHECK, 5, HW08)
     assert {case.label for case in failed} == {label}
     assert len(failed) == sum(case.label == label for case in student.cases)
 
 
 def test_a_slip_alone_is_in_one_function_and_others_call_the_right_one(solution_text):
-    correct = solution_text(SLUG)
-    slipped = next(item for item in mutants(SLUG, correct) if item.function == "skew")
+    correct = solution_text(HW08)
+    slipped = next(item for item in mutants(HW08, correct) if item.function == "skew")
     calls = {"a check": {"skew", "rotate"}, "another": {"rotation_matrix"}}
     actual, as_it_was = {}, {}
     exec(mutation.alone(correct, slipped, calls), actual)
@@ -187,7 +186,7 @@ def test_a_function_without_a_check_of_its_own_is_a_hole(hole, capsys, monkeypat
 def test_a_check_fails_with_the_seeds_with_which_a_grading_fails_it(outcome, most, course, solution_text):
     wrong = f"\n\nimport os\nright = skew\ndef skew(v):\n    if v[0] > 1.4: {outcome}\n    return right(v)\n"
     check, seeds = "skew_is_the_cross_product", range(8)
-    grading = Grading(course, SLUG, "", solution_text(SLUG) + wrong, 0, checks=frozenset({check}))
+    grading = Grading(course, HW08, "", solution_text(HW08) + wrong, 0, checks=frozenset({check}))
     results = [tried(replace(grading, seed=seed)) for seed in seeds]
     failing = [seed for seed, result in zip(seeds, results, strict=True) if result.score < result.max_score]
     assert 1 < len(failing) < len(seeds)

@@ -3,11 +3,10 @@
 import shutil
 
 import pytest
+from classes import HW08 as SLUG
 
 from tam570_grader.checks import assignments
 from tam570_grader.errors import UsageError
-
-SLUG = "hw08_axis_angle"
 
 
 @pytest.mark.parametrize(

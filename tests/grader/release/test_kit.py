@@ -9,12 +9,11 @@ import sys
 import zipfile
 
 import pytest
+from classes import HW08 as SLUG
 
 from tam570_grader.checks import assignments
 from tam570_grader.errors import UsageError
 from tam570_grader.release.kit import run as make_kit
-
-SLUG = "hw08_axis_angle"
 
 
 @pytest.fixture(scope="module")
