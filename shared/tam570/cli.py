@@ -41,7 +41,8 @@ def main(argv: list[str] | None = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
     except OSError as error:
-        print(f"tam570: error: {error.filename or ''}: {error.strerror}", file=sys.stderr)
+        where = error.filename2 or error.filename or "this folder"
+        print(f"tam570: error: {where}: {error.strerror}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
         print("\ntam570: interrupted", file=sys.stderr)
