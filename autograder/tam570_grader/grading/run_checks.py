@@ -412,6 +412,7 @@ def _judge_consequences(run: _Run) -> None:
         ready = all(result.unlocks_dependents or name in run.causes for name, result in before.items())
         if run.results[check.name].outcome == "not_run" and ready and not run.results[check.name].unwritten:
             causes = [run.causes[name] for name in before if name in run.causes]
+            causes = [cause for cause in causes if cause.follows_from != cause.function]  # it repeats what has a name
             unclear = [cause for cause in causes if not cause.answers and cause.source in ("own", "result")]
             try:
                 with run.student.aside():
