@@ -46,6 +46,7 @@ UNFIT = TypeError, ValueError, LookupError, ArithmeticError, AttributeError  # o
 HELPER = re.compile(r"\bdef (\w+)\(")
 MOST_HELPERS, MOST_ASKED, MOST_BESIDE = 30, 4, 8  # helpers of a file, calls of a check, right ones of checks before
 Recorder = Callable[[str, float], None]
+Unnamed = tuple[Check, Failed, tuple[Call, ...]]
 
 
 @dataclass(frozen=True)
@@ -76,7 +77,7 @@ class _Run:
     options: CheckOptions
     results: dict[str, CheckResult] = field(default_factory=dict)
     causes: dict[str, Cause] = field(default_factory=dict)
-    unnamed: list[tuple[Check, Failed, tuple[Call, ...]]] = field(default_factory=list)
+    unnamed: list[Unnamed] = field(default_factory=list)
     passing: list[Call] = field(default_factory=list)  # of checks that passed
 
     def perform(self, check: Check, recorder: Callable[[float], None] | None = None) -> None:
@@ -201,6 +202,8 @@ def _check_result(run: _Run, check: Check) -> CheckResult:
             run.causes[check.name] = cause
         else:
             run.unnamed.append((check, failed, tuple(student.calls)))
+        if options.naming and not (cause and cause.follows_from):
+            _tell_what_followed(run, check)
         return _failed(check, failed, cause, fault)
     except (Exhausted, MemoryError) as spent:
         what = "memory" if isinstance(spent, MemoryError) else "work"
@@ -271,6 +274,7 @@ def _is_consequence(run: _Run, wrong: str, calls: Sequence[Call]) -> bool:
     name, assignment = calls[0].name, run.assignment
     causes = [cause for cause in run.causes.values() if not cause.follows_from]
     zeros = {cause.function for cause in causes if cause.source == "result" and not cause.answers}
+    zeros -= {cause.function for cause in causes if cause.answers}  # these are zero in special cases alone
     if any(is_motion(call) for call in calls):
         return False
     for text in assignment.solutions:
@@ -386,11 +390,26 @@ def _is_told_before(run: _Run, check: Check, cause: Cause) -> bool:
     """Tell a mistake where the function failed first, if it explains that too; return whether it does."""
     for before, failed, calls in run.unnamed:
         if before.function == check.function and follows(run.assignment.solution, calls, [cause]):
-            run.unnamed.remove((before, failed, calls))
-            run.causes[before.name] = cause
-            run.results[before.name] = _failed(before, failed, cause)
+            _tell(run, (before, failed, calls), cause)
             return True
     return False
+
+
+def _tell_what_followed(run: _Run, check: Check) -> None:
+    """Tell failures without a name that follow from this function, whose check comes after theirs."""
+    for before, failed, calls in [*run.unnamed]:
+        allowed = {before.function, *run.assignment.forbidden.get(before.function, ())}.isdisjoint([check.function])
+        is_alone = {call.name for call in calls} == {before.function}
+        if allowed and is_alone and _is_consequence(run, check.function, calls):
+            _tell(run, (before, failed, calls), Cause(before.function, "", "own", follows_from=check.function))
+
+
+def _tell(run: _Run, unnamed: Unnamed, cause: Cause) -> None:
+    """Tell the cause of a failure that had no name."""
+    check, failed, _ = unnamed
+    run.unnamed.remove(unnamed)
+    run.causes[check.name] = cause
+    run.results[check.name] = _failed(check, failed, cause)
 
 
 def _following(run: _Run, check: Check, earlier: Sequence[Cause]) -> Cause | None:

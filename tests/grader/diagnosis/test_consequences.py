@@ -184,7 +184,7 @@ HEAVY = "+ m2 * second @", "+ 2.5 * m2 * second @"
 NO_C, SLOPE = ("(A - B) / C * p * q", "(A - B) * p * q"), ("return 2 * curvature * x\n", "return curvature * x\n")
 CENTRIFUGAL = "+ mass * x * phi_dot**2", "- mass * x * phi_dot**2"
 ABOVE = "-offset * math.sin(phi), radius - offset", "-offset * math.sin(phi), radius + offset"
-NO_WEIGHT = "+ mass * gravity * Z  #", "  #"
+NO_WEIGHT, FORCE = ("+ mass * gravity * Z  #", "  #"), ("* spin, mass", "* 0.7 * lean, 1.1 * mass")
 BY_VECTORS = "matrix_state_derivative", "euler_state_derivative"
 BY_OTHERS = [
     ("hw02_ballistics", TWICE, ("best_angle", "flight_time"), "vy + m", "vy - m"),
@@ -195,6 +195,7 @@ BY_OTHERS = [
     ("hw12_bead_on_wire", SLOPE, ("energy", "acceleration_newton"), "speed**2 / 2", "speed**2"),
     ("hw10_free_rigid_body", NO_C, ("growth_rate_squared", "euler_equations"), "slope(j, k) *", "2 * slope(j, k) *"),
     ("hw11_disk_steady", ("cos + A", "cos - A"), ("sliding_spin", "moment_residual"), "residual(0", "2 * residual(0"),
+    ("hw11_disk_steady", FORCE, ("rolling_spin", "contact_force"), "residual(1", "residual(2"),
     ("hw13_rolling_cylinder", CENTRIFUGAL, ("contact_force", "acceleration"), "cylinder)[1:])", "cylinder)[:0:-1])"),
     ("hw13_rolling_cylinder", ABOVE, ("naive_contact_acceleration", "acceleration"), "x * math.cos(s", "math.cos(s"),
     ("hw14_rolling_disk", NO_WEIGHT, BY_VECTORS, "+ turning", "- turning"),  # its rates take a millisecond
