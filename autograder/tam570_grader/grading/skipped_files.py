@@ -9,7 +9,7 @@ from tam570_grader.checks.assignments import slug_of
 from tam570_grader.errors import printable
 from tam570_grader.grading import roster
 from tam570_grader.grading.submissions import GIVEN, MOST_NAMES, BadPath, Submission, entries, holds_students, of_name
-from tam570_grader.results.collected import form
+from tam570_grader.results.collected import MINOR, TABLE, form, listed
 
 PACKED = (".zip", ".txt", ".gz", ".7z", ".rar", ".tar")  # forms in which work is handed in by mistake
 REMEDY = "name it after its assignment, as hw08.py, or name the assignment with --assignment"
@@ -33,6 +33,7 @@ def skipped_files(
                 yield from _beside(entry, graded, slugs)
             elif entry not in trees and entry not in graded and (is_students or not _names_another(entry, slugs)):
                 yield f"{_shown(entry)}{_holding(entry)} is not graded: no name in it tells the assignment; {REMEDY}"
+        yield from _not_collected(folder.absolute().parent / TABLE, {submission.key for submission in work})
     for submission in work:  # what is named after the assignment, too, in the form of the file that counts
         path, student = submission.path, submission.student
         if path is None or not submission.tree.is_dir():
@@ -42,6 +43,13 @@ def skipped_files(
             if entry != path and is_rival:
                 file, counts = printable(entry.name), printable(path.name)
                 yield f"{file} of {student} is not graded: {counts} is; remove the one that should not count"
+
+
+def _not_collected(path: Path, graded: set[tuple[str, str]]) -> Iterator[str]:
+    """Yield what `collect` could not place, of whoever has no other work on the assignment."""
+    for row in listed(path) if path.is_file() else ():
+        if not row["file"] and row["note"] not in MINOR and (row["student"], row["assignment"]) not in graded:
+            yield f"{printable(row['from'])} of {printable(row['student'])} is not collected: {row['note']}"
 
 
 def _beside(folder: Path, graded: set[Path | None], slugs: Sequence[str]) -> Iterator[str]:

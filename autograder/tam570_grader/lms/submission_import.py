@@ -12,12 +12,11 @@ from tam570_grader.grading.submissions import GIVEN, folder_of, of_folder, of_na
 from tam570_grader.lms.archives import METADATA, File, Quota, is_beside, members, unpack_zip
 from tam570_grader.lms.downloads import Handed, read, time_of
 from tam570_grader.lms.systems import SYSTEMS
-from tam570_grader.results.collected import COLUMNS, TABLE, form, listed
+from tam570_grader.results.collected import COLUMNS, MINOR, OLDER, RELEASED, TABLE, form, listed
 from tam570_grader.results.tables import table, write_table, written
 
 NOT_WORK = "neither a module (.py) nor a notebook (.ipynb): ask the student for one"
 NAMELESS = "cannot tell the assignment: give it with --assignment"
-OLDER, RELEASED = "older", "came with the assignment"  # why a file is left, where all is well
 OTHER = "another file counts: see which one, and name that after the assignment"
 ELSEWHERE = "it is named after {other}, and this download is of {slug}: ask which one it is"
 TWO = "another in the download goes to the same student: who is who on the roster?"
@@ -88,7 +87,7 @@ def run(source: Path, system: str, out: Path, slugs: Sequence[str], slug_given: 
     troubles = [
         (row.student, f"{row.handed.file.path} of {row.student} is not collected: {row.reason}")
         for row in rows
-        if row.reason not in ("", OLDER, RELEASED)
+        if row.reason and row.reason not in MINOR
     ]
     troubles += _newer_notebooks(rows, out)
     why = "is nobody's by " + METADATA if system == "gradescope" else f"is not named as {system} names submissions"

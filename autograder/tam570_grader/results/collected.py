@@ -6,9 +6,8 @@ from pathlib import Path
 from tam570_grader.results.tables import by_column, name_in
 
 COLUMNS = ("student", "name", "assignment", "file", "when", "late", "from", "note")
-
-
 TABLE = "collected.csv"
+MINOR = OLDER, RELEASED = "older", "came with the assignment"  # why a file is left, where all is well
 
 
 def listed(path: Path, needed: Collection[str] = COLUMNS) -> list[dict[str, str]]:

@@ -10,6 +10,8 @@ from parameters import first
 from tam570_grader.grading.roster import Directory, people, students
 from tam570_grader.grading.skipped_files import skipped_files
 from tam570_grader.grading.submissions import submissions
+from tam570_grader.results.collected import COLUMNS, TABLE
+from tam570_grader.results.tables import write_table
 
 SLUGS = ["hw07_double_pendulum", HW08]
 GRADED = f"ada/{HW08}/{HW08}.py ben/{HW08}/solution.py cho/HW8.py dan/axis_angle.py eve/homework8/hw08_final.py".split()
@@ -58,6 +60,14 @@ def test_a_file_beside_a_graded_one_is_warned_of(class_of):
     tree = class_of(["ada/hw08.py", "ada/scratch.py", "ada/test_mine.py", "ada/notes.md"])
     (warning,) = skipped_files([tree], submissions([tree], SLUGS), SLUGS)
     assert warning.startswith("ada/scratch.py is not graded")
+
+
+def test_what_was_not_collected_is_warned_of_for_who_has_nothing_else(class_of):
+    tree = class_of([f"ada/{HW08}/{HW08}.py"])
+    rows = [(who, "", HW08, "", "", "", f"{who}.zip", note) for who in ("ada", "bob") for note in ("older", "damaged")]
+    write_table(tree.parent / TABLE, [COLUMNS, *rows])
+    (warning,) = skipped_files([tree], submissions([tree], SLUGS), SLUGS)
+    assert warning == "bob.zip of bob is not collected: damaged"
 
 
 def test_of_two_modules_the_written_one_counts_and_the_other_is_warned_of(class_of):
