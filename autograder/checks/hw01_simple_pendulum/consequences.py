@@ -41,13 +41,6 @@ def small_angle_solution(t, theta0, omega0, *, length, gravity):
     return np.column_stack([amplitude * np.cos(phase), -amplitude * rate * np.sin(phase)])
 
 
-def period(amplitude, *, length, gravity):
-    """By the complete elliptic integral."""
-    from scipy.special import ellipk
-
-    return 4 * np.sqrt(length / gravity) * ellipk(np.sin(amplitude / 2) ** 2)
-
-
 def _speed(omega, length):
     return length * omega
 
