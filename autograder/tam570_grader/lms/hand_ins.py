@@ -10,8 +10,7 @@ from pathlib import Path
 from tam570.values import Json
 from tam570_grader.course.late_policy import NEEDED, LatePolicy, days_between, moment, on_the_wall
 from tam570_grader.grading.watch import JOURNAL
-from tam570_grader.lms.submission_import import OLDER
-from tam570_grader.results.collected import form, listed
+from tam570_grader.results.collected import OLDER, form, listed
 
 DAYS = 8  # before the date that are told apart, the first of them with all that is earlier
 HandIn = tuple[str, str, datetime | None]  # student, assignment, time
