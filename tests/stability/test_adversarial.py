@@ -371,6 +371,7 @@ EDGES = {
     "from zero": against(lambda t, y: (y[1], 1e6 * (math.sin(t) - y[0])), (0, 0.5), [0.0, 0.0], longest=5e-3),
     "on a circle": newton(lambda t, x, v: -x if x * x + v * v > 1 else -x, (0, 3), [1.0, 0.0], exact=SINE),
     "from a switch": newton(lambda t, x, v: 0.0 if x < 0.5 else -1.0, (0, 1), [0.5, 0.275], exact=[0.37625, -0.275]),
+    "zero over zero, traced": against(lambda t, y: (math.sin(t - 2) / (t - 2),), (0.1, 3), [0.0]),
     "zero over zero": newton(lambda t, x, v: math.sin(t - 2) / (t - 2) - (x if v < 9 else 0.0), (0.1, 3)),
     "three derivatives of zero": against(lambda t, y: (t**3,), (0, 30), [0.0], exact=[202500.0]),
     "at rest": against(lambda t, y: (0.0,), (0, 30), [1.5], exact=[1.5]),

@@ -263,6 +263,9 @@ def _cause(run: Run, last: State) -> str:
     step, times = math.ldexp(max(abs(t), last.t), -50), (-2 * NEARBY, -NEARBY, NEARBY, 2 * NEARBY)
     rates = np.array([rhs(t + k * step, _euler(k * step, last.y, last.f), c) for k in times])
     earlier, jump, later = np.abs(np.diff(rates, axis=0)).max(axis=1)
+    is_smooth, left = max(earlier, jump, later) < np.abs(rates).max() / 10, float(run.since[-1]) - last.t
+    if run.engine.is_traced and is_smooth and left < NEARBY * step:
+        raise Mistraced  # zero over zero, at a time that only a run by formulas meets
     if not max(earlier, later) < jump / 10:
         return f"the largest rate is {max(map(abs, last.f)):.3g}, and the solution or its rates become infinite"
     return (
@@ -327,6 +330,8 @@ def start_state(run: Run, a: Sequence[float] = ()) -> State:
     y, c, rhs = tuple(run.rows[0].tolist()), engine.constants, engine.functions["rhs"]
     f = rhs(origin, y, c)
     if not all(map(math.isfinite, f)):
+        if a and engine.is_traced:
+            raise Mistraced  # a called function may have a value on either side
         if a:
             raise ArithmeticError(
                 f"rhs or solution is not finite at t = {engine.sign * origin:.17g}: rhs gives {list(f)}"

@@ -73,7 +73,7 @@ def engine(
     sampled : states inside of steps will be asked for, not only where there are more than two times
     may_trace : whether formulas may take the place of calls
     """
-    sampled, reason = sampled or len(times) > 2, "it has a value where its formulas have none"
+    sampled, reason = sampled or len(times) > 2, "its formulas have no value where a step ends"
 
     @cache
     def tried_rates() -> CalledRates:

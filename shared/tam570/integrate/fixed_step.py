@@ -31,7 +31,6 @@ LEAPS = """0.13020248308889008087881763 0.56116298177510838456196441 -0.38947496
 0.15884190655515560089621075 -0.39590389413323757733623154 0.18453964097831570709183254
 0.25837438768632204729397911 0.29501172360931029887096624 -0.60550853383003451169892108"""  # the first half, and middle
 
-Polynomial = list[Decimal]  # coefficients, constant first
 Pair = tuple[float, float]  # a double, and what it lacks
 
 
@@ -93,13 +92,10 @@ def composition_source(drift: Formulas, kick: Formulas, constants: int) -> str:
     return "\n    ".join(["def leap(start, h, y, r, k, c):", *lines]) + "\n"
 
 
-def _value(polynomial: Polynomial, x: Decimal) -> Decimal:
-    return sum((c * x**power for power, c in enumerate(polynomial)), Decimal(0))
-
-
 @cache
 def gauss_tableau() -> tuple[list[list[Pair]], list[Pair], list[float], list[list[float]]]:
     """Coefficients and weights, each split in two doubles; nodes; how the next step's stages follow from these."""
+    polyval: Function = np.polynomial.polynomial.polyval
     with localcontext() as context:
         context.prec = DIGITS
         half = [Decimal(x) for x in NODES.split()]
@@ -111,9 +107,9 @@ def gauss_tableau() -> tuple[list[list[Pair]], list[Pair], list[float], list[lis
                 basis = np.convolve(basis, [-node / (stage - node), 1 / (stage - node)])
             lagrange.append(basis)
         sums = [[Decimal(0), *(c / (power + 1) for power, c in enumerate(basis))] for basis in lagrange]
-        rows = [[_split(_value(s, node)) for s in sums] for node in nodes]
-        weights = [_split(_value(s, Decimal(1))) for s in sums]
-        onward = [[float(_value(basis, node + 1)) for basis in lagrange] for node in nodes]
+        rows = [[_split(polyval(node, s)) for s in sums] for node in nodes]
+        weights = [_split(polyval(Decimal(1), s)) for s in sums]
+        onward = [[float(polyval(node + 1, basis)) for basis in lagrange] for node in nodes]
         return rows, weights, [float(node) for node in nodes], onward
 
 
