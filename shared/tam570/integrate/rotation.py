@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from tam570.integrate import adaptive
 from tam570.integrate.arguments import Array, of_one_step, sample_times, tolerance
-from tam570.integrate.engine import engine
+from tam570.integrate.engine import Mistraced, engine
 from tam570.integrate.rates import RhsError
 from tam570.rotations import exp
 from tam570.values import Function, Numbers, Parameters
@@ -90,8 +90,15 @@ def solve_rotation(
     start = np.concatenate([spinning, np.zeros(3), turned.ravel()])
     (times, sign), tolerated = sample_times(t), of_one_step(tolerance(rtol))
     control = adaptive.Control(tolerated, project=_recentred, longest=one_radian)
+
+    def run(*, may_trace: bool) -> Array:
+        run_engine = engine(rates, None, times, start, sign=sign, may_trace=may_trace)
+        return adaptive.integrate(run_engine, times, start, "python", control).rows
+
     try:
-        states = adaptive.integrate(engine(rates, None, times, start, sign=sign), times, start, "python", control).rows
+        states = run(may_trace=True)
+    except Mistraced:
+        states = run(may_trace=False)
     except RhsError as error:
         raise ValueError(str(error).replace("rhs", "acceleration", 1)) from None
     rotations = states[:, 6:].reshape(-1, 3, 3)

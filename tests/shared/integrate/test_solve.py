@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 from processes import imported_modules
+from scipy.special import sici
 from systems import EPS, PENDULUM, oscillator, pendulum
 
 from tam570.integrate import solve, solve_rotation
@@ -88,3 +89,11 @@ def test_rotations_stay_rotations_and_angular_momentum_stays():
     assert rotation_defect(R).max() < 1e-14
     momentum = np.einsum("nij,nj->ni", R, inertia * omegas)
     assert np.abs(momentum - momentum[0]).max() < 1e-9
+
+
+def test_a_rotation_passes_zero_over_zero():
+    def acceleration(t, omega):
+        return math.sin(t - 2) / (t - 2), 0.0, 0.0
+
+    omegas, _ = solve_rotation(acceleration, [0.0, 3.0], [0.0, 0.0, 1.0], np.eye(3))
+    assert omegas[-1, 0] == pytest.approx(sici(2)[0] + sici(1)[0], rel=1e-9)
