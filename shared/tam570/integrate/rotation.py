@@ -12,7 +12,6 @@ from tam570.integrate import adaptive
 from tam570.integrate.arguments import Array, of_one_step, sample_times, tolerance
 from tam570.integrate.engine import Mistraced, engine
 from tam570.integrate.rates import RhsError
-from tam570.rotations import exp
 from tam570.values import Function, Numbers, Parameters
 
 # |B_2n| / (2n)! for n = 1, 2, ...: at a rotation of 1 rad in a step the next term, |B_20| / 20!, is 2.2e-16 of omega.
@@ -122,6 +121,10 @@ def _cross(a: Numbers, b: Numbers) -> tuple[Numbers, Numbers, Numbers]:
 
 def _recentred(state: Array) -> Array:
     """Return the same motion with exp(u) taken into R0; one Newton step keeps R0 from drifting by roundings."""
-    R = state[6:].reshape(3, 3) @ exp(state[3:6])
+    u, R = state[3:6], state[6:].reshape(3, 3)
+    angle = np.sqrt(u @ u)
+    hat = np.array([[0.0, -u[2], u[1]], [u[2], 0.0, -u[0]], [-u[1], u[0], 0.0]])
+    half = np.sinc(angle / (2 * np.pi))  # sin(angle / 2) / (angle / 2)
+    R = R @ (np.eye(3) + np.sinc(angle / np.pi) * hat + 0.5 * half * half * (hat @ hat))
     R = 1.5 * R - 0.5 * R @ (R.T @ R)
     return np.concatenate([state[:3], np.zeros(3), R.ravel()])
