@@ -9,8 +9,8 @@ import psutil
 
 
 def imported_modules(code):
-    """Return the top-level modules that a fresh interpreter has loaded after running the code."""
-    text = f"import sys\n{code}\nprint(*{{name.partition('.')[0] for name in sys.modules}}, file=sys.stderr)"
+    """Return the modules that a fresh interpreter has loaded after running the code."""
+    text = f"import sys\n{code}\nprint(*sys.modules, file=sys.stderr)"
     process = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, check=True)
     return set(process.stderr.split())
 
