@@ -1,4 +1,4 @@
-"""`python -m tam570`: the students' command. A file in the current folder, such as random.py, replaces no library."""
+"""`python -m tam570`: the students' command, which imports no module, such as random.py, from the current folder."""
 
 import sys
 

@@ -1,4 +1,4 @@
-"""What a function is given: each of these raises a ValueError that names the argument it refuses."""
+"""Checks of a function's arguments, each of which raises a ValueError that names the argument."""
 
 from collections.abc import Collection, Sequence
 
@@ -7,54 +7,54 @@ from numpy.typing import ArrayLike, NDArray
 
 from tam570.values import Numbers
 
-LEAST, MOST = 1e-100, 1e100  # of a number in SI units: its square and its cube are numbers
-SYMMETRIC = 1e-9  # of the largest element: rounding of a matrix that was computed, by a rotation say
+LEAST, MOST = 1e-100, 1e100  # numbers in SI units whose squares and cubes do not overflow or underflow
+SYMMETRIC = 1e-9  # relative to the largest element: rounding, as of a rotated matrix
 
 
 def positive(**arguments: float) -> None:
-    """Refuses what is not a number above 0, as in positive(mass=mass)."""
+    """Raise ValueError unless each argument is a positive number or a symbol, as in positive(mass=mass)."""
     for name, value in arguments.items():
         if not (_is_symbol(value) or _is_real(value) and LEAST <= value <= MOST):
             raise ValueError(f"{name}: must be a positive number from {LEAST:g} to {MOST:g}, got {value!r}")
 
 
 def nonnegative(**arguments: float) -> None:
-    """Refuses what is not a number of 0 or more."""
+    """Raise ValueError unless each argument is a number of 0 or more, or a symbol."""
     for name, value in arguments.items():
         if not (_is_symbol(value) or _is_real(value) and 0.0 <= value <= MOST):
             raise ValueError(f"{name}: must be a number from 0 to {MOST:g}, got {value!r}")
 
 
 def finite(**arguments: float) -> None:
-    """Refuses what is not a finite number."""
+    """Raise ValueError unless each argument is a finite number or a symbol."""
     for name, value in arguments.items():
         if not (_is_symbol(value) or _is_real(value) and -MOST <= value <= MOST):
             raise ValueError(f"{name}: must be a number from {-MOST:g} to {MOST:g}, got {value!r}")
 
 
 def whole_number(least: int, **arguments: int) -> None:
-    """Refuses what is not a whole number of `least` or more."""
+    """Raise ValueError unless each argument is an integer of `least` or more."""
     for name, value in arguments.items():
         if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
             raise ValueError(f"{name}: must be a whole number of {least} or more, got {value!r}")
 
 
 def one_of(choices: Collection[str], **arguments: object) -> None:
-    """Refuses what is not among the choices."""
+    """Raise ValueError unless each argument is one of the choices."""
     for name, value in arguments.items():
         if not (isinstance(value, str) and value in choices):
             raise ValueError(f"{name}: must be one of {', '.join(map(repr, choices))}, got {value!r}")
 
 
 def sequence(count: int, **arguments: Sequence[float]) -> None:
-    """Refuses what is not a flat list of `count`; the numbers themselves may be symbols."""
+    """Raise ValueError unless each argument has `count` elements in one dimension; their values are not checked."""
     for name, value in arguments.items():
         if len(_shape(name, value)) != 1 or len(value) != count:
             raise ValueError(f"{name}: must be {count} numbers, got {value!r}")
 
 
 def array(shape: tuple[int | None, ...] | None, **arguments: ArrayLike) -> NDArray[np.float64]:
-    """Return the one array that is named, of finite floats and this shape; None stands for any shape, or length."""
+    """Return the argument as an array of finite floats or symbols in this shape; None allows any shape or length."""
     ((name, value),) = arguments.items()
     actual = _shape(name, value)
     shape = (None,) * len(actual) if shape is None else shape
@@ -68,7 +68,7 @@ def array(shape: tuple[int | None, ...] | None, **arguments: ArrayLike) -> NDArr
 
 
 def like(example: Numbers, **arguments: Numbers) -> None:
-    """Refuses what is not a number, or numbers in as many rows and columns, as the example is."""
+    """Raise ValueError unless each argument has finite numbers and the example's number of dimensions; skip strings."""
     for name, value in arguments.items():
         if np.ndim(example):
             array((None,) * np.ndim(example), **{name: value})
@@ -77,7 +77,7 @@ def like(example: Numbers, **arguments: Numbers) -> None:
 
 
 def symmetric(shape: tuple[int | None, int | None], **arguments: ArrayLike) -> NDArray[np.float64]:
-    """Return the one square matrix that is named, of this shape, and symmetric but for rounding."""
+    """Return the argument, a square matrix that must be symmetric up to rounding, in exactly symmetric form."""
     matrix = array(shape, **arguments)
     n, m = matrix.shape
     if n != m or n == 0 or np.abs(matrix - matrix.T).max() > SYMMETRIC * np.abs(matrix).max():
@@ -86,7 +86,7 @@ def symmetric(shape: tuple[int | None, int | None], **arguments: ArrayLike) -> N
 
 
 def positives(count: int | None = None, **arguments: Sequence[float]) -> tuple[float, ...]:
-    """Return the one sequence that is named, of `count` positive floats."""
+    """Return the argument, a sequence of positive numbers, as a tuple; `count` is its length, if not None."""
     ((name, value),) = arguments.items()
     values = numbers(count, **arguments)
     if values.dtype != object and not (values.size and (values >= LEAST).all()):
@@ -95,12 +95,12 @@ def positives(count: int | None = None, **arguments: Sequence[float]) -> tuple[f
 
 
 def numbers(count: int | None = None, **arguments: ArrayLike) -> NDArray[np.float64]:
-    """Return the one flat array that is named, of `count` finite floats."""
+    """Return the argument as a flat array of finite floats; `count` is its length, if not None."""
     return array((count,), **arguments)
 
 
 def _is_symbol(value: object) -> bool:
-    """Return whether it stands for a number that a trace does not know yet."""
+    """Return whether a value is a symbol, by which tracing replaces a number."""
     return hasattr(value, "tape")
 
 
@@ -127,9 +127,9 @@ def _floats(name: str, value: ArrayLike) -> NDArray[np.float64]:
 
 
 def divisors(values: NDArray[np.generic]) -> None:
-    """Raise ZeroDivisionError where a number is zero, as Python does and NumPy does not; symbols pass.
+    """Raise ZeroDivisionError if a value is zero, as Python's division does and NumPy's does not; symbols pass.
 
-    In the function itself, a use of `dtype` would end its trace.
+    A function of its own, because a use of `dtype` in a traced function ends the trace.
     """
     if values.dtype != object and not values.all():
         raise ZeroDivisionError

@@ -1,4 +1,4 @@
-"""What an assignment puts off limits, refused in the same way by `tam570 check` and where work is graded."""
+"""Refuse the modules and functions that an assignment bans, for both `tam570 check` and the grader."""
 
 import builtins
 import sys
@@ -6,20 +6,20 @@ from collections.abc import Iterable
 from types import FunctionType, ModuleType
 from typing import NoReturn
 
-__builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # a submission may change the built-in functions
+__builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # a copy: a submission may change the built-ins
 
-# what a student's file may import besides Python itself, by `check`, in the grader's sandbox and on Gradescope
+# what a student's file may import besides the standard library, in `check`, the grader's sandbox and Gradescope
 LIBRARIES = ("numpy", "scipy", "sympy", "mpmath", "matplotlib", "mpl_toolkits", "tam570", "IPython")
-HERE, IN_ONE = "in this assignment", "in this function"  # where something is off limits
+HERE, IN_ONE = "in this assignment", "in this function"  # scope of a ban, as messages name it
 Change = tuple[object, str, object]  # owner, attribute, value
 
 
 class Forbidden(ImportError):
-    """An import, or a use, of what the assignment puts off limits."""
+    """Import or call of something that the assignment bans."""
 
 
 def must_be_allowed(name: str, parts: Iterable[str] | None, banned: Iterable[str]) -> None:
-    """Forbidden where `import name`, or `from name import parts`, takes something of a banned module."""
+    """Raise Forbidden if `import name` or `from name import parts` imports a banned name or a member of it."""
     wanted = {name, *(f"{name}.{part}" for part in parts or ())}
     for module in banned:
         if any(item == module or item.startswith(f"{module}.") for item in wanted):
@@ -27,7 +27,7 @@ def must_be_allowed(name: str, parts: Iterable[str] | None, banned: Iterable[str
 
 
 def must_be_there(name: str, slug: str) -> None:
-    """ModuleNotFoundError unless a file called `slug` may import this module: what else is installed does not count."""
+    """Raise ModuleNotFoundError if a file called `slug` may not import a module, even if it is installed here."""
     top = name.partition(".")[0]
     if top not in {slug, *LIBRARIES} and top not in sys.stdlib_module_names:
         message = f"No module named {name!r}"
@@ -35,9 +35,9 @@ def must_be_there(name: str, slug: str) -> None:
 
 
 class Unusable(ModuleType):
-    """Stands in the place of a module, or of a function; its parts can be named and not called.
+    """Placeholder for a banned module or function; a call of it, or of an attribute, raises Forbidden.
 
-    what : where it is off limits
+    what : the scope of the ban, for the message
     """
 
     def __init__(self, name: str, what: str) -> None:
@@ -54,14 +54,14 @@ class Unusable(ModuleType):
 
 
 def refused(module: ModuleType, name: str, unusable: Unusable) -> list[Change]:
-    """Return what to change so that a function of a file cannot be called.
+    """Return the changes after which a call of a module's function raises Forbidden.
 
-    A plain function gets another body, wherever it is kept; anything else is replaced in the module.
+    A function defined in the module gets another body, for all references to it; anything else is replaced by name.
     """
     function = getattr(module, name)
     if not isinstance(function, FunctionType) or function.__globals__ is not vars(module):
         return everywhere(module, function, unusable)
-    code = _refusing.__code__.replace(co_freevars=function.__code__.co_freevars)  # as many as its closure has
+    code = _refusing.__code__.replace(co_freevars=function.__code__.co_freevars)  # must match its closure
     return [(function, "__code__", code), (function, "__kwdefaults__", {"_unusable": unusable})]
 
 
@@ -70,5 +70,5 @@ def _refusing(*args: object, _unusable: Unusable, **kwargs: object) -> NoReturn:
 
 
 def everywhere(owner: ModuleType | type, function: object, stand_in: object) -> list[Change]:
-    """Return the function replaced by every name that it has in the module or the class."""
+    """Return the changes that replace a function under each of its names in a module or class."""
     return [(owner, name, stand_in) for name, value in vars(owner).items() if value is function]

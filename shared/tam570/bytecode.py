@@ -1,4 +1,4 @@
-"""Compiled code that is left beside Python's own, for the processes that come."""
+"""A cache of compiled code for later processes, beside Python's own."""
 
 import importlib.util
 import marshal
@@ -10,9 +10,9 @@ from types import CodeType
 
 
 def cached_code(file: str, name: str, inputs: bytes, compiled: Callable[[], CodeType]) -> CodeType:
-    """Return what `compiled` makes of these inputs, which an earlier process may have left beside the code of a file.
+    """Return `compiled()`, or its result for the same inputs from a cache beside the byte code of `file`.
 
-    inputs : all that the code depends on
+    inputs : everything that the code depends on
     """
     loader, path = SourceFileLoader(name, file), importlib.util.cache_from_source(file, optimization=name)
     key = importlib.util.MAGIC_NUMBER + importlib.util.source_hash(bytes([sys.flags.optimize]) + inputs)
@@ -22,5 +22,5 @@ def cached_code(file: str, name: str, inputs: bytes, compiled: Callable[[], Code
             return code
     code = compiled()
     if not sys.dont_write_bytecode:
-        loader.set_data(path, key + marshal.dumps(code))  # as a whole, or not at all
+        loader.set_data(path, key + marshal.dumps(code))  # atomic: it renames a temporary file
     return code

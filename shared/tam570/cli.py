@@ -1,4 +1,4 @@
-"""The students' command, `tam570`. What a command does not need is not imported: `list` takes no numerical library."""
+"""The students' command, `tam570`. Each command imports only what it needs: `list` loads no numerical library."""
 
 import argparse
 import io
@@ -20,13 +20,13 @@ from tam570.progress import hints_given, recalled, remember_hints
 from tam570.signals import end_as_by_ctrl_c
 from tam570.values import Json
 
-INTERRUPTED = 130
+INTERRUPTED = 130  # 128 + SIGINT, as shells report it
 
 
 def main(argv: list[str] | None = None) -> int:
-    """Run the command; the exit code is 0, 1 (a test failed), 2 (bad usage) or 130 (interrupted)."""
+    """Run the command and return its exit code: 0, 1 (a test failed), 2 (bad usage) or 130 (interrupted)."""
     for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, io.TextIOWrapper):  # a question mark, where it has no exponent or Greek letter
+        if isinstance(stream, io.TextIOWrapper):  # print "?" for a character that it cannot encode
             stream.reconfigure(errors="replace")
     parser = _parser()
     try:
@@ -37,7 +37,7 @@ def main(argv: list[str] | None = None) -> int:
     except Unknown as error:
         print(_fitted(f"tam570: error: {error}"), file=sys.stderr)
         return 2
-    except BrokenPipeError:  # the reader has gone; nothing more to say
+    except BrokenPipeError:  # the reader of a pipe has closed it, as `head` does
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
     except OSError as error:
@@ -50,7 +50,7 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _fitted(text: str) -> str:
-    """Return a message in lines of 80 characters at most; paths and names stay whole."""
+    """Wrap a message to lines of at most 80 characters, without breaking paths and names."""
     lines = text.splitlines()
     return "\n".join(textwrap.fill(line, 80, break_long_words=False, break_on_hyphens=False) for line in lines)
 
@@ -115,7 +115,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _must_be_a_command(parser: argparse.ArgumentParser, words: Sequence[str]) -> None:
-    """Unknown, with the command that was meant, where the first word is none."""
+    """Raise Unknown, with the closest command, if the first word is neither a command nor an option."""
     (action,) = (action for action in parser._actions if isinstance(action, argparse._SubParsersAction))
     if words and not words[0].startswith("-") and words[0] not in action.choices:
         close = "".join(f"; did you mean {word}?" for word in get_close_matches(words[0], action.choices, 1))
@@ -140,7 +140,7 @@ def _list(arguments: argparse.Namespace) -> int:
 
 
 def _state(file: Path | None, recalled_progress: tuple[Json, bool] | None) -> str:
-    """Return how far the work on one assignment is, by the tests as they were run last; nothing is run for it."""
+    """Describe the progress on an assignment by the last run of its tests; run no tests."""
     if recalled_progress is None:
         return "started" if file else ""
     progress, is_current = recalled_progress
@@ -168,7 +168,7 @@ def _start(arguments: argparse.Namespace) -> int:
 
 
 def _start_lecture(source: Path, where: Path) -> int:
-    """Copy a lecture, as a file to play with; one that is there already stays."""
+    """Copy a lecture's module to `where` for the student to change; keep an existing copy."""
     copy = where / source.name
     if copy.exists():
         print(f"{copy} is there already and stays as it is; see it with: tam570 show {copy}")
@@ -259,7 +259,7 @@ def _hint(arguments: argparse.Namespace) -> int:
 
 
 def _hinted(assignment: str | None, function: str | None) -> tuple[Path, str | None]:
-    """Return the assignment and the function of a hint; one word may be a function of the assignment in this folder."""
+    """Return an assignment's folder and the function to hint at; a single word may name a function of the work here."""
     if assignment is None:
         return folder(work.single(None)[1]), None
     try:
@@ -275,7 +275,7 @@ def _completion(arguments: argparse.Namespace) -> int:
     import shtab
 
     parser = _parser()
-    # argparse has no public way to its commands
+    # argparse has no public access to subparsers
     choices = [action.choices for action in parser._actions if isinstance(action.choices, dict)]
     commands = [command for several in choices for command in several.values()]
     for action in (action for command in commands for action in command._actions):

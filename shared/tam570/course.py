@@ -1,4 +1,4 @@
-"""The assignments as students get them: where they are, what they are called, and how to start one."""
+"""The released assignments: their folders, names, titles, contracts and stubs."""
 
 import ast
 import json
@@ -11,12 +11,12 @@ from tam570.values import Json
 
 
 class Unknown(Exception):
-    """There is no such assignment, function or file; the message says what there is."""
+    """No assignment, function or file has this name, or several have it; the message lists the choices."""
 
 
 @dataclass(frozen=True)
 class Stub:
-    """A function as it stands in a file."""
+    """The parameters of a function in a file, and whether its body is written."""
 
     positions: tuple[str, ...]
     keywords: tuple[str, ...]  # keyword-only
@@ -30,9 +30,9 @@ def assignments() -> list[str]:
 
 
 def folder(name: str, or_lecture: bool = False) -> Path:
-    """Return the released folder of the assignment that a name stands for: hw07, hw7, 7, double_pendulum, or all of it.
+    """Return the released folder of the assignment with this name: hw07, hw7, 7, double_pendulum, or its full name.
 
-    or_lecture : a lecture might have been meant, too, where Unknown says what there is
+    or_lecture : whether the message of Unknown also suggests lectures
     """
     plain = name.lower().replace("-", "_")
     number = re.fullmatch(r"(?:hw)?0*(\d{1,2})", plain)
@@ -51,8 +51,8 @@ def folder(name: str, or_lecture: bool = False) -> Path:
 
 
 def _meant(name: str, or_lecture: bool) -> str:
-    """Return what a name might have meant, and where all names are."""
-    from tam570.lectures import names  # which imports this module
+    """Return the end of a message about an unknown name: similar names, and which commands list all."""
+    from tam570.lectures import names  # not at the top: it imports this module
 
     if name in names():
         return f"; it is a lecture: tam570 show {name}"
@@ -63,9 +63,9 @@ def _meant(name: str, or_lecture: bool) -> str:
 
 
 def slug_of(file: Path) -> str:
-    """Return the assignment that a file is work on, by its name, hw07-final.py, else by its folder's.
+    """Return the assignment of a student's file by its name, such as hw07-final.py, else by its folder's name.
 
-    Unknown if neither.
+    Raise Unknown if neither names an assignment, or the name fits two.
     """
     for name in (file.stem, file.resolve().parent.name):
         number = re.match(r"hw\d\d(?!\d)", name, re.IGNORECASE)
@@ -85,19 +85,19 @@ def slug_of(file: Path) -> str:
 
 
 def title(slug: str) -> str:
-    """Return what the assignment is called: the heading of its README without the number."""
+    """Return the title of an assignment: the heading of its README without the number."""
     with open(_home() / slug / "README.md", encoding="utf-8") as file:
         return file.readline().lstrip("# ").partition(": ")[2].strip()
 
 
 def contract(slug: str) -> Json:
-    """Return what an assignment's functions return, and what is off limits: {"results": ..., "off_limits": ...}."""
+    """Return the forms of the functions' results and the bans: {"results": ..., "off_limits": ...}."""
     data: Json = json.loads((folder(slug) / "contract.json").read_text(encoding="utf-8"))
     return data
 
 
 def stubs(source: str | bytes) -> dict[str, Stub]:
-    """Return the functions of a module. SyntaxError if it is not Python."""
+    """Return the top-level functions of a module by name. Raise SyntaxError if the source is not Python."""
     functions = {}
     for node in (node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)):
         body = node.body[1:] if ast.get_docstring(node) else node.body
@@ -110,7 +110,7 @@ def stubs(source: str | bytes) -> dict[str, Stub]:
 
 
 def _home() -> Path:
-    """Return the folder of the assignments: in an installed wheel, else in the checkout."""
+    """Return the folder of all assignments: in an installed wheel, else in the checkout."""
     package = Path(__file__).resolve().parent
     installed = package / "assignments"
     return installed if installed.is_dir() else package.parents[1] / "assignments"

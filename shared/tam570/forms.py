@@ -1,8 +1,8 @@
-"""Whether a result has the form that the assignment asks for: judged here by `check`, `show` and the grader alike.
+"""Check that a result has the form that the assignment asks for, for `check`, `show` and the grader.
 
-A form is plain data, as `contract.json` has it: {"array": [3, 3]}, {"array": ["n", 2]} with a row for each element of
-the first argument, {"array": [null], "infinite": true} of any length but zero, {"group": [...]} of arrays,
-{"formula": ["theta", ...]}, {"diagram": 2} of so many dimensions, or {"drawing": true}.
+A form is plain data of `contract.json`: {"array": [3, 3]}; {"array": ["n", 2]}, with a row for each element of the
+first argument; {"array": [null], "infinite": true}, of any length but zero, in which infinity is allowed;
+{"group": [...]} of forms; {"formula": ["theta", ...]}; {"diagram": 2}, with its dimension; or {"drawing": true}.
 """
 
 from collections.abc import Sequence
@@ -16,15 +16,15 @@ from tam570.values import Json, Numbers
 Form: TypeAlias = Json
 Sizes = Sequence[int | str | None]
 
-MOST_FORCES = 8  # of a diagram; the largest right one has five
-LONGEST_TOLD = 2000  # elements of a result: no check asks for more rows
-LONGEST = 100_000  # rows of a result whose length is the student's choice
-MOST_DIMENSIONS = 3  # of a shape that is told
-NO_NUMBERS = {"c": "complex numbers", "U": "an array of strings"}  # by the kind of the array
+MOST_FORCES = 8  # in a diagram; the largest correct one has five
+LONGEST_TOLD = 2000  # largest size that a message states; no check asks for more rows
+LONGEST = 100_000  # largest length where the form leaves it open
+MOST_DIMENSIONS = 3  # of a shape that a message states
+NO_NUMBERS = {"c": "complex numbers", "U": "an array of strings"}  # by dtype.kind
 
 
 class WrongForm(Exception):
-    """A result has another form than the contract's: the message, where to look, and the numbers that came instead."""
+    """A result of another form than the contract's, with a message, a hint, and the returned numbers, if any."""
 
     def __init__(self, message: str, hint: str = "", actual: Numbers = None) -> None:
         super().__init__(message)
@@ -36,18 +36,18 @@ class WrongForm(Exception):
 
 
 def conform(form: Form, value: Numbers, name: str, arguments: Sequence[Numbers]) -> Numbers:
-    """Return a result in its form: anything that `numpy.asarray` makes numbers of the right shape of.
+    """Convert a result to its form, from anything that `numpy.asarray` converts to numbers of the right shape.
 
     Parameters
     ----------
-    form : see above
-    value : what the function `name` returned
-    arguments : of the call
+    form : as in the module's docstring
+    value : result of the function `name`
+    arguments : positional arguments of the call
 
     Returns
     -------
-    A float, a float64 array, or a tuple of these; of a diagram a list of pairs (point, direction), the direction None
-    where no component is known; formulas and drawings as they are.
+    A float, a float64 array, or a tuple of these; for a diagram, a list of pairs (point, direction), where the
+    direction is None if all its components are; formulas and drawings unchanged.
 
     Raises
     ------
@@ -84,9 +84,9 @@ def _array(form: Form, value: Numbers, name: str, arguments: Sequence[Numbers]) 
     shape = tuple(len(arguments[0]) if size == "n" else size for size in form["array"])
     if not fits(numbers.shape, shape):
         message = f"{name} returned {_shaped(numbers.shape)}, not {_shaped(shape)}"
-        actual = numbers if numbers.size <= LONGEST_TOLD else None  # of a size that no check asked for
+        actual = numbers if numbers.size <= LONGEST_TOLD else None  # no check asks for more
         rows = form["array"][:1] == ["n"] and numbers.shape[1:] == shape[1:]
-        more = numbers.shape[0] - shape[0] if rows else 0  # one may be forgotten; an integrator gives up for several
+        more = numbers.shape[0] - shape[0] if rows else 0  # one row may be a slip; an early stop loses several
         raise WrongForm(message, EXTRA if more > 1 else MISSING if more < -1 else "", actual)
     if np.isnan(numbers).any() or (not form.get("infinite") and np.isinf(numbers).any()):
         raise WrongForm(f"{name} returned NaN or infinity", actual=numbers)
@@ -94,7 +94,7 @@ def _array(form: Form, value: Numbers, name: str, arguments: Sequence[Numbers]) 
 
 
 def _forces(dimension: int, value: Numbers, name: str) -> list[tuple[Numbers, Numbers]]:
-    """Return the points and directions of a diagram's arrows; one of length zero draws nothing."""
+    """Return the pairs (point, direction) of a diagram's arrows, without arrows of length zero."""
     if not is_sequence(value):
         raise WrongForm(f"{name} returned {_kind(value)}, not a list of pairs (point, direction)", _remedy(value))
     if len(value) > MOST_FORCES:
@@ -111,7 +111,7 @@ def _forces(dimension: int, value: Numbers, name: str) -> list[tuple[Numbers, Nu
 
 
 def _vector(dimension: int, value: Numbers, name: str) -> Numbers:
-    """Return a vector of the diagram's dimension; in a plane a third component of zero does no harm."""
+    """Return a vector of the diagram's dimension; in a plane, drop a third component of zero."""
     numbers = _numbers(value, name)
     if dimension == 2 and numbers.shape == (3,) and numbers[2] == 0:
         numbers = numbers[:2]
@@ -124,7 +124,7 @@ def _vector(dimension: int, value: Numbers, name: str) -> Numbers:
 
 
 def _numbers(value: Numbers, name: str) -> Numbers:
-    """Return a value as float64, SymPy's numbers too; complex numbers, texts and ragged lists are none."""
+    """Convert a value, or SymPy numbers, to float64; refuse complex numbers, strings and ragged lists."""
     try:
         numbers = np.asarray(value)
     except ValueError:
@@ -151,7 +151,7 @@ def _must_be_formula(value: Numbers, symbols: Sequence[str], name: str) -> None:
 
 
 def _kind(value: Numbers) -> str:
-    """Say what a value is, but no number: where work is graded it may be made of hidden inputs."""
+    """Describe a value without its numbers, which in the grader could reveal hidden inputs."""
     if isinstance(value, bool | int | float) or getattr(value, "shape", None) == ():
         return "a single number"
     if is_sequence(value):
@@ -165,12 +165,12 @@ def _remedy(value: Numbers) -> str:
 
 
 def is_sequence(value: Numbers) -> bool:
-    """Return whether a value has members, as a list or an array."""
+    """Return whether a value is a list, a tuple or an array with at least one dimension."""
     return isinstance(value, list | tuple) or (isinstance(value, np.ndarray) and value.ndim > 0)
 
 
 def fits(shape: Sequence[int], wanted: Sizes) -> bool:
-    """Return whether a shape is the wanted one, in which None stands for any length but zero."""
+    """Return whether a shape is the wanted one, in which None allows any length from 1 to LONGEST."""
     sizes = zip(shape, wanted, strict=False)
     return len(shape) == len(wanted) and all(
         have == want if want is not None else 0 < have <= LONGEST for have, want in sizes
@@ -181,7 +181,7 @@ def _shaped(shape: Sizes) -> str:
     if not shape:
         return "a single number"
     if 0 in shape:
-        return "an empty array"  # whose other sizes could be anything
+        return "an empty array"  # its other sizes could reveal hidden inputs
     if len(shape) > MOST_DIMENSIONS:
         return f"an array of more than {MOST_DIMENSIONS} dimensions"
     sizes = ", ".join("k" if size is None else _size(size) for size in shape)
@@ -189,5 +189,5 @@ def _shaped(shape: Sizes) -> str:
 
 
 def _size(size: int | str) -> str:
-    """Return a length in words: a long one could be an input, written out."""
+    """Return a length as text, or "many" for a long one, whose digits could reveal hidden inputs."""
     return "many" if isinstance(size, int) and size > LONGEST_TOLD else str(size)

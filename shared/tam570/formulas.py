@@ -1,13 +1,13 @@
-"""What students return in the place of a SymPy expression, told apart in the same way by `check` and by the grader."""
+"""Classify what students return instead of a SymPy expression, for both `check` and the grader."""
 
 from collections.abc import Mapping, Sequence
 
 from tam570.values import Numbers
 
-STAND_INS = 1.25, 3.75  # for symbols that may cancel
-CANCELLED = 1e-13  # of a value: it has 25 digits before it is rounded
-NOTHING = 1e-60  # what is zero comes out below it, of up to 100 digits
-REMEDIES = {  # what to do instead
+STAND_INS = 1.25, 3.75  # values of symbols that may cancel
+CANCELLED = 1e-13  # relative; values are computed with 25 digits, then rounded
+NOTHING = 1e-60  # above the rounding of an expression that is zero, computed with up to 100 digits
+REMEDIES = {  # by the form of a result: what to do instead
     "an equation": "Return one side of it, such as equation.rhs.",
     "a list": "sympy.solve returns a list; return the expression in it, such as solve(...)[0].",
     "a matrix": "Return the expression in it, such as matrix[0].",
@@ -19,7 +19,7 @@ REMEDIES = {  # what to do instead
 
 
 def form_of(result: Numbers) -> str:
-    """Return which of REMEDIES a result is, or another object; "" for an expression or a number."""
+    """Return the form of a result, a key of REMEDIES, "an array" or "an object"; "" for an expression or a number."""
     import sympy
     from sympy.core.relational import Relational
 
@@ -43,7 +43,7 @@ def form_of(result: Numbers) -> str:
 
 
 def unknown_symbols(expression: Numbers, symbols: Sequence[str], points: Sequence[Mapping[str, float]]) -> list[str]:
-    """Return the other symbols and functions in an expression; none if they cancel at these points."""
+    """Return the undefined functions in an expression, else the symbols that are not in `symbols` and do not cancel."""
     from sympy.core.function import AppliedUndef
 
     if functions := expression.atoms(AppliedUndef):
@@ -57,7 +57,7 @@ def unknown_symbols(expression: Numbers, symbols: Sequence[str], points: Sequenc
 def values_at(
     expression: Numbers, points: Sequence[Mapping[str, float]], stand_in: float = STAND_INS[0]
 ) -> list[complex]:
-    """Return the values at points {symbol's name: number}; other symbols are numbers from the stand-in on."""
+    """Return the values at points {symbol's name: number}; the other symbols are `stand_in` plus different integers."""
     names = {symbol: symbol.name for symbol in expression.free_symbols}
     others = {name: stand_in + number for number, name in enumerate(sorted(set(names.values())))}
     return [

@@ -1,4 +1,4 @@
-"""Says what the hidden tests look at, and makes one archive of what a student hands in, naming what is empty."""
+"""Print what the hidden tests look at; pack a student's work into one archive and list what is still empty."""
 
 import contextlib
 import json
@@ -14,16 +14,16 @@ from tam570.loading import Trouble, source_of
 from tam570.progress import rows
 from tam570.releases import differing, released
 
-# said wherever a student reads how to hand in
+# the same sentence in commands and notebooks
 HOW = "Hand in the archive that `tam570 handin {name}` makes: it packs your code, notebook, plots and written parts."
 
-WRITTEN = (".pdf", ".png", ".jpg", ".jpeg", ".svg", ".gif", ".md", ".txt", ".docx", ".tex")  # drawings, plots, words
-PLACEHOLDER = "*Your answer*"  # in a notebook's cell, where words are asked for
-ACCURACY = re.compile(r"^Motions are compared .*?(?:\n\n|\Z)", re.MULTILINE | re.DOTALL)  # of a README
+WRITTEN = (".pdf", ".png", ".jpg", ".jpeg", ".svg", ".gif", ".md", ".txt", ".docx", ".tex")  # drawings, plots, text
+PLACEHOLDER = "*Your answer*"  # text of a notebook cell that asks for words
+ACCURACY = re.compile(r"^Motions are compared .*?(?:\n\n|\Z)", re.MULTILINE | re.DOTALL)  # a paragraph of a README
 
 
 def before_handing_in(file: Path, slug: str) -> None:
-    """Print what the hidden tests look at, and what in the folder is out of date."""
+    """Print what the hidden tests look at, and which files beside the work differ from this kit's."""
     print(f"\nBefore you hand in {file.name}:\nThe hidden tests have other inputs than yours. They look at")
     for name, tested in rows(slug).items():
         print(textwrap.fill(f"{name}: {tested}", 80, initial_indent="  ", subsequent_indent="      "))
@@ -36,11 +36,11 @@ def before_handing_in(file: Path, slug: str) -> None:
 
 
 def hand_in(file: Path, slug: str) -> Path:
-    """Pack the work beside `file` into `<slug>_handin.zip` there, and print what it holds and what is still empty."""
+    """Pack the work beside `file` into `<slug>_handin.zip` there; print its contents and what is still empty."""
     where, archive = file.parent, file.parent / f"{slug}_handin.zip"
     kit = {path.name for path in released(slug, notebook=True)} - {f"{slug}.py", f"{slug}.ipynb"}
     beside = [path for path in sorted(where.iterdir()) if path.suffix.lower() in WRITTEN and path.name not in kit]
-    both = file, file.with_suffix(".ipynb")  # a module that nothing is written in would count in the notebook's place
+    both = file, file.with_suffix(".ipynb")  # without an empty module, which would be graded instead of the notebook
     work = {f"{slug}{path.suffix}": path for path in both if path.is_file()}
     packed = work | {path.name: path for path in beside}
     draft = archive.with_suffix(".part")
@@ -58,7 +58,7 @@ def hand_in(file: Path, slug: str) -> Path:
 
 
 def _empty(work: dict[str, Path], slug: str) -> Iterator[str]:
-    """Yield what is not done yet, a line each."""
+    """Yield a line for each part of the work that is not done yet."""
     if module := work.get(f"{slug}.py"):
         try:
             to_write = stubs((folder(slug) / f"{slug}.py").read_bytes())

@@ -1,4 +1,4 @@
-"""What must not change along a motion, and how fast an error shrinks or grows."""
+"""Measure how well a motion conserves invariants and satisfies constraints, and how fast an error shrinks or grows."""
 
 from collections.abc import Callable
 
@@ -32,7 +32,7 @@ def drift(invariant: Callable[[Array], ArrayLike], states: ArrayLike) -> Array:
     values = np.array([np.ravel(invariant(state)) for state in np.asarray(states)])
     largest = np.abs(values).max()
     if largest > 0:
-        values = values / largest  # first, lest the squares of small ones vanish
+        values = values / largest  # before the norm, so that squares of small values do not underflow
         values = values / np.linalg.norm(values, axis=1).max()
     return np.linalg.norm(values - values[0], axis=1)
 

@@ -1,4 +1,4 @@
-"""Runs a student's file, a module or a notebook, as the grader will: alone, with the libraries that it has there."""
+"""Run a student's file, a module or a notebook, as the grader will: by itself, with the grader's libraries only."""
 
 import builtins
 import linecache
@@ -22,11 +22,11 @@ _loading: ContextVar[frozenset[Path]] = ContextVar("loading", default=frozenset(
 
 
 class Trouble(Exception):
-    """A file cannot be used; the message says why, in the student's terms."""
+    """A file that cannot be used; the message tells the student why."""
 
 
 def source_of(file: Path) -> bytes:
-    """Return the text of a module or notebook. Trouble if it is neither, or too large."""
+    """Return the source of a module or notebook, in UTF-8. Raise Trouble if it is neither, or too large."""
     if file.suffix not in SUFFIXES:
         raise Trouble(f"{file.name} is neither a Python module (.py) nor a notebook (.ipynb).")
     source = file.read_bytes()
@@ -38,7 +38,7 @@ def source_of(file: Path) -> bytes:
 
 
 def not_utf8(file: Path) -> str:
-    """Tell that a file is in an encoding that Python does not expect, and the line; "" if it is not."""
+    """Return a sentence about the first line that is not UTF-8; "" if Python can read the module, or for a notebook."""
     source = file.read_bytes()
     if source_of(file) == source or file.suffix != ".py":
         return ""
@@ -47,10 +47,10 @@ def not_utf8(file: Path) -> str:
 
 
 def loaded(file: Path, slug: str, replacements: Builtins | None = None) -> tuple[ModuleType, list[str]]:
-    """Load the module in a file, under the assignment's name, and name the notebook cells that raised and were skipped.
+    """Run a file as a module with the assignment's name; return it and the notebook cells that raised and were skipped.
 
-    replacements : of the built-in functions
-    Trouble if the file cannot be run.
+    replacements : of built-in functions, by name
+    Raise Trouble if the file cannot be run.
     """
     source, running = source_of(file), _loading.get()
     if file.resolve() in running:
@@ -59,7 +59,7 @@ def loaded(file: Path, slug: str, replacements: Builtins | None = None) -> tuple
     module = ModuleType(slug)
     module.__dict__["__builtins__"] = {**vars(builtins), **KERNEL, **(replacements or {})}
     module.__dict__["__file__"] = f"{slug}.py"
-    before, sys.modules[slug] = sys.modules.get(slug), module  # a dataclass looks for its module there
+    before, sys.modules[slug] = sys.modules.get(slug), module  # where a dataclass looks for its module
     try:
         if file.suffix == ".ipynb":
             return module, list(_cells_run(source, module))
@@ -75,7 +75,7 @@ def loaded(file: Path, slug: str, replacements: Builtins | None = None) -> tuple
 
 
 def _cells_run(source: bytes, module: ModuleType) -> Iterator[str]:
-    """Run the cells one by one; the number and the error of each that raises."""
+    """Run the cells in order; yield the number and the error of each that raises."""
     for number, text in code_cells(source):
         name = f"cell {number}"
         linecache.cache[name] = (len(text), None, [f"{line}\n" for line in text.split("\n")], name)
@@ -87,7 +87,7 @@ def _cells_run(source: bytes, module: ModuleType) -> Iterator[str]:
 
 
 def guarded_import(slug: str, banned: Sequence[str]) -> Callable[..., ModuleType]:
-    """Return an import that knows what is off limits and which libraries the grader has."""
+    """Return an `__import__` that refuses banned names and libraries that the grader does not have."""
     import_module = builtins.__import__
 
     def guarded(
@@ -103,7 +103,7 @@ def guarded_import(slug: str, banned: Sequence[str]) -> Callable[..., ModuleType
             explanation = f"the grader does not have {error.name}; it has Python itself, {', '.join(LIBRARIES)}"
             raise ModuleNotFoundError(explanation, name=error.name) from None
         module = import_module(name, globals, locals, fromlist, level)
-        if name.partition(".")[0] == "matplotlib":  # no windows: where work is graded nothing is shown on a screen
+        if name.partition(".")[0] == "matplotlib":  # a backend with windows fails in the grader
             sys.modules["matplotlib"].use = lambda *backend, **how: None  # type: ignore[attr-defined]
         return module
 
@@ -112,7 +112,7 @@ def guarded_import(slug: str, banned: Sequence[str]) -> Callable[..., ModuleType
 
 @contextmanager
 def replaced(names: Sequence[str], what: str) -> Iterator[None]:
-    """Put something in place of these modules of which nothing can be called; `what` says so."""
+    """Replace these modules by placeholders that raise Forbidden when called; `what` is the scope for its message."""
     before = {name: sys.modules.get(name) for name in names}
     try:
         for name in names:
@@ -124,7 +124,7 @@ def replaced(names: Sequence[str], what: str) -> Iterator[None]:
 
 
 def _place_module(name: str, module: ModuleType | None) -> None:
-    """Make this module the one that every import finds; None takes it away."""
+    """Make every import of this name return the module; None removes the module."""
     parent, _, last = name.rpartition(".")
     members = vars(sys.modules[parent]) if parent in sys.modules else {}
     if module is None:
@@ -135,7 +135,7 @@ def _place_module(name: str, module: ModuleType | None) -> None:
 
 
 def said(error: BaseException, file: str) -> str:
-    """Return the exception, and the line of the student's file that led to it."""
+    """Describe an exception, with the line of the student's file that led to it."""
     if isinstance(error, SyntaxError):
         line = f"Line {error.lineno}: " if error.lineno else ""
         return f"{line}{type(error).__name__}: {error.msg}\n    {(error.text or '').strip()}".rstrip()

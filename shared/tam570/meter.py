@@ -1,6 +1,6 @@
-"""What hidden code may spend, counted: calls of its functions, turns of its loops, steps of `solve`.
+"""A budget for the grader's hidden code, in steps: function calls, passes of a loop, steps of `solve`.
 
-A clock would let the speed of a machine choose the grade and its words; a count is the same everywhere.
+A count is the same on every machine; with a time limit, grade and feedback would depend on the machine's speed.
 
     with limited(1000):
         function()  # raises Exhausted at its 1001st step, if it counts its steps
@@ -13,12 +13,12 @@ from dataclasses import dataclass
 
 
 class Exhausted(Exception):
-    """So much is not spent on one submission."""
+    """The budget of steps is spent."""
 
 
 @dataclass(slots=True)
 class Meter:
-    """Steps that are left."""
+    """The number of steps left."""
 
     remaining: int
 
@@ -28,7 +28,7 @@ _meter: ContextVar[Meter | None] = ContextVar("meter", default=None)
 
 @contextmanager
 def limited(steps: int) -> Iterator[Meter]:
-    """Raise Exhausted in this block beyond so many steps; they also count in a block around it."""
+    """Raise Exhausted in this block after more than `steps` steps; they also count in an enclosing block."""
     outer = _meter.get()
     most = min(steps, outer.remaining) if outer else steps
     meter = Meter(most)
@@ -42,12 +42,12 @@ def limited(steps: int) -> Iterator[Meter]:
 
 
 def is_limited() -> bool:
-    """Return whether steps are counted."""
+    """Return whether a block counts steps."""
     return _meter.get() is not None
 
 
 def count(steps: int = 1) -> None:
-    """Spend steps of the innermost block."""
+    """Count steps in the innermost block; raise Exhausted beyond its limit."""
     if meter := _meter.get():
         meter.remaining -= steps
         if meter.remaining < 0:

@@ -1,4 +1,4 @@
-"""The code of a notebook as plain Python: cells as IPython reads them, without magics and shell lines."""
+"""Convert the code of a notebook to plain Python: cells as IPython reads them, without magics and shell commands."""
 
 import ast
 import codecs
@@ -12,27 +12,28 @@ from types import CodeType
 
 from tam570.values import Json
 
-# x = %time f(), %timeit, files = !ls, f?
+# lines such as x = %time f(), %timeit f(), files = !ls, f?
 MAGIC = re.compile(
     r"(\s*)(?:(\w+\s*=\s*)?%time\s+(.+)|(\w+\s*=\s*)[%!].*|[%!?].*|[\w, ]+=\s*[%!].*|[%\w.*\[\]]+\s*\?+\s*)"
 )
-# their body is Python; other cell magics hold another language, or a file
+# cell magics whose body is Python; the body of others is another language or a file
 PYTHON_CELLS = ("%%time", "%%capture", "%%prun")
 WRITTEN = re.compile(r"%%writefile +(?:-a +)?\S*\bhw\d\d\w*\.py\s")  # a cell that writes the module that is graded
-PYLAB = "from matplotlib.pylab import *; import numpy as np; from matplotlib import pyplot as plt"  # what %pylab does
-PROMPT = re.compile(r"(?:>>>|\.\.\.)(?: |$)|In \[\d+\]: ?|\s*\.\.\.: ?")  # copied with what stood behind it
-LARGEST, LARGEST_WITH_OUTPUTS = 10 * 2**20, 100 * 2**20  # bytes, of a module, of a notebook that is read
-OUTPUTS = rb'"outputs"\s*:\s*(?=\[)|"attachments"\s*:\s*(?=\{)'  # what a cell has shown, pictures in its text
+PYLAB = "from matplotlib.pylab import *; import numpy as np; from matplotlib import pyplot as plt"  # for %pylab
+PROMPT = re.compile(r"(?:>>>|\.\.\.)(?: |$)|In \[\d+\]: ?|\s*\.\.\.: ?")  # pasted together with the code after it
+LARGEST, LARGEST_WITH_OUTPUTS = 10 * 2**20, 100 * 2**20  # bytes of a file, of a notebook with its outputs
+OUTPUTS = rb'"outputs"\s*:\s*(?=\[)|"attachments"\s*:\s*(?=\{)'  # outputs of a cell, pictures in its text
 TOKENS = re.compile(rb"(" + OUTPUTS + rb')|"[^"\\]*(?:\\.[^"\\]*)*"|([\[{])|[\]}]', re.DOTALL)
-MOST_TOKENS = 3_000_000  # of a notebook that is worth reading
-DECLARED = re.compile(rb"(?:.*\r?\n)?[ \t\f]*#.*coding[:=]")  # a line as PEP 263 has it
+MOST_TOKENS = 3_000_000  # read in a notebook; outputs beyond are kept
+DECLARED = re.compile(rb"(?:.*\r?\n)?[ \t\f]*#.*coding[:=]")  # an encoding, declared as in PEP 263
 Cells = list[tuple[int, str]]  # number, counted from 1 over all cells, and text
 
 
 def in_utf8(source: bytes) -> bytes:
-    """Return the source of a module or notebook.
+    """Return the source of a module or notebook in UTF-8.
 
-    What is not UTF-8 is read as UTF-16 if it begins as that does, and as Latin-1 if it does not say what it is.
+    Source that is not UTF-8 is read as UTF-16 if it begins with a byte order mark. Else it is returned unchanged if it
+    declares its encoding, and read as Latin-1 if it does not.
     """
     try:
         source.decode()
@@ -44,11 +45,11 @@ def in_utf8(source: bytes) -> bytes:
 
 
 def without_outputs(source: bytes) -> bytes:
-    """Return the notebook without what its cells have shown, and without pictures in their text; its code is untouched.
+    """Return the notebook with the same code, without its cells' outputs and the pictures in their text.
 
-    It is not parsed: of a hostile file no more is held than its bytes.
+    It is searched and not parsed, so that a hostile file needs no more memory than its bytes.
     """
-    parts, begin, depth, first = list[bytes](), 0, 0, 0  # first: where outputs begin that are being left out, or 0
+    parts, begin, depth, first = list[bytes](), 0, 0, 0  # first: start of the outputs being removed, or 0
     for token in itertools.islice(TOKENS.finditer(source), MOST_TOKENS):
         outputs, opening = token.groups()
         if outputs and not first:
@@ -64,7 +65,7 @@ def without_outputs(source: bytes) -> bytes:
 
 
 def code_cells(source: bytes) -> Cells:
-    """Return the code cells that are Python, in a notebook of format 4 or 3. ValueError if it is not a notebook."""
+    """Return the Python cells of a notebook in format 4 or 3. Raise ValueError if it is not a notebook."""
     try:
         book: Json = json.loads(in_utf8(source))
         cells = book["cells"] if "cells" in book else [c for sheet in book["worksheets"] for c in sheet["cells"]]
@@ -80,7 +81,7 @@ def _is_python(text: str) -> bool:
 
 
 def _cleaned(text: str) -> str:
-    """Without the indent of the first line, and without prompts if that has one."""
+    """Remove the first line's indentation from all lines, and prompts if the first line has one."""
     lines = text.split("\n")
     first = next(filter(str.strip, lines), "")
     indent = first[: len(first) - len(first.lstrip())]
@@ -91,7 +92,7 @@ def _cleaned(text: str) -> str:
 
 
 def text_of(source: bytes, suffix: str) -> str:
-    """Return the Python in a module or notebook; of a cell that does not compile nothing."""
+    """Return the Python source of a module or notebook, without cells that do not compile."""
     if suffix == ".py":
         source = in_utf8(source)
         return source.decode(tokenize.detect_encoding(io.BytesIO(source).readline)[0])
@@ -99,25 +100,25 @@ def text_of(source: bytes, suffix: str) -> str:
 
 
 def compiled(text: str, name: str) -> CodeType:
-    """Return the code of a cell. SyntaxError where it is not Python."""
+    """Compile a cell. Raise SyntaxError if it is not Python."""
     awaiting: int = ast.PyCF_ALLOW_TOP_LEVEL_AWAIT
     code: CodeType = compile(plain(text) or text, name, "exec", awaiting, dont_inherit=True)
     return code
 
 
 def run(code: CodeType, names: Json) -> None:
-    """Run what was compiled, and wait for what it awaits outside of functions."""
+    """Run a compiled cell to its end, with any `await` outside of functions."""
     awaited = eval(code, names)
     if code.co_flags & inspect.CO_COROUTINE:
-        import asyncio  # .05 s
+        import asyncio  # not at the top: it takes 0.05 s
 
         asyncio.run(awaited)
 
 
 def plain(text: str) -> str:
-    """Return a cell without the lines at which Python's syntax ends, a `% 3` in a sum stays.
+    """Return a cell without magics and shell commands; "" if the rest is not Python.
 
-    "" if no Python is left.
+    Only a line at which the parser fails is replaced, so that a line `% 3` in a sum stays.
     """
     lines = text.split("\n")
     while True:
@@ -129,15 +130,15 @@ def plain(text: str) -> str:
             magic = MAGIC.fullmatch(lines[at])
             if not magic:
                 return ""
-            while lines[at].endswith("\\") and at + 1 < len(lines) and not magic[3]:  # the line goes on
+            while lines[at].endswith("\\") and at + 1 < len(lines) and not magic[3]:  # continuation lines
                 lines[at], at = "", at + 1
             lines[at] = magic[1] + _python(magic)
-        except (ValueError, MemoryError, RecursionError):  # no text, or nested too deep
+        except (ValueError, MemoryError, RecursionError):  # a null byte, or nested too deeply
             return ""
 
 
 def _python(magic: re.Match[str]) -> str:
-    """Return what stands for a magic: what it times, a kernel that does nothing for what it would return."""
+    """Return the replacement for a magic: the code that it times, a dummy as its result, %pylab's imports, or pass."""
     _, timed_to, timed, returned_to = magic.groups()
     if timed:
         return f"{timed_to or ''}{timed}"
@@ -145,7 +146,7 @@ def _python(magic: re.Match[str]) -> str:
 
 
 class _Kernel:
-    """In place of a notebook's kernel: does nothing, whatever is asked of it."""
+    """Dummy for a notebook's kernel, whose attributes and calls do nothing."""
 
     def __getattr__(self, attribute: str) -> "_Kernel":
         return self
@@ -157,11 +158,11 @@ class _Kernel:
         return False
 
 
-# built in, in a notebook and what it exports
+# built-in names in a notebook and in a module exported from it
 KERNEL = {"display": lambda *shown, **how: None, "get_ipython": _Kernel()}
 COLAB = "google.colab"
 
 
 def kernel_module(name: str) -> object:
-    """Return what an import of a notebook's service gives: something that does nothing; None for any other module."""
+    """Return a dummy for a module that only a notebook service (Colab) has; None for any other module."""
     return KERNEL["get_ipython"] if name == COLAB or name.startswith(f"{COLAB}.") else None

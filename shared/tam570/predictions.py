@@ -1,4 +1,4 @@
-"""Predictions that a problem asks for before the picture: asked once, kept beside the work, shown with the picture."""
+"""Ask once for the predictions that a problem wants before its picture; store them, and show them with the picture."""
 
 import contextlib
 import sys
@@ -11,7 +11,7 @@ from tam570.course import folder
 
 
 def ask_for_predictions(work: Path, slug: str) -> list[str]:
-    """Ask on a terminal for what is not predicted yet; a sentence for each prediction that is kept in `work`."""
+    """Ask on a terminal for each prediction that is not yet in the folder `work`; return a sentence on each."""
     rubric = folder(slug) / "rubric.toml"
     parts = tomllib.loads(rubric.read_text(encoding="utf-8"))["parts"] if rubric.exists() else {}
     return [_prediction(work, letter, part["before"]) for letter, part in parts.items() if "before" in part]

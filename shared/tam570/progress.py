@@ -1,4 +1,4 @@
-"""How far a student has come: by the visible tests and in the hints, remembered from one command to the next."""
+"""A student's progress by the visible tests and in the hints, stored between commands."""
 
 import json
 import os
@@ -11,30 +11,31 @@ from tam570.releases import digest, record
 from tam570.values import Json
 
 PASSED, FAILED = "passed", "failed"
-PROGRESS, HINTS = "progress.json", "hints.json"  # the files in which it is kept
+PROGRESS, HINTS = "progress.json", "hints.json"  # files in the home folder
 ROW = re.compile(r"^\| `(\w+)\(.*?\| *([\d.]+) *\|", re.MULTILINE)
 TESTED = re.compile(r"^\| `(\w+)\(.*\| *(.+?) *\|$", re.MULTILINE)
-Progress = Json  # points, most, passed, tests, missing, next: plain data
+Progress = Json  # keys: points, most, passed, tests, missing, next
 
 
 def _home() -> Path:
-    """Return where things are remembered for a student."""
+    """Return the folder in which a student's progress is stored."""
     return Path(os.environ.get("TAM570_HOME") or os.path.expanduser("~/.tam570"))
 
 
 def progress(
     slug: str, outcomes: Mapping[str, str], used: Mapping[str, set[str]], causes: Mapping[str, str | None] | None = None
 ) -> Progress:
-    """Points by the visible tests, and the function to look at next.
+    """Return the points by the visible tests, and the function to work on next.
 
     outcomes : of each test
     used     : the functions that each test calls
-    causes   : the function that is at fault for certain, of tests that failed
+    causes   : of failed tests, the function that is certainly at fault
 
-    A test is a function's own if it calls none that stands below it in the README. A function has its points when all
-    of its own tests pass, or, if it has none, all that call it: to mend one function never takes points from another.
-    A failure for which another function is at fault for certain costs no function whose tests of it alone all pass.
-    Next is a function that a test finds wrong by itself, if there is one, or that alone is called in all failed tests.
+    A test judges the last function, in the README's order, that it calls. A function gets its points when all tests
+    that judge it pass, or, if there are none, all that call it: so fixing a function never takes points from another.
+    If another function is certainly at fault, a failure does not count against a function whose tests of it alone pass.
+    `next` is a function that fails a test of it alone, else the cause of the first failure, else the only function that
+    all failed tests call, else the first one without its points.
     """
     causes = causes or {}
     worth = {name: float(points) for name, points in ROW.findall(_readme(slug))}
@@ -67,7 +68,7 @@ def progress(
 
 
 def said(state: Progress) -> str:
-    """Return the progress in a line."""
+    """Return the progress as one line of text."""
     return (
         f"{state['passed']} of {state['tests']} tests pass; "
         f"{state['points']:g} of {state['most']:g} points by the visible tests"
@@ -75,35 +76,35 @@ def said(state: Progress) -> str:
 
 
 def remembered(file: Path) -> dict[str, tuple[str, str]]:
-    """Return what was remembered of the tests of a file: for each its key and its outcome."""
+    """Return the stored outcomes of a file's tests: for each test its key and its outcome."""
     outcomes = _read(PROGRESS).get(_name(file), {}).get("outcomes", {})
     return {test: (key, outcome) for test, (key, outcome) in outcomes.items()}
 
 
 def remember(file: Path, outcomes: Mapping[str, tuple[str, str]], state: Progress) -> None:
-    """Keep the outcomes and the progress."""
+    """Store the outcomes of a file's tests and the progress."""
     _keep(PROGRESS, _name(file), {"digest": digest(file), "outcomes": dict(outcomes), "progress": state})
 
 
 def recalled(file: Path) -> tuple[Progress, bool] | None:
-    """Return the progress with a file, and whether the file is as it was then; None if it was never checked."""
+    """Return the stored progress and whether the file is unchanged since; None if it was never checked."""
     then = _read(PROGRESS).get(_name(file))
     return (then["progress"], then["digest"] == digest(file)) if then else None
 
 
 def hints_given(slug: str, function: str) -> int:
-    """Return how many of the hints for a function were given."""
+    """Return how many hints for a function the student has seen."""
     count = _read(HINTS).get(f"{slug} {function}", 0)
     return count if isinstance(count, int) else 0
 
 
 def remember_hints(slug: str, function: str, count: int) -> bool:
-    """Keep how many of the hints for a function were given; whether that works."""
+    """Store how many hints for a function the student has seen; return whether that succeeded."""
     return _keep(HINTS, f"{slug} {function}", count)
 
 
 def rows(slug: str) -> dict[str, str]:
-    """Return what the hidden tests look at, for each function, as the README has it."""
+    """Return, for each function, what the hidden tests look at, from the README."""
     return dict(TESTED.findall(_readme(slug)))
 
 
@@ -120,7 +121,7 @@ def _read(name: str) -> Json:
 
 
 def _keep(name: str, key: str, value: object) -> bool:
-    """Remember this too; whether it can be kept."""
+    """Store a value under a key; return False if the file cannot be written."""
     data = _read(name) | {key: value}
     try:
         _home().mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,4 @@
-"""A student's copy of an assignment: how it is started, and how it follows a new kit without losing work."""
+"""A student's copy of an assignment: start it, and update it to a new kit without losing work."""
 
 import hashlib
 import json
@@ -16,17 +16,17 @@ RECORD = ".tam570.json"  # in the student's folder: the digest of each file as i
 
 @dataclass(frozen=True)
 class Copied:
-    """What became of the files of an assignment."""
+    """Files of an assignment that were copied, updated or kept in the folder `work`."""
 
     work: Path
     new: Sequence[str]
     refreshed: Sequence[str] = ()
-    differing: Sequence[str] = ()  # changed here, and not as this kit has them
-    signatures: Sequence[str] = ()  # of functions that this kit has otherwise than the student's file
+    differing: Sequence[str] = ()  # kept, and not as in this kit
+    signatures: Sequence[str] = ()  # in this kit, of functions with other parameters in the student's file
 
 
 def start(name: str, where: Path, *, notebook: bool = False) -> Copied:
-    """Copy an assignment to a folder of its name in `where`; what is there already stays as it is."""
+    """Copy an assignment into a folder of its name in `where`; keep the files that exist."""
     slug = folder(name, or_lecture=True).name
     work = where / slug
     work.mkdir(parents=True, exist_ok=True)
@@ -37,7 +37,7 @@ def start(name: str, where: Path, *, notebook: bool = False) -> Copied:
 
 
 def update(work: Path, slug: str) -> Copied:
-    """Bring the files that the student has not changed to this kit's; the others stay, and are named."""
+    """Replace the files that the student has not changed by this kit's; keep the others and list them."""
     copied, refreshed, new = record(work / RECORD), [], []
     notebook = (work / f"{slug}.ipynb").exists()
     for path in released(slug, notebook):
@@ -53,20 +53,20 @@ def update(work: Path, slug: str) -> Copied:
 
 
 def differing(work: Path, slug: str) -> list[str]:
-    """Return the files beside the student's own that are not as this kit has them."""
+    """Return the names of the files, other than the student's work, that differ from this kit's."""
     common = [path for path in released(slug, True) if path.stem != slug and (work / path.name).exists()]
     return [path.name for path in common if digest(work / path.name) != digest(path)]
 
 
 def released(slug: str, notebook: bool) -> list[Path]:
-    """Return the files of an assignment for a student; those of the notebook form only if it is asked for."""
+    """Return the files of an assignment that a student gets; with `notebook`, also those of the notebook form."""
     files = [path for path in folder(slug).iterdir() if path.is_file() and path.name not in KEPT_BACK]
     more = (folder(slug) / "notebook").glob("*.*") if notebook else []
     return sorted([*files, *more], key=lambda path: path.name)
 
 
 def _signatures(mine: Path, slug: str) -> list[str]:
-    """Return the functions as this kit asks for them, where the student's file has other parameters."""
+    """Return this kit's signatures of the functions that the student's file lacks or has with other parameters."""
     try:
         have = stubs(mine.read_bytes())
     except (OSError, SyntaxError, ValueError):
@@ -87,7 +87,7 @@ def _copy(path: Path, work: Path) -> None:
 
 
 def record(path: Path) -> Json:
-    """Return what was remembered in a file; nothing where it cannot be read."""
+    """Return the JSON object in a file; empty if the file cannot be read."""
     try:
         data = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -96,5 +96,5 @@ def record(path: Path) -> Json:
 
 
 def digest(path: Path) -> str:
-    """Return what tells the content of a file from any other."""
+    """Return the SHA-256 digest of a file, in hexadecimal."""
     return hashlib.sha256(path.read_bytes()).hexdigest()

@@ -1,4 +1,4 @@
-"""Which of a student's files a command means, wherever it is given: in the folder, above it, or by a path."""
+"""Find the student's files that a command means, from its argument and the current folder."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -10,11 +10,9 @@ Work = tuple[Path, str]  # a file and its assignment
 
 
 def chosen(what: str | None, assignment: str | None = None, or_lecture: bool = False) -> list[Work]:
-    """Return the files that a word on the command line stands for: a file, a folder, or an assignment.
+    """Return the files that a command's argument names: a file, a folder, or an assignment. None names all here.
 
-    All here if None.
-
-    Unknown where there are none; the message says what to do.
+    Raise Unknown if there are none; the message says what to do.
     """
     if what is None:
         return here() or _nothing("nothing is", "hw01")
@@ -35,15 +33,15 @@ def chosen(what: str | None, assignment: str | None = None, or_lecture: bool = F
 
 
 def single(what: str | None, assignment: str | None = None) -> Work:
-    """Return the only file that is meant. Unknown if there are several."""
-    matches = chosen(what, assignment, or_lecture=True)  # only `show` asks for one by name
+    """Return the only file that is named. Raise Unknown if there are none or several."""
+    matches = chosen(what, assignment, or_lecture=True)  # `show` also takes lectures
     if len(matches) > 1:
         raise Unknown(f"say which assignment: {', '.join(slug[:4] for _, slug in matches)}")
     return matches[0]
 
 
 def here() -> list[Work]:
-    """Return the work in the folder where the command is given, if it is that of an assignment; else all below it."""
+    """Return the work in the current folder or those above it, up to the course's; else all in assignments' folders."""
     for directory in _places():
         matches = [(file, slug) for slug in assignments() if (file := _beside(directory, slug))]
         if matches:
@@ -52,18 +50,18 @@ def here() -> list[Work]:
 
 
 def work_of(slug: str) -> Path | None:
-    """Return the student's file of an assignment: in a folder of its name here or above, or in this folder."""
+    """Return the student's file of an assignment, in a folder of its name or directly, here or above; None if none."""
     return next((file for directory in _places() if (file := _in(directory, slug))), None)
 
 
 def beside() -> Path:
-    """Return where another assignment belongs: this folder, or the one above the assignment's in which we are."""
+    """Return the folder for a new assignment: the current one or, in an assignment's folder, the parent of that."""
     assignments_above = [parent for parent in (Path.cwd(), *Path.cwd().parents) if parent.name in assignments()]
     return assignments_above[0].parent if assignments_above else Path()
 
 
 def _places() -> Iterator[Path]:
-    """Yield this folder, and those above as long as one of them is an assignment's."""
+    """Yield the current folder and, inside an assignment's folder, those above it, up to the parent of that folder."""
     yield Path()
     top = beside()
     if top != Path():
@@ -75,7 +73,7 @@ def _in(directory: Path, slug: str) -> Path | None:
 
 
 def _beside(directory: Path, slug: str) -> Path | None:
-    """Return the module in a folder; the notebook where there is no module, or nothing is written in it."""
+    """Return the module in a folder, or the notebook if there is no module or it is empty; None if there is neither."""
     module, notebook = directory / f"{slug}.py", directory / f"{slug}.ipynb"
     if module.is_file() and not (notebook.is_file() and _empty(module) and b"def " in notebook.read_bytes()):
         return module
