@@ -1,4 +1,4 @@
-"""The grading engine of tam570, and, for the checks files, all that hidden checks are written with."""
+"""The grading engine of tam570; also the names that hidden checks import."""
 
 import os
 from collections.abc import Iterable, Iterator
@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 if os.name != "posix":
     raise SystemExit("tam570-grader: error: the grader needs Linux or macOS; on Windows, use WSL")
-# before NumPy is there: a second thread for matrices this small costs more processor time than all the rest
+# must be set before NumPy is imported; for matrices this small, BLAS threads cost more CPU time than all else
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 if TYPE_CHECKING:
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 else:
 
     def __getattr__(name):
-        """Import what checks are written with when they need it: a command starts its sandbox before."""
+        """Import the vocabulary of checks at first use, so that a command can start its sandbox before."""
         from tam570_grader.checks import public
 
         return getattr(public, name)
@@ -29,19 +29,19 @@ def grade(submissions: "Iterable[str | Path]", config: "RunConfig | None" = None
     Parameters
     ----------
     submissions : paths
-        Modules, notebooks, their folders, or trees `<student>/<assignment>/`, as `tam570-grader grade` takes them.
+        Modules, notebooks, their folders, or trees `<student>/<assignment>/`, as for `tam570-grader grade`.
     config : RunConfig, optional
-        Course, seed, supervisors, limits. By default the installed course, a random seed, a supervisor a core.
+        Course, seed, processes, limits. By default the installed course, a random seed, one process per core.
 
     Yields
     ------
     Result
-        Of each submission, as soon as it is graded: student, assignment, status, score, checks.
+        Student, assignment, status, score and checks of each submission, as soon as it is graded.
 
     Raises
     ------
     UsageError
-        Where there is no submission at these paths, or no submission can be confined on this machine.
+        If there is no submission at these paths, or if this machine cannot confine submissions.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""`python -m tam570_grader` is the command `tam570-grader`."""
+"""Run the command `tam570-grader` for `python -m tam570_grader`."""
 
 import sys
 

@@ -1,4 +1,4 @@
-"""What ends a command or a submission, and what an instructor is told: no traceback, nothing that moves the cursor."""
+"""Exceptions that end a command or a submission, and output to the instructor without terminal control characters."""
 
 import errno
 import shutil
@@ -13,53 +13,53 @@ REMEDIES = {errno.ENOENT: "make its folder first", errno.ENOSPC: "make room on t
 
 
 class UsageError(Exception):
-    """Something that was asked for cannot be done; the message names the input and the remedy."""
+    """The command cannot do what the user requested; the message names the input and the remedy."""
 
 
 class Over(BaseException):
-    """Nothing more of this submission is graded on this worker, whatever errors of its code are borne with."""
+    """End of the grading of a submission; a BaseException, so that no `except Exception` catches it."""
 
 
 def printable(text: str) -> str:
-    """Return a text with what is no text escaped: what moves a terminal's cursor, and bytes that are not UTF-8."""
+    """Return a text with unprintable characters escaped: terminal control characters and undecodable bytes."""
     if text.isprintable():
         return text
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
 
 
 def warn(message: str, prefix: str = "warning: ") -> None:
-    """Tell the instructor a sentence; names of files and students in it may hold anything."""
+    """Print a sentence to stderr, with unprintable characters (in names of files and students) escaped."""
     print(f"tam570-grader: {prefix}{printable(message)}", file=sys.stderr)  # noqa: T201  names are escaped here
 
 
 def say(text: str, *, error: bool = False) -> None:
-    """Print lines; names and results in them may hold anything, and no line moves the cursor."""
+    """Print lines, with unprintable characters (in names and results) escaped."""
     print("\n".join(map(printable, text.split("\n"))), file=sys.stderr if error else sys.stdout, flush=True)
 
 
 def counted(n: int, word: str) -> str:
-    """So many of what a word names: 1 file, 2 files."""
+    """Return a number with its noun, in the plural except for 1: 1 file, 2 files."""
     return f"{n} {word}" if n == 1 else f"{n} {word}s"
 
 
 def progress(items: Iterable[T], total: int, unit: str) -> Iterator[T]:
-    """Yield the items, with a bar on a terminal after a second."""
+    """Yield the items; on a terminal, show a progress bar after one second."""
     if not sys.stderr.isatty():
         yield from items
         return
     from tqdm import tqdm
 
-    tqdm.monitor_interval = 0  # no thread: processes of ours are forked
+    tqdm.monitor_interval = 0  # disables tqdm's thread: workers are forked only from a single-threaded process
     yield from tqdm(items, total=total, unit=unit, leave=False, delay=1.0)
 
 
 @contextmanager
 def writing(path: Path) -> Iterator[None]:
-    """Raise UsageError for what cannot be written to a path that was asked for."""
+    """Raise UsageError, with a remedy, if the block cannot write to this path (which the user named)."""
     try:
         yield
     except OSError as error:
         many = isinstance(error, shutil.Error) and isinstance(error.args[0], list)
-        why = error.args[0][0][2] if many else error.strerror or error  # the first of many
+        why = error.args[0][0][2] if many else error.strerror or error  # the first error of shutil.copytree
         remedy = REMEDIES.get(error.errno or 0, "name another path")
         raise UsageError(f"cannot write to {path}: {why}; {remedy}") from None

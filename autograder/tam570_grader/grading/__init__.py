@@ -1,1 +1,1 @@
-"""From a folder of submissions to results."""
+"""Grade a folder of submissions into results."""

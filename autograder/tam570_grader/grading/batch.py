@@ -1,7 +1,7 @@
-"""A run of the grader: hands submissions to supervisors, and writes down what they give back.
+"""Run the grader: distribute submissions to supervisors and store their results.
 
-The head reads bytes, hands out and writes; whatever takes time is done by the supervisors. What is known already is
-not graded again.
+The coordinator only reads submissions, distributes tasks and writes results; the supervisors do the slow work.
+Submissions whose result is already stored are not graded again.
 """
 
 import functools
@@ -35,32 +35,32 @@ from tam570_grader.sandbox.zygote import ResourceLimits
 if TYPE_CHECKING:
     from tam570_grader.grading.cluster import Cluster
 
-FEW = 4  # submissions a process, for which to start one repays
+FEW = 4  # submissions per process; with fewer, starting another process takes longer than it saves
 
 
 @dataclass(frozen=True)
 class RunConfig:
-    """What is graded and how; by default nothing yet, by the installed course, with a seed that nobody can guess."""
+    """Configuration of a run; by default no submissions, the installed course and a random seed."""
 
     course: Path = field(default_factory=assignments.find)
     submissions: Sequence[Submission] = ()
     seed: int = field(default_factory=new_seed)
     jobs: int = field(default_factory=cores)
     limits: ResourceLimits = ResourceLimits()
-    hidden: Sequence[Path] = ()  # what no submission may see
-    speed: bool = False  # measure run time against error too
-    key: bytes | None = None  # varies the hidden inputs from student to student; `seed` is then not used
-    cluster: "Cluster | None" = None  # None: this machine
+    hidden: Sequence[Path] = ()  # folders that no submission may see, besides the course
+    speed: bool = False  # also measure run time against error
+    key: bytes | None = None  # if set, each student gets other hidden inputs, and `seed` is not used
+    cluster: "Cluster | None" = None  # None: grade on this machine
 
     def seed_of(self, submission: Submission) -> int:
-        """Return the seed of a submission's hidden inputs: the class's, else one that only the key tells."""
+        """Return the seed of a submission's hidden inputs: derived from the key if there is one, else the class's."""
         if self.key is None:
             return self.seed
         return derive(self.key, submission.student, submission.slug)
 
 
 def grade(paths: Iterable[str | Path], config: RunConfig) -> Iterator[Result]:
-    """Yield the results of what is at these paths: see `tam570_grader.grade`."""
+    """Yield the results of the submissions at these paths; see `tam570_grader.grade`."""
     places = [Path(path) for path in paths]
     everyone = submissions(places, assignments.slugs(config.course))
     hidden = [config.course, *config.hidden, *(folder.resolve() for folder in places)]
@@ -69,7 +69,7 @@ def grade(paths: Iterable[str | Path], config: RunConfig) -> Iterator[Result]:
 
 
 def records(config: RunConfig, store: ResultStore | None = None, old: Sequence[Results] = ()) -> Iterator[Record]:
-    """Yield the result lines, each as soon as it is in the store; what is there or in old ones is not graded again."""
+    """Yield the record of each submission as soon as it is stored; reuse scored records in `store` and `old`."""
     places = (*old, *([store] if store is not None else ()))
     cached = {line.digest: (results, key) for results in places for key, line in results.lines.items() if line.scored}
     code = _code_digests(config)
@@ -85,9 +85,9 @@ def records(config: RunConfig, store: ResultStore | None = None, old: Sequence[R
             continue
         users.update(imported(task.source.text if isinstance(task.source, Source) else b""))
         fresh.append(submission)
-    # a zygote's import of a package pays off from the second submission that uses it
+    # preloading a package in the zygote saves time only if at least two submissions import it
     preload = [name for name, count in users.items() if count > 1]
-    tasks = (_task(config, code, submission) for submission in fresh)  # read once more: a class may fill the memory
+    tasks = (_task(config, code, submission) for submission in fresh)  # read again: a class may not fit in memory
     slugs = sorted({submission.slug for submission in fresh if submission.path})
     for line in lines(config, tasks, len(fresh), slugs, preload):
         record = json.loads(line)
@@ -97,7 +97,7 @@ def records(config: RunConfig, store: ResultStore | None = None, old: Sequence[R
 
 
 def digests(config: RunConfig) -> Iterator[tuple[str, str, str]]:
-    """Student, assignment and digest of each submission: of all that its result depends on."""
+    """Yield student, assignment and digest of each submission; the digest covers all that its result depends on."""
     code = _code_digests(config)
     for submission in config.submissions:
         yield submission.student, submission.slug, _task(config, code, submission).digest
@@ -106,9 +106,9 @@ def digests(config: RunConfig) -> Iterator[tuple[str, str, str]]:
 def lines(
     config: RunConfig, tasks: Iterable[GradeTask], count: int, slugs: Sequence[str], preload: Sequence[str] = ()
 ) -> Iterator[bytes]:
-    """Yield the result lines of these tasks, as soon as each is there; an interrupt ends all supervisors.
+    """Yield the result line of each task as soon as it is graded; an interrupt ends all supervisors.
 
-    slugs : the assignments of those that can be read
+    slugs : assignments with at least one submitted file
     """
     jobs = max(1, min(config.jobs, count // FEW))
     with ExitStack() as stack:
@@ -119,8 +119,8 @@ def lines(
             executor = stack.enter_context(config.cluster.executor(config.course, slugs, config.jobs))
         else:
             executor = stack.enter_context(local_executor(jobs))
-        hidden = () if config.cluster else tuple(config.hidden)  # nothing of ours is there but the course
-        shared = None  # a folder for dear answers, where several processes of this machine need the same
+        hidden = () if config.cluster else tuple(config.hidden)  # a cluster worker has only the course, hidden anyway
+        shared = None  # folder in which processes of this machine share expensive expected results
         if config.key is None and jobs > 1 and (not config.cluster or config.cluster.is_local):
             folder = tempfile.TemporaryDirectory(prefix="tam570-", ignore_cleanup_errors=True)
             shared = Path(stack.enter_context(folder))
@@ -133,18 +133,18 @@ def lines(
 
 
 def _task(config: RunConfig, code: Callable[[str], bytes], submission: Submission) -> GradeTask:
-    """Return what a supervisor gets, with a digest of all that the result depends on."""
+    """Return a supervisor's task, with a digest of all that the result depends on."""
     source, seed = source_of(submission), config.seed_of(submission)
     text = source.text if isinstance(source, Source) else str(source).encode()
     form = type(source).__name__ + (".ipynb" if isinstance(source, Source) and source.notebook else "")
     words = form, submission.student, submission.slug, str(seed)
-    parts = *map(str.encode, words), text, code(submission.slug)  # with their lengths: no two lists are the same text
+    parts = *map(str.encode, words), text, code(submission.slug)  # hashed with their lengths, to keep them distinct
     digest = hashlib.sha256(b"".join(len(part).to_bytes(8) + part for part in parts)).hexdigest()
     return GradeTask(config.course, submission.student, submission.slug, seed, source, digest, submission.path is None)
 
 
 def _code_digests(config: RunConfig) -> Callable[[str], bytes]:
-    """Of the limits, of what keeps submissions apart, and of all code, by the name of the assignment."""
+    """Return a function from slug to a digest of the limits, isolation, platform, libraries and the grader's code."""
     kept_apart = config.cluster.isolation if config.cluster else isolation()
     names = config.limits, kept_apart, sys.version, platform.machine(), _installed(), config.speed
     engine = hashlib.sha256(repr(names).encode() + assignments.engine_digest()).digest()
@@ -152,5 +152,5 @@ def _code_digests(config: RunConfig) -> Callable[[str], bytes]:
 
 
 def _installed() -> list[str]:
-    """Names and versions of the libraries, by their folders: importlib.metadata takes longer."""
+    """Return names and versions of the installed libraries from their folders; faster than importlib.metadata."""
     return sorted(info.name for folder in sys.path if folder for info in Path(folder).glob("*-info"))

@@ -1,6 +1,6 @@
-"""What the grader itself may spend on one check: steps of hidden code, which are counted, and memory.
+"""Limits on what the grader itself spends on one check: counted steps of hidden code, and memory.
 
-A submission chooses what is compared. Where that takes too much, the check fails, and the next ones run.
+A submission determines what is compared. If the comparison takes too much, the check fails and the next ones run.
 """
 
 import resource
@@ -11,16 +11,16 @@ from contextlib import contextmanager, suppress
 from tam570.meter import limited
 from tam570_grader.protocol.jail import address_space
 
-STEPS = 20_000_000  # of a check, and of the search for what is wrong; an honest submission takes a hundredth
-MEMORY = 2**31  # bytes, besides what is there before; a reply of 64 MiB is held a few times
-LIMIT = threading.Lock()  # held by the thread that has set the process's limit of memory
+STEPS = 20_000_000  # per check, and again for its diagnosis; an honest submission needs a hundredth
+MEMORY = 2**31  # bytes beyond those in use before; several copies of a 64 MiB reply exist at a time
+LIMIT = threading.Lock()  # locked while the process's memory limit is lowered
 
 
 @contextmanager
 def budget(steps: int = STEPS, memory: int = MEMORY) -> Iterator[None]:
-    """Raise Exhausted in this block when it has spent so many steps, MemoryError when it needs more memory.
+    """Raise Exhausted in this block after this many steps, MemoryError if it needs more memory (in bytes).
 
-    The limit of memory is the process's: of blocks in several threads at a time, the first sets it.
+    The memory limit holds for the process: if blocks overlap in several threads, only the first sets it.
     """
     with limited(steps), _limited_memory(memory):
         yield
@@ -28,7 +28,7 @@ def budget(steps: int = STEPS, memory: int = MEMORY) -> Iterator[None]:
 
 @contextmanager
 def _limited_memory(memory: int) -> Iterator[None]:
-    """No more than so many bytes besides those that are there, where the system tells and keeps that."""
+    """Limit the memory that the block allocates, in bytes; no limit where the system cannot report or enforce it."""
     used = address_space()
     if not used or not LIMIT.acquire(blocking=False):
         yield

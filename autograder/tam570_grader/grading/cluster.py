@@ -1,7 +1,7 @@
-"""Submissions graded on other machines, by dask.distributed: the head hands out, Dask does all the rest.
+"""Grade submissions on other machines with dask.distributed.
 
-Workers need the installed package alone. The checks come to each when it joins, however late, and every submission
-comes as bytes with its task.
+Workers need only the installed package: each gets the checks when it joins the cluster, at any time, and each task
+contains the bytes of its submission.
 """
 
 import contextlib
@@ -20,13 +20,13 @@ from tam570_grader.errors import UsageError, say
 from tam570_grader.grading.executor import PREFETCH, TaskExecutor
 from tam570_grader.sandbox.launch import isolation
 
-Dask: TypeAlias = Any  # its client or security: it has no types
+Dask: TypeAlias = Any  # a Dask client or Security; distributed has no type annotations
 
-ASKED = 2.0  # s between looks at how many workers there are
-LEAST = 4  # tasks that are handed out, however few workers there are
-PATIENCE = 20  # s, for a scheduler to answer
-GOODBYE = 5  # s, for a scheduler to hear that we leave
-CERTIFICATES = ("certificate.pem", "key.pem")  # who holds the key may join the cluster, and nobody else
+ASKED = 2.0  # s between queries of the number of workers
+LEAST = 4  # chunks of tasks in flight, however few workers there are
+PATIENCE = 20  # s, timeout of the connection to a scheduler
+GOODBYE = 5  # s, timeout of closing it
+CERTIFICATES = ("certificate.pem", "key.pem")  # only a holder of the key can join the cluster
 MISSING = "--cluster needs dask.distributed: pip install 'tam570[cluster]'"
 UNSAFE = (
     "{address}: whoever reaches a scheduler without certificates can run code on it. Run "
@@ -37,7 +37,7 @@ UNSAFE = (
 
 @dataclass(frozen=True)
 class Cluster:
-    """Where the workers are."""
+    """Address of a Dask scheduler, and what is needed to use its workers."""
 
     address: str  # tls://HOST:PORT of a scheduler, or "local"
     certificates: Path | None = None
@@ -55,25 +55,25 @@ class Cluster:
 
     @property
     def isolation(self) -> str:
-        """How submissions are kept apart there, as far as it is known beforehand."""
+        """Expected isolation of submissions on the workers, as part of each result's digest."""
         return isolation() if self.unconfined else "bubblewrap"
 
     @contextlib.contextmanager
     def executor(self, course: Path, slugs: Sequence[str], jobs: int) -> Iterator[TaskExecutor]:
-        """Open the cluster's workers, each with these assignments."""
+        """Send these assignments to the workers and yield their executor; UsageError if a worker cannot grade."""
         from distributed.comm.core import CommClosedError
         from distributed.scheduler import KilledWorker
 
         from tam570_grader.grading.cluster_worker import CoursePlugin, course_for, refusal, there
 
         for name in ("distributed", "distributed.client", "tornado.application"):
-            logging.getLogger(name).setLevel(logging.CRITICAL)  # what matters comes as an exception
+            logging.getLogger(name).setLevel(logging.CRITICAL)  # errors that matter are also raised
         with contextlib.ExitStack() as stack:
             client = self._client(stack, jobs)
             stack.callback(_left, client)
             sent: CoursePlugin = course_for(course, slugs, self.unconfined)
             client.register_plugin(sent, name=sent.name)
-            refusals = client.run(refusal, sent.name)  # those that join later say so themselves
+            refusals = client.run(refusal, sent.name)  # for workers that join later, `there` raises
             if not refusals:
                 say(f"tam570-grader: no worker has joined {self.address} yet; waiting for one", error=True)
             for worker, why in refusals.items():
@@ -86,7 +86,7 @@ class Cluster:
                     (KilledWorker,),
                     lambda work: functools.partial(there, sent.name, work),
                 )
-            except (CancelledError, CommClosedError):  # a task's, or that of a question to the scheduler
+            except (CancelledError, CommClosedError):  # raised by a task, or by a query of the scheduler
                 raise ConnectionError(f"the scheduler at {self.address} was lost") from None
 
     def _client(self, stack: contextlib.ExitStack, jobs: int) -> Dask:
@@ -98,7 +98,7 @@ class Cluster:
                 threads_per_worker=1,
                 security=security,
                 protocol="tls://",
-                dashboard_address="127.0.0.1:0",  # any port: the usual one may be taken
+                dashboard_address="127.0.0.1:0",  # any free port
                 silence_logs=logging.CRITICAL,
             )
             return dask.Client(stack.enter_context(cluster), security=security, set_as_default=False)
@@ -113,13 +113,13 @@ class Cluster:
 
 
 def _left(client: Dask) -> None:
-    """Leave the scheduler, which may have been lost: what it had for us has come, or will be asked for again."""
+    """Close the client; ignore a timeout, as the scheduler may be lost."""
     with contextlib.suppress(TimeoutError):
         client.close(timeout=GOODBYE)
 
 
 def certificate_and_key(folder: Path) -> tuple[str, str]:
-    """Return the certificate and the key in a folder; UsageError if they are not there."""
+    """Return the paths of the certificate and the key in a folder; raise UsageError if one is missing."""
     paths = [folder / name for name in CERTIFICATES]
     if lacking := [path for path in paths if not path.is_file()]:
         raise UsageError(f"{lacking[0]} is not there; make it with: tam570-grader certificates {folder}")
@@ -127,7 +127,7 @@ def certificate_and_key(folder: Path) -> tuple[str, str]:
 
 
 def _prefetch(client: Dask) -> Callable[[], int]:
-    """Tasks to hand out, by the number of workers now."""
+    """Return a function that gives the number of chunks to keep in flight, from the current number of workers."""
     seen = {"at": float("-inf"), "most": 0}
 
     def prefetch() -> int:

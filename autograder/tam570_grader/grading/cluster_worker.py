@@ -1,4 +1,4 @@
-"""What runs in a worker of a cluster: it unpacks the head's checks, and refuses what it would grade otherwise."""
+"""Code that runs in a cluster's worker: unpack the coordinator's checks; refuse to grade if results could differ."""
 
 import functools
 import hashlib
@@ -17,12 +17,12 @@ from tam570_grader.errors import UsageError
 from tam570_grader.sandbox.launch import isolation
 from tam570_grader.sandbox.pool import sandboxes
 
-LIBRARIES = ("numpy", "scipy", "sympy", "matplotlib")  # scores may depend on them
-_courses = dict[str, "CoursePlugin"]()  # that this worker has, by name
+LIBRARIES = ("numpy", "scipy", "sympy", "matplotlib")  # scores may depend on their versions
+_courses = dict[str, "CoursePlugin"]()  # the courses on this worker, by name
 
 
 class CoursePlugin(WorkerPlugin):
-    """The part of a course that is graded, as every worker gets it when it joins."""
+    """The files of a course that grading needs; Dask sends them to every worker when it joins."""
 
     def __init__(self, files: Mapping[str, bytes], unconfined: bool) -> None:
         self.name = f"tam570-{hashlib.sha256(repr((sorted(files.items()), unconfined)).encode()).hexdigest()[:16]}"
@@ -46,7 +46,7 @@ class CoursePlugin(WorkerPlugin):
             pass
 
     def _refusal(self) -> str:
-        """Return why this worker would not grade as the head asks, and the remedy; "" if it would."""
+        """Return why this worker must not grade (other versions, no bubblewrap), with the remedy; "" if it may."""
         mine = _kind()
         other = [
             f"{what} {mine[what]}, not {coordinators}"
@@ -61,7 +61,7 @@ class CoursePlugin(WorkerPlugin):
 
 
 def course_for(root: Path, slugs: Sequence[str], unconfined: bool) -> CoursePlugin:
-    """Return the course of the head, with these assignments alone."""
+    """Return a plugin with the solutions and checks of these assignments, read from the course at `root`."""
     paths = [root / "solutions" / f"{slug}.py" for slug in slugs]
     for slug in slugs:
         paths += [path for path in assignments.checks_folder(root, slug).rglob("*") if path.is_file()]
@@ -70,12 +70,12 @@ def course_for(root: Path, slugs: Sequence[str], unconfined: bool) -> CoursePlug
 
 
 def refusal(name: str) -> str:
-    """Return why this worker will not grade for the head that sent this course."""
+    """Return why this worker refuses to grade this course, "" if it does not."""
     return _courses[name].refuses
 
 
 def there(name: str, work: Callable[[Any], Any], task: Any) -> Any:
-    """Do the work on a task of the head, by the course as it is on this worker."""
+    """Return work(task), with this worker's copy of the course; raise UsageError if this worker must not grade."""
     course = _courses[name]
     if course.refuses:
         raise UsageError(f"the worker on {platform.node()} cannot grade: {course.refuses}")
@@ -84,7 +84,7 @@ def there(name: str, work: Callable[[Any], Any], task: Any) -> Any:
 
 @functools.cache
 def _kind() -> dict[str, str]:
-    """Return what two machines must have in common to give the same scores."""
+    """Return what two machines must have in common to give the same scores: code, Python, architecture, libraries."""
     libraries = {name: importlib.metadata.version(name) for name in LIBRARIES}
     engine = assignments.engine_digest().hex()[:12]
     return {"grader": engine, "Python": platform.python_version(), "machine": platform.machine(), **libraries}

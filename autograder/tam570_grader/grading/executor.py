@@ -1,7 +1,7 @@
-"""Executors of the standard shape: in this process, or with a process for each job.
+"""Executors with the interface of concurrent.futures: in this process, or with several worker processes.
 
-A process of ours that dies costs its task a try, and nothing else: concurrent.futures gives up the whole pool then.
-Processes talk over a pair of sockets that nobody else can open. Each ends when its parent does, however that ended.
+If a worker process dies, only its task is retried, whereas ProcessPoolExecutor breaks the whole pool. Processes
+communicate over socket pairs that no other process can open. A worker ends when its parent does, for any reason.
 """
 
 import contextlib
@@ -27,36 +27,36 @@ from tam570_grader.errors import Over
 from tam570_grader.sandbox.launch import hide_from_submissions
 from tam570_grader.sandbox.pool import TRIES, sandboxes
 
-PREFETCH = 2  # bunches of tasks a job that are handed out: one is worked on, one waits
-CHUNK = 8  # tasks at most: to hand one out costs the head more than to read it
+PREFETCH = 2  # chunks in flight per job: one in work, one waiting
+CHUNK = 8  # most tasks per chunk; sending a task costs the coordinator more than reading its submission
 SERVE = "import sys; from tam570_grader.grading.executor import serve; serve(int(sys.argv[1]))"
-HEARD = 0.5  # s, in which an interrupt is heard
+HEARD = 0.5  # s, longest wait, so that an interrupt is handled soon
 T = TypeVar("T")
 Outcome = TypeVar("Outcome")
 
 
 def cores() -> int:
-    """Return the processors that this process may use."""
+    """Return the number of processors that this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 class WorkerLost(Exception):
-    """The process that worked on a task has died."""
+    """The process that was working on a task has died."""
 
 
 @dataclass(frozen=True)
 class TaskExecutor:
-    """Who does the work: an executor, and how to treat it."""
+    """An executor, and what `run_tasks` needs to know of it."""
 
     pool: Executor
-    prefetch: Callable[[], int]  # how many tasks may be handed out at a time
+    prefetch: Callable[[], int]  # how many chunks of tasks may be in flight
     lost: tuple[type[Exception], ...] = (WorkerLost,)  # raised for a task whose process has died
-    sent: Callable[[Function], Function] = lambda work: work  # what is submitted to have a work done
+    sent: Callable[[Function], Function] = lambda work: work  # from a function to the function that is submitted
 
 
 @contextlib.contextmanager
 def executor(jobs: int) -> Iterator[TaskExecutor]:
-    """So many processes of this machine; for a single job, this process."""
+    """Yield an executor with `jobs` worker processes on this machine; for one job, it runs in this process."""
     with _Processes(jobs) if jobs > 1 else _Here() as pool:
         yield TaskExecutor(pool, lambda: PREFETCH * jobs if jobs > 1 else 1)
 
@@ -64,10 +64,10 @@ def executor(jobs: int) -> Iterator[TaskExecutor]:
 def run_tasks(
     executor: TaskExecutor, work: Callable[[T], Outcome], tasks: Iterable[T], count: int = 0
 ) -> Iterator[tuple[int, T, Outcome | WorkerLost]]:
-    """Yield each task with its number and its outcome, as soon as that is there; those of a lost process are repeated.
+    """Yield (number, task, outcome) of each task as it is done; retry tasks whose process died, then yield WorkerLost.
 
-    tasks : read only when they can be handed out
-    count : how many there are, if known; many are handed out in bunches, which become smaller towards the end
+    tasks : an iterable, read only as fast as tasks can be submitted
+    count : how many there are, if known; tasks are then sent in chunks, which become smaller towards the end
     """
     remaining, waiting = enumerate(tasks), dict[Future[list[Outcome]], tuple[list[tuple[int, T]], int]]()
     sent, ended = partial(_each, executor.sent(work)), SimpleQueue[Future[list[Outcome]]]()
@@ -90,7 +90,7 @@ def run_tasks(
         try:
             outcomes: list[Outcome | WorkerLost] = [*future.result()]
         except executor.lost as lost:
-            if len(chunk) > 1:  # it shows which of them it was
+            if len(chunk) > 1:  # resubmit singly, to identify the task that kills its process
                 for item in chunk:
                     hand_out([item])
                 continue
@@ -103,7 +103,7 @@ def run_tasks(
 
 
 def _next(ended: SimpleQueue[Outcome]) -> Outcome:
-    """Return the next that ends. An interrupt that comes just before a wait is heard after it: no wait is long."""
+    """Return the next completed future. Wait in short intervals: a signal just before a wait is handled after it."""
     while True:
         with contextlib.suppress(Empty):
             return ended.get(timeout=HEARD)
@@ -114,12 +114,12 @@ def _each(work: Callable[[T], Outcome], tasks: Sequence[T]) -> list[Outcome]:
 
 
 def _together(remaining: int, prefetch: int) -> int:
-    """Return how many of the tasks that are left to hand out now: the processes shall end at the same time."""
+    """Return the size of the next chunk: smaller towards the end, so that all processes finish at the same time."""
     return max(1, min(CHUNK, remaining // (2 * prefetch))) if prefetch > 1 else 1
 
 
 def in_order(executor: TaskExecutor, work: Callable[[T], Outcome], tasks: Iterable[T]) -> Iterator[Outcome]:
-    """Yield what the work makes of each task, in the tasks' order; Lost where processes died."""
+    """Yield work(task) of each task, in the tasks' order; raise WorkerLost if a task's processes died."""
     early, due = dict[int, Outcome](), 0
     for number, _, outcome in run_tasks(executor, work, tasks):
         if isinstance(outcome, WorkerLost):
@@ -131,7 +131,7 @@ def in_order(executor: TaskExecutor, work: Callable[[T], Outcome], tasks: Iterab
 
 
 class _Here(Executor):
-    """Does a task at once, in this thread."""
+    """Executor that runs each task in the calling thread when it is submitted."""
 
     def submit(self, work: Function, /, *args: Any, **kwargs: Any) -> Future[Any]:
         future = Future[Any]()
@@ -147,7 +147,7 @@ class _Here(Executor):
 
 
 class _Processes(ThreadPoolExecutor):
-    """A thread for each process: it hands over a task and waits for the outcome."""
+    """Thread pool in which each thread drives one worker process."""
 
     def __init__(self, jobs: int) -> None:
         super().__init__(jobs)
@@ -155,7 +155,7 @@ class _Processes(ThreadPoolExecutor):
         self._all = list[_Process]()
 
     def submit(self, work: Function, /, *args: Any, **kwargs: Any) -> Future[Any]:
-        while len(self._all) < self._jobs:  # before there are threads
+        while len(self._all) < self._jobs:  # before the pool has threads, so that workers can be forked
             self._idle.put(self._start())
         return super().submit(self._done_there, (work, args, kwargs))
 
@@ -181,7 +181,7 @@ class _Processes(ThreadPoolExecutor):
         return outcome
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
-        """End the processes at once, whatever they do: who wants outcomes has waited for them."""
+        """Kill all worker processes. Callers that need results must wait for their futures first."""
         with self._lock:
             self._over = True
         for process in self._all:
@@ -194,12 +194,12 @@ class _Processes(ThreadPoolExecutor):
 
 
 def forks() -> bool:
-    """Return whether processes are forked from this one: on Linux, without other threads; macOS stands no fork."""
+    """Return whether workers are forked: only on Linux (fork is unsafe on macOS) and in a single-threaded process."""
     return sys.platform == "linux" and threading.active_count() == 1
 
 
 class _Process:
-    """A process of ours that does one thing at a time; a fork, where that is safe, has all that this one has loaded."""
+    """A worker process that runs one task at a time; if forked, it has the modules and caches of this process."""
 
     def __init__(self, others: "Sequence[_Process]") -> None:
         self._socket, child_end = socket.socketpair()
@@ -208,12 +208,12 @@ class _Process:
             self._popen = None if forks() else _spawn(child_end)
             self._id = self._popen.pid if self._popen else _fork()
             if self._id == 0:
-                for process in (self, *others):  # or none would notice that this end is closed
+                for process in (self, *others):  # an inherited parent's end would keep that worker from seeing EOF
                     process.hang_up()
                 _serve_forked(child_end)
 
     def done(self, order: Any) -> tuple[bool, Any]:
-        """Return whether it worked, and the outcome or the exception."""
+        """Run (function, args, kwargs) there; return (True, result) or (False, exception), or raise WorkerLost."""
         try:
             pickle.dump(order, self._file, pickle.HIGHEST_PROTOCOL)
             self._file.flush()
@@ -223,10 +223,10 @@ class _Process:
         return reply
 
     def kill(self) -> None:
-        os.kill(self._id, signal.SIGKILL)  # one that has ended waits for `close`
+        os.kill(self._id, signal.SIGKILL)  # a process that has ended keeps its id until `close` reaps it
 
     def hang_up(self) -> None:
-        with contextlib.suppress(OSError):  # what it has not taken is lost with it
+        with contextlib.suppress(OSError):  # the process may have died before it read the buffered bytes
             self._file.close()
         self._socket.close()
 
@@ -239,7 +239,7 @@ class _Process:
 
 
 def _fork() -> int:
-    """Fork. A signal that comes meanwhile is heard after it: Python drops what is raised in what it runs at a fork."""
+    """Fork with signals blocked: Python discards exceptions that signal handlers raise in its at-fork callbacks."""
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGTERM, signal.SIGHUP})
     try:
         return os.fork()
@@ -248,19 +248,19 @@ def _fork() -> int:
 
 
 def _spawn(line: socket.socket) -> subprocess.Popen[bytes]:
-    """Start a process that imports what it needs by itself."""
+    """Start a new Python interpreter that serves this socket."""
     return subprocess.Popen(
         [sys.executable, "-c", SERVE, str(line.fileno())],
         pass_fds=[line.fileno()],
         env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))},
         stdin=subprocess.DEVNULL,
         stdout=subprocess.DEVNULL,
-        start_new_session=True,  # Ctrl-C is the parent's to hear
+        start_new_session=True,  # only the parent gets Ctrl-C
     )
 
 
 def _serve_forked(line: socket.socket) -> None:
-    """Live as a process that was forked; never returns."""
+    """Run a forked worker process: detach it from the terminal, serve the socket, exit; never return."""
     try:
         os.setsid()
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
@@ -276,13 +276,13 @@ def _serve_forked(line: socket.socket) -> None:
 
 
 def serve(number: int) -> None:
-    """Live as a process: do what comes over the socket of this number, until the other end is closed."""
+    """Run a worker process: execute the calls that arrive on this socket's file descriptor until its peer closes."""
     hide_from_submissions()
     with socket.socket(fileno=number) as line, line.makefile("rwb") as file, sandboxes():
         threading.Thread(target=_end_with, args=[line.fileno()], daemon=True).start()
         with contextlib.suppress(EOFError, OSError):
             while True:
-                work, args, kwargs = pickle.load(file)  # of our parent: no student's bytes are ever unpickled
+                work, args, kwargs = pickle.load(file)  # only the parent writes here, never a submission
                 try:
                     reply = True, work(*args, **kwargs)
                 except (Exception, Over) as error:
@@ -292,8 +292,8 @@ def serve(number: int) -> None:
 
 
 def _end_with(line: int) -> None:
-    """End when the other end of the line is closed; the sandbox ends with its parent."""
+    """Kill this process when the peer of a socket closes; its sandboxes end with it."""
     watch = select.poll()
-    watch.register(line, 0)  # that it is closed is told unasked
+    watch.register(line, 0)  # POLLHUP is reported even for an empty event mask
     watch.poll()
     os.kill(os.getpid(), signal.SIGKILL)

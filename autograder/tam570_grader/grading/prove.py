@@ -1,4 +1,4 @@
-"""Tries the checks of a course's own before anybody is graded by them."""
+"""Test the checks that a course adds before they grade anybody."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -8,11 +8,11 @@ from tam570_grader.checks.assignments import ADDITIONS
 from tam570_grader.course.course_config import resource_limits
 from tam570_grader.errors import UsageError
 
-SEEDS = 3  # with which checks of a course's own are tried on the solution and the stub
+SEEDS = 3  # number of seeds with which the solution and the stub are graded
 
 
 def prove(root: Path, slugs: Sequence[str]) -> None:
-    """Grade solution and stub by the checks that a course adds; UsageError if the one fails or the other passes one."""
+    """Raise UsageError if the solution fails or the stub passes a check that the course added; record each success."""
     from tam570_grader.grading import supervisor
     from tam570_grader.grading.supervisor import GradeTask, WorkerConfig
     from tam570_grader.sandbox.student import Source

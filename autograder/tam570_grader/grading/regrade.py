@@ -1,4 +1,4 @@
-"""What a new run changes of an old one's scores, and because of which checks."""
+"""Compare the scores of a new run with an old one's, check by check."""
 
 from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -11,17 +11,17 @@ from tam570_grader.results.store import Key, Record, key_of
 
 @dataclass(frozen=True)
 class Change:
-    """A score that is another one now; None stands for no score, or no submission."""
+    """A changed score; None means no score or no submission."""
 
     student: str
     assignment: str
     old: float | None
     new: float | None
-    because: tuple[str, ...]  # a line for each check whose points differ
+    because: tuple[str, ...]  # one line for each difference: missing before, status, points of a check
 
 
 def change(old: Record | None, new: Record) -> Change | None:
-    """Return what became of a score; None if it is the same."""
+    """Return the change from an old record to the new one; None if the score is the same."""
     before = old["score"] if old else None
     if old and before == new["score"]:
         return None
@@ -30,7 +30,7 @@ def change(old: Record | None, new: Record) -> Change | None:
         if old["status"] != new["status"]:
             because.append(f"{old['status']} -> {new['status']}")
         was, now = ({check["name"]: check for check in record["checks"]} for record in (old, new))
-        because += [  # the checks whose points differ, those that are new or gone among them
+        because += [  # includes checks that exist in only one of the records
             f"{name}: {_shown(was.get(name))} -> {_shown(now.get(name))}"
             for name in {**was, **now}
             if _points(was.get(name)) != _points(now.get(name))
@@ -41,7 +41,7 @@ def change(old: Record | None, new: Record) -> Change | None:
 def gone(
     old: Mapping[Key, Record], submissions: Sequence[Submission], paths: Iterable[Path], slugs: Container[str]
 ) -> list[Change]:
-    """Return what was handed in and is no longer: by anybody if a path is a tree, else by those who are graded."""
+    """Return changes for old results without a submission now; of absent students only if a path is a whole class."""
     folders = {path.absolute() for path in paths}
     present = [submission for submission in submissions if submission.tree.parent in folders]
     is_tree = any(slug_of(submission.tree.name, [submission.slug]) is None for submission in present)
@@ -65,7 +65,7 @@ def _shown(check: Record | None) -> str:
 
 
 def table(changes: Iterable[Change], compared: int) -> str:
-    """Return the changes for a terminal, the largest first."""
+    """Return the changes as text, the largest first."""
     ordered = sorted(changes, key=lambda change: (-abs(_difference(change)), change.assignment, change.student))
     if not ordered:
         return f"no score changes ({compared} compared)"

@@ -1,7 +1,7 @@
-"""Who takes the course: tables of students that learning management systems export, or a plain list.
+"""Read rosters: tables of students exported from learning management systems, or plain lists.
 
-The layouts are those that the systems' own code writes: Canvas `lib/gradebook_exporter.rb`, Moodle
-`mod/assign/gradingtable.php` (the grading worksheet). Other headings are refused, not guessed.
+The headings are taken from the systems' source code: Canvas `lib/gradebook_exporter.rb`, Moodle
+`mod/assign/gradingtable.php` (the grading worksheet). Tables with unknown headings raise UsageError.
 """
 
 import unicodedata
@@ -14,8 +14,8 @@ from tam570_grader.errors import UsageError
 from tam570_grader.grading.submissions import folder_of
 from tam570_grader.results.tables import table
 
-# Headings that tell people apart, and what kind of id each holds. Folders are named after the first that a row has,
-# so the login comes first; the number of a participant is last, for it is another in every assignment.
+# Headings of columns with ids, and the kind of each id. A student's folder is named after the first id in the row, so
+# logins come first; Moodle's participant number comes last because it differs between assignments.
 IDS = {
     "sis login id": "login",
     "username": "login",
@@ -39,20 +39,20 @@ KINDS = tuple(dict.fromkeys(IDS.values()))
 NAMES = ("student", "full name", "name")
 PARTS = (("first name", "last name"), ("first name", "surname"), ("first_name", "last_name"), ("firstname", "lastname"))
 GROUPS = ("group", "group_name", "group name", "team")
-WHEN = "last modified (submission)"  # of Moodle's worksheet
-NOT_PEOPLE = "test student"  # Canvas makes this one to try things out
-PARTICIPANT = "Participant "  # before the number, in the column Identifier of Moodle's worksheet
+WHEN = "last modified (submission)"  # heading in Moodle's worksheet
+NOT_PEOPLE = "test student"  # name of the artificial student in Canvas's student view
+PARTICIPANT = "Participant "  # prefix of the number in the column Identifier of Moodle's worksheet
 
 
 @dataclass(frozen=True)
 class Person:
-    """One student: (kind, id) pairs, the one that names their folder first, and their row in the table."""
+    """A student: (kind, id) pairs, of which the first names the folder, and the student's row in the table."""
 
     keys: tuple[tuple[str, str], ...]
     name: str
-    row: Mapping[str, str]  # by the table's own headings
+    row: Mapping[str, str]  # cells by the table's headings
     group: str = ""
-    when: str = ""  # the time of the submission, as the table has it
+    when: str = ""  # time of the submission, as text from the table
 
     @property
     def ids(self) -> tuple[str, ...]:
@@ -64,7 +64,7 @@ class Person:
 
 
 def people(path: Path) -> list[Person]:
-    """Return the students in a table, or in a list of names; UsageError for a table whose headings are unknown."""
+    """Return the students in a table or in a list of logins; raise UsageError if no heading of a table is known."""
     rows = table(path)
     lower = [unicodedata.normalize("NFC", text).strip().lower() for text in rows[0]]
     headings = {*IDS, *NAMES, *(part for pair in PARTS for part in pair)}
@@ -82,12 +82,12 @@ def people(path: Path) -> list[Person]:
 
 
 def _person(row: Mapping[str, str], cells: Mapping[str, str]) -> Person:
-    """Return what a row tells, by its headings in small letters; a row without an id is not a student's."""
+    """Return the person in a row, without `keys` if it has no id; `cells` is `row` with headings in lower case."""
     name = next((cells[key].strip() for key in NAMES if cells.get(key, "").strip()), "")
     joined = (" ".join(cells[part].strip() for part in pair) for pair in PARTS if set(pair) <= cells.keys())
     name = name or next(joined, "").strip()
-    extra = [("login", "student")] if "student" in cells and "section" not in cells else []  # in Canvas's it is a name
-    if "github_username" in cells and "identifier" in cells:  # the roster of GitHub Classroom
+    extra = [("login", "student")] if "student" in cells and "section" not in cells else []  # in Canvas it is a name
+    if "github_username" in cells and "identifier" in cells:  # GitHub Classroom's roster
         extra.append(("login", "identifier"))
     columns = extra + [
         (id_kind, key) for key, id_kind in IDS.items() if key in cells and key not in {used for _, used in extra}
@@ -99,18 +99,18 @@ def _person(row: Mapping[str, str], cells: Mapping[str, str]) -> Person:
 
 
 def letters(name: str) -> str:
-    """Return the letters of a name, sorted, without accents: systems exchange its parts and drop signs."""
+    """Return the letters of a name, sorted and without accents, because systems reorder its parts and drop signs."""
     plain = unicodedata.normalize("NFKD", name.casefold())
     return "".join(sorted(filter(str.isalpha, plain)))
 
 
 def group_key(name: str) -> str:
-    """Return a group's name as systems write it into names of files, without blanks and signs."""
+    """Return the letters and digits of a group's name, as systems write it into names of files."""
     return "".join(filter(str.isalnum, unicodedata.normalize("NFKC", name.casefold())))
 
 
 class Directory:
-    """The people of a roster by their ids, each kind apart, and by their names."""
+    """The people of a roster, indexed by (kind, id) and by name."""
 
     def __init__(self, everyone: Iterable[Person]) -> None:
         self.people = list(everyone)
@@ -124,11 +124,11 @@ class Directory:
         self.kinds = {id_kind for id_kind, _ in self._by}
 
     def owner(self, keys: Iterable[tuple[str, str]], name: str, *, must_agree: bool) -> Person | str:
-        """Return whose ids these are; else a sentence on why they are nobody's, empty if they are on no row.
+        """Return the person with these (kind, id) pairs; else the reason why there is none, "" if no row has them.
 
-        A name counts only where the roster has no id of these kinds. An id of two people is nobody's.
+        The name is compared only if the roster has no id of these kinds. Ids that fit two people identify nobody.
 
-        must_agree : an id counts only if the name that comes with it is its owner's
+        must_agree : an id counts only if `name` is its owner's name
         """
         keys = list(keys)
         fits = list({id(person): person for key in keys for person in self.of(key)}.values())
@@ -145,12 +145,12 @@ class Directory:
         return namesakes[0] if len(namesakes) == 1 else ""
 
     def of(self, key: tuple[str, str]) -> list[Person]:
-        """Return everyone whom an id fits, whatever their names."""
+        """Return all persons with this (kind, id) pair."""
         return self._by.get((key[0], _plain(key[1])), [])
 
     @cached_property
     def by_folder(self) -> dict[str, Person]:
-        """The person of each name that a folder may have: a login goes before a number of somebody else."""
+        """Person by possible folder name; a login has precedence over a number, an ambiguous name has no person."""
         by_name: dict[str, Person | None] = {}
         for id_kind in KINDS:
             owners: dict[str, list[Person]] = {}
@@ -168,7 +168,7 @@ def _plain(value: str) -> str:
 
 
 def groups(path: Path, everyone: Directory) -> dict[str, list[Person]]:
-    """Read the members of each group, by `group_key`, from a table with a column of GROUPS and one of ids or names."""
+    """Return the members of each group by `group_key`, from a table with a column of GROUPS and one of ids or names."""
     members: dict[str, list[Person]] = {}
     for row in people(path):
         if row.group:
@@ -180,18 +180,18 @@ def groups(path: Path, everyone: Directory) -> dict[str, list[Person]]:
 
 
 def students(path: Path, folders: Collection[str] = ()) -> list[str]:
-    """Return the students on a roster, as their folders are named: by the id that is known, else by their login."""
+    """Return each student on a roster by folder name: one of `folders` if it is theirs, else from their first id."""
     everyone = Directory(people(path))
     here = {id(everyone.by_folder[name]): name for name in folders if name in everyone.by_folder}
     return [here.get(id(person), person.folder) for person in everyone.people]
 
 
 def folders(path: Path) -> set[str]:
-    """Return the names that the folders of the students on a roster may have."""
+    """Return all possible folder names of the students on a roster, one for each id."""
     return {folder_of(value) for person in people(path) for value in person.ids}
 
 
 def names(path: Path) -> dict[str, str]:
-    """Return the name of each student on a roster, by every name that their folder may have; a bare list has none."""
+    """Return the students' names by possible folder name; without students whose name is an id, as in a plain list."""
     owners = Directory(people(path)).by_folder
     return {folder: person.name for folder, person in owners.items() if person.name and person.name not in person.ids}

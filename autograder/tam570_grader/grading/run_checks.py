@@ -1,4 +1,4 @@
-"""Grades one submission: runs the checks of its assignment in order and makes the result."""
+"""Grade one submission: run the checks of its assignment in order and return the result."""
 
 import functools
 import re
@@ -41,23 +41,23 @@ from tam570_grader.sandbox.zygote import Zygote
 
 OUR_FAULT = "The grader failed here, not you; your teacher has been told."
 TOO_MUCH = "what it returns takes the grader too much {} to judge"
-FOLLOWING_SHARE = 2 / 3  # of the points, for what is right but for a mistake that was charged before
-UNFIT = TypeError, ValueError, LookupError, ArithmeticError, AttributeError  # other arguments, or numbers of results
+FOLLOWING_SHARE = 2 / 3  # of the points, if the only fault is a mistake that an earlier check already charged
+UNFIT = TypeError, ValueError, LookupError, ArithmeticError, AttributeError  # two functions differ in their signatures
 HELPER = re.compile(r"\bdef (\w+)\(")
-MOST_HELPERS, MOST_ASKED, MOST_BESIDE = 30, 4, 8  # helpers of a file, calls of a check, right ones of checks before
+MOST_HELPERS, MOST_ASKED, MOST_BESIDE = 30, 4, 8  # helpers of a file, calls compared, passing calls added to a search
 Recorder = Callable[[str, float], None]
 Unnamed = tuple[Check, Failed, tuple[Call, ...]]
 
 
 @dataclass(frozen=True)
 class CheckOptions:
-    """What is asked of the checks; what judges the grader asks for less than a student is told.
+    """Options of a run of the checks; audits of the grader switch parts of it off.
 
-    enough    : failed checks after which the rest is not run
-    recorder  : told the check and every error over its limit; no comparison fails then
-    naming    : look for the mistake behind each failed check
-    speed     : measure the speed of the simulation too, when all is graded
-    attempt   : which try of the submission it is
+    enough    : number of failed checks after which the rest are not run; None: run all
+    recorder  : called with the name of the check and each error divided by its limit; then no comparison fails
+    naming    : diagnose each failed check
+    speed     : also measure the run time of the simulation, after the checks
+    attempt   : which try of the submission this is
     """
 
     enough: int | None = None
@@ -69,7 +69,7 @@ class CheckOptions:
 
 @dataclass(frozen=True)
 class _Run:
-    """The checks of an assignment on one submission, as they are run: what came of them, mistakes named and unnamed."""
+    """State of grading one submission: results and causes by check, and failures without a cause."""
 
     student: Student
     assignment: LoadedAssignment
@@ -78,10 +78,10 @@ class _Run:
     results: dict[str, CheckResult] = field(default_factory=dict)
     causes: dict[str, Cause] = field(default_factory=dict)
     unnamed: list[Unnamed] = field(default_factory=list)
-    passing: list[Call] = field(default_factory=list)  # of checks that passed
+    passing: list[Call] = field(default_factory=list)  # calls of checks that passed
 
     def perform(self, check: Check, recorder: Callable[[float], None] | None = None) -> None:
-        """Run a check; the student's calls are then its own."""
+        """Run a check; `student.calls` then contains only this check's calls."""
         self.student.calls.clear()
         wrong_before = not all(self.results[other.name].unlocks_dependents for other in check.after)
         context = check_context(recorder=recorder, aside=self.student.aside, wrong_before=wrong_before)
@@ -124,7 +124,7 @@ def graded(
 
 @dataclass(frozen=True)
 class _NoStudent:
-    """In the place of a student: of a function a comparison asks these two alone."""
+    """Stand-in for a student in `rehearse`: its functions have only `name` and `returns`, which comparisons read."""
 
     assignment: LoadedAssignment
 
@@ -133,10 +133,10 @@ class _NoStudent:
 
 
 def rehearse(assignment: LoadedAssignment, seed: int) -> None:
-    """Draw the inputs of all checks and compute what is right there: this process knows it from then on.
+    """Run all checks without a submission, so that this process caches their expected results.
 
-    A check that asks a student for more than results to compare ends there. What goes wrong here will go wrong, and
-    be told, where a submission is graded.
+    A check that needs more of a student than results to compare ends early. Errors are ignored here: they recur, and
+    are reported, when a submission is graded.
     """
     with np.errstate(all="ignore"):
         for check in assignment.checks:
@@ -145,25 +145,25 @@ def rehearse(assignment: LoadedAssignment, seed: int) -> None:
 
 
 def not_graded(name: str, assignment: LoadedAssignment, status: str, message: str, seed: int) -> Result:
-    """Return the result of a submission that is missing or cannot be read: score 0, no check run."""
+    """Return the result of a missing or unreadable submission: score 0, no check run."""
     check_results = tuple(_not_run(check, message) for check in assignment.checks)
     return _result(name, assignment, status, message, seed, check_results)
 
 
 def failed_by_us(name: str, assignment: LoadedAssignment, error: str, seed: int) -> Result:
-    """Return the result where the grader could not do its work: no score."""
+    """Return the result if the grader failed: no score."""
     check_results = tuple(_grader_error(check, error) for check in assignment.checks)
     return _result(name, assignment, "graded", OUR_FAULT, seed, check_results)
 
 
 def generator(seed: int, slug: str, check: Check) -> np.random.Generator:
-    """Return what draws the hidden inputs of a check."""
+    """Return the random generator of a check's hidden inputs."""
     return np.random.Generator(np.random.PCG64(_seeds(seed, slug, check.name)))
 
 
 @functools.lru_cache(maxsize=1024)
 def _seeds(seed: int, slug: str, name: str) -> np.random.SeedSequence:
-    """Return what a generator starts from, which takes longer to make than the generator: the same for a class."""
+    """Return the seed sequence of a check's generator; cached because it takes longer to make than the generator."""
     return np.random.SeedSequence(derive(seed, slug, name))
 
 
@@ -182,7 +182,7 @@ def _result(
 
 
 def _check_result(run: _Run, check: Check) -> CheckResult:
-    """Run one check, unless one that it builds on is wrong or missing."""
+    """Run one check and diagnose its failure; do not run it if a prerequisite is wrong or missing."""
     for other in check.after:
         before = run.results[other.name]
         if not (before.unlocks_dependents or (check.refusals and before.has_numbers)):
@@ -216,7 +216,7 @@ def _check_result(run: _Run, check: Check) -> CheckResult:
 
 
 def _cause(run: _Run, check: Check, failed: Failed) -> tuple[Cause | None, str]:
-    """Return the mistake that explains the calls of a failed check, and what went wrong on our side in the search."""
+    """Return the mistake that explains a failed check's calls, or None, and the grader's error in the search, or ""."""
     earlier, assignment = _earlier(run.causes), run.assignment
     try:
         with budget():
@@ -244,12 +244,12 @@ def _cause(run: _Run, check: Check, failed: Failed) -> tuple[Cause | None, str]:
             return cause, ""
     except (Exhausted, MemoryError):
         return None, ""
-    except Exception as error:  # a mistake without a name is no reason to lose a grade
+    except Exception as error:  # a fault of the diagnosis must not cost the student the score
         return None, repr(error)[:LONGEST_FAULT]
 
 
 def _own_source(run: _Run, failed: Failed) -> Cause | None:
-    """Return the student's own wrong function from which the result follows, as the check found or a solution shows."""
+    """Return a cause that names the student's wrong function behind this failure, as the check or a solution shows."""
     calls, assignment = run.student.calls, run.assignment
     if source := failed.failure.follows_from or _repeats_rule(run, failed.failure):
         return Cause(failed.failure.function, "", "own", follows_from=source)
@@ -263,42 +263,42 @@ def _own_source(run: _Run, failed: Failed) -> Cause | None:
 
 
 def _repeats_rule(run: _Run, failure: Failure) -> str:
-    """Return the function if the rows of its motions were wrong in the same way before; else nothing."""
+    """Return the function if an earlier check failed with the same hint on the rows of its motions, else ""."""
     before = [result.failure for result in run.results.values() if result.failure]
     is_repeated = any((other.function, other.hint) == (failure.function, failure.hint) for other in before)
     return failure.function if is_repeated and failure.hint in OF_ROWS else ""
 
 
 def _is_consequence(run: _Run, wrong: str, calls: Sequence[Call]) -> bool:
-    """Return whether calls follow from a wrong function, as some solution uses it."""
+    """Return whether a solution that calls `wrong`, with the student's functions in place, reproduces all calls."""
     name, assignment = calls[0].name, run.assignment
     causes = [cause for cause in run.causes.values() if not cause.follows_from]
     zeros = {cause.function for cause in causes if cause.source == "result" and not cause.answers}
-    zeros -= {cause.function for cause in causes if cause.answers}  # these are zero in special cases alone
+    zeros -= {cause.function for cause in causes if cause.answers}  # these return zeros only in special cases
     if any(is_motion(call) for call in calls):
         return False
     for text in assignment.solutions:
         used = (names_reached(text, name) & assignment.results.keys()) - {name}
         if wrong not in used or used & zeros:
             continue
-        module = solution_with.__wrapped__(text, "")  # its own
+        module = solution_with.__wrapped__(text, "")  # not the cached module: its functions are replaced
         for function in used:
             setattr(module, function, partial(_asked, getattr(run.student, function)))
         try:
             with budget():
                 if explains(assignment.solution, partial(computed, module), calls):
                     return True
-        except Exception:  # whatever a wrong function returns in the place of a right one
+        except Exception:  # a solution may raise anything when a function that it calls is wrong
             continue
     return False
 
 
 def _shared_helper(run: _Run, cause: Cause | None, failed: Failed) -> Cause | None:
-    """Return an earlier wrong function whose mistake this one shares: one calls the other, or both a helper.
+    """Return a cause that names an earlier wrong function with the same mistake, else None.
 
-    Either both were told the same, or they return one wrong number where the right numbers are one, or this follows
-    from the other as a solution uses it where a call is forbidden, or both have the numbers of one mistake in what they
-    share in a solution.
+    One of the two must call the other, or both the same helper. In addition, both got the same message, or they return
+    the same wrong number where the right numbers are equal, or a solution that uses the other function (although the
+    student may not call it) reproduces these results, or one mutant of code that a solution shares explains both.
     """
     student, results, calls = run.student, run.assignment.results, run.student.calls
     name = calls[0].name if calls else ""
@@ -306,7 +306,7 @@ def _shared_helper(run: _Run, cause: Cause | None, failed: Failed) -> Cause | No
         return None
     case = failed.failure.at if isinstance(failed.failure.at, Case) else calls[0].case
     helpers = [helper for helper in dict.fromkeys(HELPER.findall(student.text)) if helper not in results][:MOST_HELPERS]
-    failures: dict[str, Failure] = {}  # the first of each function
+    failures: dict[str, Failure] = {}  # first failure of each function
     for before in run.results.values():
         if _has_failed(before) and before.failure:
             failures.setdefault(before.failure.function, before.failure)
@@ -333,7 +333,7 @@ def _shared_helper(run: _Run, cause: Cause | None, failed: Failed) -> Cause | No
 
 
 def _same_number(run: _Run, other: str, calls: Sequence[Call]) -> bool:
-    """Return whether each wrong result is another function's wrong one, where the right ones are the same."""
+    """Return whether each wrong result equals a wrong result of function `other` whose right value is the same, too."""
     wrong, solution = 0, run.assignment.solution
     for call in calls[:MOST_ASKED]:
         other_result = getattr(run.student, other).aside(call.case)
@@ -348,7 +348,7 @@ def _same_number(run: _Run, other: str, calls: Sequence[Call]) -> bool:
 
 
 def _same_mutant(run: _Run, before: Call, calls: Sequence[Call]) -> bool:
-    """Return whether one mistake in what two functions share in a solution explains calls of both."""
+    """Return whether one mutant of code that two functions share in a solution explains calls of both."""
     name, solution = calls[0].name, run.assignment.solution
     for text in run.assignment.solutions if not any(is_motion(call) for call in calls) else ():
         if answers := shared_mutants(text, name, before.name, calls):
@@ -359,14 +359,14 @@ def _same_mutant(run: _Run, before: Call, calls: Sequence[Call]) -> bool:
 
 
 def _parts_like(result: Numbers, answer: Numbers) -> list[Numbers]:
-    """Return the parts of an answer; where the result is an array, its numbers may be a tuple."""
+    """Return the parts of an answer, as one array if the result is not a tuple (the answer may be one)."""
     return parts(answer) if isinstance(result, tuple) else [np.asarray(answer, float)]
 
 
 def _asked(function: StudentFunction, *args: Numbers, **kwargs: Numbers) -> Numbers:
     try:
         return function.aside(Case(*args, **kwargs))
-    except Failed as failed:  # of no value another function makes none
+    except Failed as failed:  # `computed` turns ValueError into "no value"
         raise ValueError(str(failed)) from failed
 
 
@@ -375,19 +375,19 @@ def _has_failed(result: CheckResult | None) -> bool:
 
 
 def _passed_so_far(run: _Run) -> set[str]:
-    """Return the functions that passed each of their checks so far."""
+    """Return the functions that have passed all their checks so far."""
     checks = [check for check in run.assignment.checks if check.name in run.results]
     wrong = {check.function for check in checks if run.results[check.name].outcome != "passed"}
     return {check.function for check in checks} - wrong
 
 
 def _earlier(causes: Mapping[str, Cause]) -> list[Cause]:
-    """Return the causes from which something may follow, or that may be repeated, by the functions named first."""
+    """Return the causes from which later failures may follow, each with the function that has the mistake."""
     return [replace(cause, function=cause.follows_from or cause.function) for cause in causes.values() if cause.answers]
 
 
 def _is_told_before(run: _Run, check: Check, cause: Cause) -> bool:
-    """Tell a mistake where the function failed first, if it explains that too; return whether it does."""
+    """Report the cause at an undiagnosed earlier failure of this function if it explains that; return whether."""
     for before, failed, calls in run.unnamed:
         if before.function == check.function and follows(run.assignment.solution, calls, [cause]):
             _tell(run, (before, failed, calls), cause)
@@ -396,7 +396,7 @@ def _is_told_before(run: _Run, check: Check, cause: Cause) -> bool:
 
 
 def _tell_what_followed(run: _Run, check: Check) -> None:
-    """Tell failures without a name that follow from this function, whose check comes after theirs."""
+    """Report the cause of earlier undiagnosed failures that follow from this check's function."""
     for before, failed, calls in [*run.unnamed]:
         allowed = {before.function, *run.assignment.forbidden.get(before.function, ())}.isdisjoint([check.function])
         is_alone = {call.name for call in calls} == {before.function}
@@ -405,7 +405,7 @@ def _tell_what_followed(run: _Run, check: Check) -> None:
 
 
 def _tell(run: _Run, unnamed: Unnamed, cause: Cause) -> None:
-    """Tell the cause of a failure that had no name."""
+    """Replace the result of an undiagnosed failure by one with this cause."""
     check, failed, _ = unnamed
     run.unnamed.remove(unnamed)
     run.causes[check.name] = cause
@@ -413,11 +413,11 @@ def _tell(run: _Run, unnamed: Unnamed, cause: Cause) -> None:
 
 
 def _following(run: _Run, check: Check, earlier: Sequence[Cause]) -> Cause | None:
-    """Return the earlier mistake, if there is one, that explains every call of the check when it is run to its end."""
+    """Run a failed check to its end; return the earlier cause that explains all its calls, else None."""
     with run.student.aside():
         try:
             run.perform(check, recorder=lambda error: None)
-        except Exception:  # to its end it goes on from numbers with which it would have failed: rows of zeros
+        except Exception:  # past its failure, the check computes with wrong numbers, such as rows of zeros
             return None
         if any(_is_drawn(run.assignment, call) for call in run.student.calls):
             return None
@@ -425,13 +425,13 @@ def _following(run: _Run, check: Check, earlier: Sequence[Cause]) -> Cause | Non
 
 
 def _judge_consequences(run: _Run) -> None:
-    """Judge checks not run for a named mistake: full points if they pass with it, a share if they follow."""
+    """Run the checks that a diagnosed mistake blocked: full points if they pass, a share if they fail only by it."""
     for check in run.assignment.checks if run.causes else ():
         before = {other.name: run.results[other.name] for other in check.after}
         ready = all(result.unlocks_dependents or name in run.causes for name, result in before.items())
         if run.results[check.name].outcome == "not_run" and ready and not run.results[check.name].unwritten:
             causes = [run.causes[name] for name in before if name in run.causes]
-            causes = [cause for cause in causes if cause.follows_from != cause.function]  # it repeats what has a name
+            causes = [cause for cause in causes if cause.follows_from != cause.function]  # the others repeat a cause
             unclear = [cause for cause in causes if not cause.answers and cause.source in ("own", "result")]
             try:
                 with run.student.aside():
@@ -442,14 +442,14 @@ def _judge_consequences(run: _Run) -> None:
 
 
 def _consequence(run: _Run, check: Check, unclear: Container[str]) -> CheckResult | None:
-    """Return the result of a check that builds on wrong functions; None where it fails by itself.
+    """Return the result of a check that depends on wrong functions; None if it fails for a reason of its own.
 
-    It may pass by chance where all that it calls is unclear: wrong throughout, as zeros are.
+    unclear : functions that are wrong throughout, such as zeros; a check that calls only these may pass by chance
     """
     try:
         run.perform(check)
     except Failed as failed:
-        function = failed.failure.function  # one that hung before is not called again
+        function = failed.failure.function  # if it hung before, it is not called again
         hung = (cause for cause in run.causes.values() if cause.function == function in run.student.broken)
         following = _following(run, check, _earlier(run.causes)) or next(hung, None)
         cause = following or _own_source(run, failed) or _shared_helper(run, None, failed)
@@ -457,14 +457,14 @@ def _consequence(run: _Run, check: Check, unclear: Container[str]) -> CheckResul
             return None
         run.causes[check.name] = cause
         return _failed(check, failed, cause)
-    except Exception:  # it was not run before, and is not now
+    except Exception:  # the check stays "not run"
         return None
     function_names = {call.name for call in run.student.calls} or {check.function}
     return _passed(check) if any(name not in unclear for name in function_names) else None
 
 
 def _is_drawn(assignment: LoadedAssignment, call: Call) -> bool:
-    """Return whether a call gives a free body diagram: it has no numbers to compare."""
+    """Return whether a call returns a free body diagram, which has no numbers to compare."""
     return isinstance(assignment.results[call.name], FreeBodyDiagram)
 
 

@@ -1,4 +1,4 @@
-"""What the hidden inputs of a run are drawn from: a seed for the whole class, or a key that varies it by student."""
+"""Seeds of the hidden inputs: one for the whole class, or derived from a key for each student."""
 
 import hmac
 import os
@@ -9,13 +9,13 @@ from pathlib import Path
 from tam570_grader.errors import UsageError, warn, writing
 from tam570_grader.results.store import Results, common_seed
 
-BITS = 128  # of a seed: what pages tell of the inputs is far too little to find it by trying
+BITS = 128  # per seed: too many to find a seed by trial from the inputs that feedback pages show
 SHORTEST_KEY = 16  # bytes
-OTHERS = 0o077  # of a file's mode: what others may do with it
+OTHERS = 0o077  # permission bits of the group and of others
 
 
 def seed(chosen: int | None, earlier: Sequence[Results], key: bytes | None) -> int:
-    """Return the seed asked for, else that of the results that are there, else any."""
+    """Return the chosen seed, else that of the earlier results, else a new one; 0 if only a key is given."""
     if key is not None or chosen is not None:
         return chosen or 0
     shared = common_seed(line.seed for results in earlier for line in results.lines.values())
@@ -23,19 +23,19 @@ def seed(chosen: int | None, earlier: Sequence[Results], key: bytes | None) -> i
 
 
 def new_seed() -> int:
-    """Return a seed that nobody can guess."""
+    """Return a random seed that nobody can guess."""
     return secrets.randbits(BITS)
 
 
 def derive(secret: int | bytes, *names: str) -> int:
-    """Return the seed of what is named, which tells nothing of the secret or of others: HMAC-SHA256 (RFC 2104), cut."""
+    """Return the HMAC-SHA256 (RFC 2104) of the names, cut to BITS: it reveals neither the secret nor other seeds."""
     if isinstance(secret, int):
         secret = secret.to_bytes(max(BITS, secret.bit_length()) // 8 + 1)
     return int.from_bytes(hmac.digest(secret, "\n".join(names).encode(), "sha256")[: BITS // 8])
 
 
 def key(path: Path, needed: bool) -> bytes:
-    """Return the key in the file; a new one if there is no file and nothing was graded with it yet."""
+    """Return the key in a file; if there is none, write a new key, or raise UsageError if earlier results needed it."""
     if not path.exists():
         if needed:
             raise UsageError(

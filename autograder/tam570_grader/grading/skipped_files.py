@@ -1,4 +1,4 @@
-"""Nobody vanishes: what lies in a class's folder and is not graded is named, and who handed in nothing gets a row."""
+"""List files in a class's folder that are not graded, and add a row for each student who handed in nothing."""
 
 import os
 from collections.abc import Collection, Iterable, Iterator, Sequence
@@ -11,16 +11,16 @@ from tam570_grader.grading import roster
 from tam570_grader.grading.submissions import GIVEN, MOST_NAMES, BadPath, Submission, entries, holds_students, of_name
 from tam570_grader.results.collected import MINOR, TABLE, form, listed
 
-PACKED = (".zip", ".txt", ".gz", ".7z", ".rar", ".tar")  # forms in which work is handed in by mistake
+PACKED = (".zip", ".txt", ".gz", ".7z", ".rar", ".tar")  # endings of files that students hand in by mistake
 REMEDY = "name it after its assignment, as hw08.py, or name the assignment with --assignment"
 
 
 def skipped_files(
     paths: Iterable[Path], work: Sequence[Submission], slugs: Sequence[str], students: Collection[str] = ()
 ) -> Iterator[str]:
-    """Yield a sentence for everything at these paths that no submission accounts for; it names the remedy.
+    """Yield a sentence with the remedy for each file or folder at these paths that belongs to no submission.
 
-    students : names of folders that are students', by a roster
+    students : names of students' folders, from a roster
     """
     trees, graded = {submission.tree for submission in work}, {submission.path for submission in work}
     for folder in paths:
@@ -34,7 +34,7 @@ def skipped_files(
             elif entry not in trees and entry not in graded and (is_students or not _names_another(entry, slugs)):
                 yield f"{_shown(entry)}{_holding(entry)} is not graded: no name in it tells the assignment; {REMEDY}"
         yield from _not_collected(folder.absolute().parent / TABLE, {submission.key for submission in work})
-    for submission in work:  # what is named after the assignment, too, in the form of the file that counts
+    for submission in work:  # other files named after the assignment, with the same ending as the graded file
         path, student = submission.path, submission.student
         if path is None or not submission.tree.is_dir():
             continue
@@ -46,17 +46,17 @@ def skipped_files(
 
 
 def _not_collected(path: Path, graded: set[tuple[str, str]]) -> Iterator[str]:
-    """Yield what `collect` could not place, of whoever has no other work on the assignment."""
+    """Yield a sentence for each file that `collect` could not place, if its student has no other work to grade."""
     for row in listed(path) if path.is_file() else ():
         if not row["file"] and row["note"] not in MINOR and (row["student"], row["assignment"]) not in graded:
             yield f"{printable(row['from'])} of {printable(row['student'])} is not collected: {row['note']}"
 
 
 def _beside(folder: Path, graded: set[Path | None], slugs: Sequence[str]) -> Iterator[str]:
-    """Yield what else a student's own folder holds that could be work."""
+    """Yield a sentence for each further file in a student's folder that could be a submission."""
     try:
         held = entries(folder)
-    except BadPath:  # it has a row that says so
+    except BadPath:  # the student's result reports it
         return
     for entry, is_folder in held:
         if entry in graded or GIVEN.fullmatch(entry.stem) or _names_another(entry, slugs):
@@ -66,14 +66,14 @@ def _beside(folder: Path, graded: set[Path | None], slugs: Sequence[str]) -> Ite
 
 
 def _names_another(entry: Path, slugs: Sequence[str]) -> bool:
-    """Return whether it is work on an assignment that was not asked for, or that has a row."""
+    """Return whether a file or folder is named after an assignment: it is not requested, or has a result."""
     return bool(
         slug_of(entry.name, slugs) or (not os.path.isdir(entry) and form(entry.name) and of_name(entry.name, slugs))
     )
 
 
 def _holding(entry: Path) -> str:
-    """Return the first files of a folder, in brackets."""
+    """Return the names of the first files in a folder, in parentheses."""
     try:
         names = [printable(inner.name[:80]) for inner, _ in entries(entry)] if os.path.isdir(entry) else []
     except BadPath as closed:
@@ -87,7 +87,7 @@ def _shown(entry: Path) -> str:
 
 
 def not_handed_in(path: Path, work: Sequence[Submission]) -> list[Submission]:
-    """Return a row without a file for everyone on the roster, for each assignment that others have handed in."""
+    """Return a submission without a file for each student on the roster and assignment that only others handed in."""
     here = {submission.key for submission in work}
     students = roster.students(path, {submission.student for submission in work})
     slugs = sorted({submission.slug for submission in work})

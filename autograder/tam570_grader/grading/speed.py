@@ -1,4 +1,4 @@
-"""Run time against error of a student's simulation, on a scene that the integrators were measured on."""
+"""Measure run time and error of a student's simulation, on a scene on which the integrators were measured."""
 
 import numpy as np
 
@@ -12,14 +12,14 @@ from tam570_grader.sandbox.process import ProcessLost
 from tam570_grader.sandbox.student import BudgetSpent, Source, Student
 from tam570_grader.sandbox.zygote import Zygote
 
-OURS = "tam570, Python"  # the method of the reference solutions, in the sandbox
-USELESS = 1e-2  # an error beyond which the time says nothing
-SHORTEST = 5e-3  # s of the reference solution; below it the call into the sandbox is a good part of the time
-_machines = LruCache[float | None](most=100)  # how fast this machine is, by assignment: the curves come from another
+OURS = "tam570, Python"  # name of the curve of the reference solutions' method, as it runs in the sandbox
+USELESS = 1e-2  # relative error above which the time means nothing
+SHORTEST = 5e-3  # s, least time of the reference solution; below it, the call into the sandbox dominates
+_machines = LruCache[float | None](most=100)  # by assignment: this machine's time over that of the curves' machine
 
 
 def speed_of(student: Student, assignment: LoadedAssignment, zygote: Zygote) -> Speed | None:
-    """Return the student's point among the methods; None where there is no scene, or no motion to speak of."""
+    """Return the student's run time and error; None if the assignment has no scene or the simulation is unusable."""
     scene = scenes().get(assignment.slug)
     if scene is None or (point := _point(student, scene)) is None:
         return None
@@ -32,10 +32,10 @@ def speed_of(student: Student, assignment: LoadedAssignment, zygote: Zygote) -> 
 
 
 def _measured(assignment: LoadedAssignment, zygote: Zygote) -> float | None:
-    """Return how many times as long as on the machine of the curves the reference solution takes here."""
+    """Return the reference solution's time here divided by its time on the machine of the curves; None if too short."""
     reference, scene = Student(Source(assignment.solution.encode()), assignment, zygote), scenes()[assignment.slug]
     try:
-        _point(reference, scene)  # what is made once for a system is not counted
+        _point(reference, scene)  # warm up: do not count work that is done once per system
         point = _point(reference, scene)
     finally:
         reference.leave()
@@ -46,7 +46,7 @@ def _measured(assignment: LoadedAssignment, zygote: Zygote) -> float | None:
 
 
 def _point(student: Student, scene: Json) -> tuple[float, float] | None:
-    """CPU seconds of a call, the passing of arguments and result included, and its error at the end."""
+    """Return CPU seconds of a call, including the transfer of data, and its relative error; None if it is unusable."""
     arguments = [_as_promised(argument) for argument in scene["arguments"]]
     keywords = {key: _as_promised(argument) for key, argument in scene["keywords"].items()}
     try:

@@ -1,4 +1,4 @@
-"""Finds what students handed in and reads it with care: a submission is data until it is in the sandbox."""
+"""Find submissions and read them safely: outside the sandbox, a submission is only data."""
 
 import collections
 import hashlib
@@ -17,32 +17,32 @@ from tam570_grader.errors import UsageError, printable
 from tam570_grader.results.collected import form
 from tam570_grader.sandbox.student import Source
 
-LONGEST_NAME = 255  # bytes, of a file
-MOST_KEPT = 40  # characters of an id that is no name of a folder
-NO_NAME = '/\\<>:"|?*'  # in the name of a folder, on any system
-HIDDEN = re.compile(r"^(?:[.-]|__)[._-]*")  # how folders begin that are passed by, or taken for an option
-MOST_FILES = 1000  # in the folder of a student, or of an assignment
-GIVEN = re.compile(r"test_.*|lab|conftest")  # modules beside the students' own
-DEEPEST = 4  # folders within one another that a student's work may lie in
-MOST_NAMES = 10  # of files, in a note on what was found
+LONGEST_NAME = 255  # bytes in the name of a file
+MOST_KEPT = 40  # characters kept of an id that cannot name a folder
+NO_NAME = '/\\<>:"|?*'  # characters that some operating system forbids in names of folders
+HIDDEN = re.compile(r"^(?:[.-]|__)[._-]*")  # prefixes that hide a folder, or make its name look like an option
+MOST_FILES = 1000  # in the folder of a student or of an assignment
+GIVEN = re.compile(r"test_.*|lab|conftest")  # modules that come with the assignments
+DEEPEST = 4  # levels of nested folders that are searched for a student's work
+MOST_NAMES = 10  # names of files listed in a message
 
 
 class BadPath(UsageError):
-    """A path on the command line that holds no submission; the message says what to do."""
+    """A path on the command line contains no submission, or cannot be read; the message names the remedy."""
 
 
 class CannotRead(Exception):
-    """A submission that cannot be read; the message is for the student."""
+    """A submission cannot be read; the message is for the student."""
 
 
 @dataclass(frozen=True)
 class Submission:
-    """One student's work on one assignment; `note` says why there is none, or why what there is cannot be read."""
+    """One student's work on one assignment; `reason` says why there is none, or why it cannot be read."""
 
     student: str
     slug: str
     path: Path | None
-    tree: Path  # the student's own folder, or file: links may not lead out of it
+    tree: Path  # the student's own folder or file; links must not lead out of it
     reason: str = ""
 
     @property
@@ -56,8 +56,8 @@ def submissions(
     """Return all submissions at these paths: modules, notebooks, their folders, or trees `<student>/<assignment>/`.
 
     slugs    : the course's assignments
-    slug     : the assignment, where names do not tell
-    students : names of folders that are students', by a roster; without it the shape of a tree decides
+    slug     : the assignment, if the names of files do not tell
+    students : names of students' folders, from a roster; without them, the structure of a tree decides
     """
     work: list[Submission] = []
     for path in paths:
@@ -71,7 +71,7 @@ def submissions(
 
 
 def handed_in(folder: Path, slug: str) -> Submission:
-    """Return what one student handed in of one assignment: the shallowest folder that has it counts."""
+    """Return one student's work on one assignment: files named after it first, then the shallowest folder's."""
     tree, deeper = folder.resolve(), [folder.absolute()]
     first = of_folder(deeper[0], folder.name, slug, tree)
     candidates = [first]
@@ -85,7 +85,7 @@ def handed_in(folder: Path, slug: str) -> Submission:
 
 
 def read(submission: Submission) -> Source:
-    """Return the submission's text, or CannotRead: no links to elsewhere, no devices, nothing huge."""
+    """Return the submission's text; raise CannotRead for links that lead out of it, devices and huge files."""
     assert submission.path is not None
     if submission.reason:
         raise CannotRead(submission.reason)
@@ -113,7 +113,7 @@ def read(submission: Submission) -> Source:
 
 
 def source_of(submission: Submission) -> Source | CannotRead:
-    """Return the submission's text, or why there is none."""
+    """Return the submission's text, or the exception that says why there is none."""
     if submission.path is None:
         return CannotRead(submission.reason)
     try:
@@ -123,7 +123,7 @@ def source_of(submission: Submission) -> Source | CannotRead:
 
 
 def _own(path: Path, tree: Path) -> bool:
-    """Whether a path, links followed, lies in the student's folder, which may be a link itself, to a neighbour's."""
+    """Return whether a path, with links resolved, is in the student's folder, itself not a link to another's."""
     if _is_plainly_in(str(path), str(tree)):
         return True
     try:
@@ -133,7 +133,7 @@ def _own(path: Path, tree: Path) -> bool:
 
 
 def _is_plainly_in(path: str, tree: str) -> bool:
-    """Return whether a path leads into a folder by its names alone, without a link: most do, and that is soon seen."""
+    """Return whether a path is inside a folder and contains no link below it: a fast test that most paths pass."""
     below = path.removeprefix(tree)
     first, *names = below.split("/")
     if below == path or first or ".." in names:
@@ -161,7 +161,7 @@ def _in_folder(folder: Path, slugs: Sequence[str], chosen: str | None, students:
 
 
 def _trees(folder: Path, all_slugs: Sequence[str], chosen: str | None, students: Collection[str]) -> list[Submission]:
-    """Submissions in `<student>/<assignment>/`, `<student>/<assignment>.py`, `<assignment>/` and `<assignment>.py`."""
+    """Return the submissions in a folder with the entries `<student>/`, `<assignment>/` or `<assignment>.py`."""
     work, closed, own_folders = [], {}, collections.defaultdict(list)
     is_class = holds_students(folder, all_slugs, students)
     for entry, is_folder in entries(folder):
@@ -182,15 +182,15 @@ def _trees(folder: Path, all_slugs: Sequence[str], chosen: str | None, students:
             work.append(_of_files([(entry, True) for entry in each], folder.name, slug, folder))
     if closed and not work:
         raise BadPath(next(iter(closed.values())))
-    slugs = sorted({submission.slug for submission in work})  # what the others have handed in
+    slugs = sorted({submission.slug for submission in work})  # assignments that other students handed in
     lost = [Submission(_name(home.name), slug, None, home, why) for home, why in closed.items() for slug in slugs]
     return _modules_first(work) + lost
 
 
 def holds_students(folder: Path, slugs: Sequence[str], students: Collection[str]) -> bool:
-    """Return whether the folders in a folder are students', not the assignments of one: a login may be named hw7.
+    """Return whether the folders in a folder are students', not one student's assignments; a login may be hw7.
 
-    The roster tells; without one, whether at least as many of them hold assignments as are named like one.
+    The roster decides. Without one, at least as many of them must contain assignments as are only named like one.
     """
     folders = [entry for entry, is_folder in entries(folder) if is_folder]
     if any(_name(entry.name) in students for entry in folders):
@@ -207,7 +207,7 @@ def holds_students(folder: Path, slugs: Sequence[str], students: Collection[str]
 
 
 def _holds_assignments(folder: Path, slugs: Sequence[str], *, files: bool) -> bool:
-    """Return whether a folder holds folders, or files too, that are named like assignments."""
+    """Return whether a folder contains folders (or, with `files`, also files) named after assignments."""
     try:
         held = entries(folder, MOST_FILES)
     except BadPath:
@@ -216,7 +216,7 @@ def _holds_assignments(folder: Path, slugs: Sequence[str], *, files: bool) -> bo
 
 
 def _of_student(home: Path, slugs: Sequence[str], chosen: str | None) -> Iterator[Submission]:
-    """Yield what is in a student's own folder: for each assignment a folder, or files."""
+    """Yield the submissions in a student's folder, which has a folder or files for each assignment."""
     work, messages = collections.defaultdict(list), collections.defaultdict(list)
     held = entries(home, MOST_FILES)
     for entry, is_folder in held:
@@ -224,7 +224,7 @@ def _of_student(home: Path, slugs: Sequence[str], chosen: str | None) -> Iterato
             work[slug].append((entry, is_folder))
         elif not is_folder and (slug := of_name(entry.name, slugs)):
             messages[slug].append(entry)
-    for slug, packed in messages.items():  # or misnamed: the reading of one says so
+    for slug, packed in messages.items():  # a single packed or misnamed file is reported by `read`
         if slug not in work and chosen in (None, slug):
             message = f"hand in one module or notebook, unpacked; there are {_listed(packed)}" if packed[1:] else ""
             yield Submission(_name(home.name), slug, packed[0], home, message)
@@ -239,11 +239,11 @@ def _of_student(home: Path, slugs: Sequence[str], chosen: str | None) -> Iterato
 
 
 def entries(folder: Path, most: int | None = None) -> list[tuple[Path, bool]]:
-    """Return what is in a folder, but hidden files, and whether it is a folder; of a student's no more than `most`."""
+    """Return the visible entries of a folder, each with whether it is a folder; BadPath if more than `most`."""
     try:
-        os.stat(os.path.join(folder, "."))  # one that may be listed may be closed all the same
+        os.stat(os.path.join(folder, "."))  # a folder may be listable although its files cannot be opened
         with os.scandir(folder) as listed:
-            held = {  # a link to itself is no folder
+            held = {  # os.path.isdir returns False for a link to itself; entry.is_dir raises
                 entry.name: os.path.isdir(entry) if entry.is_symlink() else entry.is_dir()
                 for entry in itertools.islice(listed, most and most + 1)
             }
@@ -255,12 +255,12 @@ def entries(folder: Path, most: int | None = None) -> list[tuple[Path, bool]]:
 
 
 def _name(text: str) -> str:
-    """Return a student by the name of a folder or file: text that can be printed, and unlike any other's."""
+    """Return a student's name from that of a folder or file: printable, and different for different names."""
     return _shortened(printable(unicodedata.normalize("NFC", text).replace("\\", "\\\\")))
 
 
 def folder_of(student: str) -> str:
-    """Return the name of a student's folder: the id where that can be one, unlike any other's."""
+    """Return the name of the folder for a student's id: the id itself if possible, different for different ids."""
     student = unicodedata.normalize("NFC", student)
     plain = "".join(c if c.isprintable() and c not in NO_NAME else "_" for c in student)
     plain = HIDDEN.sub("_", plain) or "_"
@@ -268,7 +268,7 @@ def folder_of(student: str) -> str:
 
 
 def _shortened(name: str) -> str:
-    """No longer than the name of a file may be."""
+    """Return a name, cut to the length that a file's name may have."""
     if len(name.encode()) <= LONGEST_NAME:
         return name
     suffix = _mark(name)
@@ -276,26 +276,26 @@ def _shortened(name: str) -> str:
 
 
 def _mark(name: str) -> str:
-    """Return what tells a name from others that are cut to the same."""
+    """Return a short hash that distinguishes names with the same beginning."""
     return hashlib.sha256(name.encode(errors="surrogatepass")).hexdigest()[:12]
 
 
 def _chosen(entry: Path, is_folder: bool, slugs: Sequence[str], chosen: str | None) -> str | None:
-    """Return the assignment that a folder, module or notebook in a tree is work on."""
+    """Return the assignment after which a folder, module or notebook is named; None if it is not the chosen one."""
     name_of = slug_of if is_folder else of_name
     slug = name_of(entry.name, slugs) if is_folder or form(entry.name) else None
     return slug if chosen in (None, slug) else None
 
 
 def of_name(name: str, slugs: Sequence[str]) -> str | None:
-    """Return the assignment that a file's name tells: hw08.py, hw08.py.txt, or axis_angle-2.py, by its title."""
+    """Return the assignment after which a file is named, by number or title: hw08.py, hw08.py.txt, axis_angle-2.py."""
     stem = name.split(".")[0]
     titles = (slug for slug in slugs if re.fullmatch(rf"{slug[5:]}(?:[ _-]?\(?\d+\)?)?", stem, re.IGNORECASE))
     return slug_of(name, slugs) or next(titles, None)
 
 
 def of_folder(folder: Path, student: str, slug: str, tree: Path) -> Submission:
-    """Return what is in a student's folder of one assignment."""
+    """Return the submission in a student's folder of one assignment; if there is none, its `reason` says why."""
     try:
         if _own(folder, tree):
             return _of_files(entries(folder, MOST_FILES), student, slug, tree)
@@ -306,7 +306,7 @@ def of_folder(folder: Path, student: str, slug: str, tree: Path) -> Submission:
 
 
 def _of_files(held: Sequence[tuple[Path, bool]], student: str, slug: str, tree: Path) -> Submission:
-    """Return the module among them, or the notebook where no module is written; a note where it is not clear which."""
+    """Return the submission among these entries: the only file that fits best; without it, `reason` lists them."""
     files = [entry for entry, is_folder in held if form(entry.name) and not is_folder]
     candidates = [entry for entry in files if entry.name != f"{slug}.py" and slug_of(entry.stem, [slug])]
     if len(candidates) == 1 or f"{slug}.ipynb" in {entry.name for entry in candidates}:
@@ -327,14 +327,14 @@ def _of_files(held: Sequence[tuple[Path, bool]], student: str, slug: str, tree: 
 
 
 def _listed(files: Iterable[Path]) -> str:
-    """Return the first of them by name, and how many more there are."""
+    """Return the names of the first files, and the number of the others, as text."""
     seen = [printable(entry.name[:80]) for entry in files]
     seen[MOST_NAMES:] = [f"{len(seen) - MOST_NAMES} more"] if len(seen) > MOST_NAMES else []
     return ", ".join(seen)
 
 
 def _untouched(module: Path, others: Iterable[Path], tree: Path) -> bool:
-    """Return whether every function of a module is still to be written, while a file beside it defines some."""
+    """Return whether a module is still the stub while another of these files defines functions."""
     texts = []
     for path in (module, *others):
         try:
@@ -347,7 +347,7 @@ def _untouched(module: Path, others: Iterable[Path], tree: Path) -> bool:
 
 
 def _modules_first(work: list[Submission]) -> list[Submission]:
-    """Of a module and a notebook side by side, the module."""
+    """Return the submissions without the notebooks for which the same student also handed in a module."""
 
     def is_module(submission: Submission) -> bool:
         return submission.path is not None and form(submission.path.name) == ".py"
@@ -357,7 +357,7 @@ def _modules_first(work: list[Submission]) -> list[Submission]:
 
 
 def _told_apart(work: list[Submission]) -> list[Submission]:
-    """Students whose names would be the same, `a/hw07.py` and `b/hw07.py`, go by their folders'."""
+    """Return the submissions; those with equal names, as `a/hw07.py` and `b/hw07.py`, get their folders' names."""
     count = collections.Counter(submission.key for submission in work)
     renamed = [
         replace(submission, student=_shortened(f"{_name(submission.path.absolute().parent.name)}-{submission.student}"))

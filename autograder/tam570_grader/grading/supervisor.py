@@ -1,4 +1,4 @@
-"""What one supervisor does: it grades the submissions that it is handed, each to a finished result line."""
+"""Grade single submissions in a supervisor, each to a complete result line."""
 
 import json
 from collections.abc import Sequence
@@ -21,18 +21,18 @@ NO_JAIL = "submissions cannot be confined on this machine, and without that none
 
 @dataclass(frozen=True)
 class WorkerConfig:
-    """What all submissions of a run have in common."""
+    """Configuration that all submissions of a run share."""
 
     limits: ResourceLimits
     hidden: tuple[Path, ...] = ()
-    preload: tuple[str, ...] = ()  # besides what the assignment needs
+    preload: tuple[str, ...] = ()  # packages, besides those that the assignment needs
     speed: bool = False
-    shared: Path | None = None  # a folder for answers that are dear, of all supervisors of this machine
+    shared: Path | None = None  # folder in which this machine's supervisors share expensive expected results
 
 
 @dataclass(frozen=True)
 class GradeTask:
-    """A submission as a supervisor gets it; `source` is its bytes, or why there are none."""
+    """A submission to grade; `source` contains its bytes, or says why there are none."""
 
     course: Path
     student: str
@@ -45,12 +45,12 @@ class GradeTask:
 
 
 def prepare(course: Path, slugs: Sequence[str], conditions: WorkerConfig, seed: int | None) -> None:
-    """Start the sandboxes of assignments; load their checks while these start: both stay with this process.
+    """Start the zygotes of assignments and load their checks while these start; processes forked later inherit both.
 
-    The first sandbox is tried out too, for all processes that will be forked from this one; the others may take longer
-    to start than the first submissions take to grade. One that is lost is lost again when a submission asks for it.
+    Only the first zygote is tried out: waiting for the others may take longer than grading the first submissions. The
+    loss of a zygote is ignored here; it recurs when a submission needs it.
 
-    seed : of the whole class, for which the checks are rehearsed; None where there is none
+    seed : the class's seed, for which the checks are rehearsed; None if each student has another
     """
     for slug in slugs:
         start(*_sandbox(course, slug, conditions))
@@ -66,7 +66,7 @@ def prepare(course: Path, slugs: Sequence[str], conditions: WorkerConfig, seed: 
 
 
 def _sandbox(course: Path, slug: str, conditions: WorkerConfig) -> tuple[list[str], ResourceLimits, list[Path]]:
-    """Return what its zygote imports, the limits, and what it must not see."""
+    """Return the packages that an assignment's zygote imports, the limits, and the folders that it must not see."""
     needs, forbidden = assignments.sandbox_imports(course, slug)
     preload = sorted({*needs, *conditions.preload}.difference(forbidden))
     return preload, conditions.limits, [*dict.fromkeys([course, *conditions.hidden])]
@@ -78,7 +78,7 @@ def line(task: GradeTask) -> bytes:
 
 
 def lost(task: GradeTask, error: str) -> bytes:
-    """Return the result line of a submission whose supervisors died."""
+    """Return the result line of a submission on which every supervisor died: a grader error."""
     return _line(task, failed_by_us(task.student, assignments.assignment(task.course, task.slug), error, task.seed))
 
 
@@ -89,7 +89,7 @@ def _line(task: GradeTask, result: Result) -> bytes:
 
 
 def result(task: GradeTask) -> Result:
-    """Return the result of a submission; what goes wrong with us is this submission's alone."""
+    """Return the result of a submission, without a score if the grader failed; UsageError if it cannot be confined."""
     assignment, source = assignments.assignment(task.course, task.slug), task.source
     if isinstance(source, CannotRead):
         status = "missing" if task.missing else "unreadable"

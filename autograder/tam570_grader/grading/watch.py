@@ -1,7 +1,7 @@
-"""Feedback on arrival, `tam570-grader watch`: grades a submission as soon as it is handed in, and puts its page back.
+"""Grade each submission when it arrives (`tam570-grader watch`), and return its feedback page to the student.
 
-Everything that happens is a line of `watch.jsonl` in the folder of results, on the disk before the next thing happens:
-a copy of what arrived, then its result. Whatever ends the command, the next one goes on from there.
+Each event is a line of the journal `watch.jsonl` in the results folder and is on the disk before the next event: the
+arrival, with a copy of the submission, then its result. After any interruption, the next run continues from there.
 """
 
 import contextlib
@@ -33,10 +33,10 @@ from tam570_grader.results.tables import write_in, written
 from tam570_grader.sandbox.student import Source
 
 JOURNAL, COPIES, KEY, STATUS = "watch.jsonl", "attempts", "watch.key", "status.html"
-SETTLED = 0.2  # s for which a file has not changed when it is taken: it may be being written
-CHUNK = 12  # submissions of each supervisor between two looks at the folder
-TICK = 500  # ms between two looks at the folder, where nothing tells of a change
-HANDED_IN = re.compile(r"(?P<student>[^+*]+)\+(?P<slug>[^+]+)\+(?P<timestamp>[^+]+)(?:\+[^+]*)?")  # in an exchange
+SETTLED = 0.2  # s without a change before a file is read: it may still be written
+CHUNK = 12  # submissions per supervisor between two scans of the folder
+TICK = 500  # ms, longest time between two scans of the folder
+HANDED_IN = re.compile(r"(?P<student>[^+*]+)\+(?P<slug>[^+]+)\+(?P<timestamp>[^+]+)(?:\+[^+]*)?")  # nbgrader's folders
 
 
 @dataclass(frozen=True)
@@ -50,7 +50,7 @@ class Policy:
 
 @dataclass(frozen=True)
 class Arrival:
-    """Something that was handed in: a copy of it, or a note on why it cannot be read."""
+    """A submission that arrived: the path of a copy, or the reason why it cannot be read."""
 
     student: str
     slug: str
@@ -67,14 +67,14 @@ class Arrival:
 
 @dataclass
 class Queue:
-    """What arrived and what was graded, as the journal in a folder has it."""
+    """Arrivals and graded attempts, as recorded in the journal of a folder."""
 
     folder: Path
     policy: Policy
     arrivals: list[Arrival] = field(default_factory=list)  # not graded yet, in order
-    graded: dict[tuple[str, str], list[Json]] = field(default_factory=dict)  # the attempts of each
-    newest: dict[tuple[str, str], str] = field(default_factory=dict)  # digest of what arrived last
-    longest: float = 0.0  # s that somebody waited
+    graded: dict[tuple[str, str], list[Json]] = field(default_factory=dict)  # attempts by student and assignment
+    newest: dict[tuple[str, str], str] = field(default_factory=dict)  # digest of the last arrival
+    longest: float = 0.0  # s, longest wait of a student
 
     def __post_init__(self) -> None:
         path = self.folder / JOURNAL
@@ -82,7 +82,7 @@ class Queue:
         for line in lines:
             if line.endswith(b"\n"):
                 self._apply(json.loads(line))
-        if lines and not lines[-1].endswith(b"\n"):  # a power cut
+        if lines and not lines[-1].endswith(b"\n"):  # a run was killed while it wrote the line
             written(path, b"".join(lines[:-1]))
 
     def _apply(self, event: Json) -> None:
@@ -100,7 +100,7 @@ class Queue:
                 self.longest = max(self.longest, event["waited"])
 
     def log(self, event: str, arrival: Arrival, **more: object) -> Json:
-        """Write down what happened; when this returns, it is on the disk."""
+        """Append an event to the journal, flush it to the disk, apply it, and return it."""
         entry = {"event": event, **asdict(arrival), **more}
         with open(self.folder / JOURNAL, "ab") as file:
             file.write(json.dumps(entry, allow_nan=False).encode() + b"\n")
@@ -110,14 +110,14 @@ class Queue:
         return entry
 
     def opening_time(self, arrival: Arrival) -> float:
-        """Return when it may be graded, in s since 1970: infinity if no attempt is left."""
+        """Return the earliest time to grade an arrival, in s since 1970; infinity if no attempt is left."""
         attempts = self.graded.get(arrival.key, [])
         if len(attempts) >= self.policy.attempts:
             return math.inf
         return max((attempt["graded_at"] + self.policy.every for attempt in attempts), default=0.0)
 
     def take(self, arrival: Arrival) -> None:
-        """Add what arrived; it goes before an earlier one of the same student that has to wait."""
+        """Add an arrival; it replaces earlier arrivals of the same student and assignment that still had to wait."""
         mine = [earlier for earlier in self.arrivals if earlier.key == arrival.key]
         for earlier in [earlier for earlier in mine if self.opening_time(earlier) > arrival.at]:
             self.log("replaced", earlier)
@@ -127,7 +127,7 @@ class Queue:
             warn(f"{arrival.student} has no attempt left in {arrival.slug}: the new work is not graded")
 
     def ready(self, now: float) -> list[Arrival]:
-        """Return what may be graded now, in the order in which it came, one of a student and assignment."""
+        """Return the arrivals that may be graded now, in order, only the first of each student and assignment."""
         first: dict[tuple[str, str], Arrival] = {}
         for arrival in self.arrivals:
             if self.opening_time(arrival) <= now:
@@ -146,7 +146,7 @@ class Queue:
 
 @dataclass
 class Watcher:
-    """Looks for what arrives, has it graded, and puts the pages back."""
+    """Watches a folder, grades what arrives, and returns the feedback pages."""
 
     source: Path
     course: Path
@@ -154,7 +154,7 @@ class Watcher:
     store: ResultStore
     executor: TaskExecutor
     secret: bytes
-    assignment: str | None = None  # what is handed in, where the names do not tell
+    assignment: str | None = None  # the assignment, if the names of files do not tell
     jobs: int = 1
     once: bool = False
 
@@ -167,8 +167,8 @@ class Watcher:
         self._infos: dict[str, AssignmentInfo] = {}
 
     def work(self) -> None:
-        """Grade until there is an end: of the command, or with --once of what may be graded."""
-        for key in self.queue.graded:  # a kill may have come between a result and its page
+        """Grade arrivals until the command is interrupted, or with --once until no arrival may be graded now."""
+        for key in self.queue.graded:  # an earlier run may have been killed between a result and its page
             self.store.add(self.queue.counting(key)["record"])
             self.hand_back(self.queue.graded[key][-1])
         if not self.once:
@@ -181,14 +181,14 @@ class Watcher:
             self.show()
 
     def start_workers(self) -> None:
-        """Start the supervisors and their sandboxes: who hands in first waits no longer than the others."""
+        """Start the supervisors and their sandboxes, so that the first submissions need not wait for it."""
         idle = Arrival("", self.slug or self.slugs[0], "", 0.0, "", "", "nothing")
         task = replace(self._task(idle), source=Source(b"", notebook=False))
         for _ in run_tasks(self.executor, supervisor.line, [task] * self.jobs):
             pass
 
     def ticks(self) -> Iterator[None]:
-        """Now, then whenever something changes, and twice a second, for somebody's time of waiting may be over."""
+        """Yield at once, then at each change in the folder and at least every TICK, as a student's wait may be over."""
         from watchfiles import watch
 
         yield
@@ -201,7 +201,7 @@ class Watcher:
             yield
 
     def look(self) -> None:
-        """Take what is new, whole, and not taken yet."""
+        """Add each new submission that is completely written to the queue."""
         for submission, digest in self.handed_in():
             stamp = self._stamp(submission.path)
             if submission.path is not None and (stamp is None or stamp == self._stamps.get(submission.path)):
@@ -211,7 +211,7 @@ class Watcher:
             digest = digest or hashlib.sha256(text).hexdigest()
             key = submission.key
             digests = {self.queue.newest.get(key)}
-            if self.is_exchange:  # an older folder is there beside a newer
+            if self.is_exchange:  # there, folders of earlier attempts remain beside the newest
                 digests |= {attempt["digest"] for attempt in self.queue.graded.get(key, [])}
                 digests |= {arrival.digest for arrival in self.queue.arrivals if arrival.key == key}
             if digest not in digests:
@@ -220,7 +220,7 @@ class Watcher:
                 self._stamps[submission.path] = stamp
 
     def _stamp(self, path: Path | None) -> tuple[int, int, int] | None:
-        """Return what tells one state of a file from another; None while it may be being written."""
+        """Return modification time, size and inode of a file; None if it is missing or may still be written."""
         try:
             status = os.stat(path or self.source)
         except OSError:
@@ -229,9 +229,9 @@ class Watcher:
         return None if is_young and not self.is_exchange else (status.st_mtime_ns, status.st_size, status.st_ino)
 
     def handed_in(self) -> Iterator[tuple[Submission, str]]:
-        """Yield what is in the folder, and in an exchange the name of each hand-in, which is an attempt."""
+        """Yield each submission, in nbgrader's exchange with a digest of its folder's name (each is an attempt)."""
         if not self.is_exchange:
-            with contextlib.suppress(UsageError):  # nobody has handed in anything yet
+            with contextlib.suppress(UsageError):  # the folder contains no submission yet
                 for submission in submissions([self.source], self.slugs, self.slug):
                     if submission.path is not None or submission.reason:
                         yield submission, ""
@@ -246,7 +246,7 @@ class Watcher:
                     yield _owned(of_folder(folder, match["student"], match["slug"], folder), folder), digest
 
     def _kept(self, submission: Submission, digest: str, source: Source | CannotRead) -> Arrival:
-        """Return what arrived, with a copy that no later hand-in changes."""
+        """Copy a submission, so that no later change affects it, and return the arrival."""
         student, slug, origin = submission.student, submission.slug, submission.path or submission.tree
         if isinstance(source, CannotRead):
             return Arrival(student, slug, digest, time.time(), "", str(origin), str(source))
@@ -256,7 +256,7 @@ class Watcher:
         return Arrival(student, slug, digest, time.time(), str(copy), str(origin))
 
     def grade(self, batch: Sequence[Arrival]) -> None:
-        """Grade some arrivals, each with inputs of its own; write each result down, then its page."""
+        """Grade arrivals, each with its own hidden inputs; log each result, then write its page."""
         tasks = [self._task(arrival) for arrival in batch]
         for number, task, line in run_tasks(self.executor, supervisor.line, tasks, len(tasks)):
             record = json.loads(supervisor.lost(task, str(line)) if isinstance(line, WorkerLost) else line)
@@ -280,7 +280,7 @@ class Watcher:
         return GradeTask(self.course, arrival.student, arrival.slug, seed, source, arrival.digest, conditions=config)
 
     def hand_back(self, event: Json) -> None:
-        """Write the page of an attempt into the results, and where its student finds it."""
+        """Write the page of an attempt into the results folder and to where the student finds it."""
         key = event["student"], event["slug"]
         info = self._infos.setdefault(key[1], feedback.load_assignment_info(self.course, key[1]))
         result = result_of(event["record"])
@@ -298,7 +298,7 @@ class Watcher:
             warn(f"the page of {key[0]} in {key[1]} cannot be put back: {error}; it is in {pages / key[0]}")
 
     def _standing(self, event: Json) -> str:
-        """Return which attempt it is, and what counts."""
+        """Return the sentence that gives the number of the attempt and which attempt counts."""
         policy, best = self.queue.policy, self.queue.counting((event["student"], event["slug"]))
         of = f" of {policy.attempts:g}" if policy.attempts < math.inf else ""
         score = best["record"]["score"]
@@ -306,11 +306,11 @@ class Watcher:
         return f"Attempt {event['attempt']}{of}; {counts}."
 
     def _release(self, folder: Path, slug: str, page: str) -> None:
-        """Put a page where `nbgrader fetch_feedback` looks: named after the secret of the hand-in and the notebook."""
+        """Write a page where `nbgrader fetch_feedback` looks, named by a hash of the secret and the notebook."""
         secret = (folder / "submission_secret.txt").read_bytes()
         names = {path.stem for path in folder.glob("*.ipynb")} or {slug}
         feedback = self.source / "feedback"
-        feedback.mkdir(mode=0o711, exist_ok=True)  # as nbgrader makes it: nobody lists it
+        feedback.mkdir(mode=0o711, exist_ok=True)  # nbgrader's mode: students cannot list the folder
         for name in sorted(names):
             write_in(feedback, f"{hashlib.md5(secret + name.encode(), usedforsecurity=False).hexdigest()}.html", page)
 
@@ -339,7 +339,7 @@ class Watcher:
 
 
 def _owned(submission: Submission, folder: Path) -> Submission:
-    """Return the submission, or a note if somebody else handed it in under this name."""
+    """Return the submission, without its file if another user owns the folder: nobody may hand in for others."""
     owner = folder.stat().st_uid
     with contextlib.suppress(KeyError):
         if owner != os.getuid() and pwd.getpwuid(owner).pw_name != submission.student:
