@@ -1,4 +1,4 @@
-"""Runs of the engine in compiled code: the same states in and out, a moment of the run at a time."""
+"""Runs the engine's loops in compiled code, with the same states in and out, in slices that Ctrl-C can interrupt."""
 
 import math
 import struct
@@ -26,16 +26,16 @@ from tam570.integrate.trace import Graph
 from tam570.integrate.watch import Look
 from tam570.values import Function, Numbers
 
-FEWEST, MOST = 1000, 16000  # steps in compiled code, after which Python may look for an interrupt
-REPEATED = 1000  # steps of a repeated run, after which Python looks for the first time whether it is stiff
-LINE = 64  # bytes
-EFFORT = 1  # of the code generator, for a series: 2 takes twice as long and makes nothing of it that is faster
+FEWEST, MOST = 1000, 16000  # steps per call of compiled code; Python can handle an interrupt between calls
+REPEATED = 1000  # steps of a repeated run before the first test for stiffness
+LINE = 64  # bytes in a cache line
+EFFORT = 1  # optimization level for a series: 2 doubles the compile time and yields no faster code
 UNSET = (0,) * (taylor_loop.NUMBERS - 13)
 
 
 @lru_cache(maxsize=256)
 def analytic(graph: Graph) -> tuple[Recurrences, tuple[float, ...]] | None:
-    """Return the recurrences of a graph and their constants, if it has any."""
+    """Return the recurrences of a graph and their constants; None if a function in it is not analytic."""
     try:
         return recurrences(graph)
     except NotAnalytic:
@@ -52,55 +52,53 @@ def _taylor(laws: Recurrences, lanes: int = 1) -> Operand:
 
 
 class Memory(NamedTuple):
-    """Memory that compiled code works in: what it is given, z, work, time and constants, in one piece."""
+    """One block of memory for compiled code: call arguments, z, work, time and constants."""
 
     block: Array
     z: Array
     time: Array
-    call_arguments: memoryview  # to be filled by `taylor.CALL`
+    call_arguments: memoryview  # packed by `taylor.CALL`
     state: memoryview  # z, as bytes
-    places: tuple[int, ...]  # the addresses of the four
+    places: tuple[int, ...]  # addresses of z, work, time and constants
     address: int
 
 
 class RepeatedRun(NamedTuple):
-    """What one of the repeated runs at a time works in."""
+    """Buffers of a repeated run; concurrent runs use different ones."""
 
     memory: Memory
-    rows: Array  # to be filled
+    rows: Array  # output
     numbers: "memoryview[float]"  # of the state
 
 
 class CompiledMotion(NamedTuple):
-    """What a run of one start takes."""
+    """Compiled code for runs from a single start, and its memory layout."""
 
     advance: Operand
-    doubles: int  # of work
+    doubles: int  # size of `work`
     constants: tuple[float, ...]
-    numbers: struct.Struct  # of the state that is handed over in z
-    free: list[Memory]  # of several threads each takes its own
+    numbers: struct.Struct  # format of the state in z
+    free: list[Memory]  # pool; each thread takes a different block
 
 
 @lru_cache(maxsize=256)
 def motion_of(graph: Graph) -> CompiledMotion | None:
-    """Return its compiled code; None without a series."""
+    """Return the compiled code of a graph; None if it has no Taylor series."""
     analysed = analytic(graph)
     if analysed is None:
         return None
     laws, constants = analysed
     size = len(laws.rates)
-    part = f"{size}d{8 * (padded_size(size) - size)}x"  # of a component, with what fills up vectors
+    part = f"{size}d{8 * (padded_size(size) - size)}x"  # the components, padded to whole vectors
     numbers = struct.Struct(f"={taylor_loop.NUMBERS}d{3 * part}")
     return CompiledMotion(_taylor(laws), layout(laws, 1).doubles, constants, numbers, [])
 
 
 def taylor_run(run: Run, look: Look, state: State, *, is_fresh: bool = False) -> State:
-    """Return the state at the end of the stretch, or where Taylor's method cannot go on.
+    """Return the state at the end of the stretch, or where Taylor's method fails; unchanged if there is no series.
 
-    As it was if there is no series.
-
-    look     : taken now and then
-    is_fresh : whether the sizes of the components are those of the start
+    look     : called between slices of the run; it may raise
+    is_fresh : whether the scales of the components come from the start
     """
     motion = motion_of(run.engine.graph) if run.engine.graph is not None else None
     if motion is None:
@@ -121,7 +119,7 @@ def taylor_run(run: Run, look: Look, state: State, *, is_fresh: bool = False) ->
     until_done(some)
     numbers = motion.numbers.unpack_from(memory.state)
     row, t, _, _, status, steps, refusals, _, h = numbers[: taylor_loop.LONGEST + 1]
-    if status == taylor_loop.DONE:  # after all others there may be numbers that are not finite in it
+    if status == taylor_loop.DONE:  # any other status may leave non-finite numbers in the memory
         motion.free.append(memory)
     y, r, m = (numbers[k : k + size] for k in range(taylor_loop.NUMBERS, len(numbers), size))
     a = state.a if control.atol else tuple(max(SHARE * run.rtol * size, NO_SCALE) for size in m)
@@ -130,7 +128,7 @@ def taylor_run(run: Run, look: Look, state: State, *, is_fresh: bool = False) ->
 
 
 def _packed(motion: CompiledMotion, run: Run, state: State, is_fresh: bool) -> bytes:
-    """Return the first numbers of the memory of a run in this state."""
+    """Return the initial content of z for a run from this state."""
     control = run.control
     sizes = [a / (SHARE * run.rtol) if a > NO_SCALE else 0.0 for a in state.a]
     is_start = state.t == 0.0 and not state.steps and not control.atol
@@ -148,9 +146,9 @@ def _pack_call(memory: Memory, run: Run, rows: Array, budget: int) -> None:
 
 
 def taylor_repeated(run: Run, watch: Callable[[], Look]) -> Callable[[Numbers], Array | None] | None:
-    """states(y0) -> (n, k), or None where the method ends early or y0 is not k numbers; None without a series.
+    """Return a function states(y0) -> (n, k) for runs that differ only in the start; None without a series.
 
-    Of such runs only the start differs: memory and arguments are in place before they begin.
+    `states` returns None if the method fails or if y0 is not k numbers. It reuses memory and arguments.
     """
     motion, size = motion_of(run.engine.graph) if run.engine.graph is not None else None, len(run.rows[0])
     if motion is None:
@@ -165,26 +163,26 @@ def taylor_repeated(run: Run, watch: Callable[[], Look]) -> Callable[[Numbers], 
         return RepeatedRun(memory, rows, memory.state.cast("d"))
 
     def states(y0: Numbers) -> Array | None:
-        if type(y0) is np.ndarray and y0.ndim != 1:  # its rows may be numbers, too
+        if type(y0) is np.ndarray and y0.ndim != 1:  # `pack_into` would accept rows of one number
             return None
         mine = free.pop() if free else new_run()
         state = mine.memory.state
         state[:used] = fresh
         try:
             start.pack_into(state, first, *y0)
-        except (struct.error, TypeError):  # `solve` says what is wrong
+        except (struct.error, TypeError):  # `solve` then reports the error
             return None
         advance(mine.memory.address)
         if mine.numbers[status] == taylor_loop.RUNNING:
             carry_on(mine)
         if mine.numbers[status] != taylor_loop.DONE:
-            return None  # what is not finite stays in the memory: it is left
+            return None  # do not reuse this memory: it may contain non-finite numbers
         rows = mine.rows.copy()
         free.append(mine)
         return rows
 
     def carry_on(mine: RepeatedRun) -> None:
-        """To the end, with a look now and then; ArithmeticError where it is stiff."""
+        """Continue to the end in slices; raise ArithmeticError if the equations are stiff."""
         look = watch()
 
         def some(budget: int) -> bool:
@@ -200,13 +198,13 @@ def taylor_repeated(run: Run, watch: Callable[[], Look]) -> Callable[[Numbers], 
 
 
 def address_of(array: Array) -> int:
-    """Sooner than by `array.ctypes`."""
+    """Return the address of the data; faster than `array.ctypes.data`."""
     address: int = array.__array_interface__["data"][0]
     return address
 
 
 def seen(memory: Memory, size: int) -> tuple[float, list[float], Callable[[], list[float]], int, int]:
-    """Time, state, its scale, steps and refusals so far."""
+    """Return time, state, a function that returns its scales, accepted steps and refused steps."""
     padded = padded_size(size)
     parts = memory.z[taylor_loop.NUMBERS : taylor_loop.NUMBERS + 3 * padded].reshape(3, padded)
     y, _, m = parts[:, :size].tolist()
@@ -215,7 +213,7 @@ def seen(memory: Memory, size: int) -> tuple[float, list[float], Callable[[], li
 
 
 def taylor_runs(graph: Graph, times: Array, out: Array, starts: Array, control: Control) -> Array:
-    """Fill (m, n, k) `out` from the (m, k) starts; (m,) whether that was possible."""
+    """Solve from each of the (m, k) starts into (m, n, k) `out`; return (m,) whether each run succeeded."""
     origin, times, rtol = float(times[0]), times - times[0], control.rtol
     analysed = analytic(graph)
     if analysed is None:
@@ -223,7 +221,7 @@ def taylor_runs(graph: Graph, times: Array, out: Array, starts: Array, control: 
     laws, constants = analysed
     advance, memory_layout, size = _taylor(laws, LANES), layout(laws, LANES), starts.shape[1]
     per_lane = taylor_loop.memory(size)
-    running = LANES * per_lane + 1  # how many have not ended
+    running = LANES * per_lane + 1  # index in z of the number of unfinished motions
     memory = _memory(LANES * (per_lane + 1), memory_layout.doubles, LANES, constants)
     z = memory.z
     z[LANES * taylor_loop.STATUS : LANES * (taylor_loop.STATUS + 1)] = taylor_loop.IDLE
@@ -242,7 +240,7 @@ def taylor_runs(graph: Graph, times: Array, out: Array, starts: Array, control: 
 
 
 def memory_for(motion: CompiledMotion, size: int) -> Memory:
-    """For one run of k = size components."""
+    """Allocate memory for a run with `size` components."""
     return _memory(taylor_loop.memory(padded_size(size)), motion.doubles, 1, motion.constants)
 
 
@@ -250,7 +248,7 @@ def _memory(per_lane: int, work: int, lanes: int, constants: tuple[float, ...]) 
     first = -(-taylor.CALL.size // LINE) * LINE // 8
     places = [first, first + per_lane, first + per_lane + work, first + per_lane + work + lanes]
     buffer = np.zeros(places[3] + len(constants) + LINE // 8)
-    block = buffer[-address_of(buffer) % LINE // 8 :]  # vectors lie in one line of the cache each
+    block = buffer[-address_of(buffer) % LINE // 8 :]  # aligned, so that no vector spans two cache lines
     block[places[3] : places[3] + len(constants)] = constants
     z, time, start = block[first : places[1]], block[places[2] : places[3]], address_of(block)
     whole_bytes = block.data.cast("B")
@@ -259,14 +257,14 @@ def _memory(per_lane: int, work: int, lanes: int, constants: tuple[float, ...]) 
 
 
 def until_done(some: Callable[[int], bool]) -> None:
-    """Call until it says no, with so many steps at a time that an interrupt is heard."""
+    """Call some(budget) until it returns False, with budgets small enough for a prompt reaction to interrupts."""
     budget = FEWEST
     while some(budget):
         budget = min(2 * budget, MOST)
 
 
 def by_moments(run: Callable[[Operand, int], Operand], share: Callable[[Operand], float], state: Operand) -> Operand:
-    """Return the state at the end of run(state, budget), called again and again."""
+    """Call run(state, budget) until `share` of the state reaches 1; return the final state."""
 
     def some(budget: int) -> bool:
         nonlocal state
@@ -279,7 +277,7 @@ def by_moments(run: Callable[[Operand, int], Operand], share: Callable[[Operand]
 
 @lru_cache(maxsize=256)
 def dop853(formulas: Formulas) -> Callable[..., State]:
-    """Return `advance` of adaptive_loop, compiled."""
+    """Compile `advance` of adaptive_loop with the formulas."""
     zeros = (0.0,) * formulas.size
     like = State(0, 0.0, 0.0, zeros, zeros, zeros, zeros, zeros, zeros, 0.0, 0, 0, 0, 0)
     call = by_call(formulas)
@@ -290,7 +288,7 @@ def dop853(formulas: Formulas) -> Callable[..., State]:
 
 @lru_cache(maxsize=256)
 def fixed(source: str, size: int, stages: int, constants: int) -> Callable[..., FixedState]:
-    """Return `march` of fixed_step, compiled."""
+    """Compile `march` of fixed_step with the source of a step."""
     like = FixedState(0, 0, (0.0,) * size, (0.0,) * size, (0.0,) * stages)
     return _loop(fixed_step, source, "march", like, constants)
 
@@ -298,7 +296,7 @@ def fixed(source: str, size: int, stages: int, constants: int) -> Callable[..., 
 def _loop(
     loop: ModuleType, generated: str, entry: str, like: Operand, constants: int, handed: tuple[str, ...] = ()
 ) -> Function:
-    """Return a loop of the Python engine, compiled, that takes and gives what it does in Python."""
+    """Compile a loop of the Python engine; arguments and result are the same as in Python."""
     key = repr((loop.__name__, generated, constants))
     modules = {key: lambda: loops.loop_text(loop, generated, entry, like, constants, handed)}
     march = function(modules, entry, loops.KINDS)

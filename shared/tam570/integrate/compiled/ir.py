@@ -1,19 +1,19 @@
-"""Text of LLVM's intermediate representation: values, constants, blocks."""
+"""Writes LLVM's intermediate representation as text: values, constants, blocks."""
 
 import struct
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
-Operand: TypeAlias = Any  # a value of the text, memory, or what is known while it is written: a number, a tuple
+Operand: TypeAlias = Any  # a Value, an Array, a Slot, or a compile-time constant: a number or a tuple
 
 
 class Untranslatable(TypeError):
-    """Python beyond what is translated here."""
+    """Python code that the translator does not support."""
 
 
 @dataclass(frozen=True)
 class Value:
-    """Something in a register: "double", "i64", "i1", "ptr" or a vector; "lanes" is the first of as many indices."""
+    """A register of type "double", "i64", "i1", "ptr" or a vector; "lanes" is the first of consecutive indices."""
 
     ir_type: str
     text: str
@@ -21,7 +21,7 @@ class Value:
 
 @dataclass(frozen=True)
 class Array:
-    """Doubles at an address; the first of two indices counts rows of `row` doubles."""
+    """Doubles in memory; with two indices, the first selects a row of `row` doubles."""
 
     text: str
     row: Operand = None
@@ -30,19 +30,19 @@ class Array:
 
 @dataclass(frozen=True)
 class Slot:
-    """The place of a variable in memory, of which LLVM makes registers."""
+    """Stack memory of a variable; LLVM turns it into registers."""
 
     ir_type: str
     text: str
 
 
 def number(value: float) -> str:
-    """Return a double as LLVM writes it, to the last bit."""
+    """Return LLVM's exact literal of a double."""
     return f"0x{struct.unpack('<Q', struct.pack('<d', value))[0]:016X}"
 
 
 class Writer:
-    """The lines of one function: allocations first, then blocks."""
+    """The lines of a function: allocations first, then blocks."""
 
     def __init__(self) -> None:
         self.lines: list[str] = []
@@ -50,7 +50,7 @@ class Writer:
         self.count = 0
 
     def emit(self, ir_type: str, text: str) -> Value:
-        """Return a new register with what the instruction gives."""
+        """Write an instruction and return the register of its result."""
         self.count += 1
         self.lines.append(f"  %v{self.count} = {text}")
         return Value(ir_type, f"%v{self.count}")
@@ -73,7 +73,7 @@ class Writer:
         self.do(f"br i1 {self.text(test, 'i1')}, label %{yes}, label %{no}")
 
     def text(self, value: Operand, ir_type: str) -> str:
-        """Return the value as an operand of that kind."""
+        """Return the operand's text, converted to `ir_type`."""
         if ir_type[0] == "<" and not (isinstance(value, Value) and value.ir_type == ir_type):
             return self.spread(value, ir_type)
         if not isinstance(value, Value):
@@ -86,7 +86,7 @@ class Writer:
         return self.emit(ir_type, change.format(value.text)).text
 
     def spread(self, value: Operand, vector: str) -> str:
-        """Return a vector that holds the value everywhere."""
+        """Return a vector with the value in every element."""
         count, _, ir_type = vector[1:-1].partition(" x ")
         first = f"insertelement {vector} poison, {ir_type} {self.text(value, ir_type)}, i32 0"
         places = f"<{count} x i32> zeroinitializer"
@@ -106,7 +106,7 @@ class Writer:
         self.do(f"store {slot.ir_type} {self.text(value, slot.ir_type)}, ptr {slot.text}")
 
     def element(self, array: str, index: Operand) -> str:
-        """Return the address of a double in memory."""
+        """Return the address of element `index` of an array of doubles."""
         return self.emit("ptr", f"getelementptr double, ptr {array}, i64 {self.text(index, 'i64')}").text
 
 

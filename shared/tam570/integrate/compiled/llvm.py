@@ -1,4 +1,4 @@
-"""From text to machine code by llvmlite, kept on disk by content for the next process."""
+"""Compiles LLVM text with llvmlite and caches the machine code on disk."""
 
 import ctypes
 import hashlib
@@ -10,7 +10,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any, TypeAlias
 
-Binding: TypeAlias = Any  # llvmlite and what it makes: it has no types
+Binding: TypeAlias = Any  # llvmlite and its objects, which have no type hints
 
 _LOADED: list[Binding] = []
 MARK = b"tam570 object 1\n"
@@ -20,7 +20,7 @@ _KIND = re.compile(r"(<\d+ x double>|\b(?:double|ptr|i64|i1)\b)[^,]*")
 
 
 def assembled(lines: list[str]) -> str:
-    """Return a module: these lines, and declarations of what they call and do not define."""
+    """Return the text of a module: the lines, and declarations of the external functions that they call."""
     text = "\n".join(lines) + "\n"
     defined = set(_DEFINED.findall(text))
     declared = {}
@@ -32,7 +32,7 @@ def assembled(lines: list[str]) -> str:
 
 @cache
 def _binding() -> tuple[Binding, str]:
-    """llvmlite's binding, and what identifies it and this processor."""
+    """Return llvmlite's binding, and a string that identifies its version and this processor."""
     import llvmlite
     from llvmlite import binding
 
@@ -43,22 +43,22 @@ def _binding() -> tuple[Binding, str]:
 
 
 def register_width() -> int:
-    """Return how many doubles this processor adds at once."""
+    """Return how many doubles a vector register of this processor contains."""
     return 8 if "+avx512f" in _binding()[1] else 4
 
 
 def _machine(binding: Binding, effort: int) -> Binding:
-    """Return a new one each time: the engine that is given it disposes of it."""
+    """Return a new target machine; the execution engine that receives it disposes of it."""
     name, features = binding.get_host_cpu_name(), binding.get_host_cpu_features().flatten()
     return binding.Target.from_default_triple().create_target_machine(name, features, opt=effort, jit=True)
 
 
 def function(modules: Mapping[str, Callable[[], str]], entry: str, kinds: tuple[type, ...], effort: int = 2) -> Binding:
-    """Return `entry` as a function from Python; other threads run while it does.
+    """Return `entry` of the linked modules as a function that Python can call; it releases the GIL.
 
-    modules : texts that call each other, each by what it follows from, together with the source of this package; a
-              text is written if its code is not kept
-    effort  : of the code generator, 0 to 3
+    modules : cache key -> function that writes the text, called only if the cache has no code for the key and the
+              source of this package
+    effort  : optimization level of the code generator, 0 to 3
     """
     binding, who = _binding()
     owner = binding.create_mcjit_compiler(binding.parse_assembly(""), _machine(binding, effort))
@@ -73,13 +73,13 @@ def function(modules: Mapping[str, Callable[[], str]], entry: str, kinds: tuple[
         codes.append(code)
     owner.finalize_object()
     compiled_function = ctypes.CFUNCTYPE(None, *kinds)(owner.get_function_address(entry))
-    _LOADED.append((owner.detach(), codes))  # never disposed of: its memory is read to the end, and somebody may run it
+    _LOADED.append((owner.detach(), codes))  # never freed: another thread may still run the code
     return compiled_function
 
 
 @cache
 def _source() -> str:
-    """Return what identifies the engine itself, of which the compiled code is a part."""
+    """Return a hash of the integrate package's source, from which the compiled code is generated."""
     files = sorted(Path(__file__).parents[1].rglob("*.py"))
     return hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
 
@@ -89,7 +89,7 @@ def _compiled(binding: Binding, text: str, effort: int) -> bytes:
     module.verify()
     module.triple, module.data_layout = binding.get_default_triple(), str(machine.target_data)
     builder = binding.create_pass_builder(machine, binding.create_pipeline_tuning_options(speed_level=0))
-    passes = binding.create_new_function_pass_manager()  # these alone: all of LLVM's take as long as the rest together
+    passes = binding.create_new_function_pass_manager()  # LLVM's default pipeline would double the compile time
     passes.add_sroa_pass()
     passes.add_instruction_combine_pass()
     passes.add_simplify_cfg_pass()
@@ -100,7 +100,7 @@ def _compiled(binding: Binding, text: str, effort: int) -> bytes:
 
 
 def folder() -> Path:
-    """Return the user's folder for compiled code. OSError where there is none to be had."""
+    """Return the user's cache folder for compiled code; raise OSError if it cannot be created."""
     base = os.environ.get("XDG_CACHE_HOME")
     cache_folder = (Path(base) if base else Path.home() / ".cache") / "tam570"
     cache_folder.mkdir(mode=0o700, parents=True, exist_ok=True)
@@ -110,7 +110,7 @@ def folder() -> Path:
 
 
 def _kept(name: str) -> bytes | None:
-    """Return the object code of that name, if what the file holds is what was written."""
+    """Return the cached object code of that name; None if the file is missing or damaged."""
     try:
         content = (folder() / f"{name}.o").read_bytes()
     except (OSError, RuntimeError):
@@ -120,7 +120,7 @@ def _kept(name: str) -> bytes | None:
 
 
 def _keep(name: str, code: bytes) -> None:
-    """Write at once or not at all: another process may want to read it; a folder that takes nothing is no error."""
+    """Cache object code by an atomic rename, for concurrent processes; ignore a folder that is not writable."""
     try:
         with tempfile.NamedTemporaryFile(dir=folder(), delete=False) as file:
             file.write(MARK + hashlib.sha256(name.encode() + code).digest() + code)

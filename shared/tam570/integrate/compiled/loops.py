@@ -1,4 +1,4 @@
-"""The Python engine's loops compiled as they stand, with the functions generated for one right-hand side."""
+"""Compiles the Python engine's loops together with the functions generated for a right-hand side."""
 
 import ast
 import ctypes
@@ -17,15 +17,12 @@ entry:"""
 
 
 def flat(state: Operand) -> list[float]:
-    """Return the numbers of a state, a tuple of numbers and tuples."""
+    """Return the numbers of a state, which is a nested tuple of numbers."""
     return [x for part in state for x in (flat(part) if isinstance(part, tuple) else [float(part)])]
 
 
 def unflat(numbers: Operand, like: Operand) -> Operand:
-    """Return the tuples that `flat` was given, from an iterator over its numbers.
-
-    Whole where they are whole in `like`.
-    """
+    """Undo `flat`: build nested tuples with the structure and number types of `like` from an iterator over numbers."""
     parts = [unflat(numbers, part) if isinstance(part, tuple) else type(part)(next(numbers)) for part in like]
     return type(like)(*parts) if hasattr(like, "_fields") else tuple(parts)
 
@@ -33,11 +30,11 @@ def unflat(numbers: Operand, like: Operand) -> Operand:
 def loop_text(
     loop: ModuleType, generated: str, entry: str, like: Operand, constants: int, handed: tuple[str, ...] = ()
 ) -> str:
-    """Return a module with `entry` of (origin, times, out, state, c, x, budget), a function somewhere in `loop`.
+    """Return a module with `entry`, a function of `loop` with arguments (origin, times, out, state, c, x, budget).
 
-    generated : source of the functions that it calls; a call of `rhs` among them stays a call
-    like      : a state
-    handed    : those functions that the entry is handed first, as a tuple; others it knows by name
+    generated : source of the functions that it calls; all are inlined except `rhs`
+    like      : a state, for its structure
+    handed    : names of functions that `entry` receives as a tuple in its first argument
     """
     functions = {**functions_of(inspect.getsource(loop)), **functions_of(generated)}
     numbers = {name: value for name, value in vars(loop).items() if name.isupper()}

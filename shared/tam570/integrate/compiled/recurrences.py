@@ -1,8 +1,8 @@
-"""A recorded right-hand side as recurrences: the n-th Taylor coefficient of everything in it from the earlier ones.
+"""Turns a recorded right-hand side into recurrences for the Taylor coefficients of every intermediate value.
 
-Each function is reduced to sums, products, quotients, roots, powers and laws of derivatives, y' = w a' or w y' = a':
-sin' = cos a', (1 + a^2) atan' = a'. Jorba and Zou, A software package for the numerical
-integration of ODEs by means of high-order Taylor methods, Experimental Mathematics 14 (2005).
+Each function is reduced to sums, products, quotients, roots, powers and differential equations y' = w a' or w y' = a',
+such as sin' = cos a' and (1 + a^2) atan' = a'. Jorba and Zou, A software package for the numerical integration of ODEs
+by means of high-order Taylor methods, Experimental Mathematics 14 (2005).
 """
 
 import math
@@ -13,16 +13,16 @@ from tam570.integrate.trace import Graph, Symbol, Value
 
 
 class NotAnalytic(TypeError):
-    """A function without derivatives of all orders."""
+    """The right-hand side uses a function that is not analytic."""
 
 
 @dataclass(frozen=True)
 class Recurrence:
-    """A series that follows from those at `of`; below zero are constants, -1 for the first.
+    """A series and the indices `of` of the series it is computed from; index -1 - k is constant k.
 
-    rule  : "time", "state", "+", "-", "neg", "scale", "shift", "*", "square", "/", "sqrt", "pow", and three laws of
-            derivatives: "y'=wa'" of (w, a), "wy'=a'" of (w, a), "wy'=ub'-ba'" for atan2 of (w, b, a)
-    value : the function that gives the first coefficient, of `arguments`
+    rule  : "time", "state", "+", "-", "neg", "scale", "shift", "*", "square", "/", "sqrt", "pow", or a differential
+            equation: "y'=wa'" of (w, a), "wy'=a'" of (w, a), "wy'=ab'-ba'" of (w, b, a) for atan2
+    value : the function that computes the coefficient of order 0 from `arguments`; "" if the rule does
     """
 
     rule: str
@@ -33,7 +33,7 @@ class Recurrence:
 
 @dataclass(frozen=True)
 class Recurrences:
-    """All series, each after those that give its coefficient of the same order; `rates` index them, as `of` does."""
+    """All series, each after those that it needs at the same order; `rates` are indices like `Recurrence.of`."""
 
     series: tuple[Recurrence, ...]
     rates: tuple[int, ...]
@@ -41,7 +41,7 @@ class Recurrences:
 
 
 def recurrences(graph: Graph) -> tuple[Recurrences, tuple[float, ...]]:
-    """Return the recurrences, and the constants in them. Raises NotAnalytic."""
+    """Return the recurrences of a graph, and their constants; raise NotAnalytic."""
     making = _Making()
     places: dict[int, int] = {}
 
@@ -60,11 +60,11 @@ def recurrences(graph: Graph) -> tuple[Recurrences, tuple[float, ...]]:
 
 
 class _Making:
-    """The series so far; each is made once."""
+    """Builds the list of series, without duplicates."""
 
     def __init__(self) -> None:
         self.series: dict[Recurrence, int] = {}
-        self.listed: list[Recurrence] = []  # the same, by place
+        self.listed: list[Recurrence] = []  # the same in order of index
         self.constants: dict[float, int] = {}
 
     def constant(self, value: float) -> int:
@@ -89,7 +89,7 @@ class _Making:
             return _DERIVATIVES[name](self, name, *of)
         raise NotAnalytic(f"{name} has no derivatives of all orders")
 
-    # a + b and its like, where one may be a number
+    # Arithmetic; either operand may be a constant
 
     def sum(self, a: int, b: int) -> int:
         if a < 0 and b < 0:
@@ -111,7 +111,7 @@ class _Making:
         return self.add("square", a) if a == b else self.add("*", a, b)
 
     def quotient(self, a: int, b: int) -> int:
-        """Take a factor out of a / b: two bodies that pull at each other share the quotient."""
+        """Return a / b. (k a) / b becomes k (a / b), so that bodies that attract each other share the quotient."""
         if b >= 0:
             numerator = self.listed[a] if a >= 0 else None
             if numerator and numerator.rule == "scale":
@@ -130,7 +130,7 @@ class _Making:
         return self.following("pow", (a, b), self.product(b, logarithm))
 
     def following(self, name: str, arguments: tuple[int, ...], exponent: int) -> int:
-        """e to the exponent, its first coefficient by name(arguments): y' = y exponent'."""
+        """Return exp(exponent), by y' = y exponent'; its coefficient of order 0 is name(arguments)."""
         index = len(self.series)
         return self.add("y'=wa'", index, exponent, value=name, arguments=arguments)
 
@@ -143,7 +143,7 @@ class _Making:
         return plain if name == "exp" else self.add("y'=wa'", plain, a, value="expm1", arguments=(a,))
 
     def turning(self, name: str, a: int) -> int:
-        """sin and cos, or sinh and cosh: each is the other's derivative, but for a sign."""
+        """Return sin or cos, or sinh or cosh, as a pair: each is the derivative of the other, up to a sign."""
         hyperbolic = "h" if name.endswith("h") else ""
         first, second = f"sin{hyperbolic}", f"cos{hyperbolic}"
         index = next((i for r, i in self.series.items() if r.value == first and r.arguments == (a,)), None)
@@ -154,7 +154,7 @@ class _Making:
         return index + (name == second)
 
     def tangent(self, name: str, a: int) -> int:
-        """tan' = a' + tan^2 a': the square of a series that comes after it; its coefficients up to n - 1 do."""
+        """Return tan or tanh, by y' = a' +- y^2 a'. The series y^2 follows y, since order n needs it up to n - 1."""
         rule = "y'=a'+y^2a'" if name == "tan" else "y'=a'-y^2a'"
         index = len(self.series)
         self.add(rule, index + 1, a, value=name, arguments=(a,))
@@ -162,7 +162,7 @@ class _Making:
         return index
 
     def inverse(self, name: str, a: int) -> int:
-        """Arcus and area functions: w y' = a', or of cosines w y' = -a'."""
+        """Return an inverse trigonometric or hyperbolic function, by w y' = a', or w y' = -a' for acos."""
         sign = {"atan": 1, "asinh": 1, "acosh": -1, "atanh": -1, "asin": -1, "acos": -1}[name]
         square = self.add("square", a)
         w = self.add("shift", square if sign > 0 else self.add("neg", square), self.constant(1.0))
@@ -189,7 +189,7 @@ class _Making:
         return self.add("y'=wa'", w, a, value=name, arguments=(a,))
 
     def angle(self, name: str, b: int, a: int) -> int:
-        """atan2(b, a): (a^2 + b^2) y' = a b' - b a'."""
+        """Return atan2(b, a), by (a^2 + b^2) y' = a b' - b a'."""
         if a < 0 or b < 0:
             raise NotAnalytic("atan2 of a number")
         w = self.sum(self.product(a, a), self.product(b, b))

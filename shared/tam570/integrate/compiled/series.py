@@ -1,10 +1,10 @@
-"""All Taylor coefficients of the state as functions of LLVM's representation, for one motion or for eight at once.
+"""Writes LLVM functions that compute the Taylor coefficients of the state, for one motion or for eight at once.
 
-The sums over earlier coefficients are taken in two ways. Eight motions have them in memory: each term is eight numbers.
-One motion has a register for each sum, with what is known of it for the next orders: once x_m is there, x_m y_1,
-x_m y_2, ... are parts of the sums of the orders m + 1, m + 2, ...: a register of these takes one product with the first
-coefficients of y, and moves on by one number an order. Nothing is summed across a register. One of two factors has an
-order of eight at most, for the highest order of a sum is seventeen.
+The products of series need sums over earlier coefficients. For eight motions, a loop adds up vectors of eight motions.
+For one motion, a vector register accumulates the sums of the next orders: once x_m is computed, x_m y_1, x_m y_2, ...
+are terms of the sums of orders m + 1, m + 2, ..., so one product of x_m with the first coefficients of y updates all of
+them; each order shifts the register by one element. No sum runs across a register. The lower of the two orders in a
+product is at most eight, because the highest order of a sum is seventeen.
 """
 
 import math
@@ -21,29 +21,29 @@ from tam570.integrate.formulas import SATURATING
 
 UNIT_ROUNDOFF = 2.0**-53
 LANES = 8
-HIGHEST = 2 * LANES + 2  # order: of the two factors of a sum one has an order of eight at most
-FAST = "nsz reassoc contract"  # sums of products may be taken in any order
+HIGHEST = 2 * LANES + 2  # highest order: the lower order in a product is then at most LANES
+FAST = "nsz reassoc contract"  # fast-math flags: sums of products in any order
 
-UNDIVIDED = ("*", "square", "/", "sqrt")  # rules whose sums are not over n
+UNDIVIDED = ("*", "square", "/", "sqrt")  # rules whose sums are not divided by n
 
-Factor = tuple[int, bool]  # a series, and whether its coefficients are times their order
+Factor = tuple[int, bool]  # a series, and whether its coefficients are multiplied by their order
 
 
 def vector_width(size: int) -> int:
-    """Components in a vector of one motion."""
+    """Return how many components of one motion share a vector."""
     return 1 if size == 1 else 2 if size == 2 else 4 if size <= 4 else 8
 
 
 def padded_size(size: int) -> int:
-    """Components with what fills up the last vector."""
+    """Return the number of components, rounded up to whole vectors."""
     return -(-size // vector_width(size)) * vector_width(size)
 
 
 @dataclass(frozen=True)
 class Layout:
-    """Where the coefficients are: `across` doubles from a row to the next, `along` from an order to the next.
+    """Memory layout of the coefficients: strides `across` between rows and `along` between orders, in doubles.
 
-    Row i < states is component i of the state; the others serve the sums.
+    The first rows are the components of the state; the others are factors of the sums.
     """
 
     lanes: int
@@ -54,12 +54,12 @@ class Layout:
 
 
 def strides(size: int, lanes: int) -> tuple[int, int]:
-    """Return `across` and `along` of a layout."""
+    """Return the strides `across` and `along` of a layout."""
     return (1, padded_size(size)) if lanes == 1 else ((HIGHEST + 1) * lanes, lanes)
 
 
 class Order(NamedTuple):
-    """An order n: the index, n and 1/n as numbers of the kind, and whether it is 3; empty where it cannot be."""
+    """An order: n as an index, n and 1/n as scalars or vectors, and the flag n == 3, empty if n is never 3."""
 
     n: str
     number: str
@@ -84,17 +84,17 @@ def sums_of(series: int, r: Recurrence) -> list[tuple[Factor, Factor]]:
 
 
 class Coefficients(Writer):
-    """What both ways of taking the sums have in common."""
+    """Writes the coefficients; the subclasses differ in how they compute the sums."""
 
     def __init__(self, laws: Recurrences, memory_layout: Layout) -> None:
         super().__init__()
         self.laws, self.memory_layout = laws, memory_layout
         self.ir_type = "double" if memory_layout.lanes == 1 else f"<{memory_layout.lanes} x double>"
         self.suffix = "f64" if memory_layout.lanes == 1 else f"v{memory_layout.lanes}f64"
-        self.first: dict[int, str] = {}  # the coefficients of order 0, of constants too
-        self.now: dict[int, str] = {}  # of order n
+        self.first: dict[int, str] = {}  # coefficients of order 0, and the constants
+        self.now: dict[int, str] = {}  # coefficients of the current order
 
-    # Instructions on numbers of the kind
+    # Instructions on scalars or vectors
 
     def op(self, name: str, a: str, b: str) -> str:
         return self.emit(self.ir_type, f"f{name} {FAST} {self.ir_type} {a}, {b}").text
@@ -106,11 +106,11 @@ class Coefficients(Writer):
         return self.each(number(value))
 
     def each(self, value: str) -> str:
-        """Return a number for every lane."""
+        """Return the scalar, broadcast to all lanes."""
         return value if self.memory_layout.lanes == 1 else self.spread(Value("double", value), self.ir_type)
 
     def address(self, row: int, index: str | int) -> str:
-        """Of a number at row and index."""
+        """Return the address of the coefficient of order `index` in a row."""
         start = self.element("%work", row * self.memory_layout.across)
         step = f"mul i64 {index}, {self.memory_layout.along}"
         return self.emit("ptr", f"getelementptr double, ptr {start}, i64 {self.emit('i64', step).text}").text
@@ -122,13 +122,13 @@ class Coefficients(Writer):
         return self.emit(self.ir_type, f"load {self.ir_type}, ptr {self.address(row, index)}, align 8").text
 
     def function(self, name: str, arguments: list[str]) -> str:
-        """Return a function of each lane."""
+        """Return name(*arguments), lane by lane."""
         if name == "sqrt":
             return self.emit(
                 self.ir_type, f"call {self.ir_type} @llvm.sqrt.{self.suffix}({self.ir_type} {arguments[0]})"
             ).text
 
-        def call(numbers: list[str]) -> str:  # without side effects: sin and cos of a number are one call then
+        def call(numbers: list[str]) -> str:  # marked as pure, so that LLVM can merge sin and cos of a number
             listed = ", ".join(f"double {x}" for x in numbers)
             return self.emit("double", f"call double @{name}({listed}) memory(none)").text
 
@@ -144,7 +144,7 @@ class Coefficients(Writer):
     # Order 0
 
     def values(self) -> None:
-        """Coefficients of order 0: time and state are in memory."""
+        """Write the coefficients of order 0, from the time and the state in memory."""
         for i in range(self.laws.constants):
             pointer = self.element("%c", i)
             self.first[-1 - i] = self.each(self.emit("double", f"load double, ptr {pointer}").text)
@@ -168,10 +168,7 @@ class Coefficients(Writer):
         return self.emit(self.ir_type, f"call {self.ir_type} @llvm.fabs.{self.suffix}({self.ir_type} {a})").text
 
     def bounds(self) -> dict[int, str]:
-        """Return a running error bound of the coefficients of order 0.
-
-        What each makes of its arguments' and its own.
-        """
+        """Return running error bounds of the coefficients of order 0: propagated bounds plus new rounding errors."""
         zero = self.constant(0.0)
         bounds = dict.fromkeys(range(-self.laws.constants, 0), zero)
         for i, r in enumerate(self.laws.series):
@@ -187,7 +184,7 @@ class Coefficients(Writer):
         return bounds
 
     def sensitivities(self, i: int, r: Recurrence) -> list[tuple[str, int]]:
-        """By how much a coefficient of order 0 changes with each that it is made of; empty for one."""
+        """Return the absolute partial derivatives by the operands, as (factor, index); "" is the factor 1."""
         if r.rule in ("time", "state"):
             return []
         y, values_of = self.size(self.first[i]), [self.size(self.first[j]) for j in r.of]
@@ -218,31 +215,31 @@ class Coefficients(Writer):
     # Order n
 
     def all_orders(self, slots: list[str]) -> None:
-        """Coefficients of the orders from 1 up to %order, which is left out."""
+        """Write the coefficients of orders 1 up to, but not including, %order."""
         raise NotImplementedError
 
     def coefficient(self, i: int, r: Recurrence, earlier: str) -> str:
-        """Return the coefficient of order n: what is known before, and multiples of others of order n."""
-        of = [self.now.get(j, "") for j in r.of]  # empty where it comes later, and is not asked for
+        """Return the coefficient of order n: the part from earlier orders, plus multiples of others of order n."""
+        of = [self.now.get(j, "") for j in r.of]  # a series that follows has none yet, and its rule needs none
         if r.rule in ("+", "-"):
             return self.op("add" if r.rule == "+" else "sub", of[0], of[1])
         if r.rule == "neg":
             return self.negative(of[0])
         if r.rule == "shift":
             return of[0]
-        if r.rule == "/" and r.of[0] < 0:  # a number over a series: over the square of a large one it would vanish
+        if r.rule == "/" and r.of[0] < 0:  # constant / series: dividing by its square could underflow
             product = self.op("mul", self.first[i], of[1])
             earlier = self.op("add", earlier, product) if earlier else product
         if earlier and i in self.scales:
             earlier = self.op("mul", earlier, self.scales[i])
         for pointer, factor in self.multiples[i]:
-            if r.of[pointer] >= 0:  # a number has no further coefficients
+            if r.of[pointer] >= 0:  # constants have no coefficients beyond order 0
                 product = self.op("mul", of[pointer], factor)
                 earlier = self.op("add", earlier, product) if earlier else product
         return earlier
 
     def earlier(self, r: Recurrence, sums: list[str]) -> str:
-        """Return what of it follows from earlier orders, but for its scale and the division by n."""
+        """Return the part of a coefficient from earlier orders, before scaling and division by n."""
         if r.rule == "pow":
             return self.op("sub", self.op("mul", self.first[r.of[1]], sums[0]), sums[1])
         if r.rule == "wy'=ab'-ba'":
@@ -250,10 +247,10 @@ class Coefficients(Writer):
         return sums[0] if sums else ""
 
     def quotients(self, values: list[str], order: Order) -> list[str]:
-        """Return the values over n.
+        """Return the values divided by n: by multiplication with 1/n, except for n = 3.
 
-        Times 1/n they are off by its rounding, always the same way, and an energy drifts. Most of that is of n = 3: 1,
-        2 and 4 have none, and later orders are small. Divisions at all orders take a seventh of the run time.
+        The rounding error of 1/n is the same at every step, so the energy drifts. Nearly all of it comes from n = 3:
+        1/2 and 1/4 are exact, and later orders are small. Dividing at all orders would take a seventh of the run time.
         """
         products = [self.op("mul", value, order.inverse) for value in values]
         if not order.is_third:
@@ -261,7 +258,7 @@ class Coefficients(Writer):
         product, third, after = self.labels("product", "third", "after")
         self.jump(product)
         self.start(product)
-        self.do(f"br i1 {order.is_third}, label %{third}, label %{after}, !prof !0")  # or LLVM divides at all orders
+        self.do(f"br i1 {order.is_third}, label %{third}, label %{after}, !prof !0")  # else LLVM divides at all orders
         self.start(third)
         thirds = [self.op("div", value, self.constant(3.0)) for value in values]
         self.jump(after)
@@ -272,7 +269,7 @@ class Coefficients(Writer):
         ]
 
     def prepared(self) -> None:
-        """Write what is the same for all orders: factors of other coefficients and of the sums."""
+        """Write the factors that do not depend on the order: of other coefficients, and of the sums."""
         single = self.constant(1.0)
         self.multiples: dict[int, list[tuple[int, str]]] = {}
         self.scales: dict[int, str] = {}
@@ -317,14 +314,14 @@ class Coefficients(Writer):
         return [self.emit(self.ir_type, f"load {self.ir_type}, ptr {slot}").text for slot in slots]
 
     def states(self, order: Order, values: list[str]) -> None:
-        """Write the state's coefficients."""
+        """Store the state's coefficients of an order."""
         for i, r in enumerate(self.laws.series):
             if r.rule == "state":
                 self.now[i] = values[r.of[0]]
                 self.keep(r.of[0], order.n, self.now[i])
 
     def orders(self, order: Order, slots: list[str], sums: list[list[str]]) -> None:
-        """Write all coefficients of order n, those of the state from the rates' of order n - 1."""
+        """Write all coefficients of order n; those of the state are the rates' of order n - 1 over n."""
         zero = self.constant(0.0)
         self.now = dict.fromkeys(range(-self.laws.constants, 0), zero)
         earlier = [self.earlier(r, own_sums) for r, own_sums in zip(self.laws.series, sums, strict=True)]
@@ -343,7 +340,7 @@ class Coefficients(Writer):
             self.do(f"store {self.ir_type} {self.now[rate]}, ptr {slot}")
 
     def reach(self, slots: list[str], exponents: list[int]) -> str:
-        """Return the longest step in which each exponent changes by half of itself, or by REACH if that is more."""
+        """Return the longest step in which each exponent changes by at most half of itself or REACH."""
         single = self.constant(1.0)
         self.orders(
             Order("1", single, single),
@@ -369,7 +366,7 @@ class Coefficients(Writer):
         return Order(n, self.each(exact), self.each(inverse), is_third)
 
     def loop(self, first: int, end: str, body: Callable[[str], None]) -> None:
-        """body(n) for n from first up to end, which is left out."""
+        """Write a loop of body(n) over first <= n < end."""
         before, test, body_label, last, after = self.labels("before", "test", "inside", "last", "after")
         n, more = f"%n{self.count}", f"%more{self.count}"
         self.jump(before)
@@ -387,11 +384,11 @@ class Coefficients(Writer):
         self.start(after)
 
 
-TOGETHER = {8: 14, 4: 6}  # sums in one loop, by the width of a register: each takes one, or two
+TOGETHER = {8: 14, 4: 6}  # register width: sums in one loop, each of which takes one register or two
 
 
 class OfEight(Coefficients):
-    """Eight motions. The factors are in memory, order by order."""
+    """Writes the coefficients of eight motions; the factors of the sums are in memory."""
 
     def all_orders(self, slots: list[str]) -> None:
         self.loop(1, "%order", lambda n: self._order(n, slots))
@@ -407,7 +404,7 @@ class OfEight(Coefficients):
                 self.keep(row, n, self.op("mul", order.number, self.now[i]) if sloped else self.now[i])
 
     def totals(self, pairs: list[tuple[Factor, Factor]], n: str) -> list[str]:
-        """Return sums of eight motions each, in one loop over the terms."""
+        """Return the sums of products of each pair, computed in one loop over the terms."""
         before, test, body_label, after = self.labels("before", "test", "inside", "after")
         self.jump(before)
         self.start(before)
@@ -434,14 +431,14 @@ class OfEight(Coefficients):
         return [total for total, _ in names]
 
 
-FEW = 3  # sums, with all else that a step needs, in the registers
+FEW = 3  # sums that fit into registers together with the rest of a step
 
 
 class OfOne(Coefficients):
-    """One motion. Eight orders lie in one part or two, as many in each as a register holds.
+    """Writes the coefficients of one motion; the sums of the next eight orders fill one register or two, its parts.
 
-    A part is left as it is where all in it is zero, and where no later order needs it. More sums than a few have a
-    block each way: in a long one LLVM fills the registers with what is needed later.
+    The code skips a part if it is still zero, or if no later order needs it. With more than FEW sums, every part has a
+    separate block: in a long block LLVM keeps values in registers that it needs much later.
     """
 
     def all_orders(self, slots: list[str]) -> None:
@@ -487,7 +484,7 @@ class OfOne(Coefficients):
             self.start(after)
 
     def _add(self, now: dict[Factor, str], part: int, n: str) -> None:
-        """Add products with the coefficients of order n to the sums of later orders; n : empty if they are not kept."""
+        """Add products with the coefficients of order n to the sums of later orders; n : empty beyond order LANES."""
         lanes, onward = f"<{self.width} x i64>", ", ".join(f"i32 {k}" for k in range(1, self.width + 1))
         if n:
             counted = ", ".join(f"i64 {self.width * part + k}" for k in range(1, self.width + 1))
@@ -495,7 +492,7 @@ class OfOne(Coefficients):
             is_now = self.emit(f"<{self.width} x i1>", f"icmp eq {lanes} {wide_n}, <{counted}>").text
         wide, before, early = dict[Factor, str](), dict[Factor, str](), dict[Factor, str]()
         for (x, y), parts in self.ahead.items():
-            for factor in (x, y):  # each where it is first used: LLVM keeps the order, and registers are few
+            for factor in (x, y):  # load just before use: LLVM keeps this order, and registers are few
                 if factor in wide:
                     continue
                 wide[factor] = self.spread(Value("double", now[factor]), self.vector)
@@ -515,7 +512,7 @@ class OfOne(Coefficients):
 
 @lru_cache(maxsize=256)
 def layout(laws: Recurrences, lanes: int) -> Layout:
-    """Rows for the states; with several lanes, also for whatever a sum needs."""
+    """Return the layout: rows for the state; with several lanes, also for the factors of the sums."""
     states = {r.of[0]: i for i, r in enumerate(laws.series) if r.rule == "state"}
     rows: dict[Factor, int] = {(states[component], False): component for component in sorted(states)}
     factors = [factor for i, r in enumerate(laws.series) for pair in sums_of(i, r) for factor in pair]
@@ -526,7 +523,7 @@ def layout(laws: Recurrences, lanes: int) -> Layout:
 
 
 def series_module(laws: Recurrences, lanes: int) -> str:
-    """Return the functions `coefficients`, `rates`, `roundoff` of (work, constants, time, order), order 0 in work."""
+    """Return functions of (work, constants, time, order): `coefficients`, `rates`, `roundoff`, and perhaps `reach`."""
     memory_layout, sums_class = layout(laws, lanes), OfOne if lanes == 1 else OfEight
     names = ["coefficients", "rates", "roundoff", *(["reach"] if exponents(laws) else [])]
     seldom = '!0 = !{!"branch_weights", i32 1, i32 1000}'
@@ -535,7 +532,7 @@ def series_module(laws: Recurrences, lanes: int) -> str:
 
 @lru_cache(maxsize=256)
 def exponents(laws: Recurrences) -> list[int]:
-    """Return the arguments of exp, tanh and their like that depend on the state."""
+    """Return the series that are arguments of exp, tanh and similar functions and depend on the state."""
     moving = set[int]()
     for i, r in enumerate(laws.series):
         if r.rule == "state" or moving & {*r.of, *r.arguments}:
@@ -544,10 +541,10 @@ def exponents(laws: Recurrences) -> list[int]:
 
 
 def _written(series: Coefficients, name: str) -> list[str]:
-    """Write the coefficients up to %order, or of the state up to order 1 only.
+    """Write a function that stores its result in `work`.
 
-    In their place what rounding does to them; or in the place of the first, the longest step for the arguments of exp
-    and its like.
+    "coefficients": the state's, up to %order. "rates": those of order 1. "roundoff": bounds of their rounding errors,
+    in the same place. "reach": the longest step for arguments of exp and similar functions, in place of the first rate.
     """
     series.values()
     if name in ("coefficients", "reach"):

@@ -1,4 +1,4 @@
-"""Taylor's method compiled for one right-hand side."""
+"""Compiles the loop of Taylor's method."""
 
 import ast
 import ctypes
@@ -15,28 +15,28 @@ from tam570.integrate.compiled.series import FAST, HIGHEST, padded_size, strides
 from tam570.integrate.compiled.translate import Translator, functions_of
 from tam570.values import Json
 
-KINDS = (ctypes.c_void_p,)  # one address: converting thirteen arguments takes longer than many a run
+KINDS = (ctypes.c_void_p,)  # one address: converting thirteen arguments takes longer than a short run
 ARGUMENTS = {
     **dict.fromkeys(("z", "work", "time", "c", "times"), "ptr"),
     **{"rows": "i64", "out": "ptr", "members": "ptr", "several": "i64"},
     **{"origin": "double", "rtol": "double", "order": "i64", "budget": "i64"},
-}  # what is at that address, eight bytes each
-CALL = struct.Struct("=5Qq2Qq2d2q")  # the same
-LOWEST = 8  # order
+}  # the arguments at that address, eight bytes each
+CALL = struct.Struct("=5Qq2Qq2d2q")  # their format
+LOWEST = 8  # lowest order
 
 
 @lru_cache(maxsize=64)
 def order_for(rtol: float, lanes: int = 1) -> int:
-    """Return the order that costs least: Jorba and Zou have 0.5, for work that grows as its square.
+    """Return the cheapest order, 1 - a log(rtol), odd. Jorba and Zou use a = 0.5, for work that grows as its square.
 
-    A sum in a register costs the same at every order: 1.2 reaches an error in 0.8 to 0.9 of the time that 0.6 takes
-    (mean of twelve problems, from 1e-3 to 1e-9). Below LOWEST, what a step costs in any case is most of it.
+    Here a sum in a register costs the same at every order: a = 1.2 reaches an error in 0.8 to 0.9 of the time of 0.6
+    (mean of twelve problems, from 1e-3 to 1e-9). Below LOWEST, the fixed cost of a step dominates.
     """
     return min(HIGHEST, max(LOWEST, math.ceil(1 - (1.2 if lanes == 1 else 0.6) * math.log(rtol))) | 1)
 
 
 class Loop(NamedTuple):
-    """What the loop over the steps depends on; right-hand sides that share it share its code."""
+    """Parameters of the loop over the steps; right-hand sides with equal ones share its code."""
 
     size: int
     lanes: int
@@ -45,7 +45,7 @@ class Loop(NamedTuple):
 
 
 def loop_module(loop: Loop) -> str:
-    """Return the loop over the steps; it calls the functions of a series."""
+    """Return LLVM text of the loop over the steps, which calls the functions of `series_module`."""
     size, lanes = loop.size, loop.lanes
     padded = padded_size(size) if lanes == 1 else size
     across, along = strides(size, lanes)
@@ -117,7 +117,7 @@ def _reduced(writer: Operand, flags: str, call: str) -> Value:
 
 
 def _logarithm(writer: Operand, x: Value) -> Value:
-    """To base 2, from the exponent and the fraction: a double's bits are almost that, to 0.09."""
+    """Return log2(x) to 0.09: the bits of a double, read as an integer, are nearly proportional to it."""
     integers = x.ir_type.replace("double", "i64")
     bits = writer.emit(integers, f"bitcast {x.ir_type} {x.text} to {integers}").text
     bias = writer.text(Value("i64", str(1023 << 52)), integers)
@@ -127,7 +127,7 @@ def _logarithm(writer: Operand, x: Value) -> Value:
 
 
 def _power_of_2(writer: Operand, x: Value) -> Value:
-    """Two to a number between -1000 and 1000: its whole part is the exponent, a parabola serves the rest."""
+    """Return 2**x for |x| <= 1000: the integer part becomes the exponent, a parabola approximates the rest."""
     limited = writer.extreme("max", [writer.extreme("min", [x, 1000.0]), -1000.0])
     ir_type, integers = x.ir_type, x.ir_type.replace("double", "i64")
     floor = writer.call("floor", [limited])

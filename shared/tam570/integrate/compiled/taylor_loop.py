@@ -1,14 +1,14 @@
-"""The loop over Taylor steps, as Python that is translated: step size, the test of each step, samples.
+"""The loop over Taylor steps in Python, which `translate` turns into LLVM code: step size, test of each step, samples.
 
-A step is the polynomial itself. It is tried first and judged afterwards: at its end the right-hand side must be the
-polynomial's derivative. That test needs nothing but the next step's first coefficients, and no coefficient that
-happens to be zero deceives it. What is zero at the start, and has a rate of zero, takes the size that the others give
-it, as in `error_scale`.
+A step is the Taylor polynomial. It is tried first and tested afterwards: at its end the polynomial's derivative must
+equal the right-hand side. That test needs only the first coefficients of the next step, and a coefficient that happens
+to be zero cannot mislead it. Components that are zero and have no rate at the start get a scale as in `error_scale`.
 
-The memory of one motion is `z`: NUMBERS first, then seven numbers a component, then the polynomial, order by order. One
-motion alone has its components side by side, in vectors, with zeros up to PADDED. Several motions have each number side
-by side, LANES of them: a vector serves what all do at every step, a loop over the lanes what few do. Names put in place
-for one right-hand side: SIZE components, ORDER of the run, ACROSS, ALONG and LANES of `series.Layout`.
+The memory of one motion is `z`: NUMBERS scalars, then seven numbers per component, then the polynomial, order by order.
+For a single motion the components are contiguous, as vectors padded with zeros up to PADDED. Several motions are
+interleaved: each number is followed by that of the other LANES - 1. Vector code does what all motions do at every step,
+loops over the lanes do the rest. The translator substitutes SIZE (components), ORDER (of the run), and ACROSS, ALONG
+and LANES of `series.Layout`.
 """
 
 from math import inf, log2
@@ -18,60 +18,60 @@ from tam570.integrate.error_scale import CALM, COARSE, NO_SCALE, PART, SHARE
 from tam570.values import Numbers
 
 NUMBERS = 16
-_PLACES = "ROW T H NEW STATUS STEPS REFUSALS TRIES LONGEST SIZED WHO MAXIMUM FIRST ACCEPTED LIMIT"  # in z
+_PLACES = "ROW T H NEW STATUS STEPS REFUSALS TRIES LONGEST SIZED WHO MAXIMUM FIRST ACCEPTED LIMIT"  # indices in z
 PLACES = tuple(_PLACES.split(" "))
 ROW, T, H, NEW, STATUS, STEPS, REFUSALS, TRIES, LONGEST, SIZED, WHO, MAXIMUM, FIRST, ACCEPTED, LIMIT = range(15)
 Y, REST, M, SLOPE, NEXT, BASE, NOISE, POLYNOMIAL = range(8)
-# of a component: at the end of the step tried; what rounding took from its start; its size at the start; the
-# polynomial's derivative at the end; what rounding takes from the end; the derivative there; what a rounding does to it
+# of a component: Y at the end of the tried step, REST its compensation (Kahan) at the start, M its scale, SLOPE the
+# polynomial's derivative at the end, NEXT the compensation there, BASE the rates at the start, NOISE a rounding bound
 
 SIZE = PADDED = ORDER = ACROSS = ALONG = LANES = MEMORY = 0
 TIMED = False  # whether the right-hand side depends on time
-SATURATES = False  # whether it has exp, tanh or their like of the state
+SATURATES = False  # whether it has exp, tanh or similar functions of the state
 RUNNING, DONE, VANISHED, SINGULAR, LACKING, FRESH, IDLE = 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0
-LEFT_OUT = 0.4  # of the tolerance, by the terms that a step leaves out
-FINEST = 1e-14  # tolerance of a step, below which they fall as its square: in long runs they add up, rounding does not
-TOLERATED = 1.0  # the derivative may be off by so many times (ORDER + 1) of the tolerance in a step
-ROUNDINGS = 8.0  # and by so many times the bound of its rounding: the polynomial adds up as many terms
-FARTHEST = 1e15  # s, of a step: beyond that high coefficients are less than the least number
-GROWTH = 6.0  # of the step where all coefficients in the window are zero
-LONG, SHORT = 16.0, 1e-9  # times the first step of a series: how long the others are given at most and at least
-STILL = 0.1  # times it, where nothing turns over
+LEFT_OUT = 0.4  # allowed sum of the omitted terms, as a fraction of the tolerance
+FINEST = 1e-14  # tolerance below which LEFT_OUT shrinks in proportion: omitted terms add up, rounding hardly
+TOLERATED = 1.0  # allowed error of the derivative times the step, in units of (ORDER + 1) tolerances
+ROUNDINGS = 8.0  # and in addition in units of its rounding bound, because the polynomial adds up as many terms
+FARTHEST = 1e15  # s, longest step: beyond it high coefficients underflow
+GROWTH = 6.0  # factor of the step size if the last coefficients are all zero
+LONG, SHORT = 16.0, 1e-9  # longest and shortest duration for scales by coupling, in units of the first step
+STILL = 0.1  # the duration if the coupling changes no other scale much, in the same units
 
 coefficients: Numbers = None
-logarithm: Numbers = None  # to base 2, to a tenth: a root of it is wanted
-power_of_2: Numbers = None  # to a hundredth
-shifted: Numbers = None  # behind(array, k): from its k-th number on
-rates: Numbers = None  # rates(work, c, time, ORDER): the coefficients of order 1
-reach: Numbers = None  # the same: in the place of the first, the longest step for what saturates
-roundoff: Numbers = None  # the same: in their place, a bound of their rounding
+logarithm: Numbers = None  # log2 to a tenth, which suffices because the step is a root of its argument
+power_of_2: Numbers = None  # 2**x to a hundredth
+shifted: Numbers = None  # shifted(array, k) is array[k:]
+rates: Numbers = None  # rates(work, c, time, ORDER) writes the coefficients of order 1
+reach: Numbers = None  # the same, but the first is the longest step for exponents
+roundoff: Numbers = None  # the same, but writes bounds of their rounding errors
 
 
-components: Numbers = None  # components(): their indices; of one motion alone as many at a time as fit in a vector
-each: Numbers = None  # each(k): the index of number k of all motions
-wide: Numbers = None  # wide(x): as many of it
-largest: Numbers = None  # largest(x): of the components in a vector
-summed: Numbers = None  # summed(x): of the components in a vector
-largest_of_all: Numbers = None  # largest_of_all(x): of the motions
+components: Numbers = None  # components() iterates over the indices; for a single motion, vector by vector
+each: Numbers = None  # each(k) is the index of number k of all motions
+wide: Numbers = None  # wide(x) is x in all lanes
+largest: Numbers = None  # largest(x) is the maximum over the components in a vector
+summed: Numbers = None  # summed(x) is the sum over the components in a vector
+largest_of_all: Numbers = None  # largest_of_all(x) is the maximum over the motions
 
 
 def memory(size: int) -> int:
-    """Doubles in z."""
+    """Return the number of doubles in z."""
     return NUMBERS + size * (POLYNOMIAL + HIGHEST + 1)
 
 
 def at(part: Numbers, i: Numbers) -> Numbers:
-    """Return where in z that part of component i is, or the first coefficient of its polynomial."""
+    """Return the index in z of a part of component i; POLYNOMIAL + n is its coefficient of order n."""
     return (NUMBERS + part * PADDED + i) * LANES
 
 
 def coefficient(i: Numbers, n: Numbers, lane: Numbers) -> Numbers:
-    """Return where in `work` the coefficient of order n of component i is."""
+    """Return the index in `work` of the coefficient of order n of component i."""
     return i * ACROSS + n * ALONG + lane
 
 
 def lacking(z: Numbers, work: Numbers, lane: Numbers) -> Numbers:
-    """Return whether something is zero, and so is its rate: its scale follows from others, one after the other."""
+    """Return whether some component has no scale and no rate, so that its scale must follow from other components."""
     is_found = False
     for i in range(SIZE):
         if z[at(M, i)] <= NO_SCALE and work[coefficient(i, 1, lane)] == 0.0:
@@ -80,13 +80,16 @@ def lacking(z: Numbers, work: Numbers, lane: Numbers) -> Numbers:
 
 
 def sized(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, h: Numbers) -> Numbers:
-    """Return whether all that lacks a size has one now, or no later time can give it one; in steps of about h."""
+    """Give a scale to components without scale and rate; return whether all have one, or time cannot give them one.
+
+    h : s, estimate of the first step
+    """
     for i in range(SIZE):
         z[at(BASE, i)] = work[coefficient(i, 1, lane)]
     duration, is_found = LONG * h, False
     while not is_found and duration > SHORT * h:
         is_found = spread(z, work, time, c, lane, duration)
-        if is_found and duration == LONG * h:  # nothing turns over
+        if is_found and duration == LONG * h:  # the coupling is weak: use a short duration
             is_found = False
             duration = 2.0 * STILL * h
         duration /= 2.0
@@ -101,7 +104,7 @@ def sized(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, h
 
 
 def moves(work: Numbers, i: Numbers, lane: Numbers) -> Numbers:
-    """Return whether one of the further coefficients of component i is not zero."""
+    """Return whether any coefficient of component i beyond order 1 is nonzero."""
     is_found = False
     for n in range(2, ORDER + 1):
         is_found = is_found or abs(work[coefficient(i, n, lane)]) > NO_SCALE
@@ -109,7 +112,10 @@ def moves(work: Numbers, i: Numbers, lane: Numbers) -> Numbers:
 
 
 def spread(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, duration: Numbers) -> Numbers:
-    """Write what the sizes do to one another within so many s, in place of SLOPE; return whether none turns over."""
+    """Estimate scales in SLOPE by how components change each other's rates within `duration`, s.
+
+    Return whether the estimate is consistent: no component that has a scale changes by much more than it.
+    """
     for i in range(SIZE):
         z[at(SLOPE, i)] = max(z[at(M, i)], abs(z[at(Y, i)]), duration * abs(z[at(BASE, i)]))
     more = SIZE + 1
@@ -135,11 +141,11 @@ def spread(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, 
 
 
 def changed(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, part: Numbers) -> None:
-    """Write the rates where each component is changed by a part of its size."""
+    """Compute the rates with each component changed by a fraction `part` of its scale."""
     sign = 1.0
     for i in range(SIZE):
         work[coefficient(i, 0, lane)] = z[at(Y, i)] + part * z[at(SLOPE, i)] * sign
-        sign = -0.85 * sign if abs(sign) > 0.45 else (1.0 if sign < 0.0 else -1.0)  # no two cancel
+        sign = -0.85 * sign if abs(sign) > 0.45 else (1.0 if sign < 0.0 else -1.0)  # unequal, so that no two cancel
     rates(work, c, time, ORDER)
 
 
@@ -154,7 +160,7 @@ def advance(
     rtol: Numbers,
     budget: Numbers,
 ) -> None:
-    """Step until the last sample, `budget` steps are tried, or no step is possible: z[STATUS] tells."""
+    """Step until the last sample, until `budget` steps were tried, or until no step is possible: see z[STATUS]."""
     pace = pace_of(rtol)
     if z[STATUS] == FRESH:
         start_motion(z, out)
@@ -171,10 +177,10 @@ def advance(
 
 
 def pace_of(rtol: Numbers) -> Numbers:
-    """Return log2 of the step over the distance to the singularity, and 1 over each of the last orders.
+    """Return log2 of the ratio of step to radius of convergence, and the reciprocals of the last four orders.
 
-    The terms of a series fall by q = step / distance each: those left out sum to q / (1 - q) of the last, and are to be
-    LEFT_OUT times the tolerance. q follows from the last term alone, to a hundredth.
+    Successive terms of the series shrink by q = step / radius, so the omitted terms sum to q / (1 - q) of the last one.
+    That sum should be LEFT_OUT times the tolerance. q follows from the last term alone, to a hundredth.
     """
     q = power_of_2(log2(rtol) / ORDER)
     last = log2(rtol * min(1.0, rtol / FINEST) * LEFT_OUT * (1.0 - q) / q) / ORDER
@@ -182,7 +188,7 @@ def pace_of(rtol: Numbers) -> Numbers:
 
 
 def start_motion(z: Numbers, out: Numbers) -> None:
-    """Write the first row, and the magnitudes of a start that nobody has looked at."""
+    """Write the first row and, if there are none, the scales; z[STATUS] is SINGULAR if the start is not finite."""
     z[STATUS] = RUNNING
     for i in range(SIZE):
         out[0, i] = z[at(Y, i)]
@@ -204,10 +210,10 @@ def advance_all(
     rtol: Numbers,
     budget: Numbers,
 ) -> None:
-    """Step the same way for many motions, as many at a time as there are lanes.
+    """Like `advance` for many motions, LANES at a time; a finished motion makes room for the next.
 
-    members : a row each: its status as it ends, and its start
-    Memory behind all z: how many motions were begun, and how many have not ended.
+    members : a row per motion: its final status, then its start
+    The memory after all z contains the number of motions begun and the number of unfinished ones.
     """
     pace = pace_of(rtol)
     next_member, running = LANES * MEMORY, LANES * MEMORY + 1
@@ -252,7 +258,7 @@ def advance_all(
 def begin(
     z: Numbers, work: Numbers, times: Numbers, out: Numbers, members: Numbers, who: Numbers, lane: Numbers
 ) -> None:
-    """Put a member's start where it belongs."""
+    """Initialize a lane with the start of a member."""
     for k in range(NUMBERS + 7 * SIZE):
         z[k * LANES] = 0.0
     z[ROW] = 1.0
@@ -266,7 +272,7 @@ def begin(
 
 
 def mark_accepted(z: Numbers, wrong: Numbers, limit: Numbers) -> None:
-    """Note which of all motions accept the step that they tried."""
+    """Set ACCEPTED of each motion to 1 if it accepts the step that it tried, else to 0."""
     h = z[each(H)]
     accepted = wide(1.0) if h > 0.0 else wide(0.0)
     accepted = accepted if z[each(STATUS)] == RUNNING else wide(0.0)
@@ -275,7 +281,7 @@ def mark_accepted(z: Numbers, wrong: Numbers, limit: Numbers) -> None:
 
 
 def take_steps(z: Numbers) -> None:
-    """Take the steps of all motions that accept theirs; count the refusals of the others."""
+    """Advance the motions that accepted their steps; count the refusals of the others."""
     accepted, h = z[each(ACCEPTED)], z[each(H)]
     for i in components():
         m = z[at(M, i)]
@@ -292,7 +298,7 @@ def take_steps(z: Numbers) -> None:
 
 
 def attempt_all(z: Numbers, work: Numbers, times: Numbers, limit: Numbers) -> None:
-    """Try the next steps of all motions."""
+    """Choose and try the next step of each motion."""
     tries = z[each(TRIES)]
     h = z[each(LIMIT)]
     h = h if h < inf else GROWTH * z[each(LONGEST)]
@@ -324,7 +330,7 @@ def attempt_all(z: Numbers, work: Numbers, times: Numbers, limit: Numbers) -> No
 def settle(
     z: Numbers, work: Numbers, time: Numbers, c: Numbers, times: Numbers, out: Numbers, rtol: Numbers, pace: Numbers
 ) -> None:
-    """Judge the step that was tried, and try the next: `work` holds the coefficients at the state in z."""
+    """Accept or refuse the tried step, then try the next; `work` contains the coefficients at the state in z."""
     limit = inf
     if SATURATES:
         reach(work, c, time, ORDER)
@@ -359,17 +365,17 @@ def settle(
 
 
 def scale_start(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, h: Numbers) -> None:
-    """Give a size to what has none at the start, in a first step of about h; z[STATUS] tells where none follows."""
+    """Give a scale to components that have none; h, s, estimates the first step. z[STATUS] is LACKING if that fails."""
     if z[SIZED] != 1.0 and lacking(z, work, lane) and not sized(z, work, time, c, lane, h if h < inf else z[LONGEST]):
         z[STATUS] = LACKING
     elif h < inf:
-        for i in range(SIZE):  # what is small yet and moves fast
+        for i in range(SIZE):  # a component that is small but changes fast
             if z[SIZED] == 0.0 or (z[SIZED] == 2.0 and z[at(M, i)] <= NO_SCALE):
                 z[at(M, i)] = max(z[at(M, i)], h * abs(work[coefficient(i, 1, lane)]))
 
 
 def refused(z: Numbers, work: Numbers, time: Numbers, c: Numbers, rtol: Numbers) -> Numbers:
-    """Return 1 where the derivative at the end of the step is not the polynomial's; what is but rounding passes."""
+    """Return 1 if the polynomial's derivative at the end differs from the rates by more than tolerance and rounding."""
     limit = TOLERATED * (ORDER + 1) * max(rtol, 2.0**-52)
     wrong = off(z, work, limit, 0.0)
     if largest_of_all(wrong) > 0.0:
@@ -382,7 +388,7 @@ def refused(z: Numbers, work: Numbers, time: Numbers, c: Numbers, rtol: Numbers)
 
 
 def off(z: Numbers, work: Numbers, limit: Numbers, roundings: Numbers) -> Numbers:
-    """Return 1 where an error of a derivative times the step is more than is allowed, or not a number."""
+    """Return 1 if the error of any derivative times the step is NaN or larger than the limit plus rounding bounds."""
     h = z[each(H)]
     wrong = wide(0.0)
     for i in components():
@@ -395,7 +401,7 @@ def off(z: Numbers, work: Numbers, limit: Numbers, roundings: Numbers) -> Number
 
 
 def sample(z: Numbers, times: Numbers, out: Numbers) -> None:
-    """Write the samples in the step, which proved right."""
+    """Write the samples within the accepted step."""
     row = int(z[ROW])
     while row < len(times) and times[row] <= z[NEW]:
         x = times[row] - z[T]
@@ -408,10 +414,10 @@ def sample(z: Numbers, times: Numbers, out: Numbers) -> None:
 
 
 def take_step(z: Numbers, times: Numbers, out: Numbers) -> None:
-    """Write the samples in the step; what had no scale has one now."""
+    """Advance by the accepted step: write its samples and scales of components that had none."""
     sample(z, times, out)
     for i in components():
-        if z[SIZED] != 1.0:  # what has no size yet moves: by as much within a step that proved right
+        if z[SIZED] != 1.0:  # a component without scale gets its size after the accepted step
             z[at(M, i)] = abs(z[at(Y, i)]) if z[at(M, i)] <= NO_SCALE else z[at(M, i)]
         z[at(REST, i)] = z[at(NEXT, i)]
     z[T] = z[NEW]
@@ -421,7 +427,7 @@ def take_step(z: Numbers, times: Numbers, out: Numbers) -> None:
 
 
 def evaluate(z: Numbers, i: Numbers, x: Numbers) -> Numbers:
-    """Component i at x, s after the start of the step."""
+    """Return component i at x, s after the start of the step."""
     value = 0.0
     for n in range(ORDER):
         value = value * x + z[at(POLYNOMIAL + ORDER - n, i)]
@@ -429,17 +435,15 @@ def evaluate(z: Numbers, i: Numbers, x: Numbers) -> Numbers:
 
 
 def longest(z: Numbers, work: Numbers, pace: Numbers) -> Numbers:
-    """Return the step from the last coefficients, the whole state together.
+    """Return the step size by the last four coefficients of all components; pace : from `pace_of`.
 
-    Infinite where all are zero, 0 if none will do.
-
-    pace : as by `pace_of`
+    Return inf if all of them are zero, 0 if one is not finite.
     """
     nearest = wide(-inf)
     total = wide(0.0)
     for i in components():
         size = SHARE * z[at(M, i)] + abs(z[at(Y, i)])
-        first = abs(work[coefficient(i, 1, 0)])  # where it has no size it is its scale
+        first = abs(work[coefficient(i, 1, 0)])  # the scale of a component that has none
         scale = 1.0 / size if size > NO_SCALE else (1.0 / first if first > NO_SCALE else wide(0.0))
         for before in (0, 1, 2, 3):
             part = abs(work[coefficient(i, ORDER - before, 0)]) * scale
@@ -452,7 +456,7 @@ def longest(z: Numbers, work: Numbers, pace: Numbers) -> Numbers:
 
 
 def attempt(z: Numbers, work: Numbers, times: Numbers, h: Numbers) -> None:
-    """Try a step of about h."""
+    """Try a step of h, shortened to end at the last time."""
     t = z[T]
     end = times[len(times) - 1]
     remaining = end - t
@@ -471,7 +475,7 @@ def attempt(z: Numbers, work: Numbers, times: Numbers, h: Numbers) -> None:
 
 
 def extrapolate(z: Numbers, work: Numbers, h: Numbers) -> None:
-    """Write the state and the polynomial's derivative at the end of a step of h."""
+    """Evaluate the polynomial and its derivative at the end of a step of h, with a compensated sum."""
     for i in components():
         value = wide(0.0)
         slope = wide(0.0)

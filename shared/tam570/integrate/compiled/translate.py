@@ -1,8 +1,7 @@
-"""Plain Python as LLVM's representation: the loops over the steps, and the formulas generated for them.
+"""Translates a subset of Python to LLVM's representation: the loops over the steps, and the generated formulas.
 
-A function is translated where it is called, so that all is one in the end. The kinds of the variables follow from
-what the entry is given; a tuple is known by its members; an array is an address. Arithmetic is in Python's order, so
-that both give the same bits.
+Each call is inlined, so the result is one function. Types are inferred from the arguments of the entry; a tuple is a
+compile-time tuple of values, an array is an address. The order of arithmetic is Python's, so both give the same bits.
 """
 
 import ast
@@ -38,18 +37,18 @@ KNOWN = {"inf": math.inf, "nan": math.nan, "True": True, "False": False, "None":
 
 
 class Translator(Writer):
-    """The body of one function of the representation: statements, and values of expressions in terms of names."""
+    """Translates the body of a function: `do_X` writes the statement X of `ast`, `of_X` returns the value of X."""
 
     def __init__(self, functions: Mapping[str, ast.FunctionDef], names: Parameters) -> None:
         super().__init__()
         self.globals = {**KNOWN, **{name: self._inlined(node) for name, node in functions.items()}, **names}
-        self.width = 1  # of vectors
+        self.width = 1  # doubles in a vector
         self.together = 1  # components in a vector
-        self.flags = ""  # of additions and products: none, so that both give Python's bits
-        self.components = 0  # with what fills up the last vector
+        self.flags = ""  # fast-math flags of additions and products; none, to get Python's bits
+        self.components = 0  # padded to whole vectors
         self.tables: dict[tuple[float, ...], str] = {}
-        self.loops: list[str] = []  # where `break` goes
-        self.returns: list[tuple[str, Operand]] = []  # where `return` goes, and its value's place
+        self.loops: list[str] = []  # labels for `break`
+        self.returns: list[tuple[str, Operand]] = []  # labels for `return`, and slots of the values
 
     def _inlined(self, node: ast.FunctionDef) -> Function:
         straight = not any(isinstance(part, BRANCHING) for part in node.body)
@@ -69,7 +68,7 @@ class Translator(Writer):
         return call
 
     def _straight(self, names: Names, body: Sequence[ast.stmt]) -> Operand:
-        """Write a function without branches, whose variables need no memory; return its result."""
+        """Write a function without branches, whose variables stay in registers; return its result."""
         for statement in body:
             if isinstance(statement, ast.Return):
                 return self.value(names, statement.value) if statement.value else ()
@@ -104,7 +103,7 @@ class Translator(Writer):
             names[target.id] = self.stored(names.get(target.id), value)
 
     def stored(self, slot: Operand, value: Operand) -> Operand:
-        """Return the place of a variable that now has this value."""
+        """Store a value in a variable's slot, or in a new one; return the slot."""
         if isinstance(value, tuple):
             places = slot if isinstance(slot, tuple) and len(slot) == len(value) else [None] * len(value)
             return tuple(self.stored(p, v) for p, v in zip(places, value, strict=True))
@@ -118,7 +117,7 @@ class Translator(Writer):
         return slot
 
     def body(self, names: Names, statements: Sequence[ast.stmt]) -> bool:
-        """Return whether the end of the statements is reached."""
+        """Write statements; return whether control reaches their end."""
         return all(self.statement(names, statement) for statement in statements)
 
     def statement(self, names: Names, node: ast.stmt) -> bool:
@@ -128,7 +127,7 @@ class Translator(Writer):
         return bool(method(names, node))
 
     def do_Expr(self, names: Names, node: ast.Expr) -> bool:
-        if not isinstance(node.value, ast.Constant):  # a docstring
+        if not isinstance(node.value, ast.Constant):  # else a docstring
             self.value(names, node.value)
         return True
 
@@ -145,7 +144,7 @@ class Translator(Writer):
 
     def do_If(self, names: Names, node: ast.If) -> bool:
         test = self.value(names, node.test)
-        if not isinstance(test, Value):  # known already
+        if not isinstance(test, Value):  # a compile-time constant
             return self.body(names, node.body if test else node.orelse)
         yes, no, after = self.labels("yes", "no", "after")
         self.branch(test, yes, no)
@@ -184,13 +183,13 @@ class Translator(Writer):
         items = tuple(range(*bounds)) if bounds else self.value(names, node.iter)
         if items and isinstance(items[0], float | tuple):
             return self._over_table(names, node, items)
-        for item in items:  # written out as often as the tuple is long
+        for item in items:  # unrolled
             self.bind(names, node.target, item)
             self.body(names, node.body)
         return True
 
     def _by_vectors(self, names: Names, node: ast.For) -> bool:
-        """Write a loop over the components, as many at a time as there are in a vector."""
+        """Write a loop over the components, vector by vector."""
         if self.width == 1:
             bounds = 0, self.globals["SIZE"]
             return self._counted(names, node.body, bounds, lambda i: self.assign(names, node.target, i))
@@ -234,7 +233,7 @@ class Translator(Writer):
         return True
 
     def _over_table(self, names: Names, node: ast.For, rows: tuple[Operand, ...]) -> bool:
-        """Write a loop over numbers that are known: they are kept in memory, column by column."""
+        """Write a loop over constant numbers, or rows of them, which become tables in memory."""
         columns = list(zip(*rows, strict=True)) if isinstance(rows[0], tuple) else [rows]
         targets = node.target.elts if isinstance(node.target, ast.Tuple) else [node.target]
 
@@ -257,7 +256,7 @@ class Translator(Writer):
         return False
 
     def constants(self) -> list[str]:
-        """Return the tables' definitions."""
+        """Return the definitions of the tables."""
         return [
             f"{name} = internal constant [{len(table)} x double] [{', '.join(f'double {number(x)}' for x in table)}]"
             for table, name in self.tables.items()
@@ -293,7 +292,7 @@ class Translator(Writer):
         return self.emit(ir_type, f"load {ir_type}, ptr {pointer}, align 8")
 
     def address(self, names: Names, node: ast.Subscript) -> tuple[str, str]:
-        """Return where it is and what is there: a number, or a vector."""
+        """Return the address of an array's element and its type: a double or a vector."""
         array, index = self.value(names, node.value), self.value(names, node.slice)
         if not isinstance(array, Array):
             raise Untranslatable(f"{ast.unparse(node)}: not an array")
@@ -332,7 +331,7 @@ class Translator(Writer):
         return self.emit(ir_type, f"sub i64 0, {value.text}" if ir_type == "i64" else f"fneg {ir_type} {value.text}")
 
     def of_Compare(self, names: Names, node: ast.Compare) -> Operand:
-        """Compare a < b < c: all parts are evaluated, as they have no side effects."""
+        """Compare, as in a < b < c; evaluate all parts, since they have no side effects."""
         values = [self.value(names, part) for part in (node.left, *node.comparators)]
         tests = [self.compared(sign, a, b) for sign, a, b in zip(node.ops, values, values[1:], strict=False)]
         result = tests[0]
@@ -352,7 +351,7 @@ class Translator(Writer):
         )
 
     def of_BoolOp(self, names: Names, node: ast.BoolOp) -> Operand:
-        """Evaluate the second only where the first leaves it open: an index may be beyond the end."""
+        """Evaluate later operands only if needed: an index in them may be out of range."""
         slot, (after,) = self.allocated("i1"), self.labels("after")
         for part in node.values:
             test = self.value(names, part)
@@ -402,7 +401,7 @@ class Translator(Writer):
         raise Untranslatable(f"call of {function}")
 
     def extreme(self, function: str, arguments: list[Operand]) -> Operand:
-        """As Python does it: the first unless a later one is beyond; so min(1, nan) is 1."""
+        """Return min or max as Python does: replace the first only by a value beyond it, so min(1, nan) is 1."""
         result = arguments[0]
         for other in arguments[1:]:
             beyond = self.compared(ast.Lt() if function == "min" else ast.Gt(), other, result)
@@ -420,7 +419,7 @@ def _whole(value: Operand) -> bool:
 
 
 def _number(*values: Operand) -> str:
-    """Return the type of what is made of them: a vector if one is."""
+    """Return the common type: a vector if any value is one, else double."""
     types = [value.ir_type for value in values if isinstance(value, Value)]
     return next((ir_type for ir_type in types if ir_type[0] == "<"), "double")
 
@@ -429,7 +428,7 @@ BRANCHING = ast.If | ast.For | ast.While
 
 
 def functions_of(source: str) -> dict[str, ast.FunctionDef]:
-    """Return the functions that a source defines, those inside of others too, by name."""
+    """Return all functions that a source defines by name, including nested ones."""
     functions: dict[str, ast.FunctionDef] = {}
     bodies: list[Sequence[ast.stmt]] = [ast.parse(source).body]
     for body in bodies:
