@@ -1,7 +1,7 @@
-"""Runs the visible tests of assignments on a student's files, each time in a process that a hang cannot outlive.
+"""Run the visible tests of assignments on a student's files, each time in a new process that is killed if it hangs.
 
-The interpreter that will run the tests of a watched file is started ahead and has imported the libraries by
-the time the file is saved; each runs once, so nothing of an older version of the file is left in it.
+The process for the next run of a watched file starts in advance and imports the libraries before the file is saved.
+It runs the tests once and ends, so that nothing remains of an older version of the file.
 """
 
 import contextlib
@@ -17,8 +17,8 @@ from pathlib import Path
 from tam570.checking.trail import last_step
 from tam570.values import Json
 
-PAUSE = 0.05  # s between two looks at the files: two calls of stat each
-ALL_PASS, SOME_FAIL, OUR_FAULT = 10, 11, 12  # exit codes of the process; with another one a student's code ended it
+PAUSE = 0.05  # s between checks of the files: two calls of stat each
+ALL_PASS, SOME_FAIL, OUR_FAULT = 10, 11, 12  # exit codes; with any other, the student's code ended the process
 ENDED = "Your code ended the process that tests it{where}: it exits, crashes or uses too much memory."
 HUNG = "Your code ran out of time{where}, and cannot be interrupted. Is there an endless loop?"
 FAILED = "The tests could not be run; the lines above say why. Please tell your teacher."
@@ -26,7 +26,7 @@ Work = Sequence[tuple[Path, str]]  # files and their assignments
 
 
 def check(work: Work, functions: Sequence[str] = ()) -> int:
-    """Check these files, or only these functions; the exit code: 0 if all tests pass, 1 if some fail."""
+    """Check these files, or only these functions; return the exit code: 0 if all tests pass, 1 if some fail."""
     runner = Runner([])
     try:
         runner.run(work, changed=False, functions=functions)
@@ -38,7 +38,7 @@ def check(work: Work, functions: Sequence[str] = ()) -> int:
 
 
 def watch(work: Work) -> int:
-    """Check these files now, and each again when it is saved, until Ctrl-C; the exit code."""
+    """Check these files now, and each again when it is saved, until Ctrl-C; return the exit code."""
     names = ", ".join(str(file) for file, _ in work)
     print(f"watching {names}; Ctrl-C ends it", flush=True)
     runner = Runner(work)
@@ -49,7 +49,7 @@ def watch(work: Work) -> int:
             time.sleep(PAUSE)
             if runner.ended():
                 if runner.idle:
-                    return 1  # it could not start, and has said why
+                    return 1  # the process could not start and has printed why
                 if successor := runner.successor(work):
                     runner = successor
                     continue
@@ -71,7 +71,7 @@ def watch(work: Work) -> int:
 
 
 class Runner:
-    """An interpreter that waits for an order, runs the tests once, and ends; `ahead` is what it may prepare for."""
+    """A process that waits for an order, runs the tests once, and ends; it imports libraries of `ahead` in advance."""
 
     def __init__(self, ahead: Work) -> None:
         prepared = [[str(file.resolve()), slug] for file, slug in ahead]
@@ -81,17 +81,17 @@ class Runner:
         self._empty.mkdir()
         self._order: Json = {}
         self._process = subprocess.Popen(
-            # -P: nothing beside the work is imported
+            # -P: import no module from the current folder
             [sys.executable, "-P", "-m", "tam570.checking", json.dumps(prepared)],
             stdin=subprocess.PIPE,
             text=True,
             env=_environment(),
             start_new_session=os.name == "posix",
-            creationflags=getattr(subprocess, "CREATE_NEW_PROCESS_GROUP", 0),  # Ctrl-C is for the one that watches
+            creationflags=getattr(subprocess, "CREATE_NEW_PROCESS_GROUP", 0),  # Ctrl-C is for this process
         )
 
     def run(self, work: Work, *, changed: bool, functions: Sequence[str] = ()) -> None:
-        """Give it its order."""
+        """Order the process to check these files; with `changed`, only tests whose outcome may have changed."""
         files = [[str(file.resolve()), slug, changed] for file, slug in work]
         self._follow({"work": files, "functions": list(functions), "lost": {}})
 
@@ -103,7 +103,7 @@ class Runner:
             print(json.dumps(order), file=self._process.stdin, flush=True)
 
     def successor(self, ahead: Work) -> "Runner | None":
-        """Return a runner that goes on, without the function that ended this one; None if no function did."""
+        """Wait for the end; if a student's function caused it, return a runner that continues without it, else None."""
         if self._process.wait() in (ALL_PASS, SOME_FAIL, OUR_FAULT):
             return None
         step, lost = last_step(self._trail), self._order["lost"]
@@ -124,7 +124,7 @@ class Runner:
         return self._process.poll() is not None
 
     def result(self) -> int:
-        """Wait for its end: 0 if all tests pass, else 1; says so if a student's code has ended it."""
+        """Wait for the end and return 0 if all tests pass, else 1; print a message if the student's code caused it."""
         code = self._process.wait()
         if code not in (ALL_PASS, SOME_FAIL):
             test = last_step(self._trail)["test"]
@@ -141,7 +141,7 @@ class Runner:
 
 
 def _environment() -> dict[str, str]:
-    """No windows, one thread, and a place for Matplotlib where the home folder is read only."""
+    """Return the environment: no windows, one thread, and a folder for Matplotlib if the home folder is read-only."""
     settings = {"MPLBACKEND": "agg", "OPENBLAS_NUM_THREADS": "1", **os.environ}
     settings["PYTHONIOENCODING"] = f"{sys.stdout.encoding}:replace"
     if not os.access(os.path.expanduser("~"), os.W_OK):
@@ -150,7 +150,7 @@ def _environment() -> dict[str, str]:
 
 
 def _stamp(file: Path, slug: str) -> tuple[float, ...] | None:
-    """Return what changes when the file or its tests are saved; None while an editor is replacing the file."""
+    """Return times and sizes that change when the file or its tests are saved; None while an editor replaces it."""
     try:
         stats = [file.stat()]
         tests = file.parent / f"test_{slug}.py"

@@ -1,4 +1,4 @@
-"""The process in which a student's code runs: imports ahead, reads an order, follows it, and ends."""
+"""The process in which a student's code runs: it imports libraries in advance, carries out one order, and ends."""
 
 import ast
 import contextlib
@@ -12,11 +12,11 @@ from pathlib import Path
 
 from tam570.checking import ALL_PASS, OUR_FAULT, SOME_FAIL
 
-LIBRARIES = ("matplotlib", "numpy", "scipy", "sympy", "tam570")  # what may be imported ahead
+LIBRARIES = ("matplotlib", "numpy", "scipy", "sympy", "tam570")  # that may be imported in advance
 
 
 def main(argument: str) -> int:
-    """Follow the order that comes on standard input; the exit code."""
+    """Carry out the order on standard input and return the exit code."""
     from tam570.checking import deadline, session
     from tam570.checking.trail import Trail
 
@@ -28,10 +28,10 @@ def main(argument: str) -> int:
         for path in (Path(file), *(module.path for module in session.tests_of(Path(file), slug))):
             _import_ahead(path)
     if not (line := sys.stdin.readline()):
-        return SOME_FAIL  # who waits for this process has gone
+        return SOME_FAIL  # the parent process has ended
     order = json.loads(line)
-    os.dup2(os.open(os.devnull, os.O_RDONLY), 0)  # nobody answers an input() where work is graded
-    os.chdir(order["empty"])  # nor are there files
+    os.dup2(os.open(os.devnull, os.O_RDONLY), 0)  # input() fails, as in the grader
+    os.chdir(order["empty"])  # without files, as in the grader
     deadline.start(order["hung"])
     trail = Trail(order["trail"])
     passed = [
@@ -44,7 +44,7 @@ def main(argument: str) -> int:
 
 
 def _import_ahead(path: Path) -> None:
-    """Import what the file imports, as far as it is a library; what is wrong with the file shows when it runs."""
+    """Import the libraries that a file imports; ignore its errors, which are reported when it runs."""
     with contextlib.suppress(OSError, SyntaxError, ValueError):
         for name in _imported(path):
             if name.partition(".")[0] in LIBRARIES:
@@ -61,11 +61,11 @@ def _imported(path: Path) -> Iterable[str]:
 
 
 if __name__ == "__main__":
-    sys.stdout.reconfigure(line_buffering=True)  # type: ignore[union-attr]  # into a pipe too: a test may take long
+    sys.stdout.reconfigure(line_buffering=True)  # type: ignore[union-attr]  # in a pipe, too: tests may take long
     try:
         code = main(sys.argv[1])
     except Exception:
         traceback.print_exc()
         code = OUR_FAULT
     sys.stdout.flush()
-    os._exit(code)  # whatever threads or exit handlers a student's code has left
+    os._exit(code)  # even if a student's code has left threads or exit handlers

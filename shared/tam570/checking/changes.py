@@ -1,21 +1,21 @@
-"""Which tests a change of the code concerns: those that call a function of which something has become different.
+"""Find which tests a change of the code affects: those that call a function that has changed, directly or not.
 
-Comments, blank lines and docstrings are no difference.
+Changes of comments, blank lines and docstrings do not count.
 """
 
 import ast
 import hashlib
 from collections.abc import Iterable, Iterator, Mapping
 
-ANY = "*"  # among the functions that a test calls: it may call any
-Statements = Mapping[str, list[ast.stmt]]  # of a module, by the names that they bind; "" is what concerns all
+ANY = "*"  # in place of a function's name: the test may call any function
+Statements = Mapping[str, list[ast.stmt]]  # of a module, by the names that they bind; "" for those that bind none
 
 
 def keys(tests: str, code: str, module: str) -> dict[str, str]:
-    """Return a digest for each test, of all that its outcome depends on in these two sources.
+    """Return for each test a digest of everything in the two sources on which its outcome depends.
 
     module : the name by which the tests import the code
-    SyntaxError if one of the sources is none.
+    Raise SyntaxError if a source is not Python.
     """
     here, there = _statements(tests), _statements(code)
     names = {}
@@ -26,9 +26,9 @@ def keys(tests: str, code: str, module: str) -> dict[str, str]:
 
 
 def calls(tests: str, module: str) -> dict[str, set[str]]:
-    """Return the functions of the module that each test names, itself or in its helpers.
+    """Return the functions of the module that each test names, directly or in its helpers.
 
-    Where the module itself is handed on (to getattr, say), these are ANY and all that is named in strings.
+    If a test passes on the module itself, as to getattr, these include ANY and all its strings.
     """
     here = _statements(tests)
     aliases, members = _imported(here, module)
@@ -41,9 +41,9 @@ def calls(tests: str, module: str) -> dict[str, set[str]]:
 
 
 def by_parameters(names: Mapping[str, set[str]], tests: Iterable[str]) -> dict[str, set[str]]:
-    """Return the functions that each of these tests, named with its parameters, calls.
+    """Return the functions that each of these tests calls, by the test's name with parameters.
 
-    A parameter that is the name of a function tells which of all that the test may call is meant.
+    Of a test that may call any function, a parameter that is a function's name tells which.
     """
     used = {}
     for test in tests:
@@ -55,7 +55,7 @@ def by_parameters(names: Mapping[str, set[str]], tests: Iterable[str]) -> dict[s
 
 
 def uses(code: str, names: Iterable[str]) -> set[str]:
-    """Return these names of a source and all that their definitions use, directly or not."""
+    """Return these names of a source and all names that their definitions use, directly or not."""
     return _reached(_statements(code), names)
 
 
@@ -76,7 +76,7 @@ def _named(nodes: Iterable[ast.stmt], aliases: set[str], members: Mapping[str, s
 
 
 def _imported(statements: Statements, module: str) -> tuple[set[str], dict[str, str]]:
-    """Return the names that stand for the module, and those that stand for its members."""
+    """Return the names under which the module is imported, and its members by the names under which these are."""
     aliases: set[str] = set()
     members: dict[str, str] = {}
     for node in (node for nodes in statements.values() for node in nodes):
@@ -96,7 +96,7 @@ def _statements(source: str) -> Statements:
 
 
 def _bound(node: ast.stmt) -> list[str]:
-    """Return the names that a statement binds; none if it may do anything."""
+    """Return the names that a statement binds; none if it may have other effects."""
     if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
         return [node.name]
     if isinstance(node, ast.Import | ast.ImportFrom):
@@ -111,7 +111,7 @@ def _bound(node: ast.stmt) -> list[str]:
 
 
 def _reached(statements: Statements, names: Iterable[str]) -> set[str]:
-    """Return these names and all that their definitions use, directly or not; what may do anything is used by all."""
+    """Return these names and all that their definitions, and statements with other effects, use, directly or not."""
     reached: set[str] = set()
     waiting = ["", *names]
     while waiting:
@@ -127,7 +127,7 @@ def _uses(node: ast.stmt) -> Iterator[str]:
         if isinstance(inner, ast.Name):
             yield inner.id
         elif isinstance(inner, ast.arg):
-            yield inner.arg  # a fixture is asked for by the name of an argument
+            yield inner.arg  # the name of an argument may be that of a fixture
 
 
 def _digest(statements: Statements, names: Iterable[str]) -> str:

@@ -1,4 +1,4 @@
-"""What is read of a picture: its curves, and the words on its axes."""
+"""Read the curves of a picture, and the words on its axes."""
 
 import re
 from typing import TYPE_CHECKING
@@ -13,13 +13,13 @@ FEWEST = 10  # points of a curve; fewer are a marker, a line for reference or an
 
 
 def curves(axes: "Axes") -> list[NDArray[np.float64]]:
-    """Return the points (n, 2) of each line, scatter or open path, each once, without NaN (a lift of the pen)."""
+    """Return the distinct points (n, 2) of each line, scatter or open path, without NaN, which interrupts a line."""
     from matplotlib.collections import LineCollection, PathCollection
 
     drawn = [line.get_xydata() for line in axes.lines if line.get_visible()]
     for collection in (c for c in axes.collections if isinstance(c, LineCollection)):
         pieces = [np.asarray(piece, float) for piece in collection.get_segments()]
-        many = [piece for piece in pieces if len(piece) >= FEWEST]  # else the pieces of one line of many colours
+        many = [piece for piece in pieces if len(piece) >= FEWEST]  # else segments of a single line in many colours
         drawn += many or [np.vstack([np.empty((0, 2)), *pieces])]
     drawn += [c.get_offsets() for c in axes.collections if isinstance(c, PathCollection)]
     for patch in axes.patches:
@@ -32,11 +32,11 @@ def curves(axes: "Axes") -> list[NDArray[np.float64]]:
 
 
 def without_tex(label: str) -> str:
-    """Return a label without TeX's commands: fonts, spaces and sizes of brackets."""
+    """Remove TeX commands from a label: fonts, spaces and sizes of brackets."""
     return re.sub(r"\\[A-Za-z]+\{?|\\.|~", " ", label)
 
 
 def in_metres(label: str) -> bool:
-    """Return whether the unit is a word of its own, as in "x (m)" or "x in metres"."""
+    """Return whether a label has the unit metre as a separate word, as in "x (m)" or "x in metres"."""
     words = {word.strip("()[]{}$,;:.\\") for word in without_tex(label.replace("(s)", "s")).split()}
     return "m" in words or any(word.lower().rstrip("s") in ("metre", "meter") for word in words)

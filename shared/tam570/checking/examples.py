@@ -1,7 +1,7 @@
-"""Examples: calls of a student's functions beside the right results, as the grader compares them, with other inputs.
+"""Examples: calls with their right results, compared as in the grader, with other inputs.
 
-`examples.json` of an assignment is made from its hidden checks and a public seed. A known mistake is kept there as a
-number for each example that it changes, which tells it without telling how anything is done.
+`examples.json` of an assignment is made from its hidden checks and a public seed. It stores a known mistake as one
+number for each result that the mistake changes, which identifies the mistake and does not reveal a solution.
 """
 
 import base64
@@ -17,21 +17,21 @@ from numpy.typing import ArrayLike
 from tam570.values import Function, Json, Numbers
 
 FILE = "examples.json"
-SAME = 1e-5  # of a fingerprint's size: mistakes are further apart
-FEW = 3  # numbers, which another mistake may have as well
+SAME = 1e-5  # relative tolerance of fingerprints; those of mistakes differ by more
+FEW = 3  # numbers: another mistake may give the same
 OR_ANOTHER = " Another mistake may give the same few numbers."
 
 
 @dataclass
 class Examples:
-    """The examples of an assignment, the fingerprints of its known mistakes, and what a student's functions gave."""
+    """The examples of an assignment, the fingerprints of its known mistakes, and the student's results."""
 
     calls: Sequence[Json]
     mistakes: Sequence[Json]
     results: dict[int, Numbers] = field(default_factory=dict)
 
     def module(self, slug: str) -> str:
-        """Return a module of tests, one for each example."""
+        """Return the source of a module of tests, one for each example."""
         lines = [f"import {slug} as hw"]
         for number, call in enumerate(self.calls):
             lines += [
@@ -41,7 +41,7 @@ class Examples:
         return "\n".join(lines) + "\n"
 
     def run(self, function: Function, number: int) -> None:
-        """Call the function as the example does; AssertionError where a result is not right."""
+        """Call the function as the example does. Raise AssertionError if a result is wrong."""
         from tam570.checking.visible import difference
 
         call = self.calls[number]
@@ -68,9 +68,9 @@ class Examples:
                 raise AssertionError(f"{sentence} {difference(actual, expected)}")
 
     def mistake(self, function: str) -> str | None:
-        """Return the one known mistake of a function that gives the student's results; None where others may.
+        """Return the message of the only known mistake of a function that gives the student's results, else None.
 
-        These are others of the list, and all that gives a few numbers of which some are zero by a symmetry.
+        None also if the mistake changes only a few numbers, some of them zero: unknown mistakes may give the same.
         """
         results = {n: result for n, result in self.results.items() if self.calls[n]["function"] == function}
         of_it = [mistake for mistake in self.mistakes if mistake["function"] == function]
@@ -84,9 +84,9 @@ class Examples:
         return opened(agreeing[0]["message"]) + ("" if expected.size > FEW else OR_ANOTHER)
 
     def _agrees(self, wrong: Mapping[str, Sequence[float] | None], results: Mapping[int, Numbers]) -> bool:
-        """Return whether every example has the mistake's numbers, and in one of them these are not the right ones.
+        """Return whether all results agree with the mistake, and at least one is not the right one.
 
-        wrong : its fingerprints in the examples that it changes; None where it has no result
+        wrong : the mistake's fingerprints in the examples that it changes; None for an example without result
         """
         is_wrong = False
         for number, result in results.items():
@@ -104,7 +104,7 @@ class Examples:
 
 
 def load_examples(folder: Path) -> Examples | None:
-    """Return the examples in the folder of an assignment, where there are some."""
+    """Return the examples in the folder of an assignment, or None."""
     path = folder / FILE
     if not path.exists():
         return None
@@ -113,26 +113,26 @@ def load_examples(folder: Path) -> Examples | None:
 
 
 def fingerprint(values: ArrayLike) -> float:
-    """Return a number for an array, which differs where the array does: a sum with weights that no symmetry has."""
+    """Return a number that differs for different arrays: a sum with weights that have no symmetry."""
     flat = np.ravel(np.asarray(values, float))
     return float(flat @ np.cos(1.0 + np.arange(flat.size) * np.sqrt(2.0)))
 
 
 def closed(message: str) -> str:
-    """Return a sentence in a form that nobody reads by accident.
+    """Encode a sentence so that nobody reads it by accident.
 
-    Those of mistakes that are not yours give answers away.
+    Messages about mistakes that a student has not made would give answers away.
     """
     return base64.b64encode(zlib.compress(message.encode())).decode()
 
 
 def opened(message: str) -> str:
-    """Return the sentence that `closed` packed."""
+    """Decode a sentence that `closed` encoded."""
     return zlib.decompress(base64.b64decode(message)).decode()
 
 
 def plain(value: Numbers) -> Numbers:
-    """Return an argument or a result as JSON has it; an array is {"array": nested lists}, a tuple {"tuple": [...]}."""
+    """Convert an argument or a result to JSON: an array to {"array": nested lists}, a tuple to {"tuple": [...]}."""
     if isinstance(value, np.ndarray):
         return {"array": [plain(member) for member in value.tolist()]} if value.ndim else plain(value.item())
     if isinstance(value, tuple):
@@ -147,7 +147,7 @@ def plain(value: Numbers) -> Numbers:
 
 
 def array_of(value: Numbers) -> Numbers:
-    """Return the numbers that `plain` wrote."""
+    """Return the array of numbers from the JSON of `plain`."""
     return np.asarray(_argument(value), float)
 
 

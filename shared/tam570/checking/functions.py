@@ -1,4 +1,4 @@
-"""The student's functions as the tests call them: watched as the grader would, and told at once what is wrong."""
+"""Wrappers of the student's functions for the tests, which enforce the grader's rules and report errors at once."""
 
 import functools
 import time
@@ -21,7 +21,7 @@ from tam570.values import Function, Numbers
 
 
 class Fault(BaseException):
-    """A call of a student's function went wrong; `name` is the function, the message is for the student."""
+    """An error in a call of the student's function `name`; the message is for the student."""
 
     def __init__(self, name: str, message: str, *, unwritten: bool = False) -> None:
         super().__init__(message)
@@ -30,27 +30,27 @@ class Fault(BaseException):
 
 @dataclass
 class Functions:
-    """A student's module, and what is noted of the calls of its functions."""
+    """A student's module, and a record of the calls of its functions."""
 
     module: ModuleType
     file: Path
     results: Mapping[str, Form]
     off_limits: Mapping[str, Sequence[str]]
-    calls: list[str] = field(default_factory=list)  # in the test that runs, in order
-    mistake: Candidate | None = None  # what is tried on the results
-    everywhere: bool = False  # whether it is tried where other functions of the module call this one, too
-    informative: bool = False  # whether some result is not zero where it is undone
-    parameters: set[str] = field(default_factory=set)  # of the calls in which it is undone
-    cache: dict[tuple[str, bool, bytes], Numbers] = field(default_factory=dict)  # results, by function and arguments
+    calls: list[str] = field(default_factory=list)  # in the current test, in order
+    mistake: Candidate | None = None  # whose repair is being tried
+    everywhere: bool = False  # whether calls by the module's other functions are repaired, too
+    informative: bool = False  # whether some repaired result is not zero
+    parameters: set[str] = field(default_factory=set)  # keyword arguments of the repaired calls
+    cache: dict[tuple[str, bool, bytes], Numbers] = field(default_factory=dict)  # results by function and arguments
     observed: dict[str, ObservedCall] = field(default_factory=dict)  # the first call of each function
-    hanging: dict[str, str] = field(default_factory=dict)  # functions that are not called again, and why
+    hanging: dict[str, str] = field(default_factory=dict)  # functions not to call again, and why
     trail: Trail = field(default_factory=Trail)
     total: float = 0.0  # s of processor time of all calls
     longest: dict[str, float] = field(default_factory=dict)  # s of processor time of a function's longest call
     depth: int = 0
 
     def stand_in(self) -> ModuleType:
-        """Return what the tests import in place of the student's module."""
+        """Return the module that the tests import in place of the student's."""
         stand_in = ModuleType(self.module.__name__)
         stand_in.__dict__.update({k: v for k, v in vars(self.module).items() if k != "__builtins__"})
         for name in self.results:
@@ -69,7 +69,7 @@ class Functions:
         def wrapper(*args: Numbers, **kwargs: Numbers) -> Numbers:
             self.calls.append(name)
             arguments = CallArguments(args, kwargs)
-            if self.depth:  # a student's function was handed to another, by way of the tests
+            if self.depth:  # in a call by another of the student's functions
                 return self._repaired(name, arguments, function(*args, **kwargs))
             if self.mistake is None or self.mistake.function != name:
                 return self._result(name, function, arguments)
@@ -81,7 +81,7 @@ class Functions:
         return wrapper
 
     def _repaired(self, name: str, arguments: CallArguments, result: Numbers) -> Numbers:
-        """Return a result with the mistake undone that is tried on this function."""
+        """Return the result, repaired if a mistake of this function is being tried."""
         if self.mistake is None or self.mistake.function != name or self.mistake.repair is None:
             return result
         repaired = self.mistake.repair(ObservedCall(arguments, result))
@@ -91,7 +91,7 @@ class Functions:
 
     @contextmanager
     def tried(self, mistake: Candidate, *, everywhere: bool = False) -> Iterator[None]:
-        """Call a function with a mistake undone; `everywhere`, where the others of the module call it, too."""
+        """Repair a mistake in the tests' calls of a function; with `everywhere`, also in calls by the module itself."""
         before = getattr(self.module, mistake.function)
         self.mistake, self.everywhere = mistake, everywhere
         if everywhere:
@@ -103,20 +103,20 @@ class Functions:
             setattr(self.module, mistake.function, before)
 
     def plain(self, name: str) -> Function:
-        """Return a student's function without the mistake that is tried, whose results are remembered meanwhile."""
+        """Return a student's function without repair; while a mistake is tried, its results are cached."""
         function = getattr(self.module, name)
         return functools.wraps(function)(
             lambda *args, **kwargs: self._result(name, function, CallArguments(args, kwargs))
         )
 
     def _result(self, name: str, function: Function, arguments: CallArguments) -> Numbers:
-        """Return what the function returns, remembered while mistakes are tried.
+        """Return the function's result, from the cache while mistakes are tried.
 
-        Fault if it has not the form of the contract.
+        Raise Fault if it has not the form of the contract.
         """
         tight = self.mistake is not None and self.mistake.repair is None and self.mistake.function == name
         key = (name, tight, _contents(arguments))
-        if self.everywhere:  # they may be others
+        if self.everywhere:  # results change with repairs inside the call
             return self._called(name, function, arguments)
         if self.mistake is None or key not in self.cache:
             self.cache[key] = self._called(name, function, arguments)
@@ -145,7 +145,7 @@ class Functions:
 
     @contextmanager
     def _fair(self, name: str) -> Iterator[None]:
-        """Call under the grader's rules. Fault where it breaks them; ValueError passes, for it may be asked for."""
+        """Apply the grader's rules to a call. Raise Fault if it breaks them, not for ValueError, which tests may expect."""
         self.depth += 1
         try:
             with ExitStack() as rules:
@@ -171,7 +171,7 @@ class Functions:
 
     @contextmanager
     def _without(self, name: str) -> Iterator[None]:
-        """Put away what is off limits in this function alone."""
+        """Replace what is banned in this function only, while it is called."""
         banned, where = tuple(self.off_limits.get(name, ())), f"in {name}"
         changes: list[Change] = [
             (self.module, key, Unusable(origin, where))
@@ -192,12 +192,12 @@ class Functions:
 
 
 def _origin(value: Numbers) -> str:
-    """Return the module that a value is, or comes from."""
+    """Return the name of the module that a value is, or comes from."""
     return value.__name__ if isinstance(value, ModuleType) else str(getattr(value, "__module__", None))
 
 
 def _last(error: BaseException, name: str) -> str:
-    """Return the function that raised."""
+    """Return the name of the function that raised the error."""
     trace = error.__traceback__
     while trace is not None:
         name, trace = trace.tb_frame.f_code.co_name, trace.tb_next
@@ -205,7 +205,7 @@ def _last(error: BaseException, name: str) -> str:
 
 
 def _contents(arguments: CallArguments) -> bytes:
-    """Return what the arguments hold now; what is not data, Matplotlib's Axes, is meant to change."""
+    """Return the arguments' values as bytes, to detect changes; other objects, such as Axes, may change."""
     values = [*arguments[0], *(value for pair in arguments[1].items() for value in pair)]
     return b"\0".join(_bytes(value) for value in values)
 

@@ -1,6 +1,6 @@
-"""Mistakes told by the student's own numbers: a failed test would pass if a result or an argument were changed back.
+"""Find mistakes from a student's numbers: changes of a result or argument with which a failed test passes.
 
-They are the changes that the grader tries on the right function.
+The changes are inverses of transforms that the grader applies to the right function.
 """
 
 import sys
@@ -17,14 +17,14 @@ from tam570.forms import Form
 from tam570.values import Function, Json, Numbers, Parameters
 
 BEGINNING = "Your numbers match this mistake: "
-TIGHT = 1e-9
-QUICK = 0.01  # s of a call, up to which it is made with many other arguments
+TIGHT = 1e-9  # rtol and atol of SciPy's integrators
+QUICK = 0.01  # s: only functions that take less are called with many other arguments
 INTEGRATORS = ("solve_ivp", "odeint")
 
 
 @contextmanager
 def tightened(names: Json) -> Iterator[None]:
-    """Let SciPy's integrators, under whatever name a module has them, keep to TIGHT."""
+    """Limit the tolerances of SciPy's integrators to TIGHT in this block, under any name that a module has for them."""
     integrate = sys.modules.get("scipy.integrate")
     integrators: set[Function] = {getattr(integrate, name) for name in INTEGRATORS} if integrate else set()
     replaced: list[tuple[Json, str, Function]] = [
@@ -56,7 +56,7 @@ class CallArguments(NamedTuple):
 
 
 class ObservedCall(NamedTuple):
-    """A call of a student's function and what it gives, which a change of it would make right."""
+    """A call of a student's function; `expected` is its result, from which a repair computes the right one."""
 
     case: CallArguments
     expected: Numbers
@@ -65,9 +65,9 @@ class ObservedCall(NamedTuple):
 
 @dataclass(frozen=True)
 class Candidate:
-    """What may be wrong with a function.
+    """A possible mistake in a function.
 
-    repair : what the function gives where the mistake is undone; None: its integrators keep to TIGHT
+    repair : computes the result with the mistake undone; None: the function runs in `tightened`
     """
 
     function: str
@@ -76,16 +76,16 @@ class Candidate:
 
     @property
     def is_a_number(self) -> bool:
-        """Whether it is a factor 2, which in calls with one set of parameters one of these may be."""
+        """Whether the mistake is a factor 2, 1/2 or sqrt(2), which a parameter may equal if all calls have the same."""
         return any(words in self.message for words in (" twice", " half", "sqrt(2)"))
 
 
 def candidates(
     name: str, returns: Form, function: Function, example: ObservedCall, seconds: float
 ) -> Iterator[Candidate]:
-    """Yield the mistakes that a function of this form can have, the most telling first.
+    """Yield the possible mistakes of a function with results of this form, the most informative first.
 
-    seconds : of its longest call
+    seconds : duration of the function's longest call
     """
     if ["n"] in [member.get("array", [])[:1] for member in returns.get("group", [returns])]:
         yield Candidate(name, f"It would pass with the tolerances rtol=1e-9, atol=1e-9 in {name}.", None)
@@ -95,6 +95,6 @@ def candidates(
 
 
 def reversed_argument(mistake: Candidate) -> str:
-    """Return the argument of which the mistake reverses the sign; "" of another mistake."""
+    """Return the argument whose sign the mistake reverses; "" for any other mistake."""
     repair = mistake.repair
     return repair.key if isinstance(repair, WrongArgument) and repair.change is np.negative else ""

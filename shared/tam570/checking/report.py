@@ -1,4 +1,4 @@
-"""What `check` prints: the failures in a student's words, in lines of 80 columns."""
+"""Print the results of `check`: failures in a student's words, in lines of 80 columns."""
 
 import os
 import sys
@@ -11,19 +11,19 @@ from tam570.progress import Progress, said
 
 WIDTH = 80
 MOST_LINES = 12  # of a message
-MOST_PRINTED = 3  # lines of what a student's code prints
-SLOW = 0.3  # of the allowance; other inputs, or a slower machine, may take the rest
-RED, GREEN = 31, 32  # of ANSI terminals
+MOST_PRINTED = 3  # lines of a student's output
+SLOW = 0.3  # of a time limit; other inputs, or a slower machine, may need the rest
+RED, GREEN = 31, 32  # ANSI codes
 
 
 def untouched(slug: str, functions: Sequence[str]) -> None:
-    """Print an assignment of which nothing is written yet, in one line."""
+    """Print one line for an assignment of which nothing is written yet."""
     count = f"{len(functions)} functions" if len(functions) > 1 else "1 function"
     print(f"{slug[:4]}: nothing is written yet; {count} to fill in, first {functions[0]}")
 
 
 def trouble(slug: str, message: str) -> None:
-    """Why a file cannot be tested, and what that would cost."""
+    """Print why a file cannot be tested, and what that would cost."""
     print(_wrapped(f"{slug[:4]}: {message}"), file=sys.stderr)
     print("The grader would give this file 0 points.", file=sys.stderr, flush=True)
 
@@ -39,7 +39,7 @@ def imported(skipped: Iterable[str], printed: str, remark: str) -> None:
 
 
 def failures(outcomes: Outcomes, explanation: Mapping[str, str]) -> None:
-    """Print every failure once, with the tests that it ends; then, on one line, what is not written yet."""
+    """Print each failure once, with the tests that fail by it; then, on one line, what is not written yet."""
     tests: dict[str, list[str]] = {}
     for test, failure in outcomes.failures.items():
         if not failure.unwritten:
@@ -71,7 +71,7 @@ def before(names: Sequence[str]) -> None:
 
 
 def slow(longest: Mapping[str, float], total: float) -> None:
-    """Print the functions that need much of the time that the grader gives a call, or all calls together."""
+    """Print which functions use much of the grader's time limit for a call, and whether all calls together do."""
     for name, seconds in longest.items():
         if seconds > SLOW * CALL:
             print(_wrapped(f"{name} takes {seconds:.1f} s of the {CALL:g} s that the grader gives a call.", "", "    "))
@@ -80,7 +80,7 @@ def slow(longest: Mapping[str, float], total: float) -> None:
 
 
 def progressed(slug: str, come: Progress, since: str) -> None:
-    """Print how far the student is, and what is next."""
+    """Print the student's progress and what is next."""
     print(_coloured(f"{slug[:4]}: {said(come)}", RED if come["next"] else GREEN))
     done = "all done here; other inputs are hidden: --final says which"
     ahead = f"next: {come['next']}" if come["next"] else done
@@ -88,12 +88,12 @@ def progressed(slug: str, come: Progress, since: str) -> None:
 
 
 def terminal() -> int | None:
-    """Return a way to the terminal past what is captured; None where nobody looks."""
+    """Return a file descriptor of the terminal, unaffected by redirection; None if stderr is no terminal."""
     return os.dup(2) if sys.stderr.isatty() else None
 
 
 def cleared(where: int | None) -> None:
-    """Take away the line that says which test runs."""
+    """Clear the line that shows the running test, and close the terminal's descriptor."""
     if where is not None:
         os.write(where, b"\r\x1b[K")
         os.close(where)

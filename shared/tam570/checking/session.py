@@ -1,4 +1,4 @@
-"""Runs the visible tests of an assignment on a student's file; meant for a process that may be ended."""
+"""Run the visible tests of an assignment on a student's file, in a process that may be killed."""
 
 import contextlib
 import io
@@ -23,14 +23,14 @@ from tam570.loading import Trouble, guarded_import, loaded, not_utf8, replaced, 
 from tam570.notebooks import text_of
 from tam570.progress import PASSED, Progress, progress, remember, remembered
 
-MOST_VARIANTS = 2000  # calls of tests that a search for a known mistake may cost
+MOST_VARIANTS = 2000  # most runs of a test in a search for mistakes
 SLOW_IMPORT = (
     f"{{file}} takes longer than {CALL:g} s to import. Does it run a simulation by itself?\n"
     'Put that below `if __name__ == "__main__":`, so that it runs only when you start the file.'
 )
 ENDED = "{name} ended the process that tests it: it exits, crashes or uses too much memory."
 OUT_OF_TIME = f"{{name}} did not return within {CALL:g} s, and cannot be interrupted. Is there an endless loop?"
-Remembered = Mapping[str, tuple[str, str]]  # of each test what its outcome depends on, and the outcome
+Remembered = Mapping[str, tuple[str, str]]  # by test: a digest of all that its outcome depends on, and the outcome
 
 
 @dataclass(frozen=True)
@@ -62,11 +62,11 @@ def check(
     functions: Collection[str] = (),
     lost: Mapping[str, bool],
 ) -> bool:
-    """Run the released tests, and those that a student has added beside the file; whether all pass.
+    """Run the released tests, and those that a student has added beside the file; return whether all pass.
 
-    trail     : where to write which test runs, and which function
-    changed   : run only those whose outcome may have changed since they were last run
-    functions : run only those that call one of these; default: all
+    trail     : records which test and which function runs
+    changed   : run only tests whose outcome may have changed since they were last run
+    functions : run only tests that call one of these; default: all
     lost      : the functions that have ended a process, and whether they ran out of time
     """
     trail.enter(slug=slug, test="", function="")
@@ -104,7 +104,7 @@ def check(
 def _chosen(
     tests: Sequence[Test], used: Mapping[str, set[str]], remembered: Remembered, functions: Collection[str]
 ) -> list[Test]:
-    """Return the tests to run: of these functions, and none whose outcome is known."""
+    """Return the tests to run: those of these functions whose outcome is not known."""
     wanted = by_parameters(used, [test.name for test in tests])
     chosen = [test for test in tests if not functions or wanted[test.name] & set(functions)]
     chosen = [test for test in chosen if test.name not in remembered]
@@ -114,7 +114,7 @@ def _chosen(
 
 
 def _report(work: Work, valid: Remembered, outcomes: Outcomes, functions: Collection[str], since: str) -> bool:
-    """Print and remember what became of the tests; whether all pass."""
+    """Print and store the outcomes of the tests; return whether all pass."""
     results = {test: outcome for test, (_, outcome) in valid.items()}
     calling = by_parameters(work.used, results)
     causes = {test: _cause(test, outcomes, calling, results) for test in outcomes.failures}
@@ -125,7 +125,7 @@ def _report(work: Work, valid: Remembered, outcomes: Outcomes, functions: Collec
         names = calling.get(test, set())
         if work.examples and len(names) == 1 and (mistake := work.examples.mistake(*names)):
             explanations[test] = f"{BEGINNING}{mistake}"
-    explanations |= _explained(outcomes, calling, causes, reached, work.code)  # of more numbers than a few examples
+    explanations |= _explained(outcomes, calling, causes, reached, work.code)  # from more numbers than examples have
     report.failures(outcomes, explanations)
     report.slow(outcomes.functions.longest, outcomes.functions.total)
     if functions:
@@ -140,7 +140,7 @@ def _report(work: Work, valid: Remembered, outcomes: Outcomes, functions: Collec
 
 
 def _cause(test: str, outcomes: Outcomes, used: Mapping[str, set[str]], results: Mapping[str, str]) -> str | None:
-    """Return the function that is at fault: the one that raised, or the only one whose own tests do not all pass."""
+    """Return the function at fault: the one that raised, or the only one whose tests of it alone do not all pass."""
     if function := outcomes.failures[test].function:
         return function
     alone = {name: [test for test, names in used.items() if names == {name}] for name in used.get(test, ())}
@@ -149,7 +149,7 @@ def _cause(test: str, outcomes: Outcomes, used: Mapping[str, set[str]], results:
 
 
 def run_tests(file: Path, slug: str, names: Sequence[str]) -> Outcomes:
-    """Return what becomes of these tests on a file. Trouble if it cannot be tested."""
+    """Run the tests with these names on a file and return the outcomes. Raise Trouble if it cannot be tested."""
     functions, _, _ = _functions(file, slug)
     outcomes = Outcomes(functions, None)
     outcomes.run([test for test in _collected(tests_of(file, slug)) if _function(test.name) in names])
@@ -157,15 +157,15 @@ def run_tests(file: Path, slug: str, names: Sequence[str]) -> Outcomes:
 
 
 def tests_of(file: Path, slug: str) -> list[TestModule]:
-    """Return the released tests, the examples, and the student's own.
+    """Return the released tests, the examples, and the student's tests.
 
-    Of a module beside the file those not released.
+    The module of tests beside the file counts only if it has tests that are not released.
     """
     released, beside = (where / f"test_{slug}.py" for where in (folder(slug), file.parent))
     modules = [TestModule(released, released.read_text(encoding="utf-8"))] if released.exists() else []
     if examples := load_examples(folder(slug)):
         modules.append(TestModule(released.with_name("test_examples.py"), examples.module(slug), examples))
-    with contextlib.suppress(OSError, SyntaxError, ValueError):  # what cannot be read has no say
+    with contextlib.suppress(OSError, SyntaxError, ValueError):  # ignore tests that cannot be read
         text = beside.read_text(encoding="utf-8")
         if set(calls(text, slug)) - {name for module in modules for name in calls(module.text, slug)}:
             modules.append(TestModule(beside, text))
@@ -173,7 +173,7 @@ def tests_of(file: Path, slug: str) -> list[TestModule]:
 
 
 def _collected(modules: Sequence[TestModule]) -> list[Test]:
-    """Return all tests, the released ones first. Trouble if there is none."""
+    """Return all tests, the released ones first. Raise Trouble if there is none."""
     tests: dict[str, Test] = {}
     for number, module in enumerate(modules):
         try:
@@ -191,7 +191,7 @@ def _collected(modules: Sequence[TestModule]) -> list[Test]:
 
 
 def _functions(file: Path, slug: str) -> tuple[Functions, list[str], str]:
-    """Return the student's functions, the notebook's cells that were skipped, and what was printed. Trouble if none."""
+    """Return the student's functions, the skipped notebook cells, and the output. Raise Trouble if it cannot run."""
     agreed = contract(slug)
     banned = agreed["off_limits"].get("*", ())
     importing = guarded_import(slug, banned)
@@ -210,7 +210,7 @@ def _functions(file: Path, slug: str) -> tuple[Functions, list[str], str]:
 
 
 def _untouched(file: Path, released: Mapping[str, Stub]) -> list[str]:
-    """Return the functions to be written, if all of them are and nothing is added; else nothing."""
+    """Return the functions to be written if none of them is written and none is added; else an empty list."""
     with contextlib.suppress(SyntaxError, ValueError):
         written = stubs(file.read_bytes())
         if {name: stub.written for name, stub in written.items()} == {
@@ -221,16 +221,16 @@ def _untouched(file: Path, released: Mapping[str, Stub]) -> list[str]:
 
 
 def _function(test: str) -> str:
-    """Return the test's function, without its parameters."""
+    """Return the name of a test without its parameters."""
     return test.partition("[")[0]
 
 
 def _explained(
     outcomes: Outcomes, used: Mapping[str, set[str]], causes: Mapping[str, str | None], reached: Progress, code: str
 ) -> dict[str, str]:
-    """For each failed test that a change of one function explains, which it is.
+    """Return a message for each failed test that passes if one mistake of one function is undone.
 
-    A function whose own tests pass is not named where the test uses one whose own tests fail, directly or not.
+    A function whose tests of it alone pass is not blamed if the test uses, directly or not, one whose tests fail.
     """
     budget, explanations, functions = MOST_VARIANTS, dict[str, str](), outcomes.functions
     mistakes: list[Candidate] = []
@@ -246,7 +246,7 @@ def _explained(
         alone = [
             test for test, functions in used.items() if functions == {name} and outcomes.passed.get(test) == PASSED
         ]
-        # All of these are explained by its one mistake, unless the others of the test make it, too.
+        # The mistake must explain all of these: in them only the test calls the function, not the student's code.
         its_own = {test for test in failed if causes[test] == name not in uses(code, used[test] - {name})}
         best: list[str] = []
         best_mistake: Candidate | None = None
@@ -266,7 +266,7 @@ def _explained(
             key = reversed_argument(mistake)
             is_as_good = best_mistake and mended == best and reversed_argument(best_mistake) and key
             if (
-                informative  # many mistakes leave nothing but zeros
+                informative  # zeros agree with many mistakes
                 and (is_as_good or len(mended) > len(best))
                 and its_own <= {*mended}
                 and not (
@@ -274,7 +274,7 @@ def _explained(
                 )
                 and all(_passes(outcomes, mistake, test) for test in alone)
             ):
-                if best_mistake and is_as_good:  # nothing tells the two arguments apart
+                if best_mistake and is_as_good:  # both arguments explain the same tests
                     mistake = replace(best_mistake, message=f"{best_mistake.message[:-1]}, or {key} has it.")
                 best, best_mistake = mended, mistake
         if best_mistake:
@@ -286,7 +286,7 @@ def _explained(
 def _consequences(
     outcomes: Outcomes, mistakes: Sequence[Candidate], used: Mapping[str, set[str]], code: str
 ) -> dict[str, str]:
-    """For each failed test that passes where a mistake in what its one function calls is undone, which it is."""
+    """Return a message for each failed test that passes if a mistake in what its only function calls is undone."""
     explanations = dict[str, str]()
     for mistake in (mistake for mistake in mistakes if mistake.repair):
         for test, failure in outcomes.failures.items():
@@ -300,7 +300,7 @@ def _consequences(
 
 
 def _passes(outcomes: Outcomes, mistake: Candidate, test: str, *, everywhere: bool = False) -> bool:
-    """Return whether a test passes with this change; `everywhere`: where others of the module call it, too."""
+    """Return whether a test passes with a mistake undone; with `everywhere`, also in calls by the module itself."""
     import numpy as np
 
     tried = outcomes.functions.tried(mistake, everywhere=everywhere)
@@ -310,6 +310,6 @@ def _passes(outcomes: Outcomes, mistake: Candidate, test: str, *, everywhere: bo
             outcomes.repeat[test]()
     except (KeyboardInterrupt, GeneratorExit):
         raise
-    except BaseException:  # whatever a student's code raises at numbers that were changed
+    except BaseException:  # a student's code may raise anything for changed numbers
         return False
     return True

@@ -1,6 +1,6 @@
-"""Wrong answers that are made of the right function: its arguments or its result changed, in ways that people err.
+"""Transforms: the right function with its arguments or results changed, as by frequent mistakes.
 
-The grader looks for them where no known mistake explains a student's numbers, and so does `tam570 check`.
+The grader compares a student's numbers with them if no known mistake explains these; `tam570 check` tries the inverses.
 """
 
 import functools
@@ -19,9 +19,9 @@ from tam570.values import Function, Numbers, Parameters
 
 SPACE = 3  # components of a vector
 ORDINALS = ("first ", "second ", "third ", "fourth ", "fifth ", "sixth ")  # results of a function
-AXES = {1: ("component",), 2: ("row", "column"), 3: ("segment", "end", "component")}  # of an array, by their number
-SHARE = 1e-4  # of what a motion starts from: its result is linear in it to 1e-8
-MOST = 8  # along an axis, of which one, or two, may be wrong
+AXES = {1: ("component",), 2: ("row", "column"), 3: ("segment", "end", "component")}  # by the number of axes
+SHARE = 1e-4  # factor on initial values, small enough that results are linear in them to 1e-8
+MOST = 8  # length of an axis, up to which one or two components are changed
 
 
 class Arguments(Protocol):
@@ -34,7 +34,7 @@ class Arguments(Protocol):
 
 
 class Compared(Protocol):
-    """A call, what came back, and the right answer."""
+    """A call, its result, and the right result."""
 
     @property
     def case(self) -> Arguments: ...
@@ -44,7 +44,7 @@ class Compared(Protocol):
     def expected(self) -> Numbers: ...
 
 
-Transform = tuple[str, Callable[[Compared], Numbers]]  # what to say, and the wrong answer
+Transform = tuple[str, Callable[[Compared], Numbers]]  # message, and function that returns the wrong answer
 Change = Callable[[Numbers], Numbers]
 ResultChange = Callable[[Numbers, Arguments], Numbers]
 FACTORS = {
@@ -81,14 +81,14 @@ THIN: dict[str, Change] = {
     "{} is that of a thin disk, A = C/2, whatever A is": lambda inertia: (inertia[1] / 2, inertia[1]),
     "{} is that of a thin disk, C = 2 A, whatever C is": lambda inertia: (inertia[0], 2 * inertia[0]),
 }
-LENGTHS = ("radius", "length", "offset")  # from one point to the other, of a moment of inertia
+LENGTHS = ("radius", "length", "offset")  # possible distances between reference points of a moment of inertia
 ANGLES = ("angle", "lean", "phi", "slope", "theta", "tilt")
 INERTIA = re.compile("inertia$")
 
 
 @dataclass(frozen=True)
 class WrongArgument:
-    """The right function with another value of one argument."""
+    """Transform that calls the right function with another value of one argument."""
 
     reference: Function
     key: str
@@ -98,16 +98,16 @@ class WrongArgument:
         return self.reference(**self.arguments(self.reference, call.case))
 
     def arguments(self, function: Function, case: Arguments) -> dict[str, Numbers]:
-        """Return what a function gets in its place; unchanged where it does not take this argument."""
+        """Return the arguments of a call by name, with this one changed if the function has it."""
         values = _named(function, case)
         return {name: self.change(value) if name == self.key else value for name, value in values.items()}
 
 
 def other_results(name: str, reference: Function, example: Compared, vary: bool) -> Iterator[Transform]:
-    """Yield a result of the wrong sign, in another unit, by a factor too large, with parts exchanged.
+    """Yield transforms to a result with the wrong sign, unit or factor, or with exchanged components.
 
-    example : a wrong call
-    vary    : the parameters differ from call to call: what is the same in all of them does not depend on these
+    example : a call with a wrong result
+    vary    : whether parameters differ between calls, so that a constant factor cannot depend on them
     """
     results, expected = parts(example.result), parts(example.expected)
     numbers: dict[str, int | None] = {
@@ -124,7 +124,7 @@ def other_results(name: str, reference: Function, example: Compared, vary: bool)
 
 
 def other_factors(name: str, reference: Function, example: Compared) -> Iterator[Transform]:
-    """Yield a result that lacks a factor, or has one too many, which is an argument without a keyword."""
+    """Yield transforms to a result in which a positional argument is a factor too few or too many."""
     results = parts(example.result)
     numbers = {key: position for key, position in _numbers(reference, example.case).items() if position is not None}
     for which, label in enumerate(_labels(name, len(results))):
@@ -133,19 +133,19 @@ def other_factors(name: str, reference: Function, example: Compared) -> Iterator
 
 
 def _labels(name: str, count: int) -> list[str]:
-    """Return what each result of a function is called."""
+    """Return the name of each result of a function, for messages."""
     return [f"Your {ordinal if count > 1 else ''}result of {name}" for ordinal in ORDINALS[:count]]
 
 
 def _of_all_results(name: str, count: int) -> Iterator[Transform]:
-    """Yield what may be wrong with several results together; doing it again undoes it."""
+    """Yield transforms of several results together, each of which is its own inverse."""
     yield f"Your results of {name} have the opposite sign", lambda call: tuple(map(np.negative, parts(call.expected)))
     if count == 2:
         yield f"Your results of {name} are exchanged", lambda call: tuple(parts(call.expected)[::-1])
 
 
 def other_arguments(name: str, reference: Function, example: Compared) -> Iterator[Transform]:
-    """Yield an argument of the wrong sign, in degrees, ignored, or in another's place."""
+    """Yield transforms with an argument of the wrong sign, in degrees, ignored, or exchanged with another."""
     values = _named(reference, example.case)
     for key, value in values.items():
         thin = THIN.items() if INERTIA.search(key) and np.shape(value) == (2,) else ()
@@ -159,7 +159,7 @@ def other_arguments(name: str, reference: Function, example: Compared) -> Iterat
 
 
 def other_symbols(name: str, points: Sequence[Parameters]) -> Iterator[tuple[str, Change]]:
-    """Yield a symbol of a formula of the wrong sign, counted twice, ignored or in another's place, at each point."""
+    """Yield changes of points: a formula's symbol has the wrong sign, counts twice, is ignored or exchanged."""
     for key in points[0]:
         for words, change, _ in _other_values(np.asarray(1.0)):
             yield f"In {name}, {words.format(key)}", partial(_at_points, {key: (key, change)})
@@ -176,7 +176,7 @@ def _at_points(changes: Mapping[str, tuple[str, Change]], points: Sequence[Param
 
 
 def other_words(name: str, reference: Function, cases: Iterable[Arguments]) -> Iterator[Transform]:
-    """Yield an argument in which two words are exchanged, of those that the calls have there."""
+    """Yield transforms that exchange two values of a string argument, among those in the calls."""
     values = [_named(reference, case) for case in cases]
     for key in _parameters(reference):
         words = sorted({value[key] for value in values if isinstance(value.get(key), str)})
@@ -190,10 +190,10 @@ def _other_word(first: str, other: str, word: str) -> str:
 
 
 def undone(name: str, function: Function, example: Compared, is_quick: bool) -> Iterator[Transform]:
-    """Yield what may be wrong with a student's function, and what it gives where that is undone: then it is right.
+    """Yield possible mistakes of a student's function, with functions that return its results with the mistake undone.
 
-    example  : a call of the function, whose result stands for the right one
-    is_quick : whether it may be called with many other arguments
+    example  : a call of the function, with the student's result as `expected`
+    is_quick : whether the function is quick enough to call it with many other arguments
     """
     results, numbers = parts(example.expected), _numbers(function, example.case)
     for which, label in enumerate(_labels(name, len(results))):
@@ -219,9 +219,9 @@ def _exchanges(name: str, function: Function, values: Parameters) -> Iterator[Tr
 
 
 def other_forms(name: str, reference: Function, example: Compared) -> Iterator[Transform]:
-    """Yield a result that is linear in what it starts from, or one of several results; components of both exchanged.
+    """Yield rarer transforms: an argument without sign, in other axes or without a step; a sine or cosine too many.
 
-    Before these arguments without a sign, in other axes or without a step, and results with a sine or cosine too many.
+    After these, exchanged components of an argument and the result, and results linear in the initial values.
     """
     names = _parameters(reference)
     values = _named(reference, example.case)
@@ -247,7 +247,7 @@ def other_forms(name: str, reference: Function, example: Compared) -> Iterator[T
 
 
 def _rarer_values(value: Numbers) -> Iterator[tuple[str, Change]]:
-    """Yield what an argument may be taken for: a number without its sign, a list of steps without one."""
+    """Yield rarer changes of an argument: a number loses its sign, a list of steps its first, last or order."""
     if isinstance(value, list) and len(value) > 1 and isinstance(value[0], tuple):
         yield "the first of the {} is left out", lambda value: value[1:]
         yield "the last of the {} is left out", lambda value: value[:-1]
@@ -257,7 +257,7 @@ def _rarer_values(value: Numbers) -> Iterator[tuple[str, Change]]:
 
 
 def _other_axes(name: str, reference: Function, values: Parameters) -> Iterator[Transform]:
-    """Yield a vector whose components are taken for those along other axes, where a rotation is beside it."""
+    """Yield transforms with a vector in the other frame's axes, if the arguments include a rotation R."""
     vectors = [key for key, value in values.items() if np.shape(value) == (SPACE,)]
     for key in vectors if np.shape(values.get("R", 0)) == (SPACE, SPACE) else ():
         yield f"In {name}, {key} is used as if it had space components", partial(_in_other_axes, reference, key, True)
@@ -271,7 +271,7 @@ def _in_other_axes(reference: Function, key: str, back: bool, call: Compared) ->
 
 
 def _other_factors(name: str, reference: Function, example: Compared) -> Iterator[Transform]:
-    """Yield a result with a factor, the sine or cosine of an angle, too many or too few."""
+    """Yield transforms to a result with the sine or cosine of an angle as a factor too many or too few."""
     values, results = _named(reference, example.case), parts(example.result)
     angles = [key for key, value in values.items() if np.ndim(value) == 0 and key in ANGLES]
     for (which, label), key in product(enumerate(_labels(name, len(results))), angles):
@@ -302,7 +302,7 @@ def _linearised(reference: Function, keys: Sequence[str], which: int | None, cal
 
 
 def _other_points(name: str, reference: Function, values: Parameters) -> Iterator[Transform]:
-    """Yield a moment of inertia about another point than the right one."""
+    """Yield transforms with a moment of inertia about the wrong point."""
     lengths = [key for key in values if key in LENGTHS and "mass" in values]
     for key, length, power in product(filter(INERTIA.search, values), lengths, (1, -1)):
         for k in range(np.size(values[key])):
@@ -312,7 +312,7 @@ def _other_points(name: str, reference: Function, values: Parameters) -> Iterato
 
 
 def other_products(name: str, reference: Function, example: Compared) -> Iterator[Transform]:
-    """Yield a factor that is missing beside an argument, or one too many."""
+    """Yield transforms with an argument that another one multiplies once too few or too many."""
     values = {key: np.asarray(value) for key, value in _named(reference, example.case).items()}
     numbers = [key for key, value in values.items() if value.dtype.kind in "fiu"]
     for key, other in permutations(numbers, 2):
@@ -323,7 +323,7 @@ def other_products(name: str, reference: Function, example: Compared) -> Iterato
 
 
 def _numbers(function: Function, case: Arguments) -> dict[str, int | None]:
-    """Return the arguments that are numbers, each with its place among those without a keyword."""
+    """Return the arguments that are single numbers, each with its position; None for a keyword argument."""
     places = {key: position for position, key in enumerate(_parameters(function)[: len(case.args)])}
     numbers = {key: np.asarray(value) for key, value in _named(function, case).items()}
     return {key: places.get(key) for key, value in numbers.items() if value.ndim == 0 and value.dtype.kind in "fiu"}
@@ -332,7 +332,7 @@ def _numbers(function: Function, case: Arguments) -> dict[str, int | None]:
 def _changes(
     result: Numbers, numbers: Mapping[str, int | None]
 ) -> Iterator[tuple[str, ResultChange, ResultChange | None]]:
-    """Yield what may be wrong with a result, and what undoes it."""
+    """Yield possible changes of a result: message, change, and inverse or None."""
     for words, factor in FACTORS.items():
         yield words, partial(_scaled, factor), partial(_scaled, 1 / factor)
     for words, change in POWERS.items():
@@ -359,7 +359,7 @@ def _changes(
 
 
 def _multiples(numbers: Mapping[str, int | None]) -> Iterator[tuple[str, ResultChange, ResultChange]]:
-    """Yield a factor or divisor that a result lacks, of the numbers among the arguments."""
+    """Yield changes of a result that lacks a factor or divisor, one of these arguments: message, change, inverse."""
     for key, position in numbers.items():
         times = partial(_times, key, position)
         for words, power in {"multiplied": -1, "divided": 1}.items():
@@ -368,7 +368,7 @@ def _multiples(numbers: Mapping[str, int | None]) -> Iterator[tuple[str, ResultC
 
 
 def _constants(result: Numbers, expected: Numbers) -> Iterator[tuple[str, ResultChange]]:
-    """Yield what one result is of the right one, in every call."""
+    """Yield the constant factor and the constant offset of a result from the right one, as messages and changes."""
     if result.shape == expected.shape and expected.any():
         largest = np.unravel_index(np.argmax(np.abs(expected)), expected.shape)
         ratio, shift = (float(array[largest]) for array in (result / expected[largest], result - expected))
@@ -382,7 +382,7 @@ def _scaled(factor: float, value: Numbers, case: Arguments) -> Numbers:
 
 
 def _times(key: str, position: int | None, power: int, value: Numbers, case: Arguments) -> Numbers:
-    """Return a product with an argument; without it where the call has another order."""
+    """Multiply by a power of an argument, a keyword or the one at `position`."""
     factor = case.kwargs[key] if position is None else case.args[position]
     return value * float(factor) ** power
 
@@ -392,7 +392,7 @@ def _changed(change: Change, value: Numbers, case: Arguments) -> Numbers:
 
 
 def _components(result: Numbers) -> Iterator[tuple[str, Change]]:
-    """One component of a vector, one row or column, of the wrong sign; two exchanged."""
+    """Yield changes of a component, row or column: the wrong sign, or exchanged with another; each is its inverse."""
     for axis, (what, count) in enumerate(zip(AXES.get(result.ndim, ()), result.shape, strict=False)):
         numbers = range(count if count <= MOST else 0)
         for k in numbers:
@@ -413,7 +413,7 @@ def _scaled_part(which: int, axis: int, factor: float, value: Numbers) -> Number
     return np.moveaxis(np.moveaxis(np.asarray(value), axis, -1) * factors, -1, axis)
 
 
-VALUES: tuple[tuple[str, Change, Change | None], ...] = (  # the words, what it is taken for, and what undoes that
+VALUES: tuple[tuple[str, Change, Change | None], ...] = (  # message, change, inverse or None
     ("{} has the opposite sign", np.negative, np.negative),
     ("{} is converted to degrees", np.degrees, np.radians),
     ("{} is read as degrees", np.radians, np.degrees),
@@ -424,10 +424,10 @@ VALUES: tuple[tuple[str, Change, Change | None], ...] = (  # the words, what it 
 
 
 def _other_values(value: Numbers) -> Iterator[tuple[str, Change, Change | None]]:
-    """Yield what an argument may be taken for, and what undoes it."""
+    """Yield possible changes of an argument: message, change, and inverse or None."""
     if value.dtype.kind not in "fiu":
         return
-    if value.ndim != 1 or len(value) <= SPACE:  # a state is many things, and not one that has a sign
+    if value.ndim != 1 or len(value) <= SPACE:  # a longer one is a state of different quantities
         yield from VALUES
     if value.ndim == 0:
         yield "{} is ignored, as if it were 1", lambda value: 1.0, None
@@ -438,11 +438,11 @@ def _other_values(value: Numbers) -> Iterator[tuple[str, Change, Change | None]]
 
 
 def parts(result: Numbers) -> list[Numbers]:
-    """Return the results of a call."""
+    """Return the results of a call as a list."""
     return list(result) if isinstance(result, tuple) else [result]
 
 
-# what a function may forget to do with an argument: "t" with the times, "axis" with a vector of any length
+# what a function may forget to do with an argument of this name: subtract t[0], normalize the axis
 UNPREPARED: dict[str, tuple[tuple[str, Change], ...]] = {
     "t": (("the first time is taken as 0: it is t[0]", lambda t: np.asarray(t) - t[0]),),
     "axis": (("{} is used as if it were a unit vector", lambda axis: np.asarray(axis) / np.linalg.norm(axis)),),
@@ -481,7 +481,7 @@ def _exchanged(reference: Function, first: str, other: str, call: Compared) -> N
 
 
 def _named(function: Function, case: Arguments) -> dict[str, Numbers]:
-    """Return the arguments of a call, by the names that the function has for them."""
+    """Return the arguments of a call by the names of the function's parameters."""
     return {**dict(zip(_parameters(function), case.args, strict=False)), **case.kwargs}
 
 

@@ -1,7 +1,7 @@
-"""Collects visible tests and runs them, one by one, in this process: no pytest session, so nothing around has a say.
+"""Collect visible tests and run them one by one in this process, without pytest's session, configuration and plugins.
 
 A module of tests is ordinary pytest. Its asserts are compiled so that a failure says what was returned and what is
-right. pytest's `approx`, `raises` and `parametrize` work as usual; a test that asks for a fixture cannot run.
+right. pytest's `approx`, `raises` and `parametrize` work as usual; a test with a fixture cannot run.
 """
 
 import ast
@@ -25,14 +25,14 @@ from tam570.loading import said
 from tam570.progress import FAILED, PASSED
 from tam570.values import Json, Numbers, Parameters
 
-COMPARISONS: dict[str, tuple[Callable[[Numbers, Numbers], Numbers], str]] = {  # by the names of ast
+COMPARISONS: dict[str, tuple[Callable[[Numbers, Numbers], Numbers], str]] = {  # by the operators of ast
     "Eq": (operator.eq, "is right"),
     "Lt": (operator.lt, "is the limit, which it must be below"),
     "LtE": (operator.le, "is the most that is right"),
     "Gt": (operator.gt, "is the limit, which it must be above"),
     "GtE": (operator.ge, "is the least that is right"),
 }
-MOST_NUMBERS = 6  # of an array that is printed whole
+MOST_NUMBERS = 6  # of the largest array that is printed in full
 COMPARE, HOLDS, ALLCLOSE = "_tam570_compare", "_tam570_holds", "_tam570_allclose"
 RIGHT, AGREE = "Your code gives {0}{2}; {1} is right.", "Your code gives {0} and {1}{2}; they must agree."
 
@@ -50,7 +50,7 @@ class TestFailure:
     """Why a test failed."""
 
     message: str
-    function: str | None = None  # that is at fault for certain
+    function: str | None = None  # that is certainly at fault
     where: str = ""  # the line of the test
     printed: str = ""
     unwritten: bool = False
@@ -58,16 +58,16 @@ class TestFailure:
 
 @dataclass
 class Outcomes:
-    """The outcome of each test, by its name with its parameters, the failure, and how to repeat it."""
+    """The outcome of each test, its failure, and a callable that repeats it, by the test's name with parameters."""
 
     functions: Functions
-    terminal: int | None  # where to show it
+    terminal: int | None  # file descriptor that shows the running test
     passed: dict[str, str] = field(default_factory=dict)  # PASSED or FAILED
     failures: dict[str, TestFailure] = field(default_factory=dict)
     repeat: dict[str, Callable[[], object]] = field(default_factory=dict)
 
     def run(self, tests: Sequence[Test]) -> None:
-        """Run these tests and record what becomes of each."""
+        """Run these tests and record their outcomes."""
         for test in tests:
             self.functions.trail.enter(test=test.name, function="")
             if self.terminal is not None:
@@ -96,7 +96,7 @@ class Outcomes:
                 return TestFailure(self._message(error), None, _line(error), printed.getvalue())
 
     def _message(self, error: BaseException) -> str:
-        """Return what a test says, or what an exception of it does."""
+        """Return the message of a failed assert, or a description of the exception."""
         text = str(error).strip()
         if text.startswith("DID NOT RAISE"):
             return "It raises no ValueError here, and it should."
@@ -107,9 +107,9 @@ class Outcomes:
 
 
 def collect_tests(path: Path, text: str, names: Parameters | None = None) -> list[Test]:
-    """Return the tests in a module, in order, with their parameters. Whatever its import raises is passed on.
+    """Return the tests in a module, in order, with their parameters; pass on exceptions of its import.
 
-    names : what the module finds besides Python's own
+    names : more globals of the module
     """
     module = ModuleType(path.stem)
     module.__file__ = str(path)
@@ -136,7 +136,7 @@ def _with_parameters(name: str, function: Callable[..., object]) -> Iterator[Tes
 
 
 def _cases(names: str | Sequence[str], values: Sequence[Numbers]) -> Iterator[tuple[Json, str]]:
-    """Yield the values of parameters, and how they are called."""
+    """Yield the values of parameters by name, and their label in the test's name."""
     keys = [name.strip() for name in names.split(",")] if isinstance(names, str) else list(names)
     for index, value in enumerate(values):
         members = value.values if hasattr(value, "marks") else value if len(keys) > 1 else [value]  # of pytest.param
@@ -152,10 +152,10 @@ def _needs_pytest(fixture: str) -> None:
 
 
 class _Telling(ast.NodeTransformer):
-    """Compiles asserts and calls of assert_allclose so that they say what is compared."""
+    """Replaces asserts and calls of assert_allclose by functions that report what is compared."""
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.AST:  # noqa: N802
-        self._names: set[str] = set()  # of what comes from the student's functions
+        self._names: set[str] = set()  # of variables with results of the student's functions
         for part in ast.walk(node):
             if isinstance(part, ast.Assign) and self._is_students(part.value):
                 self._names |= {name.id for target in part.targets for name in _names_in(target)}
@@ -220,7 +220,7 @@ def _allclose(
 
 
 def difference(actual: Numbers, expected: Numbers, both: bool = False) -> str:
-    """Return what was returned and what is right, or `both` of the student: whole, or where it is furthest off."""
+    """Return a sentence on the actual and the right value, or `both` from the student; of a long array, the worst."""
     import numpy as np
 
     sentence = AGREE if both else RIGHT
@@ -239,7 +239,7 @@ def difference(actual: Numbers, expected: Numbers, both: bool = False) -> str:
 
 
 def _apart(actual: Numbers, expected: Numbers) -> list[str]:
-    """Return both in so many digits that they differ."""
+    """Format both with as many digits as it takes to tell them apart."""
     pairs = [[_numbers(value, digits) for value in (actual, expected)] for digits in (6, 9, 12, 17)]
     return next((pair for pair in pairs if pair[0] != pair[1]), pairs[-1])
 
@@ -256,7 +256,7 @@ def _numbers(value: Numbers, digits: int = 6) -> str:
 
 
 def _real(value: Numbers) -> Numbers:
-    """Return an array of real numbers, of complex ones without an imaginary part, too; TypeError of others."""
+    """Convert to an array of real numbers; raise TypeError if an imaginary part is not negligible."""
     import numpy as np
 
     array = np.real_if_close(value)
