@@ -145,7 +145,7 @@ class Functions:
 
     @contextmanager
     def _fair(self, name: str) -> Iterator[None]:
-        """Apply the grader's rules to a call. Raise Fault if it breaks them, not for ValueError, which tests may expect."""
+        """Apply the grader's rules to a call. Raise Fault if it fails; pass ValueError on, which tests may expect."""
         self.depth += 1
         try:
             with ExitStack() as rules:
