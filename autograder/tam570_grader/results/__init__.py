@@ -1,1 +1,1 @@
-"""Results as records: on disk, and compared with earlier ones."""
+"""Results as records: the store on disk, adjustments by hand, and tables."""

@@ -1,4 +1,4 @@
-"""The table of what was collected: collected.csv."""
+"""Read `collected.csv`, the table that `collect` writes."""
 
 from collections.abc import Collection
 from pathlib import Path
@@ -7,13 +7,13 @@ from tam570_grader.results.tables import by_column, name_in
 
 COLUMNS = ("student", "name", "assignment", "file", "when", "late", "from", "note")
 TABLE = "collected.csv"
-MINOR = OLDER, RELEASED = "older", "came with the assignment"  # why a file is left, where all is well
+MINOR = OLDER, RELEASED = "older", "came with the assignment"  # reasons for skipping a file that need no attention
 
 
 def listed(path: Path, needed: Collection[str] = COLUMNS) -> list[dict[str, str]]:
-    """Return the rows of collected.csv by column; UsageError if it lacks one that is needed."""
+    """Return the rows of collected.csv by column; raise UsageError if a needed column is missing."""
     remedy = ": name the table that `collect` wrote"
-    rows = by_column(path, needed, remedy, "surrogateescape")  # files' names: any bytes
+    rows = by_column(path, needed, remedy, "surrogateescape")  # names of files may contain any bytes
     return [{name: name_in(cell) for name, cell in row.items()} for _, row in rows]
 
 
@@ -21,7 +21,7 @@ WORK = (".py", ".ipynb")
 
 
 def form(name: str) -> str:
-    """Return the ending of WORK that a name has, in any case, also before the .txt that browsers add; else ""."""
+    """Return the ending in WORK that a name has, ignoring case and a .txt that browsers append to .py; else ""."""
     plain = name.lower()
     plain = plain.removesuffix(".txt") if plain.endswith(".py.txt") else plain
     return next((ending for ending in WORK if plain.endswith(ending)), "")

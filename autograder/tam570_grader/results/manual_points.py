@@ -1,10 +1,10 @@
-"""What an instructor adds to results: points for parts in words, changes with a reason, late days, extensions.
+"""Adjustments that an instructor makes by hand: points for written answers, corrections, late days, extensions.
 
-`by_hand.csv` beside `results.jsonl` holds a row for each student, assignment and item. An item is the letter of a part
-that is graded by hand, the name of a check, whose points it replaces, or a word: `adjust` adds points, `total` replaces
-the score, `late` counts days, `extension` grants days, and `off a day` is the share of the score that a day costs;
-`excused` takes a result out of the account. A row of the student `*` is everybody's, one of the assignment `*` holds in
-all of them: `slip days` of a term pay late days in the order of assignments, `drop lowest` excuses so many results.
+`by_hand.csv` beside `results.jsonl` has a row for each student, assignment and item. An item is the letter of a part
+that is graded by hand, the name of a check whose points the row replaces, or a word: `adjust` adds points, `total` sets
+the score, `late` is the number of days late, `extension` the number allowed, `off a day` the share of the score that a
+day costs, `most off` the largest share lost, `excused` removes a result from the grade. The student `*` means everyone;
+the assignment `*` means all: `slip days` then pay for late days in the assignments' order, `drop lowest` drops results.
 """
 
 import math
@@ -18,8 +18,8 @@ from tam570_grader.results.records import Result
 from tam570_grader.results.tables import by_column, name_in, write_table
 
 Key = tuple[str, str]  # student, assignment
-Score = float | str | None  # EX in the place of the score of who is excused
-Earned = Callable[[], Mapping[str, float | None]]  # the points of each check, asked for where a row names one
+Score = float | str | None  # EX if the student is excused
+Earned = Callable[[], Mapping[str, float | None]]  # points by check; called only if a row names a check
 
 FILE = "by_hand.csv"
 COLUMNS = ("student", "assignment", "item", "points", "of", "comment")
@@ -27,8 +27,8 @@ EVERYONE = "*"
 ADJUST, TOTAL, LATE, EXTENSION, OFF, MOST = "adjust", "total", "late", "extension", "off a day", "most off"
 EXCUSED, SLIP, DROP = "excused", "slip days", "drop lowest"
 WORDS = (ADJUST, TOTAL, LATE, EXTENSION, OFF, MOST, EXCUSED, SLIP, DROP)
-OF_THE_TERM = (EXTENSION, OFF, MOST, SLIP, DROP)  # what a row of the assignment * may say
-EX = "EX"  # stands for the score of who is excused, as in Canvas
+OF_THE_TERM = (EXTENSION, OFF, MOST, SLIP, DROP)  # items allowed for the assignment *
+EX = "EX"  # score of an excused student, as in Canvas
 
 
 class GradeRow(NamedTuple):
@@ -47,13 +47,13 @@ class GradeRow(NamedTuple):
 
 @dataclass(frozen=True)
 class Entry:
-    """One row: points, days or a share, and why."""
+    """One row of `by_hand.csv`: points, days or a share, with a comment."""
 
     student: str
     slug: str
     item: str
-    points: float | None  # None: not given yet
-    of: float | None = None  # the most that a part by hand may earn
+    points: float | None  # None: not graded yet
+    of: float | None = None  # maximum of a part that is graded by hand
     comment: str = ""
 
     @property
@@ -63,17 +63,17 @@ class Entry:
 
 @dataclass(frozen=True)
 class AdjustedScore:
-    """A score with all that was added by hand, and the sentences that tell it."""
+    """A score with all adjustments, and the sentences that describe them."""
 
     score: float | None
     most: float
     message: tuple[str, ...] = ()
-    parts: tuple[str, ...] = ()  # letters of the parts that are counted
+    parts: tuple[str, ...] = ()  # letters of the hand-graded parts included in `most`
     excused: bool = False
 
 
 class ManualAdjustments:
-    """All that was added by hand to some results."""
+    """All rows of `by_hand.csv`, and what they change in results."""
 
     def __init__(self, entries: Iterable[Entry] = ()) -> None:
         self.entries = {entry.key: entry for entry in entries}
@@ -82,29 +82,29 @@ class ManualAdjustments:
             self._of.setdefault((entry.student, entry.slug), {})[entry.item] = entry
 
     def with_(self, entries: Iterable[Entry]) -> "ManualAdjustments":
-        """Return the same, but for newer entries; one without points or a most takes back what there was."""
+        """Return the adjustments with newer entries; an entry with neither `points` nor `of` deletes its row."""
         newest = {**self.entries, **{entry.key: entry for entry in entries}}
         return ManualAdjustments(entry for entry in newest.values() if entry.points is not None or entry.of is not None)
 
     def touches(self, key: Key) -> bool:
-        """Return whether anything was added to a result."""
+        """Return whether any row applies to a result."""
         return any(layer in self._of for layer in _layers(key))
 
     def _rows(self, key: Key) -> dict[str, Entry]:
-        """Return the rows of a result: a student's own go before everybody's, an assignment's before the term's."""
+        """Return the rows of a result by item: a student's before everyone's, an assignment's before the term's."""
         return {item: entry for layer in _layers(key) for item, entry in self._of.get(layer, {}).items()}
 
     def is_missing(self, key: Key, part: str) -> bool:
-        """Return whether nobody has graded a part by hand, of a result whose score depends on it."""
+        """Return whether a part still must be graded by hand: it has no points, and no `total` or `excused` row."""
         points = {item: row.points for item, row in self._rows(key).items()}
         return points.get(part) is None and TOTAL not in points and not points.get(EXCUSED)
 
     def counts_parts(self, slug: str) -> bool:
-        """Return whether everybody's score is of a most that has the parts by hand."""
+        """Return whether everyone's maximum score includes the parts graded by hand."""
         return any(entry.of is not None for entry in self._of.get((EVERYONE, slug), {}).values())
 
     def adjust(self, key: Key, score: float | None, most: float, earned_of: Earned) -> AdjustedScore:
-        """Return what a score of `most` becomes."""
+        """Return a score out of `most` with all adjustments."""
         mine = self._rows(key)
         parts = [row for row in mine.values() if row.of is not None]
         added = [row.points for row in parts if row.points is not None]
@@ -128,7 +128,7 @@ class ManualAdjustments:
         return AdjustedScore(None if earned is None else round(earned, 6), most, (*message, *late), letters)
 
     def _slip(self, key: Key) -> float:
-        """Return the slip days that a result takes: assignments use those of the term in their order."""
+        """Return the slip days that a result uses; assignments use up the term's slip days in order of their slugs."""
         rest = next((row.points or 0.0 for item, row in self._rows(key).items() if item == SLIP), 0.0)
         if not rest:
             return 0.0
@@ -142,14 +142,14 @@ class ManualAdjustments:
         return 0.0
 
     def table(self, rows: Iterable[GradeRow]) -> list[GradeRow]:
-        """Return the table of grades, without the lowest results that a course drops."""
+        """Return the table of grades, with EX as the score of results that the course drops."""
         rows = list(rows)
         dropped = self.dropped(rows)
         return [row._replace(score=EX) if row.key in dropped else row for row in rows]
 
     def dropped(self, rows: Iterable[GradeRow]) -> set[Key]:
-        """Return the lowest results that a course drops, of rows of the table of grades."""
-        counting: dict[str, list[tuple[float, Key]]] = {}  # shares of what can be earned
+        """Return the keys of each student's lowest results, as many as the course drops."""
+        counting: dict[str, list[tuple[float, Key]]] = {}  # by student: share of the maximum score, key
         for row in rows:
             if isinstance(row.score, int | float) and row.max_score:
                 counting.setdefault(row.student, []).append((row.score / row.max_score, row.key))
@@ -161,7 +161,7 @@ class ManualAdjustments:
         return dropped
 
     def applied(self, result: Result) -> Result:
-        """Return a result with its score settled."""
+        """Return a result with its adjusted score."""
         key = result.student, result.assignment
         if not self.touches(key):
             return result
@@ -171,7 +171,7 @@ class ManualAdjustments:
         return replace(result, status=status, score=adjusted.score, max_score=adjusted.most)
 
     def row(self, graded: GradeRow, earned_of: Earned) -> GradeRow:
-        """Return a row of the table of grades with its score settled."""
+        """Return a row of the table of grades with its adjusted score."""
         if not self.touches(graded.key) or isinstance(graded.score, str):
             return graded
         adjusted = self.adjust(graded.key, graded.score, graded.max_score, earned_of)
@@ -179,7 +179,7 @@ class ManualAdjustments:
 
 
 def _layers(key: Key) -> tuple[Key, Key, Key, Key]:
-    """Return whose rows a result obeys, the later before the earlier."""
+    """Return the keys whose rows apply to a result, in increasing order of precedence."""
     student, slug = key
     return (EVERYONE, EVERYONE), (EVERYONE, slug), (student, EVERYONE), (student, slug)
 
@@ -193,7 +193,7 @@ def _part(entry: Entry) -> str:
 def _checks(
     score: float | None, rows: Mapping[str, Entry], earned: Mapping[str, float | None]
 ) -> tuple[float | None, list[str]]:
-    """Replace the points of these checks by points given by hand; a check that no longer exists changes nothing."""
+    """Return the score with the points of these checks replaced, and sentences; ignore checks that no longer exist."""
     here = {item: entry for item, entry in rows.items() if item in earned}
     if not here:
         return score, []
@@ -205,12 +205,12 @@ def _checks(
 
 
 def _days(items: Mapping[str, float]) -> int:
-    """Return the days beyond the extension; a day that has begun counts."""
+    """Return the days late beyond the extension, rounded up."""
     return math.ceil(max(0.0, items.get(LATE, 0.0) - items.get(EXTENSION, 0.0)))
 
 
 def _late(earned: float | None, items: Mapping[str, float], slip_days: float) -> tuple[float | None, list[str]]:
-    """Return what days beyond the extension and the slip days leave of a score, and the sentence that tells it."""
+    """Return a score less the penalty for days beyond extension and slip days, and the sentence that explains it."""
     off = min(items.get(MOST, 1.0), (_days(items) - slip_days) * items.get(OFF, 0.0))
     if not items.get(LATE):
         return earned, []
@@ -228,7 +228,7 @@ def read(folder: Path) -> ManualAdjustments:
 
 
 def rows_of(path: Path) -> Iterator[tuple[int, Entry]]:
-    """Yield the rows of a table with the columns `COLUMNS`, in any order, and their line numbers."""
+    """Yield line number and entry of each row of a table with the columns `COLUMNS`, in any order."""
     rows = by_column(path, ("student", "assignment", "item", "points"), f"; its heading is: {','.join(COLUMNS)}")
     for line, row in rows:
         cells = {name: text.strip() for name, text in row.items()}
@@ -249,14 +249,14 @@ def _number(text: str, where: str) -> float | None:
 
 
 def join(folder: Path, others: Iterable[Path]) -> None:
-    """Take over what was added to other results; what was added to these goes first."""
+    """Add the adjustments in other folders to those in this folder, which have precedence."""
     theirs = [entry for other in others for entry in read(other).entries.values()]
     if theirs:
         write(folder, ManualAdjustments(theirs).with_(read(folder).entries.values()))
 
 
 def write(folder: Path, adjustments: ManualAdjustments) -> None:
-    """Put the table in place of the one that is there, whole or not at all."""
+    """Replace the table in a folder atomically."""
     rows = [
         ["" if value is None else value for value in astuple(entry)]
         for entry in sorted(adjustments.entries.values(), key=lambda entry: entry.key)

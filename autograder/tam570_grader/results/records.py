@@ -1,4 +1,4 @@
-"""Results as records: plain, frozen, and the same on disk as in memory."""
+"""Frozen records of results, which keep all digits when they are written to disk and read."""
 
 import base64
 import math
@@ -12,9 +12,9 @@ from tam570.values import Json, Numbers
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.failure import Failure
 
-FORMAT = 3  # of a result line; those of another format are refused
-MAY_LACK = ("speed", "digest", "notebook", "unwritten", "error")  # of a line, where they are empty
-WRITTEN_OUT = 64  # elements of an array; longer ones are kept as their bytes
+FORMAT = 3  # version of result lines; lines of another version are refused
+MAY_LACK = ("speed", "digest", "notebook", "unwritten", "error")  # fields that a line omits if they are empty
+WRITTEN_OUT = 64  # most elements of an array that is written as a list; longer arrays are written as bytes
 
 
 @dataclass(frozen=True)
@@ -29,21 +29,21 @@ class CheckResult:
     message: str  # for the student
     suspect: str | None = None
     failure: Failure | None = None
-    unwritten: str = ""  # the function that is not there
-    error: str = ""  # ours
+    unwritten: str = ""  # the function that is missing or still the stub
+    error: str = ""  # exception of the grader
 
     @property
     def unlocks_dependents(self) -> bool:
-        """Whether the checks that build on this one are run."""
+        """Whether the checks that depend on this one are run."""
         return self.outcome == "passed" or bool(self.failure and self.failure.near_miss)
 
     @property
     def has_numbers(self) -> bool:
-        """Whether the function gave numbers, right or wrong: what it refuses can be asked then."""
+        """Whether the function returned numbers, right or wrong, so that checks of its exceptions can run."""
         return self.outcome == "passed" or bool(self.failure and self.failure.quantity)
 
     def record(self) -> Json:
-        """Return it as plain data."""
+        """Return the result as plain data for JSON, without fields that have their default values."""
         line = {key: value for key, value in vars(self).items() if value or key not in MAY_LACK}
         del line["failure"]
         if self.failure:
@@ -68,29 +68,29 @@ class Result:
     checks: tuple[CheckResult, ...]
     message: str = ""
     speed: Json | None = None
-    digest: str = ""  # of all that the result depends on
-    notebook: bool = False  # it is a notebook that was graded, not a module
+    digest: str = ""  # digest of all that the result depends on
+    notebook: bool = False  # the submission is a notebook
     format: int = FORMAT
 
     def record(self) -> Json:
-        """Return the result line as plain data; what is empty is left out where it may be."""
+        """Return the result line as plain data for JSON, without optional fields that are empty."""
         line = {**vars(self), "checks": [check.record() for check in self.checks]}
         return {key: value for key, value in line.items() if value or key not in (*MAY_LACK, "message")}
 
 
 def read(line: Json) -> Result:
-    """Return the result in a line. KeyError or TypeError if there is none."""
+    """Return the result in a line; raise KeyError or TypeError if it contains none."""
     checks = tuple(CheckResult(**{**each, "failure": failure(each.get("failure"))}) for each in line["checks"])
     return Result(**{**line, "checks": checks})
 
 
 def failure(line: Json | None) -> Failure | None:
-    """Return the failure in the line of a check."""
+    """Return the failure in the record of a check."""
     return None if line is None else Failure(**{key: _restored(value) for key, value in line.items()})
 
 
 def numbers(value: object) -> Numbers:
-    """Return a value as plain data that loses no digit: arrays become lists; long ones and NaN become their bytes."""
+    """Return a value as plain data without loss of digits: arrays as lists, long ones and NaN or infinity as bytes."""
     if isinstance(value, np.ndarray):
         if value.dtype.kind not in "fiub":
             return [numbers(item) for item in value.tolist()]
@@ -104,7 +104,7 @@ def numbers(value: object) -> Numbers:
     if isinstance(value, list | tuple):
         return [numbers(item) for item in value]
     if isinstance(value, float) and not math.isfinite(value):
-        return _packed(np.array(value))  # JSON has no word for it
+        return _packed(np.array(value))  # JSON has no NaN and no infinity
     return value if value is None or isinstance(value, bool | int | float | str) else repr(value)[:400]
 
 

@@ -1,4 +1,4 @@
-"""Run time against error of the methods, as the benchmark measured it: a student's simulation is put among them."""
+"""Run time against error of the integrators, from the benchmark, to compare a student's simulation with."""
 
 import functools
 import json
@@ -13,14 +13,14 @@ Speed = Json  # function, scene, seconds, error, machine: plain data
 
 @functools.cache
 def scenes() -> Json:
-    """Return by assignment a call, the right end state, and the curves of the methods, (seconds, error)."""
+    """Return for each assignment a call, its right end state, and each method's curve of (seconds, error) pairs."""
     path = Path(__file__).with_name("run_time.json")
     table: Json = json.loads(path.read_text(encoding="utf-8"))
     return table
 
 
 def time_to(error: float, curve: Sequence[Sequence[float]]) -> float | None:
-    """Interpolate the seconds to an error, in logarithms; None if the curve does not get there."""
+    """Return the seconds to an error, interpolated in logarithms; None if the curve does not reach the error."""
     for (t1, e1), (t2, e2) in zip(curve, curve[1:], strict=False):
         if e1 > error >= e2:
             share = math.log(e1 / error) / math.log(e1 / e2)

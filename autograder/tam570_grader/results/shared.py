@@ -1,7 +1,7 @@
-"""Who shares a wrong result that no known mistake explains: the same numbers to twelve digits.
+"""Find students who share a wrong result, equal to twelve digits, that no known mistake explains.
 
-Known mistakes are made by many, and so are the errors of one solver at one loose tolerance: neither counts. Nor do
-numbers that anybody may come by: zeros, NaN, numbers of few digits, and simple multiples of pi and roots.
+Known mistakes and near misses (errors of a solver at a loose tolerance) do not count, as many students make them.
+Numbers that may agree by chance do not, either: zeros, NaN, few digits, and simple multiples of pi and roots.
 """
 
 import hashlib
@@ -16,15 +16,15 @@ from tam570_grader.checks.failure import Failure
 from tam570_grader.results.records import Result
 
 DIGITS = 12
-FEW = 5  # digits that a number may have by chance
-UNITS = (np.pi, np.sqrt(2), np.sqrt(3), np.sqrt(5), np.e)  # of numbers that anybody may write
-LARGEST = 12  # of the numerator and the denominator of a simple multiple
+FEW = 5  # numbers with at most this many digits may agree by chance
+UNITS = (np.pi, np.sqrt(2), np.sqrt(3), np.sqrt(5), np.e)  # simple multiples of these may agree by chance
+LARGEST = 12  # largest numerator and denominator of a simple multiple
 Sign = tuple[str, str, int, bytes]  # assignment, check, seed, digest of the numbers
 
 
 @dataclass(frozen=True)
 class Shared:
-    """Students with the same wrong numbers in some checks."""
+    """Students who have the same wrong numbers in some checks of an assignment."""
 
     slug: str
     students: tuple[str, ...]
@@ -32,7 +32,7 @@ class Shared:
 
 
 def groups(signs: Mapping[tuple[str, str], Iterable[Sign]]) -> list[Shared]:
-    """Return those who share, with the checks in which they do, of the signs of each student and assignment."""
+    """Return the groups of students with equal signs; `signs` has those of each student and assignment."""
     who = defaultdict[Sign, list[str]](list)
     for (student, _), each in sorted(signs.items()):
         for sign in each:
@@ -45,7 +45,7 @@ def groups(signs: Mapping[tuple[str, str], Iterable[Sign]]) -> list[Shared]:
 
 
 def signs_of(result: Result) -> Iterator[Sign]:
-    """Yield what tells a wrong result that no known mistake explains, of each check."""
+    """Yield the sign of each check's wrong result that no known mistake explains."""
     for check in result.checks:
         failure = check.failure
         unknown = failure and not (check.suspect or failure.suspect or failure.follows_from or failure.near_miss)
@@ -54,7 +54,7 @@ def signs_of(result: Result) -> Iterator[Sign]:
 
 
 def _digest(failure: Failure | None) -> bytes:
-    """Return a digest of the numbers to twelve digits; b"" where they tell nothing."""
+    """Return a digest of the student's numbers to twelve digits; b"" if they may agree by chance."""
     if failure is None or failure.actual is None:
         return b""
     try:
@@ -69,7 +69,7 @@ def _digest(failure: Failure | None) -> bytes:
 
 
 def _is_trivial(number: float) -> bool:
-    """Return whether anybody may come by a number: it has few digits, or is a simple multiple of pi or a root."""
+    """Return whether a number may agree by chance: it has few digits, or is a simple multiple of one of UNITS."""
     if float(f"{number:.{FEW}g}") == number:
         return True
     for unit in UNITS:

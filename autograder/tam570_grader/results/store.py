@@ -1,4 +1,4 @@
-"""The results of a run on disk: one line each, safe from a kill at any moment, found again by the next run."""
+"""Store the results of a run on disk, one line each, so that a run that is killed at any time can be resumed."""
 
 import fcntl
 import hashlib
@@ -18,19 +18,19 @@ from tam570_grader.results.records import Result
 from tam570_grader.results.tables import write_table, written
 
 Key = tuple[str, str]  # student, assignment
-Record = Json  # a result line, with "digest": of all that the result depends on
-# what every result has, and every mark in its "checks"
+Record = Json  # a parsed result line; its "digest" covers all that the result depends on
+# fields that every result has, and those of each check in its "checks"
 RESULT_FIELDS = {"student", "assignment", "status", "score", "max_score", "seed", "seconds", "isolation", "checks"}
 CHECK_FIELDS = {"name", "part", "points", "max_points", "outcome", "message", "suspect"}
 
 
 @dataclass(frozen=True, slots=True)
 class StoredLine:
-    """Where a result is in its file, and what is asked of it most."""
+    """The position of a result in its file, and the fields that are needed most."""
 
     start: int
     length: int
-    digest: str  # of all that the result depends on
+    digest: str  # digest of all that the result depends on
     line_digest: str
     seed: int
     graded: GradeRow  # its row in the table of grades
@@ -41,12 +41,12 @@ class StoredLine:
 
 
 class Results(Mapping[Key, Record]):
-    """The newest result of every student and assignment in a file, in order; each is read when it is asked for."""
+    """The newest result of each student and assignment in a file, sorted; records are read from the file on access."""
 
     def __init__(self, file: BinaryIO, path: Path) -> None:
         self._file, self._path = file, path
         self.lines = dict[Key, StoredLine]()
-        self._end, self._count = 0, 0  # of the whole lines that were read
+        self._end, self._count = 0, 0  # offset behind the complete lines that were read, and their number
         try:
             self._look()
         except UsageError:
@@ -64,12 +64,12 @@ class Results(Mapping[Key, Record]):
         return len(self.lines)
 
     def text(self, key: Key) -> bytes:
-        """Return the line of a result."""
+        """Return the result line of a student and assignment."""
         line = self.lines[key]
         return os.pread(self._file.fileno(), line.length, line.start)
 
     def result(self, key: Key) -> Result:
-        """Return a result as a record."""
+        """Return the result of a student and assignment; raise UsageError if its line is not a result."""
         try:
             return records.read(self[key])
         except (ValueError, TypeError, KeyError, AttributeError):
@@ -78,14 +78,14 @@ class Results(Mapping[Key, Record]):
             ) from None
 
     def earned(self, key: Key) -> manual_points.Earned:
-        """Return the points of each check of a result, read when they are asked for."""
+        """Return a function that reads the points of each check of a result."""
         return lambda: {check["name"]: check["points"] for check in self[key]["checks"]}
 
     def close(self) -> None:
         self._file.close()
 
     def _look(self) -> None:
-        """Read the lines that are new; a last one that is being written is left out."""
+        """Read new lines, except an incomplete last one."""
         self._file.seek(self._end)
         for text in self._file:
             if text.endswith(b"\n"):
@@ -102,20 +102,20 @@ class Results(Mapping[Key, Record]):
 
 
 class ResultStore(Results):
-    """`results.jsonl` and `grades.csv` in a folder, open for one run alone.
+    """`results.jsonl` and `grades.csv` in a folder, locked for one run.
 
-    waits : told in a sentence that another run is at work there, whose end is then waited for; default: UsageError
+    waits : called with a sentence before waiting for the end of another run there; by default, UsageError is raised
     """
 
     def __init__(self, folder: Path, waits: Callable[[str], None] | None = None) -> None:
         self._folder = folder
         super().__init__(_locked(folder, waits), folder / "results.jsonl")
-        self._file.truncate(self._end)  # what a kill cut short
+        self._file.truncate(self._end)  # remove the incomplete line of a run that was killed
 
     def add(self, record: Record, text: bytes | None = None) -> None:
-        """Write a result down, if it is new; when this returns, it is on the disk.
+        """Append a result and flush it to the disk, unless it is stored already.
 
-        text : the line, where it is there already
+        text : the line, if it is already encoded
         """
         if self.get(key_of(record)) == record:
             return
@@ -126,19 +126,19 @@ class ResultStore(Results):
         self._index(record, text)
 
     def close(self) -> None:
-        """Write the table of grades; put the lines in order, and drop those that newer ones have replaced."""
-        self._look()  # an interrupt may have come between a line and its record
+        """Write the table of grades; sort the result lines, and remove outdated ones."""
+        self._look()  # an interrupt may have occurred between the writing of a line and its indexing
         adjustments = manual_points.read(self._folder)
         graded = adjustments.table(adjustments.row(self.lines[key].graded, self.earned(key)) for key in self)
         write_table(self._folder / "grades.csv", [GradeRow._fields, *graded])
         starts = [self.lines[key].start for key in self]
-        if self._count > len(self) or starts != sorted(starts):  # last: the lock is on the file that goes
+        if self._count > len(self) or starts != sorted(starts):  # last, as it replaces the locked file
             written(self._folder / "results.jsonl", (self.text(key).decode() for key in self))
         self._file.close()
 
 
 def _locked(folder: Path, waits: Callable[[str], None] | None) -> BinaryIO:
-    """Return the `results.jsonl` of a folder, open and ours alone."""
+    """Return the `results.jsonl` of a folder, open and locked."""
     path = folder / "results.jsonl"
     while True:
         file = _opened(path)
@@ -151,7 +151,7 @@ def _locked(folder: Path, waits: Callable[[str], None] | None) -> BinaryIO:
             waits(f"Another run is writing to {folder}: this one waits for its end.")
             fcntl.flock(file, fcntl.LOCK_EX)
         if path.exists() and os.path.samestat(os.fstat(file.fileno()), os.stat(path)):
-            return file  # a run that ends may have put another in its place
+            return file  # else a run that ended has replaced the file since it was opened
         file.close()
 
 
@@ -166,7 +166,7 @@ def _opened(path: Path) -> BinaryIO:
 
 
 def results(path: Path) -> Results:
-    """Return the results in a folder, or in its `results.jsonl`."""
+    """Return the results in a folder or a `results.jsonl`; raise UsageError if there are none."""
     file = path if path.is_file() else path / "results.jsonl"
     if not file.is_file():
         raise UsageError(f"there are no results in {path}; make them with: tam570-grader grade ... --out {path}")
@@ -177,7 +177,7 @@ def results(path: Path) -> Results:
 
 
 def common_seed(seeds: Iterable[int]) -> int | None:
-    """Return the seed that results have in common; None if there are none."""
+    """Return the only seed among these, None if there is none; raise UsageError if there are several."""
     distinct = set(seeds)
     if len(distinct) > 1:
         raise UsageError(
@@ -187,7 +187,7 @@ def common_seed(seeds: Iterable[int]) -> int | None:
 
 
 def _record(line: bytes, path: Path, number: int) -> Record:
-    """Return the result in a line; UsageError if it is none, or of another format, whose fields have other senses."""
+    """Return the record in a line; raise UsageError if it is not a result, or of another format."""
     try:
         record: Record = json.loads(line)
         is_whole = record.keys() >= RESULT_FIELDS and all(check.keys() >= CHECK_FIELDS for check in record["checks"])
@@ -203,10 +203,10 @@ def _record(line: bytes, path: Path, number: int) -> Record:
 
 
 def _kept_once(value: Any) -> Any:
-    """Return the same, but of equal texts one alone is kept: a class has few names, and many results."""
+    """Return the value, interned if it is a string: a class has few names and many results."""
     return sys.intern(value) if type(value) is str else value
 
 
 def key_of(record: Record) -> Key:
-    """Return whose result it is, on what."""
+    """Return student and assignment of a record."""
     return str(record["student"]), str(record["assignment"])

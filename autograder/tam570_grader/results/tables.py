@@ -1,4 +1,4 @@
-"""Files of text and tables: read from any spreadsheet, written whole or not at all, with no cell that is a formula."""
+"""Read tables from any spreadsheet; write files atomically, and tables without cells that spreadsheets evaluate."""
 
 import contextlib
 import csv
@@ -14,16 +14,16 @@ from tam570_grader.errors import UsageError, say, warn
 
 V = TypeVar("V")
 DELIMITERS = ",;\t"
-# how formulas begin; spreadsheets take the wide forms for the narrow ones
+# first characters of formulas; spreadsheets treat the full-width forms alike
 FORMULA = "=+\\-@\t\r\n\uff1d\uff0b\uff0d\uff20"
-# where a cell begins: at the start, or where a spreadsheet of another language splits; quotes of its own are counted
+# where a cell begins: at the start, or where a spreadsheet with another delimiter splits; further quotes are kept
 START = r"(?:\A|(?<=[;\t\r\n]))"
 BEFORE_FORMULA = re.compile(rf"{START}(?='*[{FORMULA}])")
 QUOTED = re.compile(rf"({START})'(?='*[{FORMULA}])")
 
 
 def written(path: Path, content: str | bytes | Iterable[str]) -> None:
-    """Put the text, its parts or the bytes in place of the file, whole or not at all."""
+    """Write text, its parts or bytes to a file atomically: write another file, flush it to the disk, and rename it."""
     draft = path.with_name(path.name + ".new")
     parts = [content] if isinstance(content, str | bytes) else content
     try:
@@ -33,12 +33,12 @@ def written(path: Path, content: str | bytes | Iterable[str]) -> None:
             os.fsync(file.fileno())
         os.replace(draft, path)
     except OSError:
-        draft.unlink(missing_ok=True)  # a full disk needs the room
+        draft.unlink(missing_ok=True)  # the disk may be full
         raise
 
 
 def write_in(folder: Path, name: str, text: str) -> None:
-    """Write a file into a folder that somebody else may change: beside it first, and through no link."""
+    """Write a file atomically into a folder that another user may change; never follow a link there."""
     directory = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW)
     draft = f".{name}.new"
     try:
@@ -46,16 +46,16 @@ def write_in(folder: Path, name: str, text: str) -> None:
             os.unlink(draft, dir_fd=directory)
         flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW
         with open(os.open(draft, flags, 0o644, dir_fd=directory), "w", encoding="utf-8") as file:
-            file.write(text)  # no fsync: pages are made again from the results
+            file.write(text)  # no fsync: a lost page can be made again from the results
         os.replace(draft, name, src_dir_fd=directory, dst_dir_fd=directory)
     finally:
         os.close(directory)
 
 
 def write_table(path: Path | None, rows: Iterable[Iterable[object]], *, exact: bool = False) -> None:
-    """Write a table of cells, whole or not at all, or print it.
+    """Write a table atomically as CSV, or print it if `path` is None.
 
-    exact : leave cells as they are, for a system that matches names; warn of what could be a formula
+    exact : do not quote formulas, for systems that match names; warn about cells that could be formulas
     """
     rows = [list(row) for row in rows]
     if exact and (odd := sorted({str(text) for row in rows for text in row if text != cell(text)})):
@@ -72,24 +72,24 @@ def write_table(path: Path | None, rows: Iterable[Iterable[object]], *, exact: b
 
 
 def cell(value: V) -> V:
-    """Put a quote before whatever a spreadsheet would take for a formula, wherever it splits the cell."""
+    """Return a cell with a quote before everything that a spreadsheet could take for a formula."""
     return BEFORE_FORMULA.sub(r"\g<0>'", value) if isinstance(value, str) else value  # type: ignore[return-value]  # a str, too
 
 
 def name_in(cell: str) -> str:
-    """Return the text that was made into a cell."""
+    """Return the text from which `cell` made a cell."""
     return QUOTED.sub(r"\1", cell)
 
 
 def table(path: Path) -> list[list[str]]:
-    """Return the rows of a CSV file that are not empty, whatever separates its cells."""
+    """Return the nonempty rows of a CSV file with any of the DELIMITERS."""
     return [row for _, row in lines(path)]
 
 
 def by_column(
     path: Path, needed: Iterable[str], remedy: str, errors: str = "strict"
 ) -> Iterator[tuple[int, dict[str, str]]]:
-    """Yield the rows of a CSV file by column, each with its line; UsageError if it lacks one that is needed."""
+    """Yield line number and cells by column of each row of a CSV file; UsageError if a needed column is missing."""
     (_, heading), *rows = lines(path, errors)
     names = [name.strip().lower() for name in heading]
     if lacking := {*needed} - {*names}:
@@ -99,7 +99,7 @@ def by_column(
 
 
 def lines(path: Path, errors: str = "strict") -> list[tuple[int, list[str]]]:
-    """Return the rows of a CSV file that are not empty, each with the line on which it ends; `errors` as in `open`."""
+    """Return the nonempty rows of a CSV file, each with the number of its last line; `errors` as in `open`."""
     try:
         with open(path, newline="", encoding="utf-8-sig", errors=errors) as file:
             first = file.readline()
