@@ -1,1 +1,1 @@
-"""Where a result becomes prose: feedback, report, pictures."""
+"""Turn results into prose and pictures: feedback pages and the class report."""

@@ -1,4 +1,4 @@
-"""What a student reads of a result, and what a teacher reads of a class; nothing of the hidden inputs."""
+"""Feedback pages for students, and the table of a class for the terminal; neither reveals hidden inputs."""
 
 import functools
 import importlib.util
@@ -34,21 +34,21 @@ NOTES = {
     "timeout": "Your file took too long.",
     "crashed": "Your file ended the process.",
 }
-STOPPED = ("unreadable", "timeout", "crashed")  # what the visible tests would have told
+STOPPED = ("unreadable", "timeout", "crashed")  # statuses that the visible tests would have revealed
 
 
 @dataclass(frozen=True)
 class AssignmentInfo:
-    """What a page says of an assignment, whoever handed it in."""
+    """Facts about an assignment that are the same on every student's page."""
 
     title: str
-    lines: Mapping[str, str]  # what each check tests
-    functions: Mapping[str, str]  # what each check is about: there are hints for it
-    manual: Mapping[str, ManualPart]  # what is graded by hand, by part
+    lines: Mapping[str, str]  # by check: what it tests
+    functions: Mapping[str, str]  # by check: its function, for which there are hints
+    manual: Mapping[str, ManualPart]  # by letter: the parts that are graded by hand
 
 
 def load_assignment_info(course: Path, slug: str) -> AssignmentInfo:
-    """Return what a page says of an assignment; of one that is no longer in the course, its name."""
+    """Return the facts about an assignment; only its slug if it is no longer in the course."""
     if slug not in assignments.slugs(course):
         return AssignmentInfo(slug, {}, {}, {})
     assignment = assignments.assignment(course, slug)
@@ -58,11 +58,11 @@ def load_assignment_info(course: Path, slug: str) -> AssignmentInfo:
 
 
 def page(result: Result, info: AssignmentInfo, adjusted: AdjustedScore | None = None) -> str:
-    """Return a student's feedback on one assignment: one HTML file that needs nothing else.
+    """Return a student's feedback on one assignment as a self-contained HTML file.
 
-    adjusted : the score with what was added by hand
+    adjusted : the score with adjustments by hand
     """
-    from tam570_grader.reports.pictures import among  # for pages alone
+    from tam570_grader.reports.pictures import among  # imported late: only pages need it
 
     adjusted = adjusted or AdjustedScore(result.score, result.max_score)
     parts = [_part(letter, result, info) for letter in sorted({check.part for check in result.checks})]
@@ -90,19 +90,19 @@ def page(result: Result, info: AssignmentInfo, adjusted: AdjustedScore | None = 
 
 
 def overall(status: str, message: str) -> str:
-    """Return what is said of a submission as a whole; empty where nothing is."""
+    """Return the remark on a submission as a whole; "" if there is none."""
     return sentence(capitalized(message)) or NOTES.get(status, "")
 
 
 def must_write_pages() -> None:
-    """Say before grading, not after it, that pages cannot be written."""
+    """Raise UsageError if Jinja2 is not installed: called before grading, as pages need it only at the end."""
     if importlib.util.find_spec("jinja2") is None:
         raise UsageError("the pages of feedback and the report need Jinja2: pip install 'tam570[grader]'")
 
 
 @functools.cache
 def template(name: str) -> "Template":
-    """Return a page's template; whatever is put into it is escaped."""
+    """Return the template of a page; it escapes all inserted text."""
     import jinja2
 
     loader = jinja2.FileSystemLoader(TEMPLATES)
@@ -128,7 +128,7 @@ def _part(letter: str, result: Result, info: AssignmentInfo) -> Json:
 
 
 def shown(check: CheckResult, info: AssignmentInfo, overall_message: str) -> Json:
-    """Return a mark as a page shows it, without what is said of all; never its detail, which is the instructor's."""
+    """Return what a page shows of a check, without a message that all share and `error`, which is the instructor's."""
     from tam570_grader.reports.pictures import pictures, sketch
 
     failure, is_stuck = check.failure, check.outcome == "failed" or bool(check.unwritten)
@@ -152,12 +152,12 @@ def shown(check: CheckResult, info: AssignmentInfo, overall_message: str) -> Jso
 def write_pages(folder: Path, results: Results, course: Path) -> list[Key]:
     """Write the page of each student and assignment, `<student>/<assignment>.html`, unless it is up to date.
 
-    A page that cannot be made says so to its student; which ones these are is returned.
+    Return the keys of pages that could not be made; a page that says so replaces them.
 
-    A file beside the folder, not in it, says from what each page was made: the folder is for students.
+    A file beside the folder (which is for students) records a digest of the data from which each page was made.
     """
     engine = assignments.engine_digest() + b"".join(path.read_bytes() for path in sorted(TEMPLATES.iterdir()))
-    info_digests = {  # of all that `load_assignment_info` reads, which is not loaded
+    info_digests = {  # of all that `load_assignment_info` would read, to avoid loading it
         slug: zlib.crc32(assignments.title(course, slug).encode() + assignments.checks_digest(course, slug) + engine)
         for slug in {slug for _, slug in results.lines}
     }
@@ -173,13 +173,13 @@ def write_pages(folder: Path, results: Results, course: Path) -> list[Key]:
         old = {}
     stale = [key for key in results if old.get("/".join(key)) != digests[key] or not os.path.exists(_path(folder, key))]
     if stale:
-        notes.unlink(missing_ok=True)  # what it says is no longer so
+        notes.unlink(missing_ok=True)  # wrong as soon as the first page is written, if this run is killed
     infos = {slug: load_assignment_info(course, slug) for slug in {slug for _, slug in stale}}
     failed = []
     for key in progress(stale, len(stale), "page"):
         try:
             text = page(read(results[key]), infos[key[1]], adjusted.get(key))
-        except Exception as error:  # of one student's page, which is no reason for the others to have none
+        except Exception as error:  # the other students still get their pages
             warn(f"the page of {key[0]} {key[1]} could not be made: {error!r}")
             text = template("no_page.html").render(slug=key[1], student=key[0])
             failed.append(key)
@@ -190,7 +190,7 @@ def write_pages(folder: Path, results: Results, course: Path) -> list[Key]:
 
 
 def write_page(folder: Path, key: Key, text: str) -> None:
-    """Put a page in its place, unless it is there; a link in its way is replaced, and never followed."""
+    """Write a page unless it is unchanged; replace links on its path instead of following them."""
     path = Path(_path(folder, key))
     for target in (folder, path.parent):
         if target.is_symlink():
@@ -201,7 +201,7 @@ def write_page(folder: Path, key: Key, text: str) -> None:
 
 
 def _settled(adjustments: ManualAdjustments, results: Results) -> dict[Key, AdjustedScore]:
-    """Return the scores to which something was added by hand."""
+    """Return the adjusted scores of the results that have adjustments by hand."""
     rows = [line.graded for key, line in results.lines.items() if adjustments.touches(key)]
     return {
         row.key: adjustments.adjust(row.key, row.score, row.max_score, results.earned(row.key))
@@ -215,7 +215,7 @@ def _path(folder: Path, key: Key) -> str:
 
 
 def table(rows: Sequence[tuple[str, ...]]) -> str:
-    """Return the class at a glance: a line for each submission with what to say about it first."""
+    """Return the table of the class as text: a line for each submission, with its most important remark."""
     rows = [HEADINGS, *rows]
     ends = [max(_width(row[column]) for row in rows) for column in range(5)]
     padded = [[text + " " * (end - _width(text)) for text, end in zip(row, ends, strict=False)] for row in rows]
@@ -223,14 +223,14 @@ def table(rows: Sequence[tuple[str, ...]]) -> str:
 
 
 def _width(text: str) -> int:
-    """Return the columns that a text takes on a terminal: two for a Chinese letter, none for an accent alone."""
+    """Return the columns that a text takes on a terminal: two for a Chinese character, none for a combining accent."""
     return sum(0 if combining(letter) else 1 + (east_asian_width(letter) in "WF") for letter in text)
 
 
 def with_hand(
     rows: Iterable[tuple[str, ...]], results: Results, adjustments: ManualAdjustments
 ) -> list[tuple[str, ...]]:
-    """Return the rows with the scores that points by hand made of theirs."""
+    """Return the rows of the table with scores adjusted by hand."""
     scores = {key: _score(it.score, it.most) for key, it in _settled(adjustments, results).items()}
     return [(*row[:2], scores.get((row[0], row[1]), row[2]), *row[3:]) for row in rows]
 
@@ -240,14 +240,14 @@ def _score(score: float | None, most: float) -> str:
 
 
 def row(record: Record) -> tuple[str, ...]:
-    """Return a result in the table."""
+    """Return a result's row of the table."""
     score = _score(record["score"], record["max_score"])
     seconds = f"{record['seconds']:.2f} s"
     return record["student"], record["assignment"], score, record["status"], seconds, _remark(record)
 
 
 def _remark(record: Record) -> str:
-    """Return the most telling thing about a result: the known mistake, else the first failure."""
+    """Return the most important remark: a known mistake, else the message, the first failure or a missing function."""
     checks = [check for check in record["checks"] if check["outcome"] not in ("passed", "not_run")]
     suspected = next((check["suspect"] for check in checks if check["suspect"]), None)
     if suspected:

@@ -1,4 +1,4 @@
-"""Curves as drawings for a page: places in a frame, ticks, and the words that say the same."""
+"""Pictures of curves and free body diagrams for pages: SVG coordinates, ticks, and the text alternative."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -9,23 +9,23 @@ from tam570_grader.checks.curves import Curve
 from tam570_grader.reports.sentences import quantity
 from tam570_grader.results.run_time import Speed, scenes, time_to
 
-LEFT, RIGHT, TOP, BOTTOM = 52, 350, 10, 166  # of the frame, in a drawing of 360 by 200: a phone's pixels
-DOT = 20  # up to so many samples are marked one by one
-LAST = 268  # of the frame where the names of curves stand to the right of it
-EDGE, SHEET, ARROW = 50, 200, 42  # of the picture of a free body diagram: room around it, its size, an arrow's length
-QUARTERS = ("start", "1/4", "1/2", "3/4", "end")  # of the motion: which times it has is hidden
-NARROW = 3  # of the frame's height, units: a band below that is a line
+LEFT, RIGHT, TOP, BOTTOM = 52, 350, 10, 166  # px, edges of the frame in a drawing of 360 by 200 px, for phones
+DOT = 20  # most samples that are drawn as dots
+LAST = 268  # px, right edge of the frame if the names of curves are written to the right of it
+EDGE, SHEET, ARROW = 50, 200, 42  # px, picture of a free body diagram: margin, size of the body, length of an arrow
+QUARTERS = ("start", "1/4", "1/2", "3/4", "end")  # ticks of the motion, as its times are hidden inputs
+NARROW = 3  # px, least height of a band that does not look like a line
 
 
 @dataclass(frozen=True)
 class Picture:
-    """A drawing; what a template puts between its svg tags."""
+    """A drawing of a curve: what a template writes into an svg element."""
 
     caption: str
-    alt_text: str  # the same in words, for those who do not see it
+    alt_text: str  # text alternative for readers who cannot see the drawing
     path: str
     dots: Sequence[tuple[float, float]]
-    band: tuple[float, float]  # top and height of what is allowed
+    band: tuple[float, float]  # top and height of the allowed range
     limit: str
     x: Sequence[tuple[float, str]]  # ticks
     y: Sequence[tuple[float, str]]
@@ -34,17 +34,17 @@ class Picture:
 
 @dataclass(frozen=True)
 class Sketch:
-    """A free body diagram as a student drew it."""
+    """A drawing of a free body diagram."""
 
     caption: str
     alt_text: str
-    outline: str  # paths
-    arrows: str
-    unknown: Sequence[tuple[int, int]]  # points of forces of which no component is known
+    outline: str  # SVG path of the body
+    arrows: str  # SVG path of the forces
+    unknown: Sequence[tuple[int, int]]  # points of application of forces with unknown direction
 
 
 def sketch(drawn: Json) -> Sketch:
-    """Return the picture of a free body diagram, beside the body; never what it should be."""
+    """Return the picture of a free body diagram: the body's outline, and the forces as arrows."""
     outline, arrows, unknown = "", "", []
     for x1, y1, x2, y2 in drawn["outline"]:
         outline += f"M{EDGE + x1} {EDGE + SHEET - y1}L{EDGE + x2} {EDGE + SHEET - y2}"
@@ -60,7 +60,7 @@ def sketch(drawn: Json) -> Sketch:
 
 
 def _arrow(x: float, y: float, angle: float) -> str:
-    """Return the path of an arrow from a place, y down, with its head."""
+    """Return the SVG path of an arrow from (x, y), with y down; angle in rad, counterclockwise."""
     c, s = math.cos(angle), -math.sin(angle)
     tip = x + ARROW * c, y + ARROW * s
     back = [(tip[0] - 9 * c + side * s, tip[1] - 9 * s - side * c) for side in (4, -4)]
@@ -70,20 +70,20 @@ def _arrow(x: float, y: float, angle: float) -> str:
 
 @dataclass(frozen=True)
 class Among:
-    """A student's point among the curves of the methods, run time over error."""
+    """A plot of run time over error: a student's point among the curves of the integrators."""
 
     caption: str
     alt_text: str
     paths: Sequence[tuple[str, str]]  # name and path
-    names: Sequence[tuple[float, str]]  # where the names stand
+    names: Sequence[tuple[float, str]]  # y and text
     point: tuple[float, float]
-    machine: float  # this machine's time over that of the curves
+    machine: float  # ratio of this machine's time to that of the machine of the curves
     x: Sequence[tuple[float, str]]
     y: Sequence[tuple[float, str]]
 
 
 def among(slug: str, speed: Speed) -> Among:
-    """Return the picture of run time against error; smaller errors to the right, as in the benchmark's."""
+    """Return the plot of run time against error, with smaller errors to the right as in the benchmark's plot."""
     curves = {
         name: [(machine_seconds * speed["machine"], error) for machine_seconds, error in curve]
         for name, curve in scenes()[slug]["curves"].items()
@@ -112,7 +112,7 @@ def among(slug: str, speed: Speed) -> Among:
 
 
 def _compared(speed: Speed, curves: Mapping[str, Sequence[tuple[float, float]]]) -> str:
-    """Return the student's numbers and what the methods take to the same error."""
+    """Return the text alternative: the student's time and error, and the methods' times to the same error."""
     times = {name: time_to(speed["error"], curve) for name, curve in curves.items()}
     others = [f"{name} {time:.2g} s" if time else f"{name} does not get there" for name, time in times.items()]
     return (
@@ -122,7 +122,7 @@ def _compared(speed: Speed, curves: Mapping[str, Sequence[tuple[float, float]]])
 
 
 def _spread(names: Sequence[tuple[float, str]]) -> list[tuple[float, str]]:
-    """Return the names from the top down, each clear of the one above."""
+    """Return the names from the top down, moved down where they would overlap."""
     positions: list[tuple[float, str]] = []
     for height, name in sorted(names):
         positions.append((max(height, positions[-1][0] + 12 if positions else TOP + 4), name))
@@ -134,24 +134,24 @@ def _path(places: Sequence[tuple[float, float]]) -> str:
 
 
 def pictures(curve: Curve | None) -> list[Picture]:
-    """Return the drawings of a failure: the error, and what becomes of an invariant."""
+    """Return the drawings of a failure: the error, and the drift of an invariant if there is one."""
     return [picture(drawn) for drawn in (curve, curve.get("keeps")) if drawn] if curve else []
 
 
 def picture(curve: Curve) -> Picture:
-    """Return the drawing of a curve."""
+    """Return the drawing of a curve: a drift on a linear scale, an error on a logarithmic one."""
     return _drift(curve) if curve["scale"] == "linear" else _error(curve)
 
 
 def _error(curve: Curve) -> Picture:
-    """Return the size of an error by decades, with the limit as a line, all below it allowed."""
+    """Return the drawing of the size of an error on a logarithmic scale; the band below the limit is allowed."""
     values, limit = curve["values"], math.log10(curve["tolerance"])
     finite = [value for value in values if value is not None]
     low, high = math.floor(min(*finite, 0) + limit - 0.2), math.ceil(max(*finite, 0) + limit + 0.2)
     places = _places([None if v is None else v + limit for v in values], low, high)
     decades = range(low, high + 1, max(1, math.ceil((high - low) / 5)))
     line = _up(limit, low, high)
-    # how it begins and ends: a wrong start is another mistake than an error that grows
+    # the text has both ends, as a wrong start is another mistake than an error that grows
     first, last = (curve["tolerance"] * 10**value for value in (finite[0], finite[-1]))
     return _picture(
         curve,
@@ -164,7 +164,7 @@ def _error(curve: Curve) -> Picture:
 
 
 def _drift(curve: Curve) -> Picture:
-    """Return what should stay, with its sign, from what it should be."""
+    """Return the drawing of the signed deviation of an invariant from its right value, on a linear scale."""
     values, limit = curve["values"], curve["tolerance"]
     finite = [value for value in values if value is not None]
     low, high = min(*finite, -limit), max(*finite, limit)
@@ -217,7 +217,7 @@ def _ticks(low: float, high: float) -> list[tuple[float, str]]:
 
 
 def _places(heights: Sequence[float | None], low: float, high: float) -> list[tuple[float, float]]:
-    """Return where the known values are in the frame; the first and the last at its sides."""
+    """Return the positions of the values that are not None in the frame, whose sides are the first and last sample."""
     across = (RIGHT - LEFT) / max(len(heights) - 1, 1)
     return [(LEFT + across * k, _up(height, low, high)) for k, height in enumerate(heights) if height is not None]
 
@@ -227,7 +227,7 @@ def _up(value: float, low: float, high: float) -> float:
 
 
 def _crossing(curve: Curve) -> str:
-    """Return when the limit is first passed, by the quarters of the duration."""
+    """Return a sentence on the quarter of the motion in which the error first exceeds the limit."""
     values = curve["values"]
     slot = next((k for k, value in enumerate(values) if value is not None and value > 0), None)
     if not slot:

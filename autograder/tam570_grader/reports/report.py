@@ -1,4 +1,4 @@
-"""The instructor's page on a class: one file made from the results, that sorts, filters and turns its tables' pages."""
+"""The instructor's report on a class: one HTML file whose tables can be sorted, filtered and paged."""
 
 import base64
 import contextlib
@@ -24,32 +24,32 @@ from tam570_grader.results.records import CheckResult, Result
 from tam570_grader.results.store import Key
 from tam570_grader.results.tables import written
 
-SLOWEST = 20  # submissions that are listed
-SCENES = 3  # of the commonest mistakes
-BINS = 10  # of a distribution of scores
+SLOWEST = 20  # number of slowest submissions listed
+SCENES = 3  # number of commonest mistakes with pictures
+BINS = 10  # bins of the distribution of scores
 OUTCOMES = ("passed", "failed", "not_run", "grader_error")
-FAILED = "Not passed:"  # of a check that no known mistake explains
+FAILED = "Not passed:"  # prefix of a failed check that no known mistake explains
 SCRIPT = Path(__file__).parent / "templates" / "report.js"
 Everyone = Callable[[Collection[str]], Iterable[str]]
-Class = Mapping[Key, Result]  # the newest result of every student and assignment, in order
-Examples = dict[tuple[str, str], Failure]  # by assignment and what went wrong
+Class = Mapping[Key, Result]  # the newest result of each student and assignment, sorted
+Examples = dict[tuple[str, str], Failure]  # by assignment and `_what_went_wrong`
 Signs = dict[Key, list[shared.Sign]]
 
 
 @dataclass(frozen=True)
 class Tally:
-    """How one check went in the class."""
+    """Statistics of one check in the class."""
 
     slug: str
     part: str
     line: str
     points: str
-    counts: Mapping[str, int]  # by outcome
-    discrimination: float | None = None  # share of passes in the upper third less that in the lower, in percent
+    counts: Mapping[str, int]  # submissions by outcome
+    discrimination: float | None = None  # percentage of passes in the upper third minus that in the lower third
 
     @property
     def share(self) -> float:
-        """Of those who handed in, in percent."""
+        """Percentage of passes among those who handed in."""
         return round(100 * self.counts["passed"] / max(sum(self.counts.values()), 1), 1)
 
 
@@ -61,11 +61,11 @@ def run(
     names: Mapping[str, str],
     hand_ins: Sequence[Json],
 ) -> int:
-    """Write the report on the results in the folder; the exit code.
+    """Write the report on the results in a folder; return the exit code.
 
-    everyone : who takes the course, told whom there are results of
-    names    : of the students, by what the results call them
-    hand_ins : how often and when work came, a row for each assignment
+    everyone : function from the students with results to all students of the course
+    names    : names of the students by their ids in the results
+    hand_ins : a row for each assignment: how often and when students handed in
     """
     signs, examples = Signs(), Examples()
     class_results = results(folder, signs, examples)
@@ -73,7 +73,7 @@ def run(
     roster = everyone({student for student, _ in class_results}) if everyone else ()
     slugs, adjustments = _slugs(class_results), manual_points.read(folder)
     infos = {slug: load_assignment_info(course, slug) for slug in slugs}
-    scenes = []  # the commonest mistakes with their pictures, wrong beside right; None where there is nothing to draw
+    scenes = []  # the commonest mistakes, each with a pair of pictures or None
     for it in _suspects(class_results.values(), infos)[:SCENES]:
         failure = examples.get((it["slug"], it["key"]))
         scenes.append({**it, "pair": wrong_and_right(course, it["slug"], it["key"], failure)})
@@ -97,7 +97,7 @@ def run(
 
 
 def results(folder: Path, signs: Signs | None = None, examples: Examples | None = None) -> Class:
-    """Return the newest results in a folder, with what is done by hand; `newest` says what it collects beside them."""
+    """Return the newest results in a folder, with adjustments by hand; see `newest` for `signs` and `examples`."""
     with contextlib.closing(store.results(folder)) as lines:
         class_results = newest(map(lines.result, lines), signs, examples)
     if not class_results:
@@ -107,10 +107,10 @@ def results(folder: Path, signs: Signs | None = None, examples: Examples | None 
 
 
 def newest(results: Iterable[Result], signs: Signs | None = None, examples: Examples | None = None) -> Class:
-    """Return the newest results, without what the page does not show; of equal marks one alone is kept.
+    """Return the newest results without data that the page does not show; equal check results share one object.
 
-    signs    : gets what tells who shares a wrong result
-    examples : gets a failure for each thing that went wrong
+    signs    : filled with the signs of shared wrong results, by student and assignment
+    examples : filled with the first failure of each kind
     """
     equal = dict[CheckResult, CheckResult]()
     class_results = dict[Key, Result]()
@@ -134,9 +134,9 @@ def newest(results: Iterable[Result], signs: Signs | None = None, examples: Exam
 def report(
     class_results: Class, infos: Mapping[str, AssignmentInfo], roster: Iterable[str] = (), **sections: Any
 ) -> str:
-    """Return the page, one HTML file that needs nothing else but, for its links, the feedback beside it.
+    """Return the page, a self-contained HTML file with links to the feedback pages beside it.
 
-    sections : dropped, shared, names, claims, scenes, hand_ins; what is left out is not on the page
+    sections : dropped, shared, names, claims, scenes, hand_ins; the page omits those that are missing
     """
     script = SCRIPT.read_text(encoding="utf-8")
     students = sorted({student for student, _ in class_results} | set(roster))
@@ -174,7 +174,7 @@ def _here(result: Result) -> bool:
 
 
 def _assignments(class_results: Class, infos: Mapping[str, AssignmentInfo]) -> Iterator[Json]:
-    """Yield each assignment at a glance."""
+    """Yield the statistics of each assignment's scores."""
     handed_in: dict[str, list[Result]] = {slug: [] for slug in _slugs(class_results)}
     for result in filter(_here, class_results.values()):
         handed_in[result.assignment].append(result)
@@ -198,7 +198,7 @@ def _assignments(class_results: Class, infos: Mapping[str, AssignmentInfo]) -> I
 
 
 def _scores(class_results: Class, students: Sequence[str], dropped: Container[Key]) -> Iterable[Json]:
-    """Yield a row for each student: a cell for each assignment, in brackets where it does not count, and the sum."""
+    """Yield a row for each student: a cell for each assignment, in parentheses if it is dropped, and the total."""
     slugs = _slugs(class_results)
     for student in students:
         results = {slug: class_results.get((student, slug)) for slug in slugs}
@@ -209,7 +209,7 @@ def _scores(class_results: Class, students: Sequence[str], dropped: Container[Ke
 
 
 def _cell(result: Result | None) -> str:
-    if result is None or not (_here(result) or result.score):  # by hand, a score may be theirs who sent no file
+    if result is None or not (_here(result) or result.score):  # a score may be given by hand without a file
         return ""
     if result.status == EXCUSED:
         return EX
@@ -217,7 +217,7 @@ def _cell(result: Result | None) -> str:
 
 
 def _tallies(results: Iterable[Result], infos: Mapping[str, AssignmentInfo]) -> list[Tally]:
-    """Count for every check, in the order of the assignments, how many of those who handed in passed it."""
+    """Return the statistics of each check over those who handed in, sorted by assignment."""
     counts: dict[tuple[str, str], dict[str, int]] = defaultdict(lambda: dict.fromkeys(OUTCOMES, 0))
     checks, results = dict[tuple[str, str], CheckResult](), list(results)
     upper = _discrimination(results)
@@ -240,7 +240,7 @@ def _tallies(results: Iterable[Result], infos: Mapping[str, AssignmentInfo]) -> 
 
 
 def _discrimination(results: Sequence[Result]) -> dict[tuple[str, str], float]:
-    """Return for every check the passes in the best third less those in the worst third, in percent."""
+    """Return for each check the percentage of passes in the best third minus that in the worst third."""
     handed_in: dict[str, list[Result]] = defaultdict(list)
     for result in results:
         if _here(result) and result.score is not None:
@@ -258,7 +258,7 @@ def _discrimination(results: Sequence[Result]) -> dict[tuple[str, str], float]:
 
 
 def _suspects(results: Iterable[Result], infos: Mapping[str, AssignmentInfo]) -> list[Json]:
-    """Return what went wrong, of most students first: known mistakes before failed checks with hints or sources."""
+    """Return the mistakes, those of most students first; at equal numbers, known ones before mere failed checks."""
     who: dict[tuple[str, str], set[str]] = defaultdict(set)
     sentences: dict[tuple[str, str], str] = {}
     for result in results:
@@ -273,12 +273,12 @@ def _suspects(results: Iterable[Result], infos: Mapping[str, AssignmentInfo]) ->
 
 
 def _what_went_wrong(check: CheckResult) -> str:
-    """Return the known mistake, else the check and its hint."""
+    """Return the known mistake of a failed check, else its name and message."""
     return check.suspect or f"{check.name} {check.message}"
 
 
 def _claims(adjustments: manual_points.ManualAdjustments, course: Path, slugs: Sequence[str]) -> list[Json]:
-    """Count for each claim of a rubric to how many of those who are graded by hand it was given."""
+    """Return for each claim of a rubric how many of the submissions graded by hand satisfy it."""
     claims = []
     for slug in slugs:
         for letter, part in load_rubric(course / "assignments" / slug).items():

@@ -1,7 +1,7 @@
-"""Pictures of a mistake, wrong beside right, for the page of what to say in the next lecture.
+"""Pictures of a mistake, wrong beside right, for the class report.
 
-A known mistake that changes an assignment's scene is shown by it; of others a student's numbers stand beside the right
-ones, or a diagram beside the right one.
+A known mistake that changes an assignment's scene is shown by two scenes; other mistakes by a student's numbers or free
+body diagram beside the right ones.
 """
 
 import base64
@@ -27,23 +27,23 @@ from tam570_grader.reports.pictures import Sketch, sketch
 
 SIZE = (5.0, 2.8)  # inches
 COLOURS = 32
-FEW = 7  # rows of numbers that are drawn as bars
-SAME = 1e-9
+FEW = 7  # arrays with fewer rows are drawn as bars
+SAME = 1e-9  # tolerance, absolute and relative, of equal scenes
 
 
 @dataclass(frozen=True)
 class WrongAndRight:
-    """Two images as addresses of data, or two diagrams."""
+    """Two images as data URLs, or two free body diagrams."""
 
     wrong: str | Sketch
     reference: str | Sketch
 
 
 def wrong_and_right(course: Path, slug: str, message: str, failure: Failure | None) -> WrongAndRight | None:
-    """Return the pictures of a mistake; None where there is nothing to draw.
+    """Return the pictures of a mistake; None if there is nothing to draw.
 
     message : the sentence that names the mistake
-    failure : of a student who made it
+    failure : the failure of a student who made it
     """
     with warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")
@@ -54,7 +54,7 @@ def wrong_and_right(course: Path, slug: str, message: str, failure: Failure | No
 
 
 def _scenes(course: Path, slug: str, message: str) -> WrongAndRight | None:
-    """Return the scene with a known mistake and the right one, where they differ."""
+    """Return the scene with a known mistake and the right scene; None if they are equal."""
     listed = mistakes(checks_folder(course, slug))
     overlay = next((mistake.text for mistake in listed if mistake.message == message), None)
     if overlay is None:
@@ -86,7 +86,7 @@ def _diagrams(failure: Failure | None) -> WrongAndRight | None:
 
 
 def _numbers(failure: Failure | None) -> WrongAndRight | None:
-    """Return a student's numbers and the right ones, at one scale."""
+    """Return plots of a student's numbers and of the right ones, with the same scale."""
     if failure is None or failure.actual is None or failure.expected is None:
         return None
     both = [np.asarray(values, float) for values in (failure.actual, failure.expected)]
@@ -114,7 +114,7 @@ def _plot(values: NDArray[np.float64], span: tuple[float, float]) -> str:
 
 
 def _address(png: bytes) -> str:
-    """Return an address that holds the image, in few colours."""
+    """Return a data URL of a PNG image, reduced to COLOURS."""
     image = Image.open(io.BytesIO(png)).convert("RGB").quantize(COLOURS)
     data = io.BytesIO()
     image.save(data, "PNG", optimize=True)

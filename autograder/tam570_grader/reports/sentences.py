@@ -1,4 +1,4 @@
-"""Where a failure becomes a sentence: the quantity, the error with its unit, the limit, the time, the kind of input."""
+"""Turn a failure into a sentence: quantity, error with unit, limit, time, and label of the input."""
 
 import re
 from decimal import ROUND_HALF_UP, Decimal
@@ -6,17 +6,17 @@ from math import inf, isfinite
 
 from tam570_grader.checks.failure import Failure
 
-DIGITS = range(2, 17)  # of a number: two, or as many as tell an error from its limit
+DIGITS = range(2, 17)  # significant digits of a number: two, or as many as distinguish an error from its limit
 
-EQUAL = 1e-9  # points: sums of the same ones differ by less
+EQUAL = 1e-9  # points; equal sums in another order differ by less
 
-# a number with an exponent, as a terminal has it; in rtol=1e-9 it is code
+# a number with an exponent, but not in code such as rtol=1e-9
 EXPONENT = re.compile(r"(?<![\w.=])(\d+(?:\.\d+)?)e([-+]?)0*(\d+)\b")
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def describe_failure(failure: Failure) -> str:
-    """Return what a student reads of a failure; a hint is a guess, so a known mistake stands in its place."""
+    """Return the sentences on a failure for the student; a known mistake replaces the hint, which is a guess."""
     if not failure.follows_from:
         hint = failure.hint
     elif failure.follows_from == failure.function:
@@ -31,18 +31,18 @@ def describe_failure(failure: Failure) -> str:
 
 
 def full_message(failure: Failure) -> str:
-    """Return what a student reads of a failure where there is one line for all of it."""
+    """Return all sentences on a failure for the student, including the known mistake."""
     suspect = [known_mistake(failure.suspect)] if failure.suspect else []
     return " ".join([describe_failure(failure), *suspect])
 
 
 def known_mistake(mistake: str) -> str:
-    """Return what a student reads of a known mistake."""
+    """Return the sentence on a known mistake for the student."""
     return f"Your numbers match this mistake: {sentence(mistake)}"
 
 
 def quantity(value: float, digits: int = DIGITS[0]) -> str:
-    """Return a number to two digits or more, as people write it: 2.7, 0.031, 340, 1.1e-13."""
+    """Return a number with two or more significant digits, as people write it: 2.7, 0.031, 340, 1.1e-13."""
     if not isfinite(value):
         return "more than any number"
     short = float(f"{value:.{digits}g}")
@@ -53,7 +53,7 @@ def quantity(value: float, digits: int = DIGITS[0]) -> str:
 
 
 def points(earned: float | None, most: float = inf) -> str:
-    """Return points with two decimals at most; nothing less than all of them reads like all of them."""
+    """Return points with at most two decimals; fewer points than `most` are never rounded up to `most`."""
     if earned is None:
         return "?"
     shown = _hundredths(earned)
@@ -65,7 +65,7 @@ def _hundredths(number: float) -> float:
 
 
 def typeset(text: str) -> str:
-    """Return the text with its numbers as a page has them: 1.1·10⁻¹³ for 1.1e-13, and 10⁻⁴ for 1e-4."""
+    """Return the text with typeset powers of ten: 1.1·10⁻¹³ for 1.1e-13, and 10⁻⁴ for 1e-4."""
     return EXPONENT.sub(_typeset, text)
 
 
@@ -83,11 +83,11 @@ def _off(failure: Failure) -> str:
 
 
 def capitalized(text: str, words: str = "[a-z]+") -> str:
-    """Capitalize the text if it begins with one of these words; the name of a file or a function stays."""
+    """Return the text, capitalized if it begins with a word that matches `words`; names of files stay as they are."""
     return re.sub(f"^({words}) ", lambda match: match[0].capitalize(), text)
 
 
 def sentence(text: str) -> str:
-    """Return the text with a stop; who wrote it has chosen between a capital and a name that keeps its letters."""
+    """Return the text with a full stop at its end; it is not capitalized, as it may begin with a name."""
     text = text.strip()
     return text if not text or text[-1] in ".?!" else text + "."
