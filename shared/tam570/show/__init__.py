@@ -1,4 +1,4 @@
-"""Scenes that move: `show` runs the student's own functions and shows what they do."""
+"""Animated scenes: `show` runs a student's functions, or those of a lecture, and draws the motion."""
 
 import os
 import sys
@@ -51,7 +51,7 @@ class Shown:
         return self.trouble if self.scene is None else f"<{self.scene.title}: {self.scene.times[-1]:g} s>"
 
     def save(self, file: str | Path) -> None:
-        """Write it to a file .html, .png, .gif, .webp or .mp4; raise Trouble if that fails."""
+        """Write the scene to a file .html, .png, .gif, .webp or .mp4; raise Trouble if that fails."""
         if self.scene is None:
             raise Trouble(self.trouble)
         save(self.scene, Path(file))
@@ -75,7 +75,7 @@ def show(what: object, *, assignment: str | None = None, numbers: Parameters | N
     Returns
     -------
     Shown
-        It says what is wrong if there is no scene.
+        With the reason, if there is no scene.
 
     Examples
     --------
@@ -103,7 +103,7 @@ def _scene(what: Numbers, assignment: str | None, numbers: Parameters | None) ->
 
 
 def scene_of(module: ModuleType, slug: str, numbers: Parameters | None = None) -> Scene:
-    """Film an assignment by the functions of a module, with other numbers. Trouble says why it cannot be."""
+    """Make an assignment's scene from the functions of a module, with other numbers. Raise Trouble if that fails."""
     name = f"tam570.show.scenes.{slug[:4]}"
     try:
         scene = import_module(name)
@@ -116,7 +116,7 @@ def scene_of(module: ModuleType, slug: str, numbers: Parameters | None = None) -
 
 
 def present(film: Callable[[], Scene], where: Path | None, name: str, notes: Sequence[str] = ()) -> int:
-    """Film, and save the scene, or write its page into this folder and open it in a browser; 1 if that cannot be.
+    """Make a scene and save it, or write its page here and open it in a browser; return 0, or 1 if that fails.
 
     name  : of the page, without .html
     notes : shown with the scene
@@ -139,7 +139,7 @@ def present(film: Callable[[], Scene], where: Path | None, name: str, notes: Seq
 
 
 def _opened(page: Path) -> bool:
-    """Return whether a browser opens the page; none of those is asked that would take over a terminal."""
+    """Open the page in a graphical browser and return whether that worked; start no browser in the terminal."""
     import webbrowser
 
     screen = sys.platform in ("win32", "darwin") or {"DISPLAY", "WAYLAND_DISPLAY", "BROWSER"} & set(os.environ)
@@ -147,7 +147,7 @@ def _opened(page: Path) -> bool:
 
 
 def save(scene: Scene, file: Path) -> None:
-    """Write a scene to a file of the kind that its name says. Trouble if it cannot be."""
+    """Write a scene to a file in the format of its suffix. Raise Trouble if that fails."""
     if file.suffix == ".html":
         from tam570.show.page import page
 

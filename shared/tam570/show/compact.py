@@ -1,8 +1,8 @@
-"""A scene in as few numbers as a screen needs.
+"""Compress a scene to as few numbers as a screen needs.
 
-Coordinates are whole numbers of half pixels. A point that never moves by one is stored once; points that move as one
-body are stored as combinations of three or four of them; and a sample that linear interpolation between its
-neighbours gives to half a pixel is not stored at all.
+Coordinates are integers in units of half a pixel. A point that moves by less than one unit is stored once. Points that
+move as one body are stored as combinations of three or four of them. A sample is not stored if linear interpolation
+between its neighbours gives it to half a pixel.
 """
 
 from collections.abc import Callable, Sequence
@@ -16,13 +16,13 @@ from tam570.show.scene import Array, Panel, Scene, Shape, TimePlot
 from tam570.values import Json, Numbers
 
 PIXELS = 1000  # the larger side of a panel on a large screen
-STEPS = 2  # whole numbers to a pixel
+STEPS = 2  # units to a pixel
 PLOT_PIXELS = 300  # height of a time plot
-TRACK, FIXED, MIXED = range(3)  # kinds of points; a point's number is 3 * index + kind
+TRACK, FIXED, MIXED = range(3)  # how a point is stored; its number is 3 * index + storage
 
 
 def packed(scene: Scene) -> Json:
-    """Return the scene as the player reads it: numbers, strings, lists."""
+    """Return the scene as JSON data for the player."""
     slider = scene.slider
     if slider is None:
         return _packed(scene, [_frame([panel]) for panel in scene.panels])
@@ -58,7 +58,7 @@ def _packed(scene: Scene, frames: Sequence["_Frame"]) -> Json:
 
 
 class _Points:
-    """Collects the points of a scene and numbers them; each is stored once."""
+    """The points of a scene, numbered, each stored once."""
 
     def __init__(self) -> None:
         self.tracks: list[Array] = []
@@ -67,7 +67,7 @@ class _Points:
         self._known: dict[bytes, int] = {}
 
     def still(self, point: Array) -> int:
-        """Return the number of a point (dim,) that stands still."""
+        """Return the number of a fixed point (dim,)."""
         position = np.rint(point).astype(int)
         return self._number(position.tobytes(), self.fixed, FIXED, position.tolist)
 
@@ -100,10 +100,10 @@ class _Points:
 
 
 def _affine_base(tracks: Array) -> tuple[list[int], Array]:
-    """Points of which all others are fixed combinations to half a unit, and the weights (len(base), m).
+    """Return the base, points of which the others are fixed combinations to half a unit; and weights (len(base), m).
 
-    Greedy: the next is the one farthest from what those before span, which keeps the weights small. Points that do
-    not move as one body are all taken.
+    Greedy: the next point is the one farthest from the span of those before, which keeps the weights small. If the
+    points do not move as one body, the base has all of them.
     """
     n, m, dim = tracks.shape
     relative = np.moveaxis(tracks - tracks[:, :1], 1, 2).reshape(n * dim, m)
@@ -115,13 +115,13 @@ def _affine_base(tracks: Array) -> tuple[list[int], Array]:
         direction = rest[:, farthest] / np.linalg.norm(rest[:, farthest])
         rest -= np.outer(direction, direction @ rest)
         base.append(farthest)
-    spanning = relative[:, base[1:]]  # three columns at most, far apart: the normal equations lose nothing that shows
+    spanning = relative[:, base[1:]]  # at most three columns, far from parallel: normal equations are accurate
     weights = np.linalg.solve(spanning.T @ spanning, spanning.T @ relative)
     return base, np.vstack([1.0 - weights.sum(axis=0), weights])
 
 
 def kept_samples(tracks: Array, tolerance: float = STEPS / 2) -> NDArray[np.int64]:
-    """Choose the samples (n, k) between which linear interpolation gives all others (Douglas and Peucker)."""
+    """Return which samples (n, k) to keep: linear interpolation between them gives the others (Douglas and Peucker)."""
     n = len(tracks)
     chosen, intervals = {0, n - 1}, [(0, n - 1)]
     while intervals:
@@ -141,12 +141,12 @@ def kept_samples(tracks: Array, tolerance: float = STEPS / 2) -> NDArray[np.int6
 
 @dataclass(frozen=True)
 class _Frame:
-    """What fits a panel into the screen, and the same panel of other values.
+    """The scale that fits a panel, with all values of a slider, into the screen.
 
     middle : (dim,) m
-    unit   : m, of a whole number
+    unit   : m
     size   : width and height, units
-    flat   : does not turn with the view
+    flat   : whether the panel does not turn with the view
     """
 
     middle: Array
@@ -156,7 +156,7 @@ class _Frame:
 
 
 def _frame(panels: Sequence[Panel]) -> _Frame:
-    """Return what fits all that the panels ever show. Trouble if that is too large for numbers."""
+    """Return the frame that fits all points of the panels at all times. Raise Trouble if these are too far apart."""
     rows = [shape.points.reshape(-1, shape.points.shape[-1]) for panel in panels for shape in panel.shapes]
     low = np.min([row.min(axis=0) for row in rows], axis=0)
     high = np.max([row.max(axis=0) for row in rows], axis=0)
@@ -167,7 +167,7 @@ def _frame(panels: Sequence[Panel]) -> _Frame:
     if len(low) == 2:
         return _Frame(middle, unit, tuple((high - low) / unit), True)
     scaled = [np.abs(shape.points - middle) / unit for panel in panels for shape in panel.shapes]
-    width = max(float(np.hypot(points[..., 0], points[..., 1]).max()) for points in scaled)  # from whatever side
+    width = max(float(np.hypot(points[..., 0], points[..., 1]).max()) for points in scaled)  # seen from any side
     height = max(float(points[..., 2].max()) for points in scaled)
     return _Frame(middle, unit, (2.0 * width, 2.0 * height), False)
 
@@ -176,7 +176,7 @@ def _packed_panel(panel: Panel, frame: _Frame, points: _Points, in_space: bool) 
     shapes = []
     for shape in panel.shapes:
         at = (shape.points - frame.middle) / frame.unit
-        if in_space and at.shape[-1] == 2:  # of a flat panel
+        if in_space and at.shape[-1] == 2:  # in a flat panel
             at = np.concatenate([at, np.zeros((*at.shape[:-1], 1))], axis=-1)
         shapes.append(shape_entry(shape, [points.still(row) for row in at] if at.ndim == 2 else points.body(at)))
     return {
@@ -191,7 +191,7 @@ def _packed_panel(panel: Panel, frame: _Frame, points: _Points, in_space: bool) 
 
 
 def shape_entry(shape: Shape, at: Sequence[int]) -> Json:
-    """Return a shape as the page reads it; `at` tells where its points are."""
+    """Return a shape's data for the page; `at` has the numbers of its points."""
     optional = {"name": shape.name, "words": shape.words, "faint": shape.faint}
     stated = {name: value for name, value in optional.items() if value}
     return {"kind": shape.form, "at": at, "color": shape.color, "width": shape.width, **stated}
@@ -216,7 +216,7 @@ def _packed_time_plot(time_plot: TimePlot) -> Json:
 
 
 def _differences(values: NDArray[np.generic]) -> list[int]:
-    """Return rounded, and each but the first less the one before: short numbers."""
+    """Round; return the first value, then the differences between neighbours, which have fewer digits."""
     return np.diff(np.rint(values).astype(np.int64), prepend=0).tolist()
 
 

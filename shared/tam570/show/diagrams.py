@@ -1,4 +1,4 @@
-"""The student's free body diagrams, drawn on what moves."""
+"""The forces of a student's free body diagram, drawn on the moving body."""
 
 from collections.abc import Sequence
 
@@ -24,11 +24,11 @@ def force_shapes(
     label: str = "forces of your diagram",
     **parameters: Numbers,
 ) -> list[Shape]:
-    """Make arrows of the forces that the student draws at each row, and dots of those of unknown direction.
+    """Return arrows for the forces that the student draws at each row, and dots for those of unknown direction.
 
-    size   : of every arrow, m: a diagram says where a force acts and along what, not how large it is
-    origin : of the diagram's axes in the scene, (dim,), or (n, dim) where it moves
-    axes   : (dim, dim), a row for each of the diagram's axes; those of the scene by default
+    size   : length of every arrow, m: a diagram has points and directions of forces, not magnitudes
+    origin : of the diagram's axes in the scene, (dim,), or (n, dim) if it moves
+    axes   : (dim, dim), the diagram's axes as rows; default: those of the scene
     """
     dim = np.shape(origin)[-1]
     turn = np.eye(dim) if axes is None else np.asarray(axes)
@@ -48,7 +48,7 @@ def force_shapes(
 
 
 def _steady(frames: Sequence[Sequence[Array]]) -> list[Array]:
-    """Return each place over all frames, (n, m, dim); where a frame has fewer, the place shrinks to a point."""
+    """Return each force over all frames, (n, m, dim); in a frame with fewer forces, it shrinks to a point."""
     count = max(map(len, frames), default=0)
     full = next((frame for frame in frames if len(frame) == count), [])
     padded = [

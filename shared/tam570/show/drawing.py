@@ -1,4 +1,4 @@
-"""Parts that several scenes have: a floor, axes, circles, a disk."""
+"""Shapes and curves that several scenes use: circles, springs, axes, a floor, boxes, graphs."""
 
 from collections.abc import Callable
 
@@ -7,24 +7,24 @@ from numpy.typing import ArrayLike
 
 from tam570.show.scene import GREY, Array, Shape
 
-TINY = 1e-300  # whose root is small beside every length, and not 0
+TINY = 1e-300  # avoids a division by 0; its root is less than any length
 
 
 def unit_circle(count: int) -> Array:
-    """(count, 2) points on it, closed."""
+    """Return (count, 2) points of a closed unit circle."""
     angles = np.linspace(0.0, 2.0 * np.pi, count)
     return np.column_stack([np.cos(angles), np.sin(angles)])
 
 
 def circle(centre: ArrayLike, first: ArrayLike, other: ArrayLike, count: int = 61) -> Array:
-    """Return closed path of points about a centre, of the semi-axes given: (..., count, dim) of (..., dim) each."""
+    """Return a closed ellipse, (..., count, dim), from its centre and two semi-axes, (..., dim) each."""
     c, s = unit_circle(count).T[..., None]
     centre, first, other = (np.asarray(vector)[..., None, :] for vector in (centre, first, other))
     return centre + c * first + s * other
 
 
 def coil(start: Array, end: Array, width: float, turns: int = 8) -> Array:
-    """(n, 2 turns + 4, 2) zigzag of a spring in the plane between points (n, 2), straight for an eighth at each end."""
+    """Return the zigzag of a spring in a plane, (n, 2 turns + 4, 2), between points (n, 2), with straight ends."""
     share = np.concatenate([[0.0, 0.125], 0.125 + 0.75 * (np.arange(2 * turns) + 0.5) / (2 * turns), [0.875, 1.0]])
     aside = np.concatenate([[0.0, 0.0], width * (-1.0) ** np.arange(2 * turns), [0.0, 0.0]])
     along = end - start
@@ -34,7 +34,7 @@ def coil(start: Array, end: Array, width: float, turns: int = 8) -> Array:
 
 
 def axes(length: float) -> list[Shape]:
-    """Return the axes x, y, z of space, from the origin."""
+    """Return the axes x, y, z of space, from the origin, with their names."""
     ends = length * np.eye(3)
     arrows = np.stack([np.zeros((3, 3)), ends], axis=1).reshape(6, 3)
     names = [Shape("text", end[None], GREY, words=name) for name, end in zip("xyz", ends, strict=True)]
@@ -42,7 +42,7 @@ def axes(length: float) -> list[Shape]:
 
 
 def floor(low: ArrayLike, high: ArrayLike, step: float) -> Shape:
-    """Lines of a square grid on z = 0 that covers the rectangle from low to high."""
+    """Return the lines of a square grid on z = 0 that covers the rectangle from low to high."""
     first, last = np.floor(np.divide(low, step)), np.ceil(np.divide(high, step))
     (x0, y0), (x1, y1) = first * step, last * step
     xs = np.arange(first[0], last[0] + 1) * step
@@ -52,27 +52,27 @@ def floor(low: ArrayLike, high: ArrayLike, step: float) -> Shape:
 
 
 def box_face(rotations: Array, size: ArrayLike) -> Array:
-    """(n, 4, 3) corners of the face at +z/2 of a box about the origin, turned by rotations (n, 3, 3)."""
+    """Return the corners (n, 4, 3) of the face at +z/2 of a box about the origin, turned by rotations (n, 3, 3)."""
     half = np.asarray(size, dtype=float) / 2.0
     corners = half * np.array([[1.0, 1, 1], [-1, 1, 1], [-1, -1, 1], [1, -1, 1]])
     return corners @ np.swapaxes(rotations, -1, -2)
 
 
 def solid(outline: Array, color: int, name: str = "", width: float = 2.0) -> list[Shape]:
-    """Return an outline, (..., m, dim), closed and filled."""
+    """Return shapes of an outline (..., m, dim), closed and filled."""
     closed = np.concatenate([outline, outline[..., :1, :]], axis=-2)
     return [Shape("fill", outline, color, faint=True), Shape("path", closed, color, name, width=width)]
 
 
 def placed(outline: Array, at: Array, heading: Array) -> Array:
-    """(n, m, 2) points (m, 2) ahead and to the left of places (n, 2), by headings (n,), rad."""
+    """Return positions (n, m, 2) of points (m, 2), ahead and to the left, of a body at (n, 2), headings (n,) in rad."""
     c, s = np.cos(heading), np.sin(heading)
     ahead, aside = np.stack([c, s], axis=-1), np.stack([-s, c], axis=-1)
     return at[:, None] + outline[:, :1] * ahead[:, None] + outline[:, 1:] * aside[:, None]
 
 
 def brick(rotations: Array, size: ArrayLike, color: int, name: str) -> list[Shape]:
-    """Two opposite faces of a box about the origin, one of them filled, and the edges between them."""
+    """Return two opposite faces of a box about the origin, one of them filled, and the edges between them."""
     top, bottom = box_face(rotations, size), -box_face(rotations, size)[:, [2, 3, 0, 1]]
     around = np.concatenate([top, top[:, :1], bottom, bottom[:, :1]], axis=1)
     posts = np.stack([top[:, 1:], bottom[:, 1:]], axis=2).reshape(len(top), 6, 3)
@@ -84,7 +84,7 @@ def brick(rotations: Array, size: ArrayLike, color: int, name: str) -> list[Shap
 
 
 def cone(rim: Array, color: int, name: str) -> list[Shape]:
-    """Return a rim, (m, 3) still or (n, m, 3) moving, and lines to it from the origin."""
+    """Return a rim, (m, 3) fixed or (n, m, 3) moving, and lines to it from the origin."""
     spokes = rim[..., ::3, :]
     lines = np.stack([np.zeros_like(spokes), spokes], axis=-2).reshape(*rim.shape[:-2], -1, 3)
     return [Shape("path", rim, color, name, width=2), Shape("lines", lines, color, width=1)]
@@ -93,9 +93,9 @@ def cone(rim: Array, color: int, name: str) -> list[Shape]:
 def graph(
     x: ArrayLike, y: ArrayLike, names: tuple[str, str], *, height: float = 0.8
 ) -> tuple[list[Shape], Callable[[ArrayLike, ArrayLike], Array]]:
-    """Draw axes for a graph that is 1 wide, and return what takes values to (..., 2) points in it.
+    """Return the axes of a graph of width 1, and a function that maps values to points (..., 2) in it.
 
-    x, y   : what the graph must hold; any shape
+    x, y   : the values that the graph must include; any shape
     names  : of the axes, with their units
     height : of the graph
     """

@@ -1,7 +1,7 @@
-"""Scenes with the numbers that someone wants to see them with.
+"""Make the scene of a lecture or an assignment with other numbers.
 
-A lecture has EXAMPLE, a dict of parameters, and `film(parameters)`. One that moves has START, SECONDS and STATE too,
-and `film(parameters, start, seconds)`. The scene of an assignment has the same, and `film(student, ...)`.
+A lecture has EXAMPLE, a dict of parameters, and `film(parameters)`. If its system moves, it also has START, SECONDS and
+STATE, and `film(parameters, start, seconds)`. The scene of an assignment has the same, and `film(student, ...)`.
 """
 
 import ast
@@ -20,11 +20,11 @@ from tam570.show.student import StudentModule, load_student
 from tam570.values import Json, Parameters
 
 LONGEST = 600.0  # s, of a scene
-MOST_WORK = 20.0  # s of processor time, until its motion is known
+MOST_WORK = 20.0  # s of processor time to make a scene
 
 
 def lecture_module(what: str) -> ModuleType:
-    """Return the lecture of this name, or the copy of one in a file. Unknown or Trouble if there is none."""
+    """Return the lecture of this name, or the copy of one in a file. Raise Unknown or Trouble if there is none."""
     file = Path(what)
     if not file.is_file() or what in catalogue():
         return load(what)
@@ -35,7 +35,7 @@ def lecture_module(what: str) -> ModuleType:
 
 
 def settings(texts: Sequence[str]) -> Json:
-    """Return the numbers in "mass=2", "start.speed=3", "masses=1,2", by name. Unknown says which text is none."""
+    """Return the values in "mass=2", "start.speed=3", "masses=1,2", by name. Raise Unknown for any other text."""
     result: Json = {}
     for text in texts:
         name, equals, value = text.partition("=")
@@ -49,12 +49,12 @@ def settings(texts: Sequence[str]) -> Json:
 
 
 def filmed(source: ModuleType, numbers: Parameters | None = None, *before: StudentModule) -> Scene:
-    """Film with the source's EXAMPLE, START and SECONDS, some of their numbers changed.
+    """Make a scene with the source's EXAMPLE, START and SECONDS, some of their numbers changed.
 
     source  : a lecture, or the scene of an assignment
     numbers : by parameter, by "start.speed" for a number of the start, or "seconds"
-    before  : the first arguments of the source's `film`
-    Unknown tells a wrong name with the right ones; Trouble says what cannot be shown.
+    before  : first arguments of the source's `film`
+    Raise Unknown for a name that does not exist, with all names; Trouble if the scene cannot be made.
     """
     values: Json = dict(source.EXAMPLE)
     moves = hasattr(source, "START")
@@ -81,7 +81,7 @@ def filmed(source: ModuleType, numbers: Parameters | None = None, *before: Stude
 
 
 def _arguments(settings: Json) -> tuple[Json, tuple[float, ...], float]:
-    """Parameters, start and seconds. ValueError if the last two cannot be shown."""
+    """Return parameters, start and seconds. Raise ValueError if the last two cannot be shown."""
     start = {name: settings.pop(name) for name in list(settings) if name.startswith("start.")}
     finite(**start)
     positive(seconds=settings["seconds"])

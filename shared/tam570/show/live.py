@@ -1,7 +1,7 @@
-"""Scenes to grab: equations of motion, what is drawn and what a hand does to it, as JavaScript that runs in the page.
+"""Interactive scenes: the equations of motion, the drawing and the handles, as JavaScript that runs in the page.
 
-All three are called once with symbols in the place of state, parameters and the hand's place; what they do is written
-down, as `tam570.integrate` does it for a compiler. A function that cannot be traced leaves the scene as a film.
+Their functions are called once with symbols for state, parameters and pointer position; `tam570.integrate` records what
+they compute, as for its compiler. If a function cannot be traced, the scene is not interactive.
 """
 
 import math
@@ -22,16 +22,16 @@ OF_MATH = "sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh exp
 IN_JAVASCRIPT = [*OF_MATH.split(), "hypot", "pow"]
 OPERATIONS = {*IN_JAVASCRIPT, "fabs", "+", "-", "*", "/", "neg"}
 NAMED = {"inf": "Infinity", "-inf": "-Infinity", "nan": "NaN"}
-LEAST, MOST = 0.25, 3.0  # of a parameter's value, of its slider
-CLOSE = 1e-9  # between the traced equations and the function: roundings
+LEAST, MOST = 0.25, 3.0  # of a slider, relative to the parameter's value
+CLOSE = 1e-9  # relative, between the traced equations and the function: rounding
 
 
 @dataclass(frozen=True)
 class Handle:
-    """What a hand takes hold of.
+    """A point that the user can drag.
 
-    point : point(state, **parameters) -> 2 or 3 numbers, m: where it is
-    grab  : grab(point, state, **parameters) -> the state that has it there
+    point : point(state, **parameters) -> 2 or 3 numbers, m: its position
+    grab  : grab(point, state, **parameters) -> the state with the handle at this position
     """
 
     point: Function
@@ -40,15 +40,15 @@ class Handle:
 
 @dataclass(frozen=True)
 class Live:
-    """A scene as equations, in the first of its panels.
+    """The equations of an interactive scene, for its first panel.
 
     rates     : rates(t, state, **parameters) -> the state's rates
-    drawing   : drawing(states, parameters) -> Shapes, as for a film of one sample, states (1, k)
-    handles   : what can be dragged
+    drawing   : drawing(states, parameters) -> Shapes, as for a scene of one sample, states (1, k)
+    handles   : points that can be dragged
     measures  : by name, f(state, **parameters) -> J, to plot over time
     conserved : whether the first measure keeps its value
-    rests     : whether friction ends the motion, where the first measure is zero
-    backdrop  : what stands still behind it, as it is in the film
+    rests     : whether friction ends the motion, when the first measure is zero
+    backdrop  : fixed shapes behind the drawing
     """
 
     rates: Function
@@ -63,7 +63,7 @@ class Live:
 
 
 def drag(first: int, count: int) -> Handle:
-    """Return a hand that moves `count` coordinates of the state, from `first` on, and keeps all else."""
+    """Return a handle that sets `count` coordinates of the state, from `first` on, and keeps the others."""
     return Handle(
         lambda state, **parameters: state[first : first + count],
         lambda point, state, **parameters: [*state[:first], *point[:count], *state[first + count :]],
@@ -71,10 +71,10 @@ def drag(first: int, count: int) -> Handle:
 
 
 def energies(energy: Function, positions: int | None = None) -> dict[str, Function]:
-    """Return what to measure of a state: its energy, and the energy with all but its first `positions` numbers 0.
+    """Return measures of a state: its energy, and its potential energy, which is the energy with the rates set to 0.
 
     energy    : energy(state, **parameters) -> J
-    positions : None where all energy is kinetic
+    positions : number of the coordinates, which come first in a state; None if all energy is kinetic
     """
 
     def total(state: Numbers, **parameters: Numbers) -> Numbers:
@@ -87,7 +87,7 @@ def energies(energy: Function, positions: int | None = None) -> dict[str, Functi
 
 
 def live_if_written(make: Callable[[], Live]) -> Live | None:
-    """Return the live scene; None if a function that it needs is not there."""
+    """Return the interactive scene; None if the student's module lacks a function that it needs."""
     try:
         return make()
     except Trouble:
@@ -96,16 +96,16 @@ def live_if_written(make: Callable[[], Live]) -> Live | None:
 
 @dataclass(frozen=True)
 class Program:
-    """What the page needs: code that is made of our own words alone, and data."""
+    """JavaScript and data for the page; the code has no text from a student's file."""
 
     code: str
     data: Json
 
 
 def program(live: Live) -> Program | None:
-    """Write a live scene as JavaScript; None if its functions cannot be traced.
+    """Write an interactive scene as JavaScript; return None if its functions cannot be traced.
 
-    If a function asks for the value of a parameter, the parameters stay what they are, without sliders.
+    If a function needs the value of a parameter, all parameters are constants, without sliders.
     """
     sliders = _sliders(live.parameters)
     for chosen in (sliders, [])[: 1 + bool(sliders)]:
@@ -117,7 +117,7 @@ def program(live: Live) -> Program | None:
 
 
 def _sliders(parameters: Parameters) -> list[tuple[str, int | None, float]]:
-    """Name, index in a tuple, value of each number that a slider can change."""
+    """Return name, index in a tuple or None, and value of each number that a slider can change."""
     result: list[tuple[str, int | None, float]] = []
     for name, value in parameters.items():
         if isinstance(value, float):
@@ -128,13 +128,13 @@ def _sliders(parameters: Parameters) -> list[tuple[str, int | None, float]]:
 
 
 class _Writer:
-    """Traces one live scene; the symbols are the state, then the parameters, then the place of the hand."""
+    """Traces one interactive scene; the symbols are the state, the parameters, and the pointer's position."""
 
     def __init__(self, live: Live, sliders: Sequence[tuple[str, int | None, float]]) -> None:
         self.live, self.sliders, self.k, self.m = live, sliders, len(live.start), len(sliders)
 
     def program(self) -> Program:
-        rates, drawing = self.live.rates, self.live.drawing  # a trace goes into the functions of a closure
+        rates, drawing = self.live.rates, self.live.drawing  # a trace follows functions in a closure
         of_rates = self._traced(lambda t, state, arguments, pointer: rates(t, state, **arguments))
         self._compare(of_rates)
         still = self.live.backdrop
@@ -192,7 +192,7 @@ class _Writer:
         return traced(flat, self.k + self.m + 3, STAND_INS)
 
     def _known(self, numbers: Sequence[Numbers]) -> Json:
-        """Return the parameters, those with sliders replaced."""
+        """Return the parameters, with the values of sliders replaced by these numbers."""
         parameters = dict(self.live.parameters)
         for (name, i, _), number in zip(self.sliders, numbers, strict=True):
             if i is None:
@@ -202,7 +202,7 @@ class _Writer:
         return parameters
 
     def _compare(self, graph: Graph) -> None:
-        """Untraceable if the graph gives other numbers than the function that it is a trace of."""
+        """Raise Untraceable if the graph gives other numbers than the right-hand side that was traced."""
         formulas, constants = written(graph)
         names = {**vars(math), "t": 0.0, **{f"c{i}": number for i, number in enumerate(constants)}}
         for share in (1.0, 1.05):
@@ -217,8 +217,8 @@ class _Writer:
 
 
 def _composed(functions: Sequence[Function]) -> Callable[..., list[Numbers]]:
-    """Return one function that gives the numbers of each, called with the same arguments."""
-    each = [*functions]  # a trace goes into a list of functions
+    """Return a function that calls all these with the same arguments and returns their numbers in one list."""
+    each = [*functions]  # a trace follows functions in a list
 
     def composed(arguments: tuple[Numbers, ...], parameters: Parameters) -> list[Numbers]:
         results = [np.ravel(np.array(function(*arguments, **parameters))) for function in each]
@@ -228,7 +228,7 @@ def _composed(functions: Sequence[Function]) -> Callable[..., list[Numbers]]:
 
 
 def _packed(shapes: Sequence[Shape]) -> tuple[list[Json], list[Value]]:
-    """Return shapes as the page reads them, and their coordinates one after the other, to which `at` refers."""
+    """Return the shapes' data for the page, and a list of their coordinates, to whose indices `at` refers."""
     packed, points = list[Json](), list[Value]()
     for shape in shapes:
         rows = shape.points[0] if shape.points.ndim == 3 else shape.points
@@ -239,7 +239,7 @@ def _packed(shapes: Sequence[Shape]) -> tuple[list[Json], list[Value]]:
 
 
 def _body(graph: Graph, k: int, m: int) -> str:
-    """Statements that end in a return of the graph's results, from the k numbers of s, the m of p, and q."""
+    """Return JavaScript that returns the graph's results, from k numbers of s, m of p, and 3 of q."""
     if missing := {symbol.name for symbol in graph.operations if symbol.arguments} - OPERATIONS:
         raise Untraceable(f"{missing.pop()} is not in JavaScript")
     formulas, constants = written(graph)

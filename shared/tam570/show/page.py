@@ -1,4 +1,4 @@
-"""A scene as one page of HTML that needs nothing else."""
+"""A scene as one HTML page that needs no other file."""
 
 import html
 import json
@@ -13,7 +13,7 @@ HERE = Path(__file__).parent / "player"
 
 
 def page(scene: Scene) -> str:
-    """Return the page. What comes from a student is data in it, never markup or code."""
+    """Return the scene's page. Input from a student is data in it, never markup or code."""
     program = written(scene.live) if scene.live else None
     data = {**packed(scene), "live": program.data if program else None}
     return Template(_read("page.html")).substitute(
@@ -27,13 +27,13 @@ def page(scene: Scene) -> str:
         live=_read("live.js"),
         time_plots=_read("time_plots.js"),
         player=_read("player.js"),
-        # no string in it can end it early
+        # no string in the data can end the script element
         data=json.dumps(data, ensure_ascii=True, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c"),
     )
 
 
 def framed(document: str, title: str, height: int) -> str:
-    """Return a page inside another, a notebook say; it cannot reach out of its frame."""
+    """Return a page as a frame for another page, such as a notebook, which the framed page cannot access."""
     style = f"width:100%;height:{height}px;border:0"
     return (
         f'<iframe title="{html.escape(title)}" style="{style}" sandbox="allow-scripts" '

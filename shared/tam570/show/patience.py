@@ -1,4 +1,4 @@
-"""Work that may take long: a notice for whoever waits at a terminal, and an end."""
+"""A notice at the terminal about work that takes long, and a time limit."""
 
 import _thread
 import sys
@@ -7,19 +7,19 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-NOTICE, GLANCE = 2.0, 0.2  # s, until the notice; between two looks at the clock
+NOTICE, GLANCE = 2.0, 0.2  # s until the notice; between checks of the clock
 
 
 @contextmanager
 def patience(what: str, most: float | None = None) -> Iterator[None]:
-    """Say after two seconds that a block still runs.
+    """Print a notice at the terminal if a block still runs after two seconds; limit its processor time.
 
     Parameters
     ----------
     what : str
         The work, for the notice.
     most : float, optional
-        s of processor time, after which the block ends; only in the main thread, which alone can be interrupted.
+        s of processor time, after which the block ends; only in the main thread, as no other can be interrupted.
 
     Raises
     ------

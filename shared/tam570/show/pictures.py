@@ -1,4 +1,4 @@
-"""A scene by Matplotlib: a picture, a GIF, a video. Frames are made one by one, and only those asked for."""
+"""Save a scene with Matplotlib as a picture, an animation or a video; only frames that are saved are drawn."""
 
 import re
 from collections.abc import Callable, Collection
@@ -22,17 +22,17 @@ from tam570.values import Json, Numbers
 
 SIZE = (10.0, 5.6)  # inches
 DPI = 100
-EVERY = {".gif": 3, ".webp": 3, ".mp4": 2}  # samples to a frame: 20 and 30 frames a second
-HEAD = 0.03  # of the larger side of a panel, at most: the head of an arrow
+EVERY = {".gif": 3, ".webp": 3, ".mp4": 2}  # samples per frame: 20 and 30 frames a second
+HEAD = 0.03  # largest head of an arrow, relative to the larger side of the panel
 CSS_COLOUR = re.compile(r"--(\w+): (#\w+);")
-PALETTE_FRAMES = 8  # of a GIF, which give its colours
+PALETTE_FRAMES = 8  # from which the colours of a GIF are chosen
 
 Update = Callable[[int], None]
-Moving = tuple[Artist, Update]  # and what takes it to another sample
+Moving = tuple[Artist, Update]  # an artist, and what moves it to another sample
 
 
 class _Film(Figure):
-    """A figure of which a frame draws only what moves, and what lies above that, on a backdrop of the rest."""
+    """A figure that draws in each frame only moving artists, and those above them, over a stored image of the rest."""
 
     def __init__(self) -> None:
         super().__init__(figsize=SIZE, dpi=DPI)
@@ -40,7 +40,7 @@ class _Film(Figure):
         self._above: list[Artist] = []
 
     def keep_backdrop(self, moving: Collection[Artist]) -> None:
-        """Draw all that lies below these artists once."""
+        """Draw artists below these only once, in the first frame."""
         for ax in self.axes:
             layers = sorted(ax.get_children(), key=Artist.get_zorder)
             first = next((i for i, artist in enumerate(layers) if artist in moving), len(layers))
@@ -65,7 +65,7 @@ class _Film(Figure):
 
 
 class _GifWriter(PillowWriter):
-    """A writer whose frames share their colours: to choose some for each frame would take as long as to draw it."""
+    """A writer with one palette for all frames: to choose one for each takes as long as to draw it."""
 
     _frames: list[Image.Image]
 
@@ -77,7 +77,7 @@ class _GifWriter(PillowWriter):
 
 
 def write(scene: Scene, file: Path) -> None:
-    """Save a picture (.png), one that moves (.gif, .webp) or a video (.mp4). Trouble if its writer is not installed."""
+    """Save a picture (.png), an animation (.gif, .webp) or a video (.mp4). Raise Trouble if a video lacks ffmpeg."""
     if file.suffix == ".png":
         figure, moving = _drawn(scene)
         for _, update in moving:
@@ -95,7 +95,7 @@ def write(scene: Scene, file: Path) -> None:
 
 
 def save_frames(scene: Scene, file: Path, writer: AbstractMovieWriter, every: int) -> None:
-    """Save what moves by a writer of Matplotlib, a frame every so many samples."""
+    """Save the motion with a Matplotlib writer, one frame for every `every` samples."""
     figure, moving = _drawn(scene)
     figure.keep_backdrop({artist for artist, _ in moving})
     writer.setup(figure, str(file), DPI)
@@ -108,13 +108,13 @@ def save_frames(scene: Scene, file: Path, writer: AbstractMovieWriter, every: in
 
 @cache
 def _palette() -> tuple[str, ...]:
-    """Return the colours of the page in light, INK and GREY last, as their numbers have it."""
+    """Return the colours of the page's light theme; the last two are those of the indices GREY and INK."""
     parameters = dict(reversed(CSS_COLOUR.findall((HERE / "page.css").read_text(encoding="utf-8"))))
     return tuple(parameters[name] for name in ("c0", "c1", "c2", "c3", "c4", "c5", "soft", "ink"))
 
 
 def _drawn(scene: Scene) -> tuple[_Film, list[Moving]]:
-    """Draw the scene's first frame; return it, and what moves in it."""
+    """Draw the scene's first frame; return the figure and its moving artists."""
     figure = _Film()
     halves = figure.subfigures(1, 2, squeeze=False, width_ratios=[2.6, 1] if scene.time_plots else [1, 0.01])
     wide, narrow = halves[0]
@@ -132,7 +132,7 @@ def _drawn(scene: Scene) -> tuple[_Film, list[Moving]]:
     if scene.time_plots:
         tall = narrow.subplots(len(scene.time_plots), 1, squeeze=False).ravel()
         moving += [_time_plot(ax, time_plot, scene) for ax, time_plot in zip(tall, scene.time_plots, strict=True)]
-    figure.draw_without_rendering()  # lays it out, once for all frames
+    figure.draw_without_rendering()  # compute the layout once for all frames
     figure.set_layout_engine(None)  # "none" would draw each frame twice
     return figure, moving
 
@@ -143,7 +143,7 @@ def _panel(ax: Axes, panel: Panel, scene: Scene) -> list[Moving]:
     low, high = rows.min(axis=0), rows.max(axis=0)
     margin = 0.03 * float((high - low).max() or 1.0)
     ax.set(xlim=(low[0] - margin, high[0] + margin), ylim=(low[1] - margin, high[1] + margin), aspect="equal")
-    ax.set_title(panel.title, fontsize=10, y=1.0)  # else its place is found anew for each frame
+    ax.set_title(panel.title, fontsize=10, y=1.0)  # without y, its place is computed in each frame
     moving = []
     for shape, points in shapes:
         artist, update = _shape(ax, shape, points, HEAD * float((high - low).max()))
@@ -154,7 +154,7 @@ def _panel(ax: Axes, panel: Panel, scene: Scene) -> list[Moving]:
 
 
 def _seen(points: Array, view: tuple[float, float]) -> Array:
-    """(..., 2) points as they are seen from an azimuth and an elevation, without perspective."""
+    """Project points to (..., 2), as seen from an azimuth and an elevation, without perspective."""
     if points.shape[-1] == 2:
         return points
     (ca, ce), (sa, se) = np.cos(view), np.sin(view)
@@ -162,7 +162,7 @@ def _seen(points: Array, view: tuple[float, float]) -> Array:
 
 
 def _shape(ax: Axes, shape: Shape, points: Array, head_size: float) -> Moving:
-    """Add one part, without its points."""
+    """Add a shape to the axes; return its artist and what sets its points."""
     look: Json = {"color": _palette()[shape.color], "alpha": 0.25 if shape.faint else 1.0}
     still = points.ndim == 2
 
@@ -186,14 +186,14 @@ def _shape(ax: Axes, shape: Shape, points: Array, head_size: float) -> Moving:
 
 
 def _apart(points: Array) -> Array:
-    """Pairs of points with gaps between them."""
+    """Insert gaps (NaN) between pairs of points."""
     pairs = points.reshape(-1, 2, 2)
     gaps = np.full((len(pairs), 1, 2), np.nan)
     return np.concatenate([pairs, gaps], axis=1).reshape(-1, 2)
 
 
 def _arrows(points: Array, longest: float) -> Array:
-    """Pairs of tail and tip as lines with barbs, no longer than `longest`."""
+    """Return pairs of tail and tip as lines with barbs that are no longer than `longest`."""
     tails, tips = points[::2], points[1::2]
     along = tips - tails
     length = np.linalg.norm(along, axis=1, keepdims=True)

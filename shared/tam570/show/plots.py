@@ -1,4 +1,4 @@
-"""Curves over time beside a motion: values, energies; and what a caption tells of what must not change."""
+"""Plots over time beside a motion: values and energies, with captions about the drift of conserved quantities."""
 
 from collections.abc import Callable, Mapping
 
@@ -9,13 +9,13 @@ from tam570.loading import Trouble
 from tam570.show.scene import Array, TimePlot
 from tam570.values import Function, Numbers
 
-PLOT_SAMPLES = 400  # of a time plot, which is about as many pixels wide
-LARGEST = 1e200  # of what is drawn: its square is a number
-LARGE = 1e-3  # a deviation that no careful integration has; 1e-6 is a careless one
+PLOT_SAMPLES = 400  # of a time plot, about its width in pixels
+LARGEST = 1e200  # limit of drawn values, whose squares do not overflow
+LARGE = 1e-3  # relative drift beyond that of any careful integration; 1e-6 is a careless one
 
 
 def _samples(values: Array) -> NDArray[np.int64]:
-    """Return which of the values at all times a time plot needs."""
+    """Return the indices of the values that a time plot needs."""
     count = min(len(values), PLOT_SAMPLES + 1)
     return np.rint(np.linspace(0, len(values) - 1, count)).astype(np.int64)
 
@@ -30,7 +30,7 @@ def value_plot(
     *,
     least: float = 0.0,
 ) -> TimePlot:
-    """Plot quantities as they are, from curves at all times; the axis reaches to `least` at least."""
+    """Plot curves that have a value at each time; the axis includes 0 and `least`. Raise Trouble for huge values."""
     values = {name: _sampled(curve) for name, curve in curves.items()}
     low = min(0.0, *(float(curve.min()) for curve in values.values()))
     high = max(least, *(float(curve.max()) for curve in values.values()))
@@ -42,7 +42,7 @@ def value_plot(
 
 
 def energy_plot(times: Array, total: Array, potential: Array, title: str = "energy") -> TimePlot:
-    """Plot kinetic, potential and total energy; the note tells the drift of the total.
+    """Plot kinetic, potential and total energy; the caption has the drift of the total.
 
     total, potential : (m,) J
     """
@@ -53,10 +53,10 @@ def energy_plot(times: Array, total: Array, potential: Array, title: str = "ener
 
 
 def state_energy_plot(times: Array, states: Array, positions: int, energy: Callable[[Array], ArrayLike]) -> TimePlot:
-    """Plot the energies of a motion; without its rates, a state has its potential energy alone.
+    """Plot the energies of a motion; the potential energy is the energy of a state whose rates are set to zero.
 
     states    : (n, k)
-    positions : of the state's numbers the first that say where everything is; the rest are rates
+    positions : number of the coordinates, which come first in a state; the rest are rates
     energy    : energy(states (m, k)) -> (m,) J
     """
     shown = _samples(times)
@@ -65,18 +65,18 @@ def state_energy_plot(times: Array, states: Array, positions: int, energy: Calla
 
 
 def values(function: Function, states: Array, **parameters: Numbers) -> Array:
-    """(m, ...) what `function(state, **parameters)` returns for the states (n, k) that a time plot needs."""
+    """Return (m, ...) `function(state, **parameters)` for those of the states (n, k) that a time plot needs."""
     return np.array([function(state, **parameters) for state in states[_samples(states)]])
 
 
 def drift_caption(
     constants: Mapping[str, ArrayLike] | ArrayLike, scale: float | None = None, of: str = "itself", about: str = ""
 ) -> tuple[str, bool]:
-    """Tell the drift of what must not change as one number, and whether it is an alarm.
+    """Return a caption with the drift of conserved quantities as one number, and whether it is an alarm.
 
     constants : (m,) numbers or (m, k) vectors, or several of them by name
-    scale, of : what the drift is measured by, 1 where it is 0, and its name; the size at the start by default
-    about     : begins the caption
+    scale, of : unit of the drift, where 0 counts as 1, and its name; default: the size at the start
+    about     : beginning of the caption
     """
     each = [*constants.values()] if isinstance(constants, Mapping) else [constants]
     scale = float(np.linalg.norm(np.asarray(each[0])[0])) if scale is None else scale
@@ -88,7 +88,7 @@ def drift_caption(
 def gap_caption(
     largest: float, limit: float, of: str = "", about: str = "", warning: str = "they differ: "
 ) -> tuple[str, bool]:
-    """Tell the largest gap between what should agree, and whether it is an alarm: beyond the limit."""
+    """Return a caption with the largest gap between equal quantities, and whether it is an alarm: above the limit."""
     return f"{about}{warning if largest > limit else ''}at most {largest:.2g}{of}", largest > limit
 
 
@@ -98,7 +98,7 @@ def _sampled(curve: ArrayLike) -> Array:
 
 
 def _deviation(values: ArrayLike, scale: float) -> Array:
-    """(m,) difference from the first value, of a vector its size, as a share of the scale."""
+    """Return (m,) the difference from the first value, of a vector its norm, divided by the scale."""
     array = _sampled(values)
     with np.errstate(over="ignore"):
         moved: Array = (array - array[0]) / (scale or 1.0)

@@ -18,10 +18,10 @@ def joints(angles: Numbers, lengths: Sequence[Numbers]) -> list[Numbers]:
 
 
 def rod_handles(count: int, lengths: Callable[[Parameters], Sequence[Numbers]]) -> list[Handle]:
-    """Return the handles that turn each rod about its upper end and let go of all at rest.
+    """Return the handles that turn each rod about its upper end; after a drag all rods are at rest.
 
-    count   : of the rods; the state is their angles, then their rates
-    lengths : lengths(parameters) -> those of the rods
+    count   : number of rods; the state is their angles, then their rates
+    lengths : lengths(parameters) -> the rods' lengths
     """
 
     def handle(i: int) -> Handle:

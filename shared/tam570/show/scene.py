@@ -1,4 +1,4 @@
-"""What is seen: a scene of panels and time plots, made of numbers. The player and the savers show it."""
+"""Scenes as data: panels and time plots made of numbers, which the page's player and Matplotlib draw."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
@@ -15,19 +15,19 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-RATE = 60  # samples a second, as screens show
-FASTEST = math.pi * RATE  # rad/s; beyond half a turn from frame to frame the picture turns backward
+RATE = 60  # samples a second, as on most screens
+FASTEST = math.pi * RATE  # rad/s; a body that turns more than half a turn per frame seems to turn backward
 
-INK, GREY = -1, -2  # colours beside the numbered ones of the palette
+INK, GREY = -1, -2  # colours besides the numbered ones of the palette
 
 
 @dataclass(frozen=True)
 class Shape:
-    """One thing that is drawn.
+    """One element of a drawing.
 
     form   : "lines" (points in pairs), "path", "fill", "dot", "trail" (where the point has been), "arrow", "text"
-    points : (m, dim) if it stands still, else (n, m, dim) at the scene's times; m
-    color  : of the palette, or INK or GREY
+    points : (m, dim) if it does not move, else (n, m, dim) at the scene's times; m
+    color  : index in the palette, or INK or GREY
     name   : for the legend
     words  : of a text
     width  : of the line or size of the dot, pixels
@@ -45,9 +45,9 @@ class Shape:
 
 @dataclass(frozen=True)
 class Panel:
-    """Parts that share a scale. A flat panel of a scene in space does not turn with the others.
+    """Shapes with a common scale. A flat panel of a scene in space does not turn with the others.
 
-    ruler : whether to show how long a metre is
+    ruler : whether to show the length of a metre
     """
 
     shapes: Sequence[Shape]
@@ -63,8 +63,8 @@ class TimePlot:
     curves : by name, (m,) each
     span   : of the axis
     unit   : of the curves and the axis
-    caption: what they come to
-    alarm  : the caption says that something is wrong
+    caption: about the curves
+    alarm  : whether the caption says that something is wrong
     """
 
     title: str
@@ -78,16 +78,16 @@ class TimePlot:
 
 @dataclass(frozen=True)
 class Scene:
-    """A scene in motion.
+    """An animated scene.
 
     times : (n,) s, evenly spaced
-    alt_text : the scene in words, for a screen reader
-    view  : azimuth and elevation of the eye in a scene in space, rad
-    still_time : share of the time at which a single picture shows most
+    alt_text : description for a screen reader
+    view  : azimuth and elevation of the viewer of a scene in space, rad
+    still_time : fraction of the duration, at which a single picture shows most
     notes : what could not be shown, and why
     slider : the same scene for other values of a number
-    settings : the numbers that `--set` changes, as they are
-    live   : the scene as equations, where a hand can take hold of it
+    settings : values of the numbers that `--set` changes
+    live   : the equations, if the scene is interactive
     """
 
     title: str
@@ -113,8 +113,8 @@ class Slider:
     """One number of a scene with its values, and the scene for each.
 
     values : ascending
-    scenes  : for each value, with as many panels each
-    chosen : which one is shown first
+    scenes  : for each value, with the same number of panels
+    chosen : index of the scene that is shown first
     """
 
     name: str
@@ -125,7 +125,7 @@ class Slider:
 
 
 def with_slider(make: Callable[[float], Scene], name: str, unit: str, values: Sequence[float], first: float) -> Scene:
-    """Return the scene for the value `first`, with a slider that changes to those for others."""
+    """Return the scene for the value `first`, with a slider to the scenes for the other values."""
     several = sorted({*values, first})
     scenes = [make(value) for value in several]
     chosen = several.index(first)
@@ -133,14 +133,14 @@ def with_slider(make: Callable[[float], Scene], name: str, unit: str, values: Se
 
 
 def frame_times(seconds: float) -> Array:
-    """(n,) s, evenly spaced, from 0. ValueError for a motion that nobody would see."""
+    """Return the times of the frames, (n,) s, evenly spaced from 0. Raise ValueError for a motion too short to see."""
     if not RATE * seconds > 2:
         raise ValueError(f"all is over within {seconds:g} s, which is too fast to be drawn")
     return np.linspace(0.0, seconds, math.ceil(RATE * seconds) + 1)
 
 
 def drawable_rate(name: str, rate: float) -> None:
-    """ValueError, which names what sets it, for a rate in rad/s at which a picture turns backward."""
+    """Raise ValueError, with the rate's name, if a body at this rate in rad/s would seem to turn backward."""
     if abs(rate) >= FASTEST:
         raise ValueError(f"{name}: below {FASTEST:.0f} rad/s, to be drawn, got {rate:g}")
 
@@ -151,7 +151,7 @@ def arrow(tail: ArrayLike, vector: ArrayLike, color: int, name: str = "", width:
 
 
 def moving(*points: ArrayLike) -> Array:
-    """(n, m, dim) of m points that are (n, dim) each, or (dim,) if they stand still."""
+    """Stack m points that are (n, dim) each, or (dim,) if fixed, to (n, m, dim)."""
     arrays = np.broadcast_arrays(*(np.asarray(point) for point in points))
     stacked = np.stack(arrays, axis=-2)
-    return stacked if stacked.dtype == object else stacked.astype(float)  # objects are symbols, of a live scene
+    return stacked if stacked.dtype == object else stacked.astype(float)  # objects are symbols of a trace

@@ -1,4 +1,4 @@
-"""The student's functions, called with care: what goes wrong in them is said in a sentence or two."""
+"""Call a student's functions; report their errors in a sentence or two."""
 
 import sys
 import traceback
@@ -19,7 +19,7 @@ Made = TypeVar("Made")
 
 
 def load_student(file: Path, slug: str) -> ModuleType:
-    """Return the module in a file or notebook, imported under the assignment's name. Trouble if it cannot be."""
+    """Import a file or notebook as a module with the assignment's name. Raise Trouble if that fails."""
     module, _ = load_file(file, slug)
     module.__file__ = str(file)
     sys.modules[slug] = module
@@ -27,7 +27,7 @@ def load_student(file: Path, slug: str) -> ModuleType:
 
 
 class StudentModule:
-    """`student(name, ...)` calls the function of that name and gives its result in the form that the contract has.
+    """A student's module: `student(name, ...)` calls a function and returns its result in the form of the contract.
 
     forms : of the results, by function
     notes : what could not be shown, and why
@@ -39,7 +39,7 @@ class StudentModule:
         self.notes: list[str] = []
 
     def make_each(self, *makers: Callable[[], Made]) -> list[Made]:
-        """Return what can be made of what a scene shows beside the motion; the notes tell why the rest cannot."""
+        """Return the results of the makers that raise no Trouble; add the messages of the others to the notes."""
         results = []
         for maker in makers:
             try:
@@ -49,22 +49,22 @@ class StudentModule:
         return results
 
     def function(self, name: str) -> Function:
-        """Return the student's function itself. Trouble if there is none."""
+        """Return the student's function. Raise Trouble if there is none."""
         function = getattr(self._module, name, None)
         if not callable(function):
             raise Trouble(f"there is no function {name}{f' in {self._file}' if self._file else ''}")
         return function
 
     def __call__(self, name: str, *arguments: Numbers, **parameters: Numbers) -> Numbers:
-        """Return what the function returns. Trouble if it has another form, or is not finite."""
+        """Return the function's result. Raise Trouble if it has another form, or is not finite."""
         result = self._guarded(name, lambda function: function(*arguments, **parameters))
         return _conformed(self._forms[name], result, name, arguments)
 
     def each(self, name: str, *rows: Numbers, **parameters: Numbers) -> Array:
-        """(n, ...) of the function called with row i of every argument in turn."""
+        """Return (n, ...) the function's results for row i of every argument."""
         form, results = self._forms[name], self._results(name, *rows, **parameters)
         sizes = form["array"] if "array" in form else [len(form["group"])]
-        try:  # all at once: one by one takes longer than the student's function
+        try:  # all at once, which is faster
             return np.asarray(conform({"array": ["n", *sizes]}, results, name, (results,)))
         except WrongForm as error:
             if where := _first_row(error.actual):
@@ -72,7 +72,7 @@ class StudentModule:
             return np.array([_conformed(form, result, name) for result in results])
 
     def one_by_one(self, name: str, *rows: Numbers, **parameters: Numbers) -> list[Numbers]:
-        """Return what the function returns for row i of every argument in turn, as it is."""
+        """Return a list of the function's results for row i of every argument."""
         return [_conformed(self._forms[name], result, name) for result in self._results(name, *rows, **parameters)]
 
     def _results(self, name: str, *rows: Numbers, **parameters: Numbers) -> list[Numbers]:
@@ -98,7 +98,7 @@ def _conformed(form: Form, result: Numbers, name: str, arguments: Numbers = ()) 
 
 
 def _first_row(values: Numbers) -> str:
-    """Return where the first number is that is not finite, of a table of numbers."""
+    """Return a phrase with the first row of a table that has a number that is not finite; "" if there is none."""
     if np.ndim(values) < 2 or np.isfinite(values).all():
         return ""
     rows = np.isfinite(values).reshape(len(values), -1).all(axis=1)

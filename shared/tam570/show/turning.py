@@ -1,4 +1,4 @@
-"""A free body by its rotation matrix: its box, and a hand that takes the tip of its angular velocity."""
+"""A free body drawn as a box by its rotation matrix, with a handle at the tip of its angular velocity."""
 
 from collections.abc import Sequence
 
@@ -11,12 +11,12 @@ from tam570.values import Function, Numbers, Parameters
 
 
 def box_size(moments: Array) -> Array:
-    """(3,) m, the sides of a box of 12 kg with these moments of inertia, (3,) kg m^2; none is too thin to be seen."""
+    """Return the sides, (3,) m, of a box of 12 kg with these moments of inertia, (3,) kg m^2; enlarge thin sides."""
     return np.sqrt(np.maximum(moments.sum() / 2 - moments, 0.05 * moments.max()))
 
 
 def in_space(rotations: Array, vectors: Array) -> Array:
-    """(n, 3) of vectors (n, 3) with components along the axes of a body; rotations (n, 3, 3)."""
+    """Convert vectors (n, 3) from components along a body's axes to those in space, by rotations (n, 3, 3)."""
     return np.einsum("nij,nj->ni", rotations, vectors)
 
 
@@ -26,16 +26,16 @@ def spin_arrow(omega: Array, size: Array, color: int) -> Shape:
 
 
 def _reach(size: Array, omega: Sequence[float]) -> float:
-    """m per rad/s, with which the arrow at the start is longer than the body."""
+    """Return a scale, m per rad/s, with which the arrow at the start is longer than the body."""
     return 1.8 * float(size.max()) / (float(np.linalg.norm(omega)) or 1.0)
 
 
 def live_body(
     rates: Function, energy: Function, parameters: Parameters, start: Sequence[float], *, in_body: bool
 ) -> Live:
-    """Return a free body as equations; its state is R (9, row by row) and omega (3).
+    """Return the interactive scene of a free body; its state is R (9, row by row) and omega (3).
 
-    in_body : whether omega has components in the body, or in space
+    in_body : whether omega has components along the body's axes, not those of space
     """
     size = box_size(np.array(parameters["inertia"]))
     handle = spin_handle(_reach(size, start[9:]), in_body)
@@ -52,7 +52,7 @@ def live_body(
 
 
 def spin_handle(reach: float, in_body: bool) -> Handle:
-    """Return the hand that takes the tip of the angular velocity, drawn `reach` long, m per rad/s."""
+    """Return the handle at the tip of the angular velocity, drawn with the scale `reach`, m per rad/s."""
 
     def tip(state: Numbers, **parameters: Numbers) -> Numbers:
         omega = np.array(state[9:])

@@ -1,7 +1,7 @@
-"""The scenes, a module for each: `film(student, parameters, start, seconds)` shows the student's functions.
+"""The scenes, a module for each: `film(student, parameters, start, seconds)` draws the student's results.
 
-A scene knows where things are drawn and, in EXAMPLE, START and SECONDS, with what they start. How they move is for
-the student's functions to say.
+A scene defines the drawing and, in EXAMPLE, START and SECONDS, the parameters and the initial state. The student's
+functions compute the motion.
 """
 
 from collections.abc import Mapping
@@ -13,5 +13,5 @@ from tam570.values import Function
 
 
 def drawn_for(film: Function, names: Mapping[str, Any]) -> Function:
-    """Return the film of a lecture by the functions with these names: its own, or those of its copy."""
+    """Return a lecture's `film` with its functions, from the globals of the lecture or of a copy."""
     return partial(film, SimpleNamespace(**names))

@@ -1,4 +1,4 @@
-"""The lecture on chains: a folded one by both of its equations, one lifted from a heap, one poured on a scale."""
+"""The lecture `chains`: a folded one by both equations, one lifted from a heap, one poured on a scale."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
@@ -14,14 +14,14 @@ from tam570.show.plots import drift_caption, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, arrow, frame_times, moving
 
 DISTANCE = 0.12  # of the length, between the two sides of a fold
-LARGEST = 4.0  # times the chain's weight, of the scale's reading that is shown: without loss it grows without limit
-HEAP = 0.09  # of the length: half the width of the whole chain in a heap
-DOWN = 0.99  # of the length: what is pulled down ends at infinite speed
-LIMITS = {"textbook": 0, "nothing lost": 1}  # those that are drawn, and their colours
+LARGEST = 4.0  # in weights of the chain: the largest reading that is shown; without loss it has no limit
+HEAP = 0.09  # of the length: half the width of a heap of the full chain
+DOWN = 0.99  # of the length: where a fall ends; at 1 its speed may be infinite
+LIMITS = {"textbook": 0, "nothing lost": 1}  # the limits that are drawn, and their colours
 
 
 def film(lecture: SimpleNamespace, parameters: Mapping[str, float]) -> Scene:
-    """Return all three at once, each by its two limits; lifted and poured also with the share `supplied`."""
+    """Return the scene of all three, each by its two limits; lifted and poured also with the share `supplied`."""
     length, density, speed, gravity, supplied = (parameters[name] for name in lecture.EXAMPLE)
     positive(length=length, density=density, speed=speed, gravity=gravity)
     finite(supplied=supplied)
@@ -76,7 +76,7 @@ def _pulled_down(share: float, fallen: float, speed: float, *, length: float, gr
 
 
 def _falls(times: Array, accelerations: Callable[[float, float], Sequence[float]], which: int, length: float) -> Array:
-    """(n, 2) m and m/s, of what falls from rest by one of these accelerations; its whole length at last."""
+    """Return (n, 2) m and m/s, a fall from rest by one of these accelerations; at its end the length and 0."""
 
     def rates(t: float, state: Sequence[float]) -> tuple[float, float]:
         return state[1], accelerations(state[0], state[1])[which]
@@ -91,12 +91,12 @@ def _falls(times: Array, accelerations: Callable[[float, float], Sequence[float]
 
 
 def _arrow(x: float, foot: Array, size: Array, name: str) -> Shape:
-    """Return an arrow upwards at x, from (n,) m, of the length (n,) m."""
+    """Return an arrow upwards at x, from heights (n,) m, of lengths (n,) m."""
     return arrow(np.column_stack([np.full_like(foot, x), foot]), np.outer(size, [0.0, 1.0]), 3, name, 3)
 
 
 def _upright(x: float, height: Array, share: Array, length: float, color: int, name: str) -> list[Shape]:
-    """Return a chain from the ground up to its end at (n,) m, and the (n,) share of it that lies in a heap."""
+    """Return a chain from the ground up to its end at (n,) m, and a heap with a share (n,) of it."""
     foot = np.array([x, 0.0])
     size = HEAP * length * np.sqrt(np.maximum(share, 0.0))[:, None, None]
     heap = foot + size * np.array([[-1.0, 0.0], [-0.5, 0.8], [0.0, 1.0], [0.5, 0.8], [1.0, 0.0]])
@@ -105,7 +105,7 @@ def _upright(x: float, height: Array, share: Array, length: float, color: int, n
 
 
 def _fold(fallen: Array, color: int, shift: float, length: float) -> list[Shape]:
-    """Return a chain hung at one end, its other end fallen by (n,) m."""
+    """Return a chain that hangs at one end, with its other end fallen by (n,) m."""
     still, side = np.zeros(len(fallen)), DISTANCE * length
     bottom = -(length + fallen) / 2
     corners = [(still, still), (still, bottom), (still + side, bottom), (still + side, -fallen)]
@@ -118,7 +118,7 @@ def _fold(fallen: Array, color: int, shift: float, length: float) -> list[Shape]
 
 
 def _energy(times: Array, remaining: Array, lost: Array, parameters: Mapping[str, float]) -> TimePlot:
-    """Of the folded chain, as long as both fall."""
+    """Plot the energy of the folded chain by both equations, until the first fall ends."""
     length, density, gravity = (parameters[name] for name in ("length", "density", "gravity"))
     falling = np.flatnonzero((remaining[:, 0] < length) & (lost[:, 0] < length))
 

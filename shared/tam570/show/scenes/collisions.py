@@ -1,4 +1,4 @@
-"""The lecture on collisions: a cradle that hits whenever its balls hang straight down, and a rod that hits a peg."""
+"""The lecture `collisions`: a cradle whose balls hit when they hang straight down, and a rod that hits a peg."""
 
 from collections.abc import Callable, Mapping
 from functools import partial
@@ -14,14 +14,14 @@ from tam570.values import Function
 
 SECONDS = 8.0
 BALLS, RADIUS, LENGTH, GRAVITY = 5, 0.12, 1.0, 9.81  # 1, m, m, m/s^2
-FIRST = np.array([1.6, 1.6, 0.0, 0.0, 0.0])  # m/s, as two balls arrive straight below their hooks
+FIRST = np.array([1.6, 1.6, 0.0, 0.0, 0.0])  # m/s, of two balls that arrive straight below their hooks
 ROD = {"length": 1.0, "mass": 1.0}  # m, kg
 PEG = 0.04  # m, radius
 ARM, FALL, TURN, HIT = 0.3, 0.5, 0.4, 2.0  # m from G to the peg, m/s, rad/s, s
 
 
 def film(lecture: SimpleNamespace, parameters: Mapping[str, float]) -> Scene:
-    """Return Newton's cradle, and a rod that hits a peg."""
+    """Return the scene of Newton's cradle, and of a rod that hits a peg."""
     times, restitution = frame_times(SECONDS), parameters["restitution"]
     angles, speeds = _swings(times, partial(lecture.cradle, restitution=restitution))
     places, about_peg, energies = _rod(times, partial(lecture.collide, restitution=restitution))
@@ -45,14 +45,14 @@ def film(lecture: SimpleNamespace, parameters: Mapping[str, float]) -> Scene:
 
 
 def _swings(times: Array, cradle: Callable[[Array], Array]) -> tuple[Array, Array]:
-    """(n, 5) angles, rad, and speeds, m/s: all balls are down at once, every half period of a small swing."""
+    """Return (n, 5) angles, rad, and speeds, m/s: all balls are down together, every half period of a small swing."""
     w = sqrt(GRAVITY / LENGTH)
     rounds = np.floor(w * times / pi + 0.5).astype(int)  # the first quarter is their way down
     starts, now = [FIRST], cradle(FIRST)
     for _ in range(rounds.max()):
         starts.append(now)
         now = cradle(-now)
-    phase = (w * times - pi / 2 - pi * np.maximum(rounds - 1, 0))[:, None]  # from where they hang straight down
+    phase = (w * times - pi / 2 - pi * np.maximum(rounds - 1, 0))[:, None]  # 0 when they hang straight down
     amplitude = np.array(starts)[rounds]
     return amplitude * np.sin(phase) / (w * LENGTH), amplitude * np.cos(phase)
 
@@ -74,7 +74,7 @@ def _rod(times: Array, collide: Function) -> tuple[list[Shape], Array, Array]:
     """Return the picture, the angular momentum about the peg, of G and about G (n, 2), kg m^2/s, and the energy, J."""
     mass, inertia = ROD["mass"], ROD["mass"] * ROD["length"] ** 2 / 12
     before = np.array([[-0.15, -FALL, TURN], [0.0, 0.0, 0.0]])
-    arms = np.array([[ARM, 0.0], [0.0, 0.0]])  # the peg is the second body's own place
+    arms = np.array([[ARM, 0.0], [0.0, 0.0]])  # the peg is at the second body's centre
     both, _ = collide(before, [0.0, -1.0], arms, masses=(mass, inf), inertias=(inertia, inf))
     late = times >= HIT
     velocities = np.where(late[:, None], both[0], before[0])

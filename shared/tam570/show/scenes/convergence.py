@@ -19,9 +19,9 @@ COLORS = (0, 1)  # right, wrong
 
 
 def film(lecture: SimpleNamespace, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
-    """Return the right equations and the wrong ones from one start.
+    """Return the scene of the right and the wrong equations with the same start.
 
-    lecture : its functions
+    lecture : functions of the lecture
     """
     times, equations = frame_times(seconds), (lecture.rates, lecture.wrong_rates)
     correct, wrong = (solve(rates, times, start, parameters=parameters, rtol=1e-9) for rates in equations)
@@ -63,7 +63,7 @@ def _pendulum(states: Array, parameters: Parameters, color: int, name: str) -> l
 
 
 def _orders(errors: Function) -> list[Shape]:
-    """Return a line for each method and equation, in logarithms: its slope is the order."""
+    """Return a log-log line of error over step for each method and equation; its slope is the order."""
     curves = {method: np.log10(errors(method, STEPS)) for method in METHODS}
     steps = np.log10(STEPS)
     axes, to_points = graph(

@@ -15,9 +15,9 @@ SPOKES = np.arange(6) * np.pi / 3  # rad
 
 
 def film(frames: SimpleNamespace, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """Let a spring pull a particle to the centre of a turntable, on which nothing rubs.
+    """Return the scene of a particle that a spring pulls to the centre of a turntable, without friction.
 
-    frames : the lecture's functions
+    frames : functions of the lecture
     """
     times = frame_times(seconds)
     seen = frames.exact(times, start, **parameters)
@@ -69,7 +69,7 @@ def _table(states: Array, turned: Array, rim: float, spring: bool) -> list[Shape
 
 
 def _forces(frames: SimpleNamespace, seen: Array, parameters: Mapping[str, float], rim: float) -> list[Shape]:
-    """Return the forces that only the observer on the turntable adds."""
+    """Return the inertial forces, which exist only in the frame of the turntable."""
     forces = {
         name: np.array([force(state, **parameters) for state in seen])
         for name, force in (("Coriolis", frames.coriolis), ("centrifugal", frames.centrifugal))

@@ -1,4 +1,4 @@
-"""hw01: a large swing by the full equation, and what the small-angle solution makes of it."""
+"""hw01: a large swing by the full equation, and by the small-angle solution."""
 
 from collections.abc import Sequence
 
@@ -15,13 +15,13 @@ from tam570.values import Function, Numbers, Parameters
 
 EXAMPLE = {"length": 1.0, "gravity": 9.81}  # m, m/s^2
 STATE = {"theta": "rad", "omega": "rad/s"}
-START = (2.0, 0.0)  # far from small
+START = (2.0, 0.0)  # rad, rad/s: not a small angle
 SECONDS = 12.0
 MASS = 1.0  # kg
 
 
 def film(student: StudentModule, rod: Parameters, start: Sequence[float], seconds: float) -> Scene:
-    """Both let go from the same angle."""
+    """Return the scene of both pendulums, released from the same angle."""
     times = frame_times(seconds)
     full = student("simulate", times, *start, **rod)
     small = student("small_angle_solution", times, *start, **rod)
@@ -50,7 +50,7 @@ def film(student: StudentModule, rod: Parameters, start: Sequence[float], second
 
 
 def _live(student: StudentModule, rod: Parameters, start: Sequence[float]) -> Live:
-    """By the student's balance of angular momentum; kinetic and potential energy by that of energy."""
+    """Return the equations, by the student's balance of angular momentum, with energies by that of energy."""
     balance, energies = student.function("angular_momentum_balance"), student.function("energy_balance")
 
     def rates(t: float, state: Numbers, **parameters: Numbers) -> list[Numbers]:

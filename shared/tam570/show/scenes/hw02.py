@@ -19,7 +19,7 @@ LARGE = 1e-3  # of the range: a pixel
 
 
 def film(student: StudentModule, parameters: Parameters) -> Scene:
-    """Let each ball fly until it is back at launch height."""
+    """Return the scene of balls that fly until they are back at launch height."""
     speed, ball = parameters["speed"], {name: parameters[name] for name in ("mass", "drag", "gravity")}
     best = student("best_angle", speed, **ball)
     angles = sorted([*map(math.radians, ANGLES), best])
@@ -48,7 +48,7 @@ def film(student: StudentModule, parameters: Parameters) -> Scene:
 def _both(
     student: StudentModule, times: Array, angle: float, flight: float, speed: float, ball: Mapping[str, float]
 ) -> tuple[Array, Array]:
-    """(n, 4) states by both solutions; where it has landed the ball stays."""
+    """Return (n, 4) states by each solution; after it has landed, the ball does not move."""
     if not 0.0 < flight < LONGEST:
         raise Trouble(f"flight_time gives {flight} s at {math.degrees(angle):.0f} degrees and {speed} m/s")
     flown = np.append(times[times < flight], flight)

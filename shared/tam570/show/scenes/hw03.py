@@ -1,4 +1,4 @@
-"""hw03: what each definition's angular momentum does, as vectors at C, while P and C move."""
+"""hw03: the angular momentum by each definition and its rate, as arrows at C, while P and C move."""
 
 import numpy as np
 
@@ -15,12 +15,12 @@ P = [(1.0, (2.0, 0.0, 0.0), (0.0, 1.5, 0.5)), (2.0, (0.0, 0.0, 0.3), (0.2, 0.0, 
 C = [(1.0, (-0.6, 0.3, 0.0), (0.3, 0.4, 0.0)), (2.0, (0.0, 0.0, 0.1), (0.1, 0.0, 0.0))]
 DEFINITIONS = "abc"
 COLORS = {"a": 0, "b": 1, "c": 2}
-LARGE = 1e-4  # of the largest rate; differences are good to 1e-7 of it
+LARGE = 1e-4  # of the largest rate; differences are accurate to 1e-7 of it
 STEP = 1e-4  # s, of the differences
 
 
 def film(student: StudentModule, parameters: Parameters) -> Scene:
-    """Two points go round, each its own way."""
+    """Return the scene of two points that go round on different paths."""
     times, mass = frame_times(SECONDS), parameters["mass"]
     motion = [*_moves(P, times), *_moves(C, times)]
     r_p, v_p, a_p, r_c, v_c, _ = motion
@@ -50,7 +50,7 @@ def film(student: StudentModule, parameters: Parameters) -> Scene:
 
 
 def _moves(harmonics: Numbers, times: Array) -> tuple[Array, Array, Array]:
-    """(n, 3) each: position, velocity, acceleration."""
+    """Return position, velocity and acceleration, (n, 3) each."""
     r, v, a = np.zeros((3, len(times), 3))
     for w, cosine, sine in harmonics:
         c, s = np.outer(np.cos(w * times), cosine), np.outer(np.sin(w * times), sine)
@@ -74,7 +74,7 @@ def _points(r_p: Array, r_c: Array) -> list[Shape]:
 
 
 def _arrow(tail: Array, vector: Array, all_of_them: dict[str, Array], color: int, name: str, width: float = 3) -> Shape:
-    """Return an arrow; the longest of all of them has 3 m."""
+    """Return an arrow in the scale in which the longest of all has 3 m."""
     longest = max(float(np.linalg.norm(vectors, axis=1).max()) for vectors in all_of_them.values()) or 1.0
     return arrow(tail, 3.0 * vector / longest, color, name, width)
 
@@ -88,7 +88,7 @@ def _discrepancies(student: StudentModule, times: Array, motion: list[Array], ma
 
 
 def _checked(student: StudentModule, times: Array, rates: dict[str, Array], mass: float) -> TimePlot:
-    """Return the rates beside differences of the student's own angular momentum."""
+    """Plot the rates; the caption compares them with differences of the student's angular momentum."""
     scale = max(float(np.linalg.norm(rate, axis=1).max()) for rate in rates.values()) or 1.0
     off = {
         f"({d})": 100 * np.linalg.norm(rates[d] - _differences(student, d, times, mass), axis=1) / scale
@@ -101,7 +101,7 @@ def _checked(student: StudentModule, times: Array, rates: dict[str, Array], mass
 
 
 def _differences(student: StudentModule, definition: str, times: Array, mass: float) -> Array:
-    """(m, 3) central differences of angular_momentum; by (a) C stays where it is meanwhile."""
+    """Return (m, 3) central differences of angular_momentum; by definition (a), C does not move."""
 
     def momentum(shift: float) -> Array:
         r_p, v_p, _ = _moves(P, times + shift)

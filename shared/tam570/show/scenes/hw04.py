@@ -1,4 +1,4 @@
-"""hw04: the mass on its spring in space, the ellipse, and the student's own projections of the path."""
+"""hw04: the mass on its spring in space, the ellipse, and the student's projections of the path."""
 
 from collections.abc import Sequence
 from functools import partial
@@ -22,7 +22,7 @@ VIEWS = {"by project(), along x": (0.0, 0.0), "by project(), from above": (-pi /
 
 
 def film(student: StudentModule, spring: Parameters, start: Sequence[float], seconds: float) -> Scene:
-    """Return the mass in space, and two projections of it at right angles."""
+    """Return the scene of the mass in space, and of two projections at right angles."""
     times = frame_times(seconds)
     r, v = np.array(start[:3]), np.array(start[3:])
     states = student("simulate", times, r, v, **spring)

@@ -1,4 +1,4 @@
-"""hw05: the particle on its circle, by Cartesian coordinates."""
+"""hw05: the particle on its circle, in Cartesian coordinates."""
 
 import math
 from collections.abc import Sequence
@@ -16,13 +16,13 @@ from tam570.values import Numbers, Parameters
 
 EXAMPLE = {"mass": 1.0, "length": 1.0, "gravity": 9.81}  # kg, m, m/s^2
 STATE = {"x": "m", "y": "m", "vx": "m/s", "vy": "m/s"}
-START = (math.sin(0.1), math.cos(0.1), 0.0, 0.0)  # .1 rad from the very top
+START = (math.sin(0.1), math.cos(0.1), 0.0, 0.0)  # 0.1 rad from the top
 SECONDS = 12.0
-ARROW = 0.15  # of the length, for the weight
+ARROW = 0.15  # length of the weight's arrow, relative to the rod
 
 
 def film(student: StudentModule, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
-    """Let go at rest next to the top."""
+    """Return the scene of the particle, released at rest next to the top."""
     times, length = frame_times(seconds), parameters["length"]
     states = student("simulate", times, np.array(start), **parameters)
     energy = {name: parameters[name] for name in ("mass", "gravity")}
@@ -85,7 +85,7 @@ def _arrows(force: Array, particle: Array, parameters: Parameters) -> list[Shape
 
 
 def _pull(times: Array, force: Array, particle: Array, length: float) -> TimePlot:
-    """Return the pull of the rod, below 0 where it pushes; and whether the particle stays on its circle."""
+    """Plot the pull of the rod, negative where it pushes; the caption tells if the particle stays on its circle."""
     distance = np.hypot(*particle.T)
     pull = -np.einsum("ni,ni->n", force, particle) / distance
     caption = drift_caption(distance, length, "the length", "distance from the hinge: ")

@@ -30,7 +30,7 @@ HALF_WIDTH, OVERHANG, WHEEL, ARROW = 0.8, 0.7, 0.32, 2.0  # m
 
 
 def film(student: StudentModule, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
-    """Both go straight ahead at the same speed, but for the same small yaw rate."""
+    """Return the scene of both cars, which start with the same speed and the same small yaw rate."""
     times = frame_times(seconds)
     car = {name: parameters[name] for name in CAR}
     motions = {locked: student("simulate", times, np.array(start), locked, **parameters) for locked in LANES}
@@ -56,7 +56,7 @@ def film(student: StudentModule, parameters: Parameters, start: Sequence[float],
 
 
 def _live(student: StudentModule, parameters: Parameters, start: Sequence[float], roads: list[Shape]) -> Live:
-    """Of the two cars the one that swings round; a hand moves it, and turns it at its nose."""
+    """Return the equations of the car that swings round, with handles that move it and turn it by its nose."""
     derivative, energy = student.function("state_derivative"), student.function("kinetic_energy")
     lane = LANES["rear"]
 
@@ -103,7 +103,7 @@ def _car(states: Array, locked: str, y: float, parameters: Parameters) -> list[S
 
 
 def _energy(student: StudentModule, times: Array, motions: dict[str, Array], parameters: Parameters) -> TimePlot:
-    """Kinetic energy, and whether with what friction has taken along the way of the locked axle it stays."""
+    """Plot the kinetic energy; the caption has the drift of its sum with the energy lost to friction."""
     arguments = {name: parameters[name] for name in ("mass", "yaw_inertia", "front", "rear")}
     energies, sums = {}, {}
     for locked, states in motions.items():
@@ -118,7 +118,7 @@ def _energy(student: StudentModule, times: Array, motions: dict[str, Array], par
 
 
 def _work(student: StudentModule, states: Array, locked: str, parameters: Parameters) -> Array:
-    """(n,) J, of friction up to each time, by the trapezoidal rule along the path of the axle."""
+    """Return (n,) J, the work of friction up to each time, by the trapezoidal rule along the locked axle's path."""
     car = {name: parameters[name] for name in CAR}
     force = student.each("friction_force", states, [locked] * len(states), **car)
     c, s = np.cos(states[:, 2]), np.sin(states[:, 2])

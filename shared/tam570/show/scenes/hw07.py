@@ -20,7 +20,7 @@ SECONDS = 20.0
 
 
 def film(student: StudentModule, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
-    """Return the motion of part (d)."""
+    """Return the scene of the motion of part (d)."""
     times = frame_times(seconds)
     arguments = _as_arrays(**parameters)
     theta, omega = np.array(start[:2]), np.array(start[2:])

@@ -14,11 +14,11 @@ EXAMPLE = {"axis": (1.0, 2.0, 2.0)}
 SIZE = np.array([1.6, 1.0, 0.5])  # m
 RATE = 1.0  # rad/s
 SECONDS = 2 * np.pi
-LARGE = 1e-9  # of the length; a few roundings make 1e-15
+LARGE = 1e-9  # of the length; rounding is about 1e-15
 
 
 def film(student: StudentModule, parameters: Parameters) -> Scene:
-    """One full turn."""
+    """Return the scene of one full turn."""
     times, axis = frame_times(SECONDS), array((3,), axis=parameters["axis"])
     angles = RATE * times
     rotations = student.each("rotation_matrix", [axis] * len(times), angles)

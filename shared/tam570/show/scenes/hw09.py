@@ -1,4 +1,4 @@
-"""hw09: the book, turned about z and x in one order and in the other, and the axis of the whole turn."""
+"""hw09: the book, turned about z and x in both orders, and the axis of the total rotation."""
 
 import math
 from functools import partial
@@ -15,13 +15,13 @@ from tam570.values import Parameters
 
 EXAMPLE = {"size": (1.2, 1.8, 0.3)}  # m
 ORDERS = {"(a) about z, then about x": "zx", "(b) about x, then about z": "xz"}
-BEGINS, LASTS = (0.7, 2.7), 1.5  # s, of the two turns
+BEGINS, LASTS = (0.7, 2.7), 1.5  # s, when a turn begins and how long it lasts
 SECONDS = 5.5
 LARGE = 1e-9
 
 
 def film(student: StudentModule, parameters: Parameters) -> Scene:
-    """Both orders side by side; the axes are fixed in space."""
+    """Return the scene of both orders side by side; the axes are fixed in space."""
     times, size = frame_times(SECONDS), np.array(positives(3, size=parameters["size"]))
     turned = {title: _turns(student, times, order) for title, order in ORDERS.items()}
     before = student("book_edges", np.eye(3), size=size).reshape(24, 3)
@@ -48,9 +48,9 @@ def film(student: StudentModule, parameters: Parameters) -> Scene:
 
 
 def _turns(student: StudentModule, times: Array, order: str) -> Array:
-    """(n, 3, 3) rotations: one axis after the other."""
+    """Return (n, 3, 3) rotations, first about one axis, then about the other."""
     shares = [np.clip((times - begin) / LASTS, 0.0, 1.0) for begin in BEGINS]
-    angles = [math.pi / 2 * share**2 * (3.0 - 2.0 * share) for share in shares]  # with no jerk at the ends
+    angles = [math.pi / 2 * share**2 * (3.0 - 2.0 * share) for share in shares]  # from rest to rest
     steps = [list(zip(order, pair, strict=True)) for pair in zip(*angles, strict=True)]
     return student.each("space_sequence", steps)
 

@@ -24,7 +24,7 @@ UP = np.eye(3)[2]
 
 
 def film(student: StudentModule, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
-    """Both bodies are thrown at once."""
+    """Return the scene of the box and the disk, thrown at the same time."""
     times, spin = frame_times(seconds), np.array(start)
     inertia = np.diag(of_box(parameters["mass"], parameters["size"]))
     if not spin.any():
@@ -53,7 +53,7 @@ def film(student: StudentModule, parameters: Parameters, start: Sequence[float],
 
 
 def _live(student: StudentModule, inertia: Array, size: Array, spin: Array) -> Live:
-    """Return the box as equations: R, row by row, and omega in the body; a hand takes the tip of omega."""
+    """Return the equations of the box: R, row by row, and omega in the body; a handle moves the tip of omega."""
     euler, attitude, energy = (student.function(name) for name in ("euler_equations", "attitude_rate", "energy"))
     reach = 1.5 / float(np.linalg.norm(spin))  # m per rad/s
     handle = spin_handle(reach, in_body=True)
@@ -82,7 +82,7 @@ def _live(student: StudentModule, inertia: Array, size: Array, spin: Array) -> L
 
 
 def _attitude(omega: Array, inertia: Array) -> Array:
-    """R at the start, that has the angular momentum point upwards."""
+    """Return R at the start, for which the angular momentum points upwards."""
     along = inertia * omega
     third = along / np.linalg.norm(along)
     first = np.cross(third, np.roll(UP, 1) if abs(third[0]) < 0.9 else UP)
@@ -107,7 +107,7 @@ def _box(student: StudentModule, rotations: Array, omegas: Array, momenta: list[
 
 
 def _ellipsoids(student: StudentModule, omegas: Array, inertia: Array) -> Panel:
-    """Energy and the size of H keep omega on one ellipsoid each, and so on the curve in which they meet."""
+    """Return the ellipsoids of energy and of |H|, on both of which omega stays, and the curve in which they meet."""
     energy = student.each("energy", omegas[:1], inertia=inertia)[0]
     momentum = float(np.linalg.norm(inertia * omegas[0]))
     if energy <= 0.0:
@@ -126,14 +126,14 @@ def _ellipsoids(student: StudentModule, omegas: Array, inertia: Array) -> Panel:
 def _meeting(energy: float, momentum: float, inertia: Array) -> list[Array]:
     """Return the two closed curves (n, 3) on which omega has this energy and this |H|.
 
-    In squares they are straight lines.
+    In the squares of its components they are straight lines.
     """
     order = np.argsort(inertia)
     a, b, c = inertia[order]
     if c - a < 1e-9 * c:
         return []
     u = np.linspace(0.0, 2.0 * np.pi, 181)
-    outer = c if momentum**2 > 2.0 * energy * b else a  # the axis that they go round
+    outer = c if momentum**2 > 2.0 * energy * b else a  # moment about the axis inside the curves
     inner = a + c - outer
     largest = max((momentum**2 - 2.0 * energy * inner) / (outer * (outer - inner)), 0.0)  # square of omega along it
 
@@ -152,7 +152,7 @@ def _meeting(energy: float, momentum: float, inertia: Array) -> list[Array]:
 
 
 def _sphere() -> list[Array]:
-    """Circles of latitude and longitude."""
+    """Return circles of latitude and longitude on the unit sphere."""
     u = np.linspace(0.0, 2.0 * np.pi, 49)
     meridians = [(u, a) for a in np.arange(6) * np.pi / 6]
     parallels = [(a, u) for a in np.arange(5, 0, -1) * np.pi / 6]
@@ -165,7 +165,7 @@ def _sphere() -> list[Array]:
 
 
 def _disk(student: StudentModule, times: Array) -> Panel:
-    """Two points of the rim, a quarter of a turn apart; the cones of omega in the body and in space."""
+    """Return a disk with two points of its rim, a quarter turn apart, and the body cone and space cone of omega."""
     omegas, rotations = _motion(student, times, WOBBLE, DISK)
     length = 1.6 / np.linalg.norm(WOBBLE)
     omega = length * in_space(rotations, omegas)
@@ -185,7 +185,7 @@ def _disk(student: StudentModule, times: Array) -> Panel:
 
 
 def _once_round(vectors: Array) -> Array:
-    """(m, 3) of the vectors (n, 3) as far as they first close a turn about z, or all."""
+    """Return (m, 3) of the vectors (n, 3) up to their first full turn about z, or all."""
     across = np.unwrap(np.arctan2(vectors[:, 1], vectors[:, 0]))
     beyond = np.flatnonzero(np.abs(across - across[0]) >= 2.0 * np.pi)
     last = beyond[0] if len(beyond) else len(vectors) - 1

@@ -15,13 +15,13 @@ EXAMPLE = {
     "radius": 0.1,  # m
     "inertia": (0.02 * 0.1**2 / 4, 0.02 * 0.1**2 / 2),  # kg m^2, a thin uniform disk
     "gravity": 9.81,  # m/s^2
-    "leans": (0.35, 0.8),  # rad, of those that roll
+    "leans": (0.35, 0.8),  # rad, of the coins that roll
     "track_radii": (0.42, 0.24),  # m
-    "settling_lean": 1.15,  # rad, of the coin whose centre stays
+    "settling_lean": 1.15,  # rad, of the coin whose centre is at rest
 }
 COIN, ALL = ("mass", "radius"), ("mass", "radius", "inertia", "gravity")
 SECONDS = 6.0
-LARGE = 1e-6  # of m g a; a few roundings make 1e-15
+LARGE = 1e-6  # of m g a; rounding is about 1e-15
 UP = np.array([0.0, 0.0, 1.0])
 
 
@@ -37,7 +37,7 @@ class Circling:
 
 
 def film(student: StudentModule, parameters: Parameters) -> Scene:
-    """Three coins on one floor about one centre."""
+    """Return the scene of three coins on one floor about one centre."""
     times = frame_times(SECONDS)
     arguments, radius = {name: parameters[name] for name in ALL}, parameters["radius"]
     tracks = zip(parameters["leans"], parameters["track_radii"], strict=True)
@@ -73,7 +73,7 @@ def _settling(student: StudentModule, lean: float, parameters: Parameters) -> Ci
 
 
 def _coin(times: Array, coin: Circling, radius: float, color: int) -> list[Shape]:
-    """Disk, a mark on it, its track. The spin is the total one: the precession has its share, -sin(lean), in it."""
+    """Return a disk with a mark, and its track. The coin's spin includes -sin(lean) times the precession."""
     lean = coin.lean
     turned = coin.precession * times
     outward = np.column_stack([np.cos(turned), np.sin(turned), 0.0 * turned])

@@ -20,7 +20,7 @@ ARROW = 0.4  # m, of the weight
 
 
 def film(student: StudentModule, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
-    """Return the bead, and the forces on it as a polygon that closes with m a."""
+    """Return the scene of the bead, with the forces on it as a polygon that m a closes."""
     times = frame_times(seconds)
     wire = {name: parameters[name] for name in ("curvature", "gravity")}
     states = student("simulate", times, *start, **wire)
@@ -64,7 +64,7 @@ def _live(student: StudentModule, parameters: Parameters, start: Sequence[float]
 
 
 def _draw(reach: float, states: Array, parameters: Parameters) -> list[Shape]:
-    """Draw the bead on its wire, which reaches so far to both sides, m."""
+    """Draw the bead on its wire, which extends `reach` to both sides, m."""
     bead = _on_wire(states[:, 0], parameters["curvature"])
     wire = _on_wire(np.linspace(-reach, reach, 81), parameters["curvature"])
     return [Shape("path", wire, GREY, "wire", width=3), Shape("dot", bead[:, None], 0, "bead", width=8)]

@@ -1,4 +1,4 @@
-"""hw13: a cylinder whose centre of mass is not at its centre, and below it what M_C = I^C phi'' would make of it."""
+"""hw13: a cylinder whose centre of mass is not at its centre, and below it its motion by the wrong M_C = I^C phi''."""
 
 import math
 from collections.abc import Sequence
@@ -24,12 +24,12 @@ EXAMPLE = {
     "gravity": 9.81,  # m/s^2
 }
 STATE = {"phi": "rad", "phi_dot": "rad/s"}
-START = (0.0, 8.0)  # rad, rad/s: enough to roll over the place where the centre of mass is highest
+START = (0.0, 8.0)  # rad, rad/s: fast enough that the centre of mass passes its highest point
 SECONDS = 2.5
 
 
 def film(student: StudentModule, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
-    """Pushed off with the centre of mass lowest."""
+    """Return the scene of the cylinder, which starts with its centre of mass lowest."""
     times = frame_times(seconds)
     correct = student("simulate", times, *start, **parameters)
     wrong = student.make_each(lambda: _naive(student, times, start, parameters))
@@ -74,7 +74,7 @@ def _live(student: StudentModule, parameters: Parameters, start: Sequence[float]
 
 
 def _naive(student: StudentModule, times: Array, start: Sequence[float], parameters: Parameters) -> Array:
-    """(n, 2) the motion by the student's naive acceleration."""
+    """Return (n, 2) the motion by the student's naive acceleration."""
 
     def rates(t: float, state: Array) -> tuple[float, float]:
         return state[1], float(student("naive_contact_acceleration", state[0], **parameters))
@@ -86,7 +86,7 @@ def _naive(student: StudentModule, times: Array, start: Sequence[float], paramet
 
 
 def _forces(student: StudentModule, phi: Array, parameters: Parameters) -> list[Shape]:
-    """Return the forces that the student draws, in axes down the ramp and off it from the centre of the cylinder."""
+    """Return the forces that the student draws, in axes down and normal to the ramp, from the cylinder's centre."""
     slope, radius = parameters["slope"], parameters["radius"]
     axes = np.array([[np.cos(slope), -np.sin(slope)], [np.sin(slope), np.cos(slope)]])
     arguments = {name: parameters[name] for name in ("mass", "radius", "offset", "slope", "gravity")}
@@ -114,7 +114,7 @@ def _rolling(phi: Array, color: int, farthest: float, parameters: Parameters) ->
 
 
 def _turned(vector: Array, phi: Array) -> Array:
-    """(n, 2) a vector turned clockwise, as what rolls down to the right turns."""
+    """Return (n, 2) a vector turned clockwise by phi, as by a cylinder that rolls to the right."""
     c, s = np.cos(phi), np.sin(phi)
     return np.column_stack([c * vector[0] + s * vector[1], c * vector[1] - s * vector[0]])
 

@@ -33,7 +33,7 @@ LARGE = 1e-3  # of the radius, between the two simulations
 
 
 def film(student: StudentModule, disk: Parameters, start: Sequence[float], seconds: float) -> Scene:
-    """Return a disk that is rolled off with a lean."""
+    """Return the scene of a disk that starts to roll with a lean."""
     times = frame_times(seconds)
     states = student("simulate_euler", times, np.array(start), **disk)
     frame = student.each("wireframe", states, radius=disk["radius"], sides=SIDES)
@@ -99,7 +99,7 @@ def _disk(contact: Array, rim: Array, diameters: Array) -> list[Shape]:
 
 
 def _tilt(student: StudentModule, times: Array, states_by_angles: Array, frame: Array, disk: Parameters) -> TimePlot:
-    """Return the tilt; and the centre by the matrices beside that by the Euler angles, the middle of a diameter."""
+    """Plot the tilt; the caption compares the centre by matrices with that by Euler angles, middle of a diameter."""
     first = student("matrix_state", states_by_angles[0], radius=disk["radius"])
     states = student("simulate_matrix", times, first, **disk)
     off = np.linalg.norm(states[:, :3] - frame[:, -1].mean(axis=1), axis=1)

@@ -14,11 +14,11 @@ from tam570.values import Parameters
 
 SIZE = 1.0  # m, of the picture: width of the graph, length of the pendulums
 NEIGHBOURS = np.linspace(-0.3, 0.3, 7)  # rad, bumps added to the swing
-SAME = 1e-3  # rad, between two paths that are one
+SAME = 1e-3  # rad, below which two paths are the same
 
 
 def film(lecture: SimpleNamespace, parameters: Parameters) -> Scene:
-    """Return a slider for the time in which the pendulum has to go from a to b."""
+    """Return the scene with a slider for the time in which the pendulum goes from a to b."""
     pendulum = {name: parameters[name] for name in ("length", "gravity")}
     positive(**pendulum)
     half = pi * sqrt(parameters["length"] / parameters["gravity"])  # s
@@ -34,7 +34,7 @@ def film(lecture: SimpleNamespace, parameters: Parameters) -> Scene:
 
 
 def _paths(least: Array, swing: Array, duration: float, action: Callable[[Array], float]) -> Scene:
-    """Return the swing, which is a motion, among its neighbours; and the path of least action.
+    """Return the scene of the swing, which is a motion, among its neighbours, and of the path of least action.
 
     least, swing : (n,) rad at even times over duration, s
     action       : of such a path, m^2/s
@@ -71,7 +71,7 @@ def _paths(least: Array, swing: Array, duration: float, action: Callable[[Array]
 
 
 def _actions(times: Array, least: Array, swing: Array, action: Callable[[Array], float]) -> Panel:
-    """Return the action over the size of a bump that is added to the swing: a minimum at 0, or none."""
+    """Return a graph of the action over the size of a bump that is added to the swing."""
     sizes, bump = np.linspace(-1.0, 1.0, 41), np.sin(np.pi * times / times[-1])
     values = np.array([action(swing + size * bump) for size in sizes])
     axes, to_points = graph(sizes, values, ("size of the bump (rad)", "action"))

@@ -19,7 +19,7 @@ FIRST = 18
 
 
 def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """Return all in the plane of the orbit, its x axis towards the planet at the start."""
+    """Return the scene in the plane of the orbit, with the x axis towards the planet at the start."""
     period = min(lecture.elements(start, **parameters)["period"], seconds)
     drawable_rate("gm at this start", sqrt(parameters["gm"] / float(np.linalg.norm(start[:3])) ** 3))
     times = frame_times(seconds)
@@ -46,7 +46,7 @@ def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Seque
 
 
 def _plane(state: Array) -> Array:
-    """(2, 3) unit vectors that span the plane of the orbit, the first towards the planet."""
+    """Return (2, 3) unit vectors that span the plane of the orbit, the first towards the planet."""
     r, v = state[:3], state[3:]
     along = r / np.linalg.norm(r)
     across = v - (v @ along) * along
@@ -81,7 +81,7 @@ def _one(times: Array, states: Array, period: float, count: int, gm: float) -> S
 
 
 def _polygon(start: Array, step: float, count: int, gm: float) -> Array:
-    """(count, 2) corners. Half an impulse at the first makes the velocity there that of the start."""
+    """Return (count, 2) corners. The first impulse is halved, so that the mean velocity there is that of the start."""
     r, v, corners = start[:2], start[2:], []
     for number in range(count):
         corners.append(r)
@@ -92,7 +92,7 @@ def _polygon(start: Array, step: float, count: int, gm: float) -> Array:
 
 
 def _scene(corners: Array, count: int, last: NDArray[np.int64], planet: Array, color: int, name: str) -> list[Shape]:
-    """Return the planet, rays to the corners, and the area that has been swept since the last of them."""
+    """Return the planet, rays to the corners, and the area swept since the last corner."""
     seen = corners[: count + 1]  # of the first orbit
     rays = np.stack([np.zeros_like(seen), seen], axis=1).reshape(-1, 2)
     return [
@@ -108,6 +108,6 @@ def _planet(path: Array, color: int, name: str) -> list[Shape]:
 
 
 def _swept(path: Array) -> Array:
-    """(n,) area that the ray from the sun has swept, by triangles."""
+    """Return (n,) the area that the ray from the sun has swept, as a sum of triangles."""
     (x, y), (nx, ny) = path[:-1].T, path[1:].T
     return np.concatenate([[0.0], np.cumsum(x * ny - y * nx) / 2])

@@ -1,4 +1,4 @@
-"""The lecture `sleigh`: pushed with G behind, it turns round; a slider for its speed."""
+"""The lecture `sleigh`: pushed with G behind the blade, it turns round; a slider changes its speed."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -14,11 +14,11 @@ from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, mov
 from tam570.values import Numbers
 
 SHARES = (0.6, 0.8, 1.0, 1.25)  # of the speed
-OUTLINE = np.array([[-0.4, -0.35], [1.3, -0.35], [1.7, 0.0], [1.3, 0.35], [-0.4, 0.35]])  # of offsets
+OUTLINE = np.array([[-0.4, -0.35], [1.3, -0.35], [1.7, 0.0], [1.3, 0.35], [-0.4, 0.35]])  # in offsets
 
 
 def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """Speed and yaw rate grow together: the same motion faster."""
+    """Return the scene with a slider that scales speed and yaw rate together: the same motion, faster."""
     times, offset, k = frame_times(seconds), parameters["offset"], lecture.gyration(**parameters)
     size = offset or k
     measures, handles = energies(lecture.energy), [drag(0, 2), Handle(_nose, _turn_to)]
@@ -81,7 +81,7 @@ def _turn_to(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numb
 
 
 def _phase_plane(states: Array, offset: float, k: float) -> list[Shape]:
-    """Speed and yaw rate: each motion runs on an ellipse of its energy, from going straight backwards to forwards."""
+    """Return a graph of speed and yaw rate: a motion follows an ellipse of its energy, from backward to forward."""
     V = float(np.hypot(states[0, 3], k * states[0, 4])) or 1.0
     levels = V * np.array([0.4, 0.7, 1.0, 1.3])[:, None, None] * unit_circle(61) / [1.0, k]
     axes, to_points = graph(levels[..., 0], levels[..., 1], ("speed", "yaw rate"))

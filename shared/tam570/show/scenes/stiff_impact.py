@@ -1,4 +1,4 @@
-"""The lecture `stiff_impact`: a ball on a floor that yields, ever stiffer floors, and a rod on two of them."""
+"""The lecture `stiff_impact`: a ball on an elastic floor, then on stiffer ones, and a rod on two springs."""
 
 from collections.abc import Mapping, Sequence
 from types import SimpleNamespace
@@ -14,15 +14,15 @@ from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times
 from tam570.values import Parameters
 
 RADIUS, DEPTH = 0.08, 0.35  # m, of the ball, and of the floor's spring
-STIFFER = (1.0, 4.0, 16.0)  # times the stiffness
+STIFFER = (1.0, 4.0, 16.0)  # factors on the stiffness
 ROD: Parameters = {"mass": 1.0, "inertia": 0.12, "arms": (-0.5, 0.3), "speed": 1.0}  # kg, kg m^2, m, m/s
 RATIOS = (0.05, 1.0, 20.0)  # of the second spring's stiffness to the first
 
 
 def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """Let the ball bounce in its own time; beside it is what does not depend on time.
+    """Return the scene of the bouncing ball, with graphs of the pushes and of the rod's impulses.
 
-    lecture : its functions
+    lecture : functions of the lecture
     """
     finite(**parameters)
     times = frame_times(seconds)
@@ -86,7 +86,7 @@ def _pushes(lecture: SimpleNamespace, parameters: Mapping[str, float], speed: fl
 
 
 def _impulses(lecture: SimpleNamespace) -> list[Shape]:
-    """Return the plane of both impulses: the ellipse that keeps the energy, and the way there for each ratio."""
+    """Return a graph of both impulses: the ellipse that keeps the energy, and the path to it for each ratio."""
     ways = [lecture.rod_states((1.0, ratio), **ROD)[:, 4:] for ratio in RATIOS]
     ellipse = _ellipse()
     both = np.concatenate([ellipse, *ways])
@@ -101,7 +101,7 @@ def _impulses(lecture: SimpleNamespace) -> list[Shape]:
 
 
 def _ellipse() -> Array:
-    """(n, 2) impulses J with J.S J/2 = speed (J1 + J2): what the rod gains equals what it had."""
+    """Return (n, 2) impulses J that keep the rod's energy: J.S J/2 = speed (J1 + J2)."""
     arms = np.array(ROD["arms"])
     S = 1.0 / ROD["mass"] + np.outer(arms, arms) / ROD["inertia"]
     middle = np.linalg.solve(S, ROD["speed"] * np.ones(2))

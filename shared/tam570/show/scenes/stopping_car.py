@@ -17,7 +17,7 @@ WHEEL = 0.3  # m
 
 
 def film(lecture: SimpleNamespace, parameters: Parameters) -> Scene:
-    """Let each car brake; a note names one that cannot without lifting an axle."""
+    """Return the scene of braking cars; a note names a car that cannot brake without lifting an axle."""
     one_of(LOCKED, locked=parameters["locked"])
     result: dict[str, tuple[float, float, float]] = {}
     notes = []
@@ -78,7 +78,7 @@ def _car(times: Array, motion: tuple[float, float, float], parameters: Parameter
 
 
 def _nice_point(at: Array, tips: Mapping[str, Array], locked: str, friction: float) -> list[Shape]:
-    """Return where the line of the locked axle's force meets the upright one of the free axle's."""
+    """Return the point where the line of the locked axle's force meets the vertical one of the free axle's."""
     free = "rear" if locked == "front" else "front"
     height = (tips[locked][0] - tips[free][0]) / friction
     point = at + tips[free] + [0.0, height]

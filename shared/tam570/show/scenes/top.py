@@ -1,4 +1,4 @@
-"""The lecture on the top: let go, in both steady precessions, and asleep."""
+"""The lecture `top`: a top let go, in both steady precessions, and asleep."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -14,13 +14,13 @@ from tam570.show.plots import drift_caption, value_plot, values
 from tam570.show.scene import FASTEST, GREY, INK, Array, Panel, Scene, Shape, frame_times, moving, with_slider
 from tam570.values import Numbers, Parameters
 
-LENGTH, HEIGHT, RADIUS = 1.0, 0.6, 0.45  # m, of the picture: the axis, its disk
+LENGTH, HEIGHT, RADIUS = 1.0, 0.6, 0.45  # m, in the picture: of the axis, of its disk
 SPINS = (3.5, 8.0)  # rad/s, of the slider
 NUDGED = 0.02  # rad, the tilt of a top that may sleep
 
 
 def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """Return the same top let go, precessing steadily and asleep, with a slider for the rate of its spin."""
+    """Return the scene of a top let go, in steady precession and asleep, with a slider for the rate of its spin."""
 
     def make(spin: float) -> Scene:
         begin, measures = (*start[:5], spin), energies(lecture.energy, 3)
@@ -38,7 +38,7 @@ def _tops(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Sequ
     asleep = motion((0.0, NUDGED, 0.0, 0.0, 0.0, spin))
     try:
         both = lecture.steady_precession(tilt, spin, **parameters)
-        rates = [W for W in both if abs(W) < FASTEST]  # near the level the fast one has no bound
+        rates = [W for W in both if abs(W) < FASTEST]  # near a level axis the fast rate has no limit
         title = ("too fast to draw", "slow steady precession", "steady precession, slow and fast")[len(rates)]
     except ValueError:  # too slow a spin
         rates, title = [], "too slow for steady precession"
@@ -91,7 +91,7 @@ HANDLE = Handle(_end, _grab)  # the end of the axis
 
 
 def _top(states: Array, color: int, name: str) -> list[Shape]:
-    """Return the axis, its disk and where its end has been; states (n, 6)."""
+    """Return the axis, its disk and the path of its end; states (n, 6)."""
     psi, theta, phi = states[:, :3].T
     node = np.column_stack([np.cos(psi), np.sin(psi), 0 * psi])
     axis = np.column_stack(_end(states.T))

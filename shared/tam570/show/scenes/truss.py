@@ -1,4 +1,4 @@
-"""The lecture `truss`: particles on springs over the rigid body that they make, with a slider for the stiffness."""
+"""The lecture `truss`: particles joined by springs, over a rigid body of the same shape, with a stiffness slider."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -16,7 +16,7 @@ SHARES = (0.1, 0.3, 1.0, 4.0)  # of the stiffness
 
 
 def film(lecture: SimpleNamespace, parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
-    """Return a truss that is thrown and turns."""
+    """Return the scene of a truss that is thrown and turns."""
     times = frame_times(seconds)
     body = lecture.rigid(times, start, **parameters)
     stiffness, half = parameters["stiffness"], len(start) // 2
