@@ -1,1 +1,1 @@
-"""A course as its teacher has it: which one, what course.toml changes, the rubric, late work."""
+"""The instructor's course: which one it is, what course.toml changes, and late policies."""

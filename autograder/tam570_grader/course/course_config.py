@@ -1,8 +1,8 @@
-"""A course of one's own, by `course.toml`: assignments, points, parts, limits, own checks, dates.
+"""Adapt a course by `course.toml`: assignments, points, parts, limits, added checks, dates.
 
-A folder in `.course`, beside it, is made of it and the checkout. All commands take that in the place of the checkout:
-what an assignment is stands in one place still, and nothing else needs to know of `course.toml`. Whenever one of the
-two changes, another folder is made. The old ones stay, for a command that still runs may use them.
+A generated folder in `.course`, beside `course.toml`, combines that file and the checkout. All commands use the folder
+instead of the checkout, so nothing else needs to read `course.toml` for points, parts or checks. If one of the two
+changes, a new folder is generated. The old ones are kept because a running command may use them.
 """
 
 import hashlib
@@ -27,30 +27,30 @@ from tam570_grader.results.tables import written
 from tam570_grader.sandbox.zygote import ResourceLimits
 
 ADAPTED_COURSES = ".course"
-VARIABLE = "TAM570_COURSE"  # of the environment: names a course, as --root does
+VARIABLE = "TAM570_COURSE"  # environment variable that names a course, as --root does
 REMEDY = "no autograder/checks and solutions; name a checkout of the course"
 SHARED = ("shared", "autograder/tam570_grader", "pyproject.toml", "README.md", "LICENSE", "NOTATION.md")
 TIMES = "One call may take {call} s of processor time, the whole submission {cpu} s."
-STANDARD = {"call": 10, "cpu": 60, "memory": 1024}  # as the options of `grade`: s, s, MiB
+STANDARD = {"call": 10, "cpu": 60, "memory": 1024}  # s, s, MiB, as in the options of `grade`
 SUM = re.compile(r"^The autograder gives (?:all )?ten points", re.MULTILINE)
 
 
 @dataclass(frozen=True)
 class Changes:
-    """What a course changes of one assignment."""
+    """What a course changes in one assignment."""
 
     points: Mapping[str, float]  # by check
     leave_out: Sequence[str] = ()  # letters of parts
-    allow: Sequence[str] = ()  # what is otherwise off limits
-    checks: str = ""  # a file with checks of one's own, beside course.toml
+    allow: Sequence[str] = ()  # names that are otherwise off limits
+    checks: str = ""  # name of a file beside course.toml with added checks
 
 
 def course_of(root: str | Path | None = None, graded: Iterable[Path] = (), *, is_told: bool = True) -> Path:
-    """Find the course that a command is about.
+    """Return the folder of the course that a command uses.
 
     root    : the option --root
-    graded  : what the command reads of students; the course may not come from there
-    is_told : print which one it is
+    graded  : paths of submissions; the course must not be inside one of them
+    is_told : print which course it is
     """
     folder, why = _located(root, [path.resolve() for path in graded])
     base, path = _base_of(folder), folder / FILE
@@ -60,7 +60,7 @@ def course_of(root: str | Path | None = None, graded: Iterable[Path] = (), *, is
 
 
 def trust(folder: Path) -> None:
-    """Remember a course: commands that are run in it, or below, use it from now on."""
+    """Add a course to the trusted ones; commands that run in its folder, or below, use it from now on."""
     folder = folder.resolve()
     if not _holds_course(folder):
         raise UsageError(f"{folder} holds no course: neither {FILE} nor autograder/checks and solutions are in it")
@@ -75,14 +75,14 @@ def _trusted_file() -> Path:
 
 
 def _trusted() -> set[str]:
-    """Return the folders that `trust` remembers, and the editable install, which the grader itself comes from."""
+    """Return the trusted folders, and the checkout of an editable install, from which the grader itself runs."""
     path = _trusted_file()
     said = path.read_text(encoding="utf-8").splitlines() if path.is_file() else []
     return {*said, *map(str, assignments.INSTALLED)}
 
 
 def _located(root: str | Path | None, graded: Sequence[Path]) -> tuple[Path, str]:
-    """Return where the course is, and who says so: an option, the environment, trust, or the install."""
+    """Return the course's folder and how it was chosen: by an option, the environment, trust, or the installation."""
     for name, why in ((root, "--root"), (os.environ.get(VARIABLE), VARIABLE)):
         if name:
             folder = Path(name).resolve()
@@ -95,7 +95,7 @@ def _located(root: str | Path | None, graded: Sequence[Path]) -> tuple[Path, str
 
 
 def _around(graded: Sequence[Path]) -> tuple[Path, str] | None:
-    """Return the nearest course above the working directory that is no student's; UsageError if it is not trusted."""
+    """Return the nearest course at or above the working directory outside of `graded`; UsageError if untrusted."""
     trusted = _trusted()
     for folder in filter(_holds_course, (Path.cwd(), *Path.cwd().parents)):
         if any(map(folder.is_relative_to, graded)):
@@ -119,7 +119,7 @@ def _holds_course(folder: Path) -> bool:
 
 
 def _base_of(folder: Path) -> Path:
-    """Return the checkout that a course.toml changes: at its own place, above it and trusted, or the installed one."""
+    """Return the checkout that a course.toml changes: in its folder, the nearest trusted above, or the installed."""
     if assignments.is_checkout(folder):
         return folder
     trusted = _trusted()
@@ -128,7 +128,7 @@ def _base_of(folder: Path) -> Path:
 
 
 def root_of(path: Path, base: Path) -> Path:
-    """Return the course that `path`, a course.toml, makes of the checkout `base`; a new folder if either changes."""
+    """Return the folder generated from `path`, a course.toml, and the checkout `base`; generate it if it is missing."""
     parts = _parts(path, toml(path), assignments.slugs(base))
     root = path.parent / ADAPTED_COURSES / _digest(path, base, parts)
     if not root.is_dir():
@@ -136,29 +136,29 @@ def root_of(path: Path, base: Path) -> Path:
             new = Path(draft) / root.name
             _make(path, base, parts, new)
             root.parent.mkdir(exist_ok=True)
-            (root.parent / ".gitignore").write_text("*\n", encoding="utf-8")  # solutions and checks are in it
+            (root.parent / ".gitignore").write_text("*\n", encoding="utf-8")  # it contains solutions and checks
             try:
                 os.rename(new, root)
             except OSError:
-                if not root.is_dir():  # another command has made the same one meanwhile
+                if not root.is_dir():  # else another command has just generated the same folder
                     raise
     return root
 
 
 def limits(root: Path) -> dict[str, int]:
-    """Return the limits of a submission, as the options of `grade` have them: of the course, else the standard ones."""
+    """Return the limits of a submission in s, s and MiB, as in STANDARD: the course's, else the standard ones."""
     path = root / COPY
     return {**STANDARD, **(toml(path).get("limits", {}) if path.is_file() else {})}
 
 
 def resource_limits(root: Path, processes: int = 1, **chosen: int | None) -> ResourceLimits:
-    """Return the limits of a submission as the sandbox has them: `chosen` by an option, else the course's."""
+    """Return the limits of a submission for the sandbox: those chosen by options, else the course's."""
     most = {name: chosen.get(name) or usual for name, usual in limits(root).items()}
     return ResourceLimits(most["memory"] * 2**20, most["cpu"], most["call"], processes)
 
 
 def _digest(path: Path, base: Path, parts: Mapping[str, Changes]) -> str:
-    """Return a digest of course.toml, its checks, how a course is made, and the times of all that is copied."""
+    """Return a digest of course.toml, its added checks, this module, and the modification times of all copied files."""
     digest = hashlib.sha256(path.read_bytes() + str(base).encode() + Path(__file__).read_bytes())
     for checks in sorted({part.checks for part in parts.values() if part.checks}):
         digest.update((path.parent / checks).read_bytes())
@@ -190,7 +190,7 @@ def _make(path: Path, base: Path, parts: Mapping[str, Changes], new: Path) -> No
 
 
 def _parts(path: Path, settings: Json, slugs: Sequence[str]) -> dict[str, Changes]:
-    """Return what changes of each assignment that the course has."""
+    """Return the changes of each assignment of the course; raise UsageError for anything invalid in course.toml."""
     tables = {key: value for key, value in settings.items() if re.match(r"hw\d", key)}
     no_other(path, "", settings.keys() - tables, ("assignments", "limits", "late"))
     must(path, isinstance(settings.get("limits", {}), dict), "limits must be a table: write [limits] above its lines")
@@ -231,7 +231,7 @@ def _part(path: Path, key: str, table: Json) -> Changes:
 
 
 def _check(path: Path, assignment: LoadedAssignment, part: Changes) -> None:
-    """Require that the assignment has what is changed."""
+    """Raise UsageError if the assignment does not have the checks, parts or names that course.toml changes."""
     key, parts = assignment.slug[:4], sorted({check.part for check in assignment.checks} | {*assignment.rubric})
     forbidden = sorted({name for names in assignment.forbidden.values() for name in names})
     no_other(path, f"[{key}.points] ", part.points, [check.name for check in assignment.checks])
@@ -244,7 +244,7 @@ def _are_texts(value: object) -> bool:
 
 
 def _rewrite_readme(path: Path, assignment: LoadedAssignment, part: Changes, folder: Path) -> None:
-    """Put the points, and what is left out or allowed, into what students get."""
+    """Write the points, the parts left out and the names allowed into the students' README and contract."""
     must(path, bool(assignment.checks), f"[{assignment.slug[:4]}] leaves no check: leave the assignment out instead")
     readme = with_points((folder / "README.md").read_text(encoding="utf-8"), assignment.worth)
     more = [f"Part ({letter}) is left out in this course." for letter in part.leave_out]

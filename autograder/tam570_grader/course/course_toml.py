@@ -1,4 +1,4 @@
-"""course.toml as it stands in the file, and the sentences that name what does not fit."""
+"""Read course.toml, and raise UsageError with the file's name for invalid entries."""
 
 import math
 from collections.abc import Iterable, Sequence
@@ -10,13 +10,13 @@ from tam570_grader.checks import assignments
 from tam570_grader.errors import UsageError
 
 FILE = "course.toml"
-COLUMNS = ("canvas", "blackboard", "brightspace")  # systems with a gradebook: which column is an assignment's there
-COPY = "made-by-course.toml"  # what it said, in the course that was made by it: no command makes another of that
+COLUMNS = ("canvas", "blackboard", "brightspace")  # keys: an assignment's column in these systems' gradebooks
+COPY = "made-by-course.toml"  # name of the copy in a generated course; another name, so that it is not adapted again
 
 
 def toml(path: Path) -> Json:
-    """Return the tables of the file; UsageError if it cannot be read."""
-    import tomllib  # which few starts of the program need
+    """Return the tables of the file; raise UsageError if it cannot be read."""
+    import tomllib  # imported late: few commands need it
 
     try:
         return tomllib.loads(path.read_text(encoding="utf-8"))
@@ -25,7 +25,7 @@ def toml(path: Path) -> Json:
 
 
 def must(path: Path, holds: bool, problem: str) -> None:
-    """Raise UsageError, with the file, unless it holds."""
+    """Raise UsageError with the file's name and the problem, unless the condition holds."""
     if not holds:
         raise UsageError(f"{path}: {problem}")
 
@@ -38,7 +38,7 @@ def is_number(value: object, most: float = math.inf) -> bool:
 
 
 def no_other(path: Path, where: str, names: Iterable[str], allowed: Iterable[str]) -> None:
-    """Raise UsageError for an unknown name, with the nearest known one."""
+    """Raise UsageError for the first name that is not allowed, and suggest the most similar allowed one."""
     import difflib
 
     allowed = [*allowed]
@@ -48,7 +48,7 @@ def no_other(path: Path, where: str, names: Iterable[str], allowed: Iterable[str
 
 
 def by_slug(path: Path, tables: Json, slugs: Sequence[str]) -> dict[str, tuple[str, Any]]:
-    """Return the tables of assignments, each with the name that it has in the file; UsageError if one has two."""
+    """Return key and table of each assignment by slug; raise UsageError if an assignment has two tables."""
     tables_by_slug: dict[str, tuple[str, Any]] = {}
     for key, table in tables.items():
         if (slug := assignments.slug_of(key, slugs)) is not None:
@@ -58,7 +58,7 @@ def by_slug(path: Path, tables: Json, slugs: Sequence[str]) -> dict[str, tuple[s
 
 
 def columns(course: Path, system: str) -> dict[str, str]:
-    """Return the heading, or id, that each assignment's column has in the gradebook of a system."""
+    """Return by slug the heading or id of the assignment's column in a system's gradebook, if course.toml names one."""
     path = course / COPY
     tables = by_slug(path, toml(path), assignments.slugs(course)) if path.is_file() else {}
     return {slug: str(table[system]) for slug, (_, table) in tables.items() if table.get(system)}

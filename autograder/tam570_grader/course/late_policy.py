@@ -1,7 +1,7 @@
-"""Late work by course.toml: when each assignment is due, what a day costs, and who has more time.
+"""Late policies from course.toml: when each assignment is due, what a day costs, and who has more time.
 
-`policies` alone reads these keys. `tam570-grader points` makes rows of by_hand.csv of them, which all tables and pages
-obey. The comments of such rows say where they come from: they are replaced when course.toml changes, others never.
+Only `policies` reads these keys. `tam570-grader points` turns them into rows of by_hand.csv, which all tables and pages
+use. The comments of these rows name their source: if course.toml changes, these rows are replaced, others never.
 """
 
 import math
@@ -19,8 +19,8 @@ from tam570_grader.results.collected import form, listed
 from tam570_grader.results.manual_points import EVERYONE, EXTENSION, LATE, MOST, OFF, Entry, ManualAdjustments
 from tam570_grader.results.store import Results
 
-KEYS = ("due", "extension")  # of an assignment's table
-RULES = ("off_a_day", "most_off", "grace")  # of [late], beside its zone
+KEYS = ("due", "extension")  # keys of an assignment's table
+RULES = ("off_a_day", "most_off", "grace")  # keys of [late], besides zone
 NEEDED = ("student", "assignment", "file", "when", "late")  # columns of collected.csv
 BY_COURSE, BY_TABLE = f"by {FILE}", "by collected.csv"
 DAY = timedelta(days=1)
@@ -29,24 +29,24 @@ REMEDY = "collect again with --times, if the system has a table of them"
 
 @dataclass(frozen=True)
 class LatePolicy:
-    """The terms of an assignment."""
+    """The late policy of an assignment."""
 
     due: datetime | None = None
-    extension: Mapping[str, float] = field(default_factory=dict)  # student: days
-    off: float = 0.0  # the share of the score that a day costs
-    most: float = 1.0  # the largest share that is taken off
-    grace: timedelta = timedelta()  # how late is not late yet
-    zone: tzinfo | None = None  # of the course; None: this computer's
+    extension: Mapping[str, float] = field(default_factory=dict)  # days by student
+    off: float = 0.0  # share of the score that a day costs
+    most: float = 1.0  # largest share that late days cost
+    grace: timedelta = timedelta()  # delay that does not count as late
+    zone: tzinfo | None = None  # time zone of the course; None: this computer's
 
 
 def policies_of(course: Path) -> dict[str, LatePolicy]:
-    """Return the terms of a course, by the names of its assignments; those that no course.toml made have none."""
+    """Return the late policies of a course by slug; none if the course was not generated from a course.toml."""
     path = course / COPY
     return policies(path, toml(path), assignments.slugs(course)) if path.is_file() else {}
 
 
 def policies(path: Path, table: Json, slugs: Sequence[str]) -> dict[str, LatePolicy]:
-    """Return the terms of these assignments; UsageError, with its key, for what does not fit."""
+    """Return the late policies of these assignments; raise UsageError with the key of an invalid value."""
     rules = table.get("late", {})
     must(path, isinstance(rules, dict), "late must be a table: write [late] above its lines")
     no_other(path, "[late] ", rules, (*RULES, "zone"))
@@ -61,8 +61,8 @@ def policies(path: Path, table: Json, slugs: Sequence[str]) -> dict[str, LatePol
 
 
 def _zone(path: Path, name: str | None) -> tzinfo | None:
-    """Return the zone of the course's clocks; None for this computer's."""
-    from zoneinfo import ZoneInfo  # which is not for every start of the program
+    """Return the course's time zone, None if it has no name; raise UsageError for an unknown name."""
+    from zoneinfo import ZoneInfo  # imported late: few commands need it
 
     try:
         return None if name is None else ZoneInfo(name)
@@ -72,7 +72,7 @@ def _zone(path: Path, name: str | None) -> tzinfo | None:
 
 
 def _of_assignment(path: Path, key: str, table: Json) -> tuple[datetime | None, dict[str, float]]:
-    """Return when an assignment is due, and the days that students have beyond."""
+    """Return when an assignment is due (None: no date), and the extensions in days by student."""
     due, days = table.get("due"), table.get("extension", {})
     good = due is None or isinstance(due, date)
     must(path, good, f"[{key}] due is {due!r}; write a date and a time, 2026-09-14T23:59:00 say")
@@ -87,10 +87,10 @@ def _of_assignment(path: Path, key: str, table: Json) -> tuple[datetime | None, 
 def apply_late_policy(
     adjustments: ManualAdjustments, policies: Mapping[str, LatePolicy], results: Results, collected: Path | None
 ) -> tuple[ManualAdjustments, list[str], list[str]]:
-    """Return what was added by hand with the rows that the terms make, sentences on what they leave open, and notes.
+    """Return the adjustments with rows for the late policies, sentences on what an instructor must decide, and notes.
 
-    results   : tell what was graded: of a module and a notebook the time of one counts
-    collected : the table that `collect` wrote, whose times tell who is late
+    results   : used to see whether a module or a notebook was graded, because that file's time counts
+    collected : the table that `collect` wrote, with the times of the files
     """
     slugs = {slug for _, slug in results}
     table = list(_graded(listed(collected, NEEDED), results)) if collected else []
@@ -98,7 +98,7 @@ def apply_late_policy(
     open_ += _unknown_students(policies, results)
     untimed = sum(not (row["when"] or row["late"]) for row in table)
     note = f"{counted(untimed, 'file')} in {collected} have no time: nobody is late by them; {REMEDY}"
-    anew = {(BY_TABLE, row["assignment"]) for row in table}  # the times of the others stand in no table now
+    anew = {(BY_TABLE, row["assignment"]) for row in table}  # rows that the table replaces
     manual = {
         key: entry
         for key, entry in adjustments.entries.items()
@@ -112,16 +112,16 @@ def apply_late_policy(
                 f"{entry.item} of {entry.student} in {entry.slug} is {entry.points:g} in {FILE}, {other.points:g} by "
                 "hand: change one, or take the row back by one without points"
             )
-    # a row by hand knows better than a clock
+    # rows written by hand have precedence over times
     late = [entry for entry in days if entry.slug in slugs and entry.key not in manual]
     return ManualAdjustments(manual.values()).with_([*rows, *late]), open_, [note] if untimed else []
 
 
 def _graded(table: Iterable[Mapping[str, str]], results: Results) -> Iterator[Mapping[str, str]]:
-    """Yield the rows of the files that count: of a module and a notebook side by side the one that was graded."""
+    """Yield the rows of the graded files: if a student handed in a module and a notebook, only the graded one's."""
     forms = defaultdict[tuple[str, str], dict[str, Mapping[str, str]]](dict)
     for row in table:
-        if form(row["file"]):  # not a drawing beside it
+        if form(row["file"]):  # a module or notebook, not a drawing
             forms[row["student"], row["assignment"]][Path(row["file"]).suffix] = row
     for key, rows in forms.items():
         is_notebook = len(rows) > 1 and key in results and results[key].get("notebook")
@@ -129,7 +129,7 @@ def _graded(table: Iterable[Mapping[str, str]], results: Results) -> Iterator[Ma
 
 
 def stale(folder: Path, adjustments: ManualAdjustments, course: Path, slugs: Collection[str]) -> str:
-    """Return a sentence if the results do not have what course.toml says of late work; else empty."""
+    """Return a sentence if the rows in by_hand.csv differ from the late policies in course.toml, else ""."""
     policies = {slug: policy for slug, policy in policies_of(course).items() if slug in slugs}
     applied = [entry for entry in adjustments.entries.values() if entry.slug in slugs]
     wanted = {entry.key: entry.points for entry in _rows(policies)}
@@ -147,7 +147,7 @@ def stale(folder: Path, adjustments: ManualAdjustments, course: Path, slugs: Col
 
 
 def _rows(policies: Mapping[str, LatePolicy]) -> Iterator[Entry]:
-    """Yield the rows of by_hand.csv that say the terms."""
+    """Yield the rows of by_hand.csv that express the late policies."""
     for slug, policy in policies.items():
         if policy.off:
             yield Entry(EVERYONE, slug, OFF, float(policy.off), None, BY_COURSE)
@@ -162,7 +162,7 @@ def _days(
     table: Sequence[Mapping[str, str]],
     collected: Path | None,
 ) -> tuple[list[Entry], list[str]]:
-    """Return the days of everyone whom collected.csv shows late, and a sentence for each late one without a time."""
+    """Return the late days of each late file in `table`, and a sentence for each late file without a time."""
     late, open_ = dict[tuple[str, str], float](), []
     manual_rows = (entry for entry in adjustments.entries.values() if _source(entry) != BY_TABLE)
     answered = {(entry.student, entry.slug) for entry in manual_rows if entry.item == LATE}
@@ -178,17 +178,17 @@ def _days(
 
 
 def days_between(due: datetime, when: datetime, policy: LatePolicy) -> float:
-    """Return days by the calendar and the clock on the wall, so that a day with 25 hours is one."""
+    """Return the days from `due` plus grace to `when` in the course's local time: a day of 25 hours counts as one."""
     return (on_the_wall(when, policy.zone) - on_the_wall(due, policy.zone) - policy.grace) / DAY
 
 
 def on_the_wall(moment: datetime, zone: tzinfo | None) -> datetime:
-    """Return a time as the clocks of the course show it; one without a zone is of them."""
+    """Return a time as naive local time of the course; a time without a zone is local already."""
     return moment.astimezone(zone).replace(tzinfo=None) if moment.tzinfo else moment
 
 
 def moment(text: str, collected: Path | None) -> datetime:
-    """Return the time in a cell; one without a zone is of this computer's."""
+    """Return the time in a cell; without a zone, it is naive, local time. UsageError if the text is no time."""
     try:
         return datetime.fromisoformat(text.replace(" UTC", "Z").replace(" Z", "Z"))
     except ValueError:
@@ -204,7 +204,7 @@ def _source(entry: Entry) -> str:
 
 
 def _unknown_students(policies: Mapping[str, LatePolicy], graded: Collection[tuple[str, str]]) -> list[str]:
-    """Name students with an extension who have no results, perhaps misspelt."""
+    """Return a sentence for each student with an extension but without results: the name may be misspelt."""
     students, slugs = {student for student, _ in graded}, {slug for _, slug in graded}
     here = {slug: policy for slug, policy in policies.items() if slug in slugs}
     unknown = {(who, slug) for slug, policy in here.items() for who in policy.extension.keys() - students}
