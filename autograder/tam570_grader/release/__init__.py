@@ -1,1 +1,1 @@
-"""The course and what is released of it: stubs, notebooks, the students' kit, course.toml."""
+"""Generate what is released to students: stubs, examples, notebooks, and the kit."""

@@ -1,7 +1,7 @@
-"""Makes the examples of an assignment: the fewest comparisons of its checks, with public inputs, that tell mistakes.
+"""Generate an assignment's examples: few comparisons from its checks, with public inputs, that detect known mistakes.
 
-`tam570 check` runs them at home. They are drawn from a public seed, and a run of the grader never has that one. Of a
-comparison that a right submission in another style fails, nothing is released.
+`tam570 check` runs them on a student's computer. Their inputs come from a public seed, not from that of a class. A
+comparison that fails a right submission in another style is not released.
 """
 
 import json
@@ -27,13 +27,13 @@ from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.zygote import ResourceLimits, Zygote
 
 PUBLIC_SEED = 1
-MOST_NUMBERS = 160  # of an example's arguments and results together
-MOST_OF_A_LABEL = 2  # examples of a function for one kind of input that are looked at
+MOST_NUMBERS = 160  # most numbers in an example's arguments; its JSON may have 40 characters for each
+MOST_OF_A_LABEL = 2  # candidates per function, label of the input and compared member
 Example = Json
 
 
 def write(course: Path, names: Sequence[str]) -> int:
-    """Write the examples of these assignments, or of all; the exit code."""
+    """Write the examples of these assignments (of all if `names` is empty); return the exit code."""
     with sandboxes():
         for slug in assignments.match_slugs(names, assignments.slugs(course)):
             path = course / "assignments" / slug / FILE
@@ -47,7 +47,7 @@ def examples_of(course: Path, slug: str) -> str:
     assignment = assignments.assignment(course, slug)
     compared = [mistake for mistake in mistakes(assignments.checks_folder(course, slug)) if mistake.text]
     candidates = list(_fair(course, assignment, _candidates(assignment)))
-    answers = []  # of each mistake, by the number of each example that it fails; None where it raises
+    answers = []  # for each mistake: its result by the number of each example that it fails, None if it raises
     for mistake in compared:
         module, examples = solution_with(assignment.solution, mistake.text), Examples(candidates, ())
         functions = (getattr(module, example["function"], None) for example in candidates)
@@ -61,12 +61,12 @@ def examples_of(course: Path, slug: str) -> str:
 
 
 def caught(examples: Examples, module: ModuleType) -> bool:
-    """Return whether a module fails one of the examples."""
+    """Return whether a module fails any of the examples."""
     return any(_wrong(examples, k, getattr(module, call["function"], None)) for k, call in enumerate(examples.calls))
 
 
 def _candidates(assignment: LoadedAssignment) -> list[Example]:
-    """Return what the checks compare along the solution, with the public seed; a few of each kind of input."""
+    """Return what the checks compare when they run on the solution with the public seed, a few examples per label."""
     notes: list[Json] = []
 
     def collect_calls(zygote: Zygote, _: Attempt) -> None:
@@ -107,7 +107,7 @@ def _candidates(assignment: LoadedAssignment) -> list[Example]:
 
 
 def _fair(course: Path, assignment: LoadedAssignment, candidates: Sequence[Example]) -> Iterator[Example]:
-    """Yield the examples that the solution and all right submissions in other styles pass."""
+    """Yield the candidates that the solution and all right submissions in other styles pass."""
     folder = assignments.checks_folder(course, assignment.slug) / "alternatives"
     texts = ["", *(path.read_text(encoding="utf-8") for path in sorted(folder.glob("*.py")))]
     modules = [solution_with(assignment.solution, text) for text in texts]
@@ -121,18 +121,18 @@ def _wrong(examples: Examples, number: int, function: Any) -> bool:
     try:
         with np.errstate(all="ignore"):
             examples.run(function, number)
-    except Exception:  # of a mistake, whatever it is
+    except Exception:  # a wrong function may raise anything
         return True
     return False
 
 
 def _of_its_own(mistake: Mistake, wrong: Iterable[int], candidates: Sequence[Example]) -> set[int]:
-    """Return the examples that a mistake fails: those of its functions, if there are any."""
+    """Return the failed examples that belong to the functions that a mistake changes; if there are none, all failed."""
     return {k for k in wrong if candidates[k]["function"] in mistake.defined} or {*wrong}
 
 
 def _chosen(candidates: Sequence[Example], wrong: Sequence[set[int]]) -> list[int]:
-    """Return the fewest examples, greedily, of which each mistake fails one; and one of each function."""
+    """Return few examples, chosen greedily, such that each mistake fails one of them and each function has one."""
     unmet = [*filter(None, wrong)]
     functions = dict.fromkeys(example["function"] for example in candidates)
     unmet += [{k for k, other in enumerate(candidates) if other["function"] == name} for name in functions]
@@ -147,7 +147,7 @@ def _chosen(candidates: Sequence[Example], wrong: Sequence[set[int]]) -> list[in
 def _fingerprints(
     mistake: Mistake, answers: Mapping[int, Numbers], chosen: Sequence[int], candidates: Sequence[Example]
 ) -> Json | None:
-    """Return what tells a mistake of one function by the results of the chosen examples; None where it has none."""
+    """Return data to recognize a mistake of one function by its results in the chosen examples; None if impossible."""
     results: dict[str, list[float] | None] = {}
     changed = {candidates[k]["function"] for k in answers} & mistake.defined
     if len(changed) != 1 or not mistake.compared:

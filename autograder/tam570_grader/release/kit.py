@@ -1,6 +1,6 @@
-"""Makes the students' kit: a wheel with the assignments and the students' command, and a page that says how to start.
+"""Build the students' kit: a wheel with the assignments and the command `tam570`, and a README on how to start.
 
-The wheel's version ends in a digest of its content: pip installs a kit that has changed over an older one.
+The wheel's version ends in a digest of its content, so that pip replaces an older kit by a changed one.
 """
 
 import hashlib
@@ -16,14 +16,14 @@ from tam570_grader.errors import UsageError, say, writing
 from tam570_grader.release.notebook import write_notebook
 from tam570_grader.results.tables import written
 
-OF_THE_GRADER = ("msgpack", "tqdm")  # what the students' side does without
+OF_THE_GRADER = ("msgpack", "tqdm")  # dependencies that only the grader needs
 NOT_FOR_STUDENTS = shutil.ignore_patterns("__pycache__", ".*", "*.pyc")
-EXAMPLE = "hw08_axis_angle"  # in the page; in a course without it, the first assignment
+EXAMPLE = "hw08_axis_angle"  # example in the README; in a course without it, the first assignment replaces it
 TEMPLATES = Path(__file__).parent / "templates"
 
 
 def run(course: Path, folder: Path) -> int:
-    """Put the kit into the folder; the exit code."""
+    """Write the kit into a folder; return the exit code."""
     if (folder / "README.md").exists() and not any(folder.glob("tam570-*.whl")):
         raise UsageError(f"the README.md in {folder} is not a kit's; name another folder")
     text = (TEMPLATES / "kit.md").read_text(encoding="utf-8")
@@ -42,7 +42,7 @@ def run(course: Path, folder: Path) -> int:
 
 
 def _wheel(course: Path, folder: Path) -> Path:
-    """Build the wheel, which holds no solution, no check, and nothing of the grader."""
+    """Build the wheel, without solutions, checks and grader, and delete older ones; return its path."""
     try:
         from hatchling.builders.wheel import WheelBuilder
     except ImportError:
@@ -58,7 +58,7 @@ def _wheel(course: Path, folder: Path) -> Path:
 
 
 def _staged(course: Path, stage: Path) -> str:
-    """Assemble what the wheel holds; return its version."""
+    """Copy the wheel's content into the folder `stage`; return its version."""
     package = stage / "tam570"
     shutil.copytree(course / "shared" / "tam570", package, ignore=NOT_FOR_STUDENTS)
     shutil.copytree(course / "assignments", package / "assignments", ignore=NOT_FOR_STUDENTS)
@@ -79,7 +79,7 @@ def _staged(course: Path, stage: Path) -> str:
 
 
 def _project(course: Path, version: str) -> Json:
-    """Return the project as pyproject.toml has it, without the grader."""
+    """Return the content of pyproject.toml for the wheel, without the grader."""
     config = tomllib.loads((course / "pyproject.toml").read_text(encoding="utf-8"))
     project: Json = config["project"]
     needed = [library for library in project["dependencies"] if not library.startswith(OF_THE_GRADER)]

@@ -1,4 +1,4 @@
-"""The notebook of an assignment: the problem part by part, what the student's module does, and cells for the points."""
+"""Generate an assignment's notebook: the problem part by part, cells that show the student's module, graded cells."""
 
 import json
 import re
@@ -20,7 +20,7 @@ CellRecord = Json
 
 PART = re.compile(r"^\*\*\(([a-z])\)\*\*", re.MULTILINE)
 FENCE = re.compile(r"^## ([a-z])\n+```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-LOCKED = "part-"  # how the id of a locked cell begins; its part follows
+LOCKED = "part-"  # prefix of a locked cell's id, before the letter of its part
 FORMAT = {"nbformat": 4, "nbformat_minor": 5}
 KERNEL = {"kernelspec": {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}}
 
@@ -47,7 +47,7 @@ BEFORE = "**Before you look ({part}):** {before}"
 
 @dataclass(frozen=True)
 class Problem:
-    """The README of an assignment: what comes before the parts, the parts by letter, what is graded and how."""
+    """The README of an assignment: the text before the parts, the parts by letter, and the text on grading."""
 
     intro: str
     parts: Mapping[str, str]
@@ -55,7 +55,7 @@ class Problem:
 
 
 def problem(readme: str) -> Problem:
-    """Split the README at its lettered parts and at the table after them."""
+    """Split a README at its lettered parts and at the table after them."""
     text, bar, table = readme.partition("\n|")
     starts = list(PART.finditer(text))
     ends = [start.start() for start in starts[1:]] + [len(text)] if starts else []
@@ -64,10 +64,10 @@ def problem(readme: str) -> Problem:
 
 
 def notebook(assignment: LoadedAssignment, readme: str, tests: str, pictures: str) -> Json:
-    """Return the notebook as nbformat has it.
+    """Return the notebook in nbformat's JSON.
 
-    readme, tests : of the assignment, as students get them
-    pictures      : Markdown with a code block under the letter of each part that has something to show
+    readme, tests : the assignment's files for students
+    pictures      : Markdown with a code block under the letter of each part that shows something
     """
     problem_cells = problem(without_rubric(readme))
     first = {"cell_type": "markdown", "id": "problem", "metadata": {}}
@@ -85,7 +85,7 @@ def notebook(assignment: LoadedAssignment, readme: str, tests: str, pictures: st
 
 
 def write_notebook(course: Path, slug: str, folder: Path) -> None:
-    """Write the notebook form of an assignment, and the module that it uses."""
+    """Write an assignment's notebook, and `lab.py`, which it imports."""
     released = course / "assignments" / slug
     shutil.copyfile(TEMPLATES / "lab.py", folder / "lab.py")
     pictures = assignments.checks_folder(course, slug) / "notebook.md"
@@ -99,18 +99,18 @@ def write_notebook(course: Path, slug: str, folder: Path) -> None:
 
 
 def part_points(assignment: LoadedAssignment) -> dict[str, float]:
-    """Return the points of each part that the grader gives."""
+    """Return the points that the checks give for each part."""
     parts = sorted({check.part for check in assignment.checks})
     return {p: round(sum(check.points for check in assignment.checks if check.part == p), 6) for p in parts}
 
 
 def part_of(grade_id: str) -> str | None:
-    """Return the part whose points a locked cell carries, None for any other cell."""
+    """Return the part for whose checks a locked cell gives points, None for any other cell."""
     return grade_id.removeprefix(LOCKED) if grade_id.startswith(LOCKED) else None
 
 
 def functions_by_part(assignment: LoadedAssignment) -> dict[str, str]:
-    """Return the part of each function: that of the first check that is about it, else the first part."""
+    """Return the part of each function: that of its first check, else the first part."""
     parts: dict[str, str] = {}
     for check in assignment.checks:
         parts.setdefault(check.function, check.part)
@@ -119,7 +119,7 @@ def functions_by_part(assignment: LoadedAssignment) -> dict[str, str]:
 
 
 def visible_by_part(assignment: LoadedAssignment, tests: str) -> dict[str, list[str]]:
-    """Return the visible tests of each part: a test belongs to the last part of which it uses a function."""
+    """Return the names of the visible tests of each part; a test belongs to the last part whose functions it uses."""
     parts, graded = functions_by_part(assignment), sorted(part_points(assignment))
     functions: dict[str, list[str]] = {part: [] for part in graded}
     for name, used in calls(tests, assignment.slug).items():
@@ -145,7 +145,7 @@ def _part(
 
 
 def _by_hand(part: str, manual: ManualPart) -> list[CellRecord]:
-    """Return the task, a cell to compute in, and the answer's cell, which carries the points."""
+    """Return the cells of a part graded by hand: the task, a code cell, and the answer, which has the points."""
     answer = text_cell(f"manual-{part}", manual.prompt)
     answer["metadata"] = {"nbgrader": noted(f"manual-{part}", manual.points, locked=False, solution=True)}
     claims = rubric_table(manual)
@@ -154,7 +154,7 @@ def _by_hand(part: str, manual: ManualPart) -> list[CellRecord]:
 
 
 def _locked(assignment: LoadedAssignment, part: str, tests: Iterable[str]) -> CellRecord:
-    """Return the cell that runs the visible tests of a part for the student, and carries the points of its checks."""
+    """Return the locked cell that runs the visible tests of a part and has the points of its checks."""
     points = part_points(assignment)[part]
     names = "".join(f"    {json.dumps(name)},\n" for name in tests)
     used = sorted({check.function for check in assignment.checks if check.part == part})
@@ -166,7 +166,7 @@ def _locked(assignment: LoadedAssignment, part: str, tests: Iterable[str]) -> Ce
 
 
 def noted(grade_id: str, points: float | None, *, locked: bool, solution: bool) -> Json:
-    """Return what nbgrader notes in a cell; without points it is not graded."""
+    """Return nbgrader's metadata of a cell; with None as `points` it is not graded."""
     worth = 0 if points is None else points
     graded = {"grade": points is not None, "grade_id": grade_id, "locked": locked, "points": worth}
     return {**graded, "schema_version": 3, "solution": solution, "task": False}

@@ -1,6 +1,6 @@
-"""Makes a student's stub from the reference solution: the bodies go, the signatures and docstrings stay.
+"""Generate students' stubs from the reference solutions: signatures and docstrings without bodies.
 
-Beside it stand the contract, what each function returns, as the checks have it, and the figure of the problem.
+Also generate the contract (the forms of the results), the figure, and the points in the README.
 """
 
 import ast
@@ -17,7 +17,7 @@ BODY = "raise NotImplementedError"
 
 
 def run(course: Path, *, check: bool) -> int:
-    """Write every stub and contract that is out of date, or with `check` name it; the exit code."""
+    """Write each generated file that is out of date, or with `check` only print its path; return the exit code."""
     generated = {path: text for slug in assignments.slugs(course) for path, text in _generated(course, slug).items()}
     stale = {
         path: text for path, text in generated.items() if not path.exists() or path.read_text(encoding="utf-8") != text
@@ -31,7 +31,7 @@ def run(course: Path, *, check: bool) -> int:
 
 
 def _generated(course: Path, slug: str) -> dict[Path, str]:
-    """Return what is derived of an assignment: the README's points and rubric, the stub, the contract, the figure."""
+    """Return path and text of an assignment's generated files: stub, contract, README with points, figure."""
     released, solution = course / "assignments" / slug, course / "solutions" / f"{slug}.py"
     readme, rubric = released / "README.md", load_rubric(released)
     figure = assignments.figure(course, slug)
@@ -50,8 +50,8 @@ def _generated(course: Path, slug: str) -> dict[Path, str]:
 def stub(source: str) -> str:
     """Return the stub of a solution's source.
 
-    A function named in `__all__` keeps its signature and docstring; other public definitions stay as they are;
-    private ones go, and with them their comments and the imports and constants that nothing uses any more.
+    A function named in `__all__` keeps its signature and docstring; other public definitions are unchanged. Private
+    ones are removed, also all comments between definitions, and imports and constants that are then unused.
     """
     tree = ast.parse(source)
     names = exported(tree)
@@ -63,7 +63,7 @@ def stub(source: str) -> str:
 
 
 def exported(tree: ast.Module) -> set[str]:
-    """Return the names of the functions that students write."""
+    """Return the names in `__all__`: the functions that students write."""
     for node in tree.body:
         if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__":
             return set(ast.literal_eval(node.value))
@@ -94,7 +94,7 @@ def _text(source: str, node: ast.stmt, exported: set[str]) -> str:
 
 
 def _unused(node: ast.stmt, others_too: list[ast.stmt], texts: dict[ast.stmt, str]) -> bool:
-    """Return whether an import or a constant is used by nothing that is left; `np` stays, for students expect it."""
+    """Return whether no other remaining definition uses an import or a constant; `np` counts as used."""
     if not isinstance(node, ast.Import | ast.ImportFrom | ast.Assign) or {"__all__", "np"} & set(_names(node)):
         return False
     others = " ".join(texts[other] for other in others_too if other is not node)
@@ -103,7 +103,7 @@ def _unused(node: ast.stmt, others_too: list[ast.stmt], texts: dict[ast.stmt, st
 
 
 def _joined(parts: list[tuple[ast.stmt, str]]) -> str:
-    """Return the texts, two blank lines around functions and one between other things, imports together."""
+    """Return the texts with two blank lines around functions and classes, none between imports, else one."""
     out = parts[0][1]
     for (before, _), (node, text) in pairwise(parts):
         has_definition = any(isinstance(each, ast.FunctionDef | ast.ClassDef) for each in (before, node))

@@ -1,4 +1,4 @@
-"""Helps the notebook: shows what your module does, runs its tests, and lines what is missing instead of stopping."""
+"""Helpers of the notebook: show what your module does, run its tests, and print what is missing instead of stopping."""
 
 import contextlib
 import os
@@ -13,13 +13,13 @@ import numpy as np
 
 __all__ = ["animation", "shown", "tests"]
 
-HEIGHT = 480  # px, of an animation
-TESTS_TAKE = 120  # s, at most
+HEIGHT = 480  # px, height of an animation
+TESTS_TAKE = 120  # s, time limit of the tests
 
 
 @contextlib.contextmanager
 def shown() -> Iterator[None]:
-    """Run what is below; if your module cannot do it yet, say what is missing, and go on."""
+    """Run the block below; if it raises, print what your module lacks and go on."""
     try:
         yield
     except Exception as error:
@@ -31,10 +31,10 @@ def shown() -> Iterator[None]:
 
 
 def animation(t: Any, wires: Any, label: str = "animation of the motion") -> Any:
-    """Return the wires moving, as `tam570.show` shows scenes: of three coordinates, a hand turns the view.
+    """Return an animation of moving wires; drag to turn the view if they have three coordinates.
 
-    t     : (n,) s, evenly spaced
-    wires : (n, k, 2, 2) or (n, k, 2, 3) line segments at these times
+    t     : (n,) times, s, evenly spaced
+    wires : (n, k, 2, 2) or (n, k, 2, 3) k line segments at these times, each from one point to another
     """
     from tam570.show import Shown
     from tam570.show.scene import Panel, Scene, Shape
@@ -47,9 +47,9 @@ def animation(t: Any, wires: Any, label: str = "animation of the motion") -> Any
 
 
 def tests(*names: str, points: float, functions: Sequence[str] = ()) -> float:
-    """Run these visible tests; the share of the points if the hidden tests went like them.
+    """Run these visible tests; return the points that the hidden tests would give for the same share of passes.
 
-    Where there are no tests, it is said which of the functions are not written yet.
+    Without tests, print which of the functions are not written yet.
     """
     file = next(Path().glob("test_hw*.py"))
     if not names:
@@ -75,7 +75,7 @@ def tests(*names: str, points: float, functions: Sequence[str] = ()) -> float:
 
 
 def _unwritten(module: Path) -> set[str]:
-    """Return the functions of a module that only say that they are not written."""
+    """Return the functions of a module that are still the stub's; none if it has a syntax error."""
     from tam570.course import stubs
 
     try:
@@ -85,7 +85,7 @@ def _unwritten(module: Path) -> set[str]:
 
 
 def _said(error: Exception) -> str:
-    """Return what is missing or wrong, and where in the student's module."""
+    """Return a sentence on what is missing or wrong, and where in the student's module."""
     calls = traceback.extract_tb(error.__traceback__)
     of_file = [call for call in calls if Path(call.filename).name.startswith("hw")]
     if isinstance(error, NotImplementedError):
