@@ -1,1 +1,1 @@
-"""A course that plain nbgrader runs, and our grading inside its autograde."""
+"""Write a course for nbgrader, and grade inside nbgrader's autograde."""

@@ -1,4 +1,4 @@
-"""Our grading inside nbgrader's autograde: preprocessors in place of running the notebook beside its tests."""
+"""Grade inside nbgrader's autograde: an exporter and preprocessors that replace the execution of notebooks."""
 
 import contextlib
 import fnmatch
@@ -46,9 +46,9 @@ in `submitted/`."""
 
 
 class ForgivingExporter(NotebookExporter):
-    """Puts a note in the place of a notebook that cannot be read, so that the module beside it is graded.
+    """Replaces an unreadable notebook by a note, so that the module beside it is graded.
 
-    There is one for each command: it knows the place of the command, and remembers the results of the class.
+    Each command has one instance, which locks the results of its assignments and caches those of the class.
     """
 
     optimistic_validation = Bool(True, help="look at the notebook once, after the last preprocessor").tag(config=True)
@@ -61,7 +61,7 @@ class ForgivingExporter(NotebookExporter):
         self.parent.convert_notebooks = functools.partial(self._alone, self.parent.convert_notebooks)  # type: ignore[union-attr]
 
     def _alone(self, convert: Callable[[], None]) -> None:
-        """Convert while no other command writes these results: nbgrader deletes the folder of whom it fails on."""
+        """Convert while the results are locked: nbgrader deletes the folder of each student for whom grading fails."""
         coursedir, grades = self.parent.coursedir, SandboxGrades(parent=self)  # type: ignore[union-attr]
         slugs = fnmatch.filter(assignments.slugs(grades.found_checkout()), coursedir.assignment_id)
         with contextlib.ExitStack() as still:
@@ -72,7 +72,7 @@ class ForgivingExporter(NotebookExporter):
             convert()
 
     def _submitted(self) -> str:
-        """Return a pattern of the submissions' folders."""
+        """Return a glob pattern of the submissions' folders."""
         coursedir: Any = self.parent.coursedir  # type: ignore[union-attr]
         return str(coursedir.format_path(coursedir.submitted_directory, "*", "*"))
 
@@ -90,7 +90,7 @@ class ForgivingExporter(NotebookExporter):
 
 
 def _students(path: Path) -> Notebook | str:
-    """Return the notebook that a student handed in, or why it is none; it is taken apart in the sandbox."""
+    """Return a student's notebook, parsed in the sandbox, or the reason why it cannot be read."""
     if path.is_symlink() or _linked(path.parent):
         return "it is a link"
     try:
@@ -101,15 +101,15 @@ def _students(path: Path) -> Notebook | str:
 
 
 def _notebook(filename: str) -> Notebook | str:
-    """One of the teacher's notebooks, or why it is none."""
+    """Return one of the instructor's notebooks, or the name of the exception that reading it raises."""
     try:
         return nbformat.read(filename, as_version=4)  # type: ignore[no-untyped-call]
-    except Exception as error:  # nbformat raises whatever it stumbles over
+    except Exception as error:  # nbformat raises many types
         return type(error).__name__
 
 
 class RestoreMetadata(NbGraderPreprocessor):  # type: ignore[misc]
-    """Makes what nbgrader notes in cells what it was when the assignment was made; strange cells are plain ones."""
+    """Restores nbgrader's metadata of cells from the gradebook; cells that are not in it become plain cells."""
 
     def preprocess(self, nb: Notebook, resources: Resources) -> Outcome:
         where = resources["nbgrader"]
@@ -119,12 +119,12 @@ class RestoreMetadata(NbGraderPreprocessor):  # type: ignore[misc]
             name = grade_id(cell)
             cell.metadata.pop("nbgrader", None)
             if name in notes:
-                cell.metadata["nbgrader"] = node(notes.pop(name))  # a copy of the cell is a plain one
+                cell.metadata["nbgrader"] = node(notes.pop(name))  # popped: a copy of the cell becomes a plain cell
         return nb, resources
 
 
 def _notes_of_cells(notebook: Any) -> dict[str, Json]:
-    """Return what belongs into the metadata of each cell, by the gradebook."""
+    """Return nbgrader's metadata of each cell by grade id, from the gradebook."""
     points = {cell.name: cell.max_score for cell in notebook.grade_cells}
     answers = {cell.name for cell in notebook.solution_cells}
     return {
@@ -138,7 +138,7 @@ def _notes_of_cells(notebook: Any) -> dict[str, Json]:
 
 
 class _PlainRenderer(IPythonRenderer):
-    """nbconvert's, but for what it would leave unescaped: a diagram is shown as its text."""
+    """nbconvert's renderer, except that it escapes Mermaid diagrams and shows them as code."""
 
     def block_mermaidjs(self, code: str) -> str:
         return self.block_code(code)
@@ -146,14 +146,14 @@ class _PlainRenderer(IPythonRenderer):
 
 @pass_context
 def markdown_without_html(context: Any, source: str) -> str:
-    """Markdown as nbconvert renders it, but for HTML and links that run, which a student's text may hold."""
+    """Return Markdown rendered as by nbconvert, but with HTML escaped and without links that run code."""
     pictures = context.get("cell", {}).get("attachments", {})
     renderer = _PlainRenderer(escape=True, allow_harmful_protocols=False, attachments=pictures)
     return str(MarkdownWithMath(renderer=renderer).render(source))
 
 
 class KeepPictures(NbGraderPreprocessor):  # type: ignore[misc]
-    """Keeps a student's text and pictures, for the notebook is not run again; drops what could run in a browser."""
+    """Keeps text and pictures in a student's cells, as the notebook is not executed; drops what a browser would run."""
 
     def preprocess_cell(self, cell: Notebook, resources: Resources, cell_index: int) -> Outcome:
         if cell.cell_type == "code":
@@ -192,7 +192,7 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
         return course_config.course_of(self.checkout or None, is_told=False)
 
     def _graded(self, slug: str, student: str) -> tuple[Submission, Record]:
-        """Return a submission and its result; the first has all that the command is about graded, on warm workers."""
+        """Return a submission and its record; the first call grades all submissions of the command."""
         graded: dict[tuple[str, str], tuple[Submission, Record]] = self.parent.results
         if (slug, student) not in graded:
             coursedir = self.parent.parent.coursedir
@@ -208,7 +208,7 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
 
 
 def _class(coursedir: Any, slug: str) -> list[Submission]:
-    """Return the submissions that the command is about: everybody's, or one student's."""
+    """Return the submissions of the command: all students', or those that match its student id."""
     student = re.compile(coursedir.format_path(coursedir.submitted_directory, "(?P<who>.*)", slug, escape=True))
     folders = sorted(glob.glob(coursedir.format_path(coursedir.submitted_directory, coursedir.student_id, slug)))
     everyone = []
@@ -219,14 +219,14 @@ def _class(coursedir: Any, slug: str) -> list[Submission]:
             continue
         try:
             everyone.append(replace(submissions([folder], [slug], slug)[0], student=who))
-        except BadPath:  # several folders in it, say
+        except BadPath:  # for example, it contains several folders
             everyone.append(of_folder(folder, who, slug, folder))
     return everyone
 
 
 @contextlib.contextmanager
 def _copying(find: Callable[..., list[str]]) -> Iterator[None]:
-    """Let nbgrader copy what `find` returns, until this ends: a server goes on with other commands."""
+    """Let nbgrader copy only the files that `find` returns; undone at the end, for a server's other commands."""
     earlier, base.find_all_files = base.find_all_files, find
     try:
         yield
@@ -235,7 +235,7 @@ def _copying(find: Callable[..., list[str]]) -> Iterator[None]:
 
 
 def _own_files(submitted: str, folder: str, exclude: Any = None) -> list[str]:
-    """Return the files in a folder; of a submission only regular ones: a link leads to what the teacher may read."""
+    """Return the files in a folder; in a submission only small regular ones, as a link could expose other files."""
     files: list[str] = find_all_files(folder, exclude)
     if not fnmatch.fnmatch(folder, submitted):
         return files
@@ -243,12 +243,12 @@ def _own_files(submitted: str, folder: str, exclude: Any = None) -> list[str]:
 
 
 def _is_small(file: str) -> bool:
-    """Return whether it is a regular file that is no larger than a submission may be."""
+    """Return whether a file is regular and no larger than a submission may be."""
     status = os.lstat(file)
     most = LARGEST_WITH_OUTPUTS if file.endswith(".ipynb") else LARGEST
     return stat.S_ISREG(status.st_mode) and status.st_size <= most
 
 
 def _linked(folder: Path) -> bool:
-    """Return whether the folder of a student's assignment, or the student's own, is a link."""
+    """Return whether a folder of a student's assignment, or its parent, the student's folder, is a link."""
     return folder.is_symlink() or folder.parent.is_symlink()

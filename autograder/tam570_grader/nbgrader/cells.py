@@ -1,4 +1,4 @@
-"""The cells of a graded notebook: what our marks look like in them, and what of a student's own outputs stays."""
+"""The cells of a graded notebook: the grader's outputs, and the parts of a student's outputs that are safe to keep."""
 
 import re
 from collections.abc import Iterable
@@ -13,17 +13,17 @@ from tam570_grader.release.notebook import FORMAT
 from tam570_grader.reports.feedback import SIGNS, AssignmentInfo, overall, shown, template
 from tam570_grader.results.records import Result
 
-Notebook = Any  # nbformat's own types say no more
+Notebook = Any  # nbformat has no types
 
-# Of a student's outputs; HTML and SVG could carry scripts to the teacher.
+# Kept in a student's outputs; HTML and SVG could contain scripts that run in the instructor's browser.
 PICTURES = ("image/png", "image/jpeg")
-CELL_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")  # as nbformat has it
+CELL_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")  # nbformat's rule
 BASE64 = re.compile(r"[A-Za-z0-9+/=\s]*")
 NO_MODULE = "There is no {slug}.py in the folder; the functions were looked for in {name}."
 
 
 def rebuilt(cells: Iterable[Json]) -> Notebook:
-    """Return a notebook of a student's cells, as the sandbox reads them."""
+    """Return a notebook of a student's cells, which the sandbox has parsed, with safe outputs only."""
     ours = []
     for number, cell in enumerate(cells):
         noted = {"nbgrader": {"grade_id": cell["grade_id"]}} if cell["grade_id"] else {}
@@ -38,7 +38,7 @@ def rebuilt(cells: Iterable[Json]) -> Notebook:
 
 
 def remark(submission: Submission, result: Result) -> str:
-    """Return what is to say of the submission as a whole."""
+    """Return the sentences on a submission as a whole; "" if there are none."""
     slug, path = submission.slug, submission.path
     elsewhere = path is not None and path.name != f"{slug}.py"
     sentence = NO_MODULE.format(slug=slug, name=printable(path.name)) if elsewhere and path else ""
@@ -46,7 +46,7 @@ def remark(submission: Submission, result: Result) -> str:
 
 
 def marked(result: Result, part: str, info: AssignmentInfo, sentence: str) -> list[Notebook]:
-    """Return the messages and pictures of a part, and its points as nbgrader reads them: the number at a cell's end."""
+    """Return a locked cell's outputs: messages and pictures of the part, then its points, which nbgrader reads."""
     checks = [check for check in result.checks if check.part == part]
     marks = [shown(check, info, result.message) for check in checks]
     earned = round(sum(check.points or 0.0 for check in checks), 6)
@@ -65,7 +65,7 @@ def _plain(check: Json) -> str:
 
 
 def safe(output: Notebook) -> Notebook | None:
-    """Return an output without what a browser would run; None if nothing is left."""
+    """Return an output reduced to plain text and pictures, which no browser executes; None if nothing is left."""
     output_type = output.get("output_type")
     if output_type == "stream":
         return _output("stream", name="stdout", text=_text(output.get("text")))
@@ -79,7 +79,7 @@ def safe(output: Notebook) -> Notebook | None:
 
 
 def pictures_only(attachments: object) -> bool:
-    """Return whether a text's attachments are pictures, all of them."""
+    """Return whether all attachments of a text cell are pictures."""
     return isinstance(attachments, dict) and all(
         isinstance(attachment, dict) and all(_picture(mime, text) for mime, text in attachment.items())
         for attachment in attachments.values()
@@ -99,12 +99,12 @@ def _output(output_type: str, **content: object) -> Notebook:
 
 
 def node(content: Json) -> Notebook:
-    """Return a notebook, or a piece of one, as nbformat has it."""
+    """Return nbformat's node for a notebook or a part of one."""
     return nbformat.from_dict(content)  # type: ignore[no-untyped-call]
 
 
 def grade_id(cell: Notebook) -> str:
-    """Return the name by which nbgrader knows a cell, "" if it does not."""
+    """Return nbgrader's grade id of a cell, "" if it has none."""
     noted = cell.metadata.get("nbgrader")
     name = noted.get("grade_id") if isinstance(noted, dict) else None
     return name if isinstance(name, str) else ""

@@ -1,4 +1,4 @@
-"""Writes a course that plain nbgrader runs: sources of the assignments, its configuration, and a page of commands."""
+"""Write a course for nbgrader: sources of the assignments, nbgrader's configuration, and a README."""
 
 import shutil
 import tempfile
@@ -16,8 +16,8 @@ TEMPLATES = Path(__file__).parent / "templates"
 
 
 def run(course: Path, folder: Path, slugs: Sequence[str]) -> int:
-    """Write the course into the folder; what a teacher may have changed there stays. The exit code."""
-    # where course.toml is, it is looked at anew
+    """Write the course into a folder, but keep files that differ; return the exit code."""
+    # a course generated from course.toml: name the folder of course.toml, so that later changes in it count
     checkout = course.parents[1] if course.parent.name == course_config.ADAPTED_COURSES else course
     modules = "".join(f'    "{slug}": ["{slug}.py"],\n' for slug in assignments.slugs(course))  # that students edit
     fields = {"checkout": repr(str(checkout)), "modules": modules, "first": slugs[0]}
@@ -32,15 +32,15 @@ def run(course: Path, folder: Path, slugs: Sequence[str]) -> int:
 
 
 def _write(path: Path, content: bytes) -> None:
-    """Write a file where there is none; one that differs is the teacher's, and named."""
+    """Write a file if there is none; keep one that differs (the instructor may have edited it) and print its path."""
     if not path.exists():
-        written(path, content)  # half a file would be taken for the teacher's
+        written(path, content)  # atomic: a partial file would be kept as the instructor's
     elif path.read_bytes() != content:
         say(f"{path} left as you have it; to have it made anew, move it away", error=True)
 
 
 def _write_assignment(course: Path, slug: str, folder: Path) -> None:
-    """Write the notebook, the stub, the visible tests and the problem of one assignment."""
+    """Write notebook, stub, visible tests, README and figure of an assignment."""
     released = course / "assignments" / slug
     names = f"{slug}.py", f"test_{slug}.py", "README.md"
     for name in names:

@@ -1,4 +1,4 @@
-"""How nbgrader's commands end when the gradebook's server is lost, or by Ctrl-C: in one line, nothing half-written."""
+"""End nbgrader's commands with one line and no partial files if the gradebook is lost or locked, or on Ctrl-C."""
 
 import functools
 import os
@@ -14,7 +14,7 @@ from sqlalchemy.engine import Engine, ExceptionContext
 
 from tam570_grader.errors import say
 
-Nbgrader: TypeAlias = Any  # its applications, connections, gradebooks: they have no types
+Nbgrader: TypeAlias = Any  # an application, connection or gradebook; nbgrader has no types
 
 LOST = """nbgrader: error: the gradebook's server {url} does not answer ({why}). Start it, or mend \
 CourseDirectory.db_url in nbgrader_config.py; then give the same command again."""
@@ -22,15 +22,15 @@ CourseDirectory.db_url in nbgrader_config.py; then give the same command again."
 
 LOCKED = """nbgrader: error: the gradebook {url} is locked by another command for more than {wait} s ({why}); nothing \
 is lost: give the same command again."""
-WAIT = 60  # s; SQLite gives up after 5
+WAIT = 60  # s; SQLite's default is 5
 
 
 class Lost(KeyboardInterrupt):
-    """The server is lost. As after Ctrl-C, nbgrader removes what it was writing and goes on to no other student."""
+    """The gradebook is lost or locked; as on Ctrl-C, nbgrader removes what it was writing and does no other student."""
 
 
 def end_in_one_line() -> None:
-    """From now on a command ends in one line; formgrader's server goes on as it is, for it has other work."""
+    """Patch nbgrader so that its commands end with one line; formgrader's server, which is no command, is unchanged."""
     if not hasattr(NbGraderApp.start, "__wrapped__"):
         NbGraderApp.start = _ending(NbGraderApp.start)
 
@@ -53,7 +53,7 @@ def _ending(start: Nbgrader) -> Nbgrader:
 
 
 def _tell(context: ExceptionContext) -> None:
-    """Raise Lost where the server is what failed; a file is none."""
+    """Raise Lost if the gradebook's server does not answer, or if the gradebook stays locked."""
     if context.engine and context.engine.url.host and (context.is_disconnect or context.connection is None):
         why = str(context.original_exception).strip().partition("\n")[0]
         url = context.engine.url.render_as_string(hide_password=True)
@@ -64,13 +64,13 @@ def _tell(context: ExceptionContext) -> None:
 
 
 def _wait(connection: Nbgrader, _: Nbgrader) -> None:
-    """Let SQLite wait for another command that writes."""
+    """Let SQLite wait up to WAIT for another command that writes."""
     if isinstance(connection, sqlite3.Connection):
         connection.execute(f"PRAGMA busy_timeout = {round(1000 * WAIT)}")
 
 
 class WholeTable(CsvExportPlugin):  # type: ignore[misc]
-    """nbgrader's table of grades, put in the place of an earlier one when it is whole."""
+    """nbgrader's export of grades, except that it replaces an earlier table atomically."""
 
     def export(self, gradebook: Nbgrader) -> None:
         target = getattr(self, "to") or "grades.csv"  # noqa: B009  its type is traitlets'

@@ -1,4 +1,4 @@
-"""nbgrader's gradebook, set up once a command: nbgrader opens it, and looks for its tables, ten times a submission."""
+"""Open nbgrader's gradebook once per command; nbgrader opens it and checks its tables ten times per submission."""
 
 import functools
 from typing import Any
@@ -12,7 +12,7 @@ OPENERS = (autograde, latesubmissions, overwritecells, overwritekernelspec, save
 
 
 class OpenGradebook(Gradebook):  # type: ignore[misc]
-    """A session of its own, as with nbgrader's; but the connection stays, and SQLAlchemy remembers the queries."""
+    """A gradebook with a new session on a cached engine, so that connection and compiled queries are reused."""
 
     def __init__(self, db_url: str, course_id: str = "default_course", authenticator: Any = None) -> None:
         self.engine = _engine(db_url, course_id)
@@ -26,13 +26,13 @@ class OpenGradebook(Gradebook):  # type: ignore[misc]
 
 @functools.cache
 def _engine(db_url: str, course_id: str) -> Any:
-    """Return the engine of a gradebook with its tables and its course."""
+    """Return the engine of a gradebook, after its tables and its course are created."""
     with Gradebook(db_url, course_id) as gradebook:
         return gradebook.engine
 
 
 def keep_gradebooks_open() -> None:
-    """From now on autograde uses open gradebooks; what was open, a server's earlier command perhaps, is opened anew."""
+    """Let autograde use OpenGradebook from now on, with new engines (a server may have run an earlier command)."""
     _engine.cache_clear()
     for module in OPENERS:
         module.Gradebook = OpenGradebook
