@@ -1,1 +1,1 @@
-"""The archive that Gradescope runs, and the results that it reads."""
+"""Write the archives that Gradescope runs and the results that it reads."""

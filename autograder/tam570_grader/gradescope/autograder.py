@@ -1,4 +1,4 @@
-"""Gradescope: the results as its specification has them, and the archive that it runs."""
+"""Gradescope: results in its format, and the archives that it runs."""
 
 import io
 import zipfile
@@ -15,14 +15,14 @@ from tam570_grader.results.store import Record
 from tam570_grader.results.tables import written
 
 TEMPLATES = Path(__file__).parent / "templates"
-EXECUTABLE, PRIVATE = 0o755 << 16, 0o600 << 16  # of a file in an archive
+EXECUTABLE, PRIVATE = 0o755 << 16, 0o600 << 16  # modes of files in a zip archive
 ENGINE = ("pyproject.toml", "README.md", "LICENSE", "shared/tam570", "autograder/tam570_grader")
 
 
 def results(record: Record, lines: Mapping[str, str]) -> Json:
     """Return `results.json` of one submission (gradescope-autograders.readthedocs.io, "Autograder Specifications").
 
-    Every check is a test that the student sees; nothing of the hidden inputs is in it.
+    Each check is a test that is visible to the student; none reveals hidden inputs.
     """
     tests = []
     for check in record["checks"]:
@@ -49,7 +49,7 @@ def results(record: Record, lines: Mapping[str, str]) -> Json:
 
 
 def run(course: Path, folder: Path, slugs: Sequence[str]) -> int:
-    """Write an archive for each assignment into the folder; the exit code."""
+    """Write an archive for each assignment into a folder; return the exit code."""
     with writing(folder):
         folder.mkdir(parents=True, exist_ok=True)
     for slug in slugs:
@@ -60,7 +60,7 @@ def run(course: Path, folder: Path, slugs: Sequence[str]) -> int:
 
 
 def _write_archive(course: Path, slug: str, path: Path) -> None:
-    """setup.sh and run_autograder at the top, as Gradescope wants them, and what they need of the course."""
+    """Write an archive with setup.sh and run_autograder at the top, as Gradescope requires, the seed and the course."""
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
         for name in ("setup.sh", "run_autograder"):
@@ -68,7 +68,7 @@ def _write_archive(course: Path, slug: str, path: Path) -> None:
             entry = zipfile.ZipInfo(name)
             entry.external_attr = EXECUTABLE
             archive.writestr(entry, Template(text).substitute(slug=slug))
-        # one seed in an archive, the same inputs for the class; for the eyes of its root alone, and on no command line
+        # the archive's seed gives the class the same inputs; in a file for root only, as command lines are visible
         entry = zipfile.ZipInfo("seed")
         entry.external_attr = PRIVATE
         archive.writestr(entry, f"{new_seed()}\n")
@@ -79,7 +79,7 @@ def _write_archive(course: Path, slug: str, path: Path) -> None:
 
 
 def _files(course: Path, slug: str) -> Iterator[Path]:
-    """Yield the engine, and of the assignments this one."""
+    """Yield the files of the grader and of this assignment."""
     places = [*ENGINE, COPY, f"assignments/{slug}", f"solutions/{slug}.py", f"autograder/checks/{slug}"]
     for path in map(course.joinpath, places):
         files = path.rglob("*") if path.is_dir() else [path]
