@@ -1,1 +1,1 @@
-"""Canvas, Moodle and the like: submissions in, scores and pages out."""
+"""Exchange with learning management systems: import submissions, export scores and feedback pages."""

@@ -1,4 +1,4 @@
-"""What a download holds, read with care: no path leads out of it, no link is followed, no bomb goes off."""
+"""Read the files of a download safely: no path leads out of it, no link is followed, and sizes are limited."""
 
 import io
 import os
@@ -15,18 +15,18 @@ from tam570_grader.errors import UsageError, printable
 from tam570_grader.results.collected import form
 
 MOST = 100_000  # files in a download
-MOST_INSIDE = 1000  # files of a student, in zip files of their own too
-MOST_UNPACKED = 2 * LARGEST  # bytes of all work of a student: every student's is held until all are read
-METADATA, LARGEST_METADATA = "submission_metadata.yml", 200 * 2**20  # Gradescope's, of bytes: it holds every output
+MOST_INSIDE = 1000  # files of a student, including those in the student's zip files
+MOST_UNPACKED = 2 * LARGEST  # bytes of a student's work; the whole class is in memory until all is read
+METADATA, LARGEST_METADATA = "submission_metadata.yml", 200 * 2**20  # Gradescope's table, bytes; it has all outputs
 LONGEST_PATH = 1000  # characters
-ENTRY = 46  # bytes that a zip file's directory has for a file, at least
-METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)  # the others unpack a piece whole, however large it becomes
-JUNK = ("__MACOSX", ".DS_Store")  # what systems put beside the files
+ENTRY = 46  # bytes, least size of a file's entry in a zip file's directory
+METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)  # decompressors of other methods have no size limit
+JUNK = ("__MACOSX", ".DS_Store")  # files that operating systems add
 
 
 @dataclass(frozen=True)
 class File:
-    """A file of a download: its path there, its bytes, or why it is refused."""
+    """A file of a download: its path there, and its bytes or the reason why it is refused."""
 
     path: str
     data: bytes
@@ -35,15 +35,15 @@ class File:
 
 @dataclass
 class Quota:
-    """What a student may still hand in: zip files within zip files, and many small ones, count together."""
+    """The files and bytes that a student may still hand in, over all of the student's files and zip files."""
 
     files: int = MOST_INSIDE
     data: int = MOST_UNPACKED
 
     def takes(self, files: Sequence[zipfile.ZipInfo | File]) -> str:
-        """Reserve room for these files; return why there is too little, or ""."""
+        """Subtract these files from the quota and return "", or return why they exceed it."""
         sizes = (len(file.data) if isinstance(file, File) else file.file_size for file in files)
-        size = sum(min(size, LARGEST) for size in sizes)  # of a notebook with large outputs no more is held
+        size = sum(min(size, LARGEST) for size in sizes)  # larger notebooks are stored without their outputs
         if len(files) > self.files:
             return f"the student handed in more than {MOST_INSIDE} files"
         if size > self.data:
@@ -54,9 +54,9 @@ class Quota:
 
 
 def members(source: Path) -> Iterator[File]:
-    """Yield all files of a zip file or a folder, those that are refused, too."""
+    """Yield all files of a zip file or a folder, including refused ones."""
     if source.is_dir():
-        # Links and devices are left out, and what Git keeps for itself.
+        # without links, devices and Git's own files
         paths = [
             Path(folder) / name
             for folder, _, names in os.walk(source)
@@ -78,9 +78,9 @@ def members(source: Path) -> Iterator[File]:
 
 
 def unpack_zip(packed: File, quota: Quota) -> list[File]:
-    """Return the work in a student's own zip file; one file without a path that says why where it cannot be read."""
+    """Return the work in a student's zip file; if it cannot be read, a refused file with an empty path."""
     try:
-        end = packed.data.rfind(b"PK\5\6")  # tells the directory's size before any of it is read: each entry costs time
+        end = packed.data.rfind(b"PK\5\6")  # gives the size of the directory, which may be too slow to read
         if end >= 0 and int.from_bytes(packed.data[end + 12 : end + 16], "little") > MOST_INSIDE * (
             ENTRY + LONGEST_PATH
         ):
@@ -92,17 +92,17 @@ def unpack_zip(packed: File, quota: Quota) -> list[File]:
             if full := quota.takes(infos):
                 raise UsageError(full)
             return [replace(file, path=printable(file.path)) for file in map(partial(_member, archive), infos)]
-    except Exception as error:  # zipfile raises many kinds, those of its parts among them
+    except Exception as error:  # zipfile and its decompressors raise many types
         return [File("", b"", f"it cannot be unpacked: {shortened(str(error))}")]
 
 
 def is_beside(name: str) -> bool:
-    """Return whether a file holds drawings or words that go with the work, by its name."""
+    """Return whether a file is a drawing or text that belongs to the work, by the ending of its name."""
     return name.lower().endswith(WRITTEN)
 
 
 def shortened(text: str) -> str:
-    """Cut a text to the longest path of a file."""
+    """Return a text, or its beginning if it is longer than LONGEST_PATH."""
     return text if len(text) <= LONGEST_PATH else f"{text[: LONGEST_PATH // 5]}..."
 
 
@@ -114,7 +114,7 @@ def _files(archive: zipfile.ZipFile, most: int, name: str) -> list[zipfile.ZipIn
 
 
 def _member(archive: zipfile.ZipFile, info: zipfile.ZipInfo) -> File:
-    """Return one file, unpacked no further than a student may hand in, or than the zip file claims."""
+    """Return a file of a zip file; unpack at most the size that is allowed or that the zip file states."""
     parts = info.filename.replace("\\", "/").split("/")
     if len(info.filename) > LONGEST_PATH:
         return File(shortened(info.filename), b"", f"its name has more than {LONGEST_PATH} characters")
@@ -127,12 +127,12 @@ def _member(archive: zipfile.ZipFile, info: zipfile.ZipInfo) -> File:
     try:
         with archive.open(info) as file:
             return _checked(info.filename, file.read(min(info.file_size, _most(info.filename)) + 1))
-    except Exception as error:  # as above
+    except Exception as error:  # as in `unpack_zip`
         return File(info.filename, b"", f"it cannot be unpacked: {shortened(str(error))}")
 
 
 def _most(name: str) -> int:
-    """Return how many bytes a file may have. Below a folder `submission_...` the table's name is a student's own."""
+    """Return how many bytes a file may have; METADATA below a folder `submission_...` is a student's file."""
     if name.rsplit("/", 1)[-1] == METADATA and "submission_" not in name.removesuffix(METADATA):
         return LARGEST_METADATA
     return LARGEST_WITH_OUTPUTS if form(name) == ".ipynb" else LARGEST

@@ -1,4 +1,4 @@
-"""Who handed in what, by the names that a system gives to files, by its table, or by folders."""
+"""Find out who handed in each file of a download: from a system's names of files, its table, or its folders."""
 
 import os
 import re
@@ -12,29 +12,29 @@ from tam570_grader.lms.archives import File
 from tam570_grader.lms.systems import SYSTEMS, System
 from tam570_grader.results.collected import form
 
-AGAIN = re.compile(r"-(\d{1,9})(?=\.\w+$)")  # what Canvas puts into the name of a file that is handed in again
+AGAIN = re.compile(r"-(\d{1,9})(?=\.\w+$)")  # Canvas's number in the name of a file that is handed in again
 
 
 @dataclass(frozen=True)
 class Handed:
-    """One file that one student, or group, handed in."""
+    """A file that a student or group handed in."""
 
-    keys: tuple[tuple[str, str], ...]  # kinds of ids and ids, by which a roster may know the student
+    keys: tuple[tuple[str, str], ...]  # (kind, id) pairs to find the student on a roster
     name: str
     file: File
-    title: str  # the file's own name
+    title: str  # the student's name of the file
     when: str = ""
     late: bool = False
-    order: tuple[int, int, str] = (0, 0, "")  # the newest is the largest
+    order: tuple[int, int, str] = (0, 0, "")  # larger for newer files
 
     @property
     def who(self) -> str:
-        """What tells the student without a roster."""
+        """The student's first id, or name if there is no id; used without a roster."""
         return self.keys[0][1] if self.keys else self.name
 
 
 def read(files: Iterable[File], name: str) -> Iterator[Handed | File]:
-    """Yield each file with who handed it in, as the system's names or table tell; a file of nobody as it is."""
+    """Yield a Handed for each file whose student the system's names or table tell, the other files as they are."""
     system, held = SYSTEMS[name], list(files)
     if name == "gradescope":
         return _of_table(held, system)
@@ -42,7 +42,7 @@ def read(files: Iterable[File], name: str) -> Iterator[Handed | File]:
 
 
 def fields_of(path: str, system: System) -> dict[str, str] | None:
-    """Return the fields of the first name in a path that has the system's form; later ones are the student's own."""
+    """Return the fields of the first part of a path with the system's form (later parts are the student's), or None."""
     for part in path.split("/"):
         if system.download and (match := system.download.fullmatch(part)):
             fields = {key.rstrip("2"): text or "" for key, text in match.groupdict().items() if text is not None}
@@ -51,7 +51,7 @@ def fields_of(path: str, system: System) -> dict[str, str] | None:
 
 
 def _of_names(files: Sequence[File], system: System) -> Iterator[Handed | File]:
-    # A folder around all files is stripped: its name, `hw_2026_09_14` say, may look like a student's.
+    # A folder around all files is removed: its name, for example `hw_2026_09_14`, may look like a student's.
     if system is SYSTEMS["canvas"] and len({file.path.partition("/")[0] for file in files}) == 1:
         inner = [replace(file, path=file.path.partition("/")[2]) for file in files]
         files = inner if any(fields_of(file.path, system) for file in inner) else files
@@ -59,7 +59,7 @@ def _of_names(files: Sequence[File], system: System) -> Iterator[Handed | File]:
         fields = fields_of(file.path, system)
         is_file = fields is not None and file.path.endswith(fields["whole"])
         if fields and is_file and file.path.endswith(".txt") and not fields.get("file"):
-            continue  # Blackboard's own note on the submission beside it
+            continue  # Blackboard's note on the submission
         if fields is None or (is_file and not fields.get("file") and not file.path.endswith(".html")):
             yield file
             continue
@@ -73,14 +73,14 @@ def _of_names(files: Sequence[File], system: System) -> Iterator[Handed | File]:
 
 
 def _moment(text: str) -> str:
-    """Convert a time in a name, `2026-09-14-23-59-00` or `Sep 14, 2026 1159 PM`, to ISO's form; "" for no time."""
+    """Return a time in a file's name, `2026-09-14-23-59-00` or `Sep 14, 2026 1159 PM`, in ISO format; else ""."""
     plain = re.sub(r"^(\d{4}-\d\d-\d\d)-(\d\d)-(\d\d)-(\d\d)$", r"\1 \2:\3:\4", text)
     plain = re.sub(r"(\d{4}) (\d{1,2}):?(\d\d) ([AP]M)$", r"\1 \2:\3 \4", plain)
     return time_of(plain)
 
 
 def time_of(text: str) -> str:
-    """Convert a time in a table to ISO's form; "" for another text, in another language say."""
+    """Return a time in a table in ISO format; "" for other text, for example in another language."""
     try:
         moment: datetime = dates.parse(text, dayfirst=not re.match(r"\d{4}", text))
     except (ValueError, OverflowError):
@@ -89,10 +89,10 @@ def time_of(text: str) -> str:
 
 
 def _of_repositories(files: Sequence[File], system: System) -> Iterator[Handed | File]:
-    """Yield the work in folders `assignment-user`: the beginning that all names share is the assignment."""
+    """Yield the work in folders `assignment-user`, where the assignment is the common prefix of all names."""
     parts = [file.path.split("/") for file in files]
     if len({path[0] for path in parts}) == 1 and all(len(path) > 2 for path in parts):
-        parts = [path[1:] for path in parts]  # the folder that the program made around them
+        parts = [path[1:] for path in parts]  # without the folder that `gh classroom` makes around them
     start = os.path.commonprefix(sorted({path[0] for path in parts}))
     start = start[: start.rfind("-") + 1]
     for file, path in zip(files, parts, strict=True):
@@ -105,7 +105,7 @@ def _of_repositories(files: Sequence[File], system: System) -> Iterator[Handed |
 
 
 def _of_table(files: Sequence[File], system: System) -> Iterator[Handed | File]:
-    """Yield the files by Gradescope's table of submissions; a group's file is each member's."""
+    """Yield the files with their students from Gradescope's table; a group's file once for each member."""
     from tam570_grader.lms.gradescope_table import table_in
 
     table, submissions = table_in(files)

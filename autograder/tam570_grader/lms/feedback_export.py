@@ -1,7 +1,7 @@
-"""Pages of feedback in a zip file that a system hands out, each to the student who handed the work in.
+"""Write feedback pages into a zip file that a system distributes to the students.
 
-A system knows a page by the beginning of the name that it gave to the file in the download: Canvas by the user and the
-attachment, Moodle by the participant (`mod/assign/feedback/file/importziplib.php`).
+The system matches a page to a student by the prefix of the name that it gave to the submitted file: Canvas by user and
+attachment, Moodle by participant (`mod/assign/feedback/file/importziplib.php`).
 """
 
 import io
@@ -21,12 +21,12 @@ NEEDED = ("student", "assignment", "file", "from")  # columns of collected.csv
 
 
 def run(pages: Path, collected: Path, system: str, out: Path, only: Sequence[str], roster: Path | None) -> list[str]:
-    """Write the zip file; a sentence for each of whom there is no page.
+    """Write the zip file; return a sentence for each student without a page.
 
-    pages     : the folder of feedback, which `grade --out` wrote
+    pages     : the folder of feedback that `grade --out` wrote
     collected : the table that `collect` wrote
-    only      : names of assignments; a zip file holds the pages of one, for it is uploaded there
-    roster    : Moodle's worksheet: a member of a group gets a page of their own by it
+    only      : names of assignments, which must choose one, as a zip file is uploaded to one assignment
+    roster    : Moodle's worksheet, with which each member of a group gets a page
     """
     page_name = SYSTEMS[system].page
     if page_name is None:
@@ -43,7 +43,7 @@ def run(pages: Path, collected: Path, system: str, out: Path, only: Sequence[str
     with zipfile.ZipFile(data, "w", zipfile.ZIP_DEFLATED) as archive:
         for (student, slug), (name, is_collected) in sorted(names.items()):
             page = pages / student / f"{slug}.html"
-            if slug in chosen and page.is_file() and name not in there:  # a group's file is one, and so is its page
+            if slug in chosen and page.is_file() and name not in there:  # a group has one file and one page
                 archive.write(page, printable(name))
                 there.add(name)
             elif slug in chosen and is_collected and not page.is_file():
@@ -56,7 +56,7 @@ def run(pages: Path, collected: Path, system: str, out: Path, only: Sequence[str
 def _named(
     rows: Sequence[Mapping[str, str]], system: str, page: str, everyone: rosters.Directory
 ) -> dict[tuple[str, str], tuple[str, bool]]:
-    """Map student and assignment to the name of their page, of a lone PDF too, and to whether work was collected."""
+    """Return by student and assignment the name of the page, also for a lone PDF, and whether work was collected."""
     names: dict[tuple[str, str], tuple[str, bool]] = {}
     for cells in sorted(rows, key=lambda cells: not form(cells["file"])):
         student, slug = cells["student"], cells["assignment"]
@@ -65,7 +65,7 @@ def _named(
             continue
         person = everyone.by_folder.get(student)
         participant = dict(person.keys).get("participant") if person else None
-        if person and participant and system == "moodle":  # a group's number is no participant's
+        if person and participant and system == "moodle":  # a group's number is not a participant's
             fields |= {"name": person.name.replace("_", " ") or fields["name"], "user": participant}
         names.setdefault((student, slug), (page.format(**fields, slug=slug), bool(form(cells["file"]))))
     return names

@@ -1,4 +1,4 @@
-"""`submission_metadata.yml`, the table of who handed in what in Gradescope's export: none of it is taken on trust."""
+"""Read `submission_metadata.yml`, the table of submissions in Gradescope's export, and check all of it."""
 
 import io
 import re
@@ -12,19 +12,19 @@ from tam570.notebooks import LARGEST
 from tam570_grader.errors import UsageError
 from tam570_grader.lms.archives import METADATA, File
 
-FOLDER = re.compile(r"submission_[0-9]+")  # of one submission
+FOLDER = re.compile(r"submission_[0-9]+")  # name of a submission's folder
 WANTED = (b"  :submitters:", b"  :created_at:")
 AGAIN = "export the submissions again in Gradescope"
 People = tuple[tuple[dict[str, str], str], ...]  # the ids of each submitter, and the name
 
 
 def table_in(files: Iterable[File]) -> tuple[File, dict[str, tuple[People, str]]]:
-    """Return the class's table, the outermost of that name, for a student may hand in another.
+    """Return the class's table, and the submitters and time of each folder beside it.
 
-    And for each folder beside it whose it is and when it came.
+    It is the outermost file of that name, because a student may hand in another.
     """
     tables = [file for file in files if file.path.rsplit("/", 1)[-1] == METADATA]
-    outside = [file for file in tables if not any(map(FOLDER.fullmatch, file.path.split("/")))]  # of all submissions
+    outside = [file for file in tables if not any(map(FOLDER.fullmatch, file.path.split("/")))]  # not in a submission
     file = min(outside, key=lambda file: file.path.count("/"), default=None)
     if file is None:
         raise UsageError(f"the export holds no {METADATA} beside its submissions: {AGAIN}, by Export Submissions")
@@ -46,7 +46,7 @@ def table_in(files: Iterable[File]) -> tuple[File, dict[str, tuple[People, str]]
 
 
 def _without_results(data: bytes) -> bytes:
-    """Return the lines of a long table that tell submitters and times, without its outputs."""
+    """Return the lines of a long table with folders, submitters and times, without the outputs."""
     lines, is_wanted = list[bytes](), False
     for line in io.BytesIO(data):
         if not line.startswith(b" "):
@@ -75,7 +75,7 @@ def _person(who: object, where: str) -> tuple[dict[str, str], str]:
 
 
 class _Plain(yaml.BaseLoader):  # type: ignore[misc]  # yaml has no types
-    """Every leaf stays text, as 007 must. A text may be an alias; of whole parts a small file makes a huge one."""
+    """A YAML loader that keeps every scalar as text (007) and allows aliases only of scalars: no expansion bombs."""
 
     def compose_node(self, parent: object, index: object) -> Any:
         is_alias = self.check_event(yaml.AliasEvent)

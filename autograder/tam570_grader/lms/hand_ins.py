@@ -1,4 +1,4 @@
-"""When work came, and how often: rows of the report, from collected.csv and the journal of `watch`."""
+"""When and how often students handed in: rows of the report, from collected.csv and the journal of `watch`."""
 
 import json
 import statistics
@@ -12,16 +12,16 @@ from tam570_grader.course.late_policy import NEEDED, LatePolicy, days_between, m
 from tam570_grader.grading.watch import JOURNAL
 from tam570_grader.results.collected import OLDER, form, listed
 
-DAYS = 8  # before the date that are told apart, the first of them with all that is earlier
+DAYS = 8  # bins, of one day each, before the due date; the first includes all earlier days
 HandIn = tuple[str, str, datetime | None]  # student, assignment, time
 
 
 def hand_ins(
     folder: Path, collected: Path | None, policies: Mapping[str, LatePolicy], slugs: Iterable[str]
 ) -> list[Json]:
-    """Return a row for each assignment of which anything is known.
+    """Return a row for each assignment that anybody handed in.
 
-    folder    : of results, with a journal where `watch` wrote them
+    folder    : folder of results, with a journal if `watch` wrote them
     collected : the table that `collect` wrote
     """
     everything: list[HandIn] = []
@@ -42,7 +42,7 @@ def hand_ins(
 
 
 def _row(slug: str, hand_ins: Sequence[HandIn], policy: LatePolicy) -> Json:
-    """Return how often students handed in, and of the last hand-in of each when that was."""
+    """Return statistics of how often students handed in, and of the time of each student's last hand-in."""
     attempts = Counter(student for student, *_ in hand_ins)
     last: dict[str, datetime] = {}
     for student, _, when in hand_ins:

@@ -1,7 +1,7 @@
-"""A page for those who grade by hand, `tam570-grader mark`: it answers this machine alone, to whoever has its address.
+"""Local web pages to grade by hand (`tam570-grader mark`), only for this machine and whoever has the secret address.
 
-It writes the rows that `points` takes from a table: of each part its points, and a comment that names the claims of the
-rubric that were given. Nothing else is kept.
+Saving writes rows of by_hand.csv: the points of each part, and a comment that lists the satisfied claims of the rubric.
+Nothing else is stored.
 """
 
 import contextlib
@@ -34,7 +34,7 @@ HEADERS = {
     "Referrer-Policy": "no-referrer",
     "Cache-Control": "no-store",
 }
-LARGEST = 100_000  # bytes of a request
+LARGEST = 100_000  # bytes, largest request
 NOT_AT_HAND = "The work is not at hand: name its tree with --submitted."
 
 
@@ -49,7 +49,7 @@ class StudentWork:
 
 
 class Desk:
-    """All that is to be graded by hand in a folder of results."""
+    """All work in a folder of results that must be graded by hand."""
 
     def __init__(self, folder: Path, works: Sequence[StudentWork], *, anonymous: bool = False) -> None:
         self.folder, self.works, self.anonymous = folder, list(works), anonymous
@@ -61,12 +61,12 @@ class Desk:
         return f"Student {number + 1}" if self.anonymous else self.works[number].student
 
     def entry(self, number: int, part: str) -> Entry | None:
-        """Return what was given for a part before."""
+        """Return the stored row of a part, None if there is none."""
         work = self.works[number]
         return manual_points.read(self.folder).entries.get((work.student, work.slug, part))
 
     def save(self, number: int, part: str, claims: Sequence[int], points: float | None, comment: str) -> float:
-        """Write down the points of a part: those of the claims that are ticked, or others that somebody typed."""
+        """Store and return the points of a part: `points` if given, else the sum of the ticked claims."""
         work = self.works[number]
         rubric = work.parts[part]
         ticked = [rubric.claims[claim] for claim in sorted({*claims})]
@@ -83,7 +83,7 @@ class Desk:
         return earned
 
     def files(self, number: int) -> list[Path]:
-        """Return drawings and texts beside the work, without links."""
+        """Return drawings and texts in the folder of the work, without links."""
         submission = self.works[number].submission
         if submission is None or submission.path is None:
             return []
@@ -91,7 +91,7 @@ class Desk:
         return [path for path in held if is_beside(path.name) and path.is_file()]
 
     def code(self, number: int) -> list[tuple[str, str]]:
-        """Return the text of the work: the module, or a notebook's cells by kind."""
+        """Return (kind, text) pairs of the work: the module, or a notebook's cells; a note if it cannot be read."""
         submission = self.works[number].submission
         if submission is None or submission.path is None:
             return [("note", submission.reason if submission else NOT_AT_HAND)]
@@ -105,7 +105,7 @@ class Desk:
 
 
 def serve(desk: Desk, port: int = 0) -> tuple[ThreadingHTTPServer, str]:
-    """Return a server on this machine alone, and the address of the first page; nothing answers without its secret."""
+    """Return a server that only this machine can reach, and the address of the first page with its secret token."""
     token = secrets.token_urlsafe(24)
     handler = type("Handler", (_Handler,), {"desk": desk, "token": token})
     try:
@@ -122,7 +122,7 @@ class _Handler(BaseHTTPRequestHandler):
     server: ThreadingHTTPServer
 
     def do_GET(self) -> None:
-        """Answer with a page, or with a file that belongs to one."""
+        """Answer with a student's page, or with a file that it shows or links to."""
         path = self._path()
         if path is None:
             return self._send(404, "text/plain", b"not found")
@@ -154,7 +154,7 @@ class _Handler(BaseHTTPRequestHandler):
         return self._send(200, "application/json", json.dumps({"points": earned}).encode())
 
     def _path(self) -> list[str] | None:
-        """Return what follows the secret; None for who does not have it, or asks by another name of this machine."""
+        """Return the path after the secret token; None if token, Host header or number of the student is wrong."""
         _, token, *rest = [*self.path.split("?")[0].split("/"), ""]
         rest = [part for part in rest if part]
         host = f"127.0.0.1:{self.server.server_port}"
@@ -172,7 +172,7 @@ class _Handler(BaseHTTPRequestHandler):
         self.wfile.write(body)
 
     def log_message(self, format: str, *args: object) -> None:  # noqa: A002  its name is the library's
-        """Print nothing: the address holds the secret."""
+        """Print nothing: the address contains the secret token."""
 
 
 def page(desk: Desk, number: int, nonce: str) -> str:
@@ -192,7 +192,7 @@ def page(desk: Desk, number: int, nonce: str) -> str:
 
 
 def _part(entry: Entry | None, letter: str, rubric: ManualPart) -> Json:
-    """Return the claims of a part, those that were given ticked, what else it is worth, and the rest of the comment."""
+    """Return what a page shows of a part: claims with ticks, points (`typed` if not their sum), rest of the comment."""
     lines, texts = entry.comment.split("\n") if entry else [], {f"+ {claim}" for _, claim in rubric.claims}
     points = entry.points if entry else None
     ticked = [f"+ {claim}" in lines for _, claim in rubric.claims]

@@ -1,4 +1,4 @@
-"""Scores for a learning management system: the table that it imports, made of the one that it exported."""
+"""Write scores as the table that a learning management system imports, from the table that it exported."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -12,22 +12,22 @@ from tam570_grader.lms.systems import SYSTEMS, ScoreTable
 from tam570_grader.results.manual_points import EX
 from tam570_grader.results.tables import cell, name_in, table, write_table
 
-# (student, assignment): score and largest score, as in the file; EX in the place of a score
+# by (student, assignment): score (or EX) and maximum score, as text from the file
 Scores = Mapping[tuple[str, str], tuple[str, str]]
 
-KEPT = (EX, "N/A")  # in Canvas's gradebook: excused, and not assigned to this student
+KEPT = (EX, "N/A")  # cells of Canvas's gradebook that are kept: excused, and not assigned to this student
 
 
 @dataclass(frozen=True)
 class ExportOptions:
-    """What an instructor chooses of a table.
+    """Options of the table.
 
-    system    : a name of SYSTEMS that has a table
-    roster    : the gradebook or the participants that the system exported: students are joined by their ids
-    identity  : what Moodle shall know students by: username, idnumber or email
-    columns   : the heading, or id, of an assignment's column in the gradebook, by course.toml
-    new       : make columns that the gradebook does not have
-    overwrite : put our scores in the place of others that the gradebook has
+    system    : a name in SYSTEMS, of a system that has a table
+    roster    : the gradebook or list of participants that the system exported; students are joined by their ids
+    identity  : the column by which Moodle identifies students: username, idnumber or email
+    columns   : by slug, the heading or id of the column in the gradebook, from course.toml
+    new       : add columns that the gradebook does not have
+    overwrite : replace different scores in the gradebook
     """
 
     system: str
@@ -40,7 +40,7 @@ class ExportOptions:
 
 @dataclass
 class Export:
-    """A table to import, what is left of the gradebook in it, and what needs the instructor."""
+    """A table to import, with sentences on excused cells that are kept, and on problems for the instructor."""
 
     rows: list[list[str]]
     unchanged: list[str] = field(default_factory=list)
@@ -48,13 +48,13 @@ class Export:
 
 
 def run(grades: Path, out: Path | None, options: ExportOptions, only: Sequence[str], absent: str) -> int:
-    """Write the table for a system, or print it; the exit code.
+    """Write the table for a system, or print it; return the exit code, 1 if there are problems.
 
-    grades : grades.csv, of `tam570-grader grade --out` or of `nbgrader export`
-    only   : names of assignments, hw07 say; none: all
-    absent : zero, or blank, for who did not hand in what others did
+    grades : grades.csv of `tam570-grader grade --out` or of `nbgrader export`
+    only   : names of assignments, such as hw07; all if empty
+    absent : "zero" or "blank": the score of students who did not hand in what others did
 
-    With a roster the exit code is 1 if a score belongs to nobody on it, or somebody on it has no score.
+    Problems: a score of nobody on the roster, a student on it without a score, a cell that differs in the gradebook.
     """
     scores = read_scores(grades, absent)
     chosen = match_slugs(only, sorted({slug for _, slug in scores}))
@@ -70,7 +70,7 @@ def run(grades: Path, out: Path | None, options: ExportOptions, only: Sequence[s
 
 
 def export(scores: Scores, options: ExportOptions) -> Export:
-    """Return the table of these scores, for the rows of a roster, else for whoever has a score."""
+    """Return the table of these scores for all students on the roster, without one for all who have a score."""
     layout = SYSTEMS[options.system].table
     assert layout is not None
     slugs = sorted({slug for _, slug in scores})
@@ -108,7 +108,7 @@ def export(scores: Scores, options: ExportOptions) -> Export:
 
 
 def _without_roster(scores: Scores, slugs: Sequence[str], layout: ScoreTable, keys: Sequence[str]) -> Export:
-    """Return a row for each student, known by the login that their folder is named after."""
+    """Return the table with a row for each student, whose folder is named after the login."""
     rare = ("LastName", "FirstName", "Integration ID", "Root Account", "Last Name", "First Name", "Student ID")
     ids = [name for name in keys if name not in (*rare, "OrgDefinedId")]
     headings = [layout.heading.format(slug=slug) for slug in slugs]
@@ -117,7 +117,7 @@ def _without_roster(scores: Scores, slugs: Sequence[str], layout: ScoreTable, ke
         blanks = [""] * (len(ids) - 1)
         export.rows.append([f"    {layout.possible}", *blanks, *(_possible(scores, slug) for slug in slugs)])
     for student in sorted({student for student, _ in scores}):
-        marked = f"{layout.prefix}{student}"  # quoted where it stands for a name, for no name is matched
+        marked = f"{layout.prefix}{student}"  # quoted in the column of names, which is not matched
         logins = {name: cell(marked) if name == "Student" else marked for name in layout.login}
         who = [logins.get(name, marked if len(keys) == 1 else "") for name in ids]
         points = [scores.get((student, slug), ("", ""))[0].replace(EX, layout.excused) for slug in slugs]
@@ -130,7 +130,7 @@ def _end(layout: ScoreTable, which: int) -> list[str]:
 
 
 def _column(layout: ScoreTable, heading: Sequence[str], slug: str, options: ExportOptions) -> str:
-    """Return the heading of an assignment's column, by course.toml or by our name; UsageError if there is none."""
+    """Return the heading of an assignment's column, as in course.toml or from its slug; UsageError if it is unclear."""
     wanted = options.columns.get(slug, slug)
     if not layout.must_match:
         return wanted
@@ -152,13 +152,13 @@ def _column(layout: ScoreTable, heading: Sequence[str], slug: str, options: Expo
 
 
 def _tells(layout: ScoreTable, name: str) -> list[str]:
-    """Return what a heading is known by: its title, and its id."""
+    """Return the title and the id in a heading, by which course.toml may name it."""
     match = layout.column.fullmatch(name)
     return [match[key] for key in ("title", "id") if match and key in match.groupdict()]
 
 
 def _joined(scores: Scores, everyone: Directory, export: Export) -> dict[tuple[int, str], str]:
-    """Return the scores by person, whatever id their folder is named after; who is left out is named."""
+    """Return the scores by person and assignment; report students without a row or a score in `export.troubles`."""
     joined: dict[tuple[int, str], str] = {}
     unmatched = sorted({student for student, _ in scores} - everyone.by_folder.keys())
     for (student, slug), (score, _) in scores.items():
@@ -180,7 +180,7 @@ def _joined(scores: Scores, everyone: Directory, export: Export) -> dict[tuple[i
 
 
 def _cell(ours: str, person: Person, column: str, export: Export, overwrite: bool) -> str:
-    """Return a score, or what the gradebook has in its place: excused, not assigned, or changed there."""
+    """Return our score, or the gradebook's cell if it must be kept: excused, not assigned, or changed there."""
     theirs = person.row.get(column, "").strip()
     if theirs.upper() in KEPT:
         if ours not in ("", theirs.upper()):
@@ -197,7 +197,7 @@ def _cell(ours: str, person: Person, column: str, export: Export, overwrite: boo
 
 
 def _number(text: str) -> float | str:
-    """Return a number as the gradebook rounds it, with a point or a comma; another text as it is."""
+    """Return a number, with decimal point or comma, rounded as in the gradebook; other text unchanged."""
     try:
         return round(float(text.replace(",", ".")), 2)
     except ValueError:
@@ -209,9 +209,9 @@ def _possible(scores: Scores, slug: str) -> str:
 
 
 def read_scores(grades: Path, absent: str) -> Scores:
-    """Return the scores in our table or nbgrader's; "" where the grader failed or, if asked for, of the absent.
+    """Return the scores in our table or nbgrader's; "" if the grader failed, or for the absent if `absent` is "blank".
 
-    nbgrader gives everybody zero on what was released and not collected; such an assignment has no scores.
+    nbgrader gives everybody zero for an assignment that was released and not collected; such scores become "".
     """
     heading, *rows = table(grades)
     name = "student" if "student" in heading else "student_id"
@@ -222,13 +222,13 @@ def read_scores(grades: Path, absent: str) -> Scores:
             f"{grades} has a row that does not fit its heading of {len(heading)} columns: {odd[0]}; mend it"
         )
     records = [dict(zip(heading, row, strict=True)) for row in rows]
-    true_name = name_in if name == "student" else str  # nbgrader quotes none
+    true_name = name_in if name == "student" else str  # nbgrader does not quote formulas
     if "timestamp" in heading:
         here = {row["assignment"] for row in records if row["timestamp"] or float(row["score"] or 0)}
         records = [row if row["assignment"] in here else {**row, "score": ""} for row in records]
     if absent == "blank":
         for row in records:
             nothing = row["status"] == "missing" if "status" in row else not row.get("timestamp", "unknown")
-            if nothing and row["score"] != EX and not float(row["score"] or 0):  # no points by hand either
+            if nothing and row["score"] != EX and not float(row["score"] or 0):  # and no points by hand
                 row["score"] = ""
     return {(true_name(row[name]), row["assignment"]): (row["score"], row["max_score"]) for row in records}

@@ -1,4 +1,4 @@
-"""Pairs of submissions that share code, by winnowing: names, comments and what was handed out do not count.
+"""Find pairs of submissions that share code, by winnowing; names, comments and code from the stub do not count.
 
 The method: S. Schleimer, D. S. Wilkerson, A. Aiken, "Winnowing: local algorithms for document fingerprinting", 2003.
 """
@@ -15,14 +15,14 @@ from tam570_grader.grading.submissions import CannotRead, submissions
 from tam570_grader.lms.similarity_export import texts_of
 from tam570_grader.sandbox.notebooks import statements_of
 
-SHORTEST = 25  # characters of code without names that must agree to count: two statements
+SHORTEST = 25  # characters, shortest match of code without names: about two statements
 LONGEST = 100_000  # characters of code; the longest solution has 13,000
-WINDOW = 5  # of the fingerprints that lie so close one is kept
+WINDOW = 5  # one fingerprint is kept of this many consecutive ones
 
 
 @dataclass(frozen=True)
 class Pair:
-    """Two students, and the share of each one's code that the other has."""
+    """Two students, and the share of each student's code that the other also has."""
 
     slug: str
     student: str
@@ -31,12 +31,12 @@ class Pair:
 
     @property
     def share(self) -> float:
-        """The larger: who adds lines to what was copied makes the other share small."""
+        """The larger share: lines added to copied code reduce only the other."""
         return max(self.shares)
 
 
 def run(course: Path, paths: Sequence[Path], slugs: Sequence[str], slug_given: str | None, least: float) -> int:
-    """Print the pairs that share so much, most alike first; the exit code is 1 if a submission could not be read."""
+    """Print the pairs with a share of at least `least`, largest first; return 1 if a submission could not be read."""
     texts, unread = texts_of(submissions(paths, slugs, slug_given), _statements)
     similar = [pair for slug in sorted(texts) for pair in pairs(course, slug, texts[slug]) if pair.share >= least]
     for pair in sorted(similar, key=lambda pair: (-pair.share, pair.slug, pair.student)):
@@ -51,7 +51,7 @@ def run(course: Path, paths: Sequence[Path], slugs: Sequence[str], slug_given: s
 
 
 def _statements(text: str) -> str:
-    """Return the statements of a module in one form, which no library takes long over; they are read in the sandbox."""
+    """Return a module's statements in normal form, parsed in the sandbox; CannotRead if they are too long."""
     plain = statements_of(text.encode())
     if len(plain) > LONGEST:
         raise CannotRead(f"it has {len(plain)} characters of code; more than {LONGEST} are not compared")
@@ -59,12 +59,12 @@ def _statements(text: str) -> str:
 
 
 def pairs(course: Path, slug: str, texts: Mapping[str, str]) -> Iterator[Pair]:
-    """Yield every pair of one assignment that shares anything."""
+    """Yield every pair of an assignment that shares any code."""
     stub = (course / "assignments" / slug / f"{slug}.py").read_text(encoding="utf-8")
     ours = list(_fingerprint(_statements(stub), []).hashes)
     prints = {student: _fingerprint(text, ours) for student, text in sorted(texts.items())}
     everyone = list(combinations(prints, 2))
-    from copydetect import compare_files  # type: ignore[import-untyped]  # _fingerprint has told who lacks it
+    from copydetect import compare_files  # type: ignore[import-untyped]  # _fingerprint has raised if it is missing
 
     for student, other in progress(everyone, len(everyone), "pair"):
         _, (first, second), _ = compare_files(prints[student], prints[other])
@@ -73,7 +73,7 @@ def pairs(course: Path, slug: str, texts: Mapping[str, str]) -> Iterator[Pair]:
 
 
 def _fingerprint(text: str, ours: Sequence[int]) -> Any:
-    """Return the fingerprints of a module, without those of what was handed out."""
+    """Return the fingerprints of a module without those in `ours`, the stub's."""
     try:
         from copydetect import CodeFingerprint
     except ImportError:

@@ -1,4 +1,4 @@
-"""Lays submissions out for tools that find shared code: numbers for names, modules for notebooks, the stub as base.
+"""Write submissions for tools that find shared code: with numbers for names, notebooks as modules, the stub as base.
 
 Dolos: "Adding metadata" (its documentation): `info.csv` lists the files, `--ignore` names the base. JPlag: its README:
 a folder for each submission, `-bc` for the base code. Moss: its script: `-d` for folders, `-b` for the base file.
@@ -26,15 +26,15 @@ COMMANDS = {
 def run(
     course: Path, paths: Sequence[Path], tool: str, out: Path, slugs: Sequence[str], slug_given: str | None = None
 ) -> int:
-    """Write a folder for each assignment, and the names; the exit code is 1 if a submission could not be read.
+    """Write a folder for each assignment, and the table of names; return 1 if a submission could not be read.
 
-    Of an assignment `submissions/<number>/<slug>.py`, and what was released in `base/`.
+    A folder contains `submissions/<number>/<slug>.py`, and the stub in `base/`.
     """
     everything = submissions(paths, slugs, slug_given)
     if out.exists() and (not out.is_dir() or any(out.iterdir())):
         raise UsageError(f"cannot write to {out}: it is not an empty folder; name a new one, for its numbers are new")
     students = sorted({submission.student for submission in everything})
-    order = random.SystemRandom().sample(range(1, len(students) + 1), len(students))  # which tells nobody
+    order = random.SystemRandom().sample(range(1, len(students) + 1), len(students))  # reveals no name
     numbers = {student: f"s{number:04}" for student, number in zip(students, order, strict=True)}
     texts, unread = texts_of(everything)
     with writing(out):
@@ -62,7 +62,7 @@ def run(
 def texts_of(
     everything: Iterable[Submission], form: Callable[[str], str] = str
 ) -> tuple[dict[str, dict[str, str]], list[str]]:
-    """Return the texts of submissions in some form, by assignment and student, and who is left out; warn of each."""
+    """Return form(text) of each submission by assignment and student, and the unreadable ones, with a warning each."""
     texts: dict[str, dict[str, str]] = defaultdict(dict)
     unread = []
     for submission in everything:
@@ -75,7 +75,7 @@ def texts_of(
 
 
 def code(submission: Submission) -> str:
-    """Return the text of a module; of a notebook, the Python of its cells one after another."""
+    """Return the code of a submission: a module's text, or the Python code of a notebook's cells in order."""
     if submission.path is None:
         raise CannotRead(submission.reason)
     source = read(submission)

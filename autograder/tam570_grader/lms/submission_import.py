@@ -1,4 +1,4 @@
-"""Puts a download of a learning management system into `submitted/<student>/<assignment>/`: `tam570-grader collect`."""
+"""Sort a learning management system's download into `submitted/<student>/<assignment>/` (`tam570-grader collect`)."""
 
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -22,7 +22,7 @@ ELSEWHERE = "it is named after {other}, and this download is of {slug}: ask whic
 TWO = "another in the download goes to the same student: who is who on the roster?"
 TAKEN = "its folder would be that of another student on the roster: give a roster that knows it"
 STRANGER = "is on no row of the roster"
-MOST_WARNINGS = 10  # of a student
+MOST_WARNINGS = 10  # warnings per student
 SUBMITTED = (
     "a submission has been submitted.",
     "submission created.",
@@ -34,7 +34,7 @@ TIME, WHO, EVENT = "time", "user full name", "event name"  # columns of Moodle's
 
 @dataclass(frozen=True)
 class Taken:
-    """One file with its student, its assignment and the name that it gets; without one `reason` says why."""
+    """A file with its student, its assignment and its new name `target`; if that is empty, `reason` says why."""
 
     student: str
     person: Person | None
@@ -46,11 +46,11 @@ class Taken:
 
 @dataclass(frozen=True)
 class Lists:
-    """What an instructor has besides the download.
+    """Tables that an instructor has besides the download.
 
-    roster : all students, by whose logins folders are named
-    groups : who is in which group, where one member hands in for all; a roster with a column Group does, too
-    times  : when work came, where the download does not tell: Moodle's worksheet or log
+    roster : all students; folders are named after their logins
+    groups : members of groups in which one hands in for all; not needed if the roster has a column Group
+    times  : Moodle's worksheet or log, with times that the download does not have
     """
 
     roster: Path | None = None
@@ -59,9 +59,9 @@ class Lists:
 
 
 def run(source: Path, system: str, out: Path, slugs: Sequence[str], slug_given: str | None, lists: Lists) -> int:
-    """Collect a download; the exit code is 1 if anything is left that needs the instructor.
+    """Collect a download; return 1 if there are problems that the instructor must solve.
 
-    slug_given : the assignment, where names of files do not tell; a download is of one
+    slug_given : the assignment of the download, if the names of files do not tell
     """
     if not source.exists():
         raise UsageError(f"{source} does not exist: name the zip file that {SYSTEMS[system].title} gave you")
@@ -102,7 +102,7 @@ def run(source: Path, system: str, out: Path, slugs: Sequence[str], slug_given: 
 
 
 def _assignment_of(unpacked: Sequence[Handed], slugs: Sequence[str]) -> str:
-    """Return the assignment that a download is of: the one that most names of files tell; empty if none does."""
+    """Return the assignment after which most students named files; "" if none did, UsageError for a tie."""
     titled = {(handed.who, slug) for handed in unpacked if (slug := of_name(handed.title, slugs))}
     ranked = Counter(slug for _, slug in titled).most_common(2)
     if len(ranked) == 2 and ranked[0][1] == ranked[1][1]:
@@ -112,7 +112,7 @@ def _assignment_of(unpacked: Sequence[Handed], slugs: Sequence[str]) -> str:
 
 
 def _unpacked(handed: Sequence[Handed]) -> list[Handed]:
-    """Return the files themselves, and the work that zip files hold; no student fills the memory."""
+    """Return the files, with zip files replaced by the work in them; a quota limits each student's memory."""
     quotas: dict[str, Quota] = defaultdict(Quota)
     unpacked = []
     for upload in handed:
@@ -124,7 +124,7 @@ def _unpacked(handed: Sequence[Handed]) -> list[Handed]:
             unpacked.append(replace(upload, file=File(file.path, b"", full)) if full else upload if is_kept else empty)
             continue
         held = unpack_zip(file, quota)
-        for member in held:  # below the zip file's path, for by its name a page is handed back
+        for member in held:  # path below the zip file's, whose name `handback` needs
             path = f"{file.path}/{member.path}".rstrip("/")
             unpacked.append(replace(upload, file=replace(member, path=path), title=member.path.rsplit("/", 1)[-1]))
         unpacked += [] if held else [empty]
@@ -132,7 +132,7 @@ def _unpacked(handed: Sequence[Handed]) -> list[Handed]:
 
 
 def _place(handed: Handed, why_not: str, slug: str, slugs: Sequence[str], slug_given: str | None) -> tuple[str, str]:
-    """Return the name that a file gets; none, and the reason, where it gets none."""
+    """Return the new name of a file and "", or "" and the reason why it is not collected."""
     title = handed.title
     other = of_name(title, slugs)
     if handed.file.refused:
@@ -141,7 +141,7 @@ def _place(handed: Handed, why_not: str, slug: str, slugs: Sequence[str], slug_g
         if why_not or not is_beside(title):
             return "", NOT_WORK
         plain = "".join(c if c.isalnum() or c in "-_." else "_" for c in title).lstrip(".")
-        return f"beside-{plain[-100:]}", ""  # a name that says nothing to a system or a terminal
+        return f"beside-{plain[-100:]}", ""  # a safe name for file systems and terminals
     if GIVEN.fullmatch(Path(title.removesuffix(".txt")).stem):
         return "", RELEASED
     if not (other or slug_given):
@@ -152,7 +152,7 @@ def _place(handed: Handed, why_not: str, slug: str, slugs: Sequence[str], slug_g
 
 
 def _with_work(rows: Sequence[Taken]) -> list[Taken]:
-    """Return the rows; drawings and words have a place where work has one, else they are all that came."""
+    """Return the rows, without the targets of drawings and texts of students who have no module or notebook."""
     working = {row.student for row in rows if form(row.target)}
     return [
         _left(row, NOT_WORK) if row.target and not form(row.target) and row.student not in working else row
@@ -167,7 +167,7 @@ def _left(row: Taken, reason: str) -> Taken:
 def _owners(
     handed: Handed, system: str, everyone: Directory, teams: Mapping[str, Sequence[Person]]
 ) -> tuple[Sequence[Person], str]:
-    """Return the students whose a file is; none and a sentence if somebody has to say whose."""
+    """Return the students to whom a file belongs; if it is unclear, none and the reason ("" if no row fits)."""
     who = everyone.owner(handed.keys, handed.name, must_agree=SYSTEMS[system].must_agree)
     if isinstance(who, Person):
         return [who], ""
@@ -178,7 +178,7 @@ def _owners(
 
 
 def _told_apart(rows: Sequence[Taken], everyone: Directory) -> list[Taken]:
-    """Return the rows, without a place where two people would be one student: a name may be anybody's."""
+    """Return the rows, without the targets of different people whose folders would have the same name."""
     folders = {person.folder for person in everyone.people}
     who = defaultdict[str, set[tuple[object, ...]]](set)
     for row in rows:
@@ -194,7 +194,7 @@ def _told_apart(rows: Sequence[Taken], everyone: Directory) -> list[Taken]:
 
 
 def _newest(rows: Sequence[Taken]) -> list[Taken]:
-    """Return all rows, of which the best of each student and form alone keeps its place."""
+    """Return all rows, sorted, of which only the best of each student and target keeps its target."""
     best: dict[tuple[str, str], Taken] = {}
     for row in rows:
         key = row.student, row.target
@@ -211,12 +211,12 @@ def _newest(rows: Sequence[Taken]) -> list[Taken]:
 
 
 def _rank(row: Taken) -> tuple[bool, tuple[object, ...], bool]:
-    """Rank a file that is named after its assignment before scratch, then the newest, then the exact name."""
+    """Return a key, largest for the best file: named after its assignment, then newest, then with the exact name."""
     return of_name(row.handed.title, [row.slug]) is not None, row.handed.order, row.handed.title == row.target
 
 
 def _timed(rows: Sequence[Taken], path: Path | None, everyone: Directory) -> list[Taken]:
-    """Return the rows with the times that a worksheet or a log tells, where the download tells none."""
+    """Return the rows with times from a log, worksheet or roster if the download has none."""
     logged = _last_times(path, everyone) if path else {}
 
     def when(row: Taken) -> str:
@@ -227,7 +227,7 @@ def _timed(rows: Sequence[Taken], path: Path | None, everyone: Directory) -> lis
 
 
 def _last_times(path: Path, everyone: Directory) -> dict[str, str]:
-    """Return when each student's work came last, by folder, from Moodle's worksheet or its log; else UsageError."""
+    """Return the time of each student's last submission by folder, from Moodle's worksheet or log; else UsageError."""
     heading, *rows = table(path)
     lower = [name.strip().lower() for name in heading]
     if rosters.WHEN in lower:
@@ -248,7 +248,7 @@ def _last_times(path: Path, everyone: Directory) -> dict[str, str]:
 
 
 def _write(rows: Sequence[Taken], out: Path) -> list[str]:
-    """Write the files into their folders, and the table of who, what and when; name each file that is replaced."""
+    """Write the files into their folders, and collected.csv; return a sentence for each file that is replaced."""
     path, replaced = out.parent / TABLE, []
     with writing(out):
         for row in rows:
@@ -259,7 +259,7 @@ def _write(rows: Sequence[Taken], out: Path) -> list[str]:
                     replaced.append(f"{target} is replaced by {row.handed.file.path}")
                 written(target, row.handed.file.data)
         out.mkdir(parents=True, exist_ok=True)
-        # Of earlier downloads those rows stay that no row of this one replaces.
+        # rows of earlier downloads are kept unless this download replaces them
         new = {(row.student, row.slug, row.target) for row in rows}
         earlier = [tuple(row[name] for name in COLUMNS) for row in (listed(path) if path.exists() else [])]
         lines = [line for line in earlier if line[2] and (line[0], line[2], line[3]) not in new]
@@ -272,7 +272,7 @@ def _write(rows: Sequence[Taken], out: Path) -> list[str]:
 
 
 def _warn(troubles: Iterable[tuple[str, str]]) -> None:
-    """Print what needs the instructor; of a student no more than a few lines, for the table has all."""
+    """Print the problems as warnings, at most MOST_WARNINGS per student; the table has all."""
     count = Counter[str]()
     for student, line in troubles:
         count[student] += 1
@@ -284,7 +284,7 @@ def _warn(troubles: Iterable[tuple[str, str]]) -> None:
 
 
 def _newer_notebooks(rows: Iterable[Taken], out: Path) -> Iterator[tuple[str, str]]:
-    """Yield for each notebook that came after the module that counts its student, and a sentence."""
+    """Yield student and sentence for each notebook that is newer than the module that counts."""
     work = [row for row in rows if row.target]
     modules = {(row.student, row.slug): row.handed.order for row in work if row.target.endswith(".py")}
     for row in work:
@@ -297,7 +297,7 @@ def _newer_notebooks(rows: Iterable[Taken], out: Path) -> Iterator[tuple[str, st
 
 
 def _say(rows: Sequence[Taken], out: Path, everyone: Directory, slug: str, *, all_matched: bool) -> None:
-    """Print how many were collected, how many late, whose time is unknown, and who on the roster handed in nothing."""
+    """Print how many files were collected, late, or without a time, and who on the roster handed in nothing."""
     work = [row for row in rows if form(row.target)]
     late = sum(row.handed.late for row in work)
     count = f"{counted(len(work), 'file')} of {counted(len({row.student for row in work}), 'student')}"

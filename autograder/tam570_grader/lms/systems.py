@@ -1,7 +1,6 @@
-"""The learning management systems: what each calls a file that a student handed in, and what its tables look like.
+"""The learning management systems: their names for submitted files, and the layouts of their tables.
 
-A system is one value of SYSTEMS; the options of the commands, a page of the documentation and the tests are made of it.
-What a system does not have is None.
+Options of commands, a page of the documentation and tests are generated from SYSTEMS. None: there is no such file.
 """
 
 import re
@@ -13,32 +12,32 @@ NUMBER = "[0-9]{1,20}"
 
 @dataclass(frozen=True)
 class ScoreTable:
-    """A table of scores that a system imports."""
+    """The layout of a table of scores that a system imports."""
 
-    keys: tuple[str, ...]  # headings that tell who a row is, kept as the system exported them
-    login: tuple[str, ...]  # of these, the ones that hold a login, where no roster says more
-    column: re.Pattern[str]  # of the heading of an assignment: its title, and an id or the points possible
-    heading: str = "{slug}"  # of a new column
-    must_match: bool = True  # the system makes a second assignment of a column that it does not know
-    identities: Mapping[str, str] = field(default_factory=dict)  # --identity: the one heading that is a key
-    possible: str | None = None  # how the row of the points possible begins
-    end: tuple[str, str] | None = None  # heading and cell of a last column
-    prefix: str = ""  # before each key
-    excused: str = ""  # in the place of a score
+    keys: tuple[str, ...]  # headings that identify a student, copied from the system's export
+    login: tuple[str, ...]  # those of the keys that contain a login if there is no roster
+    column: re.Pattern[str]  # heading of an assignment: title, and an id or the points possible
+    heading: str = "{slug}"  # heading of a new column
+    must_match: bool = True  # a column that the system does not know would create another assignment
+    identities: Mapping[str, str] = field(default_factory=dict)  # by --identity: the heading of the only key
+    possible: str | None = None  # first cell of the row of points possible
+    end: tuple[str, str] | None = None  # heading and cell of an additional last column
+    prefix: str = ""  # prefix of each key
+    excused: str = ""  # score of an excused student
 
 
 @dataclass(frozen=True)
 class System:
-    """What one system writes and reads."""
+    """The files that a system writes and reads."""
 
     title: str
     export: str  # what an instructor downloads
-    verified: str  # against which files the layouts were held
-    download: re.Pattern[str] | None  # the name of a file or folder of a student; None: a table or the folders tell
-    ids: Mapping[str, tuple[str, ...]] = field(default_factory=dict)  # group of the name: kinds of ids on a roster
-    must_agree: bool = False  # a number counts only if the name beside it is its owner's
-    has_times: bool = False  # the download tells when a file came
-    page: str | None = None  # the name of a page that is handed back
+    verified: str  # the files with which the layouts were compared
+    download: re.Pattern[str] | None  # name of a student's file or folder; None: a table or plain folders identify them
+    ids: Mapping[str, tuple[str, ...]] = field(default_factory=dict)  # by group of `download`: kinds of ids on a roster
+    must_agree: bool = False  # an id counts only if the name beside it is its owner's
+    has_times: bool = False  # the download has the times of the files
+    page: str | None = None  # name of a feedback page
     table: ScoreTable | None = None
 
 
