@@ -1,4 +1,4 @@
-"""From a Lagrangian in SymPy to functions of plain floats.
+"""Turn a Lagrangian in SymPy into functions of plain floats.
 
 For example::
 
@@ -7,8 +7,8 @@ For example::
     bead = lagrange.load(text)
     integrate.solve(bead.rhs, t, [0.5, 0.0], parameters={"m": 1.0, "c": 2.0, "g": 9.81})
 
-`source` needs SymPy and is called once; its text is plain Python on top of `math`, to be loaded, or saved as a
-file and imported, with neither SymPy nor NumPy. It holds, all with the arguments `(t, state, *, parameters)`:
+`source` needs SymPy and is called once. Its text is plain Python that imports only `math`: load it, or save it as a
+file and import that. It has these functions, all with the arguments `(t, state, *, parameters)`:
 
 - rhs                 : the rates (velocities, accelerations) of the state (coordinates, velocities)
 - mass_matrix, forcing: M and F of  M a = F + A^T lam, as tuples
@@ -48,7 +48,7 @@ def source(
     coordinates, velocities : sequences of n symbols
         In the same order.
     constraints : sequence of expressions
-        They vanish: of coordinates and time (holonomic), or linear in the velocities.
+        Expressions that are zero: in coordinates and time (holonomic), or linear in the velocities.
     forces : sequence of n expressions
         Generalised forces that the Lagrangian does not contain; empty for none.
     time : symbol
@@ -73,14 +73,14 @@ def source(
     >>> spring.rhs(0.0, (1.0, 0.0), k=4.0, m=1.0)
     (0.0, -4.0)
     """
-    from tam570.lagrange import _derivation, _writing  # SymPy only where it is needed
+    from tam570.lagrange import _derivation, _writing  # SymPy is slow to import
 
     motion = _derivation.motion(lagrangian, coordinates, velocities, constraints, forces, time)
     return _writing.module(motion)
 
 
 def load(text: str) -> ModuleType:
-    """Make a module of the text of `source`; its lines appear in tracebacks and for `inspect`.
+    """Load the text of `source` as a module; tracebacks and `inspect` show its lines.
 
     Parameters
     ----------

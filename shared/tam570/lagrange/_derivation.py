@@ -1,4 +1,4 @@
-"""Lagrange's equations of the second kind, with multipliers for what constrains them."""
+"""Lagrange's equations of the second kind, with multipliers for constraints."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -32,7 +32,7 @@ def motion(
     forces: Sequence[Expression],
     time: Symbol | None,
 ) -> EquationsOfMotion:
-    """d/dt dL/dv - dL/dq = Q + A^T lam, the derivative along the motion written out."""
+    """Derive d/dt dL/dv - dL/dq = Q + A^T lam, with the derivative along the motion written out."""
     q, v, t = tuple(coordinates), tuple(velocities), sympy.Symbol("t") if time is None else time
     if not q or len(q) != len(v):
         raise ValueError(f"velocities: one for each coordinate, got {len(v)} for {len(q)}")
@@ -74,7 +74,7 @@ def _carried(expression: Expression, q: Sequence[Symbol], v: Sequence[Symbol], t
 
 
 def _check_pivots(mass: Expression, matrix: Expression) -> None:
-    """Refuse an indefinite M with a zero where the written elimination, which exchanges no rows, divides."""
+    """Raise ValueError for an indefinite M with which elimination, without exchange of rows, divides by zero."""
     M, A = _at_numbers(mass, matrix)
     for system in (M, A * M.inv() * A.T):
         if any(_rank(system[:k, :k]) < k for k in range(1, system.rows + 1)):
@@ -85,14 +85,14 @@ def _check_pivots(mass: Expression, matrix: Expression) -> None:
 
 
 def _at_numbers(*matrices: Expression) -> list[Expression]:
-    """Return the matrices at some numbers, in 30 digits."""
+    """Evaluate the matrices with some numbers for their symbols, in 30 digits."""
     symbols = sorted(set().union(*(matrix.free_symbols for matrix in matrices)), key=str)
     numbers = {symbol: sympy.Rational(17 + i, 13) for i, symbol in enumerate(symbols)}
     return [matrix.subs(numbers).evalf(30) for matrix in matrices]
 
 
 def _rank(matrix: Expression) -> int:
-    """Return the rank at some numbers."""
+    """Return the rank of a matrix with some numbers for its symbols."""
     (at_numbers,) = _at_numbers(matrix)
     negligible = 1e-20 * at_numbers.norm()  # far above the rounding of 30 digits
     return int(at_numbers.rank(iszerofunc=lambda x: abs(x) <= negligible))

@@ -1,8 +1,8 @@
-"""The equations as Python text: straight lines of plain floats, nothing computed twice, no zero carried along.
+"""Write the equations as straight-line Python on floats, without repeated subexpressions or terms that are zero.
 
-Numbers to come are symbols, whose names are in the text. Linear systems are eliminated line by line, without exchanges:
-the mass matrix of a system with inertia in every coordinate is positive definite, and so is A M^-1 A^T of independent
-constraints. An indefinite one that would need exchanges is refused before.
+Symbols stand for intermediate results and have the names of their variables in the text. Linear systems are solved by
+elimination without exchange of rows: the mass matrix of a system with inertia in every coordinate is positive definite,
+and so is A M^-1 A^T of independent constraints. An indefinite one that needs exchanges is refused before.
 """
 
 import keyword
@@ -19,7 +19,7 @@ System = list[list[Expression]]
 
 
 def module(motion: EquationsOfMotion) -> str:
-    """Return the whole text."""
+    """Return the text of the module."""
     _check_names(motion)
     functions = [
         _function(motion, "rhs", "The rates of the state.", _rates),
@@ -47,7 +47,7 @@ def _head(motion: EquationsOfMotion) -> str:
 
 
 def _function(motion: EquationsOfMotion, name: str, summary: str, result: Expression) -> str:
-    """Return a function's text; result(motion, lines) appends to its lines and gives what it returns."""
+    """Return a function's text; result(motion, lines) appends lines to its body and returns its `return` expression."""
     parameters = ", ".join(["*", *map(str, motion.parameters)]) if motion.parameters else ""
     signature = ", ".join(filter(None, [str(motion.time), "state", parameters]))
     lines = [f"{', '.join(map(str, motion.coordinates + motion.velocities))} = state"]
@@ -60,7 +60,7 @@ def _rates(motion: EquationsOfMotion, lines: Lines) -> str:
 
 
 def _solution(motion: EquationsOfMotion, lines: Lines) -> tuple[list[Expression], list[Expression]]:
-    """Accelerations and multipliers, lam from A M^-1 A^T lam = -(bias + A M^-1 F)."""
+    """Return accelerations and multipliers, lam from A M^-1 A^T lam = -(bias + A M^-1 F)."""
     n, c = len(motion.coordinates), len(motion.matrix)
     entries = [*sum(motion.mass, ()), *motion.forcing, *sum(motion.matrix, ()), *motion.bias]
     numbers = iter(_named(lines, _values(lines, entries if c else _cancelled(entries, motion.parameters))))
@@ -79,7 +79,7 @@ def _solution(motion: EquationsOfMotion, lines: Lines) -> tuple[list[Expression]
 
 
 def _cancelled(entries: Sequence[Expression], parameters: Sequence[Expression]) -> list[Expression]:
-    """Return the entries of M and F without the parameters that are factors of all of them, as a single mass is."""
+    """Return the entries of M and F without parameters that are factors of all of them, such as a single mass."""
     factored = [sympy.factor_terms(entry) for entry in entries]
     powers = [entry.as_powers_dict() for entry in factored if entry != 0]
     exponents = {p: [sympy.sympify(power.get(p, 0)) for power in powers] for p in parameters}
@@ -88,7 +88,7 @@ def _cancelled(entries: Sequence[Expression], parameters: Sequence[Expression]) 
 
 
 def _solved(lines: Lines, matrix: System, columns: System) -> System:
-    """Solutions of a symmetric positive definite system for several right-hand columns."""
+    """Solve a symmetric system by elimination without exchange of rows, for several right-hand columns."""
     upper, columns = [list(row) for row in matrix], [list(column) for column in columns]
     size = len(upper)
     for k in range(size):
@@ -110,12 +110,12 @@ def _dot(row: Sequence[Expression], column: Sequence[Expression]) -> Expression:
 
 
 def _named(lines: Lines, expressions: Iterable[Expression]) -> list[Expression]:
-    """Return symbols for what takes operations; what is a symbol or a number, or less one, stays."""
+    """Return symbols for expressions that need operations; numbers, symbols and negated symbols stay."""
     return [e if e.is_Number or (-e).is_Symbol or e.is_Symbol else _symbol(lines, _text(lines, e)) for e in expressions]
 
 
 def _values(lines: Lines, expressions: Sequence[Expression]) -> list[Expression]:
-    """Return the expressions, after lines for what they have in common."""
+    """Write lines for common subexpressions; return the expressions in terms of these."""
     shared, results = sympy.cse(expressions, symbols=sympy.numbered_symbols(cls=sympy.Dummy))
     names: dict[Expression, Expression] = {}
     for symbol, expression in shared:
@@ -124,7 +124,7 @@ def _values(lines: Lines, expressions: Sequence[Expression]) -> list[Expression]
 
 
 def _text(lines: Lines, expression: Expression) -> str:
-    """One expression; bases of whole powers get names, so that x**2 can be written x*x."""
+    """Return the text of an expression; bases of small integer powers get names, so that x**2 can be written x*x."""
     for power in sorted(expression.atoms(sympy.Pow), key=sympy.default_sort_key):
         if _is_product(power) and not power.base.is_Symbol and expression.has(power):
             base = _symbol(lines, _text(lines, power.base))
@@ -133,7 +133,7 @@ def _text(lines: Lines, expression: Expression) -> str:
         text = str(_PRINTER.doprint(expression))
     except NotImplementedError as error:
         raise ValueError(f"no function of math computes {expression}") from error
-    if "#" in text:  # where SymPy before 1.13 puts the same into a comment
+    if "#" in text:  # SymPy before 1.13 writes a comment instead of raising
         raise ValueError(f"no function of math computes {expression}")
     return text
 
@@ -143,7 +143,7 @@ def _is_product(power: Expression) -> bool:
 
 
 class _Printer(PythonCodePrinter):  # type: ignore[misc]  # SymPy's classes carry no types
-    """SymPy's printer with small whole powers as products: x*x takes a quarter of the time of x**2."""
+    """SymPy's printer with small integer powers as products: x*x takes a quarter of the time of x**2."""
 
     def _print_Pow(self, expr: Expression, rational: bool = False) -> str:
         if not _is_product(expr) or not expr.base.is_Symbol:
@@ -156,7 +156,7 @@ _PRINTER = _Printer()
 
 
 def _symbol(lines: Lines, text: str) -> Expression:
-    """Return a new symbol for the number that the text computes."""
+    """Write a line that assigns the text to a new name; return its symbol."""
     name = f"_{len(lines)}"
     lines.append(f"{name} = {text}")
     return sympy.Symbol(name)
@@ -177,7 +177,7 @@ def _joined(texts: Iterable[str]) -> str:
 
 
 def _check_names(motion: EquationsOfMotion) -> None:
-    """Give every symbol a name in the text."""
+    """Raise ValueError if a symbol's name is not valid in the text, or two symbols have the same name."""
     names = [str(s) for s in (motion.time, *motion.coordinates, *motion.velocities, *motion.parameters)]
     for name in names:
         if not name.isidentifier() or keyword.iskeyword(name) or name in ("math", "state") or name[0] == "_":

@@ -3,20 +3,20 @@
 Conventions
 
 - A matrix R turns column vectors: r' = R r. For a body it takes body components to space components.
-- Angles are in radians, right-handed about their axis, never wrapped on the way in.
+- Angles are in radians, right-handed about their axis, and used without wrapping.
 - An axis is a vector of any nonzero length. From a matrix: a unit axis and 0 <= angle <= pi; the axis is x
   at angle 0 and of either sign at pi. A rotation vector is axis times angle.
 - A quaternion is (w, x, y, z) = (cos(angle/2), sin(angle/2) axis), scalar first; q and -q are the same
-  rotation. Any nonzero length is taken; from a matrix: length 1 and w >= 0.
-  `composition(p, q)` is first q, then p, as in R_p R_q.
-- Euler angles: a sequence "ijk" names axes 1, 2, 3 = x, y, z of the body, turned about in that order, each as
-  the turns before have left it: R = R_i(a) R_j(b) R_k(c). "313" is Rz(psi) Rx(theta) Rz(phi), "312" is
-  Rz Rx Ry; the same matrix turns about axes fixed in space by c, b, a. From a matrix: a and c in [-pi, pi],
+  rotation. Any nonzero length is accepted; from a matrix: length 1 and w >= 0.
+  `composition(p, q)` turns by q, then by p, as R_p R_q does.
+- Euler angles: a sequence "ijk" names the axes of three turns, 1, 2, 3 = x, y, z of the body, each as the turns
+  before it have moved it: R = R_i(a) R_j(b) R_k(c). "313" is Rz(psi) Rx(theta) Rz(phi), "312" is Rz Rx Ry;
+  turns by c, b, a about axes fixed in space give the same matrix. From a matrix: a and c in [-pi, pi],
   b in [0, pi] where the last axis is the first ("313"), else in [-pi/2, pi/2] ("312"). In gimbal lock, where
   only a + c or a - c is determined, a is 0.
 - The angular velocity is in body axes: R' = R skew(omega).
-- Arrays in, arrays out; leading axes are batches and broadcast: (..., 3), (..., 4), (..., 3, 3).
-- A matrix within 1e-6 of a rotation is accepted, and the result is as far off as the matrix is; `nearest` repairs it.
+- Functions take and return arrays; leading axes are batches and broadcast: (..., 3), (..., 4), (..., 3, 3).
+- A matrix within 1e-6 of a rotation is accepted; the result has an error of the same size. `nearest` repairs it.
 - Wrong input raises ValueError with the argument's name, the offending value, and what to do.
 
 Formulas: Shuster, A survey of attitude representations, J. Astronautical Sciences 41 (1993); Shepperd,
@@ -153,7 +153,7 @@ def axis_angle_from_matrix(R: ArrayLike) -> tuple[Array, Array]:
     (array([0.57735, 0.57735, 0.57735]), 120.0)
     """
     axis_and_angle = evaluate(_formulas.axis_angle_of_matrix, (4,), ("R", ROTATION, R))
-    return axis_and_angle[..., :3], axis_and_angle[..., 3][()]  # of one rotation a float
+    return axis_and_angle[..., :3], axis_and_angle[..., 3][()]  # a float for one rotation
 
 
 def matrix_from_quaternion(q: ArrayLike) -> Array:
@@ -261,7 +261,7 @@ def matrix_from_euler(sequence: str, angles: ArrayLike) -> Array:
 
 
 def euler_from_matrix(sequence: str, R: ArrayLike) -> Array:
-    """Return the three Euler angles of a rotation; they rebuild R to the last digits in gimbal lock too.
+    """Return the three Euler angles of a rotation; `matrix_from_euler` of them is R to rounding, in gimbal lock too.
 
     Parameters
     ----------

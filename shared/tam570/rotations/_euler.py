@@ -1,4 +1,4 @@
-"""Euler angles: the twelve sequences by one set of formulas.
+"""Euler angles: one set of formulas for the twelve sequences.
 
 Let i, j be the first two axes, k the third one of the frame and s = e_k . (e_i x e_j) = +-1. The sequence
 ijk is iji with a quarter turn about j before and after the last rotation,
@@ -6,7 +6,7 @@ R_k(c) = R_j(pi/2) R_i(-s c) R_j(-pi/2), so that
 
     R_i(a) R_j(b) R_k(c) = R_i(a) R_j(b + pi/2) R_i(-s c) R_j(-pi/2),
 
-and R_j(-pi/2) only exchanges two columns: e_i -> s e_k, e_k -> -s e_i. What is derived for iji serves both.
+and R_j(-pi/2) only exchanges two columns: e_i -> s e_k, e_k -> -s e_i. So the formulas for iji serve both.
 """
 
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ Numbers = tuple[Component, ...]
 
 @dataclass(frozen=True)
 class Sequence:
-    """Axes i, j, k (0, 1, 2) of the frame, the handedness s of i, j, k, whether the last turn is about i."""
+    """Axes i, j, k (0, 1, 2) of the frame, the handedness s of i, j, k, and whether the last turn is about i."""
 
     i: int
     j: int
@@ -29,7 +29,7 @@ class Sequence:
 
 
 def sequences() -> dict[str, Sequence]:
-    """Return all twelve by name, "313" and so on."""
+    """Return the twelve sequences by name, such as "313"."""
     return {
         f"{i + 1}{j + 1}{last + 1}": Sequence(i, j, 3 - i - j, 1 if (j - i) % 3 == 1 else -1, last == i)
         for i in range(3)
@@ -46,7 +46,7 @@ def matrix_of_angles(order: Sequence) -> Formula:
         i, j, k, s = order.i, order.j, order.k, order.s
         ca, sa, cc = f.cos(a), f.sin(a), f.cos(c)
         cb, sb, sc = (f.cos(b), f.sin(b), f.sin(c)) if order.proper else (-f.sin(b), f.cos(b), -s * f.sin(c))
-        of_i = {i: cb, j: sa * sb, k: -s * ca * sb}  # where each axis goes under R_i(a) R_j(b) R_i(c)
+        of_i = {i: cb, j: sa * sb, k: -s * ca * sb}  # the axis turned by R_i(a) R_j(b) R_i(c)
         of_j = {i: sc * sb, j: cc * ca - sc * cb * sa, k: s * (cc * sa + sc * cb * ca)}
         of_k = {i: s * cc * sb, j: -s * (cc * cb * sa + sc * ca), k: cc * cb * ca - sc * sa}
         columns = {i: of_i, j: of_j, k: of_k}
@@ -64,8 +64,8 @@ def _times(s: int, vector: dict[int, Component]) -> dict[int, Component]:
 def angles_of_matrix(order: Sequence) -> Formula:
     """Return the formula of the three angles of a rotation matrix.
 
-    The first angle is read off, its rotation is undone, and the last angle is read off what remains: near
-    gimbal lock, where the two are ill determined one by one, they still belong together and rebuild R.
+    The formula computes the first angle, undoes its rotation, and computes the last angle from what remains: near
+    gimbal lock each of the two is ill-conditioned, but together they still give R.
     """
 
     def formula(f: Functions, *R: Component) -> Numbers:
@@ -76,8 +76,8 @@ def angles_of_matrix(order: Sequence) -> Formula:
         sa, ca, cb = of_i[j], 0.0 - s * of_i[k], of_i[order.i]  # sin b times the sine and cosine of a
         sb = f.hypot(sa, ca)
         a = f.atan2(sa, ca)  # 0 for 0 and 0: ca is never -0
-        sa, ca = f.sin(a), f.cos(a)  # of the rounded angle: c makes up for what it lacks
-        sc = -s * (ca * of_k[j] + s * sa * of_k[k])  # c turns e_j, seen from the frame before it
+        sa, ca = f.sin(a), f.cos(a)  # of the rounded angle, so that c corrects its error
+        sc = -s * (ca * of_k[j] + s * sa * of_k[k])  # from e_j turned by c, in the frame before that turn
         cc = ca * rows[j][j] + s * sa * rows[k][j]
         if order.proper:
             return defect(*R), a, f.atan2(sb, cb), f.atan2(sc, cc)
@@ -87,7 +87,7 @@ def angles_of_matrix(order: Sequence) -> Formula:
 
 
 def rates(order: Sequence) -> Formula:
-    """Return the formula of the three rates, omega in body axes, and of what vanishes in gimbal lock."""
+    """Return the formula of the three rates, omega in body axes, and of a number that is 0 in gimbal lock."""
 
     def formula(f: Functions, a: Component, b: Component, c: Component, *omega: Component) -> Numbers:
         s = order.s

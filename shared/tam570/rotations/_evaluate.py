@@ -1,9 +1,9 @@
-"""One formula, evaluated on plain floats or on arrays: single rotations stay cheap, batches stay fast.
+"""Evaluate one formula on floats for a single rotation, or on arrays for a batch, so that both are fast.
 
-A formula is a straight-line function `formula(f, *components)` of numbers. `f` holds the elementary
-functions: those of `math` for one rotation (no array overhead), those of NumPy for a block of rotations,
-component by component. Its first result is a measure of its input that it needs or gets nearly free; where
-that leaves the range it must lie in, and only there, the arguments are looked at one by one.
+A formula is a straight-line function `formula(f, *components)` of numbers. `f` has the elementary functions: those of
+`math` for one rotation (no array overhead), those of NumPy for a block of rotations, component by component. Its first
+result is a measure of its input that costs almost nothing. Only if the measure leaves its range are the arguments
+checked one by one.
 """
 
 import math
@@ -17,16 +17,16 @@ from numpy.typing import ArrayLike, NDArray
 Array = NDArray[np.float64]
 Component = Any  # a float, or an array of floats with one entry per rotation
 Formula = Callable[..., tuple[Component, ...]]
-Stacked = Callable[[list[Array], Array, Array], Array]  # of arguments (k, n), workspace, results (n, m): measure (n,)
+Stacked = Callable[[list[Array], Array, Array], Array]  # (arguments (k, n), workspace, results (n, m)) -> measure (n,)
 
-BLOCK = 4096  # rotations evaluated together: their components fit in the second-level cache
-STACK = 8400  # where they are stacked: below 4097 numbers, NumPy takes products with one row row by row
+BLOCK = 4096  # rotations evaluated together, whose components fit in the second-level cache
+STACK = 8400  # for stacked formulas: up to 4096 numbers, NumPy computes products with one row one at a time
 ROWS = 16  # of the workspace
 
 
 @dataclass(frozen=True)
 class Functions:
-    """The elementary functions a formula may use."""
+    """The elementary functions that a formula may use."""
 
     sin: Callable[..., Component]
     cos: Callable[..., Component]
@@ -43,7 +43,7 @@ def _either(condition: bool, if_true: float, if_false: float) -> float:
 
 
 def _norm(x: Array, y: Array, z: Array) -> Array:
-    """Length of a vector; no square underflows, as it does in the root of a sum of squares."""
+    """Return the length of a vector; unlike in the root of a sum of squares, no square underflows."""
     return np.asarray(np.hypot(np.hypot(x, y), z))
 
 
@@ -53,16 +53,16 @@ ARRAYS = Functions(np.sin, np.cos, np.tan, np.sqrt, np.arctan2, np.hypot, _norm,
 
 @dataclass(frozen=True)
 class Requirement:
-    """What an argument must be; of the first one, the measures tell whether all arguments are ordinary."""
+    """A condition on an argument. A measure in the range of the first one means that all arguments meet theirs."""
 
     shape: tuple[int, ...]
-    holds: Callable[[Array], NDArray[np.bool_]]  # of rows (n, k), one for each rotation
+    holds: Callable[[Array], NDArray[np.bool_]]  # of rows (n, k), one for each rotation: which meet it
     demand: str  # ends the sentence "<name> ...", and says what to do
-    mend: Callable[[Array], Array] = lambda rows: rows  # brings lengths out of the ordinary into range
-    measures: tuple[float, float] = (0.0, 0.0)  # least and greatest of input that needs no second look
+    mend: Callable[[Array], Array] = lambda rows: rows  # scales unusual lengths into range
+    measures: tuple[float, float] = (0.0, 0.0)  # range of the measure, in which rows need no check
 
 
-Argument = tuple[str, Requirement, Array]  # its name, what it must be, its values
+Argument = tuple[str, Requirement, Array]  # name, requirement, values
 
 
 def evaluate(
@@ -74,7 +74,7 @@ def evaluate(
     """Return `formula` of the arguments' components, for every rotation in the batch; results of `shape` each.
 
     arguments : name, requirement and value of each
-    stacked   : the same formula for batches, where it is written for whole stacks of components
+    stacked   : the same formula for batches, if it is also written for stacks of components
     """
     floats = [(name, requirement, np.asarray(value, dtype=np.float64)) for name, requirement, value in arguments]
     single = _evaluate_single(formula, shape, floats)
@@ -84,7 +84,7 @@ def evaluate(
 
 
 def _evaluate_single(formula: Formula, shape: tuple[int, ...], arguments: list[Argument]) -> Array | None:
-    """On floats; None if there is more than one rotation, or input that needs a second look."""
+    """Evaluate on floats; return None for more than one rotation, or for input that needs a check."""
     numbers: list[float] = []
     for _, requirement, value in arguments:
         if value.shape != requirement.shape:
@@ -92,14 +92,14 @@ def _evaluate_single(formula: Formula, shape: tuple[int, ...], arguments: list[A
         numbers += value.ravel().tolist()
     try:
         measure, *results = formula(FLOATS, *numbers)
-    except (ValueError, ArithmeticError):  # math's way to say not a number
+    except (ValueError, ArithmeticError):  # math raises where NumPy returns NaN
         return None
     least, greatest = arguments[0][1].measures
     return np.array(results).reshape(shape) if least <= measure <= greatest else None
 
 
 def _by_component(formula: Formula) -> Stacked:
-    """Return a formula on stacks: component by component."""
+    """Return a formula for stacks that evaluates them component by component."""
 
     def stacked(tables: list[Array], _: Array, results: Array) -> Array:
         components = (row for table in tables for row in np.ascontiguousarray(table))
@@ -115,12 +115,12 @@ def _evaluate_batch(formula: Stacked, block: int, shape: tuple[int, ...], argume
     count = math.prod(batch)
     results, workspace = np.empty((count, math.prod(shape))), _workspace(min(count, block), aligned=count >= block)
     least, greatest = arguments[0][1].measures
-    with np.errstate(all="ignore"):  # what is not a number is refused by name; underflow is harmless
+    with np.errstate(all="ignore"):  # NaN is refused below, with the argument's name; underflow is harmless
         for start in range(0, count, block):
             rows, part = [table[start : start + block] for table in tables], results[start : start + block]
             part_workspace = workspace if len(part) == block else workspace[:, : len(part)]
             measure = formula([table.T for table in rows], part_workspace, part)
-            # the least and the greatest are no number if one is none
+            # argmin and argmax give the index of a NaN, if any
             if not (measure[measure.argmin()] >= least and measure[measure.argmax()] <= greatest):
                 mended = [_mended(*argument[:2], table).T for argument, table in zip(arguments, rows, strict=True)]
                 formula(mended, part_workspace, part)
@@ -128,7 +128,7 @@ def _evaluate_batch(formula: Stacked, block: int, shape: tuple[int, ...], argume
 
 
 def _workspace(columns: int, *, aligned: bool) -> Array:
-    """Return rows to work in; aligned, where it repays, so that no vector lies in two lines of the cache."""
+    """Return the workspace; if `aligned`, no SIMD vector in it crosses a cache line, which pays for large blocks."""
     if not aligned:
         return np.empty((ROWS, columns))
     numbers = np.empty(ROWS * columns + 8)
@@ -153,7 +153,7 @@ def _tables(arguments: list[Argument]) -> tuple[tuple[int, ...], list[Array]]:
 
 
 def _batch(name: str, requirement: Requirement, value: Array) -> tuple[int, ...]:
-    """Return the leading axes."""
+    """Return the leading axes of an argument. Raise ValueError if the others are wrong."""
     rank = value.ndim - len(requirement.shape)
     if value.shape[rank:] != requirement.shape or rank < 0:
         wanted = ", ".join(["...", *map(str, requirement.shape)])
@@ -162,7 +162,7 @@ def _batch(name: str, requirement: Requirement, value: Array) -> tuple[int, ...]
 
 
 def _mended(name: str, requirement: Requirement, rows: Array) -> Array:
-    """Return the rows of an argument, lengths brought into range; ValueError if one is not what it must be."""
+    """Return the rows of an argument, with lengths in range. Raise ValueError for a row that is not as required."""
     holds = requirement.holds(rows)
     if not holds.all():
         wrong = rows[np.argmin(holds)].reshape(requirement.shape)

@@ -1,8 +1,8 @@
 """The conversions as straight-line formulas; matrices row by row, quaternions scalar first.
 
-First comes the measure of the input: a squared length, the defect of a matrix, or nothing for finite numbers.
+The first result is a measure of the input: a squared length, the defect of a matrix, or 0 for finite numbers.
 
-A quaternion of any length stands for a rotation: leaving it unnormalised saves roundings and square roots.
+Quaternions have any length: not to normalise them saves roundings and square roots.
 """
 
 import math
@@ -21,7 +21,7 @@ def square(*components: Component) -> Component:
 
 
 def nothing(*components: Component) -> Component:
-    """Zero, if all components are finite."""
+    """Return 0 if all components, and their sum, are finite, else NaN."""
     total = components[0]
     for c in components[1:]:
         total = total + c
@@ -29,10 +29,10 @@ def nothing(*components: Component) -> Component:
 
 
 def matrix_of_quaternion(f: Functions, w: Component, x: Component, y: Component, z: Component) -> Numbers:
-    """Rotation matrix of a quaternion of any length."""
+    """Return the rotation matrix of a quaternion of any length."""
     ww, xx, yy, zz = w * w, x * x, y * y, z * z
     near_x, off_x, over_x, y_over_z = ww + xx, yy + zz, ww - xx, yy - zz
-    n = near_x + off_x  # dividing last, once an entry, halves the rounding of a unit quaternion's formula
+    n = near_x + off_x  # one division per entry, at the end, has half the rounding of a unit quaternion's formula
     h = 0.5 * n
     xy, yz, zx = x * y, y * z, z * x
     wx, wy, wz = w * x, w * y, w * z
@@ -51,14 +51,14 @@ def matrix_of_quaternion(f: Functions, w: Component, x: Component, y: Component,
 
 
 def matrix_of_axis_angle(f: Functions, x: Component, y: Component, z: Component, angle: Component) -> Numbers:
-    """Rotation matrix of an axis of any length and an angle, by the quaternion (1, n tan(angle/2)) |axis|."""
-    t = f.tan(0.5 * angle)  # no double is near enough to pi for t to overflow
+    """Return the rotation matrix of an axis of any length and an angle by the quaternion (1, n tan(angle/2)) |axis|."""
+    t = f.tan(0.5 * angle)  # no float is close enough to pi for t to overflow
     return matrix_of_quaternion(f, f.sqrt(square(x, y, z)), t * x, t * y, t * z)
 
 
 def matrix_of_vector(f: Functions, x: Component, y: Component, z: Component) -> Numbers:
-    """Rotation matrix of a rotation vector."""
-    angle = f.sqrt(square(x, y, z))  # 0 below 1e-162, where tan(angle/2)/angle is 1/2 to the last digit
+    """Return the rotation matrix of a rotation vector."""
+    angle = f.sqrt(square(x, y, z))  # 0 below 1e-162, where tan(angle/2)/angle is 1/2 to rounding
     t = f.where(angle == 0, 0.5, f.tan(0.5 * angle) / f.where(angle == 0, 1.0, angle))
     return matrix_of_quaternion(f, 1.0, t * x, t * y, t * z)
 
@@ -66,8 +66,8 @@ def matrix_of_vector(f: Functions, x: Component, y: Component, z: Component) -> 
 def quaternion_direction(f: Functions, *R: Component) -> Numbers:
     """Return the quaternion times a number of at least 2, scalar part not negative (Shepperd 1978).
 
-    The outer product 4 q q^T is linear in R; of its four columns the one of a large enough component of q is
-    taken, so that nothing cancels.
+    The outer product 4 q q^T is linear in R. The formula uses its column of a large enough component of q, so that
+    nothing cancels.
     """
     a, b, c, d, e, g, h, k, m = R
     on_axis, x_not_y, z_not_w = m < 0, a > e, a < -e
@@ -84,14 +84,14 @@ def quaternion_direction(f: Functions, *R: Component) -> Numbers:
 
 
 def quaternion_of_matrix(f: Functions, *R: Component) -> Numbers:
-    """Return unit quaternion of a rotation matrix, w >= 0."""
+    """Return the unit quaternion of a rotation matrix, w >= 0."""
     w, x, y, z = quaternion_direction(f, *R)
     s = 1 / f.sqrt(square(w, x, y, z))
     return defect(*R), s * w, s * x, s * y, s * z
 
 
 def axis_angle_of_matrix(f: Functions, *R: Component) -> Numbers:
-    """Return unit axis and angle in [0, pi]; the x axis where the angle is 0."""
+    """Return the unit axis and the angle in [0, pi]; the x axis if the angle is 0."""
     w, x, y, z = quaternion_direction(f, *R)
     length = f.norm(x, y, z)
     still = length == 0
@@ -100,7 +100,7 @@ def axis_angle_of_matrix(f: Functions, *R: Component) -> Numbers:
 
 
 def vector_of_matrix(f: Functions, *R: Component) -> Numbers:
-    """Rotation vector, no longer than pi."""
+    """Return the rotation vector, no longer than pi, of a rotation matrix."""
     w, x, y, z = quaternion_direction(f, *R)
     length = f.norm(x, y, z)
     angle = 2 * f.atan2(length, w)
@@ -109,7 +109,7 @@ def vector_of_matrix(f: Functions, *R: Component) -> Numbers:
 
 
 def to_length(f: Functions, length: Component, x: Component, y: Component, z: Component) -> Numbers:
-    """Return a vector whose length is off by a few roundings, brought to `length`: near pi each of them would count."""
+    """Correct a vector, whose length is off by a few roundings, to `length`: near pi such an error would matter."""
     grid = 2.0**28 * length
     excess: Component = 0.0
     rest: Component = 0.0
@@ -123,7 +123,7 @@ def to_length(f: Functions, length: Component, x: Component, y: Component, z: Co
 
 
 def product_of_quaternions(f: Functions, *pq: Component) -> Numbers:
-    """Hamilton's product p q."""
+    """Return Hamilton's product p q."""
     a, b, c, d, w, x, y, z = pq
     return (
         nothing(*pq),
@@ -146,9 +146,9 @@ def vector_of_skew(f: Functions, *S: Component) -> Numbers:
 
 
 def nearest_rotation(f: Functions, *M: Component) -> Numbers:
-    """Return the orthogonal factor of M by Newton's iteration, X <- (X + X^-T)/2, and the last step's square.
+    """Return the last step's square and the orthogonal factor of M, by Newton's iteration X <- (X + X^-T)/2.
 
-    Five steps suffice for singular values within a factor of ten (Higham 1986); a left-handed M has none.
+    Five steps suffice for singular values within a factor of ten (Higham 1986). For a left-handed M the first is inf.
     """
     s = f.sqrt(3 / square(*M))
     X = tuple(s * entry for entry in M)

@@ -1,4 +1,4 @@
-"""What arguments must be, and what is done with those out of the ordinary."""
+"""Requirements of arguments, and the scaling or repair of unusual ones."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -6,8 +6,8 @@ from numpy.typing import NDArray
 from tam570.rotations._evaluate import Array, Requirement
 from tam570.rotations._formulas import defect
 
-# Measures that need no second look; of what must only be finite, 0
-SQUARES = (1e-6, 1e250)  # squared lengths; times an angle of 1e-300 the least does not underflow
+# Ranges of the measures of arguments that need no closer look; 0 for those that must only be finite
+SQUARES = (1e-6, 1e250)  # squared lengths; the least does not underflow when multiplied by an angle of 1e-300
 TURNS = (0.0, 1e300)  # squared lengths of rotation vectors, which may underflow
 STEPS = (0.0, 1e-18)  # square of Newton's last step, which leaves an error of half its square
 DEFECTS = (0.0, 1e-12)  # of a matrix within 1e-6 of a rotation
@@ -30,7 +30,7 @@ def _is_rotation(rows: Array) -> NDArray[np.bool_]:
 
 
 def _has_one_nearest(rows: Array) -> NDArray[np.bool_]:
-    """Return whether the two smaller stretches, the last one negative for a left-handed matrix, do not cancel."""
+    """Return whether the two smaller singular values, the last negated for a left-handed matrix, do not cancel."""
     finite = _is_finite(rows)
     matrices = np.where(finite[:, None], rows, 0.0).reshape(-1, 3, 3)
     U, stretch, Vt = np.linalg.svd(matrices)
@@ -39,10 +39,10 @@ def _has_one_nearest(rows: Array) -> NDArray[np.bool_]:
 
 
 def _nearest_by_svd(rows: Array) -> Array:
-    """Nearest rotations where Newton's iteration is slow or left-handed (Kabsch 1978).
+    """Return the nearest rotations, also where Newton's iteration is slow or a matrix left-handed (Kabsch 1978).
 
-    At the nearest rotation R^T M is symmetric; turning by what is left of its antisymmetric part takes away the
-    rounding errors of the singular vectors.
+    At the nearest rotation R^T M is symmetric. A turn by the rest of its antisymmetric part removes the rounding errors
+    of the singular vectors.
     """
     M = rows.reshape(-1, 3, 3)
     M = M / np.abs(M).max(axis=(1, 2), keepdims=True)
@@ -57,7 +57,7 @@ def _nearest_by_svd(rows: Array) -> Array:
 
 
 def _into_range(rows: Array) -> Array:
-    """Rows scaled by powers of two, exactly, to a largest component in [1/2, 1)."""
+    """Scale rows by powers of two, exactly, so that the largest component is in [1/2, 1)."""
     _, exponent = np.frexp(np.abs(rows).max(axis=1, keepdims=True))
     return np.asarray(np.ldexp(rows, -exponent))
 

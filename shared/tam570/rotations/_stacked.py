@@ -1,9 +1,9 @@
-"""The matrices of many quaternions at once, by one matrix product.
+"""Compute the matrices of many quaternions at once, by one matrix product.
 
-A batch of a thousand is short enough for the calls of NumPy to cost more than the arithmetic. The components lie
-in rows of one workspace, so that one call serves all rows that are treated alike; the nine entries, each a sum of
-the products of two components, are these times one constant matrix. That divides before it sums: an entry is off
-by 3 eps at most, where the formula for floats is by 1.2. A turn by 0 is the identity, exactly.
+In a batch of a thousand, NumPy's calls cost more than the arithmetic. The components are rows of one workspace, so that
+one call computes several rows. Each of the nine entries is a sum of products of two components: one constant matrix
+times these products gives them all. This divides before it sums, so an entry has an error of up to 3 eps, with the
+formula for floats of up to 1.2 eps. A turn by 0 gives exactly the identity.
 
 Each function fills the results (n, 9) and returns the measure (n,).
 """
@@ -12,7 +12,7 @@ import numpy as np
 
 from tam570.rotations._evaluate import Array
 
-ENTRIES = np.array(  # of R, one a line, from the rows of products
+ENTRIES = np.array(  # entries of R, one a line, as sums of the products below
     [  # ww  xx  yy  zz  wx  xy  yz  wy  xz  wz
         [1, 1, -1, -1, 0, 0, 0, 0, 0, 0],
         [0, 0, 0, 0, 0, 2, 0, 0, 0, -2],
@@ -30,7 +30,7 @@ ONES = np.ones(4)
 
 
 def matrix_of_quaternion(tables: list[Array], workspace: Array, results: Array) -> Array:
-    """Rotation matrices of quaternions (4, n) of any length."""
+    """Compute the rotation matrices of quaternions (4, n) of any length."""
     square: Array = workspace[15]
     workspace[:4] = tables[0]
     _matrix(workspace, square, results)
@@ -38,7 +38,7 @@ def matrix_of_quaternion(tables: list[Array], workspace: Array, results: Array) 
 
 
 def matrix_of_axis_angle(tables: list[Array], workspace: Array, results: Array) -> Array:
-    """Rotation matrices of axes (3, n) of any length and angles (1, n)."""
+    """Compute the rotation matrices of axes (3, n) of any length and angles (1, n)."""
     X = workspace[1:4]
     square: Array = workspace[15]
     X[...] = tables[0]
@@ -47,18 +47,18 @@ def matrix_of_axis_angle(tables: list[Array], workspace: Array, results: Array) 
     t /= np.sqrt(square)
     _matrix_of_tangent(t, workspace, results)
     t *= 0.0
-    square += t  # no number if the angle is none
+    square += t  # NaN if the angle is not finite
     return square
 
 
 def matrix_of_vector(tables: list[Array], workspace: Array, results: Array) -> Array:
-    """Rotation matrices of rotation vectors (3, n)."""
+    """Compute the rotation matrices of rotation vectors (3, n)."""
     X, angle, t = workspace[1:4], workspace[4], workspace[5]
     square: Array = workspace[15]
     X[...] = tables[0]
     _sum_of_squares(X, workspace[4:7], square)
     np.sqrt(square, out=angle)
-    np.maximum(angle, 1e-150, out=angle)  # down there tan(angle/2)/angle is 1/2 to the last digit
+    np.maximum(angle, 1e-150, out=angle)  # for smaller angles tan(angle/2)/angle is 1/2 to rounding
     np.multiply(angle, 0.5, out=t)
     np.tan(t, out=t)
     t /= angle
@@ -72,14 +72,14 @@ def _sum_of_squares(rows: Array, squares: Array, total: Array) -> None:
 
 
 def _matrix_of_tangent(t: Array, workspace: Array, results: Array) -> None:
-    """Of the quaternions (1, t x, t y, t z), with x, y, z in their rows."""
+    """Compute the matrices of the quaternions (1, t x, t y, t z), with x, y, z in rows 1 to 3 of the workspace."""
     workspace[0] = 1.0
     workspace[1:4] *= t
     _matrix(workspace, workspace[14], results)
 
 
 def _matrix(workspace: Array, square: Array, results: Array) -> None:
-    """Of the quaternions in the first four rows, whose squared lengths go to a row that is not theirs."""
+    """Compute the matrices of the quaternions in the first four rows; write their squared lengths to `square`."""
     Q, products = workspace[:4], workspace[4:14]
     over_square = products[:4]
     _sum_of_squares(Q, over_square, square)
