@@ -184,13 +184,12 @@ class _Processes(ThreadPoolExecutor):
         """Kill all worker processes. Callers that need results must wait for their futures first."""
         with self._lock:
             self._over = True
-        for process in self._all:
-            process.kill()
+        with sandboxes():  # they take as long to end as the processes, at the same time
+            for process in self._all:
+                process.kill()
         super().shutdown(wait=True, cancel_futures=True)
         for process in self._all:
             process.close()
-        with sandboxes():
-            pass
 
 
 def forks() -> bool:
