@@ -124,7 +124,7 @@ def _unpacked(handed: Sequence[Handed]) -> list[Handed]:
             unpacked.append(replace(upload, file=File(file.path, b"", full)) if full else upload if is_kept else empty)
             continue
         held = unpack_zip(file, quota)
-        for member in held:  # path below the zip file's, whose name `handback` needs
+        for member in held:  # path below the zip file's, whose name `lms --pages` needs
             path = f"{file.path}/{member.path}".rstrip("/")
             unpacked.append(replace(upload, file=replace(member, path=path), title=member.path.rsplit("/", 1)[-1]))
         unpacked += [] if held else [empty]
