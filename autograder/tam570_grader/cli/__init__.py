@@ -38,19 +38,19 @@ COMMANDS = {  # the module and the help of each command, in the order of the hel
 
 
 def main(argv: list[str] | None = None) -> int:
-    """Run the command; the exit code is 0 (done), 1 (the grader failed), 2 (bad usage) or 130 (interrupted)."""
+    """Run a command; return the exit code: 0 (done), 1 (the grader failed), 2 (bad usage) or 130 (interrupted)."""
     end_as_by_ctrl_c()
     try:
         arguments = _parser().parse_args(argv)
         command: Callable[[argparse.Namespace], int] = arguments.command
         return command(arguments)
     except KeyboardInterrupt as ended:
-        signal.signal(signal.SIGINT, signal.SIG_DFL)  # a second one ends what is still being put away
+        signal.signal(signal.SIGINT, signal.SIG_DFL)  # a second Ctrl-C also ends the cleanup
         say("", error=True)
         warn("; ".join(["interrupted", *map(str, ended.args)]), "")
         return INTERRUPTED
     except BrokenPipeError:
-        # the reader has gone; nothing more to say
+        # the reader of stdout has ended
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
     except UsageError as error:
@@ -64,16 +64,16 @@ def main(argv: list[str] | None = None) -> int:
 
 
 class _Command(argparse.ArgumentParser):
-    """A command; when it is given, `load` imports its module, which takes time, and adds its options."""
+    """A command that imports its module and adds its options only when it is used, by `load`, as imports take time."""
 
     load: Callable[[], None] | None
-    grades = False  # launch a sandbox meanwhile
+    grades = False  # the command launches a sandbox, which starts during the imports
 
     def parse_known_args(self, *args: Any, **kwargs: Any) -> Any:
         if self.load is None:
             return super().parse_known_args(*args, **kwargs)
         if self.grades:
-            gc.set_threshold(100_000)  # modules and records are without circles, which would be sought again and again
+            gc.set_threshold(100_000)  # modules and records have no reference cycles
             launch_early()
         load, self.load = self.load, None
         load()
@@ -102,7 +102,7 @@ def _load(command: argparse.ArgumentParser, module: str, name: str) -> None:
 
 
 def _add_root(parser: argparse.ArgumentParser, default: str | None) -> None:
-    """Add the option --root: before the command and after it."""
+    """Add the option --root, which is allowed before and after the command."""
     where = "the course (default: $TAM570_COURSE, the trusted course you are in, the one that is installed)"
     parser.add_argument("--root", metavar="DIR", default=default, help=where)
 
@@ -113,5 +113,5 @@ def _complete(parser: argparse.ArgumentParser, commands: Mapping[str, _Command],
     for command in commands.values():
         if command.load:
             command.load()
-    sys.stdout.write(f"{shtab.complete(parser, shell)}\n")  # its tabs stay
+    sys.stdout.write(f"{shtab.complete(parser, shell)}\n")  # not by `say`, which escapes tabs
     return 0

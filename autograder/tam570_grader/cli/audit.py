@@ -1,4 +1,4 @@
-"""The command that grades the grader: `tam570-grader audit`."""
+"""The command `tam570-grader audit`, which tests the grader."""
 
 import argparse
 from collections.abc import Callable, Sequence
@@ -47,7 +47,7 @@ def add_audit(parser: argparse.ArgumentParser) -> None:
 
 
 def _audit(arguments: argparse.Namespace) -> int:
-    """Print what is asked for, an assignment at a time; 1 if there is a fault."""
+    """Print the answers for each assignment; return 1 if there is a fault."""
     course = course_config.course_of(arguments.root)
     questions = [name for name in QUESTIONS if getattr(arguments, name) is not None]
     if arguments.keep and questions != ["fairness"]:
@@ -71,7 +71,7 @@ def _audit(arguments: argparse.Namespace) -> int:
 
 
 def _with_functions(course: Path, slugs: Sequence[str], names: Sequence[str]) -> list[str]:
-    """Return the assignments that have functions of these names; UsageError for a name that none has."""
+    """Return the assignments with functions of these names; raise UsageError for a name that none of them has."""
     texts = {slug: (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8") for slug in slugs}
     there = {slug: set(reached(text)) for slug, text in texts.items()}
     functions = sorted(set().union(*there.values()))

@@ -1,4 +1,4 @@
-"""The command that makes a cluster's certificates: who holds the key may join it, and nobody else."""
+"""The command `tam570-grader certificates`, which makes a cluster's certificate; only holders of the key can join."""
 
 import argparse
 import datetime
@@ -47,7 +47,7 @@ def _certificates(arguments: argparse.Namespace) -> int:
 
 
 def _certificate_and_key(until: datetime.datetime) -> tuple[bytes, bytes]:
-    """Return a certificate that vouches for itself alone, and its key."""
+    """Return a self-signed certificate and its private key, in PEM format."""
     from cryptography import x509
     from cryptography.hazmat.primitives import hashes, serialization
     from cryptography.hazmat.primitives.asymmetric import ec
@@ -57,7 +57,7 @@ def _certificate_and_key(until: datetime.datetime) -> tuple[bytes, bytes]:
     key_identifier = x509.SubjectKeyIdentifier.from_public_key(key.public_key())
     builder = (
         x509.CertificateBuilder(name, name, key.public_key(), x509.random_serial_number())
-        .not_valid_before(datetime.datetime.now(datetime.UTC) - datetime.timedelta(days=1))  # clocks differ
+        .not_valid_before(datetime.datetime.now(datetime.UTC) - datetime.timedelta(days=1))  # other clocks may be slow
         .not_valid_after(until)
         .add_extension(x509.BasicConstraints(ca=True, path_length=0), critical=True)
         .add_extension(key_identifier, critical=False)

@@ -1,4 +1,4 @@
-"""The commands that take submissions in, and give scores, pages and copies of submissions out."""
+"""The commands that import submissions, and export scores, pages and copies of submissions."""
 
 import argparse
 import contextlib
@@ -169,11 +169,11 @@ def _lms(arguments: argparse.Namespace) -> int:
 
 
 def _open_questions(folder: Path, course: Path, only: Sequence[str] = ()) -> tuple[str, list[str]]:
-    """Return a warning if course.toml has other terms for late work than the results, else "".
+    """Return a warning if course.toml has another late policy than the results, else ""; and ungraded parts.
 
-    And a sentence for each part by hand, of assignments with results, that somebody has yet to grade.
+    These are sentences, one for each part that is graded by hand and still lacks points of students with results.
     """
-    if not (folder / "results.jsonl").is_file():  # nbgrader's table, say, which formgrader fills
+    if not (folder / "results.jsonl").is_file():  # for example nbgrader's table, which formgrader fills
         return "", []
     adjustments, slugs, lines = manual_points.read(folder), assignments.slugs(course), []
     with contextlib.closing(results(folder)) as graded:
@@ -192,7 +192,7 @@ def _open_questions(folder: Path, course: Path, only: Sequence[str] = ()) -> tup
 
 
 def _report(arguments: argparse.Namespace) -> int:
-    from tam570_grader.reports import report  # which loads Matplotlib
+    from tam570_grader.reports import report  # imported late: it loads Matplotlib
 
     feedback.must_write_pages()
     course = course_config.course_of(arguments.root)
@@ -207,7 +207,7 @@ def _report(arguments: argparse.Namespace) -> int:
 
 
 def _course_and_slug(arguments: argparse.Namespace, graded: Sequence[Path]) -> tuple[Path, list[str], str | None]:
-    """Return the checkout, its assignments, and the one that --assignment names."""
+    """Return the course, its assignments, and the one that --assignment names (None without the option)."""
     course = course_config.course_of(arguments.root, graded)
     slugs = assignments.slugs(course)
     return course, slugs, assignments.match_slug(arguments.assignment, slugs)

@@ -1,4 +1,4 @@
-"""The command that grades submissions: `tam570-grader grade`."""
+"""The command `tam570-grader grade`, which grades submissions."""
 
 import argparse
 import atexit
@@ -35,14 +35,14 @@ if TYPE_CHECKING:
 
 @dataclass
 class RunSummary:
-    """What is kept of the results of a run until its end: not the results."""
+    """Data of a run that are printed at its end; the results themselves are not kept in memory."""
 
-    rows: list[tuple[str, ...]] = field(default_factory=list)  # of the table
-    adjustments: ManualAdjustments | None = None  # what was added by hand
+    rows: list[tuple[str, ...]] = field(default_factory=list)  # rows of the table
+    adjustments: ManualAdjustments | None = None  # by hand, from --out
     faults: list[str] = field(default_factory=list)
     changes: list[Change] = field(default_factory=list)
-    compared: int = 0
-    last: Json = field(default_factory=dict)
+    compared: int = 0  # number of scores compared with --against
+    last: Json = field(default_factory=dict)  # record of the last result
     store: ResultStore | None = None  # the results in --out
 
 
@@ -87,7 +87,7 @@ def add_grade(parser: argparse.ArgumentParser) -> None:
 
 
 def _seed(text: str) -> int:
-    """Return a seed, or the one in a file, which no list of processes shows."""
+    """Return the seed in a text, or for @FILE that in the file, so that lists of processes do not show it."""
     if not text.startswith("@"):
         return natural(text)
     try:
@@ -97,7 +97,7 @@ def _seed(text: str) -> int:
 
 
 def _grade(arguments: argparse.Namespace) -> int:
-    atexit.register(gc.freeze)  # no circles are sought at the end, where all memory is given back anyway
+    atexit.register(gc.freeze)  # saves the collection of reference cycles at exit
     course = course_config.course_of(arguments.root, arguments.paths)
     chosen = _submissions(arguments, assignments.slugs(course))
     if arguments.format == "gradescope" and len(chosen) != 1:
@@ -125,7 +125,7 @@ def _grade(arguments: argparse.Namespace) -> int:
 
 
 def _run(arguments: argparse.Namespace, course: Path, chosen: list[Submission], summary: RunSummary) -> RunConfig:
-    """Grade all submissions, write the pages, and fill the summary; return what was graded and how."""
+    """Grade all submissions, write the pages, and fill the summary; return the configuration of the run."""
     with ExitStack() as stack:
         earlier = [*arguments.join, *filter(None, [arguments.against])]
         old = [stack.enter_context(closing(results(folder))) for folder in earlier]
@@ -140,10 +140,10 @@ def _run(arguments: argparse.Namespace, course: Path, chosen: list[Submission], 
         if arguments.against and not arguments.json:
             names = arguments.only or filter(None, [arguments.assignment])
             slugs = assignments.match_slugs(names, assignments.slugs(course))
-            gone = regrade.gone(old[-1], chosen, arguments.paths, slugs)  # who are no longer there
+            gone = regrade.gone(old[-1], chosen, arguments.paths, slugs)  # results without a submission now
             summary.changes += gone
             summary.compared += len(gone)
-        if store is not None:  # the pages of all results that are there; of a finished run, of those that changed
+        if store is not None:  # write the pages of all results in the store, unless they are up to date
             failed = feedback.write_pages(arguments.out / "feedback", store, course)
             summary.faults += [f"{' '.join(key)} has no page of feedback" for key in failed]
             summary.adjustments = manual_points.read(arguments.out)
@@ -152,7 +152,7 @@ def _run(arguments: argparse.Namespace, course: Path, chosen: list[Submission], 
 
 
 def _add_result(record: Json, old: list[Results], summary: RunSummary, arguments: argparse.Namespace) -> None:
-    """Add a result to the summary; with --json print it, too, and what became of the old score."""
+    """Add a result to the summary; with --json also print it, with the change of its score if there is --against."""
     summary.rows.append(feedback.row(record))
     if record["score"] is None:
         errors = {check["error"] for check in record["checks"] if check["outcome"] == "grader_error"}
@@ -175,7 +175,7 @@ def _what_is_kept(out: Path | None, summary: RunSummary) -> str:
 
 
 def _print_results(arguments: argparse.Namespace, course: Path, config: RunConfig, summary: RunSummary) -> int:
-    """Print what was asked for; the exit code."""
+    """Print the results in the requested format; return the exit code."""
     if arguments.format == "gradescope" and not summary.faults:
         from tam570_grader.gradescope import autograder
 
@@ -195,21 +195,21 @@ def _print_results(arguments: argparse.Namespace, course: Path, config: RunConfi
 
 
 def _config(arguments: argparse.Namespace, course: Path, chosen: list[Submission], earlier: list[Results]) -> RunConfig:
-    """Return what is graded and how; of the results that are there it takes the seed."""
+    """Return the configuration of the run; without --seed, the seed is that of the earlier results."""
     key = seeds.key(arguments.vary, any(earlier)) if arguments.vary else None
     seed = seeds.seed(arguments.seed, earlier, key)
     options = {name: vars(arguments)[name] for name in course_config.STANDARD}
     limits = course_config.resource_limits(course, arguments.processes, **options)
     ours = [*arguments.paths, *arguments.join, *filter(None, (arguments.out, arguments.against, arguments.vary))]
     hidden = [course, *(path.resolve() for path in ours)]
-    if course.parent.name == course_config.ADAPTED_COURSES:  # of one's own, which has a checkout, and a teacher's desk
+    if course.parent.name == course_config.ADAPTED_COURSES:  # also hide the checkout and course.toml's folder
         hidden += [(course / "shared").resolve().parent, course.parents[1]]
     cluster = _cluster(arguments)
     return RunConfig(course, chosen, seed, arguments.jobs, limits, hidden, arguments.speed, key=key, cluster=cluster)
 
 
 def _cluster(arguments: argparse.Namespace) -> "Cluster | None":
-    """Return the cluster that was named; None for this machine alone."""
+    """Return the cluster that --cluster names; None for this machine."""
     if not arguments.cluster:
         if arguments.certificates or arguments.unconfined:
             raise UsageError("--certificates and --unconfined go with --cluster")
@@ -222,13 +222,13 @@ def _cluster(arguments: argparse.Namespace) -> "Cluster | None":
 def executor_of(
     arguments: argparse.Namespace, course: Path, slugs: Sequence[str]
 ) -> AbstractContextManager[TaskExecutor]:
-    """Return who does the work, by the options --jobs and --cluster."""
+    """Return the executor for the options --jobs and --cluster."""
     cluster = _cluster(arguments)
     return cluster.executor(course, slugs, arguments.jobs) if cluster else executor(arguments.jobs)
 
 
 def _missing_points(summary: RunSummary, config: RunConfig) -> str:
-    """Return how many points of which assignments were not given by hand yet."""
+    """Return, as text, the points of each assignment's parts that are graded by hand but not included yet."""
     parts = {slug: assignments.rubric_of(config.course, slug) for slug in sorted({row[1] for row in summary.rows})}
     lacking = {slug: sum(part.points for part in rubric.values()) for slug, rubric in parts.items() if rubric}
     counted = {slug for slug in lacking if summary.adjustments and summary.adjustments.counts_parts(slug)}
@@ -236,12 +236,12 @@ def _missing_points(summary: RunSummary, config: RunConfig) -> str:
 
 
 def _shard_of(student: str, parts: int) -> int:
-    """Return the part of the class that a student is in, from 1 on: the same on every machine."""
+    """Return the number of the shard of a student, from 1 to `parts`; it is the same on every machine."""
     return zlib.crc32(student.encode()) % parts + 1
 
 
 def _shard(text: str) -> tuple[int, int]:
-    """Convert "2/5" to the numbers 2 and 5."""
+    """Return the numbers 2 and 5 for "2/5"."""
     k, _, n = text.partition("/")
     if not (k.isdecimal() and n.isdecimal() and 1 <= int(k) <= int(n)):
         raise argparse.ArgumentTypeError(f"{text!r} is not K/N with K from 1 to N")
@@ -266,7 +266,7 @@ def _submissions(arguments: argparse.Namespace, slugs: list[str]) -> list[Submis
 
 
 def warn_of_isolation() -> None:
-    """Say so where submissions are plain processes, and hide from them what they could read of this one."""
+    """If there is no bubblewrap, warn, and hide the data of this process that submissions could read."""
     if isolation() != "bubblewrap":
         hide_from_submissions()
         warn(

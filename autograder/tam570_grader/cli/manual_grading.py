@@ -1,4 +1,4 @@
-"""The command that opens a page to grade parts by hand: `tam570-grader mark`."""
+"""The command `tam570-grader mark`, which serves pages to grade parts by hand."""
 
 import argparse
 import contextlib

@@ -1,4 +1,4 @@
-"""The command that takes points by hand: `tam570-grader points`."""
+"""The command `tam570-grader points`, which adds points by hand to results."""
 
 import argparse
 import contextlib
@@ -16,10 +16,10 @@ from tam570_grader.results.manual_points import COLUMNS, EVERYONE, LATE, TOTAL, 
 from tam570_grader.results.store import Results, ResultStore, results
 from tam570_grader.results.tables import write_table
 
-NEED_A_REASON = (manual_points.ADJUST, TOTAL, manual_points.EXCUSED)  # and a check
+NEED_A_REASON = (manual_points.ADJUST, TOTAL, manual_points.EXCUSED)  # as does a check
 NOT_NEGATIVE, SHARES = (TOTAL, LATE, manual_points.EXTENSION), (manual_points.OFF, manual_points.MOST)
 Rubric = Mapping[str, ManualPart]  # by part
-Checks = Mapping[str, float]  # check: its points
+Checks = Mapping[str, float]  # points by check
 
 
 def add_points(parser: argparse.ArgumentParser) -> None:
@@ -62,7 +62,7 @@ def _points(arguments: argparse.Namespace) -> int:
             return _write_template(arguments.table, graded, rubrics, manual_points.read(folder))
         new = list(_checked_rows(arguments.table, graded, rubrics, checks)) if arguments.table else []
     feedback.must_write_pages()
-    with writing(folder), contextlib.closing(ResultStore(folder)) as store:  # nobody else adds rows meanwhile
+    with writing(folder), contextlib.closing(ResultStore(folder)) as store:  # locked: no other command adds rows
         by_hand = manual_points.read(folder).with_(new)
         adjustments, open_, notes = late_policy.apply_late_policy(by_hand, policies, store, arguments.collected)
         manual_points.write(folder, adjustments)
@@ -78,7 +78,7 @@ def _points(arguments: argparse.Namespace) -> int:
 def _checked_rows(
     path: Path, results: Results, rubrics: Mapping[str, Rubric], checks: Mapping[str, Checks]
 ) -> Iterator[Entry]:
-    """Yield the entries of a table, each part with its most; UsageError for the first row that is wrong."""
+    """Yield the entries of a table, parts with their maximum points; raise UsageError for the first invalid row."""
     students = {student for student, _ in results} | {EVERYONE}
     touched = set()
     for line, entry in manual_points.rows_of(path):
@@ -96,12 +96,12 @@ def _checked_rows(
         of = parts[entry.item].points if entry.item in parts else None
         touched |= {slug} if of is not None else set()
         yield Entry(entry.student, slug, entry.item, entry.points, of, entry.comment)
-    for slug in sorted(touched):  # everybody is graded out of the same
+    for slug in sorted(touched):  # everyone's maximum score then includes the parts
         yield from (Entry(EVERYONE, slug, part, None, manual.points) for part, manual in rubrics[slug].items())
 
 
 def _wrong(entry: Entry, students: set[str], parts: Rubric, checks: Checks) -> str:
-    """Return what is wrong with a row, and the remedy; empty if nothing is."""
+    """Return what is wrong with a row, and the remedy; "" if the row is valid."""
     letters = ", ".join(parts) or "none"
     if entry.student not in students:
         return f"there are no results of a student {entry.student!r}; write the name of the folder that was graded"
@@ -127,10 +127,10 @@ def _wrong(entry: Entry, students: set[str], parts: Rubric, checks: Checks) -> s
 
 
 def _write_template(path: Path, results: Results, rubrics: Mapping[str, Rubric], adjustments: ManualAdjustments) -> int:
-    """Write a table with a row for each student and part, beside the claims; what is known is filled in."""
+    """Write a table with a row for each student and part, with points so far and claims; return the exit code."""
     if path.exists():
         raise UsageError(f"{path} is there already, and may hold points that you typed; name a new file")
-    rows: list[tuple[object, ...]] = [(*COLUMNS, "claims")]  # the last is for the eye: it is not read back
+    rows: list[tuple[object, ...]] = [(*COLUMNS, "claims")]  # claims are for the reader only
     for student, slug in results:
         for part, rubric in rubrics.get(slug, {}).items():
             entry = adjustments.entries.get((student, slug, part))

@@ -1,4 +1,4 @@
-"""The commands that hand on the course: stubs, the kit, nbgrader's course, Gradescope's archives."""
+"""The commands that release a course (stubs, kit, nbgrader's course, Gradescope's archives), and `trust`."""
 
 import argparse
 from collections.abc import Callable, Sequence

@@ -1,4 +1,4 @@
-"""The command that shows a failure whole: `tam570-grader replay RESULTS STUDENT CHECK [FILE]`."""
+"""The command `tam570-grader replay RESULTS STUDENT CHECK [FILE]`, which shows all data of a failure."""
 
 import argparse
 import contextlib
@@ -51,7 +51,7 @@ def _replay(arguments: argparse.Namespace) -> int:
 
 
 def _failure(results: Path, student: str, check: str, assignment: str | None) -> tuple[str, Failure]:
-    """Return the assignment and the failure; UsageError where there is none, or more than one."""
+    """Return the assignment and the failure of a student's check; raise UsageError if there is none, or several."""
     with contextlib.closing(store.results(results)) as graded:
         mine = [graded.result(key) for key in graded if key[0] == student]
     if not mine:
@@ -71,12 +71,12 @@ def _failure(results: Path, student: str, check: str, assignment: str | None) ->
 
 
 def _listed(failed: Iterable[tuple[str, str]]) -> str:
-    """List checks with the numbers of their assignments, `hw12: name`."""
+    """Return checks with the numbers of their assignments as text: `hw12: name, ...`."""
     return ", ".join(f"{slug.partition('_')[0]}: {name}" for slug, name in failed)
 
 
 def _again(arguments: argparse.Namespace, slug: str, why: Failure) -> str:
-    """Return what the function of the file gives at this input, in the sandbox; or why it gives nothing."""
+    """Return the result of the file's function for this input, computed in the sandbox, or why there is none."""
     root = course_config.course_of(arguments.root, [arguments.file])
     assignment = assignments.assignment(root, slug)
     try:
@@ -99,7 +99,7 @@ def _again(arguments: argparse.Namespace, slug: str, why: Failure) -> str:
 
 
 def _result(function: SandboxFunction, case: Case) -> str:
-    """Return what a function gives: numbers, the values of a formula, or the curves of a drawing."""
+    """Return a function's result as text: numbers, the values of a formula, or the curves of a drawing."""
     if isinstance(function.returns, Formula):
         return _digits(function.at(case.args[0] if case.args else [case.kwargs]))
     if isinstance(function.returns, Drawing):
@@ -113,15 +113,15 @@ def _case(at: Json) -> Case:
 
 
 def _numbers(value: object) -> Numbers:
-    """Return a list of numbers as the array that it was; any other list as it is."""
+    """Return a list of numbers as an array, other values unchanged."""
     try:
         return np.array(value) if isinstance(value, list) and np.array(value).dtype.kind in "fi" else value
-    except ValueError:  # its members differ in length
+    except ValueError:  # lists of different lengths
         return value
 
 
 def _digits(value: object) -> str:
-    """Return a value as Python, with all digits."""
+    """Return a value as Python code, with all digits."""
     if isinstance(value, np.ndarray):
         return f"np.array({value.tolist()})"
     return repr(value)

@@ -1,4 +1,4 @@
-"""The command that grades on arrival: `tam570-grader watch`."""
+"""The command `tam570-grader watch`, which grades submissions when they arrive."""
 
 import argparse
 import contextlib
